@@ -1,0 +1,19 @@
+"""From a model's definition to NumPy code and proofs (needs sympy).
+
+`derive` shows the formula and its Jacobians, `assert_same` proves that two formulas are equal, `check` compares
+Jacobians with numerical ones, `show` prints source. `python -m slamlib.codegen` writes slamlib/generated.
+"""
+
+from slamlib.codegen.check import check
+from slamlib.codegen.derive import Derivation, derive
+from slamlib.codegen.proof import assert_same
+from slamlib.codegen.show import show
+
+__all__ = ["Derivation", "assert_same", "check", "derive", "load_ipython_extension", "show"]
+
+
+def load_ipython_extension(shell: object) -> None:
+    """`%load_ext slamlib.codegen` makes the cell magic %%tangle known."""
+    from slamlib.tangle import register
+
+    register(shell)

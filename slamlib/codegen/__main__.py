@@ -1,0 +1,156 @@
+"""Command line: write slamlib/generated, or check that it is current."""
+
+import argparse
+import difflib
+import importlib
+import os
+import pkgutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import sympy
+
+import slamlib
+from slamlib.codegen.check import random_point
+from slamlib.codegen.emit import module
+from slamlib.model import FORMULA_PARTS, Model
+
+PACKAGE = Path(slamlib.__file__).parent
+TARGET = PACKAGE / "generated"
+HEADER = '"""Generated code: made by `make generate` from the models of the package, never edited by hand."""\n'
+
+
+def models() -> dict[str, list[Model]]:
+    """The models of each formula module, by the module's path in the package: 'geometry/pose.py'."""
+    found: dict[str, list[Model]] = {}
+    for part in FORMULA_PARTS:
+        if not (PACKAGE / part).is_dir():
+            continue
+        for info in pkgutil.iter_modules([str(PACKAGE / part)]):
+            loaded = importlib.import_module(f"slamlib.{part}.{info.name}")
+            own = [v for v in vars(loaded).values() if isinstance(v, Model) and v.module == loaded.__name__]
+            if own:
+                found[f"{part}/{info.name}.py"] = own
+    return found
+
+
+def generate() -> dict[str, str]:
+    """Text of every generated file, by its path below slamlib/generated."""
+    files = {"__init__.py": HEADER}
+    for path, own in models().items():
+        print(f"  {path}: {len(own)} models", file=sys.stderr)
+        files[f"{path.split('/')[0]}/__init__.py"] = HEADER
+        files[path] = module(own, f"slamlib/{path}")
+    return files
+
+
+def write(target: Path) -> int:
+    """Write all generated files, each whole or not at all, and remove those that no source file stands behind."""
+    files = generate()
+    for path, text in files.items():
+        file = target / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        partial = file.with_suffix(".partial")
+        partial.write_text(text, encoding="utf-8", newline="\n")
+        os.replace(partial, file)
+    for left_over in existing(target) - set(files):
+        (target / left_over).unlink()
+    return len(files)
+
+
+def existing(target: Path) -> set[str]:
+    return {f.relative_to(target).as_posix() for f in target.rglob("*.py")}
+
+
+def check() -> list[str]:
+    """Differences between slamlib/generated and what two fresh runs, under two hash seeds, generate."""
+    with tempfile.TemporaryDirectory() as scratch:
+        folders = [Path(scratch) / seed for seed in ("1", "2")]
+        paths = [str(PACKAGE.parent), *filter(None, sys.path)]
+        runs = [
+            subprocess.Popen(
+                [sys.executable, "-m", "slamlib.codegen", "--into", str(folder)],
+                env={**os.environ, "PYTHONHASHSEED": folder.name, "PYTHONPATH": os.pathsep.join(paths)},
+                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+            )
+            for folder in folders
+        ]  # fmt: skip
+        for run in runs:
+            errors = run.communicate()[1]
+            if run.returncode:
+                return [errors]
+        one, two = ({f: (folder / f).read_text("utf-8") for f in existing(folder)} for folder in folders)
+    committed = {f: (TARGET / f).read_text("utf-8") for f in existing(TARGET)}
+    problems = [
+        f"{f}: the text depends on the hash seed\n{_diff(f, one[f], two[f])}" for f in one if one[f] != two.get(f)
+    ]
+    problems += [f"{f}: missing; run `make generate`" for f in sorted(one.keys() - committed.keys())]
+    problems += [f"{f}: no model stands behind it; run `make generate`" for f in sorted(committed.keys() - one.keys())]
+    return problems + [p for f in sorted(one.keys() & committed.keys()) if (p := _compare(f, committed[f], one[f]))]
+
+
+def _compare(path: str, committed: str, fresh: str) -> str | None:
+    """None if the file is current: the same text, or under another sympy version the same numbers to 1e-12."""
+    if committed == fresh:
+        return None
+    if f"(sympy {sympy.__version__})" in committed or path.endswith("__init__.py"):
+        return f"{path}: not what the models give; run `make generate`\n{_diff(path, committed, fresh)}"
+    return _compare_numbers(path, _load(committed), _load(fresh))
+
+
+def _compare_numbers(path: str, committed: ModuleType, fresh: ModuleType) -> str | None:
+    if committed.DIGESTS != fresh.DIGESTS:
+        return f"{path}: the definitions have changed; run `make generate`"
+    rng = np.random.default_rng(1)
+    for model in models()[path]:
+        arguments = [[float(x) for x in np.ravel(random_point(a, rng))] for a in model.arguments]
+        for name in (n for n in vars(fresh) if n in (model.name, f"{model.name}_jac", f"{model.name}_storage_jac")):
+            a, b = (np.array(getattr(m, name)(*arguments)) for m in (committed, fresh))
+            if a.shape != b.shape or np.max(np.abs(a - b)) > 1e-12 * max(1.0, np.max(np.abs(b))):
+                return f"{path}: {name} gives other numbers than the models; run `make generate`"
+    return None
+
+
+def _load(text: str) -> Any:
+    loaded = ModuleType("loaded")
+    exec(compile(text, "<generated>", "exec"), loaded.__dict__)
+    return loaded
+
+
+def _diff(path: str, old: str, new: str) -> str:
+    lines = difflib.unified_diff(
+        old.splitlines(), new.splitlines(), f"committed/{path}", f"generated/{path}", lineterm="", n=2
+    )
+    return "\n".join(list(lines)[:60])
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Exit status 0 if all is written, or current."""
+    parser = argparse.ArgumentParser(
+        prog="python -m slamlib.codegen", description="Generate NumPy code from the models of slamlib."
+    )
+    parser.add_argument(
+        "--check",
+        action="store_true",
+        help="write nothing; compare slamlib/generated with what the models give",
+    )
+    parser.add_argument("--into", type=Path, default=TARGET, help="folder to write into (default: slamlib/generated)")
+    options = parser.parse_args(arguments)
+    if not options.check:
+        print(f"generated {write(options.into)} files in {options.into}")
+        return 0
+    problems = check()
+    for problem in problems:
+        print(problem, file=sys.stderr)
+    count = sum(map(len, models().values()))
+    print(f"generated code: {count} models in {len(existing(TARGET))} files, {len(problems)} out of date")
+    return 1 if problems or not count else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,103 @@
+"""Compare a model's generated Jacobians with numerical derivatives of its definition."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from slamlib.errors import SlamlibError
+from slamlib.model import Argument, Model
+
+Sampler = Callable[[np.random.Generator], list[Any]]
+
+
+def check(
+    model: Model,
+    *,
+    sample: Sampler | None = None,
+    points: int = 20,
+    seed: int = 0,
+    tolerance: float = 1e-9,
+    silent: bool = False,
+) -> None:
+    """Value and Jacobians against the definition at random points; prints a line per argument, raises AssertionError.
+
+    Derivatives are taken through plus and minus of each space, by a complex step (error of rounding only).
+    sample(rng) gives the arguments where a model is not defined for every vector; the default draws from each space.
+    """
+    rng = np.random.default_rng(seed)
+    worst = dict.fromkeys(model.parameters, 0.0)
+    for _ in range(points):
+        arguments = sample(rng) if sample else [random_point(a, rng) for a in model.arguments]
+        value, jacobians = model.jac(*arguments)
+        _require(model, "value", np.max(np.abs(value - model.definition(*arguments)), initial=0), tolerance, value)
+        for index, argument in enumerate(model.arguments):
+            numerical = complex_step(model, arguments, index)
+            error = np.max(np.abs(jacobians[index] - numerical), initial=0) / max(
+                1.0, np.max(np.abs(numerical), initial=0)
+            )
+            _require(model, argument.name, error, tolerance, jacobians[index])
+            worst[argument.name] = max(worst[argument.name], error)
+    if not silent:
+        for name, error in worst.items():
+            where = f"{points} random points (relative error < {_decade(error)})"
+            print(f"{model.name}: J.{name} agrees with the complex step at {where}")
+
+
+def random_point(argument: Argument, rng: np.random.Generator) -> Any:
+    """A random value for an argument."""
+    return rng.standard_normal(argument.shape) if argument.space is None else argument.space.random(rng)
+
+
+def complex_step(model: Model, arguments: list[Any], index: int, step: float = 1e-30) -> Any:
+    """Jacobian of the definition with respect to one argument, on the tangent space, by a complex step."""
+    argument = model.arguments[index]
+    here = model.definition(*arguments)
+    columns = []
+    for k in range(int(np.prod(argument.tangent))):
+        direction = np.zeros(argument.tangent, dtype=complex)
+        direction.flat[k] = 1j * step
+        moved = list(arguments)
+        moved[index] = (
+            argument.space.plus(arguments[index], direction) if argument.space else arguments[index] + direction
+        )
+        there = model.definition(*moved)
+        if model.result is not None and model.result.space is not None:
+            there = model.result.space.minus(there, here.astype(complex))
+        columns.append(np.imag(there) / step)
+    return np.moveaxis(np.array(columns), 0, -1).reshape(*columns[0].shape, *argument.tangent)
+
+
+def central_difference(model: Model, arguments: list[Any], index: int, step: float = 1e-6) -> Any:
+    """The same by central differences: about nine digits, an independent second opinion."""
+    argument = model.arguments[index]
+    columns = []
+    for k in range(int(np.prod(argument.tangent))):
+        direction = np.zeros(argument.tangent)
+        direction.flat[k] = step
+        ends = []
+        for sign in (1, -1):
+            moved = list(arguments)
+            moved[index] = (
+                argument.space.plus(arguments[index], sign * direction)
+                if argument.space
+                else arguments[index] + sign * direction
+            )
+            ends.append(model.definition(*moved))
+        result = model.result.space if model.result is not None else None
+        columns.append((result.minus(*ends) if result else ends[0] - ends[1]) / (2 * step))
+    return np.moveaxis(np.array(columns), 0, -1).reshape(*columns[0].shape, *argument.tangent)
+
+
+def _require(model: Model, what: str, error: float, tolerance: float, found: Any) -> None:
+    if not np.isfinite(found).all():
+        raise SlamlibError(f"{model.name}: {what} is not finite")
+    if error > tolerance:
+        raise AssertionError(
+            f"{model.name}: {what} differs from its definition by {error:.3g}, relative; tolerance {tolerance:.0e}"
+        )
+
+
+def _decade(error: float) -> str:
+    """A round bound above the error, the same on every machine: never sharper than 1e-12."""
+    return f"1e-{min(12, int(-np.log10(max(error, 1e-300))))}"

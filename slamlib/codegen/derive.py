@@ -1,0 +1,62 @@
+"""Show a model as mathematics: its expression and Jacobians as sympy matrices."""
+
+from typing import Any
+
+import numpy as np
+import sympy
+
+from slamlib.codegen.trace import symbols_for, trace
+from slamlib.errors import ShapeError, UnknownNameError
+from slamlib.model import Model
+
+
+class Derivation:
+    """Value and Jacobians of a model: `.value`, one matrix per argument name, and `.stored[name]` by stored numbers."""
+
+    def __init__(self, model: Model, symbols: list[Any]) -> None:
+        traced = trace(model, symbols)
+        self.model, self.symbols = model, symbols
+        self.value = _matrix(traced.value)
+        self.jacobians = dict(zip(model.parameters, traced.tangent, strict=True))
+        self.stored = dict(zip(model.parameters, traced.stored, strict=True))
+
+    def __getattr__(self, name: str) -> sympy.Matrix:
+        if name in self.__dict__.get("jacobians", {}):
+            return self.jacobians[name]
+        raise AttributeError(
+            f"{self.model.name} has no argument {name!r}; it has {', '.join(self.jacobians)}, and .value, .stored"
+        )
+
+    def _repr_latex_(self) -> str:
+        left = rf"\text{{{self.model.name}}}".replace("_", r"\_")
+        return rf"$\displaystyle {left} = {sympy.latex(self.value)}$"
+
+    def __repr__(self) -> str:
+        return f"{self.model.name} = {self.value}"
+
+
+def derive(model: Model, **symbols: Any) -> Derivation:
+    """Expressions of a model; an argument may be given its symbols: a sympy matrix or list, or a string 'x y theta'."""
+    for name in symbols:
+        if name not in model.parameters:
+            raise UnknownNameError.of(f"argument of {model.name}", name, model.parameters)
+    chosen = []
+    for argument in model.arguments:
+        default = symbols_for(argument)
+        chosen.append(
+            _chosen(model, argument.name, symbols[argument.name], default) if argument.name in symbols else default
+        )
+    return Derivation(model, chosen)
+
+
+def _chosen(model: Model, name: str, given: Any, default: Any) -> Any:
+    if isinstance(given, str):
+        given = [sympy.Symbol(n, real=True) for n in given.replace(",", " ").split()]
+    flat = np.array(list(np.array(given, dtype=object).ravel()), dtype=object)
+    if flat.size != default.size:
+        raise ShapeError.of(f"derive({model.name})", name, default.shape, flat.shape)
+    return flat.reshape(default.shape)
+
+
+def _matrix(value: Any) -> sympy.Matrix:
+    return sympy.Matrix(value.tolist()) if value.ndim else sympy.Matrix([[value[()]]])

@@ -1,0 +1,83 @@
+"""The smooth functions of slamlib.analytic as sympy functions that know their derivatives."""
+
+from typing import Any
+
+import sympy
+
+
+class Stumpff(sympy.Function):
+    """c_k(s); see slamlib.analytic.stumpff."""
+
+    nargs = 2
+
+    @classmethod
+    def eval(cls, order: Any, s: Any) -> Any:
+        if s.is_zero:
+            return 1 / sympy.factorial(order)
+        return None
+
+    def fdiff(self, argindex: int = 1) -> Any:
+        if argindex != 2:
+            raise sympy.function.ArgumentIndexError(self, argindex)
+        order, s = self.args
+        return (order * Stumpff(order + 2, s) - Stumpff(order + 1, s)) / 2
+
+    def closed_form(self) -> Any:
+        """The same function in cosine and sine of the square root of s."""
+        order, s = self.args
+        angle = sympy.sqrt(s)
+        value = sympy.cos(angle) if order % 2 == 0 else sympy.sin(angle) / angle
+        for k in range(order % 2, int(order), 2):
+            value = (1 / sympy.factorial(k) - value) / s
+        return value
+
+    def _latex(self, printer: Any) -> str:
+        return rf"c_{{{self.args[0]}}}\left({printer._print(self.args[1])}\right)"
+
+
+class ArctanRatio(sympy.Function):
+    """arctan(sqrt(s)/w)/sqrt(s); see slamlib.analytic.arctan_ratio."""
+
+    nargs = 2
+
+    @classmethod
+    def eval(cls, s: Any, w: Any) -> Any:
+        return 1 / w if s.is_zero else None
+
+    def fdiff(self, argindex: int = 1) -> Any:
+        s, w = self.args
+        return ArctanRatioSlope(s, w) if argindex == 1 else -1 / (s + w**2)
+
+    def closed_form(self) -> Any:
+        """The same function with arctangent and square root."""
+        s, w = self.args
+        return sympy.atan(sympy.sqrt(s) / w) / sympy.sqrt(s)
+
+    def _latex(self, printer: Any) -> str:
+        return rf"a\left({printer._print(self.args[0])}, {printer._print(self.args[1])}\right)"
+
+
+class ArctanRatioSlope(sympy.Function):
+    """Derivative of ArctanRatio with respect to s."""
+
+    nargs = 2
+
+    @classmethod
+    def eval(cls, s: Any, w: Any) -> Any:
+        return -1 / (3 * w**3) if s.is_zero else None
+
+    def closed_form(self) -> Any:
+        """The same function with arctangent and square root."""
+        s, w = self.args
+        return (w / (s + w**2) - sympy.atan(sympy.sqrt(s) / w) / sympy.sqrt(s)) / (2 * s)
+
+    def _latex(self, printer: Any) -> str:
+        return rf"a_s\left({printer._print(self.args[0])}, {printer._print(self.args[1])}\right)"
+
+
+SMOOTH = (Stumpff, ArctanRatio, ArctanRatioSlope)
+
+
+def closed_form(expression: Any) -> Any:
+    """The expression with every smooth function written out (valid away from s = 0)."""
+    return expression.replace(lambda e: isinstance(e, SMOOTH), lambda e: e.closed_form())

@@ -1,0 +1,105 @@
+"""Run a model's definition on symbols: expressions, and Jacobians on storage and on the tangent space."""
+
+import traceback
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy
+
+from slamlib.codegen.rules import broken, check_rules
+from slamlib.errors import SlamlibError, WritingRuleError
+from slamlib.model import Argument, Model
+from slamlib.spaces import Product
+
+Symbols = Any  # object array of sympy symbols
+
+
+@dataclass(frozen=True)
+class Trace:
+    """A model's expressions: value (object array), and flat (rows, columns) Jacobians per argument."""
+
+    symbols: list[Symbols]
+    value: Symbols
+    stored: list[sympy.Matrix]
+    tangent: list[sympy.Matrix]
+
+
+def symbols_for(argument: Argument) -> Symbols:
+    """One real symbol per stored number: pose0, pose1, ..., in the argument's shape."""
+    names = [f"{argument.name}{i}" for i in range(argument.size)] if argument.size > 1 else [argument.name]
+    flat = np.array([sympy.Symbol(n, real=True) for n in names], dtype=object)
+    return flat.reshape(argument.shape)
+
+
+def trace(model: Model, symbols: list[Symbols] | None = None) -> Trace:
+    """Expressions of the value and of all Jacobians; raises WritingRuleError for what cannot be traced."""
+    check_rules(model.function)
+    symbols = symbols or [symbols_for(a) for a in model.arguments]
+    value = run(model, symbols)
+    flat = sympy.Matrix(value.ravel().tolist())
+    stored = [flat.jacobian(list(s.ravel())) for s in symbols]
+    result = model.result
+    if result is not None and result.shape != value.shape:
+        raise SlamlibError(
+            f"{model.name} declares returns={result.space!r} of shape {result.shape} but returns shape {value.shape}"
+        )
+    left = local(result.space, value) if result is not None and result.is_manifold else None
+    tangent = []
+    for argument, symbol, jacobian in zip(model.arguments, symbols, stored, strict=True):
+        right = jacobian * lift(argument.space, symbol) if argument.is_manifold else jacobian
+        tangent.append(left * right if left is not None else right)
+    return Trace(symbols, value, stored, tangent)
+
+
+def run(model: Model, symbols: list[Symbols]) -> Symbols:
+    """The definition's value on symbols, free of floats."""
+    try:
+        value = model.definition(*symbols)
+    except SlamlibError:
+        raise
+    except Exception as error:
+        frames = [f for f in traceback.extract_tb(error.__traceback__) if f.name == model.name]
+        line, text = (frames[-1].lineno or 0, frames[-1].line or "") if frames else (0, "")
+        raise broken(
+            model.function,
+            line,
+            text,
+            f"a model must run on symbols, but this raised {type(error).__name__}: {error}",
+        ) from error
+    value = np.array([sympy.sympify(e) for e in value.ravel()], dtype=object).reshape(value.shape)
+    for entry in value.ravel():
+        if entry.atoms(sympy.Float):
+            decimal = entry.atoms(sympy.Float).pop()
+            raise WritingRuleError(
+                f"{model.name}: the formula contains the decimal {decimal}; write integers and ratios"
+            )
+    return value
+
+
+def lift(space: Any, point: Symbols) -> sympy.Matrix:
+    """d plus(point, step) / d step at step = 0, (size, dof): how stored numbers move with the tangent vector."""
+    if isinstance(space, Product):
+        return sympy.diag(*[lift(part, piece) for part, piece in zip(space.parts, _pieces(space, point), strict=True)])
+    if space.dof == space.size:
+        return sympy.eye(space.size)
+    step = [sympy.Symbol(f"step{i}", real=True) for i in range(space.dof)]
+    moved = sympy.Matrix(space.plus.definition(point, np.array(step, dtype=object)).tolist())
+    return moved.jacobian(step).subs(dict.fromkeys(step, 0))
+
+
+def local(space: Any, point: Symbols) -> sympy.Matrix:
+    """d minus(other, point) / d other at other = point, (dof, size): the tangent vector of a stored change."""
+    if isinstance(space, Product):
+        return sympy.diag(*[local(part, piece) for part, piece in zip(space.parts, _pieces(space, point), strict=True)])
+    if space.dof == space.size:
+        return sympy.eye(space.size)
+    here = [sympy.Symbol(f"here{i}", real=True) for i in range(space.size)]
+    other = [sympy.Symbol(f"other{i}", real=True) for i in range(space.size)]
+    step = sympy.Matrix(space.minus.definition(np.array(other, dtype=object), np.array(here, dtype=object)).tolist())
+    at_here = step.jacobian(other).subs(dict(zip(other, here, strict=True)))
+    return at_here.applyfunc(sympy.simplify).subs(dict(zip(here, point, strict=True)))
+
+
+def _pieces(space: Product, point: Symbols) -> list[Symbols]:
+    return np.split(point, np.cumsum([p.size for p in space.parts])[:-1])

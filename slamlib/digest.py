@@ -1,0 +1,55 @@
+"""A fingerprint of a model's definition and of all that it calls, to notice generated code that is out of date."""
+
+import functools
+import hashlib
+import inspect
+import textwrap
+from types import CodeType, FunctionType
+from typing import Any
+
+import numpy as np
+
+
+@functools.cache
+def of(model: Any) -> str | None:
+    """Sixteen hexadecimal digits for a model; None where its source is not at hand (then nobody can have edited it)."""
+    try:
+        text = "\n".join(_lines(model, set()))
+    except (OSError, TypeError):
+        return None
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def _lines(model: Any, seen: set[int]) -> list[str]:
+    """Source of the definition, its arguments, and the same of every model, function and constant it names."""
+    if id(model) in seen:
+        return []
+    seen.add(id(model))
+    lines = [source(model.function), repr(model.arguments), repr(model.result)]
+    for argument in [*model.arguments, *([model.result] if model.result else [])]:
+        lines += [line for m in _space_models(argument.space) for line in _lines(m, seen)]
+    for name in sorted(_names(model.function.__code__)):
+        value = model.function.__globals__.get(name)
+        if hasattr(value, "definition"):
+            lines += _lines(value, seen)
+        elif isinstance(value, FunctionType) and not value.__module__.startswith(("numpy", "slamlib.analytic")):
+            lines.append(source(value))
+        elif isinstance(value, int | float | tuple | np.ndarray):
+            lines.append(f"{name} = {value!r}")
+    return lines
+
+
+def source(function: FunctionType) -> str:
+    """The function's text, from its first decorator on, without indentation."""
+    return textwrap.dedent(inspect.getsource(function)).replace("\r\n", "\n").strip()
+
+
+def _names(code: CodeType) -> set[str]:
+    inner = [c for c in code.co_consts if isinstance(c, CodeType)]
+    return set(code.co_names).union(*map(_names, inner))
+
+
+def _space_models(space: Any) -> list[Any]:
+    parts = getattr(space, "parts", [])
+    own = [m for m in (getattr(space, "plus", None), getattr(space, "minus", None)) if hasattr(m, "definition")]
+    return own + [m for part in parts for m in _space_models(part)]

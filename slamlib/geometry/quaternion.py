@@ -1,0 +1,100 @@
+"""Quaternions (w, x, y, z), Hamilton product, local to global: q turns vectors of the frame into vectors of the world."""
+
+import numpy as np
+
+from slamlib.analytic import arctan_ratio, sqrt, stumpff
+from slamlib.model import model
+from slamlib.spaces import Manifold
+
+
+@model(q=4)
+def left_matrix(q):
+    """The matrix of `q (x) p` as a linear function of p. Chapter 6, eq. (fq-left)."""
+    w, x, y, z = q
+    return np.array([[w, -x, -y, -z], [x, w, -z, y], [y, z, w, -x], [z, -y, x, w]])
+
+
+@model(q=4)
+def right_matrix(q):
+    """The matrix of `p (x) q` as a linear function of p. Chapter 6, eq. (fq-right)."""
+    w, x, y, z = q
+    return np.array([[w, -x, -y, -z], [x, w, z, -y], [y, -z, w, x], [z, y, -x, w]])
+
+
+@model(q=4)
+def pi_matrix(q):
+    """The 4 x 3 matrix of `q (x) (0, v)`, so that dq/dt = pi_matrix(q) @ omega / 2. Chapter 6, eq. (fq-pi)."""
+    return left_matrix(q)[:, 1:]
+
+
+@model(left=4, right=4)
+def product(left, right):
+    """Hamilton product: the rotation `right`, then `left`. Chapter 6, eq. (fq-product)."""
+    return left_matrix(left) @ right
+
+
+@model(q=4)
+def conjugate(q):
+    """The opposite rotation, of a unit quaternion. Chapter 6, eq. (fq-conjugate)."""
+    w, x, y, z = q
+    return np.array([w, -x, -y, -z])
+
+
+@model(vector=3)
+def exponential(vector):
+    """Quaternion of a rotation vector [rad], smooth at zero. Chapter 6, eq. (fq-exp)."""
+    quarter = vector @ vector / 4
+    return np.concatenate([np.array([stumpff(0, quarter)]), stumpff(1, quarter) * vector / 2])
+
+
+@model(q=4)
+def logarithm(q):
+    """Rotation vector [rad] of a quaternion, no longer than pi; the same for q and -q. Chapter 6, eq. (fq-log)."""
+    return 2 * arctan_ratio(q[1:] @ q[1:], q[0]) * q[1:]
+
+
+@model(q=4, step=3)
+def plus(q, step):
+    """Turn q by a rotation vector given in its own axes. Chapter 6, eq. (fq-plus)."""
+    return product(q, exponential(step))
+
+
+@model(q=4, origin=4)
+def minus(q, origin):
+    """The rotation vector, in the axes of `origin`, that turns `origin` into q. Chapter 6, eq. (fq-minus)."""
+    return logarithm(product(conjugate(origin), q))
+
+
+UnitQuaternion = Manifold("unit quaternion", size=4, dof=3, plus=plus, minus=minus)
+
+
+@model(q=UnitQuaternion)
+def rotation(q):
+    """Rotation matrix: its columns are the frame's axes in the world. Chapter 6, eq. (fq-rotation)."""
+    w, x, y, z = q
+    return np.array([
+        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+    ])  # fmt: skip
+
+
+@model(matrix=(3, 3), pivot=4)
+def from_rotation(matrix, pivot):
+    """Unit quaternion of a rotation matrix, with pivot @ q > 0; any pivot not orthogonal to q. Chapter 6, eq. (fq-from)."""
+    (a, b, c), (d, e, f), (g, h, i) = matrix
+    outer = np.array([  # 4 q q', linear in the matrix
+        [1 + a + e + i, h - f, c - g, d - b],
+        [h - f, 1 + a - e - i, b + d, c + g],
+        [c - g, b + d, 1 - a + e - i, f + h],
+        [d - b, c + g, f + h, 1 - a - e + i],
+    ])  # fmt: skip
+    column = outer @ pivot
+    return column / (2 * sqrt(pivot @ column))
+
+
+def best_pivot(matrix):
+    """The unit vector (4,) of the quaternion's largest component, for matrices (..., 3, 3): the safest pivot."""
+    a, e, i = np.moveaxis(np.diagonal(matrix, axis1=-2, axis2=-1), -1, 0)
+    squares = np.stack([a + e + i, a - e - i, e - a - i, i - a - e], axis=-1)
+    return np.eye(4)[np.argmax(squares, axis=-1)]

@@ -1,0 +1,232 @@
+"""A model: one short function in which a formula is written down once, with its value and Jacobians.
+
+`f(...)` gives the value and `value, J = f.jac(...)` the value with its Jacobians, both from generated NumPy code that
+broadcasts over leading axes. The definition itself runs on sympy symbols (to generate the code) and on floats (to test
+it): `f.definition(...)`.
+"""
+
+import functools
+import importlib
+import inspect
+import math
+from collections import namedtuple
+from collections.abc import Callable
+from contextvars import ContextVar
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from slamlib import digest
+from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError, StaleCodeError
+from slamlib.spaces import Array, Space, as_space
+
+_defining: ContextVar[bool] = ContextVar("_defining", default=False)
+FORMULA_PARTS = ("geometry", "landmarks", "motions", "sensors")
+
+
+class Argument:
+    """One argument of a model, or its result: name, stored shape, and the space if it is a vector."""
+
+    def __init__(self, name: str, spec: "int | tuple[int, ...] | Space") -> None:
+        self.name = name
+        self.space = None if isinstance(spec, tuple) else as_space(spec)
+        self.shape = spec if isinstance(spec, tuple) else (self.space.size,)  # type: ignore[union-attr]
+        self.tangent = self.shape if self.space is None else (self.space.dof,)
+        self.size = math.prod(self.shape)
+        self.is_manifold = self.space is not None and self.space.dof != self.space.size
+
+    def __repr__(self) -> str:
+        return f"{self.name}: {self.space or self.shape}"
+
+
+def model(
+    *, returns: "int | tuple[int, ...] | Space | None" = None, **arguments: Any
+) -> Callable[[Callable[..., Array]], "Model"]:
+    """Declare a function as a model: for each argument its size (int), shape (tuple; () is a scalar) or space.
+
+    returns: the space of the result, if it is a manifold (its Jacobian rows are then on the tangent space).
+    """
+
+    def declare(function: Callable[..., Array]) -> "Model":
+        return Model(function, [Argument(n, s) for n, s in arguments.items()], returns)
+
+    return declare
+
+
+class Model:
+    """A formula with its generated value and Jacobians; made by the decorator `model`."""
+
+    def __init__(self, function: Callable[..., Array], arguments: list[Argument], returns: Any) -> None:
+        functools.update_wrapper(self, function)
+        self.function, self.arguments = function, arguments
+        self.result = None if returns is None else Argument("result", returns)
+        self.parameters = [a.name for a in arguments]
+        written = list(inspect.signature(function).parameters)
+        if written != self.parameters:
+            raise SlamlibError(
+                f"{self.name}: the decorator names {self.parameters}, the function takes {written}; make them the same"
+            )
+        self._jacobians = namedtuple(f"{self.name}_jacobians", self.parameters)  # type: ignore[misc]
+
+    @property
+    def name(self) -> str:
+        return self.function.__name__
+
+    @property
+    def module(self) -> str:
+        return self.function.__module__
+
+    @property
+    def is_packaged(self) -> bool:
+        """True if the model's code is generated into slamlib/generated, False if it is compiled in memory."""
+        parts = self.module.split(".")
+        return parts[0] == "slamlib" and len(parts) > 1 and parts[1] in FORMULA_PARTS
+
+    @property
+    def has_manifold(self) -> bool:
+        return any(a.is_manifold for a in [*self.arguments, *([self.result] if self.result else [])])
+
+    def __repr__(self) -> str:
+        return f"<model {self.name}({', '.join(map(repr, self.arguments))})>"
+
+    def definition(self, *arguments: Array) -> Array:
+        """The formula as it is written, on floats, complex numbers or symbols; one item, no broadcasting."""
+        token = _defining.set(True)
+        try:
+            return np.asarray(self.function(*(np.asarray(a)[()] for a in arguments)))
+        finally:
+            _defining.reset(token)
+
+    def __call__(self, *args: Array, **kwargs: Array) -> Array:
+        """Value; arguments (..., shape) broadcast over their leading axes.
+
+        Raises ShapeError, NonFiniteError, UnitError for bad arguments, SingularPointError where no value exists.
+        """
+        arguments = self._bind(args, kwargs)
+        if _defining.get() or any(a.dtype == object for a in arguments):
+            return self.definition(*arguments)
+        return self._evaluate("", arguments)[0]
+
+    def jac(self, *args: Array, **kwargs: Array) -> tuple[Array, Any]:
+        """Value and Jacobians (..., result, argument), on tangent spaces where an argument or the result is a manifold."""
+        value, *jacobians = self._evaluate("_jac", self._bind(args, kwargs))
+        return value, self._jacobians(*jacobians)
+
+    def storage_jac(self, *args: Array, **kwargs: Array) -> tuple[Array, Any]:
+        """Value and plain derivatives with respect to the stored numbers: seven of a pose, four of a quaternion."""
+        kind = "_storage_jac" if self.has_manifold else "_jac"
+        value, *jacobians = self._evaluate(kind, self._bind(args, kwargs))
+        return value, self._jacobians(*jacobians)
+
+    def _bind(self, args: tuple[Array, ...], kwargs: dict[str, Array]) -> list[Array]:
+        names = self.parameters
+        if len(args) + len(kwargs) != len(names) or any(k not in names[len(args) :] for k in kwargs):
+            raise SlamlibError(
+                f"{self.name} takes ({', '.join(names)}); got {len(args)} by position and {sorted(kwargs)} by name"
+            )
+        return [np.asarray(a) for a in (*args, *(kwargs[n] for n in names[len(args) :]))]
+
+    @functools.cached_property
+    def code(self) -> ModuleType:
+        """The module that holds the generated functions; checked against the definition."""
+        if not self.is_packaged:
+            from slamlib.codegen.compile import compile_in_memory
+
+            return compile_in_memory(self)
+        command = "run `make generate` (python -m slamlib.codegen)"
+        try:
+            code = importlib.import_module(self.module.replace("slamlib.", "slamlib.generated.", 1))
+            expected = code.DIGESTS[self.name]
+        except (ModuleNotFoundError, KeyError) as error:
+            raise StaleCodeError(f"no generated code for {self.module}.{self.name}: {command}") from error
+        if digest.of(self) not in (expected, None):
+            raise StaleCodeError(f"{self.module}.{self.name} has changed since its code was generated: {command}")
+        return code
+
+    def _evaluate(self, kind: str, arguments: list[Array]) -> list[Array]:
+        kernel, shapes = self._kernel(kind)
+        for argument, value in zip(self.arguments, arguments, strict=True):
+            self._check(argument, value)
+        batches = [value.shape[: value.ndim - len(a.shape)] for a, value in zip(self.arguments, arguments, strict=True)]
+        dtype = np.result_type(*arguments)
+        dtype = dtype if dtype.kind in "fc" else np.dtype(float)
+        if not any(batches) and dtype.kind == "f":
+            return self._one(kernel, shapes, arguments, dtype)
+        return self._many(kernel, shapes, arguments, batches, dtype)
+
+    @functools.cache  # noqa: B019 - models live as long as their module
+    def _kernel(self, kind: str) -> tuple[Callable[..., Any], list[tuple[int, ...]]]:
+        """The generated function of a kind, and the shapes of the arrays that its entries fill."""
+        code = self.code
+        shape = code.SHAPES[self.name]
+        if not kind:
+            return getattr(code, self.name), [shape]
+        stored = kind == "_storage_jac" or not self.has_manifold
+        rows = self.result.tangent if self.result is not None and not stored else shape
+        columns = [a.shape if stored else a.tangent for a in self.arguments]
+        return getattr(code, self.name + kind), [shape, *(rows + c for c in columns)]
+
+    def _check(self, argument: Argument, value: Array) -> None:
+        wanted = argument.shape
+        if value.shape[value.ndim - len(wanted) :] != wanted or value.ndim < len(wanted):
+            raise ShapeError.of(self.name, argument.name, wanted, value.shape)
+        if value.dtype.kind not in "fiubc":
+            raise ShapeError(
+                f"{self.name}: argument '{argument.name}' should hold numbers, but has dtype {value.dtype}"
+            )
+        if not np.isfinite(value.sum()) and not np.isfinite(value).all():
+            where = tuple(int(i) for i in np.argwhere(~np.isfinite(value))[0])
+            raise NonFiniteError(
+                f"{self.name}: argument '{argument.name}' holds {value[where]} at index {where}; remove or mask it first"
+            )
+        if argument.is_manifold and value.dtype.kind != "c":
+            argument.space.check(value, f"{self.name}: argument '{argument.name}'")  # type: ignore[union-attr]
+
+    def _one(self, kernel: Any, shapes: list[tuple[int, ...]], arguments: list[Array], dtype: Any) -> list[Array]:
+        """One item: plain Python floats are several times quicker than arrays of length one."""
+        try:
+            entries = kernel(*(a.astype(float).ravel().tolist() for a in arguments))
+        except (ZeroDivisionError, ValueError, OverflowError):
+            entries = (math.nan,)
+        if not math.isfinite(math.fsum(entries)):
+            raise SingularPointError(
+                f"{self.name} is not defined, or has no derivative, at {[a.tolist() for a in arguments]}"
+            )
+        values, results = iter(entries), []
+        for shape in shapes:
+            flat = [next(values) for _ in range(math.prod(shape))]
+            results.append(np.array(flat, dtype=dtype).reshape(shape))
+        return results
+
+    def _many(
+        self,
+        kernel: Any,
+        shapes: list[tuple[int, ...]],
+        arguments: list[Array],
+        batches: list[Any],
+        dtype: Any,
+    ) -> list[Array]:
+        """A batch: entries first, items last, so that each operation runs over contiguous memory."""
+        try:
+            batch = np.broadcast_shapes(*batches)
+        except ValueError:
+            given = ", ".join(f"{a.name} {b}" for a, b in zip(self.arguments, batches, strict=True))
+            raise ShapeError(f"{self.name}: the leading axes do not broadcast together: {given}") from None
+        rows = []
+        for argument, value, lead in zip(self.arguments, arguments, batches, strict=True):
+            flat = value.reshape((*lead, argument.size)).astype(dtype, copy=False)
+            rows.append(np.ascontiguousarray(np.moveaxis(flat, -1, 0)))
+        with np.errstate(all="ignore"):
+            values, results = iter(kernel(*rows)), []
+        for shape in shapes:
+            block = np.empty((math.prod(shape), *batch), dtype=dtype)
+            for row in range(len(block)):
+                block[row] = next(values)
+            if not np.isfinite(block.sum()) and not np.isfinite(block).all():
+                item = tuple(int(i) for i in np.argwhere(~np.isfinite(block))[0][1:])
+                raise SingularPointError(
+                    f"{self.name} is not defined, or has no derivative, at item {item} of the batch"
+                )
+            results.append(np.moveaxis(block.reshape(shape + batch), range(len(shape)), range(-len(shape), 0)))
+        return results

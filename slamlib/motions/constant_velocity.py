@@ -1,0 +1,25 @@
+"""Constant velocity: the robot keeps its velocities but for unknown impulses, one per step."""
+
+import numpy as np
+
+from slamlib.geometry.pose import Pose
+from slamlib.geometry.quaternion import plus
+from slamlib.model import model
+from slamlib.motions.motion import Motion
+from slamlib.spaces import Euclidean, Product
+
+Moving = Product("pose and velocities", Pose, Euclidean(6))
+
+
+@model(state=Moving, control=6, dt=(), returns=Moving)
+def step(state, control, dt):
+    """State (pose, v [m/s] in world axes, omega [rad/s] in the body's) after dt [s]; control = impulses added to v and omega.
+
+    The position and attitude move with the velocities before the impulse, exactly. Chapter 7, eq. (mo-constvel).
+    """
+    position, attitude, velocity, spin = state[:3], state[3:7], state[7:10], state[10:]
+    moved = [position + velocity * dt, plus(attitude, spin * dt)]
+    return np.concatenate([*moved, velocity + control[:3], spin + control[3:]])
+
+
+CONSTANT_VELOCITY = Motion("constVel", Moving, control=6, step=step)

@@ -1,0 +1,146 @@
+"""Where arguments live: vectors, and manifolds whose stored size and degrees of freedom differ."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeAlias
+
+import numpy as np
+
+from slamlib.errors import ShapeError, SlamlibError, UnitError
+
+Array: TypeAlias = Any  # numpy arrays of floats, or of sympy symbols while a model is traced
+
+
+class Space(Protocol):
+    """What a block of the state must offer: sizes, and addition and subtraction of a tangent vector."""
+
+    @property
+    def size(self) -> int: ...
+
+    @property
+    def dof(self) -> int: ...
+
+    def plus(self, point: Array, step: Array) -> Array: ...
+
+    def minus(self, point: Array, origin: Array) -> Array: ...
+
+    def check(self, point: Array, what: str) -> None: ...
+
+    def random(self, rng: np.random.Generator) -> Array: ...
+
+
+@dataclass(frozen=True)
+class Euclidean:
+    """Vectors of `size` numbers: plus and minus are addition and subtraction."""
+
+    size: int
+
+    @property
+    def dof(self) -> int:
+        return self.size
+
+    def plus(self, point: Array, step: Array) -> Array:
+        """point + step."""
+        return point + step
+
+    def minus(self, point: Array, origin: Array) -> Array:
+        """point - origin."""
+        return point - origin
+
+    def check(self, point: Array, what: str) -> None:
+        """Every vector is a point of the space."""
+
+    def random(self, rng: np.random.Generator) -> Array:
+        """A standard normal vector."""
+        return rng.standard_normal(self.size)
+
+    def __repr__(self) -> str:
+        return f"Euclidean({self.size})"
+
+
+@dataclass(frozen=True, repr=False)
+class Manifold:
+    """Unit vectors of `size` numbers with `dof` degrees of freedom, with the models of plus and minus."""
+
+    name: str
+    size: int
+    dof: int
+    plus: Callable[[Array, Array], Array]
+    minus: Callable[[Array, Array], Array]
+
+    def check(self, point: Array, what: str) -> None:
+        """Raise UnitError unless the points have unit length (to 1e-6, the half of the digits; 1e-3 in float32)."""
+        squared = (point * point).sum(-1)
+        tolerance = 2e-3 if point.dtype == np.float32 else 2e-6
+        wrong = np.abs(squared - 1) > tolerance
+        if wrong.any():
+            worst = np.sqrt(np.max(np.where(wrong, squared, 0))) or 0.0
+            raise UnitError(
+                f"{what} should be a {self.name}, but has length {worst:.6g}. "
+                "Nothing is normalised silently: divide it by its norm, or find out why it drifted."
+            )
+
+    def random(self, rng: np.random.Generator) -> Array:
+        """A point drawn uniformly."""
+        point = rng.standard_normal(self.size)
+        return point / np.sqrt(point @ point)
+
+    def __repr__(self) -> str:
+        return self.name
+
+
+class Product:
+    """Several spaces side by side in one vector; plus and minus act part by part."""
+
+    def __init__(self, name: str, *parts: Space) -> None:
+        self.name, self.parts = name, parts
+        self.size, self.dof = sum(p.size for p in parts), sum(p.dof for p in parts)
+
+    def _split(self, vector: Array, dof: bool) -> list[Array]:
+        ends = np.cumsum([p.dof if dof else p.size for p in self.parts])[:-1]
+        return np.split(np.asarray(vector), ends, axis=-1)
+
+    def _join(self, pieces: list[Array]) -> Array:
+        lead = np.broadcast_shapes(*(p.shape[:-1] for p in pieces))
+        return np.concatenate([np.broadcast_to(p, lead + p.shape[-1:]) for p in pieces], axis=-1)
+
+    def plus(self, point: Array, step: Array) -> Array:
+        """Move each part by its piece of `step`; shapes (..., size), (..., dof)."""
+        self._size(point, self.size, "point")
+        self._size(step, self.dof, "step")
+        pieces = zip(self.parts, self._split(point, False), self._split(step, True), strict=True)
+        return self._join([part.plus(x, d) for part, x, d in pieces])
+
+    def minus(self, point: Array, origin: Array) -> Array:
+        """The step that leads from `origin` to `point`; shapes (..., size) each."""
+        self._size(point, self.size, "point")
+        self._size(origin, self.size, "origin")
+        pieces = zip(self.parts, self._split(point, False), self._split(origin, False), strict=True)
+        return self._join([part.minus(x, y) for part, x, y in pieces])
+
+    def check(self, point: Array, what: str) -> None:
+        """Check each part."""
+        for part, piece in zip(self.parts, self._split(point, False), strict=True):
+            part.check(piece, what)
+
+    def random(self, rng: np.random.Generator) -> Array:
+        """Each part drawn by itself."""
+        return np.concatenate([part.random(rng) for part in self.parts])
+
+    def _size(self, vector: Array, size: int, what: str) -> None:
+        if np.shape(vector)[-1:] != (size,):
+            raise ShapeError.of(self.name, what, (size,), np.shape(vector))
+
+    def __repr__(self) -> str:
+        return self.name
+
+
+def as_space(spec: "int | Space") -> Space:
+    """The space that `spec` names: an int n means vectors of n numbers."""
+    if isinstance(spec, int):
+        if spec < 1:
+            raise SlamlibError(f"a space needs at least one number, got {spec}")
+        return Euclidean(spec)
+    if not hasattr(spec, "minus"):
+        raise SlamlibError(f"{spec!r} is no space: give an int, or an object with size, dof, plus and minus")
+    return spec
