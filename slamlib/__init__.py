@@ -12,7 +12,7 @@ __version__ = "0.1.0"
 __all__ = ["SlamlibError", "__version__"]
 
 _PARTS = (
-    *("analytic", "belief", "codegen", "drawing", "errors", "evaluation"),
+    *("analytic", "belief", "codegen", "correction", "drawing", "errors", "evaluation"),
     *("exercises", "geometry", "linalg", "model", "motions", "spaces"),
 )
 

@@ -96,7 +96,7 @@ def arctan_ratio(s: Value, w: Value) -> Value:
     """arctan(sqrt(s)/w) / sqrt(s), smooth at s = 0 and odd in w.
 
     With s the squared norm of a quaternion's vector part and w its scalar part, twice this value times the vector part
-    is the rotation vector. Because it is odd in w, a quaternion and its negative give the same one. Derived in chapter 6.
+    is the rotation vector; odd in w, so that a quaternion and its negative give the same one. Derived in chapter 6.
     """
     return _arctan(s, w, "ArctanRatio", _ratio_series, _ratio_closed)
 

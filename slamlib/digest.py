@@ -4,6 +4,7 @@ import functools
 import hashlib
 import inspect
 import textwrap
+from collections.abc import Callable
 from types import CodeType, FunctionType
 from typing import Any
 
@@ -39,7 +40,7 @@ def _lines(model: Any, seen: set[int]) -> list[str]:
     return lines
 
 
-def source(function: FunctionType) -> str:
+def source(function: Callable[..., Any]) -> str:
     """The function's text, from its first decorator on, without indentation."""
     return textwrap.dedent(inspect.getsource(function)).replace("\r\n", "\n").strip()
 

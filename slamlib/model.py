@@ -109,7 +109,7 @@ class Model:
         return self._evaluate("", arguments)[0]
 
     def jac(self, *args: Array, **kwargs: Array) -> tuple[Array, Any]:
-        """Value and Jacobians (..., result, argument), on tangent spaces where an argument or the result is a manifold."""
+        """Value and Jacobians (..., result, argument), on the tangent space of each argument or result that has one."""
         value, *jacobians = self._evaluate("_jac", self._bind(args, kwargs))
         return value, self._jacobians(*jacobians)
 
@@ -175,10 +175,11 @@ class Model:
             raise ShapeError(
                 f"{self.name}: argument '{argument.name}' should hold numbers, but has dtype {value.dtype}"
             )
-        if not np.isfinite(value.sum()) and not np.isfinite(value).all():
-            where = tuple(int(i) for i in np.argwhere(~np.isfinite(value))[0])
+        finite = np.isfinite(value)
+        if not finite.all():
+            where = tuple(int(i) for i in np.argwhere(~finite)[0])
             raise NonFiniteError(
-                f"{self.name}: argument '{argument.name}' holds {value[where]} at index {where}; remove or mask it first"
+                f"{self.name}: argument '{argument.name}' holds {value[where]} at index {where}; remove or mask it"
             )
         if argument.is_manifold and value.dtype.kind != "c":
             argument.space.check(value, f"{self.name}: argument '{argument.name}'")  # type: ignore[union-attr]
@@ -189,7 +190,7 @@ class Model:
             entries = kernel(*(a.astype(float).ravel().tolist() for a in arguments))
         except (ZeroDivisionError, ValueError, OverflowError):
             entries = (math.nan,)
-        if not math.isfinite(math.fsum(entries)):
+        if not all(map(math.isfinite, entries)):
             raise SingularPointError(
                 f"{self.name} is not defined, or has no derivative, at {[a.tolist() for a in arguments]}"
             )
@@ -223,8 +224,9 @@ class Model:
             block = np.empty((math.prod(shape), *batch), dtype=dtype)
             for row in range(len(block)):
                 block[row] = next(values)
-            if not np.isfinite(block.sum()) and not np.isfinite(block).all():
-                item = tuple(int(i) for i in np.argwhere(~np.isfinite(block))[0][1:])
+            finite = np.isfinite(block)
+            if not finite.all():
+                item = tuple(int(i) for i in np.argwhere(~finite)[0][1:])
                 raise SingularPointError(
                     f"{self.name} is not defined, or has no derivative, at item {item} of the batch"
                 )

@@ -70,11 +70,12 @@ class Manifold:
 
     def check(self, point: Array, what: str) -> None:
         """Raise UnitError unless the points have unit length (to 1e-6, the half of the digits; 1e-3 in float32)."""
-        squared = (point * point).sum(-1)
+        with np.errstate(over="ignore"):
+            squared = (point * point).sum(-1)
         tolerance = 2e-3 if point.dtype == np.float32 else 2e-6
         wrong = np.abs(squared - 1) > tolerance
         if wrong.any():
-            worst = np.sqrt(np.max(np.where(wrong, squared, 0))) or 0.0
+            worst = np.sqrt(np.max(np.where(wrong, squared, 0)))
             raise UnitError(
                 f"{what} should be a {self.name}, but has length {worst:.6g}. "
                 "Nothing is normalised silently: divide it by its norm, or find out why it drifted."

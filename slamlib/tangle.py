@@ -1,8 +1,8 @@
 """The chapter is the source: a cell that begins with `%%tangle slamlib/...py` holds a formula module.
 
-In a notebook, the magic compares the cell with the package and gives the reader the module's names. On the command line:
-`python -m slamlib.tangle` writes the package's files from the chapters, `--back` carries an editor's change of a file
-into its chapter's cell, and `--check` compares.
+In a notebook, the magic compares the cell with the package and gives the reader the module's names. On the command
+line, `python -m slamlib.tangle` writes the package's files from the chapters, `--back` carries an editor's change of a
+file into its chapter's cell, and `--check` compares.
 """
 
 import argparse

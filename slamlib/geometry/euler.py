@@ -36,7 +36,7 @@ def yaw_of(matrix):
 
 @model(matrix=(3, 3), yaw=())
 def roll_pitch_of(matrix, yaw):
-    """Roll and pitch [rad] left after the turn by yaw is undone: right at pitch 90 degrees too. Chapter 6, eq. (fq-unwound)."""
+    """Roll and pitch [rad], after the yaw is undone: right at pitch 90 degrees too. Chapter 6, eq. (fq-unwound)."""
     x_ahead = cos(yaw) * matrix[0, 0] + sin(yaw) * matrix[1, 0]
     y_left = cos(yaw) * matrix[1, 1] - sin(yaw) * matrix[0, 1]
     z_right = sin(yaw) * matrix[0, 2] - cos(yaw) * matrix[1, 2]
@@ -44,7 +44,7 @@ def roll_pitch_of(matrix, yaw):
 
 
 def from_rotation(matrix):
-    """Angles (..., 3) of rotation matrices (..., 3, 3); where pitch is 90 degrees yaw is 0 and roll takes both turns."""
+    """Angles (..., 3) of rotation matrices (..., 3, 3); where pitch is 90 degrees yaw is 0, roll takes both turns."""
     yaw = yaw_of(matrix)
     return np.concatenate([roll_pitch_of(matrix, yaw), np.asarray(yaw)[..., None]], axis=-1)
 

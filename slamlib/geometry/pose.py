@@ -39,5 +39,5 @@ def inverse(pose):
 
 @model(origin=Pose, pose=Pose, returns=Pose)
 def relative(origin, pose):
-    """The pose `pose` as seen in the frame `origin`: compose(origin, relative) is `pose`. Chapter 6, eq. (fq-relative)."""
+    """`pose` as seen in the frame `origin`: compose(origin, relative) is `pose`. Chapter 6, eq. (fq-relative)."""
     return np.concatenate([to_frame(origin, pose[:3]), product(conjugate(origin[3:]), pose[3:])])

@@ -1,4 +1,4 @@
-"""Quaternions (w, x, y, z), Hamilton product, local to global: q turns vectors of the frame into vectors of the world."""
+"""Quaternions (w, x, y, z), Hamilton product, local to global: q turns vectors of the frame into the world's."""
 
 import numpy as np
 
@@ -81,7 +81,7 @@ def rotation(q):
 
 @model(matrix=(3, 3), pivot=4)
 def from_rotation(matrix, pivot):
-    """Unit quaternion of a rotation matrix, with pivot @ q > 0; any pivot not orthogonal to q. Chapter 6, eq. (fq-from)."""
+    """Unit quaternion of a rotation matrix, for any pivot with pivot @ q > 0. Chapter 6, eq. (fq-from)."""
     (a, b, c), (d, e, f), (g, h, i) = matrix
     outer = np.array([  # 4 q q', linear in the matrix
         [1 + a + e + i, h - f, c - g, d - b],

@@ -13,7 +13,7 @@ Moving = Product("pose and velocities", Pose, Euclidean(6))
 
 @model(state=Moving, control=6, dt=(), returns=Moving)
 def step(state, control, dt):
-    """State (pose, v [m/s] in world axes, omega [rad/s] in the body's) after dt [s]; control = impulses added to v and omega.
+    """State (pose, v [m/s] in world axes, omega [rad/s] in the body's) after dt [s] and impulses added to both.
 
     The position and attitude move with the velocities before the impulse, exactly. Chapter 7, eq. (mo-constvel).
     """

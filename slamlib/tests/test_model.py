@@ -151,4 +151,5 @@ def test_arguments_are_never_written_to(rng):
     before = robot.copy(), control.copy()
     robot.flags.writeable = control.flags.writeable = False
     unicycle.jac(robot, control, 0.1)
-    assert np.array_equal(robot, before[0]) and np.array_equal(control, before[1])
+    assert np.array_equal(robot, before[0])
+    assert np.array_equal(control, before[1])

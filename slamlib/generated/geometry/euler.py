@@ -6,7 +6,7 @@ DIGESTS = {
     "to_rotation": "176391b3f83229ae",
     "to_quaternion": "2d6365d40efd7841",
     "yaw_of": "3e981e1d1568893b",
-    "roll_pitch_of": "8cc64bbda3e20b28",
+    "roll_pitch_of": "bbf6bea6c4545d82",
 }
 SHAPES = {
     "to_rotation": (3, 3),

@@ -5,7 +5,7 @@ DIGESTS = {
     "to_frame": "920a57f0f755a6b2",
     "compose": "f37f591e3d2aea5d",
     "inverse": "07454f5a035ea731",
-    "relative": "48e3f2b589f0d85d",
+    "relative": "988eaae0e31f83d1",
 }
 SHAPES = {
     "from_frame": (3,),

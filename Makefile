@@ -1,0 +1,59 @@
+# Two commands: `make book` builds the book, `make test` runs every check. `make help` lists the rest.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.ready
+export OPENBLAS_NUM_THREADS := 1
+export PYTHONDONTWRITEBYTECODE := 1
+
+.PHONY: help book serve test environment assets generate tangle untangle notebooks format lock clean
+
+help:  ## list the targets
+	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
+
+book: environment  ## build the book (HTML) and print where it is
+	@$(BIN)/python -m book.tools.build
+
+serve: book  ## build the book and serve it on this machine only
+	@$(BIN)/python -m book.tools.serve
+
+test: environment  ## run every check of .ci/run, with a summary line each
+	@$(BIN)/python -m book.tools.ci
+
+environment: $(READY)  ## create .venv from requirements.txt (exact, with hashes)
+
+$(READY): requirements.txt
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+	  { echo "Python 3.11 or newer is needed, and $(PYTHON) is $$($(PYTHON) --version): try make PYTHON=python3.12"; exit 1; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || \
+	  { echo "Python's venv is missing: on Debian and Ubuntu, apt-get install python3-venv"; exit 1; }
+	@echo "creating the environment in $(VENV) (once, about a minute)"
+	@$(PYTHON) -m venv $(VENV)
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.txt
+	@$(BIN)/python -c 'import pathlib, sysconfig; pathlib.Path(sysconfig.get_path("purelib"), "slamlib-source.pth").write_text("$(CURDIR)\n")'
+	@touch $@
+
+assets: environment  ## fetch what the site serves itself (MathJax), by version and checksum
+	@$(BIN)/python -m book.tools.assets
+
+generate: environment  ## write slamlib/generated from the models
+	@$(BIN)/python -m slamlib.codegen
+
+tangle: environment  ## write the formula modules from the chapters' cells
+	@$(BIN)/python -m slamlib.tangle
+
+untangle: environment  ## carry edited formula modules back into the chapters' cells
+	@$(BIN)/python -m slamlib.tangle --back
+
+notebooks: environment  ## run every notebook in place and store its text outputs
+	@$(BIN)/python -m book.tools.notebooks run
+
+format: environment  ## format the Python code
+	@$(BIN)/ruff format && $(BIN)/ruff check --fix
+
+lock: environment  ## make requirements.txt from requirements.in (needs uv)
+	uv pip compile requirements.in --universal --python-version 3.11 --generate-hashes --no-header \
+	  --no-emit-index-url --no-emit-find-links --output-file requirements.txt
+
+clean:  ## remove what was built (not the environment)
+	rm -rf _build .mypy_cache .ruff_cache .pytest_cache .hypothesis

@@ -1,0 +1,1 @@
+"""The book: landing page, chapters, appendices, and the tools that build it."""

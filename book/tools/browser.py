@@ -1,0 +1,122 @@
+"""Open every page in headless Chromium, shut off from the world, and look for what a reader would notice."""
+
+import os
+import shutil
+import sys
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+from book.tools import layout, serve, site
+
+FLAGS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+VIEWS: list[tuple[Any, int]] = [("light", 1280), ("dark", 1280), ("light", 390)]
+FAULTS = """() => {
+  const faults = [];
+  const shown = [...document.querySelectorAll('.bd-article p, .bd-article li, .bd-article td, .bd-article dd')];
+  if (shown.some(e => /\\\\\\(|\\\\\\[|\\$\\$/.test(e.innerText))) faults.push('unrendered mathematics');
+  if (document.querySelector('mjx-merror, [data-mjx-error]')) faults.push('mathematics with an error');
+  const asked = document.querySelectorAll('.math').length, set = document.querySelectorAll('mjx-container').length;
+  if (asked && !set) faults.push('no mathematics set');
+  const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;
+  if (wide > 1) faults.push('the page is ' + wide + ' px wider than the window');
+  return faults;
+}"""
+MOVED = """range => {
+  const figure = range.closest('figure');
+  const seen = [...figure.querySelectorAll('[data-frame]')].filter(e => !e.hidden).map(e => e.dataset.frame);
+  return seen.length === 1 && seen[0] === range.value && figure.querySelector('output').textContent.length > 0;
+}"""
+
+
+def browser_path() -> str | None:
+    """A Chromium or Chrome of this machine."""
+    named = os.environ.get("BOOK_BROWSER")
+    return named or next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+
+
+def visit(context: Any, base: str, page_name: str, faults: list[str]) -> int:
+    """Open one page, note its faults, drive its sliders to both ends; returns how many sliders it has."""
+    page = context.new_page()
+    page.on("console", lambda m: faults.append(f"console: {m.text}") if m.type == "error" else None)
+    page.on("pageerror", lambda e: faults.append(f"script error: {e}"))
+    page.on("response", lambda r: faults.append(f"{r.status} {r.url}") if r.status >= 400 else None)
+    page.goto(f"{base}/{page_name}", wait_until="load")
+    page.wait_for_function("() => !window.MathJax || !MathJax.startup || MathJax.startup.promise")
+    page.evaluate("() => window.MathJax && MathJax.startup ? MathJax.startup.promise : null")
+    faults += page.evaluate(FAULTS)
+    sliders = page.query_selector_all("figure.sweep input[type=range]")
+    for slider in sliders:
+        for key in ("Home", "End", "ArrowLeft"):
+            slider.focus()
+            slider.press(key)
+            if not slider.evaluate(MOVED):
+                faults.append(f"a slider does not follow the key {key}")
+    page.close()
+    return len(sliders)
+
+
+def check(pages: list[str], executable: str) -> tuple[int, list[str]]:
+    """Visit all pages in light and dark and at phone width; returns the number of sliders driven, and the faults."""
+    from playwright.sync_api import sync_playwright
+
+    http = serve.server()
+    threading.Thread(target=http.serve_forever, daemon=True).start()
+    base = f"http://127.0.0.1:{http.server_address[1]}"
+    found, sliders = [], 0
+    with sync_playwright() as tool:
+        browser = tool.chromium.launch(executable_path=executable, args=FLAGS)
+        for scheme, width in VIEWS:
+            context = browser.new_context(color_scheme=scheme, viewport={"width": width, "height": 900})
+            outside: list[str] = []
+            context.route("**/*", lambda route, seen=outside: _inside_only(route, base, seen))
+            for name in pages:
+                faults: list[str] = []
+                sliders += visit(context, base, name, faults)
+                found += [f"{name} ({scheme}, {width} px): {f}" for f in [*faults, *(f"asks for {u}" for u in outside)]]
+                outside.clear()
+            context.close()
+        browser.close()
+    http.shutdown()
+    http.server_close()
+    return sliders, found
+
+
+def _inside_only(route: Any, base: str, outside: list[str]) -> None:
+    if route.request.url.startswith((base, "data:", "blob:")):
+        route.continue_()
+    else:
+        outside.append(route.request.url)
+        route.abort()
+
+
+def main() -> int:
+    """Exit status 0 if no fault was found; without a browser, 77, or 1 where BOOK_BROWSER_NEEDED is set."""
+    executable = browser_path()
+    if executable is None:
+        print("browser: skipped, no Chromium found; install one (apt-get install chromium) or set BOOK_BROWSER")
+        return 1 if os.environ.get("BOOK_BROWSER_NEEDED") else 77
+    pages = list(all_pages())
+    sliders, found = check(pages, executable)
+    for fault in found:
+        print(fault, file=sys.stderr)
+    print(f"browser: {len(pages)} pages in {len(VIEWS)} views, {sliders} sliders driven, {len(found)} faults")
+    return 1 if found or not pages else 0
+
+
+def all_pages() -> Iterator[str]:
+    """The pages of the book, and the ones that Sphinx adds."""
+    yield from site.wanted()
+    yield from (n for n in ("index.html", "genindex.html", "search.html") if (layout.SITE / n).is_file())
+
+
+if __name__ == "__main__":
+    sys.exit(main())

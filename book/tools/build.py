@@ -1,0 +1,69 @@
+"""Build the book: run every notebook (or take it from the cache), then let Sphinx make HTML with warnings as errors."""
+
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from book.tools import assets, layout, notebooks
+
+SOURCE = layout.BUILD / "source"
+STAMP = layout.SITE / ".built-from"
+
+
+def main() -> int:
+    """Exit status 0 if the book is built; prints where it is."""
+    start = time.perf_counter()
+    static = assets.fetch()
+    print(f"running {len(layout.notebooks())} notebooks", flush=True)
+    key = layout.digest(layout.package_files())
+    try:
+        done = notebooks.each(layout.notebooks(), lambda file: notebooks.executed(file, key))
+    except notebooks.BrokenNotebook as error:
+        print(error, file=sys.stderr)
+        return 1
+    stage(dict(done), static)
+    state = layout.digest(f for f in SOURCE.rglob("*") if f.is_file())
+    if STAMP.is_file() and STAMP.read_text() == state:
+        print("nothing has changed since the last build", flush=True)
+    elif not html():
+        return 1
+    STAMP.write_text(state)
+    minutes, seconds = divmod(time.perf_counter() - start, 60)
+    print(f"the book: {layout.SITE / 'index.html'}  ({minutes:.0f} min {seconds:.0f} s)")
+    print(f"          {(layout.SITE / 'index.html').as_uri()}  (or: make serve)")
+    return 0
+
+
+def stage(executed: dict[Path, tuple[Path, bool]], static: Path) -> None:
+    """The source tree for Sphinx: the pages, with the executed copies of the notebooks in place of the stored ones."""
+    shutil.rmtree(SOURCE, ignore_errors=True)
+    skip = shutil.ignore_patterns("__pycache__", ".*", "tools")
+    shutil.copytree(layout.BOOK, SOURCE / "book", ignore=skip)
+    for page, (copy, _) in executed.items():
+        shutil.copy(copy, SOURCE / page.relative_to(layout.ROOT))
+    for name in ("_config.yml", "_toc.yml"):
+        text = (layout.ROOT / name).read_text("utf-8").replace("execute_notebooks: force", "execute_notebooks: 'off'")
+        (SOURCE / name).write_text(text, "utf-8")
+    shutil.copytree(static / "mathjax", SOURCE / "book" / "_static" / "mathjax")
+
+
+def html() -> bool:
+    """Run Jupyter Book; after a failure the next build starts afresh, since Sphinx repeats no warning."""
+    print("building the pages", flush=True)
+    command = [sys.executable, "-m", "jupyter_book.cli.main", "build", "-W", "-n", "--keep-going", "-q"]
+    run = subprocess.run([*command, str(SOURCE), "--path-output", str(layout.BUILD / "sphinx")])
+    output = layout.BUILD / "sphinx" / "_build"
+    if run.returncode:
+        shutil.rmtree(output, ignore_errors=True)
+        STAMP.unlink(missing_ok=True)
+        print("the build failed: see the messages above", file=sys.stderr)
+        return False
+    shutil.rmtree(layout.SITE, ignore_errors=True)
+    shutil.copytree(output / "html", layout.SITE, ignore=shutil.ignore_patterns(".buildinfo"))
+    return True
+
+
+if __name__ == "__main__":
+    sys.exit(main())

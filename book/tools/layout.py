@@ -1,0 +1,52 @@
+"""Where things are, and which pages the book has."""
+
+import hashlib
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+BOOK = ROOT / "book"
+BUILD = ROOT / "_build"
+SITE = BUILD / "html"
+
+
+def pages() -> list[Path]:
+    """Source file of every page of _toc.yml, in order; raises FileNotFoundError for a page that is not there."""
+    toc = yaml.safe_load((ROOT / "_toc.yml").read_text("utf-8"))
+    found = []
+    for name in _names(toc):
+        files = [f for suffix in (".ipynb", ".md") if (f := ROOT / (name + suffix)).is_file()]
+        if not files:
+            raise FileNotFoundError(f"_toc.yml names {name}, but there is no {name}.ipynb or {name}.md")
+        found.append(files[0])
+    return found
+
+
+def notebooks() -> list[Path]:
+    """The notebooks among the pages."""
+    return [p for p in pages() if p.suffix == ".ipynb"]
+
+
+def digest(files: Iterable[Path]) -> str:
+    """Fingerprint of the files' names and contents."""
+    total = hashlib.sha256()
+    for file in sorted(files):
+        total.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + file.read_bytes() + b"\0")
+    return total.hexdigest()[:20]
+
+
+def package_files() -> list[Path]:
+    """What the result of a notebook depends on besides the notebook: slamlib, the lock, the data of the book."""
+    code = [f for f in (ROOT / "slamlib").rglob("*.py") if "tests" not in f.parts]
+    data = [f for f in BOOK.rglob("data/*") if f.is_file()]
+    return [*code, *data, ROOT / "requirements.txt", BOOK / "tools" / "notebooks.py"]
+
+
+def _names(node: Any) -> list[str]:
+    if isinstance(node, dict):
+        own = [node[k] for k in ("root", "file") if k in node]
+        return own + [n for key in ("parts", "chapters", "sections") for n in _names(node.get(key, []))]
+    return [n for item in node for n in _names(item)]

@@ -1,0 +1,183 @@
+"""Run notebooks and store their text outputs; keep images and volatile metadata out of the repository.
+
+`python -m book.tools.notebooks run [FILES]` runs notebooks in place (all of _toc.yml by default); `check` says which
+are not in the stored form.
+"""
+
+import argparse
+import hashlib
+import json
+import os
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from pathlib import Path
+from typing import Any
+
+import nbformat
+from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError
+
+from book.tools import layout
+
+EXECUTED = layout.BUILD / "executed"
+IMAGES = ("image/png", "image/jpeg", "image/svg+xml", "application/pdf")
+FIGURE = "nbval-ignore-output"  # cells whose output is a picture, or a time: shown in the book, not compared
+
+
+class BrokenNotebook(Exception):
+    """A notebook that does not run to its end in silence."""
+
+
+def execute(file: Path) -> Any:
+    """The notebook with the outputs of a fresh run; raises BrokenNotebook for an error or anything on stderr."""
+    notebook = nbformat.read(file, as_version=4)
+    client = NotebookClient(
+        notebook,
+        timeout=600,
+        kernel_name="python3",
+        resources={"metadata": {"path": str(file.parent)}},
+        store_widget_state=False,
+    )
+    try:
+        client.execute()
+    except CellExecutionError as error:
+        raise BrokenNotebook(f"{file.name}: a cell failed\n{error}") from None
+    for number, cell in enumerate(notebook.cells):
+        noise = [o["text"] for o in cell.get("outputs", []) if o.get("name") == "stderr"]
+        if noise:
+            raise BrokenNotebook(f"{file.name}: cell {number} wrote on stderr: {noise[0][:400]}")
+    return notebook
+
+
+def normalise(notebook: Any) -> Any:
+    """The stored form: text outputs, counts 1..n, no images, no volatile metadata."""
+    notebook.metadata = nbformat.from_dict(
+        {
+            "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+            "language_info": {"name": "python"},
+        }
+    )
+    count = 0
+    for cell in notebook.cells:
+        for key in ("execution", "ExecuteTime", "collapsed", "scrolled", "trusted"):
+            cell.metadata.pop(key, None)
+        if cell.cell_type == "code":
+            count += 1
+            cell.execution_count = count
+            tags = cell.metadata.get("tags", [])
+            cell.outputs = [_stored(o, count, FIGURE in tags) for o in _merged(cell.outputs)]
+    return notebook
+
+
+def _merged(outputs: list[Any]) -> list[Any]:
+    """Consecutive pieces of one stream as one piece."""
+    merged: list[Any] = []
+    for output in outputs:
+        if merged and output.output_type == "stream" == merged[-1].output_type and output.name == merged[-1].name:
+            merged[-1].text += output.text
+        else:
+            merged.append(output)
+    return merged
+
+
+def _stored(output: Any, count: int, figure: bool) -> Any:
+    if "data" in output:
+        kept = {k: v for k, v in output.data.items() if k not in IMAGES and not (figure and k == "text/html")}
+        output.data = nbformat.from_dict(kept)
+        output.metadata = nbformat.from_dict({})
+    if output.output_type == "execute_result":
+        output.execution_count = count
+    return output
+
+
+def text(notebook: Any) -> str:
+    """The notebook as the repository stores it."""
+    return nbformat.writes(notebook, version=4, indent=1, ensure_ascii=False).rstrip("\n") + "\n"
+
+
+def write(file: Path, content: str) -> None:
+    """Write a file whole or not at all."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    partial = file.with_name(file.name + ".partial")
+    partial.write_text(content, encoding="utf-8", newline="\n")
+    os.replace(partial, file)
+
+
+def executed(file: Path, key: str) -> tuple[Path, bool]:
+    """A copy of the notebook with all outputs, from the cache if notebook, package and lock are unchanged."""
+    notebook = nbformat.read(file, as_version=4)
+    for cell in notebook.cells:
+        cell.pop("outputs", None)
+        cell.pop("execution_count", None)
+    own = hashlib.sha256(json.dumps(notebook, sort_keys=True).encode()).hexdigest()[:20]
+    cached = EXECUTED / f"{file.stem}.{own}.{key}.ipynb"
+    if cached.is_file():
+        return cached, True
+    write(cached, nbformat.writes(execute(file)))
+    for old in EXECUTED.glob(f"{file.stem}.*.ipynb"):
+        if old != cached:
+            old.unlink()
+    return cached, False
+
+
+def each(files: list[Path], action: Any) -> list[tuple[Path, Any]]:
+    """Do `action` for each file, two at a time, with a line of progress each; raises the first failure at the end."""
+    results, failures = [], []
+    with ThreadPoolExecutor(max_workers=min(2, os.cpu_count() or 1)) as pool:
+        began = {pool.submit(_timed, action, f): f for f in files}
+        for number, future in enumerate(as_completed(began), start=1):
+            file = began[future]
+            try:
+                seconds, result = future.result()
+            except BrokenNotebook as error:
+                failures.append(error)
+                print(f"  [{number}/{len(files)}] {file.stem:<36} FAILED", flush=True)
+                continue
+            note = " (cached)" if isinstance(result, tuple) and result[1] else ""
+            print(f"  [{number}/{len(files)}] {file.stem:<36} {seconds:6.1f} s{note}", flush=True)
+            results.append((file, result))
+    if failures:
+        raise BrokenNotebook("\n".join(map(str, failures)))
+    return results
+
+
+def _timed(action: Any, file: Path) -> tuple[float, Any]:
+    start = time.perf_counter()
+    result = action(file)
+    return time.perf_counter() - start, result
+
+
+def unstored(files: list[Path]) -> list[Path]:
+    """The notebooks that are not in the stored form: images, counts, metadata, or cells without a run."""
+    return [f for f in files if f.read_text("utf-8") != text(normalise(nbformat.read(f, as_version=4))) or _unrun(f)]
+
+
+def _unrun(file: Path) -> bool:
+    """True if a cell that prints has no stored output at all in the whole notebook: it was never run."""
+    cells = [c for c in nbformat.read(file, as_version=4).cells if c.cell_type == "code"]
+    return bool(cells) and not any(c.outputs for c in cells)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Exit status 0 if all is well."""
+    parser = argparse.ArgumentParser(prog="python -m book.tools.notebooks", description=__doc__.split("\n")[0])
+    parser.add_argument("action", choices=["run", "check"], help="run in place, or check the stored form")
+    parser.add_argument("files", nargs="*", type=Path, help="notebooks (default: all of _toc.yml)")
+    options = parser.parse_args(arguments)
+    files = [f.resolve() for f in options.files] or layout.notebooks()
+    if options.action == "run":
+        try:
+            each(files, lambda file: write(file, text(normalise(execute(file)))))
+        except BrokenNotebook as error:
+            print(error, file=sys.stderr)
+            return 1
+    wrong = unstored(files)
+    for file in wrong:
+        print(f"{file.relative_to(layout.ROOT)}: not in the stored form; run `make notebooks`", file=sys.stderr)
+    print(f"notebooks: {len(files)} in the book, {len(wrong)} not in the stored form")
+    return 1 if wrong or not files else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,56 @@
+"""Checks for the exercises: they test properties of the reader's own function and store no answers.
+
+    from slamlib.exercises import check
+    check("2.3", my_function)
+
+Each chapter's checks are in a file of their own, ch02_kalman_filter.py for chapter 2, found by the number.
+"""
+
+import importlib
+import pkgutil
+from collections.abc import Callable
+from typing import Any
+
+from slamlib.errors import UnknownNameError
+from slamlib.exercises.properties import Rejected, hold
+
+__all__ = ["Rejected", "check", "exercise", "load_all"]
+
+Checker = Callable[[Any], None]
+_known: dict[str, tuple[str, Checker]] = {}
+
+
+def exercise(number: str, title: str) -> Callable[[Checker], Checker]:
+    """Register a check: a function of the candidate that calls the properties and raises Rejected."""
+
+    def register(function: Checker) -> Checker:
+        if number in _known and _known[number][1].__module__ != function.__module__:
+            raise UnknownNameError(f"exercise {number} is registered twice")
+        _known[number] = (title, function)
+        return function
+
+    return register
+
+
+def load_all() -> dict[str, tuple[str, Checker]]:
+    """Every registered exercise: number -> (title, check)."""
+    for info in pkgutil.iter_modules(__path__):
+        if info.name.startswith("ch"):
+            importlib.import_module(f"{__name__}.{info.name}")
+    return dict(_known)
+
+
+def check(number: str, candidate: Any) -> None:
+    """Test a solution: prints a line for each property that holds; raises Rejected with the first that does not."""
+    chapter = f"ch{int(number.split('.')[0]):02d}_" if number.split(".")[0].isdigit() else "?"
+    for info in pkgutil.iter_modules(__path__):
+        if info.name.startswith(chapter):
+            importlib.import_module(f"{__name__}.{info.name}")
+    if number not in _known:
+        raise UnknownNameError.of("exercise", number, load_all())
+    title, function = _known[number]
+    with hold(candidate) as found:
+        function(found.candidate)
+    for line in found.lines:
+        print(f"  holds: {line}")
+    print(f"Exercise {number} accepted: {title}.")
