@@ -80,7 +80,7 @@ def chi2_quantile(probability: float, dof: float) -> float:
 
 
 def _gamma_p(a: float, x: float) -> float:
-    """Regularised lower incomplete gamma function: series below a + 1, continued fraction above (DLMF 8.11.4, 8.9.2)."""
+    """Regularised lower incomplete gamma function: series below a + 1, continued fraction above (DLMF 8.9, 8.11)."""
     front = math.exp(a * math.log(x) - x - math.lgamma(a))
     if x < a + 1:
         term = total = 1 / a

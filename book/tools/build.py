@@ -52,7 +52,7 @@ def stage(executed: dict[Path, tuple[Path, bool]], static: Path) -> None:
 def html() -> bool:
     """Run Jupyter Book; after a failure the next build starts afresh, since Sphinx repeats no warning."""
     print("building the pages", flush=True)
-    command = [sys.executable, "-m", "jupyter_book.cli.main", "build", "-W", "-n", "--keep-going", "-q"]
+    command = [str(Path(sys.executable).with_name("jupyter-book")), "build", "-W", "-n", "--keep-going", "-q"]
     run = subprocess.run([*command, str(SOURCE), "--path-output", str(layout.BUILD / "sphinx")])
     output = layout.BUILD / "sphinx" / "_build"
     if run.returncode:

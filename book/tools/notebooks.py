@@ -38,6 +38,7 @@ def execute(file: Path) -> Any:
         kernel_name="python3",
         resources={"metadata": {"path": str(file.parent)}},
         store_widget_state=False,
+        extra_arguments=["--IPKernelApp.log_level=ERROR"],  # the kernel warns of TCP, here on this machine only
     )
     try:
         client.execute()

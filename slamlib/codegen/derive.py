@@ -14,11 +14,13 @@ class Derivation:
     """Value and Jacobians of a model: `.value`, one matrix per argument name, and `.stored[name]` by stored numbers."""
 
     def __init__(self, model: Model, symbols: list[Any]) -> None:
-        traced = trace(model, symbols)
+        traced = trace(model)
+        own = [s for argument in traced.symbols for s in argument.ravel()]
+        given = dict(zip(own, [sympy.sympify(g) for argument in symbols for g in argument.ravel()], strict=True))
         self.model, self.symbols = model, symbols
-        self.value = _matrix(traced.value)
-        self.jacobians = dict(zip(model.parameters, traced.tangent, strict=True))
-        self.stored = dict(zip(model.parameters, traced.stored, strict=True))
+        self.value = _matrix(traced.value).xreplace(given)
+        self.jacobians = {n: j.xreplace(given) for n, j in zip(model.parameters, traced.tangent, strict=True)}
+        self.stored = {n: j.xreplace(given) for n, j in zip(model.parameters, traced.stored, strict=True)}
 
     def __getattr__(self, name: str) -> sympy.Matrix:
         if name in self.__dict__.get("jacobians", {}):
@@ -36,7 +38,7 @@ class Derivation:
 
 
 def derive(model: Model, **symbols: Any) -> Derivation:
-    """Expressions of a model; an argument may be given its symbols: a sympy matrix or list, or a string 'x y theta'."""
+    """Expressions of a model; an argument may be given symbols or expressions: a matrix, a list, or 'x y theta'."""
     for name in symbols:
         if name not in model.parameters:
             raise UnknownNameError.of(f"argument of {model.name}", name, model.parameters)

@@ -32,10 +32,10 @@ def symbols_for(argument: Argument) -> Symbols:
     return flat.reshape(argument.shape)
 
 
-def trace(model: Model, symbols: list[Symbols] | None = None) -> Trace:
+def trace(model: Model) -> Trace:
     """Expressions of the value and of all Jacobians; raises WritingRuleError for what cannot be traced."""
     check_rules(model.function)
-    symbols = symbols or [symbols_for(a) for a in model.arguments]
+    symbols = [symbols_for(a) for a in model.arguments]
     value = run(model, symbols)
     flat = sympy.Matrix(value.ravel().tolist())
     stored = [flat.jacobian(list(s.ravel())) for s in symbols]

@@ -4,8 +4,10 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.errors import ShapeError, SlamlibError
+from slamlib.errors import SlamlibError
 from slamlib.evaluation import chi2_quantile
+from slamlib.linalg import covariance as positive
+from slamlib.linalg import finite
 from slamlib.spaces import Array
 
 
@@ -15,13 +17,14 @@ def ellipse(
     """Outline (2, points) of the ellipse that holds a share `probability` of a Gaussian in the plane, or of k sigmas.
 
     mean (2,), covariance (2, 2). The default is the 95 % ellipse. A line (singular covariance) is drawn as one.
+    Raises ShapeError, NonFiniteError, CovarianceError.
     """
-    mean, covariance = np.asarray(mean, dtype=float), np.asarray(covariance, dtype=float)
-    if mean.shape != (2,) or covariance.shape != (2, 2):
-        raise ShapeError(f"ellipse: mean (2,) and covariance (2, 2) expected, got {mean.shape} and {covariance.shape}")
+    mean, covariance = finite(mean, (2,), "ellipse", "mean"), finite(covariance, (2, 2), "ellipse", "covariance")
+    covariance = positive(covariance, 2, "ellipse", "covariance")
     if probability is not None and sigmas is not None:
         raise SlamlibError("ellipse: give a probability or a number of sigmas, not both")
-    radius = sigmas if sigmas is not None else np.sqrt(chi2_quantile(probability or 0.95, 2))
+    share = 0.95 if probability is None else probability
+    radius = np.sqrt(chi2_quantile(share, 2)) if sigmas is None else sigmas
     values, vectors = np.linalg.eigh(covariance)
     angle = np.linspace(0, 2 * np.pi, points)
     circle = np.array([np.cos(angle), np.sin(angle)])

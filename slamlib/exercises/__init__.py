@@ -11,7 +11,7 @@ import pkgutil
 from collections.abc import Callable
 from typing import Any
 
-from slamlib.errors import UnknownNameError
+from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.exercises.properties import Rejected, hold
 
 __all__ = ["Rejected", "check", "exercise", "load_all"]
@@ -25,7 +25,7 @@ def exercise(number: str, title: str) -> Callable[[Checker], Checker]:
 
     def register(function: Checker) -> Checker:
         if number in _known and _known[number][1].__module__ != function.__module__:
-            raise UnknownNameError(f"exercise {number} is registered twice")
+            raise SlamlibError(f"exercise {number} is registered twice: give each exercise a number of its own")
         _known[number] = (title, function)
         return function
 
@@ -42,7 +42,8 @@ def load_all() -> dict[str, tuple[str, Checker]]:
 
 def check(number: str, candidate: Any) -> None:
     """Test a solution: prints a line for each property that holds; raises Rejected with the first that does not."""
-    chapter = f"ch{int(number.split('.')[0]):02d}_" if number.split(".")[0].isdigit() else "?"
+    head = str(number).split(".")[0]
+    chapter = f"ch{int(head):02d}_" if head.isdigit() else "?"
     for info in pkgutil.iter_modules(__path__):
         if info.name.startswith(chapter):
             importlib.import_module(f"{__name__}.{info.name}")
@@ -50,7 +51,14 @@ def check(number: str, candidate: Any) -> None:
         raise UnknownNameError.of("exercise", number, load_all())
     title, function = _known[number]
     with hold(candidate) as found:
-        function(found.candidate)
-    for line in found.lines:
-        print(f"  holds: {line}")
+        try:
+            function(found.candidate)
+        except SlamlibError:
+            raise
+        except Exception as error:  # the check could not take what the reader's function gave, for instance unpack it
+            message = f"what your function returned cannot be used: {type(error).__name__}: {error}"
+            raise Rejected(f"{message}; see the exercise for what it should return") from error
+        finally:
+            for line in found.lines:
+                print(f"  holds: {line}")
     print(f"Exercise {number} accepted: {title}.")

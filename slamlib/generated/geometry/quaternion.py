@@ -13,7 +13,7 @@ DIGESTS = {
     "plus": "dd4feaf308499935",
     "minus": "46cb00aa119d050e",
     "rotation": "c241c8544dbf8880",
-    "from_rotation": "080728ad7cb9f868",
+    "from_rotation": "49ee384aa2ebcb08",
 }
 SHAPES = {
     "left_matrix": (4, 4),
