@@ -217,7 +217,7 @@ class Model:
         rows = []
         for argument, value, lead in zip(self.arguments, arguments, batches, strict=True):
             flat = value.reshape((*lead, argument.size)).astype(dtype, copy=False)
-            rows.append(np.ascontiguousarray(np.moveaxis(flat, -1, 0)))
+            rows.append(np.ascontiguousarray(flat.transpose(flat.ndim - 1, *range(flat.ndim - 1))))
         with np.errstate(all="ignore"):
             values, results = iter(kernel(*rows)), []
         for shape in shapes:
@@ -230,5 +230,6 @@ class Model:
                 raise SingularPointError(
                     f"{self.name} is not defined, or has no derivative, at item {item} of the batch"
                 )
-            results.append(np.moveaxis(block.reshape(shape + batch), range(len(shape)), range(-len(shape), 0)))
+            axes = [*range(len(shape), len(shape) + len(batch)), *range(len(shape))]
+            results.append(block.reshape(shape + batch).transpose(axes))
         return results

@@ -1,0 +1,20 @@
+"""Polar coordinates of the plane: range [m] and bearing [rad]."""
+
+import numpy as np
+
+from slamlib.analytic import arctan2, cos, sin, sqrt
+from slamlib.model import model
+
+
+@model(point=2)
+def to_polar(point):
+    """Range and bearing of a point (x, y); not defined at the origin. Chapter 4."""
+    x, y = point
+    return np.array([sqrt(x * x + y * y), arctan2(y, x)])
+
+
+@model(polar=2)
+def from_polar(polar):
+    """The point (x, y) at a range and bearing. Chapter 4."""
+    distance, bearing = polar
+    return np.array([distance * cos(bearing), distance * sin(bearing)])
