@@ -41,7 +41,7 @@ def predict(candidate: Any) -> None:
     for _ in range(5):
         x, u = rng.standard_normal(3), np.array([0.5, 0.7]) + rng.standard_normal(2)
         mean, found = _pair(candidate(x, P, u, Q))
-        expected = [*x, u[0] * np.cos(x[2]), u[0] * np.sin(x[2]), u[1]]
+        expected = x + np.array([u[0] * np.cos(x[2]), u[0] * np.sin(x[2]), u[1]])
         same(array_of(mean, (3,), "the mean"), expected, "drives along the old heading, then turns")
         covariance(found, 3, "the covariance")
         F = _columns(lambda d, x=x, u=u: _pair(candidate(x + d, P, u, Q))[0], 3)
