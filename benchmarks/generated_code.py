@@ -8,6 +8,7 @@ only their ratios mean anything elsewhere.
 import argparse
 import time
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -70,9 +71,9 @@ def table(counts: tuple[int, ...] = (1, 100, 1000), seconds: float = 0.3) -> lis
     for n in counts:
         landmarks = rng.standard_normal((n, 7))
         given = landmarks[0] if n == 1 else landmarks
-        ours = quickest(lambda given=given: to_frame.jac(pose, given), seconds)
-        theirs = quickest(lambda landmarks=landmarks: other(pose, landmarks), seconds)
-        hand = quickest(lambda landmarks=landmarks: loop(pose, landmarks), seconds)
+        ours = quickest(partial(to_frame.jac, pose, given), seconds)
+        theirs = quickest(partial(other, pose, landmarks), seconds)
+        hand = quickest(partial(loop, pose, landmarks), seconds)
         rows.append((n, ours, theirs, hand))
     return rows
 

@@ -1,4 +1,7 @@
-"""Small linear algebra that checks its own results: in WebAssembly a failed factorization is NaN, not an exception."""
+"""Small linear algebra that checks its own results: in WebAssembly a failed factorization is NaN, not an exception.
+
+SciPy's BLAS is used where SciPy is installed and the problem is large enough to gain; it is loaded at first use.
+"""
 
 import functools
 import importlib
@@ -7,20 +10,39 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.errors import CovarianceError, NonFiniteError, ShapeError
+from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
 from slamlib.spaces import Array
+
+# Sizes from which the triangular product of BLAS repays its mirroring: benchmarks/covariance_update.py.
+_LARGE = 1000
+
+
+def numbers(value: Array, function: str, argument: str) -> Array:
+    """`value` as an array of floats; raises SlamlibError for text, complex numbers and lists of unequal lengths."""
+    try:
+        array = np.asarray(value)
+        if array.dtype.kind in "cSUMm":
+            raise TypeError(f"it holds {array.dtype}")
+        return array.astype(float, copy=False)
+    except (TypeError, ValueError) as error:
+        raise SlamlibError(f"{function}: {argument} should be an array of real numbers: {error}") from None
 
 
 def finite(value: Array, shape: tuple[int, ...], function: str, argument: str) -> Array:
     """`value` as an array of floats of exactly this shape; raises ShapeError, NonFiniteError."""
-    array = np.asarray(value, dtype=float)
+    array = numbers(value, function, argument)
     if array.shape != shape:
         raise ShapeError(f"{function}: {argument} should have shape {shape}, but has shape {array.shape}")
-    bad = ~np.isfinite(array)
-    if bad.any():
-        where = tuple(int(i) for i in np.argwhere(bad)[0])
+    if not np.isfinite(array).all():
+        where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
         raise NonFiniteError(f"{function}: {argument} holds {array[where]} at index {where}; remove or mask it")
     return array
+
+
+def not_overflown(function: str, *results: Array) -> None:
+    """Raise NonFiniteError where finite arguments gave a covariance beyond the range of floating point."""
+    if not all(np.isfinite(result).all() for result in results):
+        raise NonFiniteError(f"{function}: the covariance overflows; choose units in which the numbers are smaller")
 
 
 def covariance(value: Array, size: int, function: str, argument: str) -> Array:
@@ -29,43 +51,95 @@ def covariance(value: Array, size: int, function: str, argument: str) -> Array:
     Asymmetry up to 1e-9, and negative eigenvalues down to -1e-9, of the largest entry are taken as rounding.
     Raises CovarianceError, ShapeError, NonFiniteError.
     """
-    array = np.asarray(value, dtype=float)
+    array = numbers(value, function, argument)
     if array.shape in ((), (size,)):
         array = np.diag(np.broadcast_to(array, (size,)))
     array = finite(array, (size, size), function, argument)
     scale = np.abs(array).max(initial=0)
-    if np.abs(array - array.T).max(initial=0) > 1e-9 * scale:
+    half = array / 2
+    if np.abs(half - half.T).max(initial=0) > 0.5e-9 * scale:
         advice = "use (P + P.T) / 2 if only rounding is to blame"
         raise CovarianceError(f"{function}: {argument} is not symmetric, as a covariance must be; {advice}")
-    array = (array + array.T) / 2
-    least = np.linalg.eigvalsh(array)[0] if size else 0.0
+    array = half + half.T
+    least = 0.0 if _factor(array) is not None else np.linalg.eigvalsh(array)[0]
     if not least >= -1e-9 * scale:
         advice = "a covariance has none (were standard deviations passed, or a difference of covariances?)"
         raise CovarianceError(f"{function}: {argument} has the negative eigenvalue {least:.3g}; {advice}")
     return array
 
 
-def cholesky(matrix: Array, function: str, argument: str) -> Array:
-    """Lower factor of a positive definite matrix; raises CovarianceError where there is none."""
+def _factor(matrix: Array) -> Array | None:
+    """Lower Cholesky factors of (..., n, n), or None where there is none, or one by the grace of rounding alone."""
     try:
         factor = np.linalg.cholesky(matrix)
     except np.linalg.LinAlgError:
-        factor = np.full_like(matrix, np.nan)
-    if not np.isfinite(factor).all():
-        least = float(np.linalg.eigvalsh(np.nan_to_num(matrix)).min())
-        raise CovarianceError(f"{function}: {argument} is not positive definite (smallest eigenvalue {least:.3g})")
+        return None
+    # The share of a variance that earlier rows do not explain: scale-free, so mixed units do no harm.
+    own = np.diagonal(factor, axis1=-2, axis2=-1) ** 2
+    rounding = 4 * np.finfo(float).eps * matrix.shape[-1] * np.diagonal(matrix, axis1=-2, axis2=-1)
+    return factor if (own > rounding).all() and np.isfinite(factor).all() else None
+
+
+def cholesky(matrix: Array, function: str, argument: str) -> Array:
+    """Lower factors of positive definite matrices (..., n, n); raises CovarianceError, also where it is so nearly
+    singular that rounding decides."""
+    factor = _factor(matrix)
+    if factor is None:
+        least = np.linalg.eigvalsh(np.nan_to_num(matrix))[..., 0]
+        where = tuple(int(i) for i in np.unravel_index(np.argmin(least), least.shape))
+        place = f" at index {where}" if where else ""
+        raise CovarianceError(
+            f"{function}: {argument}{place} is not positive definite (smallest eigenvalue {least[where]:.3g})"
+        )
     return factor
 
 
 def solve_lower(factor: Array, right: Array) -> Array:
-    """Solution X of `factor @ X = right` for a lower triangular factor."""
-    fast = _scipy("scipy.linalg", "solve_triangular")
-    return fast(factor, right, lower=True, check_finite=False) if fast else np.linalg.solve(factor, right)
+    """Solution X of `factor @ X = right` for a lower triangular factor (n, n) and right (n,) or (n, k).
+
+    Never through an inverse of the factor: that is quicker, and thirty times less accurate where S is near singular.
+    """
+    fast = _scipy("scipy.linalg.blas", "dtrsm") if right.ndim == 2 and right.size else None
+    # BLAS counts columns first: X' = right' (factor')^-1, and factor' is upper triangular.
+    return fast(1.0, factor.T, right.T, side=1).T if fast else np.linalg.solve(factor, right)
 
 
 def subtract_square(matrix: Array, rows: Array) -> None:
-    """matrix -= rows.T @ rows in place, for a contiguous symmetric matrix; it stays exactly symmetric."""
-    matrix -= rows.T @ rows
+    """matrix -= rows.T @ rows in place; a symmetric matrix stays exactly symmetric.
+
+    NumPy runs W'W as a symmetric product. BLAS can update one triangle where it lies, which is then mirrored; but only
+    a contiguous matrix: of a view into a larger array its wrapper silently updates a copy.
+    """
+    large = len(matrix) >= _LARGE and len(rows) and matrix.flags.c_contiguous
+    fast = _scipy("scipy.linalg.blas", "dsyrk") if large else None
+    if fast:
+        fast(-1.0, rows.T, 1.0, matrix.T, overwrite_c=1)
+        _mirror(matrix)
+    else:
+        matrix -= rows.T @ rows
+
+
+def _mirror(matrix: Array, width: int = 64) -> None:
+    """Copy the lower triangle over the upper one, in blocks that fit the cache."""
+    for start in range(0, len(matrix), width):
+        stop = min(start + width, len(matrix))
+        matrix[:start, start:stop] = matrix[start:stop, :start].T
+        corner = matrix[start:stop, start:stop]
+        np.copyto(corner.T, corner, where=np.tri(stop - start, k=-1, dtype=bool))
+
+
+def exchange(matrix: Array, old: slice, rows: Array, corner: Array) -> Array:
+    """A symmetric matrix with the rows and columns `old` taken out and others put there: `rows` (k, n), whose columns
+    `old` are not used, and `corner` (k, k)."""
+    head, tail = slice(0, old.start), slice(old.stop, len(matrix))
+    end = old.start + len(corner)
+    result = np.empty((len(matrix) - old.stop + end,) * 2)
+    result[head, head], result[head, end:] = matrix[head, head], matrix[head, tail]
+    result[end:, head], result[end:, end:] = matrix[tail, head], matrix[tail, tail]
+    result[old.start : end, head], result[old.start : end, end:] = rows[:, head], rows[:, tail]
+    result[head, old.start : end], result[end:, old.start : end] = rows[:, head].T, rows[:, tail].T
+    result[old.start : end, old.start : end] = corner / 2 + corner.T / 2
+    return result
 
 
 @functools.cache
@@ -78,6 +152,14 @@ def _scipy(module: str, name: str) -> Callable[..., Any] | None:
 
 
 def joseph(P: Array, H: Array, R: Array, K: Array) -> Array:
-    """(I - K H) P (I - K H)' + K R K': the corrected covariance for any gain K, not only the optimal one."""
-    rest = np.eye(len(P)) - K @ H
+    """(I - K H) P (I - K H)' + K R K': the corrected covariance for any gain K, not only the optimal one.
+
+    P (n, n), H (m, n), R (m, m), K (n, m); single precision stays single. The belief does not use it: for the optimal
+    gain it equals P - W'W, and costs two dense products of size n where the touched rows need none.
+    """
+    P, H, R, K = (np.asarray(a) for a in (P, H, R, K))
+    m, n = H.shape if H.ndim == 2 else (1, len(np.atleast_1d(P)))
+    for name, array, shape in (("P", P, (n, n)), ("H", H, (m, n)), ("R", R, (m, m)), ("K", K, (n, m))):
+        finite(array, shape, "joseph", name)
+    rest = np.eye(n, dtype=P.dtype) - K @ H
     return rest @ P @ rest.T + K @ R @ K.T

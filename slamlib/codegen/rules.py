@@ -74,9 +74,9 @@ def check_rules(function: Callable[..., Any]) -> None:
     """Raise WritingRuleError at the first place where the function's source breaks a rule."""
     try:
         lines, first = inspect.getsourcelines(function)
-    except (OSError, TypeError):
+        definition = ast.parse(textwrap.dedent("".join(lines))).body[0]
+    except (OSError, TypeError, SyntaxError):
         return  # typed where no source is kept: tracing still finds what cannot be traced
-    definition = ast.parse(textwrap.dedent("".join(lines))).body[0]
     for statement in definition.body:  # type: ignore[attr-defined]
         for node, message in violations(statement):
             raise broken(function, first + node.lineno - 1, lines[node.lineno - 1], message)  # type: ignore[attr-defined]

@@ -19,16 +19,13 @@ def to_frame_jacobian(candidate: Any) -> None:
     for _ in range(5):
         pose, point = Pose.random(rng), 5 * rng.standard_normal(3)
         found = array_of(candidate(pose, point), (3, 6), "the Jacobian")
-        around = partial(_nudged, pose, point)
-        jacobian_matches(
-            found[:, :3], lambda d, f=around: f(np.append(d, np.zeros(3))), np.zeros(3), "position columns"
-        )
-        jacobian_matches(
-            found[:, 3:], lambda d, f=around: f(np.append(np.zeros(3), d)), np.zeros(3), "rotation columns"
-        )
+        for columns, name in ((slice(0, 3), "position columns"), (slice(3, 6), "rotation columns")):
+            jacobian_matches(found[:, columns], partial(_nudged, pose, point, columns), np.zeros(3), name)
 
 
-def _nudged(pose: Any, point: Any, step: Any) -> Any:
+def _nudged(pose: Any, point: Any, columns: slice, part: Any) -> Any:
+    step = np.zeros(6)
+    step[columns] = part
     return to_frame(Pose.plus(pose, step), point)
 
 

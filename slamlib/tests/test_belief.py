@@ -1,0 +1,539 @@
+"""The belief against textbook filters: full matrices, batch least squares, and the seed toolbox's own numbers."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from slamlib import correction, linalg
+from slamlib.belief import Belief, Observation
+from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnitError, UnknownNameError
+from slamlib.geometry.pose import Pose
+from slamlib.tests.beliefs import Circle, grown, random_covariance, state
+
+REFERENCE = Path(__file__).parents[3] / "shared" / "reference" / "ekf.json"
+
+
+def textbook(x, P, H, z, R):
+    """Mean and covariance after a correction with full matrices and an explicit gain."""
+    S = H @ P @ H.T + R
+    K = P @ H.T @ np.linalg.inv(S)
+    return x + K @ z, (np.eye(len(x)) - K @ H) @ P
+
+
+def full(belief, blocks, jacobians):
+    """A Jacobian with its zeros."""
+    H = np.zeros((len(jacobians[0]), belief.size))
+    for block, J in zip(blocks, jacobians, strict=True):
+        H[:, block.slice] += J
+    return H
+
+
+def vector(belief):
+    return np.concatenate([b.mean for b in belief.blocks])
+
+
+@pytest.fixture
+def rng():
+    return np.random.default_rng(2)
+
+
+def test_a_block_by_itself(rng):
+    belief, P = Belief(), random_covariance(rng, 3)
+    block = belief.add(3, [1, 2, 3], P)
+    assert (belief.size, block.dof, block.slice, belief.blocks) == (3, 3, slice(0, 3), (block,))
+    assert np.allclose(belief.matrix, P, rtol=0, atol=1e-15)
+    assert block.mean.dtype == float
+    for array in (block.mean, belief.matrix):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0
+    copy = belief.covariance(block)
+    copy[:] = 0
+    assert np.allclose(belief.covariance(block), P)
+
+
+def test_variances_stand_for_a_diagonal():
+    belief = Belief()
+    belief.add(2, [0, 0], 4)
+    belief.add(2, [0, 0], [1, 2])
+    assert np.array_equal(belief.matrix, np.diag([4.0, 4, 1, 2]))
+
+
+def test_a_block_that_follows_from_others(rng):
+    belief = Belief()
+    a, b, c = grown(belief, rng, 2, 3, 1)
+    G_a, G_c, Q = rng.standard_normal((2, 2)), rng.standard_normal((2, 1)), random_covariance(rng, 2)
+    before = belief.matrix.copy()
+    G = full(belief, [a, c], [G_a, G_c])
+    new = belief.add(2, [0, 0], Q, given=[a, c], jacobians=[G_a, G_c])
+    assert np.allclose(belief.matrix, np.block([[before, before @ G.T], [G @ before, G @ before @ G.T + Q]]))
+    assert np.allclose(belief.covariance(new, b), G @ before[:, b.slice])
+
+
+def test_remove_is_the_marginal_and_other_handles_stay_right(rng):
+    belief = Belief()
+    a, b, c = grown(belief, rng, 2, 3, 1)
+    P_ac, P_cc = belief.covariance(a, c), belief.covariance(c)
+    belief.remove(b)
+    assert (belief.size, c.slice, belief.blocks) == (3, slice(2, 3), (a, c))
+    assert np.array_equal(belief.covariance(a, c), P_ac)
+    assert np.array_equal(belief.covariance(c), P_cc)
+    with pytest.raises(SlamlibError, match=r"no block of this belief \(was it removed\?\)"):
+        belief.covariance(b)
+    with pytest.raises(SlamlibError, match="no block"):
+        belief.correct([a, b], [np.eye(2), np.eye(2, 3)], np.zeros(2), np.eye(2))
+
+
+def test_replace_turns_rows_and_columns(rng):
+    belief = Belief()
+    a, b, c = grown(belief, rng, 2, 3, 2)
+    before, J = belief.matrix.copy(), rng.standard_normal((1, 3))
+    left = np.zeros((5, 7))
+    left[:2, a.slice], left[2:3, b.slice], left[3:, c.slice] = np.eye(2), J, np.eye(2)
+    assert belief.replace(b, 1, [7], J) is b
+    assert (b.slice, c.slice, b.mean) == (slice(2, 3), slice(3, 5), 7)
+    assert np.allclose(belief.matrix, left @ before @ left.T)
+
+
+def test_predict_moves_one_block_and_its_correlations(rng):
+    belief = Belief()
+    _, b, _ = grown(belief, rng, 2, 3, 2)
+    before, F, Q = belief.matrix.copy(), rng.standard_normal((3, 3)), random_covariance(rng, 3)
+    big_F, big_Q = np.eye(7), np.zeros((7, 7))
+    big_F[b.slice, b.slice], big_Q[b.slice, b.slice] = F, Q
+    belief.predict(b, [1, 2, 3], F, Q)
+    assert np.allclose(belief.matrix, big_F @ before @ big_F.T + big_Q)
+    assert np.array_equal(b.mean, [1, 2, 3])
+
+
+@pytest.mark.parametrize("method", ["batch", "scalar"])
+def test_a_linear_filter_is_batch_least_squares(rng, method):
+    """A constant-velocity track, forty steps: the filter's last estimate is that of all measurements at once."""
+    F, Q, H = np.array([[1, 0.5], [0, 1]]), np.array([[0.02, 0.01], [0.01, 0.04]]), np.array([[1, 0], [0.3, 1]])
+    R, P0 = np.array([[0.5, 0.2], [0.2, 0.3]]), np.diag([4.0, 1])
+    y = rng.standard_normal((40, 2))
+    belief = Belief()
+    block = belief.add(2, np.zeros(2), P0)
+    rows, right = [np.eye(2, 80)], [np.zeros(2)]
+    weights = [P0]
+    for k, measured in enumerate(y):
+        if k:
+            belief.predict(block, F @ block.mean, F, Q)
+            motion = np.zeros((2, 80))
+            motion[:, 2 * k - 2 : 2 * k], motion[:, 2 * k : 2 * k + 2] = -F, np.eye(2)
+            rows, right, weights = [*rows, motion], [*right, np.zeros(2)], [*weights, Q]
+        belief.correct([block], [H], measured - H @ block.mean, R, method=method)
+        seen = np.zeros((2, 80))
+        seen[:, 2 * k : 2 * k + 2] = H
+        rows, right, weights = [*rows, seen], [*right, measured], [*weights, R]
+    white = [np.linalg.inv(np.linalg.cholesky(w)) for w in weights]
+    A = np.concatenate([w @ a for w, a in zip(white, rows, strict=True)])
+    b = np.concatenate([w @ r for w, r in zip(white, right, strict=True)])
+    assert np.allclose(block.mean, np.linalg.lstsq(A, b)[0][-2:], rtol=0, atol=1e-9)
+    assert np.allclose(belief.matrix, np.linalg.inv(A.T @ A)[-2:, -2:], rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("method", ["batch", "scalar"])
+@pytest.mark.parametrize("diagonal", [True, False])
+def test_correct_is_the_textbook_filter(rng, method, diagonal):
+    belief = Belief()
+    a, _, c = grown(belief, rng, 2, 3, 4)
+    jacobians = [rng.standard_normal((3, 2)), rng.standard_normal((3, 4))]
+    R = np.diag([1.0, 2, 3]) if diagonal else random_covariance(rng, 3)
+    x, P, H, z = vector(belief), belief.matrix.copy(), full(belief, [a, c], jacobians), rng.standard_normal(3)
+    found = belief.correct([a, c], jacobians, z, R, method=method)
+    x, P_after = textbook(x, P, H, z, R)
+    S = H @ P @ H.T + R
+    assert np.allclose(vector(belief), x, rtol=0, atol=1e-12)
+    assert np.allclose(belief.matrix, P_after, rtol=0, atol=1e-12)
+    assert np.array_equal(belief.matrix, belief.matrix.T)
+    assert np.allclose(found.covariance, S)
+    assert np.isclose(found.nis, z @ np.linalg.inv(S) @ z)
+    assert np.array_equal(found.innovation, z)
+
+
+@pytest.mark.parametrize("method", ["batch", "scalar"])
+def test_several_observations_at_once_are_one_after_another(rng, method):
+    """Linear models and independent noises: the order and the grouping do not matter."""
+    at_once, in_turn = Belief(), Belief()
+    seed = int(rng.integers(1000))
+    first, second = (grown(b, np.random.default_rng(seed), 3, 2, 2, 2) for b in (at_once, in_turn))
+    observations, before = [], {}
+    for i in (1, 3, 2):
+        jacobians, R = [rng.standard_normal((2, 3)), rng.standard_normal((2, 2))], random_covariance(rng, 2)
+        before[i] = jacobians, R, rng.standard_normal(2)
+        observations.append(Observation([first[0], first[i]], jacobians, before[i][2], R))
+    x = vector(in_turn)
+    at_once.correct_all(observations, method=method)
+    for i, (jacobians, R, z) in before.items():
+        blocks = [second[0], second[i]]
+        moved = full(in_turn, blocks, jacobians) @ (vector(in_turn) - x)  # the innovation runs along (E16)
+        in_turn.correct(blocks, jacobians, z - moved, R, method=method)
+    assert np.allclose(vector(at_once), vector(in_turn), rtol=0, atol=1e-12)
+    assert np.allclose(at_once.matrix, in_turn.matrix, rtol=0, atol=1e-12)
+
+
+def test_joseph_form_is_the_same_for_the_optimal_gain_and_right_for_any(rng):
+    belief, P, H, R = Belief(), random_covariance(rng, 4), rng.standard_normal((2, 4)), random_covariance(rng, 2)
+    block = belief.add(4, np.zeros(4), P)
+    belief.correct([block], [H], np.ones(2), R)
+    K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
+    assert np.allclose(linalg.joseph(P, H, R, K), belief.matrix, rtol=0, atol=1e-13)
+    e, v = rng.multivariate_normal(np.zeros(4), P, 20000), rng.multivariate_normal(np.zeros(2), R, 20000)
+    left = e - (e @ H.T + v) @ (K / 2).T
+    claimed = linalg.joseph(P, H, R, K / 2)
+    assert np.abs(left.T @ left / 20000 - claimed).max() < 0.05 * claimed.max()
+    assert linalg.joseph(*(a.astype(np.float32) for a in (P, H, R, K))).dtype == np.float32
+    with pytest.raises(ShapeError, match=r"joseph: K should have shape \(4, 2\), but has shape \(2, 4\)"):
+        linalg.joseph(P, H, R, K.T)
+
+
+def test_the_innovation_covariance_is_what_correct_uses(rng):
+    belief = Belief()
+    a, _, c = grown(belief, rng, 2, 3, 4)
+    jacobians, R = [rng.standard_normal((2, 2)), rng.standard_normal((2, 4))], np.eye(2)
+    S, before = belief.innovation_covariance([a, c], jacobians, R), belief.matrix.copy()
+    assert np.array_equal(belief.matrix, before)
+    assert np.array_equal(S, belief.correct([a, c], jacobians, np.zeros(2), R).covariance)
+
+
+def test_a_block_may_be_named_twice(rng):
+    belief = Belief()
+    a, b = grown(belief, rng, 2, 3)
+    J = [rng.standard_normal((2, 2)), rng.standard_normal((2, 3)), rng.standard_normal((2, 2))]
+    S = belief.innovation_covariance([a, b, a], J, np.eye(2))
+    assert np.allclose(S, belief.innovation_covariance([a, b], [J[0] + J[2], J[1]], np.eye(2)))
+
+
+def test_a_manifold_is_corrected_on_its_tangent():
+    """A heading as a unit vector: one measurement of the angle, weighed by the variances."""
+    belief, circle = Belief(), Circle()
+    heading = belief.add(circle, [1, 0], 0.04)
+    place = belief.add(1, [5], 1)
+    found = belief.correct([heading], [np.ones((1, 1))], [0.5], 0.01)
+    assert np.allclose(heading.mean, [np.cos(0.4), np.sin(0.4)])
+    assert np.isclose(belief.covariance(heading)[0, 0], 0.008)
+    assert (place.mean, belief.size, found.nis) == (5, 2, pytest.approx(5))
+
+
+def test_the_reset_is_of_the_order_of_the_correction(rng):
+    """What correct leaves out, in a pose: half of the correction's angle, relative to the covariance."""
+    belief, P = Belief(), np.eye(6) * 0.01 + 0.005
+    pose = belief.add(Pose, [0, 0, 0, 1, 0, 0, 0], P)
+    H = np.hstack([np.zeros((3, 3)), np.eye(3)])
+    belief.correct([pose], [H], [0.02, 0, 0], np.eye(3) * 1e-6)
+    turned, before = 2 * np.arcsin(np.linalg.norm(pose.mean[4:])), belief.matrix.copy()
+    x, y, z = 2 * pose.mean[4:]
+    G = np.eye(6)
+    G[3:, 3:] -= np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]]) / 2
+    belief.predict(pose, pose.mean, G, np.zeros((6, 6)))
+    change = np.linalg.norm(belief.matrix - before, 2) / np.linalg.norm(before, 2)
+    assert turned == pytest.approx(0.02, rel=1e-3)
+    assert 0 < change <= turned / 2 * 1.01
+
+
+def test_snapshot_and_restore(rng):
+    belief = Belief()
+    a, b, c = grown(belief, rng, 2, 3, 2)
+    saved = belief.snapshot()
+    means, P = [x.mean for x in (a, b, c)], belief.matrix.copy()
+    belief.predict(a, [9, 9], np.eye(2), np.eye(2))
+    belief.remove(b)
+    d = belief.add(1, [0], 1, given=[a], jacobians=[np.ones((1, 2))])
+    belief.replace(c, 1, [3], np.ones((1, 2)))
+    belief.correct([a, d], [np.eye(2), np.ones((2, 1))], [1, 2], 1)
+    belief.restore(saved)
+    assert belief.blocks == (a, b, c)
+    assert [x.slice for x in belief.blocks] == list(saved.slices) == [slice(0, 2), slice(2, 5), slice(5, 7)]
+    assert all(np.array_equal(x.mean, m) for x, m in zip(belief.blocks, means, strict=True))
+    assert np.array_equal(belief.matrix, P)
+    belief.predict(a, [9, 9], np.eye(2), np.eye(2))
+    assert np.array_equal(saved.covariance, P)
+    with pytest.raises(SlamlibError, match="no block"):
+        belief.covariance(d)
+    with pytest.raises(SlamlibError, match="another belief"):
+        Belief().restore(saved)
+    with pytest.raises(ValueError, match="read-only"):
+        saved.covariance[0, 0] = 1
+
+
+class Broken(Circle):
+    """A space whose plus fails."""
+
+    def plus(self, point, step):
+        raise ZeroDivisionError
+
+
+class Lost(Circle):
+    """A space whose plus gives no number."""
+
+    def plus(self, point, step):
+        return point * np.nan
+
+
+I2, Z2, J23 = np.eye(2), np.zeros(2), np.ones((2, 3))
+NEGATIVE, SKEWED = np.diag([1.0, -1]), np.array([[1.0, 0.5], [0, 1]])
+NAN = np.array([[1.0, np.nan], [0, 1]])
+WRONG = {
+    "add: shape": (lambda b, x: b.add(2, [1, 2, 3], I2), ShapeError, r"add: mean .* \(2,\), but has shape \(3,\)"),
+    "add: nan": (lambda b, x: b.add(2, [1, np.nan], I2), NonFiniteError, r"add: mean holds nan at index \(1,\)"),
+    "add: negative": (
+        lambda b, x: b.add(2, Z2, NEGATIVE),
+        CovarianceError,
+        "covariance has the negative eigenvalue -1",
+    ),
+    "add: skewed": (lambda b, x: b.add(2, Z2, SKEWED), CovarianceError, "add: covariance is not symmetric"),
+    "add: unit": (lambda b, x: b.add(Circle(), [2, 0], 1), UnitError, "add: mean"),
+    "add: text": (lambda b, x: b.add(2, ["1", "2"], I2), SlamlibError, "add: mean should be an array of real numbers"),
+    "add: complex": (lambda b, x: b.add(1, [1j], 1), SlamlibError, "real numbers: it holds complex128"),
+    "add: ragged": (lambda b, x: b.add(1, [[1], [2, 3]], 1), SlamlibError, "add: mean should be an array"),
+    "add: no space": (lambda b, x: b.add("pose", Z2, I2), SlamlibError, "'pose' is no space"),
+    "add: empty": (lambda b, x: b.add(0, [], 1), SlamlibError, "at least one number"),
+    "add: jacobian": (lambda b, x: b.add(2, Z2, I2, given=x[1:2], jacobians=[I2]), ShapeError, "Jacobian 0"),
+    "add: count": (lambda b, x: b.add(2, Z2, I2, given=x[:2], jacobians=[I2]), SlamlibError, "2 blocks but 1 Jaco"),
+    "add: too many": (lambda b, x: b.add(2, Z2, I2, jacobians=[I2]), SlamlibError, "0 blocks but 1 Jaco"),
+    "add: foreign": (lambda b, x: b.add(2, Z2, I2, given=["r"], jacobians=[I2]), SlamlibError, "'r' is no block"),
+    "add: overflow": (
+        lambda b, x: b.add(2, Z2, I2, given=x[:1], jacobians=[I2 * 1e200]),
+        NonFiniteError,
+        "add: the covariance overflows",
+    ),
+    "remove: foreign": (lambda b, x: b.remove(Belief().add(1, [0], 1)), SlamlibError, "no block of this belief"),
+    "replace: shape": (lambda b, x: b.replace(x[1], 2, Z2, I2), ShapeError, r"jacobian .* \(2, 3\), but .* \(2, 2\)"),
+    "replace: overflow": (lambda b, x: b.replace(x[1], 2, Z2, J23 * 1e200), NonFiniteError, "replace: the covariance"),
+    "predict: F": (
+        lambda b, x: b.predict(x[0], Z2, NAN, I2),
+        NonFiniteError,
+        r"predict: F holds nan at index \(0, 1\)",
+    ),
+    "predict: Q": (lambda b, x: b.predict(x[0], Z2, I2, NEGATIVE), CovarianceError, "predict: Q has the negative"),
+    "predict: mean": (lambda b, x: b.predict(x[0], 0, I2, I2), ShapeError, r"predict: mean .* \(2,\), but .* \(\)"),
+    "predict: overflow": (lambda b, x: b.predict(x[0], Z2, I2 * 1e200, I2), NonFiniteError, "predict: the covariance"),
+    "correct: z": (
+        lambda b, x: b.correct(x[:1], [I2], [0, np.inf], I2),
+        NonFiniteError,
+        "correct: innovation holds inf",
+    ),
+    "correct: scalar z": (lambda b, x: b.correct(x[:1], [I2], 0, I2), ShapeError, r"shape \(m,\), m at least 1"),
+    "correct: no z": (lambda b, x: b.correct(x[:1], [I2], [], I2), ShapeError, r"but has shape \(0,\)"),
+    "correct: H": (
+        lambda b, x: b.correct(x[:1], [J23], Z2, I2),
+        ShapeError,
+        r"Jacobian 0 .* \(2, 2\), but .* \(2, 3\)",
+    ),
+    "correct: no block": (lambda b, x: b.correct([], [], Z2, I2), SlamlibError, "0 blocks but 0 Jacobians"),
+    "correct: R": (lambda b, x: b.correct(x[:1], [I2], Z2, np.eye(3)), ShapeError, r"R .* \(2, 2\), but .* \(3, 3\)"),
+    "correct: R < 0": (lambda b, x: b.correct(x[:1], [I2], Z2, -I2), CovarianceError, "R has the negative eigenvalue"),
+    "correct: S": (
+        lambda b, x: b.correct(x[:1], [I2[[0, 0]]], Z2, np.zeros((2, 2))),
+        CovarianceError,
+        r"number [01] of observation 0 \(of <block Euclidean\(2\) at 0>\) is claimed to be known exactly",
+    ),
+    "correct: scalar": (
+        lambda b, x: b.correct(x[:1], [I2], Z2, np.diag([1.0, 0]), method="scalar"),
+        CovarianceError,
+        "number 1 of observation 0",
+    ),
+    "correct: method": (lambda b, x: b.correct(x[:1], [I2], Z2, I2, method="btach"), UnknownNameError, "mean 'batch'"),
+    "correct: overflow": (
+        lambda b, x: b.correct(x[:1], [I2 * 1e200], Z2, I2),
+        NonFiniteError,
+        "correct: the covariance",
+    ),
+    "correct: mean": (
+        lambda b, x: b.correct(x[:1], [I2 * 1e-5], [1e308, 1e308], I2 * 1e-20),
+        NonFiniteError,
+        "correct: the corrected means",
+    ),
+    "correct_all: none": (lambda b, x: b.correct_all([]), SlamlibError, "leave the call out"),
+    "correct_all: third": (
+        lambda b, x: b.correct_all([Observation(x[:1], [I2], Z2, R) for R in (I2, I2, SKEWED)]),
+        CovarianceError,
+        "R of observation 2 is not symmetric",
+    ),
+    "correct_all: second": (
+        lambda b, x: b.correct_all([Observation(x[:1], [I2], Z2, I2), Observation(x[1:2], [I2], Z2, I2)]),
+        ShapeError,
+        "correct: Jacobian 0 of observation 1",
+    ),
+    "innovation_covariance": (
+        lambda b, x: b.innovation_covariance([], [], 1),
+        SlamlibError,
+        "innovation_covariance: 0",
+    ),
+    "innovation_covariance: H": (lambda b, x: b.innovation_covariance(x[:1], [1.0], 1), ShapeError, "Jacobian 0"),
+}
+
+
+@pytest.mark.parametrize("wrong", WRONG)
+def test_a_call_that_fails_says_why_and_changes_nothing(rng, wrong):
+    call, error, message = WRONG[wrong]
+    belief = Belief()
+    blocks = grown(belief, rng, 2, 3, 2)
+    before = state(belief)
+    with pytest.raises(error, match=message):
+        call(belief, blocks)
+    assert state(belief) == before
+
+
+@pytest.mark.parametrize(("space", "error"), [(Broken(), ZeroDivisionError), (Lost(), NonFiniteError)])
+def test_a_space_that_fails_changes_nothing(rng, space, error):
+    belief = Belief()
+    blocks = grown(belief, rng, 2)
+    belief.add(space, [1, 0], 1)
+    before = state(belief)
+    with pytest.raises(error):
+        belief.correct(blocks, [I2], [1, 1], I2)
+    assert state(belief) == before
+
+
+def test_a_number_without_noise_is_allowed_where_it_is_news():
+    belief = Belief()
+    block = belief.add(2, [0, 0], np.eye(2))
+    belief.correct([block], [I2], [3, 1], np.diag([0.0, 1]))
+    assert np.allclose(block.mean, [3, 0.5])
+    assert np.allclose(belief.matrix, np.diag([0, 0.5]))
+    with pytest.raises(CovarianceError, match="number 0 of observation 0"):
+        belief.correct([block], [I2], [0, 0], np.diag([0.0, 1]))
+
+
+def test_mixed_units_are_not_taken_for_singular():
+    belief = Belief()
+    block = belief.add(2, [0, 0], np.diag([1e10, 1e-14]))
+    belief.correct([block], [I2], [0, 0], np.diag([1e10, 1e-14]))
+    assert np.allclose(belief.matrix, np.diag([5e9, 5e-15]), atol=0)
+
+
+def test_near_copies_without_noise_are_singular():
+    """A product that exists by the grace of rounding alone would be inverted into noise."""
+    belief = Belief()
+    block = belief.add(3, np.zeros(3), random_covariance(np.random.default_rng(0), 3))
+    h = np.array([0.1, 0.2, 0.3])
+    with pytest.raises(CovarianceError, match="not positive definite"):
+        belief.correct([block], [np.array([h, h * 3])], [0, 0], 0)
+
+
+def test_a_factor_of_nan_is_an_error(monkeypatch):
+    """In WebAssembly a failed factorization is NaN, not an exception."""
+    monkeypatch.setattr(np.linalg, "cholesky", lambda a: np.full_like(a, np.nan))
+    with pytest.raises(CovarianceError, match="smallest eigenvalue 1"):
+        linalg.cholesky(np.eye(2), "f", "S")
+
+
+def test_blas_on_a_view_updates_a_copy():
+    """The trap that subtract_square avoids: without this, a view of a larger array would silently stay as it was."""
+    blas = pytest.importorskip("scipy.linalg.blas")
+    store, rows = np.eye(6), np.ones((1, 4))
+    view = store[:4, :4]
+    blas.dsyrk(-1.0, rows.T, 1.0, view.T, overwrite_c=1)
+    assert np.array_equal(view, np.eye(4))
+    linalg.subtract_square(view, rows)
+    assert np.array_equal(view, np.eye(4) - 1)
+
+
+@pytest.mark.parametrize("n", [1, 5, 63, 64, 65, 200])
+@pytest.mark.parametrize("m", [0, 1, 7])
+def test_numpy_and_blas_agree(rng, monkeypatch, n, m):
+    pytest.importorskip("scipy.linalg.blas")
+    rows, factor, P = rng.standard_normal((m, n)), np.linalg.cholesky(random_covariance(rng, 7)), np.eye(n) * 9 + 1
+    monkeypatch.setattr(linalg, "_LARGE", 0)
+    results = []
+    for scipy in (True, False):
+        if not scipy:
+            monkeypatch.setattr(linalg, "_scipy", lambda *_: None)
+        for order in (lambda a: a, lambda a: a.repeat(2, axis=0)[::2]):  # contiguous; a view
+            out = order(P.copy())
+            linalg.subtract_square(out, rows)
+            assert np.array_equal(out, out.T)
+            results.append(out)
+    assert all(np.allclose(out, P - rows.T @ rows, rtol=0, atol=1e-12) for out in results)
+    right = rng.standard_normal((7, n))
+    expected = linalg.solve_lower(factor, right)
+    monkeypatch.undo()
+    assert np.allclose(linalg.solve_lower(factor, right), expected, rtol=0, atol=1e-10)
+    assert np.allclose(factor @ linalg.solve_lower(factor, right[:, 0]), right[:, 0])
+
+
+def test_scipy_is_loaded_late_and_not_needed():
+    program = (
+        "import sys; sys.modules['scipy'] = None; import numpy as np; from slamlib.belief import Belief; b = Belief();"
+        "x = b.add(2, [0, 0], 1); b.correct([x], [np.eye(2)], [1, 1], 1); print(x.mean)"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout == "[0.5 0.5]\n"
+
+
+def test_large_states_take_the_path_of_blas(rng, monkeypatch):
+    monkeypatch.setattr(linalg, "_LARGE", 50)
+    belief, n = Belief(), 60
+    block = belief.add(n, np.zeros(n), random_covariance(rng, n))
+    P, H, R = belief.matrix.copy(), rng.standard_normal((4, n)), np.eye(4)
+    belief.correct([block], [H], np.ones(4), R)
+    x, P = textbook(np.zeros(n), P, H, np.ones(4), R)
+    assert np.allclose(block.mean, x, rtol=0, atol=1e-11)
+    assert np.allclose(belief.matrix, P, rtol=0, atol=1e-11)
+    assert np.array_equal(belief.matrix, belief.matrix.T)
+
+
+def test_the_methods_are_known_by_name():
+    assert set(correction._METHODS) == {"batch", "scalar"}
+
+
+def reference(name):
+    if not REFERENCE.exists():
+        pytest.skip("the seed toolbox's recorded numbers (shared/reference/ekf.json) are not on this machine")
+    (function,) = [f for f in json.loads(REFERENCE.read_text())["functions"] if f["name"] == name]
+    for case in function["cases"]:
+        yield tuple(
+            {k: np.reshape(v["data"], v["shape"]) if isinstance(v, dict) else v for k, v in case[side].items()}
+            for side in ("inputs", "outputs")
+        )
+
+
+def from_toolbox(given):
+    """A belief whose one block holds the used entries of a toolbox map, and which entries those are."""
+    used = np.flatnonzero(given["used"])
+    belief = Belief()
+    P = given["P"][np.ix_(used, used)]
+    return belief, belief.add(len(used), given["x"][used, 0], (P + P.T) / 2), used
+
+
+def rows_of(given, used):
+    return np.searchsorted(used, given["r"].ravel().astype(int) - 1)
+
+
+def test_predict_as_the_toolbox_does():
+    for given, expected in reference("predictBlockEkf"):
+        belief, block, used = from_toolbox(given)
+        r = rows_of(given, used)
+        F, Q = np.eye(len(used)), np.zeros((len(used),) * 2)
+        F[np.ix_(r, r)], Q[np.ix_(r, r)] = given["F_r"], given["F_u"] @ given["U"] @ given["F_u"].T
+        belief.predict(block, block.mean, F, (Q + Q.T) / 2)
+        assert np.allclose(belief.matrix, expected["P_after"][np.ix_(used, used)], rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize("method", ["batch", "scalar"])
+def test_correct_as_the_toolbox_does(method):
+    for given, expected in reference("correctBlockEkf"):
+        belief, block, used = from_toolbox(given)
+        r = rows_of(given, used)
+        H = np.zeros((len(given["z"]), len(used)))
+        H[:, r] = given["H"]
+        # The toolbox takes the innovation's covariance Z; what is left of it is the noise.
+        R = given["Z"] - H @ belief.matrix @ H.T
+        belief.correct([block], [H], given["z"].ravel(), (R + R.T) / 2, method=method)
+        assert np.allclose(block.mean, expected["x_after"][used, 0], rtol=1e-10, atol=1e-10)
+        assert np.allclose(belief.matrix, expected["P_after"][np.ix_(used, used)], rtol=1e-10, atol=1e-10)
+
+
+def test_add_as_the_toolbox_does():
+    for given, expected in reference("addToMap"):
+        belief, _, used = from_toolbox(given)
+        n = belief.size
+        # The toolbox is given the new rows themselves (here not those of any covariance): what adding does with them.
+        P = linalg.exchange(belief.matrix, slice(n, n), given["P_LX"], given["P_LL"])
+        order = np.concatenate([used, expected["r"].ravel().astype(int) - 1])
+        assert np.allclose(P, expected["P_after"][np.ix_(order, order)], rtol=1e-12, atol=1e-12)

@@ -1,0 +1,217 @@
+"""The chapters have all their parts, and the tools that build and check the book notice when something is wrong."""
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import nbformat
+import pytest
+
+from book.tools import browser, ci, layout, notebooks, site
+
+CHAPTERS = sorted((layout.BOOK / "chapters").glob("*.ipynb"))
+PARTS = [
+    *("goals", "hook", "derivation", "proof", "generated", "scratch", "interactive", "realdata", "sources"),
+    *("exercises", "quiz", "history", "rosetta"),
+]
+
+
+def cells(notebook: Path) -> list[dict]:
+    return json.loads(notebook.read_text("utf-8"))["cells"]
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda c: c.stem)
+def test_a_chapter_has_all_its_parts(chapter):
+    found = [c["metadata"]["part"] for c in cells(chapter) if "part" in c["metadata"]]
+    assert not set(PARTS) - set(found), "parts are missing"
+    assert found[0] == "goals"
+    assert found[-4:] == ["exercises", "quiz", "history", "rosetta"]
+    assert not [p for p in found if found.count(p) > 1]
+    text = "".join(c["source"][0] if c["source"] else "" for c in cells(chapter)[:1])
+    assert text.startswith("# ")
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda c: c.stem)
+def test_a_chapter_has_three_to_five_exercises_with_folded_solutions(chapter):
+    text = "\n".join("".join(c["source"]) for c in cells(chapter) if c["cell_type"] == "markdown")
+    exercises = re.findall(r"```\{exercise\}\n:label: (\S+)", text)
+    assert 3 <= len(exercises) <= 5
+    assert re.findall(r"```\{solution-start\} (\S+)\n:class: dropdown", text) == exercises
+    assert text.count("{solution-end}") == len(exercises)
+    assert re.search(r"\*\*Bug hunt", text)
+    assert re.search(r"\*\*By hand", text)
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda c: c.stem)
+def test_a_chapter_has_a_slider_and_describes_its_pictures(chapter):
+    source = "\n".join("".join(c["source"]) for c in cells(chapter) if c["cell_type"] == "code")
+    assert "sweep(" in source
+    for cell in cells(chapter):
+        if cell["cell_type"] == "code" and re.search(r"^(picture|sweep)\(", "".join(cell["source"]), flags=re.M):
+            assert {"nbval-ignore-output", "hide-input"} <= set(cell["metadata"].get("tags", []))
+            assert "alt=" in "".join(cell["source"])
+
+
+def test_every_notebook_is_a_page():
+    assert {p.resolve() for p in layout.notebooks()} == {
+        p.resolve() for folder in ("chapters", "appendices") for p in (layout.BOOK / folder).glob("*.ipynb")
+    }
+
+
+@pytest.mark.parametrize("page", layout.notebooks(), ids=lambda c: c.stem)
+def test_outputs_are_stored_as_text_with_counts_that_nbval_compares(page):
+    stored = nbformat.read(page, as_version=4)
+    counts = [c.execution_count for c in stored.cells if c.cell_type == "code"]
+    assert counts == list(range(1, len(counts) + 1))
+    assert "image/" not in page.read_text("utf-8")
+    assert notebooks.unstored([page]) == []
+
+
+# -- notebooks ---------------------------------------------------------------------------------------------------------
+
+
+def _notebook(folder: Path, *sources: str) -> Path:
+    book = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(s) for s in sources])
+    file = folder / "one.ipynb"
+    file.write_text(nbformat.writes(book), "utf-8")
+    return file
+
+
+def test_running_a_notebook_stores_its_text(tmp_path, monkeypatch):
+    monkeypatch.setattr(layout, "ROOT", tmp_path)
+    file = _notebook(tmp_path, "print('one', end='')", "print('two')\n3")
+    assert notebooks.unstored([file]) == [file]
+    assert notebooks.main(["run", str(file)]) == 0
+    assert notebooks.main(["check", str(file)]) == 0
+    outputs = nbformat.read(file, as_version=4).cells[1].outputs
+    assert [o.get("text") or o["data"]["text/plain"] for o in outputs] == ["two\n", "3"]
+    before = file.read_text()
+    assert notebooks.main(["run", str(file)]) == 0
+    assert file.read_text() == before
+
+
+@pytest.mark.parametrize(
+    ("source", "message"), [("1 / 0", "ZeroDivisionError"), ("import sys; print('x', file=sys.stderr)", "stderr")]
+)
+def test_a_notebook_that_fails_or_complains_is_broken_and_left_as_it_was(
+    tmp_path, source, message, capsys, monkeypatch
+):
+    monkeypatch.setattr(layout, "ROOT", tmp_path)
+    file = _notebook(tmp_path, source)
+    before = file.read_text()
+    assert notebooks.main(["run", str(file)]) == 1
+    assert message in capsys.readouterr().err
+    assert file.read_text() == before
+
+
+# -- the site ----------------------------------------------------------------------------------------------------------
+
+
+def test_site_check_finds_each_kind_of_fault(tmp_path):
+    (tmp_path / "index.html").write_text(
+        '<a href="other.html#here">right</a><a href="other.html#nowhere">anchor</a><a href="missing.html">page</a>'
+        '<img src="missing.png"><script src="https://example.org/a.js"></script>'
+        '<a href="https://example.org/">may lead out</a>'
+    )
+    (tmp_path / "other.html").write_text('<p id="here"></p>')
+    count, found = site.problems(tmp_path, ["index.html", "never_built.html"])
+    assert count == 6
+    assert sorted(found) == [
+        "index.html: https://example.org/a.js: loaded from outside; the site must serve it itself",
+        "index.html: missing.html: no such file in the site",
+        "index.html: missing.png: no such file in the site",
+        "index.html: other.html#nowhere: no such anchor",
+        "never_built.html: named in _toc.yml, but not built",
+    ]
+
+
+def test_a_page_of_the_toc_that_does_not_exist_stops_everything(tmp_path, monkeypatch):
+    monkeypatch.setattr(layout, "ROOT", tmp_path)
+    (tmp_path / "_toc.yml").write_text("format: jb-book\nroot: book/index\n")
+    with pytest.raises(FileNotFoundError, match=r"_toc.yml names book/index, but there is no"):
+        layout.pages()
+
+
+def test_without_a_browser_the_stage_is_skipped_or_fails_where_it_is_needed(monkeypatch, capsys):
+    monkeypatch.setattr(browser, "browser_path", lambda: None)
+    monkeypatch.delenv("BOOK_BROWSER_NEEDED", raising=False)
+    assert browser.main() == ci.SKIPPED
+    assert "apt-get install chromium" in capsys.readouterr().out
+    monkeypatch.setenv("BOOK_BROWSER_NEEDED", "1")
+    assert browser.main() == 1
+
+
+# -- the checks --------------------------------------------------------------------------------------------------------
+
+
+def test_each_stage_counts_what_its_command_really_prints():
+    printed = {
+        "lint": "All checks passed!",
+        "format": "63 files already formatted",
+        "types": "Success: no issues found in 55 source files",
+        "generated": "generated code: 25 models in 9 files, 0 out of date",
+        "tangled": "tangled cells: 7 in the book, 7 formula modules, 0 problems",
+        "stored": "notebooks: 11 in the book, 0 not in the stored form",
+        "pytest": "320 passed, 2 skipped in 60.0s",
+        "nbval": "200 passed in 50.0s",
+        "book": "running 11 notebooks",
+        "site": "site: 13 pages, 900 links and assets, 0 problems",
+        "browser": "browser: 13 pages in 3 views, 24 sliders driven, 0 faults",
+    }
+    assert [s.name for s in ci.stages()] == list(printed)
+    for stage in ci.stages():
+        assert ci.judge(stage, 0, printed[stage.name], 1.0).status == "ok"
+        assert ci.judge(stage, 1, printed[stage.name], 1.0).status == "FAILED"
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "no tests ran in 0.01s", "0 passed", "running 0 notebooks", "tangled cells: 0 in the book", "2 skipped"],
+)
+def test_a_stage_that_ran_nothing_has_failed(text):
+    for stage in ci.stages():
+        assert ci.judge(stage, 0, text, 1.0).status == "NOTHING"
+
+
+def test_the_summary_fails_for_one_failed_stage_and_for_none(capsys):
+    stage = ci.stages()[0]
+    good, bad = ci.Result(stage, "ok", 3, 1.0), ci.Result(stage, "NOTHING", 0, 1.0)
+    assert ci.summary([good]) == 0
+    assert capsys.readouterr().out.splitlines()[-1] == "stages: 1 passed, 0 failed, 0 skipped"
+    assert ci.summary([good, bad]) == 1
+    assert ci.summary([good, ci.Result(stage, "skipped", 0, 1.0)]) == 0
+    assert ci.summary([]) == 1
+
+
+def test_pip_install_gives_a_wheel_of_slamlib_alone(tmp_path):
+    """The wheel holds slamlib without its tests, and asks for NumPy only (needs setuptools, as pip install does)."""
+    pytest.importorskip("setuptools")
+    copy = tmp_path / "source"
+    copy.mkdir()
+    for name in ("pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(layout.ROOT / name, copy)
+    shutil.copytree(layout.ROOT / "slamlib", copy / "slamlib", ignore=shutil.ignore_patterns("__pycache__"))
+    command = [
+        sys.executable,
+        "-m",
+        "pip",
+        "wheel",
+        "--no-deps",
+        "--no-build-isolation",
+        "-q",
+        "-w",
+        str(tmp_path),
+        str(copy),
+    ]
+    subprocess.run(command, check=True, capture_output=True, text=True)
+    import zipfile
+
+    with zipfile.ZipFile(next(tmp_path.glob("slamlib-*.whl"))) as wheel:
+        names = wheel.namelist()
+        metadata = wheel.read(next(n for n in names if n.endswith("METADATA"))).decode()
+    assert "slamlib/generated/geometry/pose.py" in names
+    assert not [n for n in names if n.startswith(("slamlib/tests", "book", "benchmarks"))]
+    assert re.findall(r"^Requires-Dist: (?!.*extra)(.*)$", metadata, flags=re.M) == ["numpy>=1.25"]

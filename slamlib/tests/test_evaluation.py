@@ -1,0 +1,124 @@
+"""Consistency statistics: chi-square against SciPy, NEES and NIS against their definitions, and clear errors."""
+
+import numpy as np
+import pytest
+
+from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
+from slamlib.evaluation import Consistency, band, chi2_cdf, chi2_quantile, nees, nis, rmse, share_inside
+from slamlib.tests.beliefs import random_covariance
+
+stats = pytest.importorskip("scipy.stats")
+
+TAILS = [1e-6, 1e-4, 0.01, 0.025, 0.05]
+PROBABILITIES = [*TAILS, 0.3, 0.5, 0.7, *(1 - p for p in TAILS)]
+
+
+@pytest.mark.parametrize("p", PROBABILITIES)
+def test_quantiles_and_probabilities_are_those_of_scipy(p):
+    for dof in range(1, 1001):
+        expected = stats.chi2.ppf(p, dof)
+        assert chi2_quantile(p, dof) == pytest.approx(expected, rel=1e-10)
+        assert chi2_cdf(expected, dof) == pytest.approx(p, rel=1e-10)
+
+
+@pytest.mark.parametrize("dof", [0.5, 2.5, 6000, 100_000, 1_000_000])
+def test_other_degrees_of_freedom(dof):
+    for p in PROBABILITIES:
+        assert chi2_quantile(p, dof) == pytest.approx(stats.chi2.ppf(p, dof), rel=1e-10)
+
+
+@pytest.mark.parametrize(("p", "dof"), [(1e-12, 1), (1e-100, 4), (1e-6, 0.1), (1e-300, 3)])
+def test_far_lower_tails(p, dof):
+    assert chi2_quantile(p, dof) == pytest.approx(stats.chi2.ppf(p, dof), rel=1e-10)
+
+
+def test_the_ends_of_the_distribution():
+    assert [chi2_cdf(x, 3) for x in (-1.0, 0.0, 5e-324, 1e308, np.inf)] == [0, 0, 0, 1, 1]
+    assert chi2_quantile(np.nextafter(1, 0), 3) > 70
+
+
+def test_two_degrees_of_freedom_have_a_closed_form():
+    assert chi2_quantile(0.95, 2) == pytest.approx(-2 * np.log(0.05), rel=1e-14)
+    assert chi2_cdf(3.0, 2) == pytest.approx(1 - np.exp(-1.5), rel=1e-14)
+
+
+@pytest.mark.parametrize("function", [nees, nis])
+def test_normalized_squares_broadcast(function):
+    rng = np.random.default_rng(5)
+    P = np.stack([random_covariance(rng, 3) for _ in range(4)])
+    e = rng.standard_normal((5, 4, 3))
+    found = function(e, P)
+    assert found.shape == (5, 4)
+    assert np.allclose(found[2, 3], e[2, 3] @ np.linalg.inv(P[3]) @ e[2, 3])
+    assert np.allclose(function(e, P[0])[1, 1], function(e[1, 1], P[0]))
+    assert function(np.ones(2), np.eye(2)) == 2
+
+
+def test_nees_has_the_mean_and_the_band_it_should():
+    rng = np.random.default_rng(6)
+    P = random_covariance(rng, 4)
+    values = nees(rng.multivariate_normal(np.zeros(4), P, (25, 2000)), P)
+    result = Consistency.of(values, dof=4)
+    assert result.average.mean() == pytest.approx(4, abs=0.05)
+    assert result.inside == pytest.approx(0.95, abs=0.02)
+    assert result.limits == band(4, 25)
+    assert str(result) == (
+        f"NEES: 4 degrees of freedom, 25 runs, 95% band [2.967, 5.185], {result.inside:.1%} of 2000 steps inside"
+    )
+    too_sure = Consistency.of(2 * values, dof=4)
+    assert too_sure.inside < 0.01
+
+
+def test_the_band_is_that_of_an_average_over_runs():
+    low, high = band(3, 50, 0.99)
+    assert low == pytest.approx(stats.chi2.ppf(0.005, 150) / 50, rel=1e-10)
+    assert high == pytest.approx(stats.chi2.ppf(0.995, 150) / 50, rel=1e-10)
+    assert share_inside([low, high, low - 1e-9, 3], (low, high)) == 0.75
+
+
+def test_rmse():
+    errors = np.array([[[3, 4], [0, 0]], [[0, 0], [6, 8]]])
+    assert rmse(errors) == pytest.approx(np.sqrt((25 + 100) / 4))
+    assert np.allclose(rmse(errors, 0), np.sqrt([12.5, 50]))
+
+
+NAN, SKEWED = [1.0, np.nan], [[1.0, 0.5], [0, 1]]
+WRONG = {
+    "nees: nan": (lambda: nees(NAN, np.eye(2)), NonFiniteError, "nees: the vector holds nan"),
+    "nees: shape": (lambda: nees([1, 2, 3], np.eye(2)), ShapeError, r"needs a matrix \(..., 3, 3\), got \(2, 2\)"),
+    "nees: number": (lambda: nees(1.0, 1.0), ShapeError, "nees: a vector of shape"),
+    "nees: axes": (lambda: nees(np.ones((3, 2)), np.ones((4, 2, 2))), ShapeError, "leading axes .* do not match"),
+    "nees: skewed": (lambda: nees([1, 2], SKEWED), CovarianceError, "nees: the covariance is not symmetric"),
+    "nis: singular": (
+        lambda: nis([1, 2], np.ones((2, 2))),
+        CovarianceError,
+        "nis: covariance is not positive definite",
+    ),
+    "nis: which": (
+        lambda: nis([1, 2], np.stack([np.eye(2), -np.eye(2)])),
+        CovarianceError,
+        r"at index \(1,\) is not positive definite \(smallest eigenvalue -1\)",
+    ),
+    "nis: infinite": (lambda: nis([1, 2], np.diag([1, np.inf])), NonFiniteError, "nis: the covariance holds nan"),
+    "nis: text": (lambda: nis(["a", "b"], np.eye(2)), SlamlibError, "nis: vector should be an array of real numbers"),
+    "rmse: nan": (lambda: rmse([NAN]), NonFiniteError, "rmse: errors hold"),
+    "rmse: empty": (lambda: rmse(np.ones((0, 2))), ShapeError, r"rmse: .* have shape \(0, 2\)"),
+    "cdf: nan": (lambda: chi2_cdf(np.nan, 2), NonFiniteError, "chi2_cdf: x is nan"),
+    "cdf: dof": (lambda: chi2_cdf(1, 0), SlamlibError, "dof should be positive and finite, got 0"),
+    "quantile: 1": (lambda: chi2_quantile(1, 3), SlamlibError, "between 0 and 1, got 1"),
+    "quantile: dof": (lambda: chi2_quantile(0.5, np.nan), SlamlibError, "dof should be positive and finite, got nan"),
+    "band: percent": (lambda: band(3, 50, 95), SlamlibError, "band: probability should lie between 0 and 1, got 95"),
+    "band: signs": (lambda: band(-3, -50), SlamlibError, "band: dof should be positive"),
+    "band: runs": (lambda: band(3, 0), SlamlibError, "band: runs should be positive"),
+    "share: empty": (lambda: share_inside([], (0, 1)), ShapeError, "the series is empty"),
+    "share: nan": (lambda: share_inside(NAN, (0, 1)), NonFiniteError, "share_inside: the series holds nan"),
+    "of: shape": (lambda: Consistency.of([1, 2], 2), ShapeError, r"\(runs, steps\), but has \(2,\)"),
+    "of: nan": (lambda: Consistency.of([NAN], 2), NonFiniteError, "Consistency: the statistic holds nan"),
+}
+
+
+@pytest.mark.parametrize("wrong", WRONG)
+def test_misuse_is_said_clearly(wrong):
+    call, error, message = WRONG[wrong]
+    with pytest.raises(error, match=message):
+        call()
