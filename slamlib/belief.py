@@ -50,7 +50,7 @@ class Belief:
     def covariance(self, a: Block, b: Block | None = None) -> Array:
         """Covariance of one block (dof, dof), or between two, as a copy."""
         b = a if b is None else b
-        self._own(a, b)
+        self._own([a, b])
         return self._P[a.slice, b.slice].copy()
 
     def snapshot(self) -> BeliefSnapshot:
@@ -85,7 +85,7 @@ class Belief:
         """
         space = as_space(space)
         mean, corner = point_of(space, mean, "add"), linalg.covariance(covariance, space.dof, "add", "covariance")
-        self._own(*given)
+        self._own(given)
         rows = np.zeros((space.dof, self.size))
         gains = compact(Observation(given, jacobians, mean, corner), space.dof, "add") if given or jacobians else []
         for block, G in zip(given, gains, strict=True):
@@ -99,7 +99,7 @@ class Belief:
 
     def remove(self, block: Block) -> None:
         """Forget a block: its rows and columns go, which is exactly the marginal of the rest. Its handle is void."""
-        self._own(block)
+        self._own([block])
         P = linalg.exchange(self._P, block.slice, np.zeros((0, self.size)), np.zeros((0, 0)))
         self._set([b for b in self._blocks if b is not block], P)
 
@@ -108,7 +108,7 @@ class Belief:
         """Another parametrization of a block: its rows become J P, J (new dof, old dof). Every handle stays valid."""
         space = as_space(space)
         mean = point_of(space, mean, "replace")
-        self._own(block)
+        self._own([block])
         J = linalg.finite(jacobian, (space.dof, block.dof), "replace", "jacobian")
         rows = J @ self._P[block.slice]
         corner = rows[:, block.slice] @ J.T
@@ -124,7 +124,7 @@ class Belief:
 
         mean (size of the space,), F (dof, dof) at the mean before the motion (E02), Q (dof, dof) semi-definite.
         """
-        self._own(block)
+        self._own([block])
         mean, n = point_of(block.space, mean, "predict"), block.dof
         F, Q = linalg.finite(F, (n, n), "predict", "F"), linalg.covariance(Q, n, "predict", "Q")
         P, at = self._P, block.slice
@@ -161,13 +161,14 @@ class Belief:
         landmark after another is a loop over `correct`, with Jacobians and innovations anew at the running means.
 
         The covariance stays that of the tangent space before the correction. Re-centring it would multiply a rotation's
-        rows by G = I - [dtheta/2]x (Sola 2017, section 6.3): a change of P by half the correction's angle, relative to
-        P, as large as that of taking H at the corrected mean, which this first-order filter leaves out too. Where a
-        correction turns far, apply it: belief.predict(block, block.mean, G, np.zeros_like(G)).
+        rows by G = I - [dtheta/2]x (Sola 2017, section 6.3), a change of P of at most the correction's angle, relative
+        to P: of the same order as taking H at the corrected mean, which this first-order filter leaves out too. Where
+        a correction turns far, apply it: belief.predict(block, block.mean, G, np.zeros_like(G)).
 
         Rounding in P - W'W is 1e-16 of the variance *before*: a prior 1e16 times the posterior's variance leaves no
         digit. Raises ShapeError, NonFiniteError, CovarianceError; then nothing is changed.
         """
+        observations = list(observations)
         stacked = stack(observations, "correct", self._own)
         HP = stacked.H @ self._P[stacked.touched]
         S = stacked.innovation_covariance(HP)
@@ -191,7 +192,9 @@ class Belief:
             means.append(mean)
         return means
 
-    def _own(self, *blocks: Block) -> None:
+    def _own(self, blocks: Sequence[Block]) -> None:
+        if isinstance(blocks, Block):
+            raise SlamlibError(f"give a list of blocks and a list of as many Jacobians: [{blocks!r}], [H]")
         for block in blocks:
             if not isinstance(block, Block) or block not in self._blocks:
                 raise SlamlibError(f"{block!r} is no block of this belief (was it removed?)")

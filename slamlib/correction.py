@@ -56,7 +56,7 @@ def stack(observations: Sequence[Observation], function: str, own: Callable[...,
     noises: dict[tuple[int, int], Array] = {}
     parts = []
     for i, observation in enumerate(observations):
-        own(*observation.blocks)
+        own(observation.blocks)
         parts.append(_checked(observation, function, f" of observation {i}" if len(observations) > 1 else "", noises))
     ends = [0, *accumulate(len(z) for z, _, _ in parts)]
     columns, touched = _columns(observations)

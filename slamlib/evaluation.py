@@ -54,9 +54,7 @@ def _squared(vector: Array, matrix: Array, function: str, argument: str) -> Arra
 
 def _finite(array: Array, function: str, name: str) -> None:
     if not np.isfinite(array).all():
-        raise NonFiniteError(
-            f"{function}: the {name} holds nan or infinity; leave out the steps that were not estimated"
-        )
+        raise NonFiniteError(f"{function}: nan or infinity in the {name}; leave out the steps that were not estimated")
 
 
 def rmse(errors: Array, axis: int | tuple[int, ...] | None = None) -> Array:

@@ -74,10 +74,10 @@ def _factor(matrix: Array) -> Array | None:
         factor = np.linalg.cholesky(matrix)
     except np.linalg.LinAlgError:
         return None
-    # The share of a variance that earlier rows do not explain: scale-free, so mixed units do no harm.
+    # What earlier rows leave of each variance, beside that variance itself: so mixed units do no harm. NaN is not >.
     own = np.diagonal(factor, axis1=-2, axis2=-1) ** 2
     rounding = 4 * np.finfo(float).eps * matrix.shape[-1] * np.diagonal(matrix, axis1=-2, axis2=-1)
-    return factor if (own > rounding).all() and np.isfinite(factor).all() else None
+    return factor if (own > rounding).all() else None
 
 
 def cholesky(matrix: Array, function: str, argument: str) -> Array:

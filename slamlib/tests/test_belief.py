@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from benchmarks import covariance_update
 from slamlib import correction, linalg
 from slamlib.belief import Belief, Observation
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnitError, UnknownNameError
@@ -60,6 +61,17 @@ def test_variances_stand_for_a_diagonal():
     belief.add(2, [0, 0], 4)
     belief.add(2, [0, 0], [1, 2])
     assert np.array_equal(belief.matrix, np.diag([4.0, 4, 1, 2]))
+
+
+def test_asymmetry_of_rounding_is_taken_out():
+    belief = Belief()
+    block = belief.add(2, [0, 0], [[1, 0.5 + 1e-14], [0.5, 1]])
+    assert np.array_equal(belief.matrix, belief.matrix.T)
+    belief.predict(block, [0, 0], np.eye(2), [[1, 1e-14], [0, 1]])
+    assert np.array_equal(belief.matrix, belief.matrix.T)
+    R = np.array([[1, 1e-14], [0, 1]])
+    S = belief.correct([block], [np.eye(2)], [0, 0], R).covariance
+    assert np.array_equal(S, S.T)
 
 
 def test_a_block_that_follows_from_others(rng):
@@ -132,7 +144,7 @@ def test_a_linear_filter_is_batch_least_squares(rng, method):
     white = [np.linalg.inv(np.linalg.cholesky(w)) for w in weights]
     A = np.concatenate([w @ a for w, a in zip(white, rows, strict=True)])
     b = np.concatenate([w @ r for w, r in zip(white, right, strict=True)])
-    assert np.allclose(block.mean, np.linalg.lstsq(A, b)[0][-2:], rtol=0, atol=1e-9)
+    assert np.allclose(block.mean, np.linalg.lstsq(A, b, rcond=None)[0][-2:], rtol=0, atol=1e-9)
     assert np.allclose(belief.matrix, np.linalg.inv(A.T @ A)[-2:, -2:], rtol=0, atol=1e-9)
 
 
@@ -220,19 +232,18 @@ def test_a_manifold_is_corrected_on_its_tangent():
 
 
 def test_the_reset_is_of_the_order_of_the_correction(rng):
-    """What correct leaves out, in a pose: half of the correction's angle, relative to the covariance."""
-    belief, P = Belief(), np.eye(6) * 0.01 + 0.005
+    """What correct leaves out, in a pose: at most the correction's angle, relative to the covariance."""
+    belief, P = Belief(), np.diag([1, 1, 1, 4, 400, 40]) * 1e-4 + 1e-5
     pose = belief.add(Pose, [0, 0, 0, 1, 0, 0, 0], P)
     H = np.hstack([np.zeros((3, 3)), np.eye(3)])
-    belief.correct([pose], [H], [0.02, 0, 0], np.eye(3) * 1e-6)
+    belief.correct([pose], [H], [0.1, 0, 0], np.eye(3) * 1e-2)
     turned, before = 2 * np.arcsin(np.linalg.norm(pose.mean[4:])), belief.matrix.copy()
     x, y, z = 2 * pose.mean[4:]
     G = np.eye(6)
     G[3:, 3:] -= np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]]) / 2
     belief.predict(pose, pose.mean, G, np.zeros((6, 6)))
     change = np.linalg.norm(belief.matrix - before, 2) / np.linalg.norm(before, 2)
-    assert turned == pytest.approx(0.02, rel=1e-3)
-    assert 0 < change <= turned / 2 * 1.01
+    assert turned / 20 < change <= turned
 
 
 def test_snapshot_and_restore(rng):
@@ -325,6 +336,8 @@ WRONG = {
         r"Jacobian 0 .* \(2, 2\), but .* \(2, 3\)",
     ),
     "correct: no block": (lambda b, x: b.correct([], [], Z2, I2), SlamlibError, "0 blocks but 0 Jacobians"),
+    "correct: not a list": (lambda b, x: b.correct(x[0], I2, Z2, I2), SlamlibError, "give a list of blocks"),
+    "add: not a list": (lambda b, x: b.add(2, Z2, I2, given=x[0], jacobians=I2), SlamlibError, "give a list of blocks"),
     "correct: R": (lambda b, x: b.correct(x[:1], [I2], Z2, np.eye(3)), ShapeError, r"R .* \(2, 2\), but .* \(3, 3\)"),
     "correct: R < 0": (lambda b, x: b.correct(x[:1], [I2], Z2, -I2), CovarianceError, "R has the negative eigenvalue"),
     "correct: S": (
@@ -480,6 +493,12 @@ def test_large_states_take_the_path_of_blas(rng, monkeypatch):
 
 def test_the_methods_are_known_by_name():
     assert set(correction._METHODS) == {"batch", "scalar"}
+
+
+def test_the_strategies_of_the_benchmark_agree():
+    sizes = ((36, 3), (100, 10))
+    text = covariance_update.report(covariance_update.table(sizes, 0.01), sizes)  # raises where they differ
+    assert [line.split("  ")[0] for line in text.splitlines()][1:4] == list(covariance_update.STRATEGIES)[:3]
 
 
 def reference(name):
