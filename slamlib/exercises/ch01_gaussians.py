@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.exercises import exercise
-from slamlib.exercises.properties import Rejected, array_of, covariance, holds, same
+from slamlib.exercises.properties import Rejected, array_of, covariance, holds, pair, same
 
 
 @exercise("1.2", "points of an ellipse")
@@ -38,9 +38,7 @@ def conditional(candidate: Any) -> None:
     for n, i in ((2, 0), (2, 1), (4, 2)):
         root = rng.standard_normal((n, n))
         P, mean, value = root @ root.T + 0.1 * np.eye(n), rng.standard_normal(n), rng.standard_normal()
-        result = candidate(mean, P, i, value)
-        if not isinstance(result, tuple) or len(result) != 2:
-            raise Rejected("your function should return (mean, covariance)")
+        result = pair(candidate(mean, P, i, value), "a mean and a covariance")
         rest = [k for k in range(n) if k != i]
         found = covariance(result[1], n - 1, "the covariance")
         information = np.linalg.inv(P)

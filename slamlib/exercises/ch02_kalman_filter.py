@@ -5,7 +5,9 @@ from typing import Any
 import numpy as np
 
 from slamlib.exercises import exercise
-from slamlib.exercises.properties import Rejected, array_of, covariance, holds, same
+from slamlib.exercises.properties import array_of, covariance, holds, pair, same
+
+RETURNS = "(x, P)"
 
 
 @exercise("2.2", "one number at a time")
@@ -19,14 +21,14 @@ def scalar_update(candidate: Any) -> None:
         R = B @ B.T + np.eye(m) if full else np.diag(rng.uniform(0.5, 2, m))
         x, z = rng.standard_normal(n), rng.standard_normal(m)
         what = "full R" if full else "diagonal R"
-        mean, found = _pair(candidate(x, P, z, H, R))
+        mean, found = pair(candidate(x, P, z, H, R), RETURNS)
         information = np.linalg.inv(P) + H.T @ np.linalg.inv(R) @ H
         best = np.linalg.solve(information, np.linalg.inv(P) @ x + H.T @ np.linalg.inv(R) @ z)
         same(array_of(mean, (n,), "the state"), best, f"the state is that of least squares, {what}")
         covariance(found, n, "the covariance")
         same(found, np.linalg.inv(information), f"information adds, {what}")
         order = rng.permutation(m)
-        again, _ = _pair(candidate(x, P, z[order], H[order], R[np.ix_(order, order)]))
+        again, _ = pair(candidate(x, P, z[order], H[order], R[np.ix_(order, order)]), RETURNS)
         same(again, mean, f"the order of the numbers does not matter, {what}")
 
 
@@ -43,9 +45,3 @@ def gain(candidate: Any) -> None:
         same(candidate(P, Q, 1e12), 0.0, "a useless measurement is ignored", given=given)
         same(candidate(P, Q, 0.0), 1.0, "a perfect measurement is believed", given=given)
         same(1 / ((1 - K) * (P + Q)), 1 / (P + Q) + 1 / R, "information adds", given=given)
-
-
-def _pair(value: Any) -> Any:
-    if not isinstance(value, tuple) or len(value) != 2:
-        raise Rejected(f"your function should return (x, P), got {type(value).__name__}")
-    return value

@@ -5,7 +5,9 @@ from typing import Any
 import numpy as np
 
 from slamlib.exercises import exercise
-from slamlib.exercises.properties import Rejected, array_of, covariance, same
+from slamlib.exercises.properties import array_of, covariance, differences, pair, same
+
+RETURNS = "a mean and a covariance"
 
 
 @exercise("3.2", "the most probable state")
@@ -40,21 +42,10 @@ def predict(candidate: Any) -> None:
     P, Q = np.diag([0.2, 0.1, 0.3]) ** 2, np.diag([0.05, 0.1]) ** 2
     for _ in range(5):
         x, u = rng.standard_normal(3), np.array([0.5, 0.7]) + rng.standard_normal(2)
-        mean, found = _pair(candidate(x, P, u, Q))
+        mean, found = pair(candidate(x, P, u, Q), RETURNS)
         expected = x + np.array([u[0] * np.cos(x[2]), u[0] * np.sin(x[2]), u[1]])
         same(array_of(mean, (3,), "the mean"), expected, "drives along the old heading, then turns")
         covariance(found, 3, "the covariance")
-        F = _columns(lambda d, x=x, u=u: _pair(candidate(x + d, P, u, Q))[0], 3)
-        G = _columns(lambda d, x=x, u=u: _pair(candidate(x, P, u + d, Q))[0], 2)
+        J = differences(lambda both: pair(candidate(both[:3], P, both[3:], Q), RETURNS)[0], np.concatenate([x, u]))
+        F, G = J[:, :3], J[:, 3:]
         same(found, F @ P @ F.T + G @ Q @ G.T, "Jacobians are those of the mean at the old state", tolerance=1e-6)
-
-
-def _pair(value: Any) -> Any:
-    if not isinstance(value, tuple) or len(value) != 2:
-        raise Rejected(f"your function should return a mean and a covariance, got {type(value).__name__}")
-    return value
-
-
-def _columns(function: Any, size: int) -> Any:
-    step = 1e-6
-    return np.stack([(function(step * e) - function(-step * e)) / (2 * step) for e in np.eye(size)], axis=-1)

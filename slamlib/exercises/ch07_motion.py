@@ -5,7 +5,9 @@ from typing import Any
 import numpy as np
 
 from slamlib.exercises import exercise
-from slamlib.exercises.properties import Rejected, array_of, covariance, holds, same
+from slamlib.exercises.properties import array_of, covariance, differences, holds, pair, same
+
+RETURNS = "a mean and a covariance"
 
 
 @exercise("7.2", "driving an arc")
@@ -15,14 +17,14 @@ def arc(candidate: Any) -> None:
     P, U = np.diag([0.2, 0.1, 0.05]), np.diag([0.03, 0.02])
     for turn in (0.0, 1e-9, 1e-4, 0.3, -1.2, 3.0):
         x, u = rng.standard_normal(3), np.array([1.5, turn])
-        mean, found = _pair(candidate(x, P, u, U))
+        mean, found = pair(candidate(x, P, u, U), RETURNS)
         headings = x[2] + turn * (np.arange(20000) + 0.5) / 20000
         there = x[:2] + u[0] * np.array([np.cos(headings).mean(), np.sin(headings).mean()])
         same(array_of(mean, (3,), "the mean")[:2], there, "ends where fine steps along the circle end", tolerance=1e-7)
         same(np.asarray(mean)[2], x[2] + turn, "turns by the turn")
         covariance(found, 3, "the covariance")
-        F = _columns(lambda d, x=x, u=u: _pair(candidate(x + d, P, u, U))[0], 3)
-        G = _columns(lambda d, x=x, u=u: _pair(candidate(x, P, u + d, U))[0], 2)
+        J = differences(lambda both: pair(candidate(both[:3], P, both[3:], U), RETURNS)[0], np.concatenate([x, u]))
+        F, G = J[:, :3], J[:, 3:]
         same(found, F @ P @ F.T + G @ U @ G.T, "the covariance moves with the mean's own Jacobians", tolerance=1e-6)
 
 
@@ -42,15 +44,3 @@ def propagate(candidate: Any) -> None:
         found = covariance(candidate(F, root @ root.T, Q), 3, "the covariance")
         scale = np.abs(found).max()
         same(found / scale, np.cov(samples.T) / scale, "agrees with the spread of 20000 samples", tolerance=0.06)
-
-
-def _pair(value: Any) -> Any:
-    if not isinstance(value, tuple) or len(value) != 2:
-        raise Rejected(f"your function should return a mean and a covariance, got {type(value).__name__}")
-    return value
-
-
-def _columns(function: Any, size: int) -> Any:
-    step = 1e-6
-    ends = [(np.asarray(function(step * e)), np.asarray(function(-step * e))) for e in np.eye(size)]
-    return np.stack([(a - b) / (2 * step) for a, b in ends], axis=-1)

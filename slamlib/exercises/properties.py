@@ -119,13 +119,21 @@ def jacobian_matches(
     Differences, not the complex step: a reader's own function may use a norm or an arctangent, for which that is
     silently wrong.
     """
+    same(jacobian, differences(function, at), what, given=_shown(np.asarray(at)), tolerance=tolerance)
+
+
+def differences(function: Callable[[Array], Any], at: Array) -> Array:
+    """Jacobian of a function of one vector by central differences, about nine digits."""
     at = np.asarray(at, dtype=float)
-    columns = []
-    for k in range(at.size):
-        step = np.zeros_like(at)
-        step[k] = 1e-6
-        columns.append((np.asarray(function(at + step)) - np.asarray(function(at - step))) / 2e-6)
-    same(jacobian, np.stack(columns, axis=-1), what, given=_shown(at), tolerance=tolerance)
+    ends = [(np.asarray(function(at + step)), np.asarray(function(at - step))) for step in 1e-6 * np.eye(at.size)]
+    return np.stack([(ahead - behind) / 2e-6 for ahead, behind in ends], axis=-1)
+
+
+def pair(value: Any, what: str) -> tuple[Any, Any]:
+    """The two things that a candidate should return, named in `what`, or Rejected."""
+    if not isinstance(value, tuple) or len(value) != 2:
+        raise Rejected(f"your function should return {what}, but returned {type(value).__name__}")
+    return value
 
 
 def covariance(matrix: Any, size: int, what: str) -> Array:
