@@ -22,7 +22,7 @@ def not_inverted(errors, covariances):
     return (errors * (covariances @ errors[..., None])[..., 0]).sum(-1).mean(0)
 
 
-@wrong("5.3", "the state's degrees of freedom, as in gpsbabel 1517")
+@wrong("5.3", "too many degrees of freedom, as in gpsbabel 1517")
 def state_dof(nu, S, P, probability):
     return nu @ np.linalg.solve(S, nu) <= chi2_quantile(probability, len(P))
 
