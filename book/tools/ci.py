@@ -50,7 +50,7 @@ def stages() -> list[Stage]:
         Stage("generated", [*PYTHON, "slamlib.codegen", "--check"], r"generated code: (\d+) models", "models, current"),
         Stage("tangled", [*PYTHON, "slamlib.tangle", "--check"], r"tangled cells: (\d+)", "cells, as in slamlib"),
         Stage("stored", [*PYTHON, "book.tools.notebooks", "check"], r"notebooks: (\d+)", "notebooks, text only"),
-        Stage("pytest", [*PYTHON, "pytest", "-q", *parallel], r"(\d+) passed", "tests"),
+        Stage("pytest", [*PYTHON, "pytest", "-q", "-rs", *parallel], r"(\d+) passed", "tests"),
         Stage("nbval", [*PYTHON, *nbval, *parallel, *notebooks], r"(\d+) passed", "cells as stored"),
         Stage("book", [*PYTHON, "book.tools.build"], r"running (\d+) notebooks", "notebooks in the book"),
         Stage("site", [*PYTHON, "book.tools.site"], r"site: (\d+) pages", "pages, links resolve"),

@@ -31,12 +31,12 @@ def stale_covariance(x, P, z, H, R):
     return x, new
 
 
-@wrong("2.3", "Q and R swapped, as in kalmanjs issue 22")
+@wrong("2.3", "Q and R swapped, as by whoever takes the letters of kalmanjs for the common ones (its issue 22)")
 def swapped(P, Q, R):
     return (P + R) / (P + R + Q)
 
 
-@wrong("2.3", "forgets to predict before correcting")
+@wrong("2.3", "the prediction leaves out Q, as in itamarwe/kalman, issue 5")
 def without_prediction(P, Q, R):
     return P / (P + R)
 
