@@ -40,8 +40,25 @@ def load_all() -> dict[str, tuple[str, Checker]]:
     return dict(_known)
 
 
+def _still_to_write() -> None: ...
+
+
+def _still_to_write_but_described() -> None:
+    """A body of nothing but words."""
+
+
+def _unwritten(candidate: Any) -> bool:
+    code = getattr(candidate, "__code__", None)
+    if code is None or candidate.__name__ == "<lambda>" or not set(code.co_consts) <= {None, candidate.__doc__}:
+        return False
+    return code.co_code in (_still_to_write.__code__.co_code, _still_to_write_but_described.__code__.co_code)
+
+
 def check(number: str, candidate: Any) -> None:
-    """Test a solution: prints a line for each property that holds; raises Rejected with the first that does not."""
+    """Test a solution: prints a line for each property that holds; raises Rejected with the first that does not.
+
+    A function whose body is still `...` is not judged: the check says that it waits to be written.
+    """
     head = str(number).split(".")[0]
     chapter = f"ch{int(head):02d}_" if head.isdigit() else "?"
     for info in pkgutil.iter_modules(__path__):
@@ -50,6 +67,9 @@ def check(number: str, candidate: Any) -> None:
     if number not in _known:
         raise UnknownNameError.of("exercise", number, load_all())
     title, function = _known[number]
+    if _unwritten(candidate):
+        print(f"Exercise {number}, {title}: write the function, then run the cell again.")
+        return
     with hold(candidate) as found:
         try:
             function(found.candidate)

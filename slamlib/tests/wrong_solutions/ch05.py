@@ -6,6 +6,26 @@ from slamlib.evaluation import chi2_quantile
 from slamlib.tests.wrong_solutions import wrong
 
 
+@wrong("5.1", "the standard deviation instead of the band: the factor 1.96 is missing")
+def one_sigma(n, share):
+    return 2 / (n * share**2)
+
+
+@wrong("5.1", "takes n for the variance of a chi-square variable")
+def variance_n(n, share):
+    return 1.96**2 / (n * share**2)
+
+
+@wrong("5.1", "asks for the share of one, not of n")
+def of_one(n, share):
+    return 1.96**2 * 2 * n / share**2
+
+
+@wrong("5.1", "the band's whole width, not its half")
+def whole_width(n, share):
+    return 1.96**2 * 2 / (n * (share / 2) ** 2)
+
+
 @wrong("5.2", "divides by the variances only: correlations are ignored")
 def diagonal(errors, covariances):
     return (errors**2 / np.diagonal(covariances, axis1=-2, axis2=-1)).sum(-1).mean(0)
@@ -17,21 +37,73 @@ def over_time(errors, covariances):
     return np.full(errors.shape[1], (errors * solved).sum(-1)[0].mean())
 
 
-@wrong("5.2", "the covariance is not inverted")
+@wrong("5.2", "the covariance is not inverted, as in NaveGo 158")
 def not_inverted(errors, covariances):
     return (errors * (covariances @ errors[..., None])[..., 0]).sum(-1).mean(0)
 
 
-@wrong("5.3", "too many degrees of freedom, as in gpsbabel 1517")
-def state_dof(nu, S, P, probability):
-    return nu @ np.linalg.solve(S, nu) <= chi2_quantile(probability, len(P))
+def squared(innovation, S):
+    """Squared distance of the measured numbers, and how many they are."""
+    seen = ~np.isnan(innovation)
+    nu = innovation[seen]
+    return nu @ np.linalg.solve(S[np.ix_(seen, seen)], nu), seen.sum()
 
 
-@wrong("5.3", "the wrong tail")
-def wrong_tail(nu, S, P, probability):
-    return nu @ np.linalg.solve(S, nu) <= chi2_quantile(1 - probability, len(nu))
+@wrong("5.3", "the degrees of freedom of a full measurement whatever was measured, a relative of gpsbabel 1517")
+def full(innovation, S, probability):
+    return squared(innovation, S)[0] <= chi2_quantile(probability, len(innovation))
 
 
-@wrong("5.3", "each number by itself at its own gate")
-def rectangle(nu, S, P, probability):
-    return np.all(nu**2 / np.diag(S) <= chi2_quantile(probability, 1))
+@wrong("5.3", "the wrong tail, as in msckf_vio 124")
+def wrong_tail(innovation, S, probability):
+    distance, dof = squared(innovation, S)
+    return distance <= chi2_quantile(1 - probability, dof)
+
+
+@wrong("5.3", "a distance against the quantile of its square, as in autoware_core 1464")
+def root(innovation, S, probability):
+    distance, dof = squared(innovation, S)
+    return np.sqrt(distance) <= chi2_quantile(probability, dof)
+
+
+@wrong("5.3", "multiplies by S instead of its inverse, as in NaveGo 158")
+def multiplied(innovation, S, probability):
+    nu = np.nan_to_num(innovation)
+    return nu @ S @ nu <= chi2_quantile(probability, (~np.isnan(innovation)).sum())
+
+
+@wrong("5.3", "a number that was not measured counts as an innovation of zero")
+def zero(innovation, S, probability):
+    nu = np.nan_to_num(innovation)
+    return nu @ np.linalg.solve(S, nu) <= chi2_quantile(probability, (~np.isnan(innovation)).sum())
+
+
+@wrong("5.3", "strikes out rows and columns of the inverse of S, not of S")
+def inverse_first(innovation, S, probability):
+    seen = ~np.isnan(innovation)
+    W = np.linalg.inv(S)[np.ix_(seen, seen)]
+    return innovation[seen] @ W @ innovation[seen] <= chi2_quantile(probability, seen.sum())
+
+
+@wrong("5.3", "each number by itself, at gates that together keep the right share if there is no correlation")
+def rectangle(innovation, S, probability):
+    each = probability ** (1 / (~np.isnan(innovation)).sum())
+    return np.all(np.nan_to_num(innovation) ** 2 / np.diag(S) <= chi2_quantile(each, 1))
+
+
+@wrong("5.5", "divides by the variances only")
+def variances_only(innovations, S, lag):
+    scaled = innovations / np.sqrt(np.diag(S))
+    return np.mean(scaled[: len(scaled) - lag] * scaled[lag:])
+
+
+@wrong("5.5", "correlates NIS with NIS: the sign is lost")
+def of_squares(innovations, S, lag):
+    d2 = (innovations * np.linalg.solve(S, innovations.T).T).sum(1) / innovations.shape[1] - 1
+    return np.mean(d2[: len(d2) - lag] * d2[lag:]) / np.mean(d2**2)
+
+
+@wrong("5.5", "the sum over the numbers is not divided by their count")
+def not_per_number(innovations, S, lag):
+    early, late = innovations[: len(innovations) - lag], innovations[lag:]
+    return np.mean((early * np.linalg.solve(S, late.T).T).sum(1))
