@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from slamlib.exercises import exercise
-from slamlib.exercises.properties import array_of, holds, jacobian_matches, same
-from slamlib.geometry.pose import Pose, to_frame
+from slamlib.exercises.properties import array_of, covariance, differences, holds, jacobian_matches, same
+from slamlib.geometry.pose import Pose, from_frame, to_frame
 from slamlib.geometry.quaternion import UnitQuaternion, exponential, minus, product, rotation
 
 
@@ -49,3 +49,45 @@ def slerp(candidate: Any) -> None:
             )
     quarter = exponential(np.array([0.0, 0, np.pi / 2]))
     same(rotation(candidate(quarter, product(quarter, quarter), 0.5))[0, 0], -np.sqrt(0.5), "halfway is halfway")
+
+
+@exercise("6.4", "the nudge that is still small")
+def safe_nudge(candidate: Any) -> None:
+    """At the candidate's angle the book's own Jacobian is wrong by the share asked for."""
+    rng = np.random.default_rng(64)
+    for share in (0.001, 0.01, 0.05, 0.1):
+        for distance in (0.5, 10.0, 300.0):
+            angle = float(array_of(candidate(share, distance), (), "the angle"))
+            holds(0 < angle < np.pi, "an angle between 0 and pi", f"found {angle:.4g} rad")
+            pose, axis, away = Pose.random(rng), rng.standard_normal(3), rng.standard_normal(3)
+            away -= away @ axis / (axis @ axis) * axis  # at right angles to the axis
+            point = from_frame(pose, distance * away / np.linalg.norm(away))
+            step = np.concatenate([np.zeros(3), angle * axis / np.linalg.norm(axis)])
+            before, J = to_frame.jac(pose, point)
+            exact = to_frame(Pose.plus(pose, step), point) - before
+            found = np.linalg.norm(J.pose @ step - exact) / np.linalg.norm(exact)
+            holds(
+                abs(found / share - 1) < 0.03,
+                "the prediction is wrong by the share asked for",
+                f"{found:.2%} instead of {share:.2%} for a point at {distance:g} m, turned by {angle:.4g} rad",
+            )
+
+
+@exercise("6.5", "a covariance from another convention")
+def to_own_axes(candidate: Any) -> None:
+    """Against differences of the other convention's nudge, measured with this book's minus."""
+    rng = np.random.default_rng(65)
+    for _ in range(4):
+        pose, root = Pose.random(rng), rng.standard_normal((6, 6))
+        P = root @ root.T
+        found = covariance(candidate(pose, P), 6, "the covariance")
+        J = differences(partial(_nudged_in_world_axes, pose), np.zeros(6))
+        expected = J @ P @ J.T
+        for rows, columns, name in ((0, 0, "position"), (0, 3, "position and rotation"), (3, 3, "rotation")):
+            block = slice(rows, rows + 3), slice(columns, columns + 3)
+            same(found[block], expected[block], f"the block of {name}", tolerance=1e-7)
+
+
+def _nudged_in_world_axes(pose: Any, step: Any) -> Any:
+    moved = np.concatenate([pose[:3] + step[:3], product(exponential(step[3:]), pose[3:])])
+    return Pose.minus(moved, pose)

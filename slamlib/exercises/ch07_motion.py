@@ -6,6 +6,7 @@ import numpy as np
 
 from slamlib.exercises import exercise
 from slamlib.exercises.properties import array_of, covariance, differences, holds, pair, same
+from slamlib.motions.odometry import step
 
 RETURNS = "a mean and a covariance"
 
@@ -44,3 +45,21 @@ def propagate(candidate: Any) -> None:
         found = covariance(candidate(F, root @ root.T, Q), 3, "the covariance")
         scale = np.abs(found).max()
         same(found / scale, np.cov(samples.T) / scale, "agrees with the spread of 20000 samples", tolerance=0.06)
+
+
+@exercise("7.5", "driving straight ahead with an uncertain heading")
+def straight_drive(candidate: Any) -> None:
+    """Against the book's own prediction, step by step in six dimensions."""
+    pick = np.ix_([1, 5], [1, 5])
+    for length, sigma, steps in ((0.5, 0.02, 1), (0.5, 0.02, 2), (2.0, 0.01, 7), (0.25, 0.03, 40)):
+        pose, P, U = np.array([0, 0, 0, 1.0, 0, 0, 0]), np.zeros((6, 6)), np.zeros((6, 6))
+        U[5, 5] = sigma**2
+        for _ in range(steps):
+            pose, J = step.jac(pose, np.array([length, 0, 0, 0, 0, 0]), 1.0)
+            P = J.state @ P @ J.state.T + J.control @ U @ J.control.T
+        given = f"{steps} steps of {length:g} m with {sigma:g} rad, in units of sigma squared"
+        found = covariance(candidate(length, sigma, steps), 2, "the covariance") / sigma**2
+        expected = P[pick] / sigma**2
+        same(found[1, 1], expected[1, 1], "the variance of the heading", given=given)
+        same(found[0, 0], expected[0, 0], "the variance of the sideways position", given=given)
+        same(found[0, 1], expected[0, 1], "their covariance", given=given)

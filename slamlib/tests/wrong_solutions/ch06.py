@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slamlib.geometry.quaternion import conjugate, plus, product, rotation
+from slamlib.geometry.quaternion import conjugate, exponential, minus, plus, product, rotation
 from slamlib.tests.wrong_solutions import wrong
 
 
@@ -42,3 +42,54 @@ def long_way(q0, q1, u):
 def chord(q0, q1, u):
     q = (1 - u) * q0 + u * q1 * np.sign(q0 @ q1)
     return q / np.sqrt(q @ q)
+
+
+@wrong("6.3", "the rotation vector, which is in the first frame's axes, is applied in the world's")
+def in_world_axes(q0, q1, u):
+    return product(exponential(u * minus(q1, q0)), q0)
+
+
+@wrong("6.4", "the error's factor one half is forgotten")
+def without_the_half(share, distance):
+    return share
+
+
+@wrong("6.4", "the error of second order is taken as a share of the distance, not of the motion")
+def share_of_distance(share, distance):
+    return np.sqrt(2 * share)
+
+
+@wrong("6.4", "a far point moves more, so it is taken to allow less")
+def less_for_far_points(share, distance):
+    return 2 * share / distance
+
+
+@wrong("6.4", "in degrees")
+def in_degrees(share, distance):
+    return np.degrees(2 * share)
+
+
+@wrong("6.5", "R instead of its transpose")
+def into_the_world(pose, P):
+    T = np.eye(6)
+    T[3:, 3:] = rotation(pose[3:])
+    return T @ P @ T.T
+
+
+@wrong("6.5", "only the rotation's own block is turned, its correlation with the position is not")
+def own_block_only(pose, P):
+    R, P = rotation(pose[3:]), P.copy()
+    P[3:, 3:] = R.T @ P[3:, 3:] @ R
+    P[:3, 3:] = P[3:, :3] = 0
+    return P
+
+
+@wrong("6.5", "the position is turned as well, but its axes are the same in both conventions")
+def both_turned(pose, P):
+    T = np.kron(np.eye(2), rotation(pose[3:]).T)
+    return T @ P @ T.T
+
+
+@wrong("6.5", "a rotation vector is a rotation vector")
+def unchanged(pose, P):
+    return P.copy()

@@ -49,3 +49,29 @@ def without_q(F, P, Q):
 def one_side(F, P, Q):
     half = F @ P
     return (half + half.T) / 2 + Q
+
+
+@wrong("7.5", "counts the turn of a step as if it came before the step's move")
+def turn_first(length, sigma, steps):
+    k = np.arange(1, steps + 1)
+    both = length * k.sum()
+    return sigma**2 * np.array([[length**2 * (k**2).sum(), both], [both, steps]])
+
+
+@wrong("7.5", "a turn moves the robot sideways in the next step only, so that the error grows with the root of n")
+def no_memory(length, sigma, steps):
+    both = length * (steps - 1)
+    return sigma**2 * np.array([[length**2 * (steps - 1), both], [both, steps]])
+
+
+@wrong("7.5", "the variances are right, but the two errors are taken for independent")
+def independent(length, sigma, steps):
+    k = np.arange(steps)
+    return sigma**2 * np.diag([length**2 * (k**2).sum(), steps])
+
+
+@wrong("7.5", "adds standard deviations instead of variances")
+def standard_deviations(length, sigma, steps):
+    k = np.arange(steps)
+    a = np.array([length * k.sum(), steps])
+    return sigma**2 * np.outer(a, a)
