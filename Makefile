@@ -6,7 +6,7 @@ READY := $(VENV)/.ready
 export OPENBLAS_NUM_THREADS := 1
 export PYTHONDONTWRITEBYTECODE := 1
 
-.PHONY: help book serve test environment assets generate tangle untangle notebooks format lock clean
+.PHONY: help book serve test environment assets parity generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -33,8 +33,11 @@ $(READY): requirements.txt
 	@$(BIN)/python -c 'import pathlib, sysconfig; pathlib.Path(sysconfig.get_path("purelib"), "slamlib-source.pth").write_text("$(CURDIR)\n")'
 	@touch $@
 
-assets: environment  ## fetch what the site serves itself (MathJax), by version and checksum
+assets: environment  ## fetch what the site serves itself (MathJax, Python for the page), by version and checksum
 	@$(BIN)/python -m book.tools.assets
+
+parity: book  ## compare the page's Python with this one, and store the appendix's table (needs Chromium)
+	@$(BIN)/python -m book.tools.live_check --store
 
 generate: environment  ## write slamlib/generated from the models
 	@$(BIN)/python -m slamlib.codegen

@@ -1,6 +1,6 @@
 """EKF-SLAM, derived: the package whose formulas the book derives, proves and generates.
 
-Importing slamlib loads NumPy and nothing else; sympy, matplotlib and scipy are loaded by the parts that use them.
+Importing slamlib loads NumPy and nothing else; sympy and scipy are loaded by the parts that use them.
 """
 
 import importlib

@@ -1,5 +1,6 @@
 """Open every page in headless Chromium, shut off from the world, and look for what a reader would notice."""
 
+import contextlib
 import os
 import shutil
 import sys
@@ -43,6 +44,12 @@ def browser_path() -> str | None:
     return named or next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
 
+def without_browser(stage: str) -> int:
+    """Say that a stage is skipped for want of a browser; its exit status."""
+    print(f"{stage}: skipped, no Chromium found; install one (apt-get install chromium) or set BOOK_BROWSER")
+    return 1 if os.environ.get("BOOK_BROWSER_NEEDED") else 77
+
+
 def visit(context: Any, base: str, page_name: str, faults: list[str]) -> int:
     """Open one page, note its faults, drive its sliders to both ends; returns how many sliders it has."""
     page = context.new_page()
@@ -64,29 +71,43 @@ def visit(context: Any, base: str, page_name: str, faults: list[str]) -> int:
     return len(sliders)
 
 
-def check(pages: list[str], executable: str) -> tuple[int, list[str]]:
-    """Visit all pages in light and dark and at phone width; returns the number of sliders driven, and the faults."""
+@contextlib.contextmanager
+def site_in_chromium(executable: str) -> Iterator[tuple[str, Any]]:
+    """The URL of the served site, and a browser; for as long as the block lasts."""
     from playwright.sync_api import sync_playwright
 
     http = serve.server()
     threading.Thread(target=http.serve_forever, daemon=True).start()
-    base = f"http://127.0.0.1:{http.server_address[1]}"
+    try:
+        with sync_playwright() as tool:
+            browser = tool.chromium.launch(executable_path=executable, args=FLAGS)
+            yield f"http://127.0.0.1:{http.server_address[1]}", browser
+            browser.close()
+    finally:
+        http.shutdown()
+        http.server_close()
+
+
+def shut_off(context: Any, base: str) -> list[str]:
+    """Let the context reach nothing but the site; returns the list of what it asked for elsewhere, as it grows."""
+    outside: list[str] = []
+    context.route("**/*", lambda route: _inside_only(route, base, outside))
+    return outside
+
+
+def check(pages: list[str], executable: str) -> tuple[int, list[str]]:
+    """Visit all pages in light and dark and at phone width; returns the number of sliders driven, and the faults."""
     found, sliders = [], 0
-    with sync_playwright() as tool:
-        browser = tool.chromium.launch(executable_path=executable, args=FLAGS)
+    with site_in_chromium(executable) as (base, browser):
         for scheme, width in VIEWS:
             context = browser.new_context(color_scheme=scheme, viewport={"width": width, "height": 900})
-            outside: list[str] = []
-            context.route("**/*", lambda route, seen=outside: _inside_only(route, base, seen))
+            outside = shut_off(context, base)
             for name in pages:
                 faults: list[str] = []
                 sliders += visit(context, base, name, faults)
                 found += [f"{name} ({scheme}, {width} px): {f}" for f in [*faults, *(f"asks for {u}" for u in outside)]]
                 outside.clear()
             context.close()
-        browser.close()
-    http.shutdown()
-    http.server_close()
     return sliders, found
 
 
@@ -102,8 +123,7 @@ def main() -> int:
     """Exit status 0 if no fault was found; without a browser, 77, or 1 where BOOK_BROWSER_NEEDED is set."""
     executable = browser_path()
     if executable is None:
-        print("browser: skipped, no Chromium found; install one (apt-get install chromium) or set BOOK_BROWSER")
-        return 1 if os.environ.get("BOOK_BROWSER_NEEDED") else 77
+        return without_browser("browser")
     pages = list(all_pages())
     sliders, found = check(pages, executable)
     for fault in found:

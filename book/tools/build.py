@@ -6,7 +6,7 @@ import sys
 import time
 from pathlib import Path
 
-from book.tools import assets, layout, notebooks
+from book.tools import assets, bundle, layout, live, notebooks
 
 SOURCE = layout.BUILD / "source"
 STAMP = layout.SITE / ".built-from"
@@ -15,7 +15,6 @@ STAMP = layout.SITE / ".built-from"
 def main() -> int:
     """Exit status 0 if the book is built; prints where it is."""
     start = time.perf_counter()
-    static = assets.fetch()
     print(f"running {len(layout.notebooks())} notebooks", flush=True)
     key = layout.digest(layout.package_files())
     try:
@@ -23,7 +22,11 @@ def main() -> int:
     except notebooks.BrokenNotebook as error:
         print(error, file=sys.stderr)
         return 1
-    stage(dict(done), static)
+    try:
+        stage(dict(done))
+    except (assets.AssetError, RuntimeError) as error:
+        print(error, file=sys.stderr)
+        return 1
     state = layout.digest(f for f in SOURCE.rglob("*") if f.is_file())
     if STAMP.is_file() and STAMP.read_text() == state:
         print("nothing has changed since the last build", flush=True)
@@ -36,17 +39,19 @@ def main() -> int:
     return 0
 
 
-def stage(executed: dict[Path, tuple[Path, bool]], static: Path) -> None:
-    """The source tree for Sphinx: the pages, with the executed copies of the notebooks in place of the stored ones."""
+def stage(executed: dict[Path, tuple[Path, bool]]) -> None:
+    """The source tree for Sphinx: the pages, with the executed copies of the notebooks in place of the stored ones,
+    and the files that the site serves itself."""
     shutil.rmtree(SOURCE, ignore_errors=True)
-    skip = shutil.ignore_patterns("__pycache__", ".*", "tools")
+    skip = shutil.ignore_patterns("__pycache__", ".*", "tools", "live", "offline")
     shutil.copytree(layout.BOOK, SOURCE / "book", ignore=skip)
     for page, (copy, _) in executed.items():
         shutil.copy(copy, SOURCE / page.relative_to(layout.ROOT))
     for name in ("_config.yml", "_toc.yml"):
         text = (layout.ROOT / name).read_text("utf-8").replace("execute_notebooks: force", "execute_notebooks: 'off'")
         (SOURCE / name).write_text(text, "utf-8")
-    shutil.copytree(static / "mathjax", SOURCE / "book" / "_static" / "mathjax")
+    assets.mathjax(SOURCE / "book" / "_static" / "mathjax")
+    live.build(SOURCE / "book" / "_static" / "live")
 
 
 def html() -> bool:
@@ -62,6 +67,7 @@ def html() -> bool:
         return False
     shutil.rmtree(layout.SITE, ignore_errors=True)
     shutil.copytree(output / "html", layout.SITE, ignore=shutil.ignore_patterns(".buildinfo"))
+    bundle.pack(layout.SITE)
     return True
 
 

@@ -46,7 +46,12 @@ def stages() -> list[Stage]:
     return [
         Stage("lint", [*PYTHON, "ruff", "check", "--output-format", "concise"], r"All checks (p)assed", "clean tree"),
         Stage("format", [*PYTHON, "ruff", "format", "--check"], r"(\d+) files? already formatted", "files"),
-        Stage("types", [*PYTHON, "mypy", "slamlib", "book/tools", "benchmarks"], r"in (\d+) source files", "files"),
+        Stage(
+            "types",
+            [*PYTHON, "mypy", "slamlib", "book/tools", "book/live", "benchmarks"],
+            r"in (\d+) source files",
+            "files",
+        ),
         Stage("generated", [*PYTHON, "slamlib.codegen", "--check"], r"generated code: (\d+) models", "models, current"),
         Stage("tangled", [*PYTHON, "slamlib.tangle", "--check"], r"tangled cells: (\d+)", "cells, as in slamlib"),
         Stage("stored", [*PYTHON, "book.tools.notebooks", "check"], r"notebooks: (\d+)", "notebooks, text only"),
@@ -55,6 +60,8 @@ def stages() -> list[Stage]:
         Stage("book", [*PYTHON, "book.tools.build"], r"running (\d+) notebooks", "notebooks in the book"),
         Stage("site", [*PYTHON, "book.tools.site"], r"site: (\d+) pages", "pages, links resolve"),
         Stage("browser", [*PYTHON, "book.tools.browser"], r"browser: (\d+) pages", "pages in Chromium"),
+        Stage("axe", [*PYTHON, "book.tools.accessibility"], r"axe: (\d+) pages", "pages, nothing serious"),
+        Stage("live", [*PYTHON, "book.tools.live_check"], r"live: (\d+) cells", "cells run in the page"),
     ]
 
 
@@ -99,7 +106,7 @@ def summary(results: Iterable[Result]) -> int:
     failed = [r for r in results if r.status in ("FAILED", "NOTHING")]
     skipped = [r for r in results if r.status == "skipped"]
     if skipped:
-        print("skipped: a browser is needed for the last stage: apt-get install chromium, or set BOOK_BROWSER")
+        print("skipped: a browser is needed for the last stages: apt-get install chromium, or set BOOK_BROWSER")
     print(f"stages: {len(results) - len(failed) - len(skipped)} passed, {len(failed)} failed, {len(skipped)} skipped")
     return 1 if failed or not results else 0
 

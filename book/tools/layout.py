@@ -1,6 +1,7 @@
 """Where things are, and which pages the book has."""
 
 import hashlib
+import os
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -36,6 +37,14 @@ def digest(files: Iterable[Path]) -> str:
     for file in sorted(files):
         total.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + file.read_bytes() + b"\0")
     return total.hexdigest()[:20]
+
+
+def write_whole(file: Path, content: bytes) -> None:
+    """Write a file whole or not at all, with the folders that lead to it."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    partial = file.with_name(f"{file.name}.{os.getpid()}.partial")
+    partial.write_bytes(content)
+    os.replace(partial, file)
 
 
 def package_files() -> list[Path]:

@@ -21,7 +21,7 @@ from nbclient.exceptions import CellExecutionError
 from book.tools import layout
 
 EXECUTED = layout.BUILD / "executed"
-IMAGES = ("image/png", "image/jpeg", "image/svg+xml", "application/pdf")
+IMAGES = ("image/png", "image/jpeg", "image/svg+xml", "application/pdf", "application/vnd.jupyter.widget-view+json")
 FIGURE = "nbval-ignore-output"  # cells whose output is a picture, or a time: shown in the book, not compared
 
 
@@ -45,6 +45,8 @@ def execute(file: Path) -> Any:
     except CellExecutionError as error:
         raise BrokenNotebook(f"{file.name}: a cell failed\n{error}") from None
     for number, cell in enumerate(notebook.cells):
+        if cell.cell_type == "code":
+            cell.outputs = _merged(cell.outputs)
         noise = [o["text"] for o in cell.get("outputs", []) if o.get("name") == "stderr"]
         if noise:
             raise BrokenNotebook(f"{file.name}: cell {number} wrote on stderr: {noise[0][:400]}")
@@ -98,11 +100,8 @@ def text(notebook: Any) -> str:
 
 
 def write(file: Path, content: str) -> None:
-    """Write a file whole or not at all."""
-    file.parent.mkdir(parents=True, exist_ok=True)
-    partial = file.with_name(file.name + ".partial")
-    partial.write_text(content, encoding="utf-8", newline="\n")
-    os.replace(partial, file)
+    """Write a notebook whole or not at all."""
+    layout.write_whole(file, content.encode("utf-8"))
 
 
 def executed(file: Path, key: str) -> tuple[Path, bool]:

@@ -40,8 +40,7 @@ def check(
             worst[argument.name] = max(worst[argument.name], error)
     if not silent:
         for name, error in worst.items():
-            where = f"{points} random points (relative error < {_decade(error)})"
-            print(f"{model.name}: J.{name} agrees with the complex step at {where}")
+            print(f"{model.name}: J.{name} is the complex step's at {points} random points, to {_decade(error)}")
 
 
 def random_point(argument: Argument, rng: np.random.Generator) -> Any:

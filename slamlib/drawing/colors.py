@@ -1,6 +1,12 @@
 """A palette that colour-blind readers can tell apart; each colour has a light and a dark value in the page's style."""
 
+import re
 from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from slamlib.errors import UnknownNameError
 
 
 @dataclass(frozen=True)
@@ -23,15 +29,55 @@ class Palette:
 
 
 colors = Palette()
+CYCLE = (colors.blue, colors.orange, colors.green, colors.red, colors.purple, colors.grey)
 _ELSEWHERE = {
     "text": "currentColor",
     "paper": "var(--jp-layout-color0, var(--vscode-editor-background, Canvas))",
 }
+_NAMED = {
+    **asdict(colors),
+    **{f"C{i}": CYCLE[i % len(CYCLE)] for i in range(10)},
+    "k": colors.text,
+    "black": colors.text,
+    "w": colors.paper,
+    "white": colors.paper,
+    "gray": colors.grey,
+    "b": colors.blue,
+    "g": colors.green,
+    "r": colors.red,
+    "m": colors.purple,
+    "y": colors.orange,
+    "none": "none",
+}
+_THEMED = {value: f"var(--figure-{name}, {_ELSEWHERE.get(name, value)})" for name, value in asdict(colors).items()} | {
+    "none": "none"
+}
+_VARIABLE = re.compile(r"var\(--figure-(\w+), (?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)")
 
 
-def themed(svg: str) -> str:
-    """The drawing with each palette colour, and plain black and white, as a variable of the page's theme."""
-    svg = svg.replace("#000000", colors.text).replace("#ffffff", colors.paper)
-    for name, value in asdict(colors).items():
-        svg = svg.replace(value, f"var(--figure-{name}, {_ELSEWHERE.get(name, value)})")
-    return svg
+def color_named(color: Any) -> str:
+    """A palette name, matplotlib letter ("k", "C1"), "#rrggbb", "none" or (r, g, b) of 0 to 1, as "#rrggbb" or "none".
+
+    Raises UnknownNameError.
+    """
+    if not isinstance(color, str):
+        levels = np.ravel(color)
+        if levels.shape != (3,) or not np.all((levels >= 0) & (levels <= 1)):
+            raise UnknownNameError.of("color", color, [*_NAMED, "#rrggbb", "(r, g, b) of 0 to 1"])
+        return "#" + "".join(f"{round(255 * float(v)):02x}" for v in levels)
+    if re.fullmatch(r"#[0-9a-fA-F]{6}", color):
+        return _NAMED["k"] if color == "#000000" else _NAMED["w"] if color.lower() == "#ffffff" else color.lower()
+    if color not in _NAMED:
+        raise UnknownNameError.of("color", color, [*_NAMED, "#rrggbb"])
+    return _NAMED[color]
+
+
+def paint(color: str) -> str:
+    """The colour as CSS: the palette's colours, and plain black and white, are variables of the page's theme."""
+    return _THEMED.get(color, color)
+
+
+def standing_alone(svg: str) -> str:
+    """The drawing with the palette's light values in place of the page's variables: for a file of its own."""
+    palette = {**asdict(colors), "paper": "#ffffff"}
+    return _VARIABLE.sub(lambda found: palette[found[1]], svg)

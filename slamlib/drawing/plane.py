@@ -1,4 +1,4 @@
-"""Axes in the house style, and small drawings in the plane."""
+"""Small drawings in the plane: a robot, a frame, a map."""
 
 from typing import Any
 
@@ -6,62 +6,7 @@ import numpy as np
 
 from slamlib.drawing.colors import colors
 from slamlib.drawing.gaussians import draw_ellipse
-from slamlib.errors import SlamlibError
 from slamlib.spaces import Array
-
-_STYLE: Any = {
-    "font.size": 11,
-    "axes.titlesize": 11.5,
-    "axes.labelsize": 11,
-    "legend.fontsize": 10,
-    "xtick.labelsize": 10,
-    "ytick.labelsize": 10,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.edgecolor": colors.faint,
-    "axes.labelcolor": colors.text,
-    "axes.titlecolor": colors.text,
-    "text.color": colors.text,
-    "xtick.color": colors.text,
-    "ytick.color": colors.text,
-    "legend.frameon": False,
-    "legend.labelcolor": colors.text,
-    "grid.color": colors.faint,
-    "grid.alpha": 0.35,
-    "axes.grid": True,
-    "lines.linewidth": 1.8,
-}
-_CYCLE = (colors.blue, colors.orange, colors.green, colors.red, colors.purple, colors.grey)
-
-
-def figure(
-    rows: int = 1,
-    columns: int = 1,
-    *,
-    width: float = 5.8,
-    height: float = 3.5,
-    equal: bool = False,
-    projection: str | None = None,
-) -> Any:
-    """A figure and its axes (one, or an array of them) in the house style; sizes in inches, `equal` for maps.
-
-    Keep to 6.4 inches: on a phone a figure is shrunk to the column, and its words with it.
-    """
-    try:
-        import matplotlib as mpl
-        from cycler import cycler
-        from matplotlib import pyplot
-    except ModuleNotFoundError as error:
-        raise SlamlibError("drawing needs matplotlib: pip install 'slamlib[draw]'") from error
-    grid = colors.faint + ("40" if projection == "3d" else "")  # axes in space know no grid.alpha
-    with mpl.rc_context({**_STYLE, "axes.prop_cycle": cycler(color=_CYCLE), "grid.color": grid}):
-        fig, axes = pyplot.subplots(
-            rows, columns, figsize=(width, height), layout="constrained", subplot_kw={"projection": projection}
-        )
-    for ax in np.ravel(axes):
-        if equal:
-            ax.set_aspect("equal")
-    return fig, axes
 
 
 def draw_robot(ax: Any, pose: Array, *, size: float = 0.4, color: str = colors.blue, **style: Any) -> None:

@@ -8,6 +8,20 @@ from slamlib.exercises import exercise
 from slamlib.exercises.properties import covariance, same
 
 
+@exercise("0.1", "one robot, two landmarks")
+def two_landmarks(candidate: Any) -> None:
+    """What the covariance must say of the differences: they hold the ranges' errors and nothing of the robot's."""
+    for var_r, var_z in ((0.25, 0.01), (0.01, 0.04), (4.0, 4.0)):
+        given = f"var_r = {var_r}, var_z = {var_z}"
+        P = covariance(candidate(var_r, var_z), 3, "the covariance")
+        same(P[0, 0], var_r, "the robot is as uncertain as it was", given=given)
+        D = np.array([[-1.0, 1, 0], [-1, 0, 1]])  # from the robot to each landmark
+        same(np.diag(D @ P @ D.T), [var_z, var_z], "robot to landmark: as uncertain as the range", given=given)
+        same(D @ P[0], [0.0, 0.0], "the ranges' errors do not depend on the robot's", given=given)
+        apart = D[1] - D[0]
+        same(apart @ P @ apart, 2 * var_z, "landmark to landmark: the robot's error cancels", given=given)
+
+
 @exercise("0.2", "a new landmark in the map")
 def add_landmark(candidate: Any) -> None:
     """Against the transformation of all errors at once: old ones, and the measurement's."""

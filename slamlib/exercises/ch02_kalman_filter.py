@@ -10,6 +10,28 @@ from slamlib.exercises.properties import array_of, covariance, holds, pair, same
 RETURNS = "(x, P)"
 
 
+@exercise("2.1", "two thermometers")
+def fuse(candidate: Any) -> None:
+    """What a fusion must do in its limits and in any order, and that information adds."""
+
+    def fused(*readings: float) -> tuple[float, float]:
+        mean, variance = pair(candidate(*readings), "(mean, variance)")
+        return float(array_of(mean, (), "the mean")), float(array_of(variance, (), "the variance"))
+
+    for z1, v1, z2, v2 in ((20.0, 1.0, 21.0, 4.0), (-3.0, 0.2, 5.0, 0.1), (7.0, 2.0, 7.5, 2.0)):
+        given = f"({z1}, {v1}, {z2}, {v2})"
+        mean, variance = fused(z1, v1, z2, v2)
+        holds(min(z1, z2) < mean < max(z1, z2), "the mean lies between the readings", f"found {mean:.4g} for {given}")
+        holds(0 < variance < min(v1, v2), "two know more than one", f"found the variance {variance:.4g} for {given}")
+        same(fused(z2, v2, z1, v1), (mean, variance), "the order does not matter", given=given)
+        same((mean - z1) / v1, (z2 - mean) / v2, "each pulls with the inverse of its variance", given=given)
+        same(1 / variance, 1 / v1 + 1 / v2, "information adds", given=given)
+        same(fused(z1 + 100, v1, z2 + 100, v2), (mean + 100, variance), "the zero of the scale is free", given=given)
+        same(fused(z1, v1, z2, 0.0), (z2, 0.0), "a perfect thermometer is believed", given=given)
+        useless = fused(z1, v1, z2, 1e14)
+        same(useless, (z1, v1), "a useless one changes nothing", given=given)
+
+
 @exercise("2.2", "one number at a time")
 def scalar_update(candidate: Any) -> None:
     """Information adds: against weighted least squares, for diagonal and for full R, in any order of the numbers."""

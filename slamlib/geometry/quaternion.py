@@ -49,7 +49,7 @@ def exponential(vector):
 
 @model(q=4)
 def logarithm(q):
-    """Rotation vector [rad] of a quaternion, no longer than pi; the same for q and -q. Chapter 6, eq. (fq-log)."""
+    """Rotation vector [rad] of a quaternion, at most pi long; that of -q too, but at a half turn. Eq. (fq-log)."""
     return 2 * arctan_ratio(q[1:] @ q[1:], q[0]) * q[1:]
 
 

@@ -160,6 +160,8 @@ def test_each_stage_counts_what_its_command_really_prints():
         "book": "running 11 notebooks",
         "site": "site: 13 pages, 900 links and assets, 0 problems",
         "browser": "browser: 13 pages in 3 views, 24 sliders driven, 0 faults",
+        "axe": "axe: 16 pages, in light and dark, 0 serious findings",
+        "live": "live: 190 cells run in 8 pages, 8 live sliders driven, 0 faults",
     }
     assert [s.name for s in ci.stages()] == list(printed)
     for stage in ci.stages():

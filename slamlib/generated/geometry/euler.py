@@ -4,7 +4,7 @@ from slamlib.analytic import arctan2, cos, sin
 
 DIGESTS = {
     "to_rotation": "176391b3f83229ae",
-    "to_quaternion": "2d6365d40efd7841",
+    "to_quaternion": "d5f3a4b8c3c3d2cd",
     "yaw_of": "3e981e1d1568893b",
     "roll_pitch_of": "bbf6bea6c4545d82",
 }

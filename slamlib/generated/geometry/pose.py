@@ -1,11 +1,11 @@
 """Generated from slamlib/geometry/pose.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "from_frame": "0b4cfcb222e53623",
-    "to_frame": "920a57f0f755a6b2",
-    "compose": "f37f591e3d2aea5d",
-    "inverse": "07454f5a035ea731",
-    "relative": "988eaae0e31f83d1",
+    "from_frame": "42506ca9076aa673",
+    "to_frame": "24fc2cebaf7669e6",
+    "compose": "9ac940cd7dac52c6",
+    "inverse": "f59a4f4e8764d398",
+    "relative": "fb294965ca657570",
 }
 SHAPES = {
     "from_frame": (3,),

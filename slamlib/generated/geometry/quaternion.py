@@ -9,10 +9,10 @@ DIGESTS = {
     "product": "ea0fec02de8acaca",
     "conjugate": "89e039bf6012dee4",
     "exponential": "732620e913df7791",
-    "logarithm": "b93bca99ede63f5c",
+    "logarithm": "4b348faab3823bff",
     "plus": "dd4feaf308499935",
-    "minus": "46cb00aa119d050e",
-    "rotation": "c241c8544dbf8880",
+    "minus": "641ede26348279b8",
+    "rotation": "592d683ef3963858",
     "from_rotation": "49ee384aa2ebcb08",
 }
 SHAPES = {

@@ -5,16 +5,48 @@ import numpy as np
 from slamlib.tests.wrong_solutions import wrong
 
 
+@wrong("0.1", "three variances and no correlations")
+def three_variances(var_r, var_z):
+    return np.diag([var_r, var_r + var_z, var_r + var_z])
+
+
+@wrong("0.1", "the landmarks are as certain as the ranges: the robot's error is not passed on")
+def ranges_only(var_r, var_z):
+    return np.diag([var_r, var_z, var_z])
+
+
+@wrong("0.1", "each landmark correlated with the robot, but not with the other one")
+def not_with_each_other(var_r, var_z):
+    return np.array([[var_r, var_r, var_r], [var_r, var_r + var_z, 0], [var_r, 0, var_r + var_z]])
+
+
+@wrong("0.1", "standard deviations for variances")
+def deviations(var_r, var_z):
+    return np.full((3, 3), var_r**0.5) + np.diag([0, var_z**0.5, var_z**0.5])
+
+
 @wrong("0.2", "the landmark is added without correlations")
 def independent(P, G_r, G_z, R):
     zero = np.zeros((2, len(P)))
     return np.block([[P, zero.T], [zero, G_r @ P[:3, :3] @ G_r.T + G_z @ R @ G_z.T]])
 
 
-@wrong("0.2", "only the measurement's noise: the robot's error is forgotten (E19)")
+@wrong("0.2", "only the measurement's noise: the robot's error is forgotten")
 def certain_robot(P, G_r, G_z, R):
+    zero = np.zeros((2, len(P)))
+    return np.block([[P, zero.T], [zero, G_z @ R @ G_z.T]])
+
+
+@wrong("0.2", "a new landmark begins with covariance zero (E19)")
+def certain_landmark(P, G_r, G_z, R):
+    zero = np.zeros((2, len(P)))
+    return np.block([[P, zero.T], [zero, np.zeros((2, 2))]])
+
+
+@wrong("0.2", "the measurement's covariance without the derivative of the landmark by it")
+def noise_as_measured(P, G_r, G_z, R):
     row = G_r @ P[:3]
-    return np.block([[P, row.T], [row, G_r @ P[:3, :3] @ G_r.T + 0.5 * G_z @ R @ G_z.T]])
+    return np.block([[P, row.T], [row, G_r @ P[:3, :3] @ G_r.T + R]])
 
 
 @wrong("0.2", "correlated with the robot only, not with the other landmarks (E18)")

@@ -5,6 +5,32 @@ import numpy as np
 from slamlib.tests.wrong_solutions import wrong
 
 
+@wrong("2.1", "the plain average")
+def average(z1, v1, z2, v2):
+    return (z1 + z2) / 2, (v1 + v2) / 4
+
+
+@wrong("2.1", "weights by the variances instead of their inverses")
+def weights_upside_down(z1, v1, z2, v2):
+    return (v1 * z1 + v2 * z2) / (v1 + v2), v1 * v2 / (v1 + v2)
+
+
+@wrong("2.1", "weights by inverse standard deviations")
+def by_deviations(z1, v1, z2, v2):
+    s1, s2 = np.sqrt(v1), np.sqrt(v2)
+    return (s2 * z1 + s1 * z2) / (s1 + s2), v1 * v2 / (v1 + v2)
+
+
+@wrong("2.1", "the right mean, with the average of the variances")
+def averaged_variance(z1, v1, z2, v2):
+    return (v2 * z1 + v1 * z2) / (v1 + v2), (v1 + v2) / 2
+
+
+@wrong("2.1", "the right mean, with the variance of a sum")
+def variance_of_a_sum(z1, v1, z2, v2):
+    return (v2 * z1 + v1 * z2) / (v1 + v2), v1 + v2
+
+
 @wrong("2.2", "the innovations of the prediction throughout (E16)")
 def stale(x, P, z, H, R):
     innovations = z - H @ x

@@ -5,6 +5,74 @@ import numpy as np
 from slamlib.tests.wrong_solutions import wrong
 
 
+def _across(x, landmark):
+    d = x - landmark
+    return np.array([-d[1], d[0]]) / np.hypot(*d), np.hypot(*d)
+
+
+@wrong("3.1", "the half of Taylor's second term is forgotten")
+def without_the_half(x, landmark, P):
+    b, distance = _across(x, landmark)
+    return b @ P @ b / distance
+
+
+@wrong("3.1", "all of P counts, also along the line of sight")
+def whole_trace(x, landmark, P):
+    return np.trace(P) / (2 * np.hypot(*(x - landmark)))
+
+
+@wrong("3.1", "along the line of sight instead of across it")
+def along(x, landmark, P):
+    d = (x - landmark) / np.hypot(*(x - landmark))
+    return d @ P @ d / (2 * np.hypot(*(x - landmark)))
+
+
+@wrong("3.1", "divides by the square of the distance")
+def square_of_distance(x, landmark, P):
+    b, distance = _across(x, landmark)
+    return b @ P @ b / (2 * distance**2)
+
+
+@wrong("3.1", "the sign of the sonar's bias, whose range is given and not measured")
+def shorter(x, landmark, P):
+    b, distance = _across(x, landmark)
+    return -b @ P @ b / (2 * distance)
+
+
+@wrong("3.4", "plain difference")
+def plain(z, e):
+    return z - e
+
+
+@wrong("3.4", "each bearing is wrapped, but their difference is not")
+def wrapped_before(z, e):
+    def wrap(angle):
+        return (angle + np.pi) % (2 * np.pi) - np.pi
+
+    return np.array([z[0] - e[0], wrap(z[1]) - wrap(e[1])])
+
+
+@wrong("3.4", "wraps the whole vector, the range with it")
+def range_too(z, e):
+    return (z - e + np.pi) % (2 * np.pi) - np.pi
+
+
+@wrong("3.4", "takes away one turn at most, and only on one side")
+def one_turn(z, e):
+    nu = z - e
+    return nu - [0, 2 * np.pi] if nu[1] > np.pi else nu
+
+
+@wrong("3.4", "arctan of the tangent: half turns are lost as well")
+def half_turns(z, e):
+    return np.array([z[0] - e[0], np.arctan(np.tan(z[1] - e[1]))])
+
+
+@wrong("3.4", "the remainder from 0 to 2 pi")
+def never_negative(z, e):
+    return np.array([z[0] - e[0], (z[1] - e[1]) % (2 * np.pi)])
+
+
 @wrong("3.2", "one step only: the ordinary EKF")
 def one_step(x0, P, z, R, h, jacobian):
     H = jacobian(x0)
@@ -38,7 +106,7 @@ def _jacobians(x, u):
     return np.array([[1, 0, -u[0] * s], [0, 1, u[0] * c], [0, 0, 1]]), np.array([[c, 0], [s, 0], [0, 1]])
 
 
-@wrong("3.3", "Jacobians after the motion, as in PythonRobotics issue 305")
+@wrong("3.3", "Jacobians after the motion (E02), as in PythonRobotics before its pull request 305")
 def after_the_motion(x, P, u, Q):
     x = _moved(x, u)
     F, G = _jacobians(x, u)

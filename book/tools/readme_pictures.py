@@ -1,0 +1,85 @@
+"""Make the pictures of the README: the map of chapter 0, and an exercise solved in the page (needs a built book).
+
+python -m book.tools.readme_pictures
+"""
+
+import contextlib
+import io
+import json
+import os
+import sys
+from typing import Any
+
+from book.tools import browser, layout
+
+STATIC = layout.BOOK / "_static"
+HEAD = """import numpy as np
+
+from slamlib.exercises import check
+
+
+def average_nees(errors, covariances):
+"""
+STEPS = {  # what is typed, and the picture of it
+    "live_1.png": None,
+    "live_2.png": HEAD
+    + """    squared = (errors @ np.linalg.inv(covariances[0, 0])) * errors
+    return squared.sum(-1).mean(0)
+
+
+check("5.2", average_nees)""",
+    "live_3.png": HEAD
+    + """    solved = np.linalg.solve(covariances, errors[..., None])[..., 0]
+    return (errors * solved).sum(-1).mean(0)
+
+
+check("5.2", average_nees)""",
+}
+
+
+def of_the_map() -> None:
+    """Run chapter 0's own cells up to its map, and save that map."""
+    chapter = layout.BOOK / "chapters" / "00_slam_in_five_minutes.ipynb"
+    names: dict[str, Any] = {"__name__": "__main__"}
+    os.chdir(chapter.parent)
+    for cell in json.loads(chapter.read_text("utf-8"))["cells"]:
+        source = "".join(cell["source"])
+        if cell["cell_type"] == "code":
+            with contextlib.redirect_stdout(io.StringIO()):
+                exec(compile(source, "<chapter 0>", "exec"), names)
+            if "def draw_state" in source:
+                break
+    names["draw_state"](len(names["history"]) - 1).save(STATIC / "readme.svg", "A robot's map after two laps.")
+
+
+def of_the_exercise(executable: str) -> None:
+    """Exercise 5.2 as it is found, with a wrong solution, and with a right one."""
+    with browser.site_in_chromium(executable) as (base, chromium):
+        page = chromium.new_page(viewport={"width": 820, "height": 1000})
+        page.goto(f"{base}/book/chapters/05_consistency.html")
+        page.wait_for_function("() => window.Live && Live.page")
+        cell = page.locator("div.cell.tag_exercise", has_text="average_nees")
+        for name, text in STEPS.items():
+            if text is not None:
+                area = cell.locator("textarea")
+                area.press("Control+a")
+                page.keyboard.insert_text(text)
+                cell.evaluate("e => { delete e.dataset.ran; }")
+                area.press("Shift+Enter")
+                page.wait_for_function("e => e.dataset.ran", arg=cell.element_handle(), timeout=60_000)
+                page.evaluate("() => { Live.page.panel.hidden = true; document.activeElement.blur(); }")
+            layout.write_whole(STATIC / name, cell.screenshot())
+
+
+def main() -> int:
+    """Write them."""
+    executable = browser.browser_path()
+    if executable is None:
+        return browser.without_browser("pictures")
+    of_the_exercise(executable)
+    of_the_map()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
