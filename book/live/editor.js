@@ -20,7 +20,7 @@
       made += escaped(code.slice(at, found.index));
       const groups = Object.entries(found.groups).find(([, text]) => text !== undefined);
       let kind = groups ? groups[0] : "";
-      if (kind === "word") kind = KIND[found[0]] || (before === "def" ? "nf" : before === "class" ? "nc" : "n");
+      if (kind === "word") kind = code[found.index - 1] === "." ? "n" : KIND[found[0]] || (before === "def" ? "nf" : before === "class" ? "nc" : "n");
       made += `<span class="${kind}">${escaped(found[0])}</span>`;
       before = found[0];
       at = found.index + found[0].length;

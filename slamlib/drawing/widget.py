@@ -1,31 +1,43 @@
 """Sweeps as live sliders of a notebook, where a reader's kernel draws each frame.
 
-They are offered only on request, `live(True)` or SLAMLIB_LIVE=1 in the environment: a notebook that stores a widget
-shows nothing when it is opened without its kernel, and a stored output must not depend on who ran it.
+They are offered where somebody is there to move them: in a front end that takes input, as JupyterLab and VS Code do.
+Where notebooks are only executed (nbconvert, nbval, the book's build) the pre-computed frames are all there is, so that
+a stored output does not depend on a kernel. `live(True)` or `live(False)` decides instead.
 """
 
 import html
-import os
+import sys
 from importlib import import_module
 from typing import Any
 
 from slamlib.errors import SlamlibError
 
-_asked = {"live": os.environ.get("SLAMLIB_LIVE", "") not in ("", "0")}
+_asked: dict[str, bool | None] = {"live": None}
 VIEW = "application/vnd.jupyter.widget-view+json"
 
 
-def live(on: bool = True) -> None:
-    """Show sweeps as live sliders in this kernel, or as pre-computed frames again."""
-    _asked["live"] = bool(on)
+def live(on: bool | None = True) -> None:
+    """Show sweeps as live sliders in this kernel (True), as pre-computed frames (False), or as fits the front end."""
+    _asked["live"] = on
 
 
 def offered(sweep: Any) -> dict[str, Any]:
     """The widget's part of a sweep's output, if live sliders are asked for and can be had."""
-    if not _asked["live"]:
+    if not (_somebody_is_there() if _asked["live"] is None else _asked["live"]):
         return {}
-    bundle: dict[str, Any] = live_slider(sweep)._repr_mimebundle_()
+    try:
+        bundle: dict[str, Any] = live_slider(sweep)._repr_mimebundle_()
+    except SlamlibError:
+        if _asked["live"]:
+            raise
+        return {}
     return {VIEW: bundle[VIEW]} if VIEW in bundle else {}
+
+
+def _somebody_is_there() -> bool:
+    """True in a kernel whose front end can answer `input()`: it has a user, who can also move a slider."""
+    shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
+    return bool(getattr(getattr(shell, "kernel", None), "_allow_stdin", False))
 
 
 def live_slider(sweep: Any) -> Any:

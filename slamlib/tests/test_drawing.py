@@ -346,7 +346,35 @@ def test_only_the_note_is_read_out_when_the_slider_moves():
     assert re.findall(r'<(\w+)[^>]* aria-live="polite">([^<]*)<', text) == [("p", "The width is 1.00 m.")]
 
 
-def test_a_widget_is_offered_only_on_request():
+PROGRAM = """import numpy as np
+from slamlib.drawing import figure, sweep
+def draw(a):
+    fig, ax = figure()
+    ax.plot([0, 1], [0, a])
+    return fig
+sweep(draw, "slope [m/m]", [1.0, 2.0], alt="A line that rises with the slope.")"""
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_a_notebook_with_a_reader_gets_a_widget_and_an_executed_one_the_frames():
+    pytest.importorskip("ipywidgets", reason="live sliders in notebooks need ipywidgets")
+    manager = pytest.importorskip("jupyter_client.manager", reason="kernels are started by jupyter_client")
+    kernels, client = manager.start_new_kernel(extra_arguments=["--IPKernelApp.log_level=ERROR"])
+    found = {}
+    try:
+        for somebody in (False, True):
+            shown = []
+            client.execute_interactive(PROGRAM, allow_stdin=somebody, output_hook=shown.append, timeout=120)
+            results = [m["content"]["data"] for m in shown if m["msg_type"] == "execute_result"]
+            found[somebody] = set(results[0])
+    finally:
+        client.stop_channels()
+        kernels.shutdown_kernel(now=True)
+    assert found[False] == {"text/plain", "text/html"}
+    assert found[True] == {"text/plain", "text/html", "application/vnd.jupyter.widget-view+json"}
+
+
+def test_a_widget_draws_between_the_frames():
     pytest.importorskip("ipywidgets", reason="live sliders in notebooks need ipywidgets")
     made = sweep(bell, "width [m]", [1.0, 2.0, 4.0], alt=ALT, start=1)
     assert made._repr_mimebundle_() == {"text/plain": repr(made)}
@@ -355,7 +383,7 @@ def test_a_widget_is_offered_only_on_request():
         live()
         assert set(made._repr_mimebundle_()) == {"text/plain", view}
     finally:
-        live(False)
+        live(None)
     bar, drawing = made.widget().children
     slider, value = bar.children
     assert (slider.description, slider.value, slider.max, value.value) == ("width [m]", 8, 16, "2")

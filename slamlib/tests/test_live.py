@@ -245,3 +245,88 @@ def test_a_chapter_runs_in_the_page_but_for_what_is_tagged_otherwise(chapter):
     tags = [set(c["metadata"].get("tags", [])) for c in cells]
     assert all(len(t & {"live", "not-live"}) == 1 for t in tags)
     assert sum("not-live" in t for t in tags) <= 2
+
+
+# -- archives, the server, the ZIP -------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def tools(monkeypatch):
+    """The book's tools as modules."""
+    monkeypatch.syspath_prepend(str(ROOT))
+    from book.tools import assets, bundle, layout, parity, serve
+
+    return {"assets": assets, "bundle": bundle, "layout": layout, "parity": parity, "serve": serve}
+
+
+def test_an_archive_with_another_checksum_is_refused_and_not_kept(tools, monkeypatch, tmp_path):
+    assets = tools["assets"]
+    monkeypatch.setattr(assets, "ASSETS", tmp_path)
+    monkeypatch.setattr(assets, "_npm", lambda package: b"something else")
+    with pytest.raises(assets.AssetError, match="the checksum is"):
+        assets.archive("axe")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_without_a_network_the_message_says_what_is_missing(tools, monkeypatch, tmp_path):
+    assets = tools["assets"]
+    monkeypatch.setattr(assets, "ASSETS", tmp_path)
+    monkeypatch.setattr(assets, "NPM", "http://127.0.0.1:9")
+    with pytest.raises(assets.AssetError, match=r"axe-core-4.* cannot be downloaded.*is the network there"):
+        assets.archive("axe")
+
+
+def test_the_server_compresses_text_and_nothing_else(tools, monkeypatch, tmp_path):
+    import gzip
+    import threading
+    import urllib.request
+
+    (tmp_path / "index.html").write_text("<p>words</p>" * 100, "utf-8")
+    (tmp_path / "numbers.bin").write_bytes(b"\x00" * 500)
+    monkeypatch.setattr(tools["layout"], "SITE", tmp_path)
+    http = tools["serve"].server()
+    threading.Thread(target=http.serve_forever, daemon=True).start()
+    base = f"http://127.0.0.1:{http.server_address[1]}"
+    try:
+        for path, encoding in (("/", "gzip"), ("/index.html?v=1", "gzip"), ("/numbers.bin", None)):
+            asked = urllib.request.Request(base + path, headers={"Accept-Encoding": "gzip"})
+            with urllib.request.urlopen(asked) as answer:
+                content = answer.read()
+                assert answer.headers["Content-Encoding"] == encoding
+            assert len(gzip.decompress(content) if encoding else content) in (1200, 500)
+        with urllib.request.urlopen(base + "/index.html") as plain:
+            assert len(plain.read()) == 1200
+    finally:
+        http.shutdown()
+        http.server_close()
+
+
+def test_the_book_to_take_away_holds_the_site_once_and_its_script(tools, tmp_path):
+    (tmp_path / "book").mkdir()
+    (tmp_path / "index.html").write_text("hello", "utf-8")
+    (tmp_path / "book" / "page.html").write_text("page", "utf-8")
+    first = tools["bundle"].pack(tmp_path).read_bytes()
+    again = tools["bundle"].pack(tmp_path)
+    assert again.read_bytes() == first
+    with zipfile.ZipFile(again) as archive:
+        names = sorted(archive.namelist())
+    inside = ["READ_ME.txt", "book/page.html", "index.html", "open_the_book.py"]
+    assert names == [f"{tools['bundle'].FOLDER}/{n}" for n in inside]
+
+
+def test_a_number_that_differs_is_found(tools):
+    parity = tools["parity"]
+    ours = {"numbers": {"a": [1.0, 2e6], "b": [1.0]}}
+    assert parity.compare(ours, {"numbers": {"a": [1.0, 2e6], "b": [1.0]}})[1] == []
+    assert "differs by" in parity.compare(ours, {"numbers": {"a": [1.0, 2e6 + 1e-4], "b": [1.0]}})[1][0]
+    assert "not all of them finite" in parity.compare(ours, {"numbers": {"a": [1.0, float("nan")], "b": [1.0]}})[1][0]
+    assert "one side only" in parity.compare(ours, {"numbers": {"a": [1.0, 2e6]}})[1][0]
+
+
+def test_the_table_of_the_book_is_about_every_model(tools):
+    from slamlib.codegen.__main__ import models
+
+    named = {row[0] for row in tools["parity"].stored()}
+    for path, own in models().items():
+        module = str(path).removesuffix(".py").replace("/", ".").removeprefix("slamlib.")
+        assert {f"{module}.{m.name}" for m in own} <= named
