@@ -30,7 +30,9 @@ def check(
     for _ in range(points):
         arguments = sample(rng) if sample else [random_point(a, rng) for a in model.arguments]
         value, jacobians = model.jac(*arguments)
-        _require(model, "value", np.max(np.abs(value - model.definition(*arguments)), initial=0), tolerance, value)
+        definition = model.definition(*arguments)
+        error = np.max(np.abs(value - definition), initial=0) / max(1.0, np.max(np.abs(definition), initial=0))
+        _require(model, "value", error, tolerance, value)
         for index, argument in enumerate(model.arguments):
             numerical = complex_step(model, arguments, index)
             error = np.max(np.abs(jacobians[index] - numerical), initial=0) / max(

@@ -28,7 +28,7 @@ class Printer(PythonCodePrinter):
             return f"1/({self._print(base**-exponent)})"
         if exponent == sympy.Rational(1, 2):
             return f"sqrt({self._print(base)})"
-        if exponent.is_Integer and exponent <= 8:
+        if exponent.is_Integer:
             return "*".join([self.parenthesize(base, 100)] * int(exponent))
         if (2 * exponent).is_Integer:
             return f"{self.parenthesize(base ** (exponent - sympy.Rational(1, 2)), 50)}*sqrt({self._print(base)})"
@@ -40,6 +40,10 @@ class Printer(PythonCodePrinter):
         if coefficient.is_Rational and coefficient.q != 1:
             numerator = rest * coefficient.p
             return f"{self.parenthesize(numerator, 50)}/{coefficient.q}"
+        # A power is printed as a product, so it needs brackets below a fraction line.
+        below = [f for f in sympy.Mul.make_args(expr) if f.is_Pow and f.exp.is_Rational and f.exp < 0]
+        if len(below) == 1 and below[0].exp not in (-1, -sympy.Rational(1, 2)):
+            return f"{self.parenthesize(expr / below[0], 50)}/({self._print(1 / below[0])})"
         return super()._print_Mul(expr)
 
     def _print_Function(self, expr: Any) -> str:

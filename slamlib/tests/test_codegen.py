@@ -13,7 +13,7 @@ import sympy
 
 import slamlib
 from slamlib import digest
-from slamlib.analytic import arctan_ratio, arctan_ratio_slope, sin, stumpff
+from slamlib.analytic import arctan_ratio, arctan_ratio_slope, sin, sqrt, stumpff
 from slamlib.codegen import __main__ as command
 from slamlib.codegen import assert_same, check, derive, show
 from slamlib.codegen.functions import ArctanRatio, ArctanRatioSlope, Stumpff, closed_form
@@ -275,3 +275,16 @@ def test_show_prints_the_definition_and_the_generated_code():
     assert "def squares_jac(point):" in repr(show(squares, generated=True))
     assert show(digest.of.__wrapped__)._repr_markdown_().startswith("```python\n")
     importlib.import_module("slamlib.codegen.show")
+
+
+@model(x=2)
+def with_powers(x):
+    """Powers above and below a fraction line, whole and half, small and large."""
+    a, b = x
+    squared = a * a + b * b
+    small = np.array([a / b**4, -b / squared**2, 1 / b**3, a / (squared * sqrt(squared)), a / sqrt(squared)])
+    return np.concatenate([small, np.array([b**12, a / squared**11, a / (b**2 * squared**3), a**2 / (3 * b**2)])])
+
+
+def test_powers_in_a_denominator_keep_their_brackets():
+    check(with_powers, sample=lambda rng: [rng.uniform(0.5, 2, 2) * rng.choice([-1, 1], 2)], tolerance=1e-12)
