@@ -12,8 +12,9 @@ __version__ = "0.1.0"
 __all__ = ["SlamlibError", "__version__"]
 
 _PARTS = (
-    *("analytic", "belief", "codegen", "correction", "drawing", "errors", "evaluation"),
-    *("exercises", "geometry", "linalg", "model", "motions", "spaces"),
+    *("analytic", "belief", "checks", "codegen", "correction", "drawing", "errors", "evaluation", "exercises"),
+    *("geometry", "implicit", "landmarks", "line_observation", "linalg", "model", "motions", "observation"),
+    *("registry", "sensors", "spaces"),
 )
 
 

@@ -8,6 +8,7 @@ import pkgutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Collection
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -18,6 +19,7 @@ import sympy
 import slamlib
 from slamlib.codegen.check import random_point
 from slamlib.codegen.emit import module
+from slamlib.errors import UnknownNameError
 from slamlib.model import FORMULA_PARTS, Model
 
 PACKAGE = Path(slamlib.__file__).parent
@@ -39,26 +41,35 @@ def models() -> dict[str, list[Model]]:
     return found
 
 
-def generate() -> dict[str, str]:
-    """Text of every generated file, by its path below slamlib/generated."""
+def generate(only: Collection[str] = ()) -> dict[str, str]:
+    """Text of every generated file, or of the modules `only`, by its path below slamlib/generated."""
     files = {"__init__.py": HEADER}
-    for path, own in models().items():
+    known = models()
+    for path in only:
+        if path not in known:
+            raise UnknownNameError.of("module with models", path, known)
+    for path, own in known.items():
+        if only and path not in only:
+            continue
         print(f"  {path}: {len(own)} models", file=sys.stderr)
         files[f"{path.split('/')[0]}/__init__.py"] = HEADER
         files[path] = module(own, f"slamlib/{path}")
     return files
 
 
-def write(target: Path) -> int:
-    """Write all generated files, each whole or not at all, and remove those that no source file stands behind."""
-    files = generate()
+def write(target: Path, only: Collection[str] = ()) -> int:
+    """Write all generated files, each whole or not at all, and remove those that no source file stands behind.
+
+    only: the modules to write, as 'landmarks/ahm_point.py'; then nothing is removed.
+    """
+    files = generate(only)
     for path, text in files.items():
         file = target / path
         file.parent.mkdir(parents=True, exist_ok=True)
         partial = file.with_suffix(".partial")
         partial.write_text(text, encoding="utf-8", newline="\n")
         os.replace(partial, file)
-    for left_over in existing(target) - set(files):
+    for left_over in set() if only else existing(target) - set(files):
         (target / left_over).unlink()
     return len(files)
 
@@ -140,9 +151,10 @@ def main(arguments: list[str] | None = None) -> int:
         help="write nothing; compare slamlib/generated with what the models give",
     )
     parser.add_argument("--into", type=Path, default=TARGET, help="folder to write into (default: slamlib/generated)")
+    parser.add_argument("only", nargs="*", help="write only these modules, such as landmarks/ahm_point.py")
     options = parser.parse_args(arguments)
     if not options.check:
-        print(f"generated {write(options.into)} files in {options.into}")
+        print(f"generated {write(options.into, options.only)} files in {options.into}")
         return 0
     problems = check()
     for problem in problems:

@@ -1,0 +1,151 @@
+"""The appendix Rosetta: read its table, find what the table names, and write the page from it.
+
+`python -m book.tools.rosetta` writes rosetta.md from rosetta.csv, both in book/appendices; the
+words above the tables stay.
+"""
+
+import csv
+import dataclasses
+import importlib.util
+import inspect
+import re
+from itertools import groupby
+from typing import Any, NamedTuple
+
+from book.tools import layout
+from slamlib.landmarks import LINES, POINTS
+from slamlib.sensors import SENSORS, Sensor
+
+TABLE = layout.BOOK / "appendices" / "rosetta.csv"
+PAGE = layout.BOOK / "appendices" / "rosetta.md"
+MARK = "% The tables below are generated: edit rosetta.csv, then run python -m book.tools.rosetta\n"
+HEADER = ["group", "toolbox", "kind", "what it is", "slamlib"]
+NOT_YET, NOT_NEEDED = "not yet: ", "not needed: "
+PAIRS = (
+    "Every sensor measures every point; lines are for sensors that project them. In the toolbox the omnidirectional "
+    "camera knows `ahmPnt` and `eucPnt` only, and nothing measures an `fhmPnt`. A cell says how many numbers are "
+    "measured, and how many are left to a prior; *no* is refused with an error. Generated from the types."
+)
+CHAPTER = re.compile(r"chapter (\d+)")
+
+
+class Row(NamedTuple):
+    """One name of the toolbox, and where it lives: a dotted path, "chapter N", "not yet: path", "not needed: why"."""
+
+    group: str
+    name: str
+    kind: str
+    what: str
+    target: str
+
+    @property
+    def places(self) -> list[str]:
+        """The paths and chapters of the target, without the words before them; none where nothing is needed."""
+        return [] if self.target.startswith(NOT_NEEDED) else self.target.removeprefix(NOT_YET).split("; ")
+
+
+def rows() -> list[Row]:
+    """The table; raises ValueError where it has another form."""
+    found = list(csv.reader(TABLE.read_text("utf-8").splitlines()))
+    if found[0] != HEADER or any(len(r) != len(HEADER) or not all(r) for r in found):
+        raise ValueError(f"{TABLE.name} should have the columns {HEADER}, and no empty entry")
+    return [Row(*r) for r in found[1:]]
+
+
+def find(path: str) -> Any:
+    """What a dotted path names: module, attribute, field of a data class, or argument; raises LookupError."""
+    first, *others = path.split(".")
+    found: Any = importlib.import_module(first)
+    for name in others:
+        found = _member(found, name, path)
+    return found
+
+
+def _member(owner: Any, name: str, path: str) -> Any:
+    if hasattr(owner, name):
+        return getattr(owner, name)
+    if hasattr(owner, "__path__") and importlib.util.find_spec(f"{owner.__name__}.{name}"):
+        return importlib.import_module(f"{owner.__name__}.{name}")
+    if dataclasses.is_dataclass(owner) and name in (fields := {f.name: f for f in dataclasses.fields(owner)}):
+        return fields[name]
+    arguments = getattr(owner, "parameters", None) or (inspect.signature(owner).parameters if callable(owner) else ())
+    if name in arguments:
+        return name
+    raise LookupError(f"there is no {path}: {owner!r} has no {name!r}")
+
+
+def exists(place: str) -> bool:
+    """True if a place, "chapter N" or a dotted path, is there."""
+    if match := CHAPTER.fullmatch(place):
+        return chapter(int(match[1])) is not None
+    try:
+        find(place)
+    except LookupError:
+        return False
+    return True
+
+
+def chapter(number: int) -> str | None:
+    """File name of a chapter, without its ending."""
+    return next((f.stem for f in (layout.BOOK / "chapters").glob(f"{number:02d}_*.ipynb")), None)
+
+
+def text() -> str:
+    """The page: the words above the mark as they are, then a table for each group."""
+    words = PAGE.read_text("utf-8").split(MARK)[0]
+    types, *others = [_table(group, list(members)) for group, members in groupby(rows(), lambda r: r.group)]
+    return "".join([words, MARK, types, pairs(), *others])
+
+
+def pairs() -> str:
+    """Which sensor measures which landmark, from the package's own types."""
+    names = sorted(SENSORS)
+    lines = ["", "## Which pairs exist", "", PAIRS, ""]
+    lines += [f"| landmark | {' | '.join(f'`{n}`' for n in names)} |", "|---" * (len(names) + 1) + "|"]
+    for name in POINTS:
+        lines.append(f"| `{name}` | {' | '.join(_measured(SENSORS[n]) for n in names)} |")
+    for name in LINES:
+        cells = ["4 + 2" if SENSORS[n].project_line else "no" for n in names]
+        lines.append(f"| `{name}` | {' | '.join(cells)} |")
+    return "\n".join([*lines, ""])
+
+
+def _measured(sensor: Sensor) -> str:
+    """How many numbers a sensor measures of a point, and how many it leaves to a prior."""
+    open_ones = sensor.back_project.arguments[1 : len(sensor.back_project.arguments) - len(sensor.parameters)]
+    return f"{sensor.size} + {sum(a.size for a in open_ones)}"
+
+
+def _table(group: str, members: list[Row]) -> str:
+    lines = [f"| `{r.name}` | {_plain(r.what)} | {_target(r)} |" for r in members]
+    return "\n".join(["", f"## {group}", "", "| toolbox | what it is | here |", "|---|---|---|", *lines, ""])
+
+
+def _plain(words: str) -> str:
+    return re.sub(r"([_*'\[\]<|])", r"\\\1", words)
+
+
+def _target(row: Row) -> str:
+    if not row.places:
+        return f"*not needed*: {_plain(row.target.removeprefix(NOT_NEEDED))}"
+    shown = ", ".join(_place(p) for p in row.places)
+    return f"*not yet* ({shown})" if row.target.startswith(NOT_YET) else shown
+
+
+def _place(place: str) -> str:
+    match = CHAPTER.fullmatch(place)
+    if not match:
+        return f"`{place.removeprefix('slamlib.')}`"
+    file = chapter(int(match[1]))
+    return f"{{doc}}`{place} <../chapters/{file}>`" if file else place
+
+
+def main() -> int:
+    """Write the page."""
+    layout.write_whole(PAGE, text().encode())
+    print(f"rosetta: {len(rows())} names in {PAGE.relative_to(layout.ROOT)}")
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,94 @@
+"""Generated from slamlib/sensors/relative_position.py by `make generate` (sympy 1.14.0); never edited by hand."""
+
+from slamlib.analytic import sqrt
+
+DIGESTS = {
+    "project": "fdd43b3d8ce3c9de",
+    "back_project": "26cb1cbe3f0599c0",
+}
+SHAPES = {
+    "project": (3,),
+    "back_project": (4,),
+}
+
+
+def project(point):
+    """project: value."""
+    point0, point1, point2, point3 = point
+    t0 = 1/(point3)
+    return (
+        point0*t0,
+        point1*t0,
+        point2*t0,
+    )
+
+
+def project_jac(point):
+    """project: value and Jacobians."""
+    point0, point1, point2, point3 = point
+    t0 = 1/(point3)
+    t1 = 1/(point3*point3)
+    return (
+        point0*t0,
+        point1*t0,
+        point2*t0,
+        t0,
+        0,
+        0,
+        -point0*t1,
+        0,
+        t0,
+        0,
+        -point1*t1,
+        0,
+        0,
+        t0,
+        -point2*t1,
+    )
+
+
+def back_project(measurement):
+    """back_project: value."""
+    measurement0, measurement1, measurement2 = measurement
+    t0 = 1/(sqrt(measurement0*measurement0 + measurement1*measurement1 + measurement2*measurement2))
+    return (
+        measurement0*t0,
+        measurement1*t0,
+        measurement2*t0,
+        t0,
+    )
+
+
+def back_project_jac(measurement):
+    """back_project: value and Jacobians."""
+    measurement0, measurement1, measurement2 = measurement
+    t0 = measurement0*measurement0
+    t1 = measurement1*measurement1
+    t2 = measurement2*measurement2
+    t3 = t0 + t1 + t2
+    t4 = 1/(sqrt(t3))
+    t5 = 1/(t3)
+    t6 = 1/(t3*sqrt(t3))
+    t7 = measurement0*t6
+    t8 = -measurement1*t7
+    t9 = -measurement2*t7
+    t10 = measurement1*t6
+    t11 = -measurement2*t10
+    return (
+        measurement0*t4,
+        measurement1*t4,
+        measurement2*t4,
+        t4,
+        t4*(-t0*t5 + 1),
+        t8,
+        t9,
+        t8,
+        t4*(-t1*t5 + 1),
+        t11,
+        t9,
+        t11,
+        t4*(-t2*t5 + 1),
+        -t7,
+        -t10,
+        -measurement2*t6,
+    )

@@ -1,0 +1,32 @@
+"""Anchored homogeneous point (anchor, direction, inverse distance): seven numbers [m, -, 1/m]."""
+
+import numpy as np
+
+from slamlib.geometry.pose import Pose
+from slamlib.geometry.quaternion import rotation
+from slamlib.landmarks.point import PointLandmark
+from slamlib.model import model
+from slamlib.spaces import as_space
+
+
+@model(pose=Pose, landmark=7)
+def to_frame(pose, landmark):
+    """Homogeneous point in the frame. Chapter 11, eq. (pt-ahm)."""
+    anchor, direction, inverse_distance = landmark[:3], landmark[3:6], landmark[6:]
+    h = direction + inverse_distance * (anchor - pose[:3])
+    return np.concatenate([rotation(pose[3:]).T @ h, inverse_distance])
+
+
+@model(pose=Pose, point=4)
+def from_frame(pose, point):
+    """Anchored at the frame's origin. Chapter 11, eq. (pt-ahm)."""
+    return np.concatenate([pose[:3], rotation(pose[3:]) @ point[:3], point[3:]])
+
+
+@model(landmark=7)
+def to_point(landmark):
+    """The point in the world [m]. Chapter 11, eq. (pt-ahm)."""
+    return landmark[:3] + landmark[3:6] / landmark[6]
+
+
+AHM_POINT = PointLandmark("ahmPnt", as_space(7), to_frame, from_frame, to_point)

@@ -1,0 +1,38 @@
+"""Framed homogeneous point (frame, u, v, inverse depth): many points may share one frame."""
+
+import numpy as np
+
+from slamlib.geometry.pose import Pose
+from slamlib.geometry.quaternion import rotation
+from slamlib.landmarks.point import PointLandmark
+from slamlib.model import model
+from slamlib.spaces import Product, as_space
+
+FramedPoint = Product("framed point", Pose, as_space(3))
+
+
+@model(pose=Pose, landmark=FramedPoint)
+def to_frame(pose, landmark):
+    """Homogeneous point in the frame `pose`. Chapter 11, eq. (pt-fhm)."""
+    origin, attitude = landmark[:3], landmark[3:7]
+    (u, v), inverse_depth = landmark[7:9], landmark[9:]
+    h = rotation(attitude) @ np.array([u, v, 1]) + inverse_depth * (origin - pose[:3])
+    return np.concatenate([rotation(pose[3:]).T @ h, inverse_depth])
+
+
+@model(pose=Pose, point=4, returns=FramedPoint)
+def from_frame(pose, point):
+    """The frame's clone, with a point in front of it (point[2] > 0). Chapter 11, eq. (pt-fhm)."""
+    x, y, z, w = point
+    return np.concatenate([pose, np.array([x / z, y / z, w / z])])
+
+
+@model(landmark=FramedPoint)
+def to_point(landmark):
+    """The point in the world [m]. Chapter 11, eq. (pt-fhm)."""
+    origin, attitude = landmark[:3], landmark[3:7]
+    u, v, inverse_depth = landmark[7:]
+    return origin + rotation(attitude) @ np.array([u, v, 1]) / inverse_depth
+
+
+FHM_POINT = PointLandmark("fhmPnt", FramedPoint, to_frame, from_frame, to_point)

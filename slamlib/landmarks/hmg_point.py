@@ -1,0 +1,32 @@
+"""Homogeneous point (m, w): the world point m / w, with the world's origin as its anchor."""
+
+import numpy as np
+
+from slamlib.geometry.pose import Pose
+from slamlib.geometry.quaternion import rotation
+from slamlib.landmarks.point import PointLandmark
+from slamlib.model import model
+from slamlib.spaces import as_space
+
+
+@model(pose=Pose, landmark=4)
+def to_frame(pose, landmark):
+    """Homogeneous point in the frame. Chapter 11, eq. (pt-hmg)."""
+    m, w = landmark[:3], landmark[3:]
+    return np.concatenate([rotation(pose[3:]).T @ (m - w * pose[:3]), w])
+
+
+@model(pose=Pose, point=4)
+def from_frame(pose, point):
+    """Homogeneous point in the world. Chapter 11, eq. (pt-hmg)."""
+    h, w = point[:3], point[3:]
+    return np.concatenate([rotation(pose[3:]) @ h + w * pose[:3], w])
+
+
+@model(landmark=4)
+def to_point(landmark):
+    """The point in the world [m]. Chapter 11, eq. (pt-hmg)."""
+    return landmark[:3] / landmark[3]
+
+
+HMG_POINT = PointLandmark("hmgPnt", as_space(4), to_frame, from_frame, to_point)

@@ -1,0 +1,34 @@
+"""Pluecker line (n, v): six numbers for four degrees of freedom; n . v = 0 has to be kept."""
+
+from slamlib.geometry import plucker
+from slamlib.geometry.pose import Pose
+from slamlib.landmarks.line import LineLandmark
+from slamlib.model import model
+from slamlib.spaces import as_space
+
+
+@model(pose=Pose, landmark=6)
+def to_frame(pose, landmark):
+    """The line in the frame. Chapter 12, eq. (li-toframe)."""
+    return plucker.to_frame(pose, landmark)
+
+
+@model(pose=Pose, rays=6, prior=2)
+def from_frame(pose, rays, prior):
+    """Prior: v in its plane, along the segment and against the view [1/m]. Chapter 12, eq. (li-rays)."""
+    return plucker.from_frame(pose, plucker.from_rays(rays, prior))
+
+
+@model(landmark=6, abscissa=())
+def point_at(landmark, abscissa):
+    """Homogeneous point, metres from the one nearest to the world's origin. Eq. (li-point)."""
+    return plucker.point_at(landmark, abscissa)
+
+
+@model(landmark=6, eye=3)
+def constrain(landmark, eye):
+    """The landmark made a line again, the same as seen from `eye` [m]. Eq. (li-constrain)."""
+    return plucker.constrain(landmark, eye)
+
+
+PLK_LINE = LineLandmark("plkLin", as_space(6), to_frame, from_frame, point_at, (-8, 8), constrain)

@@ -1,0 +1,106 @@
+"""The part of a segment that a camera sees: cut at the border of the image before it is projected. Chapter 12.
+
+A plane through the eye bounds the half-space of the points h with a . h >= 0. Four of them, through the four sides of
+the image, bound all that a pin-hole camera sees, and what lies behind it is outside. Cutting before the division by
+the depth needs no case for endpoints behind the camera, nor for endpoints at infinity.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from slamlib.errors import SlamlibError
+from slamlib.linalg import finite
+from slamlib.spaces import Array
+
+PIXELS = np.array([0.0, 0.0, 1.0, 1.0])  # the "intrinsics" of points that are pixels already
+
+
+class Segment(NamedTuple):
+    """Pixels (..., 4) of both ends, (u, v, u, v), and the mask (...) of those that are seen; the others are nan."""
+
+    pixels: Array
+    seen: Array
+
+
+def frustum(intrinsics: Array, image: tuple[float, float], margin: float = 0.0) -> Array:
+    """The four planes (4, 3) of the eye and the image's sides, moved inwards by `margin` [px]. Eq. (li-frustum)."""
+    u, v, fu, fv = finite(np.asarray(intrinsics, dtype=float), (4,), "frustum", "intrinsics")
+    width, height = finite(np.asarray(image, dtype=float), (2,), "frustum", "image")
+    if not min(width, height) > 2 * margin:
+        raise SlamlibError(f"frustum: an image of {width:g} x {height:g} px has nothing inside a margin of {margin:g}")
+    left, right, top, low = margin, width - margin, margin, height - margin
+    return np.array([[fu, 0, u - left], [-fu, 0, right - u], [0, fv, v - top], [0, -fv, low - v]])
+
+
+def clip(first: Array, second: Array, planes: Array) -> tuple[Array, Array, Array]:
+    """Ends (..., 3) of what lies inside all planes (k, 3) of the segments between homogeneous points, and the mask.
+
+    first, second: (..., 4) with w >= 0, in the camera's frame; w = 0 makes a half-line. Eq. (li-clip).
+    """
+    first, second = _finite_side(first), _finite_side(second)
+    at_first, at_second = first[..., :3] @ planes.T, second[..., :3] @ planes.T
+    enters, leaves = (at_first < 0) & (at_second >= 0), (at_first >= 0) & (at_second < 0)
+    change = at_first - at_second
+    at = at_first / np.where(change == 0, 1, change)
+    start, end = np.where(enters, at, 0).max(-1), np.where(leaves, at, 1).min(-1)
+    seen = (start <= end) & ~((at_first < 0) & (at_second < 0)).any(-1)
+    ends = [(1 - s)[..., None] * first[..., :3] + s[..., None] * second[..., :3] for s in (start, end)]
+    return ends[0], ends[1], seen
+
+
+def visible(
+    first: Array,
+    second: Array,
+    intrinsics: Array,
+    image: tuple[float, float],
+    *,
+    minimum_length: float = 1.0,
+    margin: float = 0.0,
+) -> Segment:
+    """What an ideal pin-hole camera sees of segments between homogeneous points (..., 4) of its frame.
+
+    A segment that is shorter than `minimum_length` [px] in the image is not seen.
+    """
+    start, end, seen = clip(first, second, frustum(intrinsics, image, margin))
+    seen = seen & (start[..., 2] > 0) & (end[..., 2] > 0)
+    depths = [np.where(seen, h[..., 2], 1)[..., None] for h in (start, end)]
+    scale, centre = np.asarray(intrinsics)[2:], np.asarray(intrinsics)[:2]
+    pixels = np.concatenate([centre + scale * h[..., :2] / z for h, z in zip((start, end), depths, strict=True)], -1)
+    seen = seen & (length(pixels) >= minimum_length)
+    return Segment(np.where(seen[..., None], pixels, np.nan), seen)
+
+
+def trim(segment: Array, image: tuple[float, float], *, minimum_length: float = 1.0, margin: float = 0.0) -> Segment:
+    """The part inside the image of segments (..., 4) that are pixels already."""
+    ends = _pixel(np.asarray(segment)[..., :2]), _pixel(np.asarray(segment)[..., 2:])
+    return visible(*ends, PIXELS, image, minimum_length=minimum_length, margin=margin)
+
+
+def span(line: Array, image: tuple[float, float]) -> Segment:
+    """The part inside the image of infinite image lines (..., 3)."""
+    line, centre = np.asarray(line, dtype=float), np.asarray(image) / 2
+    norm = np.linalg.norm(line[..., :2], axis=-1, keepdims=True)
+    normal = line[..., :2] / np.where(norm == 0, 1, norm)
+    offset = (line[..., :2] @ centre + line[..., 2])[..., None] / np.where(norm == 0, 1, norm)
+    foot = centre - offset * normal
+    reach = np.hypot(*image) * np.stack([normal[..., 1], -normal[..., 0]], -1)
+    found = trim(np.concatenate([foot - reach, foot + reach], -1), image, minimum_length=0)
+    seen = found.seen & (norm[..., 0] > 0)
+    return Segment(np.where(seen[..., None], found.pixels, np.nan), seen)
+
+
+def length(segment: Array) -> Array:
+    """Lengths (...) [px] of segments (..., 4)."""
+    return np.hypot(segment[..., 2] - segment[..., 0], segment[..., 3] - segment[..., 1])
+
+
+def _finite_side(point: Array) -> Array:
+    """The same point with w >= 0."""
+    point = np.asarray(point, dtype=float)
+    return np.where(point[..., 3:] < 0, -point, point)
+
+
+def _pixel(pixel: Array) -> Array:
+    one = np.ones((*pixel.shape[:-1], 1))
+    return np.concatenate([pixel, one, one], -1)

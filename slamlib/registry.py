@@ -1,0 +1,46 @@
+"""Types are values that are found by walking a folder: a new landmark, sensor or motion is one new file."""
+
+import importlib
+import pkgutil
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from typing import Any
+
+from slamlib.errors import SlamlibError, UnknownNameError
+
+
+class Registry(Mapping[str, Any]):
+    """The values of one kind among the modules of a package, by their names; the folder is walked at the first look."""
+
+    def __init__(self, package: str, kind: type, what: str) -> None:
+        self.package, self.kind, self.what = package, kind, what
+
+    @cached_property
+    def _values(self) -> dict[str, Any]:
+        found: dict[str, Any] = {}
+        for info in pkgutil.iter_modules(importlib.import_module(self.package).__path__):
+            module = importlib.import_module(f"{self.package}.{info.name}")
+            for value in vars(module).values():
+                if isinstance(value, self.kind):
+                    name = value.name  # type: ignore[attr-defined]
+                    if found.setdefault(name, value) is not value:
+                        raise SlamlibError(f"two {self.what}s are called {name!r}: give each a name of its own")
+        return found
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._values:
+            raise UnknownNameError.of(self.what, name, self._values)
+        return self._values[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._values
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """The value of a name, or `default`."""
+        return self._values.get(name, default)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)

@@ -1,0 +1,60 @@
+"""Range and bearing: distance [m], yaw and pitch [rad] of a point; the sensor's axes are front, left, up."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from slamlib.analytic import arctan2, cos, sin, sqrt
+from slamlib.model import model
+from slamlib.sensors.limits import check_limits
+from slamlib.sensors.sensor import Sensor
+from slamlib.spaces import Euclidean, Product
+
+
+@dataclass(frozen=True)
+class Angle(Euclidean):
+    """Angles: the difference of two is the short way round. Chapter 10, eq. (dp-wrap)."""
+
+    def minus(self, point, origin):
+        """point - origin, in [-pi, pi] [rad]."""
+        difference = np.asarray(point) - np.asarray(origin)
+        return difference - 2 * np.pi * np.round(difference.real / (2 * np.pi))
+
+
+RangeBearing = Product("range, yaw and pitch", Euclidean(1), Angle(1), Euclidean(1))
+
+
+@model(point=4, returns=RangeBearing)
+def project(point):
+    """Range, yaw to the left and pitch downwards; no yaw on the vertical. Chapter 10, eq. (dp-range)."""
+    x, y, z, w = point
+    level = x * x + y * y
+    return np.array([sqrt(level + z * z) / w, arctan2(y, x), arctan2(-z, sqrt(level))])
+
+
+@model(measurement=RangeBearing)
+def back_project(measurement):
+    """Unit ray and inverse distance [1/m]. Chapter 10, eq. (dp-range-back)."""
+    distance, yaw, pitch = measurement
+    return np.array([cos(pitch) * cos(yaw), cos(pitch) * sin(yaw), -sin(pitch), 1 / distance])
+
+
+def visible(point, calibration):
+    """Not on the vertical, within the limits `near`, `far` [m], `yaw` and `pitch` [rad] to both sides."""
+    x, y, z, w = np.moveaxis(np.asarray(point), -1, 0)
+    level = np.hypot(x, y)
+    distance, limits = np.hypot(level, z), calibration.limits
+    seen = (w > 0) & (level > 0) & (distance >= limits.get("near", 0) * w)
+    if "far" in limits:
+        seen = seen & (distance <= limits["far"] * w)
+    if "yaw" in limits:
+        seen = seen & (np.abs(np.arctan2(y, x)) <= limits["yaw"])
+    return seen & (np.abs(np.arctan2(z, level)) <= limits.get("pitch", np.pi))
+
+
+def check(calibration):
+    """Limits that exist, in their order."""
+    check_limits(calibration, "near", "far", "yaw", "pitch")
+
+
+RANGE_BEARING = Sensor("rangeBearing", project, back_project, (), visible, check)

@@ -1,0 +1,138 @@
+"""What a type of sensor must offer, and a sensor of that type with its calibration."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from slamlib.blocks import frozen
+from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
+from slamlib.linalg import covariance, finite, numbers
+from slamlib.model import Model
+from slamlib.spaces import Array
+
+
+def _nothing_to_check(calibration: "Calibration") -> None:
+    """The default of Sensor.check."""
+
+
+@dataclass(frozen=True)
+class Sensor:
+    """A type of sensor: name, models, the names of its parameters in the models' order, and its rules.
+
+    project(point, **parameters): measurement (m,) of a homogeneous point (4,) in the sensor's frame (axes right, down,
+    front for cameras). back_project(measurement, unmeasured, **parameters): homogeneous point, |h| = 1 where only a ray
+    is measured; `unmeasured` is what the measurement does not tell (a camera: the inverse distance), and a sensor that
+    tells all has no such argument. visible(point, calibration): mask of the points that can be measured at all, by the
+    sensor's own rule; whether a pixel lies in the image is asked afterwards, for all sensors alike. check(calibration)
+    raises SlamlibError for parameters that make no sense. project_line(line, **parameters it has): homogeneous image
+    line (3,) of a line in Pluecker coordinates (6,). A model may also be an object with the same calls, as Implicit is.
+    """
+
+    name: str
+    project: Model | Any
+    back_project: Model | Any
+    parameters: tuple[str, ...]
+    visible: Callable[[Array, "Calibration"], Array]
+    check: Callable[["Calibration"], None] = _nothing_to_check
+    project_line: Model | None = None
+
+    @property
+    def size(self) -> int:
+        """Numbers in a measurement."""
+        return int(self.back_project.arguments[0].size)
+
+
+class Calibration:
+    """A sensor of a type: its parameters, its noise, and its image.
+
+    noise: covariance (m, m) of a measurement. image: (width, height) [px], or None. limits: what the type's rule of
+    visibility asks for, such as {"angle": 1.6} [rad]. parameters: by name; lists of coefficients may be shorter than
+    the model's, since the missing ones are zero. Arrays are copied and read-only, and no attribute can be set: another
+    calibration is another object. Raises SlamlibError, naming the parameter.
+    """
+
+    sensor: Sensor
+    limits: dict[str, float]
+    image: Array
+    noise: Array
+    given: dict[str, Array]
+    padded: dict[str, Array]
+
+    def __init__(
+        self,
+        sensor: Sensor,
+        noise: Array,
+        *,
+        image: tuple[float, float] | None = None,
+        limits: dict[str, float] | None = None,
+        **parameters: Array,
+    ) -> None:
+        for name in parameters:
+            if name not in sensor.parameters:
+                raise UnknownNameError.of(f"parameter of {sensor.name}", name, sensor.parameters)
+        missing = [n for n in sensor.parameters if n not in parameters]
+        if missing:
+            raise SlamlibError(f"{sensor.name}: the calibration lacks {', '.join(missing)}")
+        if not isinstance(limits or {}, dict):
+            raise SlamlibError(f'{sensor.name}: limits are given by name, such as {{"angle": 1.6}}, got {limits!r}')
+        size = None if image is None else frozen(finite(image, (2,), sensor.name, "image"))
+        if size is not None and not (size > 0).all():
+            raise SlamlibError(f"{sensor.name}: an image has a width and a height above zero, got {image}")
+        largest = {a.name: a.size for a in sensor.project.arguments}
+        given = {n: _given(sensor.name, n, parameters[n], largest[n]) for n in sensor.parameters}
+        self.__dict__.update(
+            sensor=sensor,
+            limits={n: _limit(sensor.name, n, v) for n, v in (limits or {}).items()},
+            image=size,
+            noise=frozen(covariance(noise, sensor.size, sensor.name, "noise")),
+            given=given,
+            padded={n: frozen(np.pad(v, (0, largest[n] - len(v)))) for n, v in given.items()},
+        )
+        sensor.check(self)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise SlamlibError(f"a calibration cannot be changed: make another one with the {name} that you want")
+
+    def project(self, point: Array) -> Array:
+        """Measurements (..., m) of homogeneous points (..., 4) in the sensor's frame."""
+        return self.sensor.project(point, **self.padded)
+
+    def project_jac(self, point: Array) -> tuple[Array, Any]:
+        """Measurements, and Jacobians by the point and by each parameter as it was given."""
+        return self._jac(self.sensor.project, (point,))
+
+    def back_project_jac(self, measurement: Array, *unmeasured: Array) -> tuple[Array, Any]:
+        """Homogeneous points (..., 4), and Jacobians by the measurement, what it does not tell, and each parameter."""
+        return self._jac(self.sensor.back_project, (measurement, *unmeasured))
+
+    def _jac(self, model: Any, arguments: tuple[Array, ...]) -> tuple[Array, Any]:
+        value, jacobians = model.jac(*arguments, **self.padded)
+        return value, jacobians._replace(**{n: getattr(jacobians, n)[..., : len(v)] for n, v in self.given.items()})
+
+    def visible(self, point: Array) -> Array:
+        """Mask (...) of the homogeneous points (..., 4) that the sensor can measure, before the image is looked at."""
+        return self.sensor.visible(np.asarray(point), self)
+
+    def inside(self, measurement: Array, margin: float = 0.0) -> Array:
+        """Mask of the measurements whose first two numbers lie in the image, `margin` [px] from its border."""
+        if self.image is None:
+            return np.ones(np.shape(measurement)[:-1], dtype=bool)
+        pixel = np.asarray(measurement)[..., :2]
+        return ((pixel >= margin) & (pixel <= self.image - margin)).all(-1)
+
+
+def _limit(sensor: str, name: str, value: float) -> float:
+    number = numbers(value, sensor, f"the limit {name!r}")
+    if number.ndim:
+        raise ShapeError(f"{sensor}: the limit {name!r} should be a number, got {value!r}")
+    return float(number)
+
+
+def _given(sensor: str, name: str, value: Array, largest: int) -> Array:
+    """A parameter's numbers as they were given, a read-only copy."""
+    array = np.atleast_1d(numbers(value, sensor, name))
+    if array.ndim != 1 or len(array) > largest:
+        raise ShapeError(f"{sensor}: {name} has at most {largest} numbers, got shape {array.shape}")
+    return frozen(finite(array, array.shape, sensor, name))

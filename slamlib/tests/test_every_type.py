@@ -1,0 +1,69 @@
+"""Every landmark and every sensor of the package, found by walking its folders, passes the package's own checks.
+
+No type is named here. A sensor is checked with plausible values of its parameters: those of its own file, if that holds
+a Calibration of it, else those of the table below.
+"""
+
+import importlib
+import itertools
+import pkgutil
+
+import numpy as np
+import pytest
+
+import slamlib.sensors
+from slamlib.checks import check_landmark, check_pair, check_sensor
+from slamlib.landmarks import LINES, POINTS
+from slamlib.sensors import SENSORS, Calibration
+
+DEFAULTS = {  # by a parameter's name and by how many numbers its model takes
+    ("intrinsics", 4): [320.0, 240.0, 400.0, 410.0],
+    ("intrinsics", 5): [320.0, 240.0, 1.01, 0.003, -0.002],
+    ("distortion", 8): [-0.2, 0.04],
+    ("lens", 11): [170.0, -3.0, 0.5],
+    ("baseline", 1): [0.3],
+}
+
+
+def example(sensor):
+    """A calibration of a sensor: the one in its own file, or one made of the table."""
+    for info in pkgutil.iter_modules(slamlib.sensors.__path__):
+        module = importlib.import_module(f"slamlib.sensors.{info.name}")
+        for value in vars(module).values():
+            if isinstance(value, Calibration) and value.sensor is sensor:
+                return value
+    sizes = {a.name: a.size for a in sensor.project.arguments}
+    missing = [n for n in sensor.parameters if (n, sizes[n]) not in DEFAULTS]
+    assert not missing, f"no plausible {missing}: put a Calibration of {sensor.name} into its file"
+    root = np.diag(np.full(sensor.size, 0.5)) + 0.1  # full, not diagonal
+    image = (640, 480) if "intrinsics" in sensor.parameters else None
+    parameters = {n: DEFAULTS[n, sizes[n]] for n in sensor.parameters}
+    return Calibration(sensor, root @ root.T, image=image, **parameters)
+
+
+@pytest.mark.parametrize("name", [*POINTS, *LINES])
+def test_every_landmark_passes_the_checks(name, capsys):
+    check_landmark({**POINTS, **LINES}[name])
+    assert "properties hold." in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("name", list(SENSORS))
+def test_every_sensor_passes_the_checks(name, capsys):
+    check_sensor(example(SENSORS[name]))
+    assert "properties hold." in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("kind", "sensor"), list(itertools.product(POINTS, SENSORS)))
+def test_every_pair_initializes_observes_and_corrects(kind, sensor, capsys):
+    check_pair(POINTS[kind], example(SENSORS[sensor]))
+    assert "properties hold." in capsys.readouterr().out
+
+
+def test_the_folders_are_not_empty_and_every_type_has_partners():
+    assert len(POINTS) >= 5
+    assert len(SENSORS) >= 1
+    exists = np.array(
+        [[check_pair(kind, example(sensor), silent=True) for sensor in SENSORS.values()] for kind in POINTS.values()]
+    )
+    assert exists.sum(0).min() >= len(POINTS) - 1, "a sensor has partners among nearly all the points"
+    assert exists.any(1).all(), "every point is seen by some sensor"
