@@ -7,6 +7,7 @@ from typing import Any
 from book.tools import assets, browser
 
 GRAVE = ("serious", "critical")
+STILL = "*, *::before, *::after { transition: none !important; animation: none !important; }"
 
 
 def program() -> str:
@@ -42,6 +43,8 @@ def main() -> int:
                 page = context.new_page()
                 page.goto(f"{base}/{name}", wait_until="load")
                 page.evaluate("() => window.MathJax && MathJax.startup ? MathJax.startup.promise : null")
+                page.add_style_tag(content=STILL)  # a colour on its way from light to dark is none that a reader sees
+                page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
                 found += [f"{name} ({scheme}): {f}" for f in findings(page, axe)]
                 page.close()
             context.close()
