@@ -4,7 +4,6 @@ import contextlib
 import os
 import shutil
 import sys
-import threading
 from collections.abc import Iterator
 from typing import Any
 
@@ -76,16 +75,10 @@ def site_in_chromium(executable: str) -> Iterator[tuple[str, Any]]:
     """The URL of the served site, and a browser; for as long as the block lasts."""
     from playwright.sync_api import sync_playwright
 
-    http = serve.server()
-    threading.Thread(target=http.serve_forever, daemon=True).start()
-    try:
-        with sync_playwright() as tool:
-            browser = tool.chromium.launch(executable_path=executable, args=FLAGS)
-            yield f"http://127.0.0.1:{http.server_address[1]}", browser
-            browser.close()
-    finally:
-        http.shutdown()
-        http.server_close()
+    with serve.running(serve.server()) as base, sync_playwright() as tool:
+        browser = tool.chromium.launch(executable_path=executable, args=FLAGS)
+        yield base, browser
+        browser.close()
 
 
 def shut_off(context: Any, base: str) -> list[str]:

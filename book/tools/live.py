@@ -1,7 +1,6 @@
 """Make the folder _static/live of the site: Python, NumPy, SymPy and slamlib for the reader's browser, made small."""
 
 import gzip
-import hashlib
 import importlib.metadata
 import io
 import json
@@ -51,7 +50,7 @@ def build(target: Path) -> None:
     shutil.copytree(layout.BOOK / "chapters" / "data", target / "data")
     made = wheel.build(target)
     files = {
-        f.relative_to(target).as_posix(): {"bytes": f.stat().st_size, "sha256": _digest(f)}
+        f.relative_to(target).as_posix(): {"bytes": f.stat().st_size}
         for f in sorted(target.rglob("*"))
         if f.is_file() and "licences" not in f.parts
     }
@@ -113,10 +112,6 @@ def _zip(files: dict[str, bytes]) -> bytes:
         for name in sorted(files):
             archive.writestr(zipfile.ZipInfo(name), files[name], zipfile.ZIP_DEFLATED, 9)
     return buffer.getvalue()
-
-
-def _digest(file: Path) -> str:
-    return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
 if __name__ == "__main__":

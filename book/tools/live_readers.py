@@ -1,16 +1,14 @@
 """What readers and their browsers do to a page with live cells: loops, broken code, lost connections, files."""
 
-import contextlib
 import functools
 import os
 import re
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 import zipfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -148,7 +146,8 @@ def a_lost_connection(context: Any, base: str, file: Path) -> bool:
 
 def under_a_prefix(chromium: Any, file: Path) -> bool:
     """The site works below any path of a host, not only at its root."""
-    with served(layout.BUILD) as base:
+    handler = functools.partial(serve.Handler, directory=str(layout.BUILD))
+    with serve.running(serve.Server(("127.0.0.1", 0), handler)) as base:
         return answers(chromium, f"{base}/{layout.SITE.name}/{address(file)}")
 
 
@@ -200,19 +199,6 @@ def on_a_phone(chromium: Any, base: str, file: Path) -> bool:
     )
     context.close()
     return bool(ran and wide <= 0 and min(sizes) >= 24)
-
-
-@contextlib.contextmanager
-def served(folder: Path) -> Iterator[str]:
-    """Any folder, served as it is."""
-    handler = functools.partial(serve.Handler, directory=str(folder))
-    http = serve.Server(("127.0.0.1", 0), handler)
-    threading.Thread(target=http.serve_forever, daemon=True).start()
-    try:
-        yield f"http://127.0.0.1:{http.server_address[1]}"
-    finally:
-        http.shutdown()
-        http.server_close()
 
 
 def manners(chromium: Any, context: Any, base: str, file: Path) -> list[str]:

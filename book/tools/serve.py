@@ -1,11 +1,14 @@
 """Serve the built book on this machine only; prints the URL, stops with Ctrl-C."""
 
 import argparse
+import contextlib
 import functools
 import gzip
 import http.server
 import io
 import sys
+import threading
+from collections.abc import Iterator
 from email.utils import formatdate
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -58,6 +61,17 @@ class Server(http.server.ThreadingHTTPServer):
 def server(port: int = 0) -> Server:
     """A server of the site on loopback; port 0 takes a free one."""
     return Server(("127.0.0.1", port), functools.partial(Handler, directory=str(layout.SITE)))
+
+
+@contextlib.contextmanager
+def running(http: Server) -> Iterator[str]:
+    """The URL of a server that runs for as long as the block lasts."""
+    threading.Thread(target=http.serve_forever, daemon=True).start()
+    try:
+        yield f"http://127.0.0.1:{http.server_address[1]}"
+    finally:
+        http.shutdown()
+        http.server_close()
 
 
 def main(arguments: list[str] | None = None) -> int:
