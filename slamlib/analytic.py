@@ -23,7 +23,7 @@ def _function(name: str) -> Any:
     def call(x: Value) -> Value:
         if type(x) is float:
             return scalar(x)
-        if _is_symbolic(x):
+        if not isinstance(x, np.ndarray | np.generic) and _is_symbolic(x):
             import sympy
 
             return getattr(sympy, name)(x)

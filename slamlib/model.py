@@ -5,6 +5,7 @@ broadcasts over leading axes. The definition itself runs on sympy symbols (to ge
 it): `f.definition(...)`.
 """
 
+import cmath
 import functools
 import importlib
 import inspect
@@ -18,10 +19,13 @@ from typing import Any
 import numpy as np
 
 from slamlib import digest
-from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError, StaleCodeError
+from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, StaleCodeError
+from slamlib.kernel import Kernel
 from slamlib.spaces import Array, Space, as_space
 
 _defining: ContextVar[bool] = ContextVar("_defining", default=False)
+# what a model does with its arguments when another model's definition calls it
+calling: ContextVar[Callable[..., list[Array]]] = ContextVar("calling", default=lambda model, arguments: arguments)
 FORMULA_PARTS = ("geometry", "landmarks", "motions", "sensors")
 
 
@@ -68,6 +72,7 @@ class Model:
                 f"{self.name}: the decorator names {self.parameters}, the function takes {written}; make them the same"
             )
         self._jacobians = namedtuple(f"{self.name}_jacobians", self.parameters)  # type: ignore[misc]
+        self._whole: Model | None = None
 
     @property
     def name(self) -> str:
@@ -105,7 +110,7 @@ class Model:
         """
         arguments = self._bind(args, kwargs)
         if _defining.get() or any(a.dtype == object for a in arguments):
-            return self.definition(*arguments)
+            return self.definition(*calling.get()(self, arguments))
         return self._evaluate("", arguments)[0]
 
     def jac(self, *args: Array, **kwargs: Array) -> tuple[Array, Any]:
@@ -127,9 +132,23 @@ class Model:
             )
         return [np.asarray(a) for a in (*args, *(kwargs[n] for n in names[len(args) :]))]
 
+    @functools.cache  # noqa: B019 - models live as long as their module
+    def shortened(self, *sizes: int) -> "Model":
+        """The model for lists of coefficients with fewer numbers, `sizes` of all arguments: the others are zero."""
+        arguments = [a if a.size == n else Argument(a.name, n) for a, n in zip(self.arguments, sizes, strict=True)]
+        if arguments == self.arguments:
+            return self
+        short = Model(self.function, arguments, self.result and self.result.space)
+        short._whole = self
+        return short
+
     @functools.cached_property
     def code(self) -> ModuleType:
         """The module that holds the generated functions; checked against the definition."""
+        if self._whole is not None:
+            from slamlib import shortened
+
+            return shortened.code(self._whole, self)
         if not self.is_packaged:
             from slamlib.codegen.compile import compile_in_memory
 
@@ -145,27 +164,23 @@ class Model:
         return code
 
     def _evaluate(self, kind: str, arguments: list[Array]) -> list[Array]:
-        kernel, shapes = self._kernel(kind)
+        kernel = self._kernel(kind)
         for argument, value in zip(self.arguments, arguments, strict=True):
             self._check(argument, value)
-        batches = [value.shape[: value.ndim - len(a.shape)] for a, value in zip(self.arguments, arguments, strict=True)]
-        dtype = np.result_type(*arguments)
-        dtype = dtype if dtype.kind in "fc" else np.dtype(float)
-        if not any(batches) and dtype.kind == "f":
-            return self._one(kernel, shapes, arguments, dtype)
-        return self._many(kernel, shapes, arguments, batches, dtype)
+        return kernel(arguments)
 
     @functools.cache  # noqa: B019 - models live as long as their module
-    def _kernel(self, kind: str) -> tuple[Callable[..., Any], list[tuple[int, ...]]]:
-        """The generated function of a kind, and the shapes of the arrays that its entries fill."""
+    def _kernel(self, kind: str) -> Kernel:
+        """The generated function of a kind, with the shapes of the arrays that its entries fill."""
         code = self.code
         shape = code.SHAPES[self.name]
+        function = getattr(code, self.name + kind)
         if not kind:
-            return getattr(code, self.name), [shape]
+            return Kernel(function, self.name, self.arguments, [shape])
         stored = kind == "_storage_jac" or not self.has_manifold
         rows = self.result.tangent if self.result is not None and not stored else shape
         columns = [a.shape if stored else a.tangent for a in self.arguments]
-        return getattr(code, self.name + kind), [shape, *(rows + c for c in columns)]
+        return Kernel(function, self.name, self.arguments, [shape, *(rows + c for c in columns)])
 
     def _check(self, argument: Argument, value: Array) -> None:
         wanted = argument.shape
@@ -175,61 +190,11 @@ class Model:
             raise ShapeError(
                 f"{self.name}: argument '{argument.name}' should hold numbers, but has dtype {value.dtype}"
             )
-        finite = np.isfinite(value)
-        if not finite.all():
-            where = tuple(int(i) for i in np.argwhere(~finite)[0])
+        few = value.size < 10 and cmath.isfinite(sum(value.ravel().tolist()))  # for a few numbers Python is quicker
+        if not few and not np.isfinite(value).all():
+            where = tuple(int(i) for i in np.argwhere(~np.isfinite(value))[0])
             raise NonFiniteError(
                 f"{self.name}: argument '{argument.name}' holds {value[where]} at index {where}; remove or mask it"
             )
         if argument.is_manifold and value.dtype.kind != "c":
             argument.space.check(value, f"{self.name}: argument '{argument.name}'")  # type: ignore[union-attr]
-
-    def _one(self, kernel: Any, shapes: list[tuple[int, ...]], arguments: list[Array], dtype: Any) -> list[Array]:
-        """One item: plain Python floats are several times quicker than arrays of length one."""
-        try:
-            entries = kernel(*(a.astype(float).ravel().tolist() for a in arguments))
-        except (ZeroDivisionError, ValueError, OverflowError):
-            entries = (math.nan,)
-        if not all(map(math.isfinite, entries)):
-            raise SingularPointError(
-                f"{self.name} is not defined, or has no derivative, at {[a.tolist() for a in arguments]}"
-            )
-        values, results = iter(entries), []
-        for shape in shapes:
-            flat = [next(values) for _ in range(math.prod(shape))]
-            results.append(np.array(flat, dtype=dtype).reshape(shape))
-        return results
-
-    def _many(
-        self,
-        kernel: Any,
-        shapes: list[tuple[int, ...]],
-        arguments: list[Array],
-        batches: list[Any],
-        dtype: Any,
-    ) -> list[Array]:
-        """A batch: entries first, items last, so that each operation runs over contiguous memory."""
-        try:
-            batch = np.broadcast_shapes(*batches)
-        except ValueError:
-            given = ", ".join(f"{a.name} {b}" for a, b in zip(self.arguments, batches, strict=True))
-            raise ShapeError(f"{self.name}: the leading axes do not broadcast together: {given}") from None
-        rows = []
-        for argument, value, lead in zip(self.arguments, arguments, batches, strict=True):
-            flat = value.reshape((*lead, argument.size)).astype(dtype, copy=False)
-            rows.append(np.ascontiguousarray(flat.transpose(flat.ndim - 1, *range(flat.ndim - 1))))
-        with np.errstate(all="ignore"):
-            values, results = iter(kernel(*rows)), []
-        for shape in shapes:
-            block = np.empty((math.prod(shape), *batch), dtype=dtype)
-            for row in range(len(block)):
-                block[row] = next(values)
-            finite = np.isfinite(block)
-            if not finite.all():
-                item = tuple(int(i) for i in np.argwhere(~finite)[0][1:])
-                raise SingularPointError(
-                    f"{self.name} is not defined, or has no derivative, at item {item} of the batch"
-                )
-            axes = [*range(len(shape), len(shape) + len(batch)), *range(len(shape))]
-            results.append(block.reshape(shape + batch).transpose(axes))
-        return results

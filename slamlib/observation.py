@@ -3,6 +3,7 @@
 landmark --to_frame--> homogeneous point in the sensor's frame --project--> measurement, and back.
 """
 
+import math
 from collections import namedtuple
 from dataclasses import dataclass
 from functools import lru_cache
@@ -35,18 +36,16 @@ class Observation:
 def observe(kind: PointLandmark, calibration: Calibration, robot: Array, mount: Array, landmarks: Array) -> Observation:
     """Expected measurements of landmarks (..., size) from a robot's pose (7,) with the sensor mounted at `mount` (7,).
 
-    Raises SlamlibError for what is no point. Chapter 8, eq. (ph-observe).
+    Raises SlamlibError for what is no point. Chapter 8, the chain rule of (ph-chain).
     """
     _check_point(kind, calibration, "observe")
     camera, by_camera = compose.jac(robot, mount)
     point, by_frame = kind.to_frame.jac(camera, landmarks)
     seen = calibration.visible(point)
-    value, by_sensor = calibration.project_jac(np.where(seen[..., None], point, AHEAD))
-    to_camera = by_sensor.point @ by_frame.pose
+    value, by_sensor = calibration.project_jac(point if seen.all() else np.where(seen[..., None], point, AHEAD))
     parts = {
-        "robot": to_camera @ by_camera.outer,
-        "mount": to_camera @ by_camera.inner,
-        "landmark": by_sensor.point @ by_frame[1],
+        **_through(by_camera, product(by_sensor.point, by_frame.pose)),
+        "landmark": product(by_sensor.point, by_frame[1]),
         **{n: getattr(by_sensor, n) for n in calibration.given},
     }
     return Observation(value, seen & calibration.inside(value), named(parts))
@@ -70,11 +69,10 @@ def initialize(
     landmark, by_frame = kind.from_frame.jac(camera, point)
     _seen_again(kind, camera, point, landmark)
     parts = {
-        "robot": by_frame.pose @ by_camera.outer,
-        "mount": by_frame.pose @ by_camera.inner,
-        "measurement": by_frame.point @ by_sensor[0],
-        **({"unmeasured": by_frame.point @ by_sensor[1]} if unmeasured else {}),
-        **{n: by_frame.point @ getattr(by_sensor, n) for n in calibration.given},
+        **_through(by_camera, by_frame.pose),
+        "measurement": product(by_frame.point, by_sensor[0]),
+        **({"unmeasured": product(by_frame.point, by_sensor[1])} if unmeasured else {}),
+        **{n: product(by_frame.point, getattr(by_sensor, n)) for n in calibration.given},
     }
     return landmark, named(parts)
 
@@ -106,6 +104,22 @@ def _seen_again(kind: PointLandmark, camera: Array, point: Array, landmark: Arra
             f"{kind.name} cannot hold the point {example.tolist()} (h, w) of the sensor's frame: mask such "
             "measurements, or hold them as another type"
         )
+
+
+def product(left: Array, right: Array) -> Array:
+    """left @ right for Jacobians (..., m, k), (..., k, n): quick where each entry lies in memory over all items."""
+    lead = left.ndim - 2
+    if lead and right.ndim == 2:  # one matrix for all items: (n, k) @ (m, k, items), a product of large matrices
+        entries = left.transpose(lead, lead + 1, *range(lead))
+        whole = right.T @ entries.reshape(*entries.shape[:2], math.prod(left.shape[:-2]))
+        return whole.reshape(len(entries), right.shape[1], *left.shape[:-2]).transpose(*range(2, lead + 2), 0, 1)
+    return np.einsum("...ij,...jk->...ik", left, right)
+
+
+def _through(by_camera: Any, by_pose: Array) -> dict[str, Array]:
+    """Jacobians by the robot and by the mount of something, from its Jacobian by the camera's pose."""
+    both = product(by_pose, np.concatenate([by_camera.outer, by_camera.inner], axis=-1))
+    return {"robot": both[..., :6], "mount": both[..., 6:]}
 
 
 def named(parts: dict[str, Array]) -> Any:

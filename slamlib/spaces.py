@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import accumulate
 from typing import Any, Protocol, TypeAlias
 
 import numpy as np
@@ -70,9 +71,11 @@ class Manifold:
 
     def check(self, point: Array, what: str) -> None:
         """Raise UnitError unless the points have unit length (to 1e-6, the half of the digits; 1e-3 in float32)."""
-        with np.errstate(over="ignore"):
-            squared = (point * point).sum(-1)
         tolerance = 2e-3 if point.dtype == np.float32 else 2e-6
+        if point.ndim == 1 and abs(sum(x * x for x in point.tolist()) - 1) <= tolerance:
+            return  # a single one, quickly
+        with np.errstate(over="ignore"):
+            squared = np.einsum("...i,...i", point, point)
         wrong = np.abs(squared - 1) > tolerance
         if wrong.any():
             worst = np.sqrt(np.max(np.where(wrong, squared, 0)))
@@ -95,13 +98,15 @@ class Product:
 
     def __init__(self, name: str, *parts: Space) -> None:
         self.name, self.parts = name, parts
-        self.size, self.dof = sum(p.size for p in parts), sum(p.dof for p in parts)
+        self._stored, self._tangent = _ranges([p.size for p in parts]), _ranges([p.dof for p in parts])
+        self.size, self.dof = self._stored[-1].stop, self._tangent[-1].stop
 
     def _split(self, vector: Array, dof: bool) -> list[Array]:
-        ends = np.cumsum([p.dof if dof else p.size for p in self.parts])[:-1]
-        return np.split(np.asarray(vector), ends, axis=-1)
+        return [np.asarray(vector)[..., at] for at in (self._tangent if dof else self._stored)]
 
     def _join(self, pieces: list[Array]) -> Array:
+        if all(p.ndim == 1 for p in pieces):
+            return np.concatenate(pieces)  # a single one, quickly
         lead = np.broadcast_shapes(*(p.shape[:-1] for p in pieces))
         return np.concatenate([np.broadcast_to(p, lead + p.shape[-1:]) for p in pieces], axis=-1)
 
@@ -121,8 +126,8 @@ class Product:
 
     def check(self, point: Array, what: str) -> None:
         """Check each part."""
-        for part, piece in zip(self.parts, self._split(point, False), strict=True):
-            part.check(piece, what)
+        for part, at in zip(self.parts, self._stored, strict=True):
+            part.check(point[..., at], what)
 
     def random(self, rng: np.random.Generator) -> Array:
         """Each part drawn by itself."""
@@ -134,6 +139,11 @@ class Product:
 
     def __repr__(self) -> str:
         return self.name
+
+
+def _ranges(sizes: list[int]) -> list[slice]:
+    """Where parts of these sizes lie, one after the other."""
+    return [slice(end - size, end) for size, end in zip(sizes, accumulate(sizes), strict=True)]
 
 
 def as_space(spec: "int | Space") -> Space:

@@ -1,58 +1,24 @@
 """Write the traced expressions as plain arithmetic with common sub-expressions: works on floats and on arrays."""
 
+import itertools
 import re
+from collections.abc import Iterator
+from functools import reduce
+from operator import add, mul
+from random import Random
 from typing import Any
 
 import sympy
-from sympy.printing.pycode import PythonCodePrinter
+from sympy.core.parameters import distribute
+from sympy.simplify.cse_opts import sub_post, sub_pre
 
 from slamlib import digest
-from slamlib.codegen.functions import ArctanRatio, ArctanRatioSlope, Stumpff
+from slamlib.codegen.printer import Printer
 from slamlib.codegen.trace import Trace, trace
-from slamlib.errors import WritingRuleError
 from slamlib.model import Model
 
+PRIME = 2**61 - 1
 _FUNCTIONS = ("arctan2", "arctan_ratio", "arctan_ratio_slope", "cos", "sin", "sqrt", "stumpff")
-_NAMES = {Stumpff: "stumpff", ArctanRatio: "arctan_ratio", ArctanRatioSlope: "arctan_ratio_slope"}
-
-
-class Printer(PythonCodePrinter):
-    """Python arithmetic with the functions of slamlib.analytic."""
-
-    def __init__(self) -> None:
-        super().__init__({"fully_qualified_modules": False})
-
-    def _print_Pow(self, expr: Any, rational: bool = False) -> str:
-        base, exponent = expr.as_base_exp()
-        if exponent < 0:
-            return f"1/({self._print(base**-exponent)})"
-        if exponent == sympy.Rational(1, 2):
-            return f"sqrt({self._print(base)})"
-        if exponent.is_Integer:
-            return "*".join([self.parenthesize(base, 100)] * int(exponent))
-        if (2 * exponent).is_Integer:
-            return f"{self.parenthesize(base ** (exponent - sympy.Rational(1, 2)), 50)}*sqrt({self._print(base)})"
-        raise WritingRuleError(f"no code for the power {expr}: only integer and half-integer powers")
-
-    def _print_Mul(self, expr: Any) -> str:
-        # A quotient by an integer is printed as one, so that 1/2 stays exact and readable.
-        coefficient, rest = expr.as_coeff_Mul()
-        if coefficient.is_Rational and coefficient.q != 1:
-            numerator = rest * coefficient.p
-            return f"{self.parenthesize(numerator, 50)}/{coefficient.q}"
-        # A power is printed as a product, so it needs brackets below a fraction line.
-        below = [f for f in sympy.Mul.make_args(expr) if f.is_Pow and f.exp.is_Rational and f.exp < 0]
-        if len(below) == 1 and below[0].exp not in (-1, -sympy.Rational(1, 2)):
-            return f"{self.parenthesize(expr / below[0], 50)}/({self._print(1 / below[0])})"
-        return super()._print_Mul(expr)
-
-    def _print_Function(self, expr: Any) -> str:
-        name = _NAMES.get(type(expr)) or {"sin": "sin", "cos": "cos", "atan2": "arctan2"}.get(expr.func.__name__)
-        if name is None:
-            raise WritingRuleError(f"no code for the function {expr.func.__name__}; add it to slamlib.analytic")
-        return f"{name}({', '.join(self._print(a) for a in expr.args)})"
-
-    _print_sin = _print_cos = _print_atan2 = _print_Function
 
 
 def functions(model: Model, traced: Trace) -> str:
@@ -67,24 +33,94 @@ def functions(model: Model, traced: Trace) -> str:
 
 
 def _function(model: Model, traced: Trace, suffix: str, what: str, entries: list[Any]) -> str:
-    taken = {str(s) for symbols in traced.symbols for s in symbols.ravel()}
-    names = (sympy.Symbol(n, real=True) for n in (f"t{i}" for i in range(100000)) if n not in taken)
-    shared, reduced = sympy.cse(entries, symbols=names, optimizations="basic", order="canonical", list=True)
-    printer = Printer()
-    used = set().union(*(e.free_symbols for e in reduced), *(e.free_symbols for _, e in shared))
-    lines = [f"def {model.name}{suffix}({', '.join(model.parameters)}):", f'    """{model.name}: {what}."""']
+    taken = {str(s) for symbols in traced.symbols for s in symbols.ravel()} | {str(s) for s in traced.stages}
+    known: dict[Any, Any] = {}
+    shared, reduced = sympy.cse(
+        [factored(e, known) for e in [*traced.stages.values(), *unified(entries, traced.stages)]],
+        (sympy.Symbol(n, real=True) for n in _unused(taken)),
+        [(sub_pre, sub_post)],
+        order="canonical",
+        list=True,
+    )
+    stages = dict(zip(traced.stages, reduced, strict=False))
+    printer = Printer(_unused(taken), dict(shared), stages)
+    results = [printer.doprint(e) for e in reduced[len(stages) :]]
+    lines = []
     for name, symbols in zip(model.parameters, traced.symbols, strict=True):
-        targets = [str(s) if s in used else "_" for s in symbols.ravel()]
+        targets = [str(s) if s in printer.used else "_" for s in symbols.ravel()]
         if any(t != "_" for t in targets):
-            lines.append(f"    {', '.join(targets)}{',' if len(targets) == 1 else ''} = {name}")
-    lines += [f"    {symbol} = {printer.doprint(expression)}" for symbol, expression in shared]
-    lines += ["    return (", *(f"        {printer.doprint(e)}," for e in reduced), "    )"]
-    return "\n".join(lines) + "\n"
+            lines.append(f"{', '.join(targets)}{',' if len(targets) == 1 else ''} = {name}")
+    body = [f'"""{model.name}: {what}."""', *lines, *printer.lines, "return (", *(f"    {r}," for r in results), ")"]
+    return "\n    ".join([f"def {model.name}{suffix}({', '.join(model.parameters)}):", *body]) + "\n"
+
+
+def _unused(taken: set[str]) -> Iterator[str]:
+    return (n for n in map("t{}".format, itertools.count()) if n not in taken)
+
+
+def factored(expression: Any, known: dict[Any, Any]) -> Any:
+    """The expression with the common factors of every sum taken out; `known` holds what has been done before."""
+    if not expression.args:
+        return expression
+    if expression not in known:
+        arguments = [factored(a, known) for a in expression.args]
+        with distribute(False):
+            rebuilt = expression.func(*arguments)
+            known[expression] = _common(rebuilt) if rebuilt.is_Add else rebuilt
+    return known[expression]
+
+
+def _common(total: Any) -> Any:
+    """A sum as the product of its terms' common factors and the rest."""
+    coefficients = [a.as_coeff_Mul()[0] for a in total.args]
+    content, rest = total.primitive()
+    if content.q != 1 and any(c.is_Integer for c in coefficients):
+        content, rest = sympy.Integer(1), total
+    if all(c < 0 for c in coefficients):
+        content, rest = -content, sympy.Add(*(-a for a in rest.args))
+    return content * sympy.gcd_terms(rest, isprimitive=True, clear=False, fraction=False)
+
+
+def unified(entries: list[Any], stages: dict[Any, Any] | None = None) -> list[Any]:
+    """The entries, with one expression for those that are equal, up to the sign; 0, 1 and -1 for those.
+
+    Two that agree at a random point of the numbers modulo a prime are equal (Schwartz and Zippel), but for a chance of
+    their degree in 2^61.
+    """
+    residues: dict[Any, int] = {}
+    for symbol, expression in (stages or {}).items():
+        residues[symbol] = _residue(expression, residues)
+    first = {n % PRIME: sympy.Integer(n) for n in (0, 1, -1)}
+    results = []
+    for entry in entries:
+        residue = _residue(entry, residues)
+        if residue not in first:
+            first[-residue % PRIME], first[residue] = -entry, entry
+        results.append(first[residue])
+    return results
+
+
+def _residue(expression: Any, known: dict[Any, int]) -> int:
+    """The expression at a random point of the numbers modulo a prime; a function is a random number of its own."""
+    if expression not in known:
+        if expression.is_Rational:
+            value = expression.p * pow(expression.q, -1, PRIME)
+        elif expression.is_Add or expression.is_Mul:
+            value = reduce(add if expression.is_Add else mul, (_residue(a, known) for a in expression.args))
+        elif expression.is_Pow and (2 * expression.exp).is_Integer:
+            whole, half = divmod(int(2 * expression.exp), 2)
+            base = _residue(expression.base, known)
+            value = pow(base, whole, PRIME) * (Random(f"sqrt {base}").randrange(PRIME) if half else 1)
+        else:
+            inner = [_residue(a, known) for a in expression.args]
+            value = Random(f"{expression.func.__name__} {inner or expression}").randrange(PRIME)
+        known[expression] = value % PRIME
+    return known[expression]
 
 
 def module(models: list[Model], source: str) -> str:
     """The text of a generated module for the models of one source file."""
-    traces = [trace(m) for m in models]
+    traces = [trace(m, staged=True) for m in models]
     code = "\n\n".join(functions(m, t) for m, t in zip(models, traces, strict=True))
     used = sorted(n for n in _FUNCTIONS if re.search(rf"\b{n}\(", code))
     head = [

@@ -2,6 +2,7 @@
 
 import traceback
 from dataclasses import dataclass
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -9,7 +10,7 @@ import sympy
 
 from slamlib.codegen.rules import broken, check_rules
 from slamlib.errors import SlamlibError, WritingRuleError
-from slamlib.model import Argument, Model
+from slamlib.model import Argument, Model, calling
 from slamlib.spaces import Product
 
 Symbols = Any  # object array of sympy symbols
@@ -17,12 +18,42 @@ Symbols = Any  # object array of sympy symbols
 
 @dataclass(frozen=True)
 class Trace:
-    """A model's expressions: value (object array), and flat (rows, columns) Jacobians per argument."""
+    """A model's expressions: value (object array), and flat (rows, columns) Jacobians per argument.
+
+    They may hold the symbols of `stages`, each of which stands for an expression, in the order of their making.
+    """
 
     symbols: list[Symbols]
     value: Symbols
     stored: list[sympy.Matrix]
     tangent: list[sympy.Matrix]
+    stages: dict[Any, Any]
+
+
+class Stages:
+    """What a model hands on to another one, kept as a symbol, so that the chain rule is applied and not multiplied out.
+
+    Only quotients, roots and the like become stages: sums and products of symbols stay as they are.
+    """
+
+    def __init__(self, taken: set[str]) -> None:
+        self.taken, self.symbols = taken, {}  # type: ignore[var-annotated]
+
+    def __call__(self, model: Model, arguments: list[Symbols]) -> list[Symbols]:
+        """The arguments of a call with a symbol in place of each entry that is not polynomial."""
+        return [self._staged(a, v) if v.dtype == object else v for a, v in zip(model.arguments, arguments, strict=True)]
+
+    def _staged(self, argument: Argument, value: Symbols) -> Symbols:
+        pairs = zip(symbols_for(argument).ravel(), value.ravel(), strict=True)
+        kept = [e if sympy.sympify(e).is_polynomial() else self._symbol(str(s), e) for s, e in pairs]
+        return np.array(kept, dtype=object).reshape(value.shape)
+
+    def _symbol(self, name: str, expression: Any) -> Any:
+        if expression not in self.symbols:
+            name = next(n for n in (name + "_" * i for i in count()) if n not in self.taken)
+            self.taken.add(name)
+            self.symbols[expression] = sympy.Symbol(name, real=True)
+        return self.symbols[expression]
 
 
 def symbols_for(argument: Argument) -> Symbols:
@@ -32,13 +63,23 @@ def symbols_for(argument: Argument) -> Symbols:
     return flat.reshape(argument.shape)
 
 
-def trace(model: Model) -> Trace:
-    """Expressions of the value and of all Jacobians; raises WritingRuleError for what cannot be traced."""
+def trace(model: Model, *, staged: bool = False) -> Trace:
+    """Expressions of the value and of all Jacobians; raises WritingRuleError for what cannot be traced.
+
+    staged: keep what one model hands on to another as symbols of their own.
+    """
     check_rules(model.function)
     symbols = [symbols_for(a) for a in model.arguments]
-    value = run(model, symbols)
+    stages = Stages({str(s) for symbol in symbols for s in symbol.ravel()})
+    token = calling.set(stages) if staged else None
+    try:
+        value = run(model, symbols)
+    finally:
+        if token:
+            calling.reset(token)
+    inner = {symbol: expression for expression, symbol in stages.symbols.items()}
     flat = sympy.Matrix(value.ravel().tolist())
-    stored = [flat.jacobian(list(s.ravel())) for s in symbols]
+    stored = [_jacobian(flat, inner, list(s.ravel())) for s in symbols]
     result = model.result
     if result is not None and result.shape != value.shape:
         raise SlamlibError(
@@ -49,7 +90,21 @@ def trace(model: Model) -> Trace:
     for argument, symbol, jacobian in zip(model.arguments, symbols, stored, strict=True):
         right = jacobian * lift(argument.space, symbol) if argument.is_manifold else jacobian
         tangent.append(left * right if left is not None else right)
-    return Trace(symbols, value, stored, tangent)
+    return Trace(symbols, value, stored, tangent, inner)
+
+
+def _jacobian(value: sympy.Matrix, stages: dict[Any, Any], symbols: list[Any]) -> sympy.Matrix:
+    """d value / d symbols, by the chain rule through the stages, each of which may depend on those before it."""
+    inner, by_symbols = list(stages), sympy.zeros(0, len(symbols))
+
+    def total(part: sympy.Matrix) -> sympy.Matrix:
+        before = inner[: by_symbols.rows]
+        direct = part.jacobian(symbols)
+        return direct + part.jacobian(before) * by_symbols if before else direct
+
+    for expression in stages.values():
+        by_symbols = by_symbols.col_join(total(sympy.Matrix([expression])))
+    return total(value)
 
 
 def run(model: Model, symbols: list[Symbols]) -> Symbols:

@@ -23,20 +23,21 @@ def to_rotation(angles):
     t1 = cos(angles2)
     t2 = sin(angles2)
     t3 = cos(angles0)
-    t4 = sin(angles1)
-    t5 = sin(angles0)
-    t6 = t1*t5
-    t7 = t2*t5
+    t4 = t2*t3
+    t5 = sin(angles1)
+    t6 = sin(angles0)
+    t7 = t1*t6
     t8 = t1*t3
+    t9 = t2*t6
     return (
         t0*t1,
-        -t2*t3 + t4*t6,
-        t4*t8 + t7,
+        -t4 + t5*t7,
+        t5*t8 + t9,
         t0*t2,
-        t4*t7 + t8,
-        t2*t3*t4 - t6,
-        -t4,
-        t0*t5,
+        t5*t9 + t8,
+        t4*t5 - t7,
+        -t5,
+        t0*t6,
         t0*t3,
     )
 
@@ -59,7 +60,7 @@ def to_rotation_jac(angles):
     t12 = t10 + t11*t6
     t13 = t0*t3
     t14 = t10*t6 + t11
-    t15 = -t3*t4*t6 + t8
+    t15 = -t5*t6 + t8
     t16 = -t15
     t17 = t0*t7
     t18 = t0*t4
@@ -108,22 +109,23 @@ def to_quaternion(angles):
     """to_quaternion: value."""
     angles0, angles1, angles2 = angles
     t0 = angles0/2
-    t1 = sin(t0)
-    t2 = angles1/2
-    t3 = sin(t2)
-    t4 = angles2/2
-    t5 = sin(t4)
-    t6 = t3*t5
-    t7 = cos(t0)
-    t8 = cos(t2)
-    t9 = cos(t4)
-    t10 = t8*t9
-    t11 = t3*t9
+    right0 = cos(t0)
+    t1 = angles1/2
+    left0 = cos(t1)
+    t2 = angles2/2
+    left0_ = cos(t2)
+    t3 = left0*left0_
+    right1 = sin(t0)
+    left2 = sin(t1)
+    left3 = sin(t2)
+    t4 = left2*left3
+    t5 = left0_*left2
+    t6 = left0*left3
     return (
-        t1*t6 + t10*t7,
-        t1*t10 - t6*t7,
-        t1*t5*t8 + t11*t7,
-        -t1*t11 + t5*t7*t8,
+        right0*t3 + right1*t4,
+        -right0*t4 + right1*t3,
+        right0*t5 + right1*t6,
+        right0*t6 - right1*t5,
     )
 
 
@@ -131,52 +133,58 @@ def to_quaternion_jac(angles):
     """to_quaternion: value and Jacobians."""
     angles0, angles1, angles2 = angles
     t0 = angles0/2
-    t1 = sin(t0)
-    t2 = angles1/2
-    t3 = sin(t2)
-    t4 = angles2/2
-    t5 = sin(t4)
-    t6 = t3*t5
-    t7 = t1*t6
-    t8 = cos(t0)
-    t9 = cos(t2)
-    t10 = cos(t4)
-    t11 = t10*t9
-    t12 = t11*t8
-    t13 = t12 + t7
-    t14 = t1*t11
-    t15 = t6*t8
-    t16 = t14 - t15
-    t17 = t5*t9
-    t18 = t1*t17
-    t19 = t10*t3
-    t20 = t19*t8
-    t21 = t18 + t20
-    t22 = t1*t19
-    t23 = t22 - t5*t8*t9
-    t24 = t21*t21
-    t25 = t16*t16
-    t26 = t13*t13 + t23*t23
-    t27 = 1/(t24 + t25 + t26)
-    t28 = t14 + t15
-    t29 = t17*t8 + t22
-    t30 = -t12 + t7
-    t31 = t18 - t20
-    t32 = 2*t27
+    right0 = cos(t0)
+    t1 = angles1/2
+    t2 = cos(t1)
+    t3 = angles2/2
+    t4 = cos(t3)
+    t5 = t2*t4
+    right1 = sin(t0)
+    t6 = sin(t1)
+    t7 = sin(t3)
+    t8 = t6*t7
+    t9 = right0*t5 + right1*t8
+    t10 = -right0*t8 + right1*t5
+    t11 = t4*t6
+    t12 = t2*t7
+    t13 = right0*t11 + right1*t12
+    t14 = right0*t12 - right1*t11
+    t15 = t10*t10
+    t16 = t13*t13
+    t17 = t14*t14
+    t18 = t9*t9
+    t19 = t15 + t16 + t17 + t18
+    t20 = 1/t19
+    t21 = right0*t7
+    t22 = right1*t4
+    t23 = t2*t21 - t22*t6
+    t24 = right0*t4
+    t25 = right1*t7
+    t26 = t2*t24 + t25*t6
+    t27 = t2*t22 - t21*t6
+    t28 = t2*t25 + t24*t6
+    t29 = right1*t2
+    t30 = right0*t6
+    t31 = t29*t4 + t30*t7
+    t32 = t30*t4 - t29*t7
+    t33 = right1*t6
+    t34 = right0*t2
+    t35 = t33*t4 + t34*t7
+    t36 = t34*t4 - t33*t7
     return (
+        t9,
+        t10,
         t13,
-        t16,
-        t21,
-        -t23,
+        t14,
         1,
-        t27*(-t13*t29 - t16*t31 + t21*t28 + t23*t30),
-        -t32*(t13*t21 + t16*t23),
         0,
-        -t27*(t13*t30 + t16*t28 + t21*t31 + t23*t29),
-        t32*(t13*t16 - t21*t23),
+        -(-t10*t23 + t13*t26 - t14*t27 + t28*t9)*t20,
         0,
-        t27*(-t13*t28 + t16*t30 - t21*t29 + t23*t31),
-        t27*(-t24 - t25 + t26),
+        (-t10*t31 + t13*t32 + t14*t35 + t36*t9)*t20,
+        (t10*t26 + t13*t23 + t14*t28 + t27*t9)*t20,
+        0,
+        -(t10*t36 + t13*t35 - t14*t32 + t31*t9)*t20,
+        -(t10*t27 + t13*t28 - t14*t23 - t26*t9)*t20,
     )
 
 
@@ -184,48 +192,39 @@ def to_quaternion_storage_jac(angles):
     """to_quaternion: value and derivatives by stored numbers."""
     angles0, angles1, angles2 = angles
     t0 = angles0/2
-    t1 = sin(t0)
+    t1 = cos(t0)
     t2 = angles1/2
-    t3 = sin(t2)
+    t3 = cos(t2)
     t4 = angles2/2
-    t5 = sin(t4)
+    t5 = cos(t4)
     t6 = t3*t5
-    t7 = t1*t6
-    t8 = cos(t0)
-    t9 = cos(t2)
-    t10 = cos(t4)
-    t11 = t10*t9
-    t12 = t11*t8 + t7
-    t13 = t1*t11
-    t14 = t6*t8
-    t15 = t13 - t14
-    t16 = t5*t9
-    t17 = t1*t16
-    t18 = t10*t3
-    t19 = t18*t8
-    t20 = t17 + t19
-    t21 = t1*t18
-    t22 = t21 - t5*t8*t9
-    t23 = -t22
-    t24 = t12/2
-    t25 = (-t20)/2
+    t7 = sin(t0)
+    t8 = sin(t2)
+    t9 = sin(t4)
+    t10 = t8*t9
+    t11 = t5*t8
+    t12 = t3*t9
+    t13 = (-t1*t10)/2 + (t6*t7)/2
+    t14 = (t1*t12)/2 + (-t11*t7)/2
+    t15 = (t10*t7)/2 + (t1*t6)/2
+    t16 = (-t1*t11)/2 + (-t12*t7)/2
     return (
-        t12,
+        t1*t6 + t10*t7,
+        -t1*t10 + t6*t7,
+        t1*t11 + t12*t7,
+        t1*t12 - t11*t7,
+        -t13,
+        (-t1*t11)/2 + (t12*t7)/2,
+        -t14,
         t15,
-        t20,
-        t23,
-        (-t15)/2,
-        t17/2 + (-t19)/2,
-        t22/2,
-        t24,
-        (-t16*t8)/2 + (-t21)/2,
-        t25,
-        t23/2,
-        (t10*t8*t9)/2 + (-t7)/2,
-        t15/2,
-        t25,
-        (-t13)/2 + (-t14)/2,
-        t24,
+        (-t1*t12)/2 + (-t11*t7)/2,
+        t16,
+        t14,
+        (t1*t6)/2 + (-t10*t7)/2,
+        t13,
+        t16,
+        (-t1*t10)/2 + (-t6*t7)/2,
+        t15,
     )
 
 
@@ -240,13 +239,16 @@ def yaw_of(matrix):
 def yaw_of_jac(matrix):
     """yaw_of: value and Jacobians."""
     matrix0, _, _, matrix3, _, _, _, _, _ = matrix
-    t0 = 1/(matrix0*matrix0 + matrix3*matrix3)
+    t0 = matrix0*matrix0
+    t1 = matrix3*matrix3
+    t2 = t0 + t1
+    t3 = 1/t2
     return (
         arctan2(matrix3, matrix0),
-        -matrix3*t0,
+        -matrix3*t3,
         0,
         0,
-        matrix0*t0,
+        matrix0*t3,
         0,
         0,
         0,
@@ -276,32 +278,38 @@ def roll_pitch_of_jac(matrix, yaw):
     t2 = matrix2*t0 - matrix5*t1
     t3 = matrix1*t0 - matrix4*t1
     t4 = matrix0*t1 + matrix3*t0
-    t5 = 1/(t2*t2 + t3*t3)
-    t6 = t0*t5
-    t7 = t1*t5
-    t8 = 1/(matrix6*matrix6 + t4*t4)
-    t9 = matrix6*t8
+    t5 = t2*t2
+    t6 = t3*t3
+    t7 = t5 + t6
+    t8 = 1/t7
+    t9 = t0*t8
+    t10 = t1*t8
+    t11 = matrix6*matrix6
+    t12 = t4*t4
+    t13 = t11 + t12
+    t14 = 1/t13
+    t15 = matrix6*t14
     return (
         arctan2(t2, -t3),
         arctan2(-matrix6, t4),
         0,
-        t2*t6,
-        -t3*t6,
+        t2*t9,
+        -t3*t9,
         0,
-        -t2*t7,
-        t3*t7,
-        0,
-        0,
-        0,
-        t1*t9,
+        -t10*t2,
+        t10*t3,
         0,
         0,
-        t0*t9,
+        0,
+        t1*t15,
         0,
         0,
-        -t4*t8,
+        t0*t15,
         0,
         0,
-        t5*(t2*(matrix1*t1 + matrix4*t0) - t3*(matrix2*t1 + matrix5*t0)),
-        -t9*(matrix0*t0 - matrix3*t1),
+        -t14*t4,
+        0,
+        0,
+        -(-(matrix1*t1 + matrix4*t0)*t2 + (matrix2*t1 + matrix5*t0)*t3)*t8,
+        -(matrix0*t0 - matrix3*t1)*t15,
     )

@@ -173,44 +173,44 @@ def from_frame(pose, line):
     """from_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     line0, line1, line2, line3, line4, line5 = line
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = 2*line2
-    t4 = pose3*pose6
-    t5 = pose4*pose5
-    t6 = t4 - t5
-    t7 = 2*line1
-    t8 = pose4*pose4
-    t9 = pose6*pose6
-    t10 = -t9
-    t11 = pose3*pose3
-    t12 = pose5*pose5
-    t13 = t11 - t12
-    t14 = t10 + t13 + t8
-    t15 = pose3*pose4
-    t16 = pose5*pose6
-    t17 = t15 + t16
-    t18 = 2*line4
-    t19 = t0 - t1
-    t20 = 2*line3
-    t21 = -t8
-    t22 = t13 + t21 + t9
-    t23 = line5*t22 + t17*t18 - t19*t20
-    t24 = t4 + t5
-    t25 = t15 - t16
-    t26 = 2*line5
-    t27 = t10 + t11 + t12 + t21
-    t28 = line4*t27 + t20*t24 - t25*t26
-    t29 = 2*line0
-    t30 = line3*t14 - t18*t6 + t2*t26
+    t0 = pose6*pose6
+    t1 = -t0
+    t2 = pose3*pose3
+    t3 = pose5*pose5
+    t4 = t2 - t3
+    t5 = pose4*pose4
+    t6 = t1 + t4 + t5
+    t7 = -t5
+    t8 = t4 + t7 + t0
+    t9 = pose3*pose4
+    t10 = pose5*pose6
+    t11 = t9 + t10
+    t12 = line4 + line4
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = line3 + line3
+    t17 = line5*t8 + t11*t12 - t15*t16
+    t18 = t1 + t2 + t3 + t7
+    t19 = pose3*pose6
+    t20 = pose4*pose5
+    t21 = t19 + t20
+    t22 = t9 - t10
+    t23 = line5 + line5
+    t24 = line4*t18 + t16*t21 - t22*t23
+    t25 = t13 + t14
+    t26 = line2 + line2
+    t27 = t19 - t20
+    t28 = line1 + line1
+    t29 = line3*t6 - t12*t27 + t23*t25
+    t30 = line0 + line0
     return (
-        line0*t14 + pose1*t23 - pose2*t28 + t2*t3 - t6*t7,
-        line1*t27 - pose0*t23 + pose2*t30 + t24*t29 - t25*t3,
-        line2*t22 + pose0*t28 - pose1*t30 + t17*t7 - t19*t29,
-        t30,
-        t28,
-        t23,
+        line0*t6 + pose1*t17 - pose2*t24 + t25*t26 - t27*t28,
+        line1*t18 - pose0*t17 + pose2*t29 + t21*t30 - t22*t26,
+        line2*t8 + pose0*t24 - pose1*t29 + t11*t28 - t15*t30,
+        t29,
+        t24,
+        t17,
     )
 
 
@@ -218,123 +218,127 @@ def from_frame_jac(pose, line):
     """from_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     line0, line1, line2, line3, line4, line5 = line
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = 2*line2
-    t4 = pose3*pose6
-    t5 = pose4*pose5
-    t6 = t4 - t5
-    t7 = 2*line1
-    t8 = pose4*pose4
-    t9 = pose6*pose6
-    t10 = -t9
-    t11 = pose3*pose3
-    t12 = pose5*pose5
-    t13 = t11 - t12
-    t14 = t10 + t13 + t8
-    t15 = pose3*pose4
-    t16 = pose5*pose6
-    t17 = t15 + t16
-    t18 = 2*line4
-    t19 = t0 - t1
-    t20 = 2*line3
-    t21 = -t8
-    t22 = t13 + t21 + t9
-    t23 = line5*t22 + t17*t18 - t19*t20
-    t24 = t4 + t5
-    t25 = t15 - t16
-    t26 = 2*line5
-    t27 = t10 + t11 + t12 + t21
-    t28 = line4*t27 + t20*t24 - t25*t26
-    t29 = 2*line0
-    t30 = line3*t14 - t18*t6 + t2*t26
+    t0 = pose6*pose6
+    t1 = -t0
+    t2 = pose3*pose3
+    t3 = pose5*pose5
+    t4 = t2 - t3
+    t5 = pose4*pose4
+    t6 = t1 + t4 + t5
+    t7 = -t5
+    t8 = t4 + t7 + t0
+    t9 = pose3*pose4
+    t10 = pose5*pose6
+    t11 = t9 + t10
+    t12 = line4 + line4
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = line3 + line3
+    t17 = line5*t8 + t11*t12 - t15*t16
+    t18 = t1 + t2 + t3 + t7
+    t19 = pose3*pose6
+    t20 = pose4*pose5
+    t21 = t19 + t20
+    t22 = t9 - t10
+    t23 = line5 + line5
+    t24 = line4*t18 + t16*t21 - t22*t23
+    t25 = t13 + t14
+    t26 = line2 + line2
+    t27 = t19 - t20
+    t28 = line1 + line1
+    t29 = line3*t6 - t12*t27 + t23*t25
+    t30 = line0 + line0
     t31 = line3*pose6 + line4*pose3 - line5*pose4
     t32 = pose1*t31
-    t33 = line0*pose4
-    t34 = line1*pose5
-    t35 = line2*pose6
-    t36 = -line3*pose5 + line4*pose4 + line5*pose3
-    t37 = pose2*t36 + t33 + t34 + t35
+    t33 = -line3*pose5 + line4*pose4 + line5*pose3
+    t34 = line0*pose4
+    t35 = line1*pose5
+    t36 = line2*pose6
+    t37 = pose2*t33 + t34 + t35 + t36
     t38 = t32 + t37
-    t39 = line3*pose4 + line4*pose5 + line5*pose6
-    t40 = pose1*t39
-    t41 = line3*pose3 - line4*pose6 + line5*pose5
-    t42 = line2*pose4
-    t43 = line0*pose6 + line1*pose3 + pose2*t41 - t42
-    t44 = -t40 + t43
-    t45 = line0*pose5
-    t46 = line1*pose4
-    t47 = line2*pose3
-    t48 = pose2*t39
-    t49 = pose1*t41
-    t50 = t45 - t46 - t47 + t48 + t49
-    t51 = pose2*t31
-    t52 = line1*pose6
-    t53 = line0*pose3 + line2*pose5 + pose1*t36 - t52
-    t54 = -t51 + t53
-    t55 = -t50
-    t56 = pose0*t31 - t45 + t46 + t47
-    t57 = -t48 + t56
-    t58 = pose0*t41
-    t59 = t37 + t58
-    t60 = pose0*t36
-    t61 = t43 - t60
-    t62 = pose0*t39
-    t63 = -line0*pose3 - line2*pose5 + t51 + t52 + t62
-    t64 = -t63
-    t65 = t32 + t33 + t34 + t35 + t58
-    t66 = t53 - t62
-    t67 = -t49 + t56
-    t68 = -line0*pose6 - line1*pose3 + t40 + t42 + t60
-    t69 = -t68
+    t39 = pose2*t31
+    t40 = line1*pose6
+    t41 = line0*pose3 + line2*pose5 + pose1*t33 - t40
+    t42 = -t39 + t41
+    t43 = line3*pose4 + line4*pose5 + line5*pose6
+    t44 = pose1*t43
+    t45 = line3*pose3 - line4*pose6 + line5*pose5
+    t46 = line2*pose4
+    t47 = line0*pose6 + line1*pose3 + pose2*t45 - t46
+    t48 = -t44 + t47
+    t49 = line0*pose5
+    t50 = line1*pose4
+    t51 = line2*pose3
+    t52 = pose2*t43
+    t53 = pose1*t45
+    t54 = t49 - t50 - t51 + t52 + t53
+    t55 = -t54
+    t56 = pose0*t31 - t49 + t50 + t51
+    t57 = -t52 + t56
+    t58 = pose0*t33
+    t59 = t47 - t58
+    t60 = pose0*t43
+    t61 = -line0*pose3 - line2*pose5 + t39 + t40 + t60
+    t62 = -t61
+    t63 = pose0*t45
+    t64 = t37 + t63
+    t65 = -line0*pose6 - line1*pose3 + t44 + t46 + t58
+    t66 = -t65
+    t67 = -t53 + t56
+    t68 = t32 + t34 + t35 + t36 + t63
+    t69 = t41 - t60
     t70 = pose5*t31
-    t71 = pose4*t41
-    t72 = pose3*t39
-    t73 = pose6*t36
+    t71 = pose4*t45
+    t72 = pose3*t43
+    t73 = pose6*t33
     t74 = t72 + t73
-    t75 = pose6*t39
-    t76 = pose3*t36
-    t77 = pose4*t31 + pose5*t41
+    t75 = pose6*t43
+    t76 = pose3*t33
+    t77 = pose4*t31 + pose5*t45
     t78 = pose3*t31
-    t79 = pose5*t39
-    t80 = pose4*t36 + pose6*t41
-    t81 = pose4*t39
-    t82 = pose3*t41
-    t83 = pose5*t36 + pose6*t31
-    t84 = -2*t6
-    t85 = 2*t2
-    t86 = 2*pose1
-    t87 = 2*t24
-    t88 = -2*t25
-    t89 = 2*pose0
-    t90 = -2*t19
-    t91 = 2*t17
+    t79 = pose5*t43
+    t80 = pose4*t33 + pose6*t45
+    t81 = pose4*t43
+    t82 = pose3*t45
+    t83 = pose5*t33 + pose6*t31
+    t84 = t27 + t27
+    t85 = -t84
+    t86 = t25 + t25
+    t87 = pose1 + pose1
+    t88 = pose2 + pose2
+    t89 = t21 + t21
+    t90 = t22 + t22
+    t91 = -t90
+    t92 = pose0 + pose0
+    t93 = t15 + t15
+    t94 = -t93
+    t95 = t11 + t11
     return (
-        line0*t14 + pose1*t23 - pose2*t28 + t2*t3 - t6*t7,
-        line1*t27 - pose0*t23 + pose2*t30 + t24*t29 - t25*t3,
-        line2*t22 + pose0*t28 - pose1*t30 + t17*t7 - t19*t29,
-        t30,
-        t28,
-        t23,
+        line0*t6 + pose1*t17 - pose2*t24 + t25*t26 - t27*t28,
+        line1*t18 - pose0*t17 + pose2*t29 + t21*t30 - t22*t26,
+        line2*t8 + pose0*t24 - pose1*t29 + t11*t28 - t15*t30,
+        t29,
+        t24,
+        t17,
         0,
-        t23,
-        -t28,
-        pose3*t38 - pose4*t54 + pose5*t44 - pose6*t50,
-        pose3*t55 - pose4*t44 - pose5*t54 - pose6*t38,
-        -pose3*t44 - pose4*t55 + pose5*t38 - pose6*t54,
-        -t23,
+        t17,
+        -t24,
+        pose3*t38 - pose4*t42 + pose5*t48 - pose6*t54,
+        pose3*t55 - pose4*t48 - pose5*t42 - pose6*t38,
+        -pose3*t48 - pose4*t55 + pose5*t38 - pose6*t42,
+        -t17,
         0,
-        t30,
-        -pose3*t57 - pose4*t61 - pose5*t64 + pose6*t59,
-        pose3*t59 - pose4*t63 - pose5*t61 + pose6*t57,
-        pose3*t64 - pose4*t59 - pose5*t57 - pose6*t61,
-        t28,
-        -t30,
+        t29,
+        -pose3*t57 - pose4*t59 - pose5*t62 + pose6*t64,
+        pose3*t64 - pose4*t61 - pose5*t59 + pose6*t57,
+        pose3*t62 - pose4*t64 - pose5*t57 - pose6*t59,
+        t24,
+        -t29,
         0,
-        pose3*t69 - pose4*t67 - pose5*t65 - pose6*t66,
-        -pose3*t66 + pose4*t65 - pose5*t67 - pose6*t69,
-        pose3*t65 + pose4*t66 - pose5*t68 - pose6*t67,
+        pose3*t66 - pose4*t67 - pose5*t68 - pose6*t69,
+        -pose3*t69 + pose4*t68 - pose5*t67 - pose6*t66,
+        pose3*t68 + pose4*t69 - pose5*t65 - pose6*t67,
         0,
         0,
         0,
@@ -353,42 +357,42 @@ def from_frame_jac(pose, line):
         t78 - t79 - t80,
         t81 - t82 - t83,
         t70 + t71 + t72 - t73,
-        t14,
-        t84,
+        t6,
         t85,
-        -2*pose1*t19 - 2*pose2*t24,
-        -pose2*t27 + t17*t86,
-        pose1*t22 + 2*pose2*t25,
-        t87,
-        t27,
-        t88,
-        pose2*t14 + t19*t89,
-        -2*pose0*t17 - 2*pose2*t6,
-        -pose0*t22 + 2*pose2*t2,
-        t90,
+        t86,
+        -t15*t87 - t21*t88,
+        -pose2*t18 + t11*t87,
+        pose1*t8 + t22*t88,
+        t89,
+        t18,
         t91,
-        t22,
-        -pose1*t14 + t24*t89,
-        pose0*t27 + t6*t86,
-        -2*pose0*t25 - 2*pose1*t2,
+        pose2*t6 + t15*t92,
+        -t11*t92 - t27*t88,
+        -pose0*t8 + t25*t88,
+        t94,
+        t95,
+        t8,
+        -pose1*t6 + t21*t92,
+        pose0*t18 + t27*t87,
+        -t25*t87 - t22*t92,
         0,
         0,
         0,
-        t14,
-        t84,
+        t6,
         t85,
+        t86,
         0,
         0,
         0,
-        t87,
-        t27,
-        t88,
-        0,
-        0,
-        0,
-        t90,
+        t89,
+        t18,
         t91,
-        t22,
+        0,
+        0,
+        0,
+        t94,
+        t95,
+        t8,
     )
 
 
@@ -396,162 +400,184 @@ def from_frame_storage_jac(pose, line):
     """from_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     line0, line1, line2, line3, line4, line5 = line
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = 2*line2
-    t4 = pose3*pose6
-    t5 = pose4*pose5
-    t6 = t4 - t5
-    t7 = 2*line1
-    t8 = pose4*pose4
-    t9 = pose6*pose6
-    t10 = -t9
-    t11 = pose3*pose3
-    t12 = pose5*pose5
-    t13 = t11 - t12
-    t14 = t10 + t13 + t8
-    t15 = pose3*pose4
-    t16 = pose5*pose6
-    t17 = t15 + t16
-    t18 = 2*line4
-    t19 = t0 - t1
-    t20 = 2*line3
-    t21 = -t8
-    t22 = t13 + t21 + t9
-    t23 = line5*t22 + t17*t18 - t19*t20
-    t24 = t4 + t5
-    t25 = t15 - t16
-    t26 = 2*line5
-    t27 = t10 + t11 + t12 + t21
-    t28 = line4*t27 + t20*t24 - t25*t26
-    t29 = 2*line0
-    t30 = line3*t14 - t18*t6 + t2*t26
+    t0 = pose6*pose6
+    t1 = -t0
+    t2 = pose3*pose3
+    t3 = pose5*pose5
+    t4 = t2 - t3
+    t5 = pose4*pose4
+    t6 = t1 + t4 + t5
+    t7 = -t5
+    t8 = t4 + t7 + t0
+    t9 = pose3*pose4
+    t10 = pose5*pose6
+    t11 = t9 + t10
+    t12 = line4 + line4
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = line3 + line3
+    t17 = line5*t8 + t11*t12 - t15*t16
+    t18 = t1 + t2 + t3 + t7
+    t19 = pose3*pose6
+    t20 = pose4*pose5
+    t21 = t19 + t20
+    t22 = t9 - t10
+    t23 = line5 + line5
+    t24 = line4*t18 + t16*t21 - t22*t23
+    t25 = t13 + t14
+    t26 = line2 + line2
+    t27 = t19 - t20
+    t28 = line1 + line1
+    t29 = line3*t6 - t12*t27 + t23*t25
+    t30 = line0 + line0
     t31 = line3*pose6 + line4*pose3 - line5*pose4
     t32 = pose2*t31
-    t33 = line0*pose3
-    t34 = line2*pose5
-    t35 = -line3*pose5 + line4*pose4 + line5*pose3
-    t36 = line1*pose6
-    t37 = pose1*t35 + t33 + t34 - t36
-    t38 = pose1*t31
-    t39 = line0*pose4
-    t40 = line1*pose5
-    t41 = line2*pose6
-    t42 = pose2*t35 + t39 + t40 + t41
-    t43 = line0*pose5
-    t44 = line1*pose4
-    t45 = line2*pose3
-    t46 = line3*pose4 + line4*pose5 + line5*pose6
-    t47 = pose2*t46
-    t48 = line3*pose3 - line4*pose6 + line5*pose5
-    t49 = pose1*t48
-    t50 = pose1*t46
-    t51 = line0*pose6
-    t52 = line1*pose3
-    t53 = line2*pose4
-    t54 = pose2*t48 + t51 + t52 - t53
-    t55 = pose0*t35
-    t56 = pose0*t31 - t43 + t44 + t45
-    t57 = pose0*t48
-    t58 = pose0*t46
-    t59 = 2*t48
-    t60 = 2*t46
-    t61 = 2*t35
-    t62 = 2*t31
-    t63 = -2*t6
-    t64 = 2*t2
-    t65 = 2*pose1
-    t66 = 2*t24
-    t67 = -2*t25
-    t68 = 2*pose0
-    t69 = -2*t19
-    t70 = 2*t17
+    t33 = t32 + t32
+    t34 = -line3*pose5 + line4*pose4 + line5*pose3
+    t35 = line0*pose3
+    t36 = line2*pose5
+    t37 = line1*pose6
+    t38 = pose1*t34 + t35 + t36 - t37
+    t39 = t38 + t38
+    t40 = pose1 + pose1
+    t41 = t31*t40
+    t42 = pose2 + pose2
+    t43 = pose4*t30
+    t44 = pose5*t28
+    t45 = pose6*t26
+    t46 = t34*t42 + t43 + t44 + t45
+    t47 = line0*pose5
+    t48 = t47 + t47
+    t49 = line1*pose4
+    t50 = t49 + t49
+    t51 = line2*pose3
+    t52 = t51 + t51
+    t53 = line3*pose4 + line4*pose5 + line5*pose6
+    t54 = pose2*t53
+    t55 = t54 + t54
+    t56 = line3*pose3 - line4*pose6 + line5*pose5
+    t57 = pose1*t56
+    t58 = t57 + t57
+    t59 = pose1*t53
+    t60 = t59 + t59
+    t61 = line0*pose6
+    t62 = line1*pose3
+    t63 = line2*pose4
+    t64 = pose2*t56 + t61 + t62 - t63
+    t65 = t64 + t64
+    t66 = pose0*t34
+    t67 = t66 + t66
+    t68 = pose0*t31 - t47 + t49 + t51
+    t69 = t68 + t68
+    t70 = pose0 + pose0
+    t71 = t56*t70
+    t72 = t35 + t35
+    t73 = t36 + t36
+    t74 = t37 + t37
+    t75 = pose0*t53
+    t76 = t75 + t75
+    t77 = t61 + t61
+    t78 = t62 + t62
+    t79 = t63 + t63
+    t80 = t56 + t56
+    t81 = t53 + t53
+    t82 = t34 + t34
+    t83 = t31 + t31
+    t84 = t27 + t27
+    t85 = -t84
+    t86 = t25 + t25
+    t87 = t21 + t21
+    t88 = t22 + t22
+    t89 = -t88
+    t90 = t15 + t15
+    t91 = -t90
+    t92 = t11 + t11
     return (
-        line0*t14 + pose1*t23 - pose2*t28 + t2*t3 - t6*t7,
-        line1*t27 - pose0*t23 + pose2*t30 + t24*t29 - t25*t3,
-        line2*t22 + pose0*t28 - pose1*t30 + t17*t7 - t19*t29,
-        t30,
-        t28,
-        t23,
+        line0*t6 + pose1*t17 - pose2*t24 + t25*t26 - t27*t28,
+        line1*t18 - pose0*t17 + pose2*t29 + t21*t30 - t22*t26,
+        line2*t8 + pose0*t24 - pose1*t29 + t11*t28 - t15*t30,
+        t29,
+        t24,
+        t17,
         0,
-        t23,
-        -t28,
-        -2*t32 + 2*t37,
-        2*t38 + 2*t42,
-        -2*t43 + 2*t44 + 2*t45 - 2*t47 - 2*t49,
-        2*t50 - 2*t54,
-        -t23,
+        t17,
+        -t24,
+        -t33 + t39,
+        t41 + t46,
+        -t48 + t50 + t52 - t55 - t58,
+        t60 - t65,
+        -t17,
         0,
-        t30,
-        2*t54 - 2*t55,
-        2*t47 - 2*t56,
-        2*t42 + 2*t57,
-        -2*t32 + 2*t33 + 2*t34 - 2*t36 - 2*t58,
-        t28,
-        -t30,
+        t29,
+        t65 - t67,
+        t55 - t69,
+        t46 + t71,
+        -t33 + t72 + t73 - t74 - t76,
+        t24,
+        -t29,
         0,
-        -2*t49 + 2*t56,
-        -2*t50 + 2*t51 + 2*t52 - 2*t53 - 2*t55,
-        -2*t37 + 2*t58,
-        2*t38 + 2*t39 + 2*t40 + 2*t41 + 2*t57,
-        0,
-        0,
-        0,
-        t59,
-        t60,
-        t61,
-        -2*t31,
+        -t58 + t69,
+        -t60 + t77 + t78 - t79 - t67,
+        -t39 + t76,
+        t41 + t43 + t44 + t45 + t71,
         0,
         0,
         0,
-        t62,
-        -2*t35,
-        t60,
-        t59,
+        t80,
+        t81,
+        t82,
+        -t83,
         0,
         0,
         0,
-        t61,
-        t62,
-        -2*t48,
-        t60,
-        t14,
-        t63,
-        t64,
-        -2*pose1*t19 - 2*pose2*t24,
-        -pose2*t27 + t17*t65,
-        pose1*t22 + 2*pose2*t25,
-        t66,
-        t27,
-        t67,
-        pose2*t14 + t19*t68,
-        -2*pose0*t17 - 2*pose2*t6,
-        -pose0*t22 + 2*pose2*t2,
-        t69,
-        t70,
-        t22,
-        -pose1*t14 + t24*t68,
-        pose0*t27 + t6*t65,
-        -2*pose0*t25 - 2*pose1*t2,
+        t83,
+        -t82,
+        t81,
+        t80,
         0,
         0,
         0,
-        t14,
-        t63,
-        t64,
+        t82,
+        t83,
+        -t80,
+        t81,
+        t6,
+        t85,
+        t86,
+        -t15*t40 - t21*t42,
+        -pose2*t18 + t11*t40,
+        pose1*t8 + t22*t42,
+        t87,
+        t18,
+        t89,
+        pose2*t6 + t15*t70,
+        -t11*t70 - t27*t42,
+        -pose0*t8 + t25*t42,
+        t91,
+        t92,
+        t8,
+        -pose1*t6 + t21*t70,
+        pose0*t18 + t27*t40,
+        -t25*t40 - t22*t70,
         0,
         0,
         0,
-        t66,
-        t27,
-        t67,
+        t6,
+        t85,
+        t86,
         0,
         0,
         0,
-        t69,
-        t70,
-        t22,
+        t87,
+        t18,
+        t89,
+        0,
+        0,
+        0,
+        t91,
+        t92,
+        t8,
     )
 
 
@@ -559,42 +585,42 @@ def to_frame(pose, line):
     """to_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     line0, line1, line2, line3, line4, line5 = line
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = line1 - line3*pose2 + line5*pose0
-    t4 = 2*t3
-    t5 = pose3*pose5
-    t6 = pose4*pose6
-    t7 = t5 - t6
-    t8 = line2 + line3*pose1 - line4*pose0
-    t9 = 2*t8
-    t10 = line0 + line4*pose2 - line5*pose1
-    t11 = pose4*pose4
-    t12 = pose5*pose5
-    t13 = -t12
-    t14 = pose3*pose3
-    t15 = pose6*pose6
-    t16 = t14 - t15
-    t17 = t11 + t13 + t16
+    t0 = line0 + line4*pose2 - line5*pose1
+    t1 = pose4*pose4
+    t2 = pose5*pose5
+    t3 = -t2
+    t4 = pose3*pose3
+    t5 = pose6*pose6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = pose3*pose6
+    t9 = pose4*pose5
+    t10 = t8 + t9
+    t11 = line1 - line3*pose2 + line5*pose0
+    t12 = t11 + t11
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = line2 + line3*pose1 - line4*pose0
+    t17 = t16 + t16
     t18 = pose3*pose4
     t19 = pose5*pose6
     t20 = t18 + t19
-    t21 = t0 - t1
-    t22 = 2*t10
-    t23 = -t11
-    t24 = t12 + t16 + t23
-    t25 = t5 + t6
+    t21 = t8 - t9
+    t22 = t0 + t0
+    t23 = -t1
+    t24 = t2 + t6 + t23
+    t25 = t13 + t14
     t26 = t18 - t19
-    t27 = t13 + t14 + t15 + t23
-    t28 = 2*line4
-    t29 = 2*line5
-    t30 = 2*line3
+    t27 = t3 + t4 + t5 + t23
+    t28 = line4 + line4
+    t29 = line5 + line5
+    t30 = line3 + line3
     return (
-        t10*t17 + t2*t4 - t7*t9,
-        t20*t9 - t21*t22 + t24*t3,
-        t22*t25 - t26*t4 + t27*t8,
-        line3*t17 + t2*t28 - t29*t7,
+        t0*t7 + t10*t12 - t15*t17,
+        t17*t20 - t21*t22 + t11*t24,
+        t22*t25 - t12*t26 + t16*t27,
+        line3*t7 + t10*t28 - t15*t29,
         line4*t24 + t20*t29 - t21*t30,
         line5*t27 + t25*t30 - t26*t28,
     )
@@ -604,140 +630,134 @@ def to_frame_jac(pose, line):
     """to_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     line0, line1, line2, line3, line4, line5 = line
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = line1 - line3*pose2 + line5*pose0
-    t4 = 2*t3
-    t5 = pose3*pose5
-    t6 = pose4*pose6
-    t7 = t5 - t6
-    t8 = line2 + line3*pose1 - line4*pose0
-    t9 = 2*t8
-    t10 = line0 + line4*pose2 - line5*pose1
-    t11 = pose4*pose4
-    t12 = pose5*pose5
-    t13 = -t12
-    t14 = pose3*pose3
-    t15 = pose6*pose6
-    t16 = t14 - t15
-    t17 = t11 + t13 + t16
-    t18 = pose3*pose4
-    t19 = pose5*pose6
-    t20 = t18 + t19
-    t21 = t0 - t1
-    t22 = 2*t10
-    t23 = -t11
-    t24 = t12 + t16 + t23
-    t25 = t5 + t6
-    t26 = t18 - t19
-    t27 = t13 + t14 + t15 + t23
-    t28 = 2*line4
-    t29 = 2*line5
-    t30 = 2*line3
-    t31 = pose4*t10 + pose5*t3 + pose6*t8
-    t32 = pose3*t10 - pose5*t8 + pose6*t3
-    t33 = pose3*t3 + pose4*t8 - pose6*t10
-    t34 = pose3*t8 - pose4*t3 + pose5*t10
-    t35 = pose3*t31 - pose4*t32 - pose5*t33 - pose6*t34
-    t36 = pose3*t34 - pose4*t33 + pose5*t32 + pose6*t31
-    t37 = pose3*t33 + pose4*t34 + pose5*t31 - pose6*t32
-    t38 = pose3*t32 + pose4*t31 - pose5*t34 + pose6*t33
-    t39 = line3*pose4 + line4*pose5 + line5*pose6
-    t40 = line3*pose3 + line4*pose6 - line5*pose5
-    t41 = -line3*pose6 + line4*pose3 + line5*pose4
-    t42 = line3*pose5 - line4*pose4 + line5*pose3
-    t43 = pose3*t39 - pose4*t40 - pose5*t41 - pose6*t42
-    t44 = pose3*t42 - pose4*t41 + pose5*t40 + pose6*t39
-    t45 = pose3*t41 + pose4*t42 + pose5*t39 - pose6*t40
-    t46 = pose3*t40 + pose4*t39 - pose5*t42 + pose6*t41
-    t47 = 2*t2
-    t48 = -2*t7
-    t49 = 2*pose0
-    t50 = -2*t21
-    t51 = 2*t20
-    t52 = 2*pose1
-    t53 = 2*t25
-    t54 = -2*t26
+    t0 = line0 + line4*pose2 - line5*pose1
+    t1 = pose4*pose4
+    t2 = pose5*pose5
+    t3 = -t2
+    t4 = pose3*pose3
+    t5 = pose6*pose6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = pose3*pose6
+    t9 = pose4*pose5
+    t10 = t8 + t9
+    t11 = line1 - line3*pose2 + line5*pose0
+    t12 = t11 + t11
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = line2 + line3*pose1 - line4*pose0
+    t17 = t16 + t16
+    t18 = t0*t7 + t10*t12 - t15*t17
+    t19 = pose3*pose4
+    t20 = pose5*pose6
+    t21 = t19 + t20
+    t22 = t8 - t9
+    t23 = t0 + t0
+    t24 = -t1
+    t25 = t2 + t6 + t24
+    t26 = t17*t21 - t22*t23 + t11*t25
+    t27 = t13 + t14
+    t28 = t19 - t20
+    t29 = t3 + t4 + t5 + t24
+    t30 = t23*t27 - t12*t28 + t16*t29
+    t31 = line4 + line4
+    t32 = line5 + line5
+    t33 = line3*t7 + t10*t31 - t15*t32
+    t34 = line3 + line3
+    t35 = line4*t25 + t21*t32 - t22*t34
+    t36 = line5*t29 + t27*t34 - t28*t31
+    t37 = t10 + t10
+    t38 = t15 + t15
+    t39 = -t38
+    t40 = t22 + t22
+    t41 = -t40
+    t42 = t21 + t21
+    t43 = t27 + t27
+    t44 = t28 + t28
+    t45 = -t44
+    t46 = pose2 + pose2
+    t47 = pose0 + pose0
+    t48 = pose1 + pose1
     return (
-        t10*t17 + t2*t4 - t7*t9,
-        t20*t9 - t21*t22 + t24*t3,
-        t22*t25 - t26*t4 + t27*t8,
-        line3*t17 + t2*t28 - t29*t7,
-        line4*t24 + t20*t29 - t21*t30,
-        line5*t27 + t25*t30 - t26*t28,
-        2*line4*t7 + 2*line5*t2,
-        -line5*t17 - t30*t7,
-        line4*t17 - t2*t30,
+        t18,
+        t26,
+        t30,
+        t33,
         t35,
-        -t36,
-        t37,
-        line5*t24 - t20*t28,
-        2*line3*t20 + 2*line5*t21,
-        -line3*t24 - t21*t28,
         t36,
+        t10*t32 + t15*t31,
+        -line5*t7 - t15*t34,
+        line4*t7 - t10*t34,
+        0,
+        -t30,
+        t26,
+        line5*t25 - t21*t31,
+        t21*t34 + t22*t32,
+        -line3*t25 - t22*t31,
+        t30,
+        0,
+        -t18,
+        -line4*t29 - t28*t32,
+        line3*t29 - t27*t32,
+        t27*t31 + t28*t34,
+        -t26,
+        t18,
+        0,
+        0,
+        0,
+        0,
+        0,
+        -t36,
         t35,
-        -t38,
-        -line4*t27 - t26*t29,
-        line3*t27 - t25*t29,
-        2*line3*t26 + 2*line4*t25,
-        -t37,
-        t38,
-        t35,
         0,
         0,
         0,
+        t36,
+        0,
+        -t33,
+        0,
+        0,
+        0,
+        -t35,
+        t33,
+        0,
+        t7,
+        t37,
+        t39,
+        -pose1*t38 - pose2*t37,
+        pose0*t38 + pose2*t7,
+        pose0*t37 - pose1*t7,
+        t41,
+        t25,
+        t42,
+        pose1*t42 - pose2*t25,
+        -pose0*t42 - pose2*t40,
+        pose0*t25 + pose1*t40,
         t43,
-        -t44,
         t45,
+        t29,
+        pose1*t29 + t28*t46,
+        -pose0*t29 + t27*t46,
+        -t47*t28 - t48*t27,
         0,
         0,
         0,
-        t44,
+        t7,
+        t37,
+        t39,
+        0,
+        0,
+        0,
+        t41,
+        t25,
+        t42,
+        0,
+        0,
+        0,
         t43,
-        -t46,
-        0,
-        0,
-        0,
-        -t45,
-        t46,
-        t43,
-        t17,
-        t47,
-        t48,
-        -2*pose1*t7 - 2*pose2*t2,
-        pose2*t17 + t49*t7,
-        -pose1*t17 + t2*t49,
-        t50,
-        t24,
-        t51,
-        -pose2*t24 + t20*t52,
-        -2*pose0*t20 - 2*pose2*t21,
-        pose0*t24 + t21*t52,
-        t53,
-        t54,
-        t27,
-        pose1*t27 + 2*pose2*t26,
-        -pose0*t27 + 2*pose2*t25,
-        -2*pose0*t26 - 2*pose1*t25,
-        0,
-        0,
-        0,
-        t17,
-        t47,
-        t48,
-        0,
-        0,
-        0,
-        t50,
-        t24,
-        t51,
-        0,
-        0,
-        0,
-        t53,
-        t54,
-        t27,
+        t45,
+        t29,
     )
 
 
@@ -745,143 +765,149 @@ def to_frame_storage_jac(pose, line):
     """to_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     line0, line1, line2, line3, line4, line5 = line
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = line1 - line3*pose2 + line5*pose0
-    t4 = 2*t3
-    t5 = pose3*pose5
-    t6 = pose4*pose6
-    t7 = t5 - t6
-    t8 = line2 + line3*pose1 - line4*pose0
-    t9 = 2*t8
-    t10 = line0 + line4*pose2 - line5*pose1
-    t11 = pose4*pose4
-    t12 = pose5*pose5
-    t13 = -t12
-    t14 = pose3*pose3
-    t15 = pose6*pose6
-    t16 = t14 - t15
-    t17 = t11 + t13 + t16
+    t0 = line0 + line4*pose2 - line5*pose1
+    t1 = pose4*pose4
+    t2 = pose5*pose5
+    t3 = -t2
+    t4 = pose3*pose3
+    t5 = pose6*pose6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = pose3*pose6
+    t9 = pose4*pose5
+    t10 = t8 + t9
+    t11 = line1 - line3*pose2 + line5*pose0
+    t12 = t11 + t11
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = line2 + line3*pose1 - line4*pose0
+    t17 = t16 + t16
     t18 = pose3*pose4
     t19 = pose5*pose6
     t20 = t18 + t19
-    t21 = t0 - t1
-    t22 = 2*t10
-    t23 = -t11
-    t24 = t12 + t16 + t23
-    t25 = t5 + t6
+    t21 = t8 - t9
+    t22 = t0 + t0
+    t23 = -t1
+    t24 = t2 + t6 + t23
+    t25 = t13 + t14
     t26 = t18 - t19
-    t27 = t13 + t14 + t15 + t23
-    t28 = 2*line4
-    t29 = 2*line5
-    t30 = 2*line3
-    t31 = pose3*t10 - pose5*t8 + pose6*t3
-    t32 = 2*t31
-    t33 = 2*pose4*t10 + 2*pose5*t3 + 2*pose6*t8
-    t34 = pose3*t8 - pose4*t3 + pose5*t10
-    t35 = pose3*t3 + pose4*t8 - pose6*t10
-    t36 = 2*t35
-    t37 = 2*t34
-    t38 = line3*pose3 + line4*pose6 - line5*pose5
-    t39 = 2*t38
-    t40 = 2*(line3*pose4 + line4*pose5 + line5*pose6)
-    t41 = line3*pose5 - line4*pose4 + line5*pose3
-    t42 = -line3*pose6 + line4*pose3 + line5*pose4
-    t43 = 2*t42
-    t44 = 2*t41
-    t45 = 2*t2
-    t46 = -2*t7
-    t47 = 2*pose0
-    t48 = -2*t21
-    t49 = 2*t20
-    t50 = 2*pose1
-    t51 = 2*t25
-    t52 = -2*t26
+    t27 = t3 + t4 + t5 + t23
+    t28 = line4 + line4
+    t29 = line5 + line5
+    t30 = line3 + line3
+    t31 = pose3 + pose3
+    t32 = pose5 + pose5
+    t33 = pose6 + pose6
+    t34 = t31*t0 - t32*t16 + t33*t11
+    t35 = pose4 + pose4
+    t36 = t35*t0 + t32*t11 + t33*t16
+    t37 = t31*t16 - t35*t11 + t32*t0
+    t38 = t31*t11 + t35*t16 - t33*t0
+    t39 = line3*pose3 + line4*pose6 - line5*pose5
+    t40 = t39 + t39
+    t41 = line3*pose4 + line4*pose5 + line5*pose6
+    t42 = t41 + t41
+    t43 = line3*pose5 - line4*pose4 + line5*pose3
+    t44 = t43 + t43
+    t45 = -line3*pose6 + line4*pose3 + line5*pose4
+    t46 = t45 + t45
+    t47 = t10 + t10
+    t48 = t15 + t15
+    t49 = -t48
+    t50 = t21 + t21
+    t51 = -t50
+    t52 = t20 + t20
+    t53 = t25 + t25
+    t54 = t26 + t26
+    t55 = -t54
+    t56 = pose2 + pose2
+    t57 = pose0 + pose0
+    t58 = pose1 + pose1
     return (
-        t10*t17 + t2*t4 - t7*t9,
-        t20*t9 - t21*t22 + t24*t3,
-        t22*t25 - t26*t4 + t27*t8,
-        line3*t17 + t2*t28 - t29*t7,
+        t0*t7 + t10*t12 - t15*t17,
+        t17*t20 - t21*t22 + t11*t24,
+        t22*t25 - t12*t26 + t16*t27,
+        line3*t7 + t10*t28 - t15*t29,
         line4*t24 + t20*t29 - t21*t30,
         line5*t27 + t25*t30 - t26*t28,
-        2*line4*t7 + 2*line5*t2,
-        -line5*t17 - t30*t7,
-        line4*t17 - t2*t30,
-        t32,
-        t33,
-        -2*t34,
+        t10*t29 + t15*t28,
+        -line5*t7 - t15*t30,
+        line4*t7 - t10*t30,
+        t34,
         t36,
+        -t37,
+        t38,
         line5*t24 - t20*t28,
-        2*line3*t20 + 2*line5*t21,
+        t20*t30 + t21*t29,
         -line3*t24 - t21*t28,
-        t36,
+        t38,
         t37,
-        t33,
-        -2*t31,
+        t36,
+        -t34,
         -line4*t27 - t26*t29,
         line3*t27 - t25*t29,
-        2*line3*t26 + 2*line4*t25,
+        t25*t28 + t26*t30,
         t37,
-        -2*t35,
-        t32,
-        t33,
+        -t38,
+        t34,
+        t36,
         0,
         0,
         0,
-        t39,
         t40,
-        -2*t41,
-        t43,
-        0,
-        0,
-        0,
-        t43,
-        t44,
-        t40,
-        -2*t38,
-        0,
-        0,
-        0,
-        t44,
-        -2*t42,
-        t39,
-        t40,
-        t17,
-        t45,
+        t42,
+        -t44,
         t46,
-        -2*pose1*t7 - 2*pose2*t2,
-        pose2*t17 + t47*t7,
-        -pose1*t17 + t2*t47,
-        t48,
-        t24,
+        0,
+        0,
+        0,
+        t46,
+        t44,
+        t42,
+        -t40,
+        0,
+        0,
+        0,
+        t44,
+        -t46,
+        t40,
+        t42,
+        t7,
+        t47,
         t49,
-        -pose2*t24 + t20*t50,
-        -2*pose0*t20 - 2*pose2*t21,
-        pose0*t24 + t21*t50,
+        -pose1*t48 - pose2*t47,
+        pose0*t48 + pose2*t7,
+        pose0*t47 - pose1*t7,
         t51,
+        t24,
         t52,
+        pose1*t52 - pose2*t24,
+        -pose0*t52 - pose2*t50,
+        pose0*t24 + pose1*t50,
+        t53,
+        t55,
         t27,
-        pose1*t27 + 2*pose2*t26,
-        -pose0*t27 + 2*pose2*t25,
-        -2*pose0*t26 - 2*pose1*t25,
+        pose1*t27 + t26*t56,
+        -pose0*t27 + t25*t56,
+        -t57*t26 - t58*t25,
         0,
         0,
         0,
-        t17,
-        t45,
-        t46,
-        0,
-        0,
-        0,
-        t48,
-        t24,
+        t7,
+        t47,
         t49,
         0,
         0,
         0,
         t51,
+        t24,
         t52,
+        0,
+        0,
+        0,
+        t53,
+        t55,
         t27,
     )
 
@@ -890,13 +916,17 @@ def point_at(line, abscissa):
     """point_at: value."""
     line0, line1, line2, line3, line4, line5 = line
     abscissa, = abscissa
-    t0 = line3*line3 + line4*line4 + line5*line5
-    t1 = abscissa*sqrt(t0)
+    t0 = line3*line3
+    t1 = line4*line4
+    t2 = line5*line5
+    t3 = t0 + t1 + t2
+    t4 = sqrt(t3)
+    t5 = abscissa*t4
     return (
-        -line1*line5 + line2*line4 + line3*t1,
-        line0*line5 - line2*line3 + line4*t1,
-        -line0*line4 + line1*line3 + line5*t1,
-        t0,
+        -line1*line5 + line2*line4 + line3*t5,
+        line0*line5 - line2*line3 + line4*t5,
+        -line0*line4 + line1*line3 + line5*t5,
+        t3,
     )
 
 
@@ -912,11 +942,14 @@ def point_at_jac(line, abscissa):
     t5 = line3*t4
     t6 = line4*t4
     t7 = line5*t4
-    t8 = 1/(t4)
+    t8 = 1/t4
     t9 = abscissa*line3*t8
     t10 = line4*t9
     t11 = line5*t9
     t12 = abscissa*line4*line5*t8
+    t13 = line3 + line3
+    t14 = line4 + line4
+    t15 = line5 + line5
     return (
         abscissa*t5 - line1*line5 + line2*line4,
         abscissa*t6 + line0*line5 - line2*line3,
@@ -925,27 +958,27 @@ def point_at_jac(line, abscissa):
         0,
         -line5,
         line4,
-        abscissa*(t0*t8 + t4),
+        (t0*t8 + t4)*abscissa,
         line2 + t10,
         -line1 + t11,
         line5,
         0,
         -line3,
         -line2 + t10,
-        abscissa*(t1*t8 + t4),
+        (t1*t8 + t4)*abscissa,
         line0 + t12,
         -line4,
         line3,
         0,
         line1 + t11,
         -line0 + t12,
-        abscissa*(t2*t8 + t4),
+        (t2*t8 + t4)*abscissa,
         0,
         0,
         0,
-        2*line3,
-        2*line4,
-        2*line5,
+        t13,
+        t14,
+        t15,
         t5,
         t6,
         t7,
@@ -958,12 +991,15 @@ def crossing(line, ray):
     line0, line1, line2, line3, line4, line5 = line
     ray0, ray1, ray2 = ray
     t0 = line0*ray0 + line1*ray1 + line2*ray2
-    t1 = line0*line0 + line1*line1 + line2*line2
+    t1 = line0*line0
+    t2 = line1*line1
+    t3 = line2*line2
+    t4 = t1 + t2 + t3
     return (
-        -line0*t0 + ray0*t1,
-        -line1*t0 + ray1*t1,
-        -line2*t0 + ray2*t1,
-        line3*(line1*ray2 - line2*ray1) - line4*(line0*ray2 - line2*ray0) + line5*(line0*ray1 - line1*ray0),
+        -line0*t0 + ray0*t4,
+        -line1*t0 + ray1*t4,
+        -line2*t0 + ray2*t4,
+        (line1*ray2 - line2*ray1)*line3 - (line0*ray2 - line2*ray0)*line4 + (line0*ray1 - line1*ray0)*line5,
     )
 
 
@@ -982,36 +1018,45 @@ def crossing_jac(line, ray):
     t8 = t6 + t7
     t9 = t5 + t8
     t10 = line1*ray2
-    t11 = -line2*ray1
-    t12 = t10 + t11
-    t13 = line0*ray1
-    t14 = -line1*ray0
-    t15 = t13 + t14
-    t16 = line0*ray2
-    t17 = -line2*ray0
-    t18 = t16 + t17
-    t19 = -line0*line1
-    t20 = -line0*line2
-    t21 = -line1*line2
+    t11 = line2*ray1
+    t12 = -t11
+    t13 = t10 + t12
+    t14 = line0*ray2
+    t15 = line2*ray0
+    t16 = -t15
+    t17 = t14 + t16
+    t18 = line0*ray1
+    t19 = line1*ray0
+    t20 = -t19
+    t21 = t18 + t20
+    t22 = t19 + t19
+    t23 = t15 + t15
+    t24 = t18 + t18
+    t25 = t11 + t11
+    t26 = t14 + t14
+    t27 = t10 + t10
+    t28 = -line0*line1
+    t29 = -line0*line2
+    t30 = -line1*line2
     return (
         -line0*t4 + ray0*t9,
         -line1*t4 + ray1*t9,
         -line2*t4 + ray2*t9,
-        line3*t12 - line4*t18 + line5*t15,
+        line3*t13 - line4*t17 + line5*t21,
         -t3,
-        2*line1*ray0 - t13,
-        2*line2*ray0 - t16,
+        -t18 + t22,
+        -t14 + t23,
         0,
         0,
         0,
-        2*t13 + t14,
+        t24 + t20,
         -t0 - t2,
-        2*line2*ray1 - t10,
+        -t10 + t25,
         0,
         0,
         0,
-        2*t16 + t17,
-        2*t10 + t11,
+        t26 + t16,
+        t27 + t12,
         -t0 - t1,
         0,
         0,
@@ -1019,17 +1064,17 @@ def crossing_jac(line, ray):
         -line4*ray2 + line5*ray1,
         line3*ray2 - line5*ray0,
         -line3*ray1 + line4*ray0,
-        t12,
-        -t18,
-        t15,
+        t13,
+        -t17,
+        t21,
         t8,
-        t19,
-        t20,
-        t19,
+        t28,
+        t29,
+        t28,
         t5 + t7,
-        t21,
-        t20,
-        t21,
+        t30,
+        t29,
+        t30,
         t5 + t6,
         -line1*line5 + line2*line4,
         line0*line5 - line2*line3,
@@ -1042,19 +1087,24 @@ def constrain(line, eye):
     line0, line1, line2, line3, line4, line5 = line
     eye0, eye1, eye2 = eye
     t0 = -eye0*line4 + eye1*line3 + line2
-    t1 = eye0*line5 - eye2*line3 + line1
-    t2 = -eye1*line5 + eye2*line4 + line0
-    t3 = (line3*t2 + line4*t1 + line5*t0)/(t0*t0 + t1*t1 + t2*t2)
-    t4 = line5 - t0*t3
-    t5 = line4 - t1*t3
-    t6 = line3 - t2*t3
+    t1 = t0*t0
+    t2 = eye0*line5 - eye2*line3 + line1
+    t3 = t2*t2
+    t4 = -eye1*line5 + eye2*line4 + line0
+    t5 = t4*t4
+    t6 = t1 + t3 + t5
+    t7 = 1/t6
+    t8 = (line3*t4 + line4*t2 + line5*t0)*t7
+    t9 = line5 - t0*t8
+    t10 = line4 - t2*t8
+    t11 = line3 - t4*t8
     return (
-        eye1*t4 - eye2*t5 + t2,
-        -eye0*t4 + eye2*t6 + t1,
-        eye0*t5 - eye1*t6 + t0,
-        t6,
-        t5,
-        t4,
+        eye1*t9 - eye2*t10 + t4,
+        -eye0*t9 + eye2*t11 + t2,
+        eye0*t10 - eye1*t11 + t0,
+        t11,
+        t10,
+        t9,
     )
 
 
@@ -1073,7 +1123,7 @@ def constrain_jac(line, eye):
     t8 = -eye1*line5 + eye2*line4 + line0
     t9 = t8*t8
     t10 = t3 + t7 + t9
-    t11 = 1/(t10)
+    t11 = 1/t10
     t12 = line4*t6
     t13 = line3*t8
     t14 = line5*t2
@@ -1087,74 +1137,71 @@ def constrain_jac(line, eye):
     t22 = t17*t8
     t23 = line3 - t22
     t24 = eye2*t6
-    t25 = 2*t22
+    t25 = t22 + t22
     t26 = line3 - t25
     t27 = t11*t26
     t28 = eye1*t2
-    t29 = -t6
-    t30 = 2*t17
-    t31 = line4 + t29*t30
-    t32 = 2*t20
-    t33 = 2*t12 + t15
-    t34 = t29*t32 + t33
-    t35 = -t2
-    t36 = line5 + t30*t35
-    t37 = 2*t18
-    t38 = t12 + t13 + 2*t14
-    t39 = t35*t37 + t38
-    t40 = -eye2*t6 + t28
-    t41 = -t40
-    t42 = eye1*t16
-    t43 = line0*t2 + t42
-    t44 = t37*t41 + t43
-    t45 = eye2*t16
-    t46 = t11*t6
-    t47 = eye0*t2
-    t48 = eye2*t8
-    t49 = t47 - t48
-    t50 = t16/(t10*t10)
-    t51 = 2*t50
-    t52 = line1*t46 + t49*t51*t6 - 1
-    t53 = eye0*t16
-    t54 = line1*t2 + t37*t49 - t53
-    t55 = t11*t2
-    t56 = eye0*t6
-    t57 = -eye1*t8 + t56
-    t58 = -t57
-    t59 = t2*t51
-    t60 = line2*t6 + t53
-    t61 = t32*t58 + t60
-    t62 = -t8
-    t63 = line3 + t30*t62
-    t64 = t12 + 2*t13 + t14
-    t65 = t25*t62 + t64
-    t66 = line4 - t32
-    t67 = t11*t66
-    t68 = t11*t8
-    t69 = t51*t8
-    t70 = line1*t8 + t25*t49 + t45
-    t71 = -line2*t11*t2 + t57*t59 + 1
-    t72 = -line2*t8 + t25*t57 + t42
-    t73 = line5 - t37
-    t74 = t11*t73
-    t75 = -line0*t11*t8 + t40*t69 + 1
-    t76 = -line0*t6 + t32*t40 + t45
-    t77 = -t66
-    t78 = -t73
-    t79 = -t26
-    t80 = line4*t2 - line5*t6
-    t81 = 2*t80
-    t82 = line4 - t55*t81
-    t83 = line5 + t46*t81
-    t84 = line3*t2 - line5*t8
-    t85 = line3 - 2*t55*t84
-    t86 = 2*t84
-    t87 = t11*t86
-    t88 = line3*t6 - line4*t8
-    t89 = 2*t88
-    t90 = line3 - t46*t89
-    t91 = line5 + t68*t86
-    t92 = line4 + t68*t89
+    t29 = t12 + t12
+    t30 = t17 + t17
+    t31 = t29 + t15 - t30*t7
+    t32 = t20 + t20
+    t33 = line4 - t32
+    t34 = t14 + t14
+    t35 = t12 + t13 + t34 - t3*t30
+    t36 = t18 + t18
+    t37 = line5 - t36
+    t38 = -t24 + t28
+    t39 = eye1*t16
+    t40 = line0*t2 - t36*t38 + t39
+    t41 = eye2*t16
+    t42 = line0*t6 - t32*t38 - t41
+    t43 = eye0*t2
+    t44 = eye2*t8
+    t45 = t43 - t44
+    t46 = eye0*t16
+    t47 = line1*t2 + t36*t45 - t46
+    t48 = t11*t47
+    t49 = t11*t6
+    t50 = t11*t11
+    t51 = t16*t50
+    t52 = t51 + t51
+    t53 = line1*t49 + t45*t52*t6 - 1
+    t54 = t11*t2
+    t55 = eye0*t6
+    t56 = -eye1*t8 + t55
+    t57 = t2*t52
+    t58 = line2*t6 - t32*t56 + t46
+    t59 = t11*t58
+    t60 = t13 + t13
+    t61 = t12 + t60 + t14 - t30*t9
+    t62 = t11*t33
+    t63 = t11*t40
+    t64 = t11*t8
+    t65 = t52*t8
+    t66 = line1*t8 + t25*t45 + t41
+    t67 = -line2*t11*t2 + t56*t57 + 1
+    t68 = line2*t8 - t25*t56 - t39
+    t69 = t11*t68
+    t70 = eye1*t8
+    t71 = t11*t37
+    t72 = t11*t42
+    t73 = -line0*t11*t8 + t38*t65 + 1
+    t74 = t11*t66
+    t75 = line4 + line4
+    t76 = line5 + line5
+    t77 = t75*t2 - t76*t6
+    t78 = line4 - t54*t77
+    t79 = line5 + t49*t77
+    t80 = line3 + line3
+    t81 = t80*t2 - t76*t8
+    t82 = line3 - t54*t81
+    t83 = t11*t81
+    t84 = t80*t6 - t75*t8
+    t85 = line3 - t49*t84
+    t86 = t11*t84
+    t87 = t11*t77
+    t88 = line5 + t64*t81
+    t89 = line4 + t64*t84
     return (
         eye1*t19 - eye2*t21 + t8,
         -eye0*t19 + eye2*t23 + t6,
@@ -1163,59 +1210,59 @@ def constrain_jac(line, eye):
         t21,
         t19,
         t24*t27 - t27*t28 + 1,
-        t11*(eye2*t34 - t28*t31),
-        t11*(-eye1*t39 + eye2*t36*t6),
-        t11*(-eye1*t44 + eye2*(line0*t6 + t32*t41 - t45)),
-        -eye1*t11*t54 + eye2*t52 + eye2,
-        -eye1*(line2*t55 + t58*t59 - 1) - eye1 + eye2*t11*t61,
-        t11*(-eye2*t65 + t47*t63),
-        t47*t67 - t48*t67 + 1,
-        t11*(eye0*t39 - t36*t48),
-        eye0*t11*t44 - eye2*(line0*t68 + t41*t69 - 1) - eye2,
-        t11*(eye0*t54 - eye2*t70),
-        -eye0*t71 + eye0 + eye2*t11*t72,
-        t11*(eye1*t65 - t56*t63),
-        t11*(-eye0*t34 + eye1*t31*t8),
-        eye1*t74*t8 - t56*t74 + 1,
-        eye0*t11*t76 - eye1*t75 + eye1,
-        -eye0*t52 - eye0 + eye1*t11*t70,
-        t11*(-eye0*t61 + eye1*(line2*t8 + t25*t58 - t42)),
-        t11*(2*t11*t16*t9 - t64),
-        t68*t77,
-        t68*t78,
-        t75,
-        -t11*t70,
-        t11*t72,
-        t46*t79,
-        t11*(2*t11*t16*t7 - t33),
-        t46*t78,
-        t11*t76,
-        -t52,
-        t11*(2*t11*t16*t57*t6 - t60),
-        t55*t79,
-        t55*t77,
-        t11*(2*t11*t16*t3 - t38),
-        t11*(2*t11*t16*t2*t40 - t43),
-        -t11*t54,
-        t71,
-        t17*(eye1*t82 + eye2*t83),
-        -t17*(eye1*t85 + t2 + t24*t87),
-        t17*(-eye2*t90 + line1 - t11*t28*t89 + t4 - t5),
-        t17*(-eye0*t82 + line2 + t0 - t1 - t11*t48*t81),
-        t17*(eye0*t85 + eye2*t91),
-        t17*(2*eye0*t11*t2*t88 - eye2*t92 - t8),
-        t17*(-eye0*t83 + 2*eye1*t11*t8*t80 - t6),
-        t17*(-eye1*t91 + t56*t87 + t8),
-        t17*(eye0*t90 + eye1*t92),
-        -t50*t8*t81,
-        t17*t91,
-        -t17*t92,
-        -t17*t83,
-        t50*t6*t86,
-        t17*t90,
-        t17*t82,
-        t17*(-line3 + 2*t11*t2*t84),
-        -t2*t50*t89,
+        -(-eye2*t31 + t28*t33)*t11,
+        -(eye1*t35 - t24*t37)*t11,
+        -(eye1*t40 - eye2*t42)*t11,
+        -eye1*t48 + eye2*t53 + eye2,
+        -(line2*t54 - t56*t57 - 1)*eye1 - eye1 + eye2*t59,
+        (-eye2*t61 + t26*t43)*t11,
+        t43*t62 - t44*t62 + 1,
+        (eye0*t35 - t37*t44)*t11,
+        eye0*t63 - (line0*t64 - t38*t65 - 1)*eye2 - eye2,
+        (eye0*t47 - eye2*t66)*t11,
+        -eye0*t67 + eye0 - eye2*t69,
+        -(-eye1*t61 + t26*t55)*t11,
+        -(eye0*t31 - t33*t70)*t11,
+        -t55*t71 + t70*t71 + 1,
+        -eye0*t72 - eye1*t73 + eye1,
+        -eye0*t53 - eye0 + eye1*t74,
+        -(eye0*t58 - eye1*t68)*t11,
+        -t11*t61,
+        -t33*t64,
+        -t37*t64,
+        t73,
+        -t74,
+        -t69,
+        -t26*t49,
+        -t11*t31,
+        -t37*t49,
+        -t72,
+        -t53,
+        -t59,
+        -t26*t54,
+        -t33*t54,
+        -t11*t35,
+        -t63,
+        -t48,
+        t67,
+        (eye1*t78 + eye2*t79)*t17,
+        -(eye1*t82 + t2 + t24*t83)*t17,
+        -(eye2*t85 - line1 + t28*t86 - t4 + t5)*t17,
+        -(eye0*t78 - line2 - t0 + t1 + t44*t87)*t17,
+        (eye0*t82 + eye2*t88)*t17,
+        -(eye2*t89 - t43*t86 + t8)*t17,
+        -(eye0*t79 + t6 - t70*t87)*t17,
+        -(eye1*t88 - t55*t83 - t8)*t17,
+        (eye0*t85 + eye1*t89)*t17,
+        -t51*t77*t8,
+        t17*t88,
+        -t17*t89,
+        -t17*t79,
+        t51*t6*t81,
+        t17*t85,
+        t17*t78,
+        -t17*t82,
+        -t2*t51*t84,
     )
 
 
@@ -1224,27 +1271,33 @@ def from_rays(rays, slopes):
     rays0, rays1, rays2, rays3, rays4, rays5 = rays
     slopes0, slopes1 = slopes
     t0 = rays1*rays5 - rays2*rays4
-    t1 = rays0*rays5 - rays2*rays3
+    t1 = t0*t0
     t2 = rays0*rays4 - rays1*rays3
-    t3 = t0*t0 + t2*t2
-    t4 = 1/(sqrt(t1*t1 + t3))
-    t5 = rays0 - rays3
-    t6 = rays1 - rays4
-    t7 = rays2 - rays5
-    t8 = 1/(sqrt(t5*t5 + t6*t6 + t7*t7))
-    t9 = slopes0*t8
-    t10 = -t6
-    t11 = -t7
-    t12 = -t1
-    t13 = -t5
-    t14 = slopes1/(sqrt(t12*t12 + t3)*sqrt(t10*t10 + t11*t11 + t13*t13))
+    t3 = t2*t2
+    t4 = rays0*rays5 - rays2*rays3
+    t5 = t4*t4
+    t6 = t1 + t3 + t5
+    t7 = 1/t6
+    t8 = sqrt(t7)
+    t9 = rays0 - rays3
+    t10 = t9*t9
+    t11 = rays1 - rays4
+    t12 = t11*t11
+    t13 = rays2 - rays5
+    t14 = t13*t13
+    t15 = t10 + t12 + t14
+    t16 = 1/t15
+    t17 = sqrt(t16)
+    t18 = slopes1*t8
+    t19 = -t11
+    t20 = -t4
     return (
-        t0*t4,
-        -t1*t4,
-        t2*t4,
-        -t14*(t10*t2 - t11*t12) - t5*t9,
-        t8*(-slopes0*t6 + slopes1*t4*(t0*t7 - t2*t5)),
-        -t14*(-t0*t10 + t12*t13) - t7*t9,
+        t0*t8,
+        -t4*t8,
+        t2*t8,
+        -(slopes0*t9 + (t19*t2 + t13*t20)*t18)*t17,
+        -(slopes0*t11 - (t0*t13 - t2*t9)*t18)*t17,
+        -(slopes0*t13 + (-t0*t19 - t20*t9)*t18)*t17,
     )
 
 
@@ -1252,173 +1305,180 @@ def from_rays_jac(rays, slopes):
     """from_rays: value and Jacobians."""
     rays0, rays1, rays2, rays3, rays4, rays5 = rays
     slopes0, slopes1 = slopes
-    t0 = rays1*rays5
-    t1 = rays2*rays4
+    t0 = rays0*rays5
+    t1 = rays2*rays3
     t2 = t0 - t1
-    t3 = rays0*rays5
-    t4 = rays2*rays3
-    t5 = t3 - t4
-    t6 = rays0*rays4
-    t7 = rays1*rays3
-    t8 = t6 - t7
-    t9 = t2*t2 + t8*t8
-    t10 = t5*t5 + t9
-    t11 = 1/(sqrt(t10))
-    t12 = rays0 - rays3
-    t13 = t12*t12
-    t14 = rays1 - rays4
-    t15 = t14*t14
-    t16 = rays2 - rays5
+    t3 = t2*t2
+    t4 = rays1*rays5
+    t5 = rays2*rays4
+    t6 = t4 - t5
+    t7 = t6*t6
+    t8 = rays0*rays4
+    t9 = rays1*rays3
+    t10 = t8 - t9
+    t11 = t10*t10
+    t12 = t7 + t11
+    t13 = t3 + t12
+    t14 = 1/t13
+    t15 = sqrt(t14)
+    t16 = rays0 - rays3
     t17 = t16*t16
-    t18 = t13 + t15 + t17
-    t19 = 1/(sqrt(t18))
-    t20 = slopes0*t19
-    t21 = -t14
-    t22 = t21*t8
-    t23 = -t16
-    t24 = -t5
-    t25 = t23*t24
-    t26 = -t12
-    t27 = t21*t21 + t23*t23 + t26*t26
-    t28 = t24*t24 + t9
-    t29 = slopes1/(sqrt(t27)*sqrt(t28))
-    t30 = slopes0*t14
-    t31 = t12*t8
-    t32 = t16*t2 - t31
-    t33 = t24*t26
-    t34 = t2*t21
-    t35 = rays4*t8
-    t36 = rays5*t5 + t35
-    t37 = 1/(t10*sqrt(t10))
-    t38 = t2*t37
-    t39 = rays3*t8 - rays5*t2
-    t40 = 1/(t10)
-    t41 = t2*t40
-    t42 = rays4*t2
-    t43 = rays3*t24 - t42
-    t44 = rays1*t8
-    t45 = rays2*t5 + t44
-    t46 = rays0*t8 - rays2*t2
-    t47 = rays1*t2
-    t48 = rays0*t5 + t47
-    t49 = -rays5*t24 + t35
-    t50 = t37*t5
-    t51 = rays3*t5 + t42
-    t52 = t40*t5
-    t53 = t40*t8
-    t54 = t37*t8
-    t55 = 1/(t18*sqrt(t18))
-    t56 = rays4*t21
-    t57 = rays5*t23
-    t58 = 1/(t27)
-    t59 = t26*t58
-    t60 = t22*t59
-    t61 = t25*t59
-    t62 = 1/(t28)
-    t63 = -t49*t62
-    t64 = 1/(t18)
-    t65 = t12*t64
-    t66 = t30*t65
-    t67 = t64*t8
-    t68 = t16*t5
-    t69 = t14*t64
-    t70 = t14*t8
-    t71 = t39*t40
-    t72 = -t6 + t7
-    t73 = slopes1*t11
-    t74 = slopes0*t16*t65
-    t75 = t17*t64
-    t76 = t16*t64
-    t77 = t40*t43
-    t78 = -t3 + t4
-    t79 = rays1*t14
-    t80 = rays2*t16
-    t81 = t31*t69
-    t82 = t65*t68
-    t83 = t40*t45
-    t84 = t30*t55
-    t85 = t12*t84
-    t86 = t14*t58
-    t87 = -t46*t62
-    t88 = slopes0*t12*t16*t55
-    t89 = t16*t58
-    t90 = t62*(rays0*t24 - t47)
-    t91 = t16*t2
-    t92 = t40*t49
-    t93 = rays3*t26
-    t94 = t23*t58
-    t95 = t34*t94
-    t96 = t39*t62
-    t97 = t2*t23
-    t98 = t26*t8
-    t99 = t30*t76
-    t100 = -t0 + t1
-    t101 = t62*(-rays2*t24 + t44)
-    t102 = -slopes0
-    t103 = rays0*t12
-    t104 = t69*t91
-    t105 = t40*t46
-    t106 = t16*t84
-    t107 = t14*t2
-    t108 = t12*t5
-    t109 = t36*t40
-    t110 = -t43*t62
-    t111 = t12*t58
-    t112 = t40*t48
-    t113 = t11*t19
+    t18 = rays1 - rays4
+    t19 = t18*t18
+    t20 = rays2 - rays5
+    t21 = t20*t20
+    t22 = t17 + t19 + t21
+    t23 = 1/t22
+    t24 = sqrt(t23)
+    t25 = slopes0*t16
+    t26 = slopes1*t15
+    t27 = -t18
+    t28 = t10*t27
+    t29 = -t20
+    t30 = -t2
+    t31 = t29*t30
+    t32 = t10*t16
+    t33 = -t20*t6 + t32
+    t34 = slopes0*t18
+    t35 = -t16
+    t36 = t30*t35
+    t37 = t27*t6
+    t38 = rays4*t10
+    t39 = rays5*t2 + t38
+    t40 = t14*t15
+    t41 = t40*t6
+    t42 = rays3*t10 - rays5*t6
+    t43 = t14*t6
+    t44 = rays4*t6
+    t45 = rays3*t30 - t44
+    t46 = rays1*t10
+    t47 = rays2*t2 + t46
+    t48 = rays0*t10 - rays2*t6
+    t49 = rays1*t6
+    t50 = rays0*t2 + t49
+    t51 = -rays5*t30 + t38
+    t52 = t14*t2
+    t53 = t2*t40
+    t54 = -rays3*t2 - t44
+    t55 = -t50
+    t56 = t10*t14
+    t57 = t10*t40
+    t58 = t30*t30
+    t59 = t58 + t12
+    t60 = 1/t59
+    t61 = -t51*t60
+    t62 = rays4*t27
+    t63 = rays5*t29
+    t64 = t35*t35
+    t65 = t27*t27
+    t66 = t29*t29
+    t67 = t64 + t65 + t66
+    t68 = 1/t67
+    t69 = t35*t68
+    t70 = t28*t69
+    t71 = t31*t69
+    t72 = slopes0*t23
+    t73 = slopes0 - t17*t72
+    t74 = t18*t23
+    t75 = t2*t20
+    t76 = t14*t42
+    t77 = t10*t18
+    t78 = -t8 + t9
+    t79 = t25*t74
+    t80 = -t45*t60
+    t81 = t28*t68
+    t82 = t20*t23
+    t83 = t25*t82
+    t84 = t14*t47
+    t85 = rays1*t18
+    t86 = rays2*t20
+    t87 = t32*t74
+    t88 = t16*t23
+    t89 = t75*t88
+    t90 = t31*t68
+    t91 = -t48*t60
+    t92 = (rays0*t30 - t49)*t60
+    t93 = t6*t68
+    t94 = t29*t93
+    t95 = t10*t68
+    t96 = t10*t35
+    t97 = t29*t6
+    t98 = t42*t60
+    t99 = rays3*t35
+    t100 = t29*t68
+    t101 = t100*t37
+    t102 = t19*t72
+    t103 = -t4 + t5
+    t104 = t14*t45
+    t105 = t20*t6
+    t106 = t34*t82
+    t107 = (-rays2*t30 + t46)*t60
+    t108 = -slopes0
+    t109 = rays0*t16
+    t110 = t105*t74
+    t111 = t14*t48
+    t112 = t18*t6
+    t113 = t14*t39
+    t114 = t16*t2
+    t115 = -t0 + t1
+    t116 = t36*t68
+    t117 = t21*t72
+    t118 = t37*t68
+    t119 = t14*t55
+    t120 = t15*t24
     return (
-        t11*t2,
-        -t11*t5,
-        t11*t8,
-        -t12*t20 - t29*(t22 - t25),
-        t19*(slopes1*t11*t32 - t30),
-        -t16*t20 - t29*(t33 - t34),
-        -t36*t38,
-        t11*(rays5 + t39*t41),
-        -t11*(rays4 + t41*t43),
-        t38*t45,
-        -t11*(rays2 + t41*t46),
-        t11*(rays1 - t41*t48),
-        t11*(-rays5 + t40*t49*t5),
-        -t39*t50,
-        t11*(rays3 - t51*t52),
-        t11*(rays2 - t45*t52),
-        t46*t50,
-        t11*(-rays0 + t40*t48*t5),
-        t11*(rays4 - t36*t53),
-        t11*(-rays3 + t39*t40*t8),
-        t51*t54,
-        t11*(-rays1 + t40*t45*t8),
-        t11*(rays0 - t46*t53),
-        -t48*t54,
-        slopes0*t13*t55 - t20 - t29*(t22*t63 - t25*t63 + t56 + t57 + t60 - t61),
-        t19*(t66 - t73*(rays3*t14 + t15*t67 + t68*t69 - t68*t71 - t70*t71 + t72)),
-        t19*(-t73*(rays3*t16 + t5*t75 + t68*t77 + t70*t76 + t70*t77 + t78) + t74),
-        t19*(-slopes0*t13*t64 + slopes0 + t73*(t68*t83 + t70*t83 - t79 - t80 + t81 + t82)),
-        -t29*(rays0*t21 + t22*t86 + t22*t87 - t25*t86 - t25*t87 + t8) - t85,
-        -t29*(rays0*t23 + t22*t89 + t22*t90 - t25*t89 - t25*t90 + t5) - t88,
-        t19*(t66 - t73*(rays4*t12 - t13*t67 - t31*t92 + t65*t91 + t8 + t91*t92)),
-        slopes0*t15*t55 - t20 - t29*(t57 - t60 + t93 + t95 + t96*t97 - t96*t98),
-        t19*(-t73*(rays4*t16 + t100 + t2*t75 - t31*t76 - t31*t77 + t77*t91) + t99),
-        -t29*(rays1*t26 + t101*t97 - t101*t98 + t12*t2*t94 - t31*t59 + t72) - t85,
-        t19*(-slopes0*t15*t64 - t102 - t73*(t103 - t104 - t105*t31 + t105*t91 + t80 + t81)),
-        -t106 - t29*(rays1*t23 - t16*t59*t8 + t2 + t90*t97 - t90*t98 + t91*t94),
-        t19*(t73*(-rays5*t12 + t107*t109 + t107*t65 + t108*t109 + t13*t5*t64 + t78) + t74),
-        t19*(-t73*(rays5*t14 + t107*t71 - t108*t69 + t108*t71 - t15*t2*t64 + t2) + t99),
-        slopes0*t17*t55 - t20 - t29*(t110*t33 - t110*t34 + t56 + t61 + t93 - t95),
-        -t29*(rays2*t26 + t101*t33 - t101*t34 + t111*t33 - t111*t34 + t78) - t88,
-        -t106 - t29*(rays2*t21 + t100 + t33*t86 + t33*t87 - t34*t86 - t34*t87),
-        t19*(-slopes0*t75 - t102 - t73*(t103 + t104 - t107*t112 - t108*t112 + t79 + t82)),
+        t15*t6,
+        -t15*t2,
+        t10*t15,
+        -(t25 + (t28 - t31)*t26)*t24,
+        -(t26*t33 + t34)*t24,
+        -(slopes0*t20 + (t36 - t37)*t26)*t24,
+        -t39*t41,
+        (rays5 + t42*t43)*t15,
+        -(rays4 + t43*t45)*t15,
+        t41*t47,
+        -(rays2 + t43*t48)*t15,
+        (rays1 - t43*t50)*t15,
+        -(rays5 - t51*t52)*t15,
+        -t42*t53,
+        (rays3 + t52*t54)*t15,
+        (rays2 - t47*t52)*t15,
+        t48*t53,
+        -(rays0 + t52*t55)*t15,
+        (rays4 - t39*t56)*t15,
+        -(rays3 - t42*t56)*t15,
+        -t54*t57,
+        -(rays1 - t47*t56)*t15,
+        (rays0 - t48*t56)*t15,
+        -t50*t57,
+        -((t28*t61 - t31*t61 + t62 + t63 + t70 - t71)*t26 + t73)*t24,
+        (-(rays3*t18 + t10*t19*t23 + t74*t75 - t75*t76 - t76*t77 + t78)*t26 + t79)*t24,
+        ((rays3*t29 - t28*t80 - t29*t81 + t30*t66*t68 + t31*t80 + t2)*t26 + t83)*t24,
+        ((t75*t84 + t77*t84 - t85 - t86 + t87 + t89)*t26 + t73)*t24,
+        -((rays0*t27 + t18*t81 - t18*t90 + t28*t91 - t31*t91 + t10)*t26 + t79)*t24,
+        -((rays0*t29 + t20*t81 - t20*t90 + t28*t92 - t31*t92 + t2)*t26 + t83)*t24,
+        ((rays4*t35 - t35*t94 + t64*t95 + t61*t96 - t61*t97 + t78)*t26 + t79)*t24,
+        -(slopes0 + (t63 - t70 - t96*t98 + t97*t98 + t99 + t101)*t26 - t102)*t24,
+        (-(rays4*t20 + t103 + t21*t23*t6 - t32*t82 - t104*t32 + t104*t105)*t26 + t106)*t24,
+        -((rays1*t35 - t107*t96 + t107*t97 + t16*t94 - t32*t69 + t78)*t26 + t79)*t24,
+        (-t108 - (t109 - t110 - t111*t32 + t105*t111 + t86 + t87)*t26 - t102)*t24,
+        -((rays1*t29 - t20*t35*t95 + t6 - t92*t96 + t92*t97 + t100*t105)*t26 + t106)*t24,
+        ((-rays5*t16 + t112*t113 + t112*t88 + t113*t114 + t115 + t17*t2*t23)*t26 + t83)*t24,
+        ((rays5*t27 + t103 - t116*t27 - t36*t98 + t37*t98 + t65*t93)*t26 + t106)*t24,
+        -(slopes0 - t117 + (t36*t80 - t37*t80 + t62 + t71 + t99 - t101)*t26)*t24,
+        -((rays2*t35 + t107*t36 - t107*t37 + t115 + t116*t16 - t118*t16)*t26 + t83)*t24,
+        -((rays2*t27 + t103 + t116*t18 - t118*t18 + t36*t91 - t37*t91)*t26 + t106)*t24,
+        (-t108 - t117 - (t109 + t110 + t112*t119 + t114*t119 + t85 + t89)*t26)*t24,
         0,
         0,
         0,
         0,
         0,
         0,
-        -t12*t19,
-        t113*(t68 + t70),
-        -t14*t19,
-        t113*t32,
-        -t16*t19,
-        -t113*(t107 + t108),
+        -t16*t24,
+        -(-t75 - t77)*t120,
+        -t18*t24,
+        -t120*t33,
+        -t20*t24,
+        -(t112 + t114)*t120,
     )

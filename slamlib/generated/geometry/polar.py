@@ -15,8 +15,12 @@ SHAPES = {
 def to_polar(point):
     """to_polar: value."""
     point0, point1 = point
+    t0 = point0*point0
+    t1 = point1*point1
+    t2 = t0 + t1
+    t3 = sqrt(t2)
     return (
-        sqrt(point0*point0 + point1*point1),
+        t3,
         arctan2(point1, point0),
     )
 
@@ -24,17 +28,19 @@ def to_polar(point):
 def to_polar_jac(point):
     """to_polar: value and Jacobians."""
     point0, point1 = point
-    t0 = point0*point0 + point1*point1
-    t1 = sqrt(t0)
-    t2 = 1/(t1)
-    t3 = 1/(t0)
+    t0 = point0*point0
+    t1 = point1*point1
+    t2 = t0 + t1
+    t3 = sqrt(t2)
+    t4 = 1/t3
+    t5 = 1/t2
     return (
-        t1,
+        t3,
         arctan2(point1, point0),
-        point0*t2,
-        point1*t2,
-        -point1*t3,
-        point0*t3,
+        point0*t4,
+        point1*t4,
+        -point1*t5,
+        point0*t5,
     )
 
 
@@ -42,7 +48,7 @@ def from_polar(polar):
     """from_polar: value."""
     polar0, polar1 = polar
     return (
-        polar0*cos(polar1),
+        cos(polar1)*polar0,
         polar0*sin(polar1),
     )
 

@@ -20,26 +20,26 @@ def from_frame(pose, point):
     """from_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2 = point
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = 2*point2
-    t3 = pose3*pose6
-    t4 = pose4*pose5
-    t5 = 2*point1
-    t6 = pose4*pose4
-    t7 = pose5*pose5
-    t8 = -t7
-    t9 = pose3*pose3
-    t10 = pose6*pose6
-    t11 = -t10 + t9
-    t12 = 2*point0
-    t13 = pose3*pose4
-    t14 = pose5*pose6
-    t15 = -t6
+    t0 = pose6*pose6
+    t1 = pose3*pose3
+    t2 = -t0 + t1
+    t3 = pose4*pose4
+    t4 = pose5*pose5
+    t5 = -t4
+    t6 = point2 + point2
+    t7 = pose3*pose5
+    t8 = pose4*pose6
+    t9 = point1 + point1
+    t10 = pose3*pose6
+    t11 = pose4*pose5
+    t12 = -t3
+    t13 = point0 + point0
+    t14 = pose3*pose4
+    t15 = pose5*pose6
     return (
-        point0*(t11 + t6 + t8) + pose0 + t2*(t0 + t1) - t5*(t3 - t4),
-        point1*(t11 + t15 + t7) + pose1 + t12*(t3 + t4) - t2*(t13 - t14),
-        point2*(t10 + t15 + t8 + t9) + pose2 - t12*(t0 - t1) + t5*(t13 + t14),
+        (t2 + t3 + t5)*point0 + pose0 + (t7 + t8)*t6 - (t10 - t11)*t9,
+        (t2 + t12 + t4)*point1 + pose1 + (t10 + t11)*t13 - (t14 - t15)*t6,
+        (t0 + t12 + t5 + t1)*point2 + pose2 - (t7 - t8)*t13 + (t14 + t15)*t9,
     )
 
 
@@ -47,31 +47,31 @@ def from_frame_jac(pose, point):
     """from_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2 = point
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = 2*point2
-    t4 = pose3*pose6
-    t5 = pose4*pose5
-    t6 = t4 - t5
-    t7 = 2*point1
-    t8 = pose4*pose4
-    t9 = pose5*pose5
-    t10 = -t9
-    t11 = pose3*pose3
-    t12 = pose6*pose6
+    t0 = pose5*pose5
+    t1 = -t0
+    t2 = pose3*pose3
+    t3 = pose6*pose6
+    t4 = t2 - t3
+    t5 = pose4*pose4
+    t6 = t1 + t4 + t5
+    t7 = pose3*pose5
+    t8 = pose4*pose6
+    t9 = t7 + t8
+    t10 = point2 + point2
+    t11 = pose3*pose6
+    t12 = pose4*pose5
     t13 = t11 - t12
-    t14 = t10 + t13 + t8
-    t15 = t4 + t5
-    t16 = 2*point0
-    t17 = pose3*pose4
-    t18 = pose5*pose6
-    t19 = t17 - t18
-    t20 = -t8
-    t21 = t13 + t20 + t9
-    t22 = t17 + t18
-    t23 = t0 - t1
-    t24 = t10 + t11 + t12 + t20
+    t14 = point1 + point1
+    t15 = -t5
+    t16 = t4 + t15 + t0
+    t17 = t11 + t12
+    t18 = point0 + point0
+    t19 = pose3*pose4
+    t20 = pose5*pose6
+    t21 = t19 - t20
+    t22 = t1 + t2 + t3 + t15
+    t23 = t7 - t8
+    t24 = t19 + t20
     t25 = point0*pose6 + point1*pose3 - point2*pose4
     t26 = pose5*t25
     t27 = point0*pose3 - point1*pose6 + point2*pose5
@@ -90,10 +90,16 @@ def from_frame_jac(pose, point):
     t40 = pose4*t29
     t41 = pose3*t27
     t42 = pose5*t31 + pose6*t25
+    t43 = t13 + t13
+    t44 = t9 + t9
+    t45 = t17 + t17
+    t46 = t21 + t21
+    t47 = t23 + t23
+    t48 = t24 + t24
     return (
-        point0*t14 + pose0 + t2*t3 - t6*t7,
-        point1*t21 + pose1 + t15*t16 - t19*t3,
-        point2*t24 + pose2 - t16*t23 + t22*t7,
+        point0*t6 + pose0 + t10*t9 - t13*t14,
+        point1*t16 + pose1 + t17*t18 - t10*t21,
+        point2*t22 + pose2 - t18*t23 + t14*t24,
         1,
         0,
         0,
@@ -112,15 +118,15 @@ def from_frame_jac(pose, point):
         t37 - t38 - t39,
         t40 - t41 - t42,
         t26 + t28 + t30 - t32,
-        t14,
-        -2*t6,
-        2*t2,
-        2*t15,
-        t21,
-        -2*t19,
-        -2*t23,
-        2*t22,
-        t24,
+        t6,
+        -t43,
+        t44,
+        t45,
+        t16,
+        -t46,
+        -t47,
+        t48,
+        t22,
     )
 
 
@@ -128,72 +134,79 @@ def from_frame_storage_jac(pose, point):
     """from_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2 = point
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = 2*point2
-    t4 = pose3*pose6
-    t5 = pose4*pose5
-    t6 = t4 - t5
-    t7 = 2*point1
-    t8 = pose4*pose4
-    t9 = pose5*pose5
-    t10 = -t9
-    t11 = pose3*pose3
-    t12 = pose6*pose6
+    t0 = pose5*pose5
+    t1 = -t0
+    t2 = pose3*pose3
+    t3 = pose6*pose6
+    t4 = t2 - t3
+    t5 = pose4*pose4
+    t6 = t1 + t4 + t5
+    t7 = pose3*pose5
+    t8 = pose4*pose6
+    t9 = t7 + t8
+    t10 = point2 + point2
+    t11 = pose3*pose6
+    t12 = pose4*pose5
     t13 = t11 - t12
-    t14 = t10 + t13 + t8
-    t15 = t4 + t5
-    t16 = 2*point0
-    t17 = pose3*pose4
-    t18 = pose5*pose6
-    t19 = t17 - t18
-    t20 = -t8
-    t21 = t13 + t20 + t9
-    t22 = t17 + t18
-    t23 = t0 - t1
-    t24 = t10 + t11 + t12 + t20
+    t14 = point1 + point1
+    t15 = -t5
+    t16 = t4 + t15 + t0
+    t17 = t11 + t12
+    t18 = point0 + point0
+    t19 = pose3*pose4
+    t20 = pose5*pose6
+    t21 = t19 - t20
+    t22 = t1 + t2 + t3 + t15
+    t23 = t7 - t8
+    t24 = t19 + t20
     t25 = point0*pose3 - point1*pose6 + point2*pose5
-    t26 = 2*t25
-    t27 = 2*(point0*pose4 + point1*pose5 + point2*pose6)
-    t28 = -point0*pose5 + point1*pose4 + point2*pose3
-    t29 = 2*t28
-    t30 = point0*pose6 + point1*pose3 - point2*pose4
-    t31 = 2*t30
+    t26 = t25 + t25
+    t27 = point0*pose4 + point1*pose5 + point2*pose6
+    t28 = t27 + t27
+    t29 = -point0*pose5 + point1*pose4 + point2*pose3
+    t30 = t29 + t29
+    t31 = point0*pose6 + point1*pose3 - point2*pose4
+    t32 = t31 + t31
+    t33 = t13 + t13
+    t34 = t9 + t9
+    t35 = t17 + t17
+    t36 = t21 + t21
+    t37 = t23 + t23
+    t38 = t24 + t24
     return (
-        point0*t14 + pose0 + t2*t3 - t6*t7,
-        point1*t21 + pose1 + t15*t16 - t19*t3,
-        point2*t24 + pose2 - t16*t23 + t22*t7,
+        point0*t6 + pose0 + t10*t9 - t13*t14,
+        point1*t16 + pose1 + t17*t18 - t10*t21,
+        point2*t22 + pose2 - t18*t23 + t14*t24,
         1,
         0,
         0,
         t26,
-        t27,
-        t29,
-        -2*t30,
+        t28,
+        t30,
+        -t32,
         0,
         1,
         0,
-        t31,
-        -2*t28,
-        t27,
+        t32,
+        -t30,
+        t28,
         t26,
         0,
         0,
         1,
-        t29,
-        t31,
-        -2*t25,
-        t27,
-        t14,
-        -2*t6,
-        2*t2,
-        2*t15,
-        t21,
-        -2*t19,
-        -2*t23,
-        2*t22,
-        t24,
+        t30,
+        t32,
+        -t26,
+        t28,
+        t6,
+        -t33,
+        t34,
+        t35,
+        t16,
+        -t36,
+        -t37,
+        t38,
+        t22,
     )
 
 
@@ -201,29 +214,29 @@ def to_frame(pose, point):
     """to_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2 = point
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = point1 - pose1
-    t3 = 2*t2
-    t4 = pose3*pose5
-    t5 = pose4*pose6
-    t6 = point2 - pose2
-    t7 = 2*t6
+    t0 = point1 - pose1
+    t1 = t0 + t0
+    t2 = pose3*pose6
+    t3 = pose4*pose5
+    t4 = point2 - pose2
+    t5 = t4 + t4
+    t6 = pose3*pose5
+    t7 = pose4*pose6
     t8 = point0 - pose0
-    t9 = pose4*pose4
-    t10 = pose5*pose5
-    t11 = -t10
-    t12 = pose3*pose3
-    t13 = pose6*pose6
-    t14 = t12 - t13
-    t15 = pose3*pose4
-    t16 = pose5*pose6
-    t17 = 2*t8
-    t18 = -t9
+    t9 = pose5*pose5
+    t10 = -t9
+    t11 = pose3*pose3
+    t12 = pose6*pose6
+    t13 = t11 - t12
+    t14 = pose4*pose4
+    t15 = t8 + t8
+    t16 = -t14
+    t17 = pose3*pose4
+    t18 = pose5*pose6
     return (
-        t3*(t0 + t1) - t7*(t4 - t5) + t8*(t11 + t14 + t9),
-        -t17*(t0 - t1) + t2*(t10 + t14 + t18) + t7*(t15 + t16),
-        t17*(t4 + t5) - t3*(t15 - t16) + t6*(t11 + t12 + t13 + t18),
+        (t2 + t3)*t1 - (t6 - t7)*t5 + (t10 + t13 + t14)*t8,
+        -(t2 - t3)*t15 + (t9 + t13 + t16)*t0 + (t17 + t18)*t5,
+        (t6 + t7)*t15 - (t17 - t18)*t1 + (t10 + t11 + t12 + t16)*t4,
     )
 
 
@@ -231,76 +244,74 @@ def to_frame_jac(pose, point):
     """to_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2 = point
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = point1 - pose1
-    t4 = 2*t3
-    t5 = pose3*pose5
-    t6 = pose4*pose6
-    t7 = t5 - t6
-    t8 = point2 - pose2
-    t9 = 2*t8
-    t10 = point0 - pose0
-    t11 = pose4*pose4
-    t12 = pose5*pose5
-    t13 = -t12
-    t14 = pose3*pose3
-    t15 = pose6*pose6
-    t16 = t14 - t15
-    t17 = t11 + t13 + t16
-    t18 = pose3*pose4
-    t19 = pose5*pose6
-    t20 = t18 + t19
-    t21 = t0 - t1
-    t22 = 2*t10
-    t23 = -t11
-    t24 = t12 + t16 + t23
-    t25 = t5 + t6
-    t26 = t18 - t19
-    t27 = t13 + t14 + t15 + t23
-    t28 = 2*t2
-    t29 = pose4*t10 + pose5*t3 + pose6*t8
-    t30 = pose3*t10 - pose5*t8 + pose6*t3
-    t31 = pose3*t3 + pose4*t8 - pose6*t10
-    t32 = pose3*t8 - pose4*t3 + pose5*t10
-    t33 = pose3*t29 - pose4*t30 - pose5*t31 - pose6*t32
-    t34 = pose3*t32 - pose4*t31 + pose5*t30 + pose6*t29
-    t35 = pose3*t31 + pose4*t32 + pose5*t29 - pose6*t30
-    t36 = 2*t20
-    t37 = pose3*t30 + pose4*t29 - pose5*t32 + pose6*t31
-    t38 = 2*t25
+    t0 = point0 - pose0
+    t1 = pose4*pose4
+    t2 = pose5*pose5
+    t3 = -t2
+    t4 = pose3*pose3
+    t5 = pose6*pose6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = pose3*pose6
+    t9 = pose4*pose5
+    t10 = t8 + t9
+    t11 = point1 - pose1
+    t12 = t11 + t11
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = point2 - pose2
+    t17 = t16 + t16
+    t18 = t0*t7 + t10*t12 - t15*t17
+    t19 = pose3*pose4
+    t20 = pose5*pose6
+    t21 = t19 + t20
+    t22 = t8 - t9
+    t23 = t0 + t0
+    t24 = -t1
+    t25 = t2 + t6 + t24
+    t26 = t17*t21 - t22*t23 + t11*t25
+    t27 = t13 + t14
+    t28 = t19 - t20
+    t29 = t3 + t4 + t5 + t24
+    t30 = t23*t27 - t12*t28 + t16*t29
+    t31 = t10 + t10
+    t32 = t15 + t15
+    t33 = t22 + t22
+    t34 = t21 + t21
+    t35 = t27 + t27
+    t36 = t28 + t28
     return (
-        t10*t17 + t2*t4 - t7*t9,
-        t20*t9 - t21*t22 + t24*t3,
-        t22*t25 - t26*t4 + t27*t8,
-        -t17,
-        -t28,
-        2*t7,
+        t18,
+        t26,
+        t30,
+        -t7,
+        -t31,
+        t32,
+        0,
+        -t30,
+        t26,
         t33,
+        -t25,
         -t34,
-        t35,
-        2*t21,
-        -t24,
-        -t36,
-        t34,
-        t33,
-        -t37,
-        -t38,
-        2*t26,
-        -t27,
+        t30,
+        0,
+        -t18,
         -t35,
-        t37,
-        t33,
-        t17,
-        t28,
-        -2*t7,
-        -2*t21,
-        t24,
         t36,
-        t38,
-        -2*t26,
-        t27,
+        -t29,
+        -t26,
+        t18,
+        0,
+        t7,
+        t31,
+        -t32,
+        -t33,
+        t25,
+        t34,
+        t35,
+        -t36,
+        t29,
     )
 
 
@@ -308,77 +319,81 @@ def to_frame_storage_jac(pose, point):
     """to_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2 = point
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = point1 - pose1
-    t4 = 2*t3
-    t5 = pose3*pose5
-    t6 = pose4*pose6
-    t7 = t5 - t6
-    t8 = point2 - pose2
-    t9 = 2*t8
-    t10 = point0 - pose0
-    t11 = pose4*pose4
-    t12 = pose5*pose5
-    t13 = -t12
-    t14 = pose3*pose3
-    t15 = pose6*pose6
-    t16 = t14 - t15
-    t17 = t11 + t13 + t16
+    t0 = point0 - pose0
+    t1 = pose4*pose4
+    t2 = pose5*pose5
+    t3 = -t2
+    t4 = pose3*pose3
+    t5 = pose6*pose6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = pose3*pose6
+    t9 = pose4*pose5
+    t10 = t8 + t9
+    t11 = point1 - pose1
+    t12 = t11 + t11
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = point2 - pose2
+    t17 = t16 + t16
     t18 = pose3*pose4
     t19 = pose5*pose6
     t20 = t18 + t19
-    t21 = t0 - t1
-    t22 = 2*t10
-    t23 = -t11
-    t24 = t12 + t16 + t23
-    t25 = t5 + t6
+    t21 = t8 - t9
+    t22 = t0 + t0
+    t23 = -t1
+    t24 = t2 + t6 + t23
+    t25 = t13 + t14
     t26 = t18 - t19
-    t27 = t13 + t14 + t15 + t23
-    t28 = 2*t2
-    t29 = pose3*t10 - pose5*t8 + pose6*t3
-    t30 = 2*t29
-    t31 = 2*pose4*t10 + 2*pose5*t3 + 2*pose6*t8
-    t32 = pose3*t8 - pose4*t3 + pose5*t10
-    t33 = pose3*t3 + pose4*t8 - pose6*t10
-    t34 = 2*t33
-    t35 = 2*t20
-    t36 = 2*t32
-    t37 = 2*t25
+    t27 = t3 + t4 + t5 + t23
+    t28 = t10 + t10
+    t29 = t15 + t15
+    t30 = pose3 + pose3
+    t31 = pose5 + pose5
+    t32 = pose6 + pose6
+    t33 = t30*t0 - t31*t16 + t32*t11
+    t34 = pose4 + pose4
+    t35 = t34*t0 + t31*t11 + t32*t16
+    t36 = t30*t16 - t34*t11 + t31*t0
+    t37 = t30*t11 + t34*t16 - t32*t0
+    t38 = t21 + t21
+    t39 = t20 + t20
+    t40 = t25 + t25
+    t41 = t26 + t26
     return (
-        t10*t17 + t2*t4 - t7*t9,
-        t20*t9 - t21*t22 + t24*t3,
-        t22*t25 - t26*t4 + t27*t8,
-        -t17,
+        t0*t7 + t10*t12 - t15*t17,
+        t17*t20 - t21*t22 + t11*t24,
+        t22*t25 - t12*t26 + t16*t27,
+        -t7,
         -t28,
-        2*t7,
-        t30,
-        t31,
-        -2*t32,
-        t34,
-        2*t21,
+        t29,
+        t33,
+        t35,
+        -t36,
+        t37,
+        t38,
         -t24,
-        -t35,
-        t34,
+        -t39,
+        t37,
         t36,
-        t31,
-        -2*t29,
-        -t37,
-        2*t26,
+        t35,
+        -t33,
+        -t40,
+        t41,
         -t27,
         t36,
-        -2*t33,
-        t30,
-        t31,
-        t17,
-        t28,
-        -2*t7,
-        -2*t21,
-        t24,
+        -t37,
+        t33,
         t35,
-        t37,
-        -2*t26,
+        t7,
+        t28,
+        -t29,
+        -t38,
+        t24,
+        t39,
+        t40,
+        -t41,
         t27,
     )
 
@@ -387,26 +402,26 @@ def compose(outer, inner):
     """compose: value."""
     outer0, outer1, outer2, outer3, outer4, outer5, outer6 = outer
     inner0, inner1, inner2, inner3, inner4, inner5, inner6 = inner
-    t0 = outer3*outer5
-    t1 = outer4*outer6
-    t2 = 2*inner2
-    t3 = outer3*outer6
-    t4 = outer4*outer5
-    t5 = 2*inner1
-    t6 = outer4*outer4
-    t7 = outer5*outer5
-    t8 = -t7
-    t9 = outer3*outer3
-    t10 = outer6*outer6
-    t11 = -t10 + t9
-    t12 = 2*inner0
-    t13 = outer3*outer4
-    t14 = outer5*outer6
-    t15 = -t6
+    t0 = outer6*outer6
+    t1 = outer3*outer3
+    t2 = -t0 + t1
+    t3 = outer4*outer4
+    t4 = outer5*outer5
+    t5 = -t4
+    t6 = inner2 + inner2
+    t7 = outer3*outer5
+    t8 = outer4*outer6
+    t9 = inner1 + inner1
+    t10 = outer3*outer6
+    t11 = outer4*outer5
+    t12 = -t3
+    t13 = inner0 + inner0
+    t14 = outer3*outer4
+    t15 = outer5*outer6
     return (
-        inner0*(t11 + t6 + t8) + outer0 + t2*(t0 + t1) - t5*(t3 - t4),
-        inner1*(t11 + t15 + t7) + outer1 + t12*(t3 + t4) - t2*(t13 - t14),
-        inner2*(t10 + t15 + t8 + t9) + outer2 - t12*(t0 - t1) + t5*(t13 + t14),
+        (t2 + t3 + t5)*inner0 + outer0 + (t7 + t8)*t6 - (t10 - t11)*t9,
+        (t2 + t12 + t4)*inner1 + outer1 + (t10 + t11)*t13 - (t14 - t15)*t6,
+        (t0 + t12 + t5 + t1)*inner2 + outer2 - (t7 - t8)*t13 + (t14 + t15)*t9,
         inner3*outer3 - inner4*outer4 - inner5*outer5 - inner6*outer6,
         inner3*outer4 + inner4*outer3 - inner5*outer6 + inner6*outer5,
         inner3*outer5 + inner4*outer6 + inner5*outer3 - inner6*outer4,
@@ -418,149 +433,160 @@ def compose_jac(outer, inner):
     """compose: value and Jacobians."""
     outer0, outer1, outer2, outer3, outer4, outer5, outer6 = outer
     inner0, inner1, inner2, inner3, inner4, inner5, inner6 = inner
-    t0 = outer3*outer5
-    t1 = outer4*outer6
-    t2 = t0 + t1
-    t3 = 2*inner2
-    t4 = outer3*outer6
-    t5 = outer4*outer5
-    t6 = t4 - t5
-    t7 = 2*inner1
-    t8 = outer4*outer4
-    t9 = outer5*outer5
-    t10 = -t9
-    t11 = outer3*outer3
-    t12 = outer6*outer6
+    t0 = outer5*outer5
+    t1 = -t0
+    t2 = outer3*outer3
+    t3 = outer6*outer6
+    t4 = t2 - t3
+    t5 = outer4*outer4
+    t6 = t1 + t4 + t5
+    t7 = outer3*outer5
+    t8 = outer4*outer6
+    t9 = t7 + t8
+    t10 = inner2 + inner2
+    t11 = outer3*outer6
+    t12 = outer4*outer5
     t13 = t11 - t12
-    t14 = t10 + t13 + t8
-    t15 = t4 + t5
-    t16 = 2*inner0
-    t17 = outer3*outer4
-    t18 = outer5*outer6
-    t19 = t17 - t18
-    t20 = -t8
-    t21 = t13 + t20 + t9
-    t22 = t17 + t18
-    t23 = t0 - t1
-    t24 = t10 + t11 + t12 + t20
+    t14 = inner1 + inner1
+    t15 = -t5
+    t16 = t4 + t15 + t0
+    t17 = t11 + t12
+    t18 = inner0 + inner0
+    t19 = outer3*outer4
+    t20 = outer5*outer6
+    t21 = t19 - t20
+    t22 = t1 + t2 + t3 + t15
+    t23 = t7 - t8
+    t24 = t19 + t20
     t25 = inner4*outer4
-    t26 = inner5*outer5
-    t27 = inner6*outer6
-    t28 = t26 + t27
-    t29 = -inner3*outer3 + t25 + t28
-    t30 = inner6*outer5
-    t31 = inner5*outer6
-    t32 = inner3*outer4
-    t33 = inner4*outer3
-    t34 = t32 + t33
-    t35 = t30 - t31 + t34
-    t36 = inner5*outer3
-    t37 = inner6*outer4
-    t38 = inner3*outer5
-    t39 = inner4*outer6
-    t40 = t38 + t39
-    t41 = t36 - t37 + t40
-    t42 = inner3*outer6
-    t43 = inner4*outer5
-    t44 = inner5*outer4
-    t45 = inner6*outer3
-    t46 = t44 + t45
-    t47 = t42 - t43 + t46
-    t48 = inner0*outer6 + inner1*outer3 - inner2*outer4
-    t49 = outer5*t48
-    t50 = inner0*outer3 - inner1*outer6 + inner2*outer5
-    t51 = outer4*t50
-    t52 = inner0*outer4 + inner1*outer5 + inner2*outer6
-    t53 = outer3*t52
-    t54 = -inner0*outer5 + inner1*outer4 + inner2*outer3
-    t55 = outer6*t54
-    t56 = t53 + t55
-    t57 = outer6*t52
-    t58 = outer3*t54
-    t59 = outer4*t48 + outer5*t50
-    t60 = outer3*t48
-    t61 = outer5*t52
-    t62 = outer4*t54 + outer6*t50
-    t63 = outer4*t52
-    t64 = outer3*t50
-    t65 = outer5*t54 + outer6*t48
-    t66 = 1/(t29*t29 + t35*t35 + t41*t41 + t47*t47)
-    t67 = inner3*outer3
-    t68 = -t25 + t28 + t67
-    t69 = -t42 + t43 + t46
-    t70 = -t30 + t31 + t34
-    t71 = -t36 + t37 + t40
-    t72 = t42 + t43
-    t73 = t44 - t45 + t72
-    t74 = t25 + t67
-    t75 = -t26 + t27 + t74
-    t76 = t30 + t31
-    t77 = -t32 + t33 + t76
-    t78 = t36 + t37
-    t79 = t38 - t39 + t78
-    t80 = -t38 + t39 + t78
-    t81 = -t44 + t45 + t72
-    t82 = t26 - t27 + t74
-    t83 = t32 - t33 + t76
+    t26 = inner3*outer3
+    t27 = inner5*outer5
+    t28 = inner6*outer6
+    t29 = t27 + t28
+    t30 = t25 - t26 + t29
+    t31 = inner6*outer5
+    t32 = inner5*outer6
+    t33 = inner3*outer4
+    t34 = inner4*outer3
+    t35 = t33 + t34
+    t36 = t31 - t32 + t35
+    t37 = inner5*outer3
+    t38 = inner6*outer4
+    t39 = inner3*outer5
+    t40 = inner4*outer6
+    t41 = t39 + t40
+    t42 = t37 - t38 + t41
+    t43 = inner3*outer6
+    t44 = inner4*outer5
+    t45 = inner5*outer4
+    t46 = inner6*outer3
+    t47 = t45 + t46
+    t48 = t43 - t44 + t47
+    t49 = inner0*outer6 + inner1*outer3 - inner2*outer4
+    t50 = outer5*t49
+    t51 = inner0*outer3 - inner1*outer6 + inner2*outer5
+    t52 = outer4*t51
+    t53 = inner0*outer4 + inner1*outer5 + inner2*outer6
+    t54 = outer3*t53
+    t55 = -inner0*outer5 + inner1*outer4 + inner2*outer3
+    t56 = outer6*t55
+    t57 = t54 + t56
+    t58 = outer6*t53
+    t59 = outer3*t55
+    t60 = outer4*t49 + outer5*t51
+    t61 = outer3*t49
+    t62 = outer5*t53
+    t63 = outer4*t55 + outer6*t51
+    t64 = outer4*t53
+    t65 = outer3*t51
+    t66 = outer5*t55 + outer6*t49
+    t67 = t30*t30
+    t68 = t36*t36
+    t69 = t42*t42
+    t70 = t48*t48
+    t71 = t67 + t68 + t69 + t70
+    t72 = 1/t71
+    t73 = -t25 + t26 + t29
+    t74 = -t31 + t32 + t35
+    t75 = -t37 + t38 + t41
+    t76 = -t43 + t44 + t47
+    t77 = t43 + t44
+    t78 = t45 - t46 + t77
+    t79 = t37 + t38
+    t80 = t39 - t40 + t79
+    t81 = t31 + t32
+    t82 = -t33 + t34 + t81
+    t83 = t25 + t26
+    t84 = -t27 + t28 + t83
+    t85 = -t39 + t40 + t79
+    t86 = -t45 + t46 + t77
+    t87 = t27 - t28 + t83
+    t88 = t33 - t34 + t81
+    t89 = t13 + t13
+    t90 = t9 + t9
+    t91 = t17 + t17
+    t92 = t21 + t21
+    t93 = t23 + t23
+    t94 = t24 + t24
     return (
-        inner0*t14 + outer0 + t2*t3 - t6*t7,
-        inner1*t21 + outer1 + t15*t16 - t19*t3,
-        inner2*t24 + outer2 - t16*t23 + t22*t7,
-        -t29,
-        t35,
-        t41,
-        t47,
+        inner0*t6 + outer0 + t10*t9 - t13*t14,
+        inner1*t16 + outer1 + t17*t18 - t10*t21,
+        inner2*t22 + outer2 - t18*t23 + t14*t24,
+        -t30,
+        t36,
+        t42,
+        t48,
         1,
         0,
         0,
-        t49 - t51 + t56,
-        -t57 + t58 - t59,
-        -t60 + t61 - t62,
+        t50 - t52 + t57,
+        -t58 + t59 - t60,
+        -t61 + t62 - t63,
         0,
         1,
         0,
-        t57 - t58 - t59,
-        -t49 + t51 + t56,
-        -t63 + t64 - t65,
+        t58 - t59 - t60,
+        -t50 + t52 + t57,
+        -t64 + t65 - t66,
         0,
         0,
         1,
-        t60 - t61 - t62,
-        t63 - t64 - t65,
-        t49 + t51 + t53 - t55,
+        t61 - t62 - t63,
+        t64 - t65 - t66,
+        t50 + t52 + t54 - t56,
         0,
         0,
         0,
-        t66*(-t29*t68 + t35*t70 + t41*t71 - t47*t69),
-        t66*(t29*t73 + t35*t79 + t41*t77 + t47*t75),
-        t66*(t29*t80 + t35*t81 - t41*t82 - t47*t83),
+        -(t30*t73 - t36*t74 - t42*t75 + t48*t76)*t72,
+        (t30*t78 + t36*t80 + t42*t82 + t48*t84)*t72,
+        (t30*t85 + t36*t86 - t42*t87 - t48*t88)*t72,
         0,
         0,
         0,
-        t66*(t29*t69 - t35*t71 + t41*t70 - t47*t68),
-        t66*(-t29*t75 - t35*t77 + t41*t79 + t47*t73),
-        t66*(t29*t83 + t35*t82 + t41*t81 + t47*t80),
+        (t30*t76 - t36*t75 + t42*t74 - t48*t73)*t72,
+        -(t30*t84 + t36*t82 - t42*t80 - t48*t78)*t72,
+        (t30*t88 + t36*t87 + t42*t86 + t48*t85)*t72,
         0,
         0,
         0,
-        t66*(t29*t71 + t35*t69 + t41*t68 + t47*t70),
-        t66*(t29*t77 - t35*t75 - t41*t73 + t47*t79),
-        t66*(-t29*t82 + t35*t83 - t41*t80 + t47*t81),
-        t14,
-        -2*t6,
-        2*t2,
+        (t30*t75 + t36*t76 + t42*t73 + t48*t74)*t72,
+        (t30*t82 - t36*t84 - t42*t78 + t48*t80)*t72,
+        -(t30*t87 - t36*t88 + t42*t85 - t48*t86)*t72,
+        t6,
+        -t89,
+        t90,
         0,
         0,
         0,
-        2*t15,
-        t21,
-        -2*t19,
+        t91,
+        t16,
+        -t92,
         0,
         0,
         0,
-        -2*t23,
-        2*t22,
-        t24,
+        -t93,
+        t94,
+        t22,
         0,
         0,
         0,
@@ -589,48 +615,55 @@ def compose_storage_jac(outer, inner):
     """compose: value and derivatives by stored numbers."""
     outer0, outer1, outer2, outer3, outer4, outer5, outer6 = outer
     inner0, inner1, inner2, inner3, inner4, inner5, inner6 = inner
-    t0 = outer3*outer5
-    t1 = outer4*outer6
-    t2 = t0 + t1
-    t3 = 2*inner2
-    t4 = outer3*outer6
-    t5 = outer4*outer5
-    t6 = t4 - t5
-    t7 = 2*inner1
-    t8 = outer4*outer4
-    t9 = outer5*outer5
-    t10 = -t9
-    t11 = outer3*outer3
-    t12 = outer6*outer6
+    t0 = outer5*outer5
+    t1 = -t0
+    t2 = outer3*outer3
+    t3 = outer6*outer6
+    t4 = t2 - t3
+    t5 = outer4*outer4
+    t6 = t1 + t4 + t5
+    t7 = outer3*outer5
+    t8 = outer4*outer6
+    t9 = t7 + t8
+    t10 = inner2 + inner2
+    t11 = outer3*outer6
+    t12 = outer4*outer5
     t13 = t11 - t12
-    t14 = t10 + t13 + t8
-    t15 = t4 + t5
-    t16 = 2*inner0
-    t17 = outer3*outer4
-    t18 = outer5*outer6
-    t19 = t17 - t18
-    t20 = -t8
-    t21 = t13 + t20 + t9
-    t22 = t17 + t18
-    t23 = t0 - t1
-    t24 = t10 + t11 + t12 + t20
+    t14 = inner1 + inner1
+    t15 = -t5
+    t16 = t4 + t15 + t0
+    t17 = t11 + t12
+    t18 = inner0 + inner0
+    t19 = outer3*outer4
+    t20 = outer5*outer6
+    t21 = t19 - t20
+    t22 = t1 + t2 + t3 + t15
+    t23 = t7 - t8
+    t24 = t19 + t20
     t25 = inner0*outer3 - inner1*outer6 + inner2*outer5
-    t26 = 2*t25
-    t27 = 2*(inner0*outer4 + inner1*outer5 + inner2*outer6)
-    t28 = -inner0*outer5 + inner1*outer4 + inner2*outer3
-    t29 = 2*t28
-    t30 = inner0*outer6 + inner1*outer3 - inner2*outer4
-    t31 = 2*t30
-    t32 = -inner4
-    t33 = -inner5
-    t34 = -inner6
-    t35 = -outer4
-    t36 = -outer5
-    t37 = -outer6
+    t26 = t25 + t25
+    t27 = inner0*outer4 + inner1*outer5 + inner2*outer6
+    t28 = t27 + t27
+    t29 = -inner0*outer5 + inner1*outer4 + inner2*outer3
+    t30 = t29 + t29
+    t31 = inner0*outer6 + inner1*outer3 - inner2*outer4
+    t32 = t31 + t31
+    t33 = -inner4
+    t34 = -inner5
+    t35 = -inner6
+    t36 = t13 + t13
+    t37 = t9 + t9
+    t38 = t17 + t17
+    t39 = t21 + t21
+    t40 = t23 + t23
+    t41 = t24 + t24
+    t42 = -outer4
+    t43 = -outer5
+    t44 = -outer6
     return (
-        inner0*t14 + outer0 + t2*t3 - t6*t7,
-        inner1*t21 + outer1 + t15*t16 - t19*t3,
-        inner2*t24 + outer2 - t16*t23 + t22*t7,
+        inner0*t6 + outer0 + t10*t9 - t13*t14,
+        inner1*t16 + outer1 + t17*t18 - t10*t21,
+        inner2*t22 + outer2 - t18*t23 + t14*t24,
         inner3*outer3 - inner4*outer4 - inner5*outer5 - inner6*outer6,
         inner3*outer4 + inner4*outer3 - inner5*outer6 + inner6*outer5,
         inner3*outer5 + inner4*outer6 + inner5*outer3 - inner6*outer4,
@@ -639,42 +672,42 @@ def compose_storage_jac(outer, inner):
         0,
         0,
         t26,
-        t27,
-        t29,
-        -2*t30,
+        t28,
+        t30,
+        -t32,
         0,
         1,
         0,
-        t31,
-        -2*t28,
-        t27,
+        t32,
+        -t30,
+        t28,
         t26,
         0,
         0,
         1,
-        t29,
-        t31,
-        -2*t25,
-        t27,
+        t30,
+        t32,
+        -t26,
+        t28,
         0,
         0,
         0,
         inner3,
-        t32,
         t33,
         t34,
+        t35,
         0,
         0,
         0,
         inner4,
         inner3,
         inner6,
-        t33,
+        t34,
         0,
         0,
         0,
         inner5,
-        t34,
+        t35,
         inner3,
         inner4,
         0,
@@ -682,25 +715,25 @@ def compose_storage_jac(outer, inner):
         0,
         inner6,
         inner5,
-        t32,
+        t33,
         inner3,
-        t14,
-        -2*t6,
-        2*t2,
+        t6,
+        -t36,
+        t37,
         0,
         0,
         0,
         0,
-        2*t15,
-        t21,
-        -2*t19,
+        t38,
+        t16,
+        -t39,
         0,
         0,
         0,
         0,
-        -2*t23,
-        2*t22,
-        t24,
+        -t40,
+        t41,
+        t22,
         0,
         0,
         0,
@@ -709,15 +742,15 @@ def compose_storage_jac(outer, inner):
         0,
         0,
         outer3,
-        t35,
-        t36,
-        t37,
+        t42,
+        t43,
+        t44,
         0,
         0,
         0,
         outer4,
         outer3,
-        t37,
+        t44,
         outer5,
         0,
         0,
@@ -725,12 +758,12 @@ def compose_storage_jac(outer, inner):
         outer5,
         outer6,
         outer3,
-        t35,
+        t42,
         0,
         0,
         0,
         outer6,
-        t36,
+        t43,
         outer4,
         outer3,
     )
@@ -739,23 +772,26 @@ def compose_storage_jac(outer, inner):
 def inverse(pose):
     """inverse: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = pose3*pose5
-    t3 = pose4*pose6
-    t4 = pose4*pose4
-    t5 = pose5*pose5
-    t6 = -t5
-    t7 = pose3*pose3
-    t8 = pose6*pose6
-    t9 = t7 - t8
-    t10 = pose3*pose4
-    t11 = pose5*pose6
-    t12 = -t4
+    t0 = pose6*pose6
+    t1 = pose3*pose3
+    t2 = -t0 + t1
+    t3 = pose4*pose4
+    t4 = pose5*pose5
+    t5 = -t4
+    t6 = pose1 + pose1
+    t7 = pose3*pose6
+    t8 = pose4*pose5
+    t9 = pose2 + pose2
+    t10 = pose3*pose5
+    t11 = pose4*pose6
+    t12 = -t3
+    t13 = pose0 + pose0
+    t14 = pose3*pose4
+    t15 = pose5*pose6
     return (
-        -pose0*(t4 + t6 + t9) - 2*pose1*(t0 + t1) + 2*pose2*(t2 - t3),
-        2*pose0*(t0 - t1) - pose1*(t12 + t5 + t9) - 2*pose2*(t10 + t11),
-        -2*pose0*(t2 + t3) + 2*pose1*(t10 - t11) - pose2*(t12 + t6 + t7 + t8),
+        -(t2 + t3 + t5)*pose0 - (t7 + t8)*t6 + (t10 - t11)*t9,
+        -(t2 + t12 + t4)*pose1 + (t7 - t8)*t13 - (t14 + t15)*t9,
+        -(t0 + t12 + t5 + t1)*pose2 - (t10 + t11)*t13 + (t14 - t15)*t6,
         pose3,
         -pose4,
         -pose5,
@@ -766,150 +802,169 @@ def inverse(pose):
 def inverse_jac(pose):
     """inverse: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = pose3*pose5
-    t4 = pose4*pose6
-    t5 = t3 - t4
-    t6 = pose4*pose4
-    t7 = pose5*pose5
-    t8 = -t7
-    t9 = pose3*pose3
-    t10 = pose6*pose6
-    t11 = -t10 + t9
-    t12 = t11 + t6 + t8
-    t13 = pose3*pose4
-    t14 = pose5*pose6
-    t15 = t13 + t14
-    t16 = t0 - t1
-    t17 = -t6
-    t18 = t11 + t17 + t7
-    t19 = t3 + t4
-    t20 = t13 - t14
-    t21 = t10 + t9
-    t22 = t17 + t21 + t8
-    t23 = -t12
-    t24 = pose0*pose4 + pose1*pose5 + pose2*pose6
-    t25 = pose0*pose3 + pose1*pose6 - pose2*pose5
-    t26 = -pose0*pose6 + pose1*pose3 + pose2*pose4
-    t27 = pose0*pose5 - pose1*pose4 + pose2*pose3
-    t28 = -pose3*t24 + pose4*t25 + pose5*t26 + pose6*t27
-    t29 = pose3*t27 - pose4*t26 + pose5*t25 + pose6*t24
-    t30 = pose3*t26 + pose4*t27 + pose5*t24 - pose6*t25
-    t31 = -t18
-    t32 = pose3*t25 + pose4*t24 - pose5*t27 + pose6*t26
-    t33 = -t22
-    t34 = 1/(t21 + t6 + t7)
-    t35 = 2*t34
+    t0 = pose5*pose5
+    t1 = -t0
+    t2 = pose3*pose3
+    t3 = pose6*pose6
+    t4 = t2 - t3
+    t5 = pose4*pose4
+    t6 = t1 + t4 + t5
+    t7 = pose3*pose6
+    t8 = pose4*pose5
+    t9 = t7 + t8
+    t10 = pose1 + pose1
+    t11 = pose3*pose5
+    t12 = pose4*pose6
+    t13 = t11 - t12
+    t14 = pose2 + pose2
+    t15 = pose0*t6 + t10*t9 - t13*t14
+    t16 = -t15
+    t17 = -t5
+    t18 = t4 + t17 + t0
+    t19 = pose3*pose4
+    t20 = pose5*pose6
+    t21 = t19 + t20
+    t22 = t7 - t8
+    t23 = pose0 + pose0
+    t24 = pose1*t18 + t14*t21 - t22*t23
+    t25 = -t24
+    t26 = t2 + t3
+    t27 = t1 + t17 + t26
+    t28 = t11 + t12
+    t29 = t19 - t20
+    t30 = pose2*t27 + t23*t28 - t10*t29
+    t31 = -t30
+    t32 = t9 + t9
+    t33 = t13 + t13
+    t34 = t22 + t22
+    t35 = t21 + t21
+    t36 = t28 + t28
+    t37 = t29 + t29
+    t38 = t26 + t5 + t0
+    t39 = 1/t38
+    t40 = t39 + t39
     return (
-        -pose0*t12 - 2*pose1*t2 + 2*pose2*t5,
-        2*pose0*t16 - pose1*t18 - 2*pose2*t15,
-        -2*pose0*t19 + 2*pose1*t20 - pose2*t22,
+        t16,
+        t25,
+        t31,
         pose3,
         -pose4,
         -pose5,
         -pose6,
-        t23,
-        -2*t2,
-        2*t5,
-        t28,
-        t29,
-        -t30,
-        2*t16,
-        t31,
-        -2*t15,
-        -t29,
-        t28,
-        t32,
-        -2*t19,
-        2*t20,
-        t33,
-        t30,
+        -t6,
         -t32,
-        t28,
+        t33,
+        0,
+        t30,
+        t25,
+        t34,
+        -t18,
+        -t35,
+        t31,
+        0,
+        t15,
+        -t36,
+        t37,
+        -t27,
+        t24,
+        t16,
         0,
         0,
         0,
-        t23*t34,
-        t16*t35,
-        -t19*t35,
+        0,
+        -t39*t6,
+        t22*t40,
+        -t28*t40,
         0,
         0,
         0,
-        -t2*t35,
-        t31*t34,
-        t20*t35,
+        -t40*t9,
+        -t18*t39,
+        t29*t40,
         0,
         0,
         0,
-        t35*t5,
-        -t15*t35,
-        t33*t34,
+        t13*t40,
+        -t21*t40,
+        -t27*t39,
     )
 
 
 def inverse_storage_jac(pose):
     """inverse: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = pose3*pose5
-    t4 = pose4*pose6
-    t5 = t3 - t4
-    t6 = pose4*pose4
-    t7 = pose5*pose5
-    t8 = -t7
-    t9 = pose3*pose3
-    t10 = pose6*pose6
-    t11 = -t10 + t9
-    t12 = t11 + t6 + t8
-    t13 = pose3*pose4
-    t14 = pose5*pose6
-    t15 = t13 + t14
-    t16 = t0 - t1
-    t17 = -t6
-    t18 = t11 + t17 + t7
-    t19 = t3 + t4
-    t20 = t13 - t14
-    t21 = t10 + t17 + t8 + t9
-    t22 = pose0*pose3 + pose1*pose6 - pose2*pose5
-    t23 = -2*t22
-    t24 = -2*(pose0*pose4 + pose1*pose5 + pose2*pose6)
-    t25 = pose0*pose5 - pose1*pose4 + pose2*pose3
-    t26 = -pose0*pose6 + pose1*pose3 + pose2*pose4
-    t27 = -2*t26
-    t28 = -2*t25
+    t0 = pose5*pose5
+    t1 = -t0
+    t2 = pose3*pose3
+    t3 = pose6*pose6
+    t4 = t2 - t3
+    t5 = pose4*pose4
+    t6 = t1 + t4 + t5
+    t7 = pose3*pose6
+    t8 = pose4*pose5
+    t9 = t7 + t8
+    t10 = pose1 + pose1
+    t11 = pose3*pose5
+    t12 = pose4*pose6
+    t13 = t11 - t12
+    t14 = pose2 + pose2
+    t15 = -t5
+    t16 = t4 + t15 + t0
+    t17 = pose3*pose4
+    t18 = pose5*pose6
+    t19 = t17 + t18
+    t20 = t7 - t8
+    t21 = pose0 + pose0
+    t22 = t1 + t2 + t3 + t15
+    t23 = t11 + t12
+    t24 = t17 - t18
+    t25 = t9 + t9
+    t26 = t13 + t13
+    t27 = pose0*pose3 + pose1*pose6 - pose2*pose5
+    t28 = t27 + t27
+    t29 = -t28
+    t30 = pose0*pose4 + pose1*pose5 + pose2*pose6
+    t31 = t30 + t30
+    t32 = -t31
+    t33 = pose0*pose5 - pose1*pose4 + pose2*pose3
+    t34 = t33 + t33
+    t35 = -pose0*pose6 + pose1*pose3 + pose2*pose4
+    t36 = t35 + t35
+    t37 = -t36
+    t38 = t20 + t20
+    t39 = t19 + t19
+    t40 = -t34
+    t41 = t23 + t23
+    t42 = t24 + t24
     return (
-        -pose0*t12 - 2*pose1*t2 + 2*pose2*t5,
-        2*pose0*t16 - pose1*t18 - 2*pose2*t15,
-        -2*pose0*t19 + 2*pose1*t20 - pose2*t21,
+        -pose0*t6 - t10*t9 + t13*t14,
+        -pose1*t16 - t14*t19 + t20*t21,
+        -pose2*t22 - t21*t23 + t10*t24,
         pose3,
         -pose4,
         -pose5,
         -pose6,
-        -t12,
-        -2*t2,
-        2*t5,
-        t23,
-        t24,
-        2*t25,
-        t27,
-        2*t16,
-        -t18,
-        -2*t15,
-        t27,
+        -t6,
+        -t25,
+        t26,
+        t29,
+        t32,
+        t34,
+        t37,
+        t38,
+        -t16,
+        -t39,
+        t37,
+        t40,
+        t32,
         t28,
-        t24,
-        2*t22,
-        -2*t19,
-        2*t20,
-        -t21,
-        t28,
-        2*t26,
-        t23,
-        t24,
+        -t41,
+        t42,
+        -t22,
+        t40,
+        t36,
+        t29,
+        t32,
         0,
         0,
         0,
@@ -945,26 +1000,29 @@ def relative(origin, pose):
     """relative: value."""
     origin0, origin1, origin2, origin3, origin4, origin5, origin6 = origin
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
-    t0 = origin3*origin6
-    t1 = origin4*origin5
-    t2 = origin1 - pose1
-    t3 = origin2 - pose2
-    t4 = origin3*origin5
-    t5 = origin4*origin6
-    t6 = origin0 - pose0
-    t7 = origin4*origin4
-    t8 = origin5*origin5
-    t9 = -t8
-    t10 = origin3*origin3
-    t11 = origin6*origin6
-    t12 = t10 - t11
-    t13 = origin3*origin4
-    t14 = origin5*origin6
-    t15 = -t7
+    t0 = origin1 - pose1
+    t1 = t0 + t0
+    t2 = origin3*origin6
+    t3 = origin4*origin5
+    t4 = origin2 - pose2
+    t5 = t4 + t4
+    t6 = origin3*origin5
+    t7 = origin4*origin6
+    t8 = origin0 - pose0
+    t9 = origin5*origin5
+    t10 = -t9
+    t11 = origin3*origin3
+    t12 = origin6*origin6
+    t13 = t11 - t12
+    t14 = origin4*origin4
+    t15 = t8 + t8
+    t16 = -t14
+    t17 = origin3*origin4
+    t18 = origin5*origin6
     return (
-        -2*t2*(t0 + t1) + 2*t3*(t4 - t5) - t6*(t12 + t7 + t9),
-        -t2*(t12 + t15 + t8) - 2*t3*(t13 + t14) + 2*t6*(t0 - t1),
-        2*t2*(t13 - t14) - t3*(t10 + t11 + t15 + t9) - 2*t6*(t4 + t5),
+        -(t2 + t3)*t1 + (t6 - t7)*t5 - (t10 + t13 + t14)*t8,
+        (t2 - t3)*t15 - (t9 + t13 + t16)*t0 - (t17 + t18)*t5,
+        -(t6 + t7)*t15 + (t17 - t18)*t1 - (t10 + t11 + t12 + t16)*t4,
         origin3*pose3 + origin4*pose4 + origin5*pose5 + origin6*pose6,
         origin3*pose4 - origin4*pose3 - origin5*pose6 + origin6*pose5,
         origin3*pose5 + origin4*pose6 - origin5*pose3 - origin6*pose4,
@@ -976,136 +1034,128 @@ def relative_jac(origin, pose):
     """relative: value and Jacobians."""
     origin0, origin1, origin2, origin3, origin4, origin5, origin6 = origin
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
-    t0 = origin3*origin6
-    t1 = origin4*origin5
-    t2 = t0 + t1
-    t3 = origin1 - pose1
-    t4 = origin2 - pose2
-    t5 = origin3*origin5
-    t6 = origin4*origin6
-    t7 = t5 - t6
-    t8 = origin0 - pose0
-    t9 = origin4*origin4
-    t10 = origin5*origin5
-    t11 = -t10
-    t12 = origin3*origin3
-    t13 = origin6*origin6
-    t14 = t12 - t13
-    t15 = t11 + t14 + t9
-    t16 = origin3*origin4
-    t17 = origin5*origin6
-    t18 = t16 + t17
-    t19 = t0 - t1
-    t20 = -t9
-    t21 = t10 + t14 + t20
-    t22 = t5 + t6
-    t23 = t16 - t17
-    t24 = t11 + t12 + t13 + t20
-    t25 = origin3*pose3 + origin4*pose4 + origin5*pose5 + origin6*pose6
-    t26 = origin3*pose4 - origin4*pose3 - origin5*pose6 + origin6*pose5
-    t27 = origin3*pose5 + origin4*pose6 - origin5*pose3 - origin6*pose4
-    t28 = origin3*pose6 - origin4*pose5 + origin5*pose4 - origin6*pose3
-    t29 = 2*t2
-    t30 = origin3*t8 - origin5*t4 + origin6*t3
-    t31 = -t30
-    t32 = origin4*t31
-    t33 = -t4
-    t34 = -t8
-    t35 = -t3
-    t36 = origin3*t33 - origin4*t35 + origin5*t34
-    t37 = origin4*t8 + origin5*t3 + origin6*t4
-    t38 = origin3*t37
-    t39 = origin3*t3 + origin4*t4 - origin6*t8
-    t40 = -t39
-    t41 = origin5*t40 + t38
-    t42 = origin6*t37
-    t43 = origin5*t31
-    t44 = origin5*t37
-    t45 = origin3*t4 - origin4*t3 + origin5*t8
-    t46 = -t45
-    t47 = origin4*t46
-    t48 = 2*t18
-    t49 = origin3*t34 - origin5*t33 + origin6*t35
-    t50 = origin6*t46
-    t51 = origin4*t37
-    t52 = origin6*t40
-    t53 = 2*t22
-    t54 = origin3*t35 + origin4*t33 - origin6*t34
-    t55 = t27*t27
-    t56 = t28*t28
-    t57 = t25*t25
-    t58 = t26*t26
-    t59 = t57 + t58
-    t60 = 1/(t55 + t56 + t59)
-    t61 = -t55
-    t62 = -t56
-    t63 = t25*t28
-    t64 = t26*t27
-    t65 = 2*t60
-    t66 = t25*t27
-    t67 = t26*t28
-    t68 = t57 - t58
-    t69 = t25*t26
-    t70 = t27*t28
+    t0 = origin0 - pose0
+    t1 = origin4*origin4
+    t2 = origin5*origin5
+    t3 = -t2
+    t4 = origin3*origin3
+    t5 = origin6*origin6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = origin3*origin6
+    t9 = origin4*origin5
+    t10 = t8 + t9
+    t11 = origin1 - pose1
+    t12 = t11 + t11
+    t13 = origin3*origin5
+    t14 = origin4*origin6
+    t15 = t13 - t14
+    t16 = origin2 - pose2
+    t17 = t16 + t16
+    t18 = t0*t7 + t10*t12 - t15*t17
+    t19 = -t18
+    t20 = origin3*origin4
+    t21 = origin5*origin6
+    t22 = t20 + t21
+    t23 = t8 - t9
+    t24 = t0 + t0
+    t25 = -t1
+    t26 = t2 + t6 + t25
+    t27 = t17*t22 - t23*t24 + t11*t26
+    t28 = -t27
+    t29 = t13 + t14
+    t30 = t20 - t21
+    t31 = t3 + t4 + t5 + t25
+    t32 = t24*t29 - t12*t30 + t16*t31
+    t33 = -t32
+    t34 = origin3*pose3 + origin4*pose4 + origin5*pose5 + origin6*pose6
+    t35 = origin3*pose4 - origin4*pose3 - origin5*pose6 + origin6*pose5
+    t36 = origin3*pose5 + origin4*pose6 - origin5*pose3 - origin6*pose4
+    t37 = origin3*pose6 - origin4*pose5 + origin5*pose4 - origin6*pose3
+    t38 = t10 + t10
+    t39 = t15 + t15
+    t40 = t23 + t23
+    t41 = t22 + t22
+    t42 = t29 + t29
+    t43 = t30 + t30
+    t44 = t36*t36
+    t45 = t37*t37
+    t46 = t34*t34
+    t47 = t35*t35
+    t48 = t46 + t47
+    t49 = t44 + t45 + t48
+    t50 = 1/t49
+    t51 = -t44
+    t52 = -t45
+    t53 = t37 + t37
+    t54 = t34*t53
+    t55 = t36 + t36
+    t56 = t35*t55
+    t57 = t34*t55
+    t58 = t35*t53
+    t59 = t46 - t47
+    t60 = t34 + t34
+    t61 = t60*t35
+    t62 = t36*t53
     return (
-        -t15*t8 - 2*t2*t3 + 2*t4*t7,
-        -2*t18*t4 + 2*t19*t8 - t21*t3,
-        -2*t22*t8 + 2*t23*t3 - t24*t4,
-        t25,
-        t26,
-        t27,
+        t19,
         t28,
-        -t15,
-        -t29,
-        2*t7,
-        -origin6*t36 - t32 - t41,
-        -origin3*t36 + origin4*t40 + t42 - t43,
-        -origin3*t39 + origin6*t30 - t44 + t47,
-        2*t19,
-        -t21,
-        -t48,
-        -origin3*t45 + origin4*t39 - t42 + t43,
-        -origin4*t49 - t41 - t50,
-        -origin3*t49 + origin5*t46 + t51 - t52,
-        -t53,
-        2*t23,
-        -t24,
-        -origin3*t54 + origin6*t31 + t44 - t47,
-        -origin3*t30 + origin5*t45 - t51 + t52,
-        -origin5*t54 - t32 - t38 - t50,
+        t33,
+        t34,
+        t35,
+        t36,
+        t37,
+        -t7,
+        -t38,
+        t39,
+        0,
+        t32,
+        t28,
+        t40,
+        -t26,
+        -t41,
+        t33,
+        0,
+        t18,
+        -t42,
+        t43,
+        -t31,
+        t27,
+        t19,
         0,
         0,
         0,
-        t60*(-t59 - t61 - t62),
-        -t65*(t63 + t64),
-        t65*(t66 - t67),
+        0,
+        -(t48 + t51 + t52)*t50,
+        -(t54 + t56)*t50,
+        (t57 - t58)*t50,
         0,
         0,
         0,
-        t65*(t63 - t64),
-        t60*(-t55 - t62 - t68),
-        -t65*(t69 + t70),
+        (t54 - t56)*t50,
+        -(t44 + t52 + t59)*t50,
+        -(t61 + t62)*t50,
         0,
         0,
         0,
-        -t65*(t66 + t67),
-        t65*(t69 - t70),
-        t60*(-t56 - t61 - t68),
-        t15,
-        t29,
-        -2*t7,
+        -(t57 + t58)*t50,
+        (t61 - t62)*t50,
+        -(t45 + t51 + t59)*t50,
+        t7,
+        t38,
+        -t39,
         0,
         0,
         0,
-        -2*t19,
-        t21,
-        t48,
+        -t40,
+        t26,
+        t41,
         0,
         0,
         0,
-        t53,
-        -2*t23,
-        t24,
+        t42,
+        -t43,
+        t31,
         0,
         0,
         0,
@@ -1134,74 +1184,80 @@ def relative_storage_jac(origin, pose):
     """relative: value and derivatives by stored numbers."""
     origin0, origin1, origin2, origin3, origin4, origin5, origin6 = origin
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
-    t0 = origin3*origin6
-    t1 = origin4*origin5
-    t2 = t0 + t1
-    t3 = origin1 - pose1
-    t4 = origin2 - pose2
-    t5 = origin3*origin5
-    t6 = origin4*origin6
-    t7 = t5 - t6
-    t8 = origin0 - pose0
-    t9 = origin4*origin4
-    t10 = origin5*origin5
-    t11 = -t10
-    t12 = origin3*origin3
-    t13 = origin6*origin6
-    t14 = t12 - t13
-    t15 = t11 + t14 + t9
-    t16 = origin3*origin4
-    t17 = origin5*origin6
-    t18 = t16 + t17
-    t19 = t0 - t1
-    t20 = -t9
-    t21 = t10 + t14 + t20
-    t22 = t5 + t6
-    t23 = t16 - t17
-    t24 = t11 + t12 + t13 + t20
-    t25 = 2*t2
-    t26 = origin3*t8 - origin5*t4 + origin6*t3
-    t27 = -2*t26
-    t28 = -2*origin4*t8 - 2*origin5*t3 - 2*origin6*t4
-    t29 = origin3*t4 - origin4*t3 + origin5*t8
-    t30 = origin3*t3 + origin4*t4 - origin6*t8
-    t31 = -2*t30
-    t32 = 2*t18
-    t33 = -2*t29
-    t34 = 2*t22
-    t35 = -pose3
-    t36 = -origin4
-    t37 = -origin5
-    t38 = -origin6
+    t0 = origin0 - pose0
+    t1 = origin4*origin4
+    t2 = origin5*origin5
+    t3 = -t2
+    t4 = origin3*origin3
+    t5 = origin6*origin6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = origin3*origin6
+    t9 = origin4*origin5
+    t10 = t8 + t9
+    t11 = origin1 - pose1
+    t12 = t11 + t11
+    t13 = origin3*origin5
+    t14 = origin4*origin6
+    t15 = t13 - t14
+    t16 = origin2 - pose2
+    t17 = t16 + t16
+    t18 = origin3*origin4
+    t19 = origin5*origin6
+    t20 = t18 + t19
+    t21 = t8 - t9
+    t22 = t0 + t0
+    t23 = -t1
+    t24 = t2 + t6 + t23
+    t25 = t13 + t14
+    t26 = t18 - t19
+    t27 = t3 + t4 + t5 + t23
+    t28 = t10 + t10
+    t29 = t15 + t15
+    t30 = origin3*t22 - origin5*t17 + origin6*t12
+    t31 = -t30
+    t32 = -origin4*t22 - origin5*t12 - origin6*t17
+    t33 = origin3*t17 - origin4*t12 + origin5*t22
+    t34 = origin3*t12 + origin4*t17 - origin6*t22
+    t35 = -t34
+    t36 = t21 + t21
+    t37 = t20 + t20
+    t38 = -t33
+    t39 = t25 + t25
+    t40 = t26 + t26
+    t41 = -pose3
+    t42 = -origin4
+    t43 = -origin5
+    t44 = -origin6
     return (
-        -t15*t8 - 2*t2*t3 + 2*t4*t7,
-        -2*t18*t4 + 2*t19*t8 - t21*t3,
-        -2*t22*t8 + 2*t23*t3 - t24*t4,
+        -t0*t7 - t10*t12 + t15*t17,
+        -t17*t20 + t21*t22 - t11*t24,
+        -t22*t25 + t12*t26 - t16*t27,
         origin3*pose3 + origin4*pose4 + origin5*pose5 + origin6*pose6,
         origin3*pose4 - origin4*pose3 - origin5*pose6 + origin6*pose5,
         origin3*pose5 + origin4*pose6 - origin5*pose3 - origin6*pose4,
         origin3*pose6 - origin4*pose5 + origin5*pose4 - origin6*pose3,
-        -t15,
-        -t25,
-        2*t7,
-        t27,
-        t28,
-        2*t29,
+        -t7,
+        -t28,
+        t29,
         t31,
-        2*t19,
-        -t21,
-        -t32,
-        t31,
+        t32,
         t33,
-        t28,
-        2*t26,
-        -t34,
-        2*t23,
+        t35,
+        t36,
         -t24,
-        t33,
-        2*t30,
-        t27,
-        t28,
+        -t37,
+        t35,
+        t38,
+        t32,
+        t30,
+        -t39,
+        t40,
+        -t27,
+        t38,
+        t34,
+        t31,
+        t32,
         0,
         0,
         0,
@@ -1213,7 +1269,7 @@ def relative_storage_jac(origin, pose):
         0,
         0,
         pose4,
-        t35,
+        t41,
         -pose6,
         pose5,
         0,
@@ -1221,7 +1277,7 @@ def relative_storage_jac(origin, pose):
         0,
         pose5,
         pose6,
-        t35,
+        t41,
         -pose4,
         0,
         0,
@@ -1229,24 +1285,24 @@ def relative_storage_jac(origin, pose):
         pose6,
         -pose5,
         pose4,
-        t35,
-        t15,
-        t25,
-        -2*t7,
+        t41,
+        t7,
+        t28,
+        -t29,
         0,
         0,
         0,
         0,
-        -2*t19,
-        t21,
-        t32,
-        0,
-        0,
-        0,
-        0,
-        t34,
-        -2*t23,
+        -t36,
         t24,
+        t37,
+        0,
+        0,
+        0,
+        0,
+        t39,
+        -t40,
+        t27,
         0,
         0,
         0,
@@ -1261,22 +1317,22 @@ def relative_storage_jac(origin, pose):
         0,
         0,
         0,
-        t36,
+        t42,
         origin3,
         origin6,
-        t37,
+        t43,
         0,
         0,
         0,
-        t37,
-        t38,
+        t43,
+        t44,
         origin3,
         origin4,
         0,
         0,
         0,
-        t38,
+        t44,
         origin5,
-        t36,
+        t42,
         origin3,
     )

@@ -16,29 +16,29 @@ def to_frame(pose, landmark):
     """to_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = landmark4 + landmark6*(landmark1 - pose1)
-    t3 = 2*t2
-    t4 = pose3*pose5
-    t5 = pose4*pose6
-    t6 = landmark5 + landmark6*(landmark2 - pose2)
-    t7 = 2*t6
-    t8 = landmark3 + landmark6*(landmark0 - pose0)
-    t9 = pose4*pose4
-    t10 = pose5*pose5
-    t11 = -t10
-    t12 = pose3*pose3
-    t13 = pose6*pose6
-    t14 = t12 - t13
-    t15 = pose3*pose4
-    t16 = pose5*pose6
-    t17 = 2*t8
-    t18 = -t9
+    t0 = landmark4 + (landmark1 - pose1)*landmark6
+    t1 = t0 + t0
+    t2 = pose3*pose6
+    t3 = pose4*pose5
+    t4 = landmark5 + (landmark2 - pose2)*landmark6
+    t5 = t4 + t4
+    t6 = pose3*pose5
+    t7 = pose4*pose6
+    t8 = landmark3 + (landmark0 - pose0)*landmark6
+    t9 = pose5*pose5
+    t10 = -t9
+    t11 = pose3*pose3
+    t12 = pose6*pose6
+    t13 = t11 - t12
+    t14 = pose4*pose4
+    t15 = t8 + t8
+    t16 = -t14
+    t17 = pose3*pose4
+    t18 = pose5*pose6
     return (
-        t3*(t0 + t1) - t7*(t4 - t5) + t8*(t11 + t14 + t9),
-        -t17*(t0 - t1) + t2*(t10 + t14 + t18) + t7*(t15 + t16),
-        t17*(t4 + t5) - t3*(t15 - t16) + t6*(t11 + t12 + t13 + t18),
+        (t2 + t3)*t1 - (t6 - t7)*t5 + (t10 + t13 + t14)*t8,
+        -(t2 - t3)*t15 + (t9 + t13 + t16)*t0 + (t17 + t18)*t5,
+        (t6 + t7)*t15 - (t17 - t18)*t1 + (t10 + t11 + t12 + t16)*t4,
         landmark6,
     )
 
@@ -47,108 +47,109 @@ def to_frame_jac(pose, landmark):
     """to_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = landmark1 - pose1
-    t4 = landmark4 + landmark6*t3
-    t5 = 2*t4
-    t6 = pose3*pose5
-    t7 = pose4*pose6
-    t8 = t6 - t7
-    t9 = landmark2 - pose2
-    t10 = landmark5 + landmark6*t9
-    t11 = 2*t10
-    t12 = landmark0 - pose0
-    t13 = landmark3 + landmark6*t12
-    t14 = pose4*pose4
-    t15 = pose5*pose5
-    t16 = -t15
-    t17 = pose3*pose3
-    t18 = pose6*pose6
-    t19 = t17 - t18
-    t20 = t14 + t16 + t19
-    t21 = pose3*pose4
-    t22 = pose5*pose6
-    t23 = t21 + t22
-    t24 = t0 - t1
-    t25 = 2*t13
-    t26 = -t14
-    t27 = t15 + t19 + t26
-    t28 = t6 + t7
-    t29 = t21 - t22
-    t30 = t16 + t17 + t18 + t26
-    t31 = landmark6*t20
-    t32 = 2*landmark6
-    t33 = t2*t32
-    t34 = t32*t8
-    t35 = pose4*t13 + pose5*t4 + pose6*t10
-    t36 = pose3*t13 - pose5*t10 + pose6*t4
-    t37 = pose3*t4 + pose4*t10 - pose6*t13
-    t38 = pose3*t10 - pose4*t4 + pose5*t13
-    t39 = pose3*t35 - pose4*t36 - pose5*t37 - pose6*t38
-    t40 = pose3*t38 - pose4*t37 + pose5*t36 + pose6*t35
-    t41 = pose3*t37 + pose4*t38 + pose5*t35 - pose6*t36
-    t42 = t24*t32
-    t43 = landmark6*t27
-    t44 = t23*t32
-    t45 = pose3*t36 + pose4*t35 - pose5*t38 + pose6*t37
-    t46 = t28*t32
-    t47 = t29*t32
-    t48 = landmark6*t30
-    t49 = 2*t3
-    t50 = 2*t9
-    t51 = 2*t12
+    t0 = landmark2 - pose2
+    t1 = landmark5 + landmark6*t0
+    t2 = t1 + t1
+    t3 = pose3*pose5
+    t4 = pose4*pose6
+    t5 = t3 - t4
+    t6 = landmark0 - pose0
+    t7 = landmark3 + landmark6*t6
+    t8 = pose4*pose4
+    t9 = pose5*pose5
+    t10 = -t9
+    t11 = pose3*pose3
+    t12 = pose6*pose6
+    t13 = t11 - t12
+    t14 = t8 + t10 + t13
+    t15 = pose3*pose6
+    t16 = pose4*pose5
+    t17 = t15 + t16
+    t18 = landmark1 - pose1
+    t19 = landmark4 + landmark6*t18
+    t20 = t19 + t19
+    t21 = -t2*t5 + t14*t7 + t17*t20
+    t22 = pose3*pose4
+    t23 = pose5*pose6
+    t24 = t22 + t23
+    t25 = t15 - t16
+    t26 = t7 + t7
+    t27 = -t8
+    t28 = t9 + t13 + t27
+    t29 = t2*t24 - t25*t26 + t19*t28
+    t30 = t10 + t11 + t12 + t27
+    t31 = t3 + t4
+    t32 = t22 - t23
+    t33 = t1*t30 + t26*t31 - t20*t32
+    t34 = landmark6*t14
+    t35 = landmark6 + landmark6
+    t36 = t17*t35
+    t37 = t35*t5
+    t38 = t25*t35
+    t39 = landmark6*t28
+    t40 = t24*t35
+    t41 = t31*t35
+    t42 = t32*t35
+    t43 = landmark6*t30
+    t44 = t17 + t17
+    t45 = t5 + t5
+    t46 = t18 + t18
+    t47 = t0 + t0
+    t48 = t25 + t25
+    t49 = t24 + t24
+    t50 = t6 + t6
+    t51 = t31 + t31
+    t52 = t32 + t32
     return (
-        -t11*t8 + t13*t20 + t2*t5,
-        t11*t23 - t24*t25 + t27*t4,
-        t10*t30 + t25*t28 - t29*t5,
+        t21,
+        t29,
+        t33,
         landmark6,
-        -t31,
+        -t34,
+        -t36,
+        t37,
+        0,
         -t33,
-        t34,
-        t39,
+        t29,
+        t38,
+        -t39,
         -t40,
-        t41,
+        t33,
+        0,
+        -t21,
+        -t41,
         t42,
         -t43,
-        -t44,
-        t40,
-        t39,
+        -t29,
+        t21,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        t34,
+        t36,
+        -t37,
+        t14,
+        t44,
         -t45,
-        -t46,
-        t47,
-        -t48,
-        -t41,
-        t45,
+        t14*t6 + t17*t46 - t47*t5,
+        -t38,
         t39,
-        0,
-        0,
-        0,
-        0,
-        0,
-        0,
-        t31,
-        t33,
-        -t34,
-        t20,
-        2*t2,
-        -2*t8,
-        t12*t20 + t2*t49 - t50*t8,
+        t40,
+        -t48,
+        t28,
+        t49,
+        t24*t47 - t25*t50 + t18*t28,
+        t41,
         -t42,
         t43,
-        t44,
-        -2*t24,
-        t27,
-        2*t23,
-        t23*t50 - t24*t51 + t27*t3,
-        t46,
-        -t47,
-        t48,
-        2*t28,
-        -2*t29,
+        t51,
+        -t52,
         t30,
-        t28*t51 - t29*t49 + t30*t9,
+        t31*t50 - t32*t46 + t0*t30,
         0,
         0,
         0,
@@ -163,83 +164,90 @@ def to_frame_storage_jac(pose, landmark):
     """to_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = landmark1 - pose1
-    t4 = landmark4 + landmark6*t3
-    t5 = 2*t4
-    t6 = pose3*pose5
-    t7 = pose4*pose6
-    t8 = t6 - t7
-    t9 = landmark2 - pose2
-    t10 = landmark5 + landmark6*t9
-    t11 = 2*t10
-    t12 = landmark0 - pose0
-    t13 = landmark3 + landmark6*t12
-    t14 = pose4*pose4
-    t15 = pose5*pose5
-    t16 = -t15
-    t17 = pose3*pose3
-    t18 = pose6*pose6
-    t19 = t17 - t18
-    t20 = t14 + t16 + t19
+    t0 = landmark2 - pose2
+    t1 = landmark5 + landmark6*t0
+    t2 = t1 + t1
+    t3 = pose3*pose5
+    t4 = pose4*pose6
+    t5 = t3 - t4
+    t6 = landmark0 - pose0
+    t7 = landmark3 + landmark6*t6
+    t8 = pose4*pose4
+    t9 = pose5*pose5
+    t10 = -t9
+    t11 = pose3*pose3
+    t12 = pose6*pose6
+    t13 = t11 - t12
+    t14 = t8 + t10 + t13
+    t15 = pose3*pose6
+    t16 = pose4*pose5
+    t17 = t15 + t16
+    t18 = landmark1 - pose1
+    t19 = landmark4 + landmark6*t18
+    t20 = t19 + t19
     t21 = pose3*pose4
     t22 = pose5*pose6
     t23 = t21 + t22
-    t24 = t0 - t1
-    t25 = 2*t13
-    t26 = -t14
-    t27 = t15 + t19 + t26
-    t28 = t6 + t7
-    t29 = t21 - t22
-    t30 = t16 + t17 + t18 + t26
-    t31 = landmark6*t20
-    t32 = 2*landmark6
-    t33 = t2*t32
-    t34 = t32*t8
-    t35 = pose3*t13 - pose5*t10 + pose6*t4
-    t36 = 2*t35
-    t37 = 2*pose4*t13 + 2*pose5*t4 + 2*pose6*t10
-    t38 = pose3*t10 - pose4*t4 + pose5*t13
-    t39 = pose3*t4 + pose4*t10 - pose6*t13
-    t40 = 2*t39
-    t41 = t24*t32
-    t42 = landmark6*t27
-    t43 = t23*t32
-    t44 = 2*t38
-    t45 = t28*t32
+    t24 = t15 - t16
+    t25 = t7 + t7
+    t26 = -t8
+    t27 = t9 + t13 + t26
+    t28 = t10 + t11 + t12 + t26
+    t29 = t3 + t4
+    t30 = t21 - t22
+    t31 = landmark6*t14
+    t32 = landmark6 + landmark6
+    t33 = t17*t32
+    t34 = t32*t5
+    t35 = pose3 + pose3
+    t36 = pose5 + pose5
+    t37 = pose6 + pose6
+    t38 = t35*t7 - t36*t1 + t37*t19
+    t39 = pose4 + pose4
+    t40 = t39*t7 + t36*t19 + t37*t1
+    t41 = t35*t1 - t39*t19 + t36*t7
+    t42 = t35*t19 + t39*t1 - t37*t7
+    t43 = t24*t32
+    t44 = landmark6*t27
+    t45 = t23*t32
     t46 = t29*t32
-    t47 = landmark6*t30
-    t48 = 2*t3
-    t49 = 2*t9
-    t50 = 2*t12
+    t47 = t30*t32
+    t48 = landmark6*t28
+    t49 = t17 + t17
+    t50 = t5 + t5
+    t51 = t18 + t18
+    t52 = t0 + t0
+    t53 = t24 + t24
+    t54 = t23 + t23
+    t55 = t6 + t6
+    t56 = t29 + t29
+    t57 = t30 + t30
     return (
-        -t11*t8 + t13*t20 + t2*t5,
-        t11*t23 - t24*t25 + t27*t4,
-        t10*t30 + t25*t28 - t29*t5,
+        -t2*t5 + t14*t7 + t17*t20,
+        t2*t23 - t24*t25 + t19*t27,
+        t1*t28 + t25*t29 - t20*t30,
         landmark6,
         -t31,
         -t33,
         t34,
-        t36,
-        t37,
-        -2*t38,
+        t38,
         t40,
+        -t41,
+        t42,
+        t43,
+        -t44,
+        -t45,
+        t42,
+        t41,
+        t40,
+        -t38,
+        -t46,
+        t47,
+        -t48,
         t41,
         -t42,
-        -t43,
+        t38,
         t40,
-        t44,
-        t37,
-        -2*t35,
-        -t45,
-        t46,
-        -t47,
-        t44,
-        -2*t39,
-        t36,
-        t37,
         0,
         0,
         0,
@@ -250,24 +258,24 @@ def to_frame_storage_jac(pose, landmark):
         t31,
         t33,
         -t34,
-        t20,
-        2*t2,
-        -2*t8,
-        t12*t20 + t2*t48 - t49*t8,
-        -t41,
-        t42,
-        t43,
-        -2*t24,
-        t27,
-        2*t23,
-        t23*t49 - t24*t50 + t27*t3,
+        t14,
+        t49,
+        -t50,
+        t14*t6 + t17*t51 - t5*t52,
+        -t43,
+        t44,
         t45,
-        -t46,
-        t47,
-        2*t28,
-        -2*t29,
-        t30,
-        t28*t50 - t29*t48 + t30*t9,
+        -t53,
+        t27,
+        t54,
+        t23*t52 - t24*t55 + t18*t27,
+        t46,
+        -t47,
+        t48,
+        t56,
+        -t57,
+        t28,
+        t29*t55 - t30*t51 + t0*t28,
         0,
         0,
         0,
@@ -282,29 +290,29 @@ def from_frame(pose, point):
     """from_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2, point3 = point
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = 2*point2
-    t3 = pose3*pose6
-    t4 = pose4*pose5
-    t5 = 2*point1
-    t6 = pose4*pose4
-    t7 = pose5*pose5
-    t8 = -t7
-    t9 = pose3*pose3
-    t10 = pose6*pose6
-    t11 = -t10 + t9
-    t12 = 2*point0
-    t13 = pose3*pose4
-    t14 = pose5*pose6
-    t15 = -t6
+    t0 = pose6*pose6
+    t1 = pose3*pose3
+    t2 = -t0 + t1
+    t3 = pose4*pose4
+    t4 = pose5*pose5
+    t5 = -t4
+    t6 = point2 + point2
+    t7 = pose3*pose5
+    t8 = pose4*pose6
+    t9 = point1 + point1
+    t10 = pose3*pose6
+    t11 = pose4*pose5
+    t12 = -t3
+    t13 = point0 + point0
+    t14 = pose3*pose4
+    t15 = pose5*pose6
     return (
         pose0,
         pose1,
         pose2,
-        point0*(t11 + t6 + t8) + t2*(t0 + t1) - t5*(t3 - t4),
-        point1*(t11 + t15 + t7) + t12*(t3 + t4) - t2*(t13 - t14),
-        point2*(t10 + t15 + t8 + t9) - t12*(t0 - t1) + t5*(t13 + t14),
+        (t2 + t3 + t5)*point0 + (t7 + t8)*t6 - (t10 - t11)*t9,
+        (t2 + t12 + t4)*point1 + (t10 + t11)*t13 - (t14 - t15)*t6,
+        (t0 + t12 + t5 + t1)*point2 - (t7 - t8)*t13 + (t14 + t15)*t9,
         point3,
     )
 
@@ -313,31 +321,31 @@ def from_frame_jac(pose, point):
     """from_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2, point3 = point
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = 2*point2
-    t4 = pose3*pose6
-    t5 = pose4*pose5
-    t6 = t4 - t5
-    t7 = 2*point1
-    t8 = pose4*pose4
-    t9 = pose5*pose5
-    t10 = -t9
-    t11 = pose3*pose3
-    t12 = pose6*pose6
+    t0 = pose5*pose5
+    t1 = -t0
+    t2 = pose3*pose3
+    t3 = pose6*pose6
+    t4 = t2 - t3
+    t5 = pose4*pose4
+    t6 = t1 + t4 + t5
+    t7 = pose3*pose5
+    t8 = pose4*pose6
+    t9 = t7 + t8
+    t10 = point2 + point2
+    t11 = pose3*pose6
+    t12 = pose4*pose5
     t13 = t11 - t12
-    t14 = t10 + t13 + t8
-    t15 = t4 + t5
-    t16 = 2*point0
-    t17 = pose3*pose4
-    t18 = pose5*pose6
-    t19 = t17 - t18
-    t20 = -t8
-    t21 = t13 + t20 + t9
-    t22 = t17 + t18
-    t23 = t0 - t1
-    t24 = t10 + t11 + t12 + t20
+    t14 = point1 + point1
+    t15 = -t5
+    t16 = t4 + t15 + t0
+    t17 = t11 + t12
+    t18 = point0 + point0
+    t19 = pose3*pose4
+    t20 = pose5*pose6
+    t21 = t19 - t20
+    t22 = t1 + t2 + t3 + t15
+    t23 = t7 - t8
+    t24 = t19 + t20
     t25 = point0*pose6 + point1*pose3 - point2*pose4
     t26 = pose5*t25
     t27 = point0*pose3 - point1*pose6 + point2*pose5
@@ -356,13 +364,19 @@ def from_frame_jac(pose, point):
     t40 = pose4*t29
     t41 = pose3*t27
     t42 = pose5*t31 + pose6*t25
+    t43 = t13 + t13
+    t44 = t9 + t9
+    t45 = t17 + t17
+    t46 = t21 + t21
+    t47 = t23 + t23
+    t48 = t24 + t24
     return (
         pose0,
         pose1,
         pose2,
-        point0*t14 + t2*t3 - t6*t7,
-        point1*t21 + t15*t16 - t19*t3,
-        point2*t24 - t16*t23 + t22*t7,
+        point0*t6 + t10*t9 - t13*t14,
+        point1*t16 + t17*t18 - t10*t21,
+        point2*t22 - t18*t23 + t14*t24,
         point3,
         1,
         0,
@@ -418,17 +432,17 @@ def from_frame_jac(pose, point):
         0,
         0,
         0,
-        t14,
-        -2*t6,
-        2*t2,
+        t6,
+        -t43,
+        t44,
         0,
-        2*t15,
-        t21,
-        -2*t19,
+        t45,
+        t16,
+        -t46,
         0,
-        -2*t23,
-        2*t22,
-        t24,
+        -t47,
+        t48,
+        t22,
         0,
         0,
         0,
@@ -441,45 +455,52 @@ def from_frame_storage_jac(pose, point):
     """from_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2, point3 = point
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = 2*point2
-    t4 = pose3*pose6
-    t5 = pose4*pose5
-    t6 = t4 - t5
-    t7 = 2*point1
-    t8 = pose4*pose4
-    t9 = pose5*pose5
-    t10 = -t9
-    t11 = pose3*pose3
-    t12 = pose6*pose6
+    t0 = pose5*pose5
+    t1 = -t0
+    t2 = pose3*pose3
+    t3 = pose6*pose6
+    t4 = t2 - t3
+    t5 = pose4*pose4
+    t6 = t1 + t4 + t5
+    t7 = pose3*pose5
+    t8 = pose4*pose6
+    t9 = t7 + t8
+    t10 = point2 + point2
+    t11 = pose3*pose6
+    t12 = pose4*pose5
     t13 = t11 - t12
-    t14 = t10 + t13 + t8
-    t15 = t4 + t5
-    t16 = 2*point0
-    t17 = pose3*pose4
-    t18 = pose5*pose6
-    t19 = t17 - t18
-    t20 = -t8
-    t21 = t13 + t20 + t9
-    t22 = t17 + t18
-    t23 = t0 - t1
-    t24 = t10 + t11 + t12 + t20
+    t14 = point1 + point1
+    t15 = -t5
+    t16 = t4 + t15 + t0
+    t17 = t11 + t12
+    t18 = point0 + point0
+    t19 = pose3*pose4
+    t20 = pose5*pose6
+    t21 = t19 - t20
+    t22 = t1 + t2 + t3 + t15
+    t23 = t7 - t8
+    t24 = t19 + t20
     t25 = point0*pose3 - point1*pose6 + point2*pose5
-    t26 = 2*t25
-    t27 = 2*(point0*pose4 + point1*pose5 + point2*pose6)
-    t28 = -point0*pose5 + point1*pose4 + point2*pose3
-    t29 = 2*t28
-    t30 = point0*pose6 + point1*pose3 - point2*pose4
-    t31 = 2*t30
+    t26 = t25 + t25
+    t27 = point0*pose4 + point1*pose5 + point2*pose6
+    t28 = t27 + t27
+    t29 = -point0*pose5 + point1*pose4 + point2*pose3
+    t30 = t29 + t29
+    t31 = point0*pose6 + point1*pose3 - point2*pose4
+    t32 = t31 + t31
+    t33 = t13 + t13
+    t34 = t9 + t9
+    t35 = t17 + t17
+    t36 = t21 + t21
+    t37 = t23 + t23
+    t38 = t24 + t24
     return (
         pose0,
         pose1,
         pose2,
-        point0*t14 + t2*t3 - t6*t7,
-        point1*t21 + t15*t16 - t19*t3,
-        point2*t24 - t16*t23 + t22*t7,
+        point0*t6 + t10*t9 - t13*t14,
+        point1*t16 + t17*t18 - t10*t21,
+        point2*t22 - t18*t23 + t14*t24,
         point3,
         1,
         0,
@@ -506,23 +527,23 @@ def from_frame_storage_jac(pose, point):
         0,
         0,
         t26,
-        t27,
-        t29,
-        -2*t30,
+        t28,
+        t30,
+        -t32,
         0,
         0,
         0,
-        t31,
-        -2*t28,
-        t27,
+        t32,
+        -t30,
+        t28,
         t26,
         0,
         0,
         0,
-        t29,
-        t31,
-        -2*t25,
-        t27,
+        t30,
+        t32,
+        -t26,
+        t28,
         0,
         0,
         0,
@@ -542,17 +563,17 @@ def from_frame_storage_jac(pose, point):
         0,
         0,
         0,
-        t14,
-        -2*t6,
-        2*t2,
+        t6,
+        -t33,
+        t34,
         0,
-        2*t15,
-        t21,
-        -2*t19,
+        t35,
+        t16,
+        -t36,
         0,
-        -2*t23,
-        2*t22,
-        t24,
+        -t37,
+        t38,
+        t22,
         0,
         0,
         0,
@@ -564,7 +585,7 @@ def from_frame_storage_jac(pose, point):
 def to_point(landmark):
     """to_point: value."""
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6 = landmark
-    t0 = 1/(landmark6)
+    t0 = 1/landmark6
     return (
         landmark0 + landmark3*t0,
         landmark1 + landmark4*t0,
@@ -575,8 +596,8 @@ def to_point(landmark):
 def to_point_jac(landmark):
     """to_point: value and Jacobians."""
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6 = landmark
-    t0 = 1/(landmark6)
-    t1 = 1/(landmark6*landmark6)
+    t0 = 1/landmark6
+    t1 = t0*t0
     return (
         landmark0 + landmark3*t0,
         landmark1 + landmark4*t0,

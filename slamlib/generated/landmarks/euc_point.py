@@ -16,29 +16,29 @@ def to_frame(pose, landmark):
     """to_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = landmark1 - pose1
-    t3 = 2*t2
-    t4 = pose3*pose5
-    t5 = pose4*pose6
-    t6 = landmark2 - pose2
-    t7 = 2*t6
+    t0 = landmark1 - pose1
+    t1 = t0 + t0
+    t2 = pose3*pose6
+    t3 = pose4*pose5
+    t4 = landmark2 - pose2
+    t5 = t4 + t4
+    t6 = pose3*pose5
+    t7 = pose4*pose6
     t8 = landmark0 - pose0
-    t9 = pose4*pose4
-    t10 = pose5*pose5
-    t11 = -t10
-    t12 = pose3*pose3
-    t13 = pose6*pose6
-    t14 = t12 - t13
-    t15 = pose3*pose4
-    t16 = pose5*pose6
-    t17 = 2*t8
-    t18 = -t9
+    t9 = pose5*pose5
+    t10 = -t9
+    t11 = pose3*pose3
+    t12 = pose6*pose6
+    t13 = t11 - t12
+    t14 = pose4*pose4
+    t15 = t8 + t8
+    t16 = -t14
+    t17 = pose3*pose4
+    t18 = pose5*pose6
     return (
-        t3*(t0 + t1) - t7*(t4 - t5) + t8*(t11 + t14 + t9),
-        -t17*(t0 - t1) + t2*(t10 + t14 + t18) + t7*(t15 + t16),
-        t17*(t4 + t5) - t3*(t15 - t16) + t6*(t11 + t12 + t13 + t18),
+        (t2 + t3)*t1 - (t6 - t7)*t5 + (t10 + t13 + t14)*t8,
+        -(t2 - t3)*t15 + (t9 + t13 + t16)*t0 + (t17 + t18)*t5,
+        (t6 + t7)*t15 - (t17 - t18)*t1 + (t10 + t11 + t12 + t16)*t4,
         1,
     )
 
@@ -47,83 +47,81 @@ def to_frame_jac(pose, landmark):
     """to_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = landmark1 - pose1
-    t4 = 2*t3
-    t5 = pose3*pose5
-    t6 = pose4*pose6
-    t7 = t5 - t6
-    t8 = landmark2 - pose2
-    t9 = 2*t8
-    t10 = landmark0 - pose0
-    t11 = pose4*pose4
-    t12 = pose5*pose5
-    t13 = -t12
-    t14 = pose3*pose3
-    t15 = pose6*pose6
-    t16 = t14 - t15
-    t17 = t11 + t13 + t16
-    t18 = pose3*pose4
-    t19 = pose5*pose6
-    t20 = t18 + t19
-    t21 = t0 - t1
-    t22 = 2*t10
-    t23 = -t11
-    t24 = t12 + t16 + t23
-    t25 = t5 + t6
-    t26 = t18 - t19
-    t27 = t13 + t14 + t15 + t23
-    t28 = 2*t2
-    t29 = pose4*t10 + pose5*t3 + pose6*t8
-    t30 = pose3*t10 - pose5*t8 + pose6*t3
-    t31 = pose3*t3 + pose4*t8 - pose6*t10
-    t32 = pose3*t8 - pose4*t3 + pose5*t10
-    t33 = pose3*t29 - pose4*t30 - pose5*t31 - pose6*t32
-    t34 = pose3*t32 - pose4*t31 + pose5*t30 + pose6*t29
-    t35 = pose3*t31 + pose4*t32 + pose5*t29 - pose6*t30
-    t36 = 2*t20
-    t37 = pose3*t30 + pose4*t29 - pose5*t32 + pose6*t31
-    t38 = 2*t25
+    t0 = landmark0 - pose0
+    t1 = pose4*pose4
+    t2 = pose5*pose5
+    t3 = -t2
+    t4 = pose3*pose3
+    t5 = pose6*pose6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = pose3*pose6
+    t9 = pose4*pose5
+    t10 = t8 + t9
+    t11 = landmark1 - pose1
+    t12 = t11 + t11
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = landmark2 - pose2
+    t17 = t16 + t16
+    t18 = t0*t7 + t10*t12 - t15*t17
+    t19 = pose3*pose4
+    t20 = pose5*pose6
+    t21 = t19 + t20
+    t22 = t8 - t9
+    t23 = t0 + t0
+    t24 = -t1
+    t25 = t2 + t6 + t24
+    t26 = t17*t21 - t22*t23 + t11*t25
+    t27 = t13 + t14
+    t28 = t19 - t20
+    t29 = t3 + t4 + t5 + t24
+    t30 = t23*t27 - t12*t28 + t16*t29
+    t31 = t10 + t10
+    t32 = t15 + t15
+    t33 = t22 + t22
+    t34 = t21 + t21
+    t35 = t27 + t27
+    t36 = t28 + t28
     return (
-        t10*t17 + t2*t4 - t7*t9,
-        t20*t9 - t21*t22 + t24*t3,
-        t22*t25 - t26*t4 + t27*t8,
+        t18,
+        t26,
+        t30,
         1,
-        -t17,
-        -t28,
-        2*t7,
+        -t7,
+        -t31,
+        t32,
+        0,
+        -t30,
+        t26,
         t33,
+        -t25,
         -t34,
-        t35,
-        2*t21,
-        -t24,
-        -t36,
-        t34,
-        t33,
-        -t37,
-        -t38,
-        2*t26,
-        -t27,
+        t30,
+        0,
+        -t18,
         -t35,
-        t37,
-        t33,
-        0,
-        0,
-        0,
-        0,
-        0,
-        0,
-        t17,
-        t28,
-        -2*t7,
-        -2*t21,
-        t24,
         t36,
-        t38,
-        -2*t26,
-        t27,
+        -t29,
+        -t26,
+        t18,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        t7,
+        t31,
+        -t32,
+        -t33,
+        t25,
+        t34,
+        t35,
+        -t36,
+        t29,
         0,
         0,
         0,
@@ -134,85 +132,89 @@ def to_frame_storage_jac(pose, landmark):
     """to_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = landmark1 - pose1
-    t4 = 2*t3
-    t5 = pose3*pose5
-    t6 = pose4*pose6
-    t7 = t5 - t6
-    t8 = landmark2 - pose2
-    t9 = 2*t8
-    t10 = landmark0 - pose0
-    t11 = pose4*pose4
-    t12 = pose5*pose5
-    t13 = -t12
-    t14 = pose3*pose3
-    t15 = pose6*pose6
-    t16 = t14 - t15
-    t17 = t11 + t13 + t16
+    t0 = landmark0 - pose0
+    t1 = pose4*pose4
+    t2 = pose5*pose5
+    t3 = -t2
+    t4 = pose3*pose3
+    t5 = pose6*pose6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = pose3*pose6
+    t9 = pose4*pose5
+    t10 = t8 + t9
+    t11 = landmark1 - pose1
+    t12 = t11 + t11
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = landmark2 - pose2
+    t17 = t16 + t16
     t18 = pose3*pose4
     t19 = pose5*pose6
     t20 = t18 + t19
-    t21 = t0 - t1
-    t22 = 2*t10
-    t23 = -t11
-    t24 = t12 + t16 + t23
-    t25 = t5 + t6
+    t21 = t8 - t9
+    t22 = t0 + t0
+    t23 = -t1
+    t24 = t2 + t6 + t23
+    t25 = t13 + t14
     t26 = t18 - t19
-    t27 = t13 + t14 + t15 + t23
-    t28 = 2*t2
-    t29 = pose3*t10 - pose5*t8 + pose6*t3
-    t30 = 2*t29
-    t31 = 2*pose4*t10 + 2*pose5*t3 + 2*pose6*t8
-    t32 = pose3*t8 - pose4*t3 + pose5*t10
-    t33 = pose3*t3 + pose4*t8 - pose6*t10
-    t34 = 2*t33
-    t35 = 2*t20
-    t36 = 2*t32
-    t37 = 2*t25
+    t27 = t3 + t4 + t5 + t23
+    t28 = t10 + t10
+    t29 = t15 + t15
+    t30 = pose3 + pose3
+    t31 = pose5 + pose5
+    t32 = pose6 + pose6
+    t33 = t30*t0 - t31*t16 + t32*t11
+    t34 = pose4 + pose4
+    t35 = t34*t0 + t31*t11 + t32*t16
+    t36 = t30*t16 - t34*t11 + t31*t0
+    t37 = t30*t11 + t34*t16 - t32*t0
+    t38 = t21 + t21
+    t39 = t20 + t20
+    t40 = t25 + t25
+    t41 = t26 + t26
     return (
-        t10*t17 + t2*t4 - t7*t9,
-        t20*t9 - t21*t22 + t24*t3,
-        t22*t25 - t26*t4 + t27*t8,
+        t0*t7 + t10*t12 - t15*t17,
+        t17*t20 - t21*t22 + t11*t24,
+        t22*t25 - t12*t26 + t16*t27,
         1,
-        -t17,
+        -t7,
         -t28,
-        2*t7,
-        t30,
-        t31,
-        -2*t32,
-        t34,
-        2*t21,
+        t29,
+        t33,
+        t35,
+        -t36,
+        t37,
+        t38,
         -t24,
-        -t35,
-        t34,
+        -t39,
+        t37,
         t36,
-        t31,
-        -2*t29,
-        -t37,
-        2*t26,
+        t35,
+        -t33,
+        -t40,
+        t41,
         -t27,
         t36,
-        -2*t33,
-        t30,
-        t31,
-        0,
-        0,
-        0,
-        0,
-        0,
-        0,
-        0,
-        t17,
-        t28,
-        -2*t7,
-        -2*t21,
-        t24,
+        -t37,
+        t33,
         t35,
-        t37,
-        -2*t26,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        t7,
+        t28,
+        -t29,
+        -t38,
+        t24,
+        t39,
+        t40,
+        -t41,
         t27,
         0,
         0,
@@ -224,30 +226,30 @@ def from_frame(pose, point):
     """from_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2, point3 = point
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = 1/(point3)
-    t3 = point2*t2
-    t4 = 2*t3
-    t5 = pose3*pose6
-    t6 = pose4*pose5
-    t7 = point1*t2
-    t8 = 2*t7
-    t9 = pose4*pose4
-    t10 = pose5*pose5
-    t11 = -t10
-    t12 = pose3*pose3
-    t13 = pose6*pose6
-    t14 = t12 - t13
-    t15 = point0*t2
-    t16 = 2*t15
-    t17 = pose3*pose4
-    t18 = pose5*pose6
-    t19 = -t9
+    t0 = 1/point3
+    point0_ = point0*t0
+    t1 = pose3*pose3
+    t2 = pose6*pose6
+    t3 = t1 - t2
+    t4 = pose4*pose4
+    t5 = pose5*pose5
+    t6 = -t5
+    point2_ = point2*t0
+    t7 = point2_ + point2_
+    t8 = pose3*pose5
+    t9 = pose4*pose6
+    point1_ = point1*t0
+    t10 = point1_ + point1_
+    t11 = pose3*pose6
+    t12 = pose4*pose5
+    t13 = -t4
+    t14 = point0_ + point0_
+    t15 = pose3*pose4
+    t16 = pose5*pose6
     return (
-        pose0 + t15*(t11 + t14 + t9) + t4*(t0 + t1) - t8*(t5 - t6),
-        pose1 + t16*(t5 + t6) - t4*(t17 - t18) + t7*(t10 + t14 + t19),
-        pose2 - t16*(t0 - t1) + t3*(t11 + t12 + t13 + t19) + t8*(t17 + t18),
+        (t3 + t4 + t6)*point0_ + pose0 + (t8 + t9)*t7 - (t11 - t12)*t10,
+        (t3 + t13 + t5)*point1_ + pose1 + (t11 + t12)*t14 - (t15 - t16)*t7,
+        (t1 + t2 + t13 + t6)*point2_ + pose2 - (t8 - t9)*t14 + (t15 + t16)*t10,
     )
 
 
@@ -255,92 +257,92 @@ def from_frame_jac(pose, point):
     """from_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2, point3 = point
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = 1/(point3)
-    t4 = 2*t3
-    t5 = t2*t4
-    t6 = pose3*pose6
-    t7 = pose4*pose5
-    t8 = t6 - t7
-    t9 = t4*t8
-    t10 = pose4*pose4
-    t11 = pose5*pose5
-    t12 = -t11
-    t13 = pose3*pose3
-    t14 = pose6*pose6
-    t15 = t13 - t14
-    t16 = t10 + t12 + t15
-    t17 = t16*t3
-    t18 = t6 + t7
-    t19 = t18*t4
+    t0 = 1/point3
+    point0_ = point0*t0
+    t1 = pose5*pose5
+    t2 = -t1
+    t3 = pose3*pose3
+    t4 = pose6*pose6
+    t5 = t3 - t4
+    t6 = pose4*pose4
+    t7 = t2 + t5 + t6
+    t8 = pose3*pose5
+    t9 = pose4*pose6
+    t10 = t8 + t9
+    point2_ = point2*t0
+    t11 = point2_ + point2_
+    t12 = pose3*pose6
+    t13 = pose4*pose5
+    t14 = t12 - t13
+    point1_ = point1*t0
+    t15 = point1_ + point1_
+    t16 = -t6
+    t17 = t1 + t5 + t16
+    t18 = t12 + t13
+    t19 = point0_ + point0_
     t20 = pose3*pose4
     t21 = pose5*pose6
     t22 = t20 - t21
-    t23 = t22*t4
-    t24 = -t10
-    t25 = t11 + t15 + t24
-    t26 = t25*t3
-    t27 = t20 + t21
-    t28 = t27*t4
-    t29 = t0 - t1
-    t30 = t29*t4
-    t31 = t12 + t13 + t14 + t24
-    t32 = t3*t31
-    t33 = point0*pose6 + point1*pose3 - point2*pose4
-    t34 = pose5*t33
-    t35 = point0*pose3 - point1*pose6 + point2*pose5
-    t36 = pose4*t35
-    t37 = point0*pose4 + point1*pose5 + point2*pose6
-    t38 = pose3*t37
-    t39 = -point0*pose5 + point1*pose4 + point2*pose3
-    t40 = pose6*t39
-    t41 = t38 + t40
-    t42 = pose6*t37
-    t43 = pose3*t39
-    t44 = pose4*t33 + pose5*t35
-    t45 = pose3*t33
-    t46 = pose5*t37
-    t47 = pose4*t39 + pose6*t35
-    t48 = pose4*t37
-    t49 = pose3*t35
-    t50 = pose5*t39 + pose6*t33
-    t51 = 1/(point3*point3)
+    t23 = t2 + t3 + t4 + t16
+    t24 = t8 - t9
+    t25 = t20 + t21
+    t26 = point0_*pose6 + point1_*pose3 - point2_*pose4
+    t27 = pose5*t26
+    t28 = point0_*pose3 - point1_*pose6 + point2_*pose5
+    t29 = pose4*t28
+    t30 = point0_*pose4 + point1_*pose5 + point2_*pose6
+    t31 = pose3*t30
+    t32 = -point0_*pose5 + point1_*pose4 + point2_*pose3
+    t33 = pose6*t32
+    t34 = t31 + t33
+    t35 = pose6*t30
+    t36 = pose3*t32
+    t37 = pose4*t26 + pose5*t28
+    t38 = pose3*t26
+    t39 = pose5*t30
+    t40 = pose4*t32 + pose6*t28
+    t41 = pose4*t30
+    t42 = pose3*t28
+    t43 = pose5*t32 + pose6*t26
+    t44 = t0 + t0
+    t45 = t0*t0
+    t46 = point2 + point2
+    t47 = point1 + point1
+    t48 = point0 + point0
     return (
-        point0*t17 - point1*t9 + point2*t5 + pose0,
-        point0*t19 + point1*t26 - point2*t23 + pose1,
-        -point0*t30 + point1*t28 + point2*t32 + pose2,
+        point0_*t7 + pose0 + t10*t11 - t14*t15,
+        point1_*t17 + pose1 + t18*t19 - t11*t22,
+        point2_*t23 + pose2 - t19*t24 + t15*t25,
         1,
         0,
         0,
-        t3*(t34 - t36 + t41),
-        t3*(-t42 + t43 - t44),
-        t3*(-t45 + t46 - t47),
+        t27 - t29 + t34,
+        -t35 + t36 - t37,
+        -t38 + t39 - t40,
         0,
         1,
         0,
-        t3*(t42 - t43 - t44),
-        t3*(-t34 + t36 + t41),
-        t3*(-t48 + t49 - t50),
+        t35 - t36 - t37,
+        -t27 + t29 + t34,
+        -t41 + t42 - t43,
         0,
         0,
         1,
-        t3*(t45 - t46 - t47),
-        t3*(t48 - t49 - t50),
-        t3*(t34 + t36 + t38 - t40),
-        t17,
-        -t9,
-        t5,
-        t51*(-point0*t16 + 2*point1*t8 - 2*point2*t2),
-        t19,
-        t26,
-        -t23,
-        t51*(-2*point0*t18 - point1*t25 + 2*point2*t22),
-        -t30,
-        t28,
-        t32,
-        t51*(2*point0*t29 - 2*point1*t27 - point2*t31),
+        t38 - t39 - t40,
+        t41 - t42 - t43,
+        t27 + t29 + t31 - t33,
+        t0*t7,
+        -t14*t44,
+        t10*t44,
+        -(point0*t7 + t10*t46 - t14*t47)*t45,
+        t18*t44,
+        t0*t17,
+        -t22*t44,
+        -(point1*t17 + t18*t48 - t22*t46)*t45,
+        -t24*t44,
+        t25*t44,
+        t0*t23,
+        -(point2*t23 + t25*t47 - t24*t48)*t45,
     )
 
 
@@ -348,84 +350,85 @@ def from_frame_storage_jac(pose, point):
     """from_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2, point3 = point
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = 1/(point3)
-    t4 = 2*t3
-    t5 = t2*t4
-    t6 = pose3*pose6
-    t7 = pose4*pose5
-    t8 = t6 - t7
-    t9 = t4*t8
-    t10 = pose4*pose4
-    t11 = pose5*pose5
-    t12 = -t11
-    t13 = pose3*pose3
-    t14 = pose6*pose6
-    t15 = t13 - t14
-    t16 = t10 + t12 + t15
-    t17 = t16*t3
-    t18 = t6 + t7
-    t19 = t18*t4
+    t0 = 1/point3
+    point0_ = point0*t0
+    t1 = pose5*pose5
+    t2 = -t1
+    t3 = pose3*pose3
+    t4 = pose6*pose6
+    t5 = t3 - t4
+    t6 = pose4*pose4
+    t7 = t2 + t5 + t6
+    t8 = pose3*pose5
+    t9 = pose4*pose6
+    t10 = t8 + t9
+    point2_ = point2*t0
+    t11 = point2_ + point2_
+    t12 = pose3*pose6
+    t13 = pose4*pose5
+    t14 = t12 - t13
+    point1_ = point1*t0
+    t15 = point1_ + point1_
+    t16 = -t6
+    t17 = t1 + t5 + t16
+    t18 = t12 + t13
+    t19 = point0_ + point0_
     t20 = pose3*pose4
     t21 = pose5*pose6
     t22 = t20 - t21
-    t23 = t22*t4
-    t24 = -t10
-    t25 = t11 + t15 + t24
-    t26 = t25*t3
-    t27 = t20 + t21
-    t28 = t27*t4
-    t29 = t0 - t1
-    t30 = t29*t4
-    t31 = t12 + t13 + t14 + t24
-    t32 = t3*t31
-    t33 = point0*pose3 - point1*pose6 + point2*pose5
-    t34 = t33*t4
-    t35 = t4*(point0*pose4 + point1*pose5 + point2*pose6)
-    t36 = -point0*pose5 + point1*pose4 + point2*pose3
-    t37 = t36*t4
-    t38 = point0*pose6 + point1*pose3 - point2*pose4
-    t39 = t38*t4
-    t40 = 1/(point3*point3)
+    t23 = t2 + t3 + t4 + t16
+    t24 = t8 - t9
+    t25 = t20 + t21
+    t26 = point0_*pose3 - point1_*pose6 + point2_*pose5
+    t27 = t26 + t26
+    t28 = point0_*pose4 + point1_*pose5 + point2_*pose6
+    t29 = t28 + t28
+    t30 = -point0_*pose5 + point1_*pose4 + point2_*pose3
+    t31 = t30 + t30
+    t32 = point0_*pose6 + point1_*pose3 - point2_*pose4
+    t33 = t32 + t32
+    t34 = t0 + t0
+    t35 = t0*t0
+    t36 = point2 + point2
+    t37 = point1 + point1
+    t38 = point0 + point0
     return (
-        point0*t17 - point1*t9 + point2*t5 + pose0,
-        point0*t19 + point1*t26 - point2*t23 + pose1,
-        -point0*t30 + point1*t28 + point2*t32 + pose2,
+        point0_*t7 + pose0 + t10*t11 - t14*t15,
+        point1_*t17 + pose1 + t18*t19 - t11*t22,
+        point2_*t23 + pose2 - t19*t24 + t15*t25,
         1,
         0,
         0,
-        t34,
-        t35,
-        t37,
-        -t38*t4,
+        t27,
+        t29,
+        t31,
+        -t33,
         0,
         1,
         0,
-        t39,
-        -t36*t4,
-        t35,
-        t34,
+        t33,
+        -t31,
+        t29,
+        t27,
         0,
         0,
         1,
-        t37,
-        t39,
-        -t33*t4,
-        t35,
-        t17,
-        -t9,
-        t5,
-        t40*(-point0*t16 + 2*point1*t8 - 2*point2*t2),
-        t19,
-        t26,
-        -t23,
-        t40*(-2*point0*t18 - point1*t25 + 2*point2*t22),
-        -t30,
-        t28,
-        t32,
-        t40*(2*point0*t29 - 2*point1*t27 - point2*t31),
+        t31,
+        t33,
+        -t27,
+        t29,
+        t0*t7,
+        -t14*t34,
+        t10*t34,
+        -(point0*t7 + t10*t36 - t14*t37)*t35,
+        t18*t34,
+        t0*t17,
+        -t22*t34,
+        -(point1*t17 + t18*t38 - t22*t36)*t35,
+        -t24*t34,
+        t25*t34,
+        t0*t23,
+        -(point2*t23 + t25*t37 - t24*t38)*t35,
     )
 
 

@@ -16,44 +16,48 @@ def to_frame(pose, landmark):
     """to_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6, landmark7, landmark8, landmark9 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = landmark3*landmark4
-    t3 = landmark5*landmark6
-    t4 = landmark3*landmark6
-    t5 = landmark4*landmark5
-    t6 = 2*landmark7
-    t7 = landmark5*landmark5
-    t8 = landmark4*landmark4
-    t9 = -t8
-    t10 = landmark3*landmark3
-    t11 = landmark6*landmark6
-    t12 = t10 - t11
-    t13 = landmark8*(t12 + t7 + t9) + landmark9*(landmark1 - pose1) - 2*t2 + 2*t3 + t6*(t4 + t5)
-    t14 = 2*t13
-    t15 = pose3*pose5
-    t16 = pose4*pose6
-    t17 = -t7
-    t18 = 2*landmark8
+    t0 = landmark3*landmark3
+    t1 = landmark6*landmark6
+    t2 = t0 - t1
+    t3 = landmark5*landmark5
+    t4 = landmark4*landmark4
+    t5 = -t4
+    t6 = landmark3*landmark4
+    t7 = t6 + t6
+    t8 = landmark5*landmark6
+    t9 = t8 + t8
+    t10 = landmark7 + landmark7
+    t11 = landmark3*landmark6
+    t12 = landmark4*landmark5
+    t13 = (t2 + t3 + t5)*landmark8 + (landmark1 - pose1)*landmark9 - t7 + t9 + (t11 + t12)*t10
+    t14 = t13 + t13
+    t15 = pose3*pose6
+    t16 = pose4*pose5
+    t17 = -t3
+    t18 = landmark8 + landmark8
     t19 = landmark3*landmark5
     t20 = landmark4*landmark6
-    t21 = landmark9*(landmark2 - pose2) + t10 + t11 + t17 + t18*(t2 + t3) - t6*(t19 - t20) + t9
-    t22 = 2*t21
-    t23 = pose4*pose4
-    t24 = pose5*pose5
-    t25 = -t24
-    t26 = pose3*pose3
-    t27 = pose6*pose6
-    t28 = t26 - t27
-    t29 = landmark7*(t12 + t17 + t8) + landmark9*(landmark0 - pose0) - t18*(t4 - t5) + 2*t19 + 2*t20
-    t30 = pose3*pose4
-    t31 = pose5*pose6
-    t32 = 2*t29
-    t33 = -t23
+    t21 = (landmark2 - pose2)*landmark9 + t0 + t1 + t17 + (t6 + t8)*t18 - (t19 - t20)*t10 + t5
+    t22 = t21 + t21
+    t23 = pose3*pose5
+    t24 = pose4*pose6
+    t25 = t19 + t19
+    t26 = t20 + t20
+    t27 = (t2 + t17 + t4)*landmark7 + (landmark0 - pose0)*landmark9 - (t11 - t12)*t18 + t25 + t26
+    t28 = pose4*pose4
+    t29 = pose5*pose5
+    t30 = -t29
+    t31 = pose3*pose3
+    t32 = pose6*pose6
+    t33 = t31 - t32
+    t34 = -t28
+    t35 = pose3*pose4
+    t36 = pose5*pose6
+    t37 = t27 + t27
     return (
-        t14*(t0 + t1) - t22*(t15 - t16) + t29*(t23 + t25 + t28),
-        t13*(t24 + t28 + t33) + t22*(t30 + t31) - t32*(t0 - t1),
-        -t14*(t30 - t31) + t21*(t25 + t26 + t27 + t33) + t32*(t15 + t16),
+        (t15 + t16)*t14 - (t23 - t24)*t22 + (t28 + t30 + t33)*t27,
+        (t29 + t33 + t34)*t13 + (t35 + t36)*t22 - (t15 - t16)*t37,
+        -(t35 - t36)*t14 + (t30 + t31 + t32 + t34)*t21 + (t23 + t24)*t37,
         landmark9,
     )
 
@@ -62,169 +66,162 @@ def to_frame_jac(pose, landmark):
     """to_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6, landmark7, landmark8, landmark9 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = landmark3*landmark4
-    t4 = landmark5*landmark6
-    t5 = landmark1 - pose1
-    t6 = landmark3*landmark6
-    t7 = landmark4*landmark5
-    t8 = t6 + t7
-    t9 = 2*landmark7
-    t10 = landmark5*landmark5
-    t11 = landmark4*landmark4
-    t12 = -t11
-    t13 = landmark3*landmark3
-    t14 = landmark6*landmark6
-    t15 = t13 - t14
-    t16 = t10 + t12 + t15
-    t17 = landmark8*t16 + landmark9*t5 - 2*t3 + 2*t4 + t8*t9
-    t18 = 2*t17
-    t19 = pose3*pose5
-    t20 = pose4*pose6
-    t21 = t19 - t20
-    t22 = landmark3*landmark5
-    t23 = landmark4*landmark6
-    t24 = t22 - t23
-    t25 = -t10
-    t26 = landmark2 - pose2
-    t27 = t3 + t4
-    t28 = 2*landmark8
-    t29 = landmark9*t26 + t12 + t13 + t14 + t25 + t27*t28
-    t30 = -t24*t9 + t29
-    t31 = 2*t30
-    t32 = pose4*pose4
-    t33 = pose5*pose5
-    t34 = -t33
-    t35 = pose3*pose3
-    t36 = pose6*pose6
-    t37 = t35 - t36
-    t38 = t32 + t34 + t37
-    t39 = t6 - t7
-    t40 = t11 + t15 + t25
+    t0 = landmark5*landmark5
+    t1 = landmark4*landmark4
+    t2 = -t1
+    t3 = landmark3*landmark3
+    t4 = landmark6*landmark6
+    t5 = t3 - t4
+    t6 = t0 + t2 + t5
+    t7 = landmark1 - pose1
+    t8 = landmark3*landmark4
+    t9 = t8 + t8
+    t10 = landmark5*landmark6
+    t11 = t10 + t10
+    t12 = landmark3*landmark6
+    t13 = landmark4*landmark5
+    t14 = t12 + t13
+    t15 = landmark7 + landmark7
+    t16 = landmark8*t6 + landmark9*t7 - t9 + t11 + t14*t15
+    t17 = t16 + t16
+    t18 = pose3*pose6
+    t19 = pose4*pose5
+    t20 = t18 + t19
+    t21 = pose3*pose5
+    t22 = pose4*pose6
+    t23 = t21 - t22
+    t24 = landmark2 - pose2
+    t25 = -t0
+    t26 = t8 + t10
+    t27 = landmark8 + landmark8
+    t28 = landmark3*landmark5
+    t29 = landmark4*landmark6
+    t30 = t28 - t29
+    t31 = landmark9*t24 + t2 + t3 + t4 + t25 + t26*t27 - t15*t30
+    t32 = t31 + t31
+    t33 = pose4*pose4
+    t34 = pose5*pose5
+    t35 = -t34
+    t36 = pose3*pose3
+    t37 = pose6*pose6
+    t38 = t36 - t37
+    t39 = t33 + t35 + t38
+    t40 = t1 + t5 + t25
     t41 = landmark0 - pose0
-    t42 = landmark7*t40 + landmark9*t41 + 2*t22 + 2*t23
-    t43 = -t28*t39 + t42
-    t44 = pose3*pose4
-    t45 = pose5*pose6
-    t46 = t44 + t45
-    t47 = t0 - t1
-    t48 = 2*t43
-    t49 = -t32
-    t50 = t33 + t37 + t49
-    t51 = t44 - t45
-    t52 = t19 + t20
-    t53 = t34 + t35 + t36 + t49
-    t54 = landmark9*t38
-    t55 = 2*landmark9
-    t56 = t2*t55
-    t57 = t21*t55
-    t58 = pose6*t17
-    t59 = pose3*t43 - pose5*t30 + t58
-    t60 = pose4*t59
-    t61 = -t24*t9 + t29
-    t62 = -pose4*t17
-    t63 = -t28*t39 + t42
-    t64 = pose3*t61 + pose5*t63 + t62
-    t65 = pose3*t17
-    t66 = pose4*t30 - pose6*t43 + t65
-    t67 = pose4*t43 + pose5*t17 + pose6*t30
-    t68 = -pose3*t67
-    t69 = pose5*t66 + t68
-    t70 = -pose4*t66 + pose5*t59 + pose6*t67
-    t71 = pose3*t30 + pose5*t43 + t62
-    t72 = pose4*t71 + pose5*t67 - pose6*t59
-    t73 = t47*t55
-    t74 = landmark9*t50
-    t75 = t46*t55
-    t76 = pose3*t63 - pose5*t61 + t58
-    t77 = pose6*t71
-    t78 = pose4*t67 - pose5*t71 + pose6*t66
-    t79 = t52*t55
-    t80 = t51*t55
-    t81 = landmark9*t53
-    t82 = pose4*t61 - pose6*t63 + t65
-    t83 = landmark4*landmark7 + landmark5*landmark8 + landmark6
-    t84 = 2*t83
-    t85 = landmark3*landmark7 + landmark5 - landmark6*landmark8
-    t86 = 2*t85
-    t87 = landmark3 + landmark4*landmark8 - landmark5*landmark7
-    t88 = t2*t84 + t21*t86 + t38*t87
-    t89 = 2*t2
-    t90 = landmark3*landmark8 - landmark4 + landmark6*landmark7
-    t91 = 2*t21
-    t92 = -t38*t83 + t87*t89 + t90*t91
-    t93 = t38*t85 - t87*t91 + t89*t90
-    t94 = -t2*t86 + t21*t84 + t38*t90
-    t95 = 2*t46
-    t96 = t47*t84 + t50*t87 - t90*t95
-    t97 = 2*t47
-    t98 = t46*t84 + t50*t85 + t90*t97
-    t99 = t46*t86 - t50*t83 + t87*t97
-    t100 = -t47*t86 + t50*t90 + t87*t95
-    t101 = 2*t51
-    t102 = t101*t87 + t52*t84 + t53*t90
-    t103 = 2*t52
-    t104 = -t103*t87 + t51*t84 + t53*t85
-    t105 = t103*t90 + t51*t86 - t53*t83
-    t106 = -t101*t90 + t52*t86 + t53*t87
+    t42 = t12 - t13
+    t43 = t28 + t28
+    t44 = t29 + t29
+    t45 = landmark7*t40 + landmark9*t41 - t27*t42 + t43 + t44
+    t46 = t17*t20 - t23*t32 + t39*t45
+    t47 = -t33
+    t48 = t34 + t38 + t47
+    t49 = pose3*pose4
+    t50 = pose5*pose6
+    t51 = t49 + t50
+    t52 = t18 - t19
+    t53 = t45 + t45
+    t54 = t16*t48 + t32*t51 - t52*t53
+    t55 = t49 - t50
+    t56 = t35 + t36 + t37 + t47
+    t57 = t21 + t22
+    t58 = -t17*t55 + t31*t56 + t53*t57
+    t59 = landmark9*t39
+    t60 = landmark9 + landmark9
+    t61 = t20*t60
+    t62 = t23*t60
+    t63 = t52*t60
+    t64 = landmark9*t48
+    t65 = t51*t60
+    t66 = t57*t60
+    t67 = t55*t60
+    t68 = landmark9*t56
+    t69 = landmark4*landmark7 + landmark5*landmark8 + landmark6
+    t70 = landmark3 + landmark4*landmark8 - landmark5*landmark7
+    t71 = t20 + t20
+    t72 = landmark3*landmark8 - landmark4 + landmark6*landmark7
+    t73 = t23 + t23
+    t74 = -t39*t69 + t70*t71 + t72*t73
+    t75 = landmark3*landmark7 + landmark5 - landmark6*landmark8
+    t76 = t39*t75 - t70*t73 + t71*t72
+    t77 = t75 + t75
+    t78 = t69 + t69
+    t79 = -t20*t77 + t23*t78 + t39*t72
+    t80 = t20*t78 + t23*t77 + t39*t70
+    t81 = 4*t14
+    t82 = 4*t23
+    t83 = t39 + t39
+    t84 = t51 + t51
+    t85 = t52*t78 + t48*t70 - t72*t84
+    t86 = -t52*t77 + t48*t72 + t70*t84
+    t87 = t52 + t52
+    t88 = t51*t78 + t48*t75 + t72*t87
+    t89 = t51*t77 - t48*t69 + t70*t87
+    t90 = 4*t51
+    t91 = t14 + t14
+    t92 = 4*t42
+    t93 = t55 + t55
+    t94 = t57*t78 + t56*t72 + t70*t93
+    t95 = t57*t77 + t56*t70 - t72*t93
+    t96 = t57 + t57
+    t97 = t55*t77 - t56*t69 + t72*t96
+    t98 = t55*t78 + t56*t75 - t70*t96
+    t99 = t56 + t56
     return (
-        t18*t2 - t21*t31 + t38*t43,
-        t17*t50 + t31*t46 - t47*t48,
-        -t18*t51 + t30*t53 + t48*t52,
-        landmark9,
-        -t54,
-        -t56,
-        t57,
-        -pose6*t64 - t60 - t69,
-        -pose3*t64 - t70,
-        pose3*t66 + t72,
-        t73,
-        -t74,
-        -t75,
-        pose3*t71 + t70,
-        -pose4*t76 - t69 - t77,
-        -pose3*t76 - t78,
-        -t79,
-        t80,
-        -t81,
-        -pose3*t82 - t72,
-        pose3*t59 + t78,
-        -pose5*t82 - t60 - t68 - t77,
-        0,
-        0,
-        0,
-        0,
-        0,
-        0,
+        t46,
         t54,
-        t56,
-        -t57,
-        -landmark3*t92 - landmark4*t93 + landmark5*t94 + landmark6*t88,
-        landmark3*t88 - landmark4*t94 - landmark5*t93 + landmark6*t92,
-        -landmark3*t94 - landmark4*t88 - landmark5*t92 - landmark6*t93,
-        4*t2*t8 + 4*t21*t24 + t38*t40,
-        2*t16*t2 - 2*t27*t91 - 2*t38*t39,
-        -t26*t91 + t38*t41 + t5*t89,
-        -t73,
-        t74,
-        t75,
-        -landmark3*t96 - landmark4*t100 - landmark5*t98 - landmark6*t99,
-        -landmark3*t99 + landmark4*t98 - landmark5*t100 + landmark6*t96,
-        landmark3*t98 + landmark4*t99 - landmark5*t96 - landmark6*t100,
-        -2*t24*t95 - 2*t40*t47 + 2*t50*t8,
-        t16*t50 + 4*t27*t46 + 4*t39*t47,
-        t26*t95 - t41*t97 + t5*t50,
-        t79,
-        -t80,
-        t81,
-        landmark3*t102 - landmark4*t106 + landmark5*t105 - landmark6*t104,
-        -landmark3*t104 - landmark4*t105 - landmark5*t106 - landmark6*t102,
-        -landmark3*t105 + landmark4*t104 + landmark5*t102 - landmark6*t106,
-        -2*t101*t8 - 2*t24*t53 + 2*t40*t52,
-        -2*t103*t39 - 2*t16*t51 + 2*t27*t53,
-        -t101*t5 + t103*t41 + t26*t53,
+        t58,
+        landmark9,
+        -t59,
+        -t61,
+        t62,
+        0,
+        -t58,
+        t54,
+        t63,
+        -t64,
+        -t65,
+        t58,
+        0,
+        -t46,
+        -t66,
+        t67,
+        -t68,
+        -t54,
+        t46,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        t59,
+        t61,
+        -t62,
+        -landmark3*t74 - landmark4*t76 + landmark5*t79 + landmark6*t80,
+        landmark3*t80 - landmark4*t79 - landmark5*t76 + landmark6*t74,
+        -landmark3*t79 - landmark4*t80 - landmark5*t74 - landmark6*t76,
+        t20*t81 + t30*t82 + t39*t40,
+        t6*t71 - t26*t82 - t83*t42,
+        -t24*t73 + t39*t41 + t7*t71,
+        -t63,
+        t64,
+        t65,
+        -landmark3*t85 - landmark4*t86 - landmark5*t88 - landmark6*t89,
+        -landmark3*t89 + landmark4*t88 - landmark5*t86 + landmark6*t85,
+        landmark3*t88 + landmark4*t89 - landmark5*t85 - landmark6*t86,
+        -t30*t90 - t40*t87 + t91*t48,
+        t48*t6 + t26*t90 + t52*t92,
+        t24*t84 - t41*t87 + t48*t7,
+        t66,
+        -t67,
+        t68,
+        landmark3*t94 - landmark4*t95 + landmark5*t97 - landmark6*t98,
+        -landmark3*t98 - landmark4*t97 - landmark5*t95 - landmark6*t94,
+        -landmark3*t97 + landmark4*t98 + landmark5*t94 - landmark6*t95,
+        -t30*t99 + t40*t96 - t55*t81,
+        -t6*t93 + t26*t99 - t57*t92,
+        t24*t56 + t41*t96 - t7*t93,
         0,
         0,
         0,
@@ -241,148 +238,158 @@ def to_frame_storage_jac(pose, landmark):
     """to_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6, landmark7, landmark8, landmark9 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = landmark3*landmark4
-    t4 = landmark5*landmark6
-    t5 = landmark1 - pose1
-    t6 = landmark3*landmark6
-    t7 = landmark4*landmark5
-    t8 = t6 + t7
-    t9 = 2*landmark7
-    t10 = landmark5*landmark5
-    t11 = landmark4*landmark4
-    t12 = -t11
-    t13 = landmark3*landmark3
-    t14 = landmark6*landmark6
-    t15 = t13 - t14
-    t16 = t10 + t12 + t15
-    t17 = landmark8*t16 + landmark9*t5 - 2*t3 + 2*t4 + t8*t9
-    t18 = 2*t17
-    t19 = pose3*pose5
-    t20 = pose4*pose6
-    t21 = t19 - t20
-    t22 = -t10
-    t23 = landmark2 - pose2
-    t24 = t3 + t4
-    t25 = 2*landmark8
-    t26 = landmark3*landmark5
-    t27 = landmark4*landmark6
-    t28 = t26 - t27
-    t29 = landmark9*t23 + t12 + t13 + t14 + t22 + t24*t25 - t28*t9
-    t30 = 2*t29
-    t31 = pose4*pose4
-    t32 = pose5*pose5
-    t33 = -t32
-    t34 = pose3*pose3
-    t35 = pose6*pose6
-    t36 = t34 - t35
-    t37 = t31 + t33 + t36
-    t38 = landmark0 - pose0
-    t39 = t6 - t7
-    t40 = t11 + t15 + t22
-    t41 = landmark7*t40 + landmark9*t38 - t25*t39 + 2*t26 + 2*t27
-    t42 = pose3*pose4
-    t43 = pose5*pose6
-    t44 = t42 + t43
-    t45 = t0 - t1
-    t46 = 2*t41
-    t47 = -t31
-    t48 = t32 + t36 + t47
-    t49 = t42 - t43
-    t50 = t19 + t20
-    t51 = t33 + t34 + t35 + t47
-    t52 = landmark9*t37
-    t53 = 2*landmark9
-    t54 = t2*t53
-    t55 = t21*t53
-    t56 = pose3*t41 - pose5*t29 + pose6*t17
-    t57 = 2*t56
-    t58 = 2*pose4*t41 + 2*pose5*t17 + 2*pose6*t29
-    t59 = pose3*t29 - pose4*t17 + pose5*t41
-    t60 = pose3*t17 + pose4*t29 - pose6*t41
-    t61 = 2*t60
-    t62 = t45*t53
-    t63 = landmark9*t48
-    t64 = t44*t53
-    t65 = 2*t59
-    t66 = t50*t53
-    t67 = t49*t53
-    t68 = landmark9*t51
-    t69 = landmark3 + landmark4*landmark8 - landmark5*landmark7
-    t70 = 2*t21
-    t71 = landmark3*landmark8 - landmark4 + landmark6*landmark7
-    t72 = 2*t2
-    t73 = landmark3*landmark7 + landmark5 - landmark6*landmark8
-    t74 = landmark4*landmark7 + landmark5*landmark8 + landmark6
-    t75 = 2*t44
-    t76 = 2*t45
-    t77 = 2*t50
-    t78 = 2*t49
+    t0 = landmark5*landmark5
+    t1 = landmark4*landmark4
+    t2 = -t1
+    t3 = landmark3*landmark3
+    t4 = landmark6*landmark6
+    t5 = t3 - t4
+    t6 = t0 + t2 + t5
+    t7 = landmark1 - pose1
+    t8 = landmark3*landmark4
+    t9 = t8 + t8
+    t10 = landmark5*landmark6
+    t11 = t10 + t10
+    t12 = landmark3*landmark6
+    t13 = landmark4*landmark5
+    t14 = t12 + t13
+    t15 = landmark7 + landmark7
+    t16 = landmark8*t6 + landmark9*t7 - t9 + t11 + t14*t15
+    t17 = t16 + t16
+    t18 = pose3*pose6
+    t19 = pose4*pose5
+    t20 = t18 + t19
+    t21 = pose3*pose5
+    t22 = pose4*pose6
+    t23 = t21 - t22
+    t24 = landmark2 - pose2
+    t25 = -t0
+    t26 = t8 + t10
+    t27 = landmark8 + landmark8
+    t28 = landmark3*landmark5
+    t29 = landmark4*landmark6
+    t30 = t28 - t29
+    t31 = landmark9*t24 + t2 + t3 + t4 + t25 + t26*t27 - t15*t30
+    t32 = t31 + t31
+    t33 = pose4*pose4
+    t34 = pose5*pose5
+    t35 = -t34
+    t36 = pose3*pose3
+    t37 = pose6*pose6
+    t38 = t36 - t37
+    t39 = t33 + t35 + t38
+    t40 = t1 + t5 + t25
+    t41 = landmark0 - pose0
+    t42 = t12 - t13
+    t43 = t28 + t28
+    t44 = t29 + t29
+    t45 = landmark7*t40 + landmark9*t41 - t27*t42 + t43 + t44
+    t46 = -t33
+    t47 = t34 + t38 + t46
+    t48 = pose3*pose4
+    t49 = pose5*pose6
+    t50 = t48 + t49
+    t51 = t18 - t19
+    t52 = t45 + t45
+    t53 = t48 - t49
+    t54 = t35 + t36 + t37 + t46
+    t55 = t21 + t22
+    t56 = landmark9*t39
+    t57 = landmark9 + landmark9
+    t58 = t20*t57
+    t59 = t23*t57
+    t60 = pose3*t52 - pose5*t32 + pose6*t17
+    t61 = pose4*t52 + pose5*t17 + pose6*t32
+    t62 = pose4 + pose4
+    t63 = pose3*t32 - t62*t16 + pose5*t52
+    t64 = pose3*t17 + pose4*t32 - pose6*t52
+    t65 = t51*t57
+    t66 = landmark9*t47
+    t67 = t50*t57
+    t68 = t55*t57
+    t69 = t53*t57
+    t70 = landmark9*t54
+    t71 = landmark3 + landmark4*landmark8 - landmark5*landmark7
+    t72 = 4*t23
+    t73 = landmark3*landmark8 - landmark4 + landmark6*landmark7
+    t74 = 4*t20
+    t75 = landmark3*landmark7 + landmark5 - landmark6*landmark8
+    t76 = t39 + t39
+    t77 = landmark4*landmark7 + landmark5*landmark8 + landmark6
+    t78 = t20 + t20
+    t79 = t24 + t24
+    t80 = 4*t50
+    t81 = t47 + t47
+    t82 = 4*t51
+    t83 = t51 + t51
+    t84 = t54 + t54
+    t85 = 4*t53
+    t86 = 4*t55
+    t87 = t55 + t55
+    t88 = t53 + t53
     return (
-        t18*t2 - t21*t30 + t37*t41,
-        t17*t48 + t30*t44 - t45*t46,
-        -t18*t49 + t29*t51 + t46*t50,
+        t17*t20 - t23*t32 + t39*t45,
+        t16*t47 + t32*t50 - t51*t52,
+        -t17*t53 + t31*t54 + t52*t55,
         landmark9,
-        -t52,
-        -t54,
-        t55,
-        t57,
-        t58,
-        -2*t59,
+        -t56,
+        -t58,
+        t59,
+        t60,
         t61,
-        t62,
         -t63,
-        -t64,
-        t61,
-        t65,
-        t58,
-        -2*t56,
-        -t66,
-        t67,
-        -t68,
-        t65,
-        -2*t60,
-        t57,
-        t58,
-        0,
-        0,
-        0,
-        0,
-        0,
-        0,
-        0,
-        t52,
-        t54,
-        -t55,
-        2*t37*t73 - 2*t69*t70 + 2*t71*t72,
-        2*t37*t74 - 2*t69*t72 - 2*t70*t71,
-        2*t37*t69 + 2*t70*t73 + 2*t72*t74,
-        4*t2*t73 - 2*t37*t71 - 2*t70*t74,
-        4*t2*t8 + 4*t21*t28 + t37*t40,
-        2*t16*t2 - 2*t24*t70 - 2*t37*t39,
-        -t23*t70 + t37*t38 + t5*t72,
-        -t62,
-        t63,
         t64,
-        2*t48*t71 + 2*t69*t75 - 2*t73*t76,
-        4*t44*t71 - 2*t48*t69 - 2*t74*t76,
-        2*t48*t74 - 2*t69*t76 - 2*t73*t75,
-        2*t48*t73 + 2*t71*t76 + 2*t74*t75,
-        -2*t28*t75 - 2*t40*t45 + 2*t48*t8,
-        t16*t48 + 4*t24*t44 + 4*t39*t45,
-        t23*t75 - t38*t76 + t48*t5,
-        t66,
+        t65,
+        -t66,
         -t67,
+        t64,
+        t63,
+        t61,
+        -t60,
+        -t68,
+        t69,
+        -t70,
+        t63,
+        -t64,
+        t60,
+        t61,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        t56,
+        t58,
+        -t59,
+        -t71*t72 + t73*t74 + t75*t76,
+        -t71*t74 - t72*t73 + t76*t77,
+        t71*t76 + t72*t75 + t74*t77,
+        -t72*t77 - t73*t76 + t74*t75,
+        t30*t72 + t39*t40 + t14*t74,
+        t6*t78 - t26*t72 - t42*t76,
+        -t23*t79 + t39*t41 + t7*t78,
+        -t65,
+        t66,
+        t67,
+        t71*t80 + t73*t81 - t75*t82,
+        -t71*t81 + t73*t80 - t77*t82,
+        -t71*t82 - t75*t80 + t77*t81,
+        t73*t82 + t75*t81 + t77*t80,
+        -t30*t80 - t40*t83 + t14*t81,
+        t47*t6 + t26*t80 + t42*t82,
+        -t41*t83 + t50*t79 + t47*t7,
         t68,
-        2*t51*t69 - 2*t71*t78 + 2*t73*t77,
-        2*t51*t71 + 2*t69*t78 + 2*t74*t77,
-        4*t50*t69 - 2*t51*t73 - 2*t74*t78,
-        2*t51*t74 - 2*t71*t77 - 2*t73*t78,
-        -2*t28*t51 + 2*t40*t50 - 2*t78*t8,
-        -2*t16*t49 + 2*t24*t51 - 2*t39*t77,
-        t23*t51 + t38*t77 - t5*t78,
+        -t69,
+        t70,
+        t71*t84 - t73*t85 + t75*t86,
+        t71*t85 + t73*t84 + t77*t86,
+        t71*t86 - t75*t84 - t77*t85,
+        -t73*t86 - t75*t85 + t77*t84,
+        -t30*t84 + t40*t87 - t14*t85,
+        -t6*t88 + t26*t84 - t42*t86,
+        t24*t54 + t41*t87 - t7*t88,
         0,
         0,
         0,
@@ -400,7 +407,7 @@ def from_frame(pose, point):
     """from_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2, point3 = point
-    t0 = 1/(point2)
+    t0 = 1/point2
     return (
         pose0,
         pose1,
@@ -419,8 +426,8 @@ def from_frame_jac(pose, point):
     """from_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2, point3 = point
-    t0 = 1/(point2)
-    t1 = 1/(point2*point2)
+    t0 = 1/point2
+    t1 = t0*t0
     return (
         pose0,
         pose1,
@@ -529,8 +536,8 @@ def from_frame_storage_jac(pose, point):
     """from_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2, point3 = point
-    t0 = 1/(point2)
-    t1 = 1/(point2*point2)
+    t0 = 1/point2
+    t1 = t0*t0
     return (
         pose0,
         pose1,
@@ -658,177 +665,189 @@ def from_frame_storage_jac(pose, point):
 def to_point(landmark):
     """to_point: value."""
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6, landmark7, landmark8, landmark9 = landmark
-    t0 = 1/(landmark9)
-    t1 = landmark3*landmark5
-    t2 = landmark4*landmark6
-    t3 = landmark3*landmark6
-    t4 = landmark4*landmark5
-    t5 = 2*landmark8
-    t6 = landmark4*landmark4
-    t7 = landmark5*landmark5
-    t8 = -t7
-    t9 = landmark3*landmark3
-    t10 = landmark6*landmark6
-    t11 = -t10 + t9
-    t12 = landmark3*landmark4
-    t13 = landmark5*landmark6
-    t14 = 2*landmark7
-    t15 = -t6
+    t0 = 1/landmark9
+    t1 = landmark6*landmark6
+    t2 = landmark3*landmark3
+    t3 = -t1 + t2
+    t4 = landmark4*landmark4
+    t5 = landmark5*landmark5
+    t6 = -t5
+    t7 = landmark3*landmark5
+    t8 = t7 + t7
+    t9 = landmark4*landmark6
+    t10 = t9 + t9
+    t11 = landmark8 + landmark8
+    t12 = landmark3*landmark6
+    t13 = landmark4*landmark5
+    t14 = -t4
+    t15 = landmark3*landmark4
+    t16 = t15 + t15
+    t17 = landmark5*landmark6
+    t18 = t17 + t17
+    t19 = landmark7 + landmark7
     return (
-        landmark0 + t0*(landmark7*(t11 + t6 + t8) + 2*t1 + 2*t2 - t5*(t3 - t4)),
-        landmark1 + t0*(landmark8*(t11 + t15 + t7) - 2*t12 + 2*t13 + t14*(t3 + t4)),
-        landmark2 + t0*(t10 - t14*(t1 - t2) + t15 + t5*(t12 + t13) + t8 + t9),
+        landmark0 + ((t3 + t4 + t6)*landmark7 + t8 + t10 - (t12 - t13)*t11)*t0,
+        landmark1 + ((t3 + t14 + t5)*landmark8 - t16 + t18 + (t12 + t13)*t19)*t0,
+        landmark2 + (t1 - (t7 - t9)*t19 + t14 + (t15 + t17)*t11 + t6 + t2)*t0,
     )
 
 
 def to_point_jac(landmark):
     """to_point: value and Jacobians."""
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6, landmark7, landmark8, landmark9 = landmark
-    t0 = 1/(landmark9)
-    t1 = landmark3*landmark5
-    t2 = landmark4*landmark6
-    t3 = landmark3*landmark6
-    t4 = landmark4*landmark5
-    t5 = t3 - t4
-    t6 = 2*landmark8
-    t7 = landmark4*landmark4
-    t8 = landmark5*landmark5
-    t9 = -t8
-    t10 = landmark3*landmark3
-    t11 = landmark6*landmark6
-    t12 = t10 - t11
-    t13 = t12 + t7 + t9
-    t14 = landmark7*t13 + 2*t1 + 2*t2 - t5*t6
-    t15 = landmark3*landmark4
-    t16 = landmark5*landmark6
-    t17 = t3 + t4
-    t18 = 2*landmark7
-    t19 = -t7
-    t20 = t12 + t19 + t8
-    t21 = landmark8*t20 - 2*t15 + 2*t16 + t17*t18
-    t22 = t15 + t16
-    t23 = t1 - t2
-    t24 = t10 + t11 - t18*t23 + t19 + t22*t6 + t9
-    t25 = landmark3*landmark8 - landmark4 + landmark6*landmark7
-    t26 = landmark5*t25
-    t27 = landmark3*landmark7 + landmark5 - landmark6*landmark8
-    t28 = landmark4*t27
-    t29 = landmark4*landmark7 + landmark5*landmark8 + landmark6
-    t30 = landmark3*t29
-    t31 = landmark3 + landmark4*landmark8 - landmark5*landmark7
-    t32 = landmark6*t31
-    t33 = t30 + t32
-    t34 = landmark6*t29
-    t35 = landmark3*t31
-    t36 = landmark4*t25 + landmark5*t27
-    t37 = landmark3*t25
-    t38 = landmark5*t29
-    t39 = landmark4*t31 + landmark6*t27
-    t40 = 2*t0
-    t41 = 1/(landmark9*landmark9)
-    t42 = landmark4*t29
-    t43 = landmark3*t27
-    t44 = landmark5*t31 + landmark6*t25
+    t0 = 1/landmark9
+    t1 = landmark3*landmark3
+    t2 = landmark6*landmark6
+    t3 = t1 - t2
+    t4 = landmark4*landmark4
+    t5 = landmark5*landmark5
+    t6 = -t5
+    t7 = t3 + t4 + t6
+    t8 = landmark3*landmark5
+    t9 = t8 + t8
+    t10 = landmark4*landmark6
+    t11 = t10 + t10
+    t12 = landmark3*landmark6
+    t13 = landmark4*landmark5
+    t14 = t12 - t13
+    t15 = landmark8 + landmark8
+    t16 = landmark7*t7 + t9 + t11 - t14*t15
+    t17 = -t4
+    t18 = t3 + t17 + t5
+    t19 = landmark3*landmark4
+    t20 = t19 + t19
+    t21 = landmark5*landmark6
+    t22 = t21 + t21
+    t23 = t12 + t13
+    t24 = landmark7 + landmark7
+    t25 = landmark8*t18 - t20 + t22 + t23*t24
+    t26 = t8 - t10
+    t27 = t19 + t21
+    t28 = t1 + t2 - t24*t26 + t17 + t15*t27 + t6
+    t29 = landmark3*landmark8 - landmark4 + landmark6*landmark7
+    t30 = landmark5*t29
+    t31 = landmark3*landmark7 + landmark5 - landmark6*landmark8
+    t32 = landmark4*t31
+    t33 = landmark4*landmark7 + landmark5*landmark8 + landmark6
+    t34 = landmark3*t33
+    t35 = landmark3 + landmark4*landmark8 - landmark5*landmark7
+    t36 = landmark6*t35
+    t37 = t34 + t36
+    t38 = landmark6*t33
+    t39 = landmark3*t35
+    t40 = landmark4*t29 + landmark5*t31
+    t41 = landmark3*t29
+    t42 = landmark5*t33
+    t43 = landmark4*t35 + landmark6*t31
+    t44 = t0 + t0
+    t45 = t0*t0
+    t46 = landmark4*t33
+    t47 = landmark3*t31
+    t48 = landmark5*t35 + landmark6*t29
     return (
-        landmark0 + t0*t14,
-        landmark1 + t0*t21,
-        landmark2 + t0*t24,
+        landmark0 + t0*t16,
+        landmark1 + t0*t25,
+        landmark2 + t0*t28,
         1,
         0,
         0,
-        t0*(t26 - t28 + t33),
-        t0*(-t34 + t35 - t36),
-        t0*(-t37 + t38 - t39),
-        t0*t13,
-        -t40*t5,
-        -t14*t41,
+        (t30 - t32 + t37)*t0,
+        -(t38 - t39 + t40)*t0,
+        -(t41 - t42 + t43)*t0,
+        t0*t7,
+        -t14*t44,
+        -t16*t45,
         0,
         1,
         0,
-        t0*(t34 - t35 - t36),
-        t0*(-t26 + t28 + t33),
-        t0*(-t42 + t43 - t44),
-        t17*t40,
-        t0*t20,
-        -t21*t41,
+        -(-t38 + t39 + t40)*t0,
+        (-t30 + t32 + t37)*t0,
+        -(t46 - t47 + t48)*t0,
+        t23*t44,
+        t0*t18,
+        -t25*t45,
         0,
         0,
         1,
-        t0*(t37 - t38 - t39),
-        t0*(t42 - t43 - t44),
-        t0*(t26 + t28 + t30 - t32),
-        -t23*t40,
-        t22*t40,
-        -t24*t41,
+        -(-t41 + t42 + t43)*t0,
+        -(-t46 + t47 + t48)*t0,
+        (t30 + t32 + t34 - t36)*t0,
+        -t26*t44,
+        t27*t44,
+        -t28*t45,
     )
 
 
 def to_point_storage_jac(landmark):
     """to_point: value and derivatives by stored numbers."""
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6, landmark7, landmark8, landmark9 = landmark
-    t0 = 1/(landmark9)
-    t1 = landmark3*landmark5
-    t2 = landmark4*landmark6
-    t3 = landmark3*landmark6
-    t4 = landmark4*landmark5
-    t5 = t3 - t4
-    t6 = 2*landmark8
-    t7 = landmark4*landmark4
-    t8 = landmark5*landmark5
-    t9 = -t8
-    t10 = landmark3*landmark3
-    t11 = landmark6*landmark6
-    t12 = t10 - t11
-    t13 = t12 + t7 + t9
-    t14 = landmark7*t13 + 2*t1 + 2*t2 - t5*t6
-    t15 = landmark3*landmark4
-    t16 = landmark5*landmark6
-    t17 = t3 + t4
-    t18 = 2*landmark7
-    t19 = -t7
-    t20 = t12 + t19 + t8
-    t21 = landmark8*t20 - 2*t15 + 2*t16 + t17*t18
-    t22 = t15 + t16
-    t23 = t1 - t2
-    t24 = t10 + t11 - t18*t23 + t19 + t22*t6 + t9
-    t25 = 2*t0
-    t26 = t25*(landmark3*landmark7 + landmark5 - landmark6*landmark8)
-    t27 = t25*(landmark4*landmark7 + landmark5*landmark8 + landmark6)
-    t28 = t25*(landmark3 + landmark4*landmark8 - landmark5*landmark7)
-    t29 = t25*(landmark3*landmark8 - landmark4 + landmark6*landmark7)
-    t30 = 1/(landmark9*landmark9)
+    t0 = 1/landmark9
+    t1 = landmark3*landmark3
+    t2 = landmark6*landmark6
+    t3 = t1 - t2
+    t4 = landmark4*landmark4
+    t5 = landmark5*landmark5
+    t6 = -t5
+    t7 = t3 + t4 + t6
+    t8 = landmark3*landmark5
+    t9 = t8 + t8
+    t10 = landmark4*landmark6
+    t11 = t10 + t10
+    t12 = landmark3*landmark6
+    t13 = landmark4*landmark5
+    t14 = t12 - t13
+    t15 = landmark8 + landmark8
+    t16 = landmark7*t7 + t9 + t11 - t14*t15
+    t17 = -t4
+    t18 = t3 + t17 + t5
+    t19 = landmark3*landmark4
+    t20 = t19 + t19
+    t21 = landmark5*landmark6
+    t22 = t21 + t21
+    t23 = t12 + t13
+    t24 = landmark7 + landmark7
+    t25 = landmark8*t18 - t20 + t22 + t23*t24
+    t26 = t8 - t10
+    t27 = t19 + t21
+    t28 = t1 + t2 - t24*t26 + t17 + t15*t27 + t6
+    t29 = t0 + t0
+    t30 = (landmark3*landmark7 + landmark5 - landmark6*landmark8)*t29
+    t31 = (landmark4*landmark7 + landmark5*landmark8 + landmark6)*t29
+    t32 = (landmark3 + landmark4*landmark8 - landmark5*landmark7)*t29
+    t33 = (landmark3*landmark8 - landmark4 + landmark6*landmark7)*t29
+    t34 = t0*t0
     return (
-        landmark0 + t0*t14,
-        landmark1 + t0*t21,
-        landmark2 + t0*t24,
+        landmark0 + t0*t16,
+        landmark1 + t0*t25,
+        landmark2 + t0*t28,
         1,
         0,
         0,
-        t26,
-        t27,
-        t28,
-        -t29,
-        t0*t13,
-        -t25*t5,
-        -t14*t30,
+        t30,
+        t31,
+        t32,
+        -t33,
+        t0*t7,
+        -t14*t29,
+        -t16*t34,
         0,
         1,
         0,
-        t29,
-        -t28,
-        t27,
-        t26,
-        t17*t25,
-        t0*t20,
-        -t21*t30,
+        t33,
+        -t32,
+        t31,
+        t30,
+        t23*t29,
+        t0*t18,
+        -t25*t34,
         0,
         0,
         1,
-        t28,
-        t29,
-        -t26,
-        t27,
-        -t23*t25,
-        t22*t25,
-        -t24*t30,
+        t32,
+        t33,
+        -t30,
+        t31,
+        -t26*t29,
+        t27*t29,
+        -t28*t34,
     )

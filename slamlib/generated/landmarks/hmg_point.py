@@ -16,29 +16,29 @@ def to_frame(pose, landmark):
     """to_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = landmark1 - landmark3*pose1
-    t3 = 2*t2
-    t4 = pose3*pose5
-    t5 = pose4*pose6
-    t6 = landmark2 - landmark3*pose2
-    t7 = 2*t6
+    t0 = landmark1 - landmark3*pose1
+    t1 = t0 + t0
+    t2 = pose3*pose6
+    t3 = pose4*pose5
+    t4 = landmark2 - landmark3*pose2
+    t5 = t4 + t4
+    t6 = pose3*pose5
+    t7 = pose4*pose6
     t8 = landmark0 - landmark3*pose0
-    t9 = pose4*pose4
-    t10 = pose5*pose5
-    t11 = -t10
-    t12 = pose3*pose3
-    t13 = pose6*pose6
-    t14 = t12 - t13
-    t15 = pose3*pose4
-    t16 = pose5*pose6
-    t17 = 2*t8
-    t18 = -t9
+    t9 = pose5*pose5
+    t10 = -t9
+    t11 = pose3*pose3
+    t12 = pose6*pose6
+    t13 = t11 - t12
+    t14 = pose4*pose4
+    t15 = t8 + t8
+    t16 = -t14
+    t17 = pose3*pose4
+    t18 = pose5*pose6
     return (
-        t3*(t0 + t1) - t7*(t4 - t5) + t8*(t11 + t14 + t9),
-        -t17*(t0 - t1) + t2*(t10 + t14 + t18) + t7*(t15 + t16),
-        t17*(t4 + t5) - t3*(t15 - t16) + t6*(t11 + t12 + t13 + t18),
+        (t2 + t3)*t1 - (t6 - t7)*t5 + (t10 + t13 + t14)*t8,
+        -(t2 - t3)*t15 + (t9 + t13 + t16)*t0 + (t17 + t18)*t5,
+        (t6 + t7)*t15 - (t17 - t18)*t1 + (t10 + t11 + t12 + t16)*t4,
         landmark3,
     )
 
@@ -47,84 +47,88 @@ def to_frame_jac(pose, landmark):
     """to_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = landmark1 - landmark3*pose1
-    t4 = 2*t3
-    t5 = pose3*pose5
-    t6 = pose4*pose6
-    t7 = t5 - t6
-    t8 = landmark2 - landmark3*pose2
-    t9 = 2*t8
-    t10 = landmark0 - landmark3*pose0
-    t11 = pose4*pose4
-    t12 = pose5*pose5
-    t13 = -t12
-    t14 = pose3*pose3
-    t15 = pose6*pose6
-    t16 = t14 - t15
-    t17 = t11 + t13 + t16
-    t18 = pose3*pose4
-    t19 = pose5*pose6
-    t20 = t18 + t19
-    t21 = t0 - t1
-    t22 = 2*t10
-    t23 = -t11
-    t24 = t12 + t16 + t23
-    t25 = t5 + t6
-    t26 = t18 - t19
-    t27 = t13 + t14 + t15 + t23
-    t28 = 2*landmark3
-    t29 = pose4*t10 + pose5*t3 + pose6*t8
-    t30 = pose3*t10 - pose5*t8 + pose6*t3
-    t31 = pose3*t3 + pose4*t8 - pose6*t10
-    t32 = pose3*t8 - pose4*t3 + pose5*t10
-    t33 = pose3*t29 - pose4*t30 - pose5*t31 - pose6*t32
-    t34 = pose3*t32 - pose4*t31 + pose5*t30 + pose6*t29
-    t35 = pose3*t31 + pose4*t32 + pose5*t29 - pose6*t30
-    t36 = pose3*t30 + pose4*t29 - pose5*t32 + pose6*t31
+    t0 = landmark0 - landmark3*pose0
+    t1 = pose4*pose4
+    t2 = pose5*pose5
+    t3 = -t2
+    t4 = pose3*pose3
+    t5 = pose6*pose6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = pose3*pose6
+    t9 = pose4*pose5
+    t10 = t8 + t9
+    t11 = landmark1 - landmark3*pose1
+    t12 = t11 + t11
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = landmark2 - landmark3*pose2
+    t17 = t16 + t16
+    t18 = t0*t7 + t10*t12 - t15*t17
+    t19 = pose3*pose4
+    t20 = pose5*pose6
+    t21 = t19 + t20
+    t22 = t8 - t9
+    t23 = t0 + t0
+    t24 = -t1
+    t25 = t2 + t6 + t24
+    t26 = t17*t21 - t22*t23 + t11*t25
+    t27 = t13 + t14
+    t28 = t19 - t20
+    t29 = t3 + t4 + t5 + t24
+    t30 = t23*t27 - t12*t28 + t16*t29
+    t31 = landmark3 + landmark3
+    t32 = t10 + t10
+    t33 = t15 + t15
+    t34 = pose1 + pose1
+    t35 = pose2 + pose2
+    t36 = t22 + t22
+    t37 = t21 + t21
+    t38 = pose0 + pose0
+    t39 = t27 + t27
+    t40 = t28 + t28
     return (
-        t10*t17 + t2*t4 - t7*t9,
-        t20*t9 - t21*t22 + t24*t3,
-        t22*t25 - t26*t4 + t27*t8,
+        t18,
+        t26,
+        t30,
         landmark3,
-        -landmark3*t17,
-        -t2*t28,
-        t28*t7,
-        t33,
-        -t34,
-        t35,
-        t21*t28,
-        -landmark3*t24,
-        -t20*t28,
-        t34,
-        t33,
+        -landmark3*t7,
+        -t10*t31,
+        t15*t31,
+        0,
+        -t30,
+        t26,
+        t22*t31,
+        -landmark3*t25,
+        -t21*t31,
+        t30,
+        0,
+        -t18,
+        -t27*t31,
+        t28*t31,
+        -landmark3*t29,
+        -t26,
+        t18,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        t7,
+        t32,
+        -t33,
+        -pose0*t7 - t10*t34 + t15*t35,
         -t36,
-        -t25*t28,
-        t26*t28,
-        -landmark3*t27,
-        -t35,
-        t36,
-        t33,
-        0,
-        0,
-        0,
-        0,
-        0,
-        0,
-        t17,
-        2*t2,
-        -2*t7,
-        -pose0*t17 - 2*pose1*t2 + 2*pose2*t7,
-        -2*t21,
-        t24,
-        2*t20,
-        2*pose0*t21 - pose1*t24 - 2*pose2*t20,
-        2*t25,
-        -2*t26,
-        t27,
-        -2*pose0*t25 + 2*pose1*t26 - pose2*t27,
+        t25,
+        t37,
+        -pose1*t25 - t21*t35 + t22*t38,
+        t39,
+        -t40,
+        t29,
+        -pose2*t29 - t27*t38 + t28*t34,
         0,
         0,
         0,
@@ -136,68 +140,78 @@ def to_frame_storage_jac(pose, landmark):
     """to_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = landmark1 - landmark3*pose1
-    t4 = 2*t3
-    t5 = pose3*pose5
-    t6 = pose4*pose6
-    t7 = t5 - t6
-    t8 = landmark2 - landmark3*pose2
-    t9 = 2*t8
-    t10 = landmark0 - landmark3*pose0
-    t11 = pose4*pose4
-    t12 = pose5*pose5
-    t13 = -t12
-    t14 = pose3*pose3
-    t15 = pose6*pose6
-    t16 = t14 - t15
-    t17 = t11 + t13 + t16
+    t0 = landmark0 - landmark3*pose0
+    t1 = pose4*pose4
+    t2 = pose5*pose5
+    t3 = -t2
+    t4 = pose3*pose3
+    t5 = pose6*pose6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = pose3*pose6
+    t9 = pose4*pose5
+    t10 = t8 + t9
+    t11 = landmark1 - landmark3*pose1
+    t12 = t11 + t11
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = landmark2 - landmark3*pose2
+    t17 = t16 + t16
     t18 = pose3*pose4
     t19 = pose5*pose6
     t20 = t18 + t19
-    t21 = t0 - t1
-    t22 = 2*t10
-    t23 = -t11
-    t24 = t12 + t16 + t23
-    t25 = t5 + t6
+    t21 = t8 - t9
+    t22 = t0 + t0
+    t23 = -t1
+    t24 = t2 + t6 + t23
+    t25 = t13 + t14
     t26 = t18 - t19
-    t27 = t13 + t14 + t15 + t23
-    t28 = 2*landmark3
-    t29 = pose3*t10 - pose5*t8 + pose6*t3
-    t30 = 2*t29
-    t31 = 2*pose4*t10 + 2*pose5*t3 + 2*pose6*t8
-    t32 = pose3*t8 - pose4*t3 + pose5*t10
-    t33 = pose3*t3 + pose4*t8 - pose6*t10
-    t34 = 2*t33
-    t35 = 2*t32
+    t27 = t3 + t4 + t5 + t23
+    t28 = landmark3 + landmark3
+    t29 = pose3 + pose3
+    t30 = pose5 + pose5
+    t31 = pose6 + pose6
+    t32 = t29*t0 - t30*t16 + t31*t11
+    t33 = pose4 + pose4
+    t34 = t33*t0 + t30*t11 + t31*t16
+    t35 = t29*t16 - t33*t11 + t30*t0
+    t36 = t29*t11 + t33*t16 - t31*t0
+    t37 = t10 + t10
+    t38 = t15 + t15
+    t39 = pose1 + pose1
+    t40 = pose2 + pose2
+    t41 = t21 + t21
+    t42 = t20 + t20
+    t43 = pose0 + pose0
+    t44 = t25 + t25
+    t45 = t26 + t26
     return (
-        t10*t17 + t2*t4 - t7*t9,
-        t20*t9 - t21*t22 + t24*t3,
-        t22*t25 - t26*t4 + t27*t8,
+        t0*t7 + t10*t12 - t15*t17,
+        t17*t20 - t21*t22 + t11*t24,
+        t22*t25 - t12*t26 + t16*t27,
         landmark3,
-        -landmark3*t17,
-        -t2*t28,
-        t28*t7,
-        t30,
-        t31,
-        -2*t32,
+        -landmark3*t7,
+        -t10*t28,
+        t15*t28,
+        t32,
         t34,
+        -t35,
+        t36,
         t21*t28,
         -landmark3*t24,
         -t20*t28,
-        t34,
+        t36,
         t35,
-        t31,
-        -2*t29,
+        t34,
+        -t32,
         -t25*t28,
         t26*t28,
         -landmark3*t27,
         t35,
-        -2*t33,
-        t30,
-        t31,
+        -t36,
+        t32,
+        t34,
         0,
         0,
         0,
@@ -205,18 +219,18 @@ def to_frame_storage_jac(pose, landmark):
         0,
         0,
         0,
-        t17,
-        2*t2,
-        -2*t7,
-        -pose0*t17 - 2*pose1*t2 + 2*pose2*t7,
-        -2*t21,
+        t7,
+        t37,
+        -t38,
+        -pose0*t7 - t10*t39 + t15*t40,
+        -t41,
         t24,
-        2*t20,
-        2*pose0*t21 - pose1*t24 - 2*pose2*t20,
-        2*t25,
-        -2*t26,
+        t42,
+        -pose1*t24 - t20*t40 + t21*t43,
+        t44,
+        -t45,
         t27,
-        -2*pose0*t25 + 2*pose1*t26 - pose2*t27,
+        -pose2*t27 - t25*t43 + t26*t39,
         0,
         0,
         0,
@@ -228,26 +242,26 @@ def from_frame(pose, point):
     """from_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2, point3 = point
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = 2*point2
-    t3 = pose3*pose6
-    t4 = pose4*pose5
-    t5 = 2*point1
-    t6 = pose4*pose4
-    t7 = pose5*pose5
-    t8 = -t7
-    t9 = pose3*pose3
-    t10 = pose6*pose6
-    t11 = -t10 + t9
-    t12 = 2*point0
-    t13 = pose3*pose4
-    t14 = pose5*pose6
-    t15 = -t6
+    t0 = pose6*pose6
+    t1 = pose3*pose3
+    t2 = -t0 + t1
+    t3 = pose4*pose4
+    t4 = pose5*pose5
+    t5 = -t4
+    t6 = point2 + point2
+    t7 = pose3*pose5
+    t8 = pose4*pose6
+    t9 = point1 + point1
+    t10 = pose3*pose6
+    t11 = pose4*pose5
+    t12 = -t3
+    t13 = point0 + point0
+    t14 = pose3*pose4
+    t15 = pose5*pose6
     return (
-        point0*(t11 + t6 + t8) + point3*pose0 + t2*(t0 + t1) - t5*(t3 - t4),
-        point1*(t11 + t15 + t7) + point3*pose1 + t12*(t3 + t4) - t2*(t13 - t14),
-        point2*(t10 + t15 + t8 + t9) + point3*pose2 - t12*(t0 - t1) + t5*(t13 + t14),
+        (t2 + t3 + t5)*point0 + point3*pose0 + (t7 + t8)*t6 - (t10 - t11)*t9,
+        (t2 + t12 + t4)*point1 + point3*pose1 + (t10 + t11)*t13 - (t14 - t15)*t6,
+        (t0 + t12 + t5 + t1)*point2 + point3*pose2 - (t7 - t8)*t13 + (t14 + t15)*t9,
         point3,
     )
 
@@ -256,31 +270,31 @@ def from_frame_jac(pose, point):
     """from_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2, point3 = point
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = 2*point2
-    t4 = pose3*pose6
-    t5 = pose4*pose5
-    t6 = t4 - t5
-    t7 = 2*point1
-    t8 = pose4*pose4
-    t9 = pose5*pose5
-    t10 = -t9
-    t11 = pose3*pose3
-    t12 = pose6*pose6
+    t0 = pose5*pose5
+    t1 = -t0
+    t2 = pose3*pose3
+    t3 = pose6*pose6
+    t4 = t2 - t3
+    t5 = pose4*pose4
+    t6 = t1 + t4 + t5
+    t7 = pose3*pose5
+    t8 = pose4*pose6
+    t9 = t7 + t8
+    t10 = point2 + point2
+    t11 = pose3*pose6
+    t12 = pose4*pose5
     t13 = t11 - t12
-    t14 = t10 + t13 + t8
-    t15 = t4 + t5
-    t16 = 2*point0
-    t17 = pose3*pose4
-    t18 = pose5*pose6
-    t19 = t17 - t18
-    t20 = -t8
-    t21 = t13 + t20 + t9
-    t22 = t17 + t18
-    t23 = t0 - t1
-    t24 = t10 + t11 + t12 + t20
+    t14 = point1 + point1
+    t15 = -t5
+    t16 = t4 + t15 + t0
+    t17 = t11 + t12
+    t18 = point0 + point0
+    t19 = pose3*pose4
+    t20 = pose5*pose6
+    t21 = t19 - t20
+    t22 = t1 + t2 + t3 + t15
+    t23 = t7 - t8
+    t24 = t19 + t20
     t25 = point0*pose6 + point1*pose3 - point2*pose4
     t26 = pose5*t25
     t27 = point0*pose3 - point1*pose6 + point2*pose5
@@ -299,10 +313,16 @@ def from_frame_jac(pose, point):
     t40 = pose4*t29
     t41 = pose3*t27
     t42 = pose5*t31 + pose6*t25
+    t43 = t13 + t13
+    t44 = t9 + t9
+    t45 = t17 + t17
+    t46 = t21 + t21
+    t47 = t23 + t23
+    t48 = t24 + t24
     return (
-        point0*t14 + point3*pose0 + t2*t3 - t6*t7,
-        point1*t21 + point3*pose1 + t15*t16 - t19*t3,
-        point2*t24 + point3*pose2 - t16*t23 + t22*t7,
+        point0*t6 + point3*pose0 + t10*t9 - t13*t14,
+        point1*t16 + point3*pose1 + t17*t18 - t10*t21,
+        point2*t22 + point3*pose2 - t18*t23 + t14*t24,
         point3,
         point3,
         0,
@@ -328,17 +348,17 @@ def from_frame_jac(pose, point):
         0,
         0,
         0,
-        t14,
-        -2*t6,
-        2*t2,
+        t6,
+        -t43,
+        t44,
         pose0,
-        2*t15,
-        t21,
-        -2*t19,
+        t45,
+        t16,
+        -t46,
         pose1,
-        -2*t23,
-        2*t22,
-        t24,
+        -t47,
+        t48,
+        t22,
         pose2,
         0,
         0,
@@ -351,64 +371,71 @@ def from_frame_storage_jac(pose, point):
     """from_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     point0, point1, point2, point3 = point
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = 2*point2
-    t4 = pose3*pose6
-    t5 = pose4*pose5
-    t6 = t4 - t5
-    t7 = 2*point1
-    t8 = pose4*pose4
-    t9 = pose5*pose5
-    t10 = -t9
-    t11 = pose3*pose3
-    t12 = pose6*pose6
+    t0 = pose5*pose5
+    t1 = -t0
+    t2 = pose3*pose3
+    t3 = pose6*pose6
+    t4 = t2 - t3
+    t5 = pose4*pose4
+    t6 = t1 + t4 + t5
+    t7 = pose3*pose5
+    t8 = pose4*pose6
+    t9 = t7 + t8
+    t10 = point2 + point2
+    t11 = pose3*pose6
+    t12 = pose4*pose5
     t13 = t11 - t12
-    t14 = t10 + t13 + t8
-    t15 = t4 + t5
-    t16 = 2*point0
-    t17 = pose3*pose4
-    t18 = pose5*pose6
-    t19 = t17 - t18
-    t20 = -t8
-    t21 = t13 + t20 + t9
-    t22 = t17 + t18
-    t23 = t0 - t1
-    t24 = t10 + t11 + t12 + t20
+    t14 = point1 + point1
+    t15 = -t5
+    t16 = t4 + t15 + t0
+    t17 = t11 + t12
+    t18 = point0 + point0
+    t19 = pose3*pose4
+    t20 = pose5*pose6
+    t21 = t19 - t20
+    t22 = t1 + t2 + t3 + t15
+    t23 = t7 - t8
+    t24 = t19 + t20
     t25 = point0*pose3 - point1*pose6 + point2*pose5
-    t26 = 2*t25
-    t27 = 2*(point0*pose4 + point1*pose5 + point2*pose6)
-    t28 = -point0*pose5 + point1*pose4 + point2*pose3
-    t29 = 2*t28
-    t30 = point0*pose6 + point1*pose3 - point2*pose4
-    t31 = 2*t30
+    t26 = t25 + t25
+    t27 = point0*pose4 + point1*pose5 + point2*pose6
+    t28 = t27 + t27
+    t29 = -point0*pose5 + point1*pose4 + point2*pose3
+    t30 = t29 + t29
+    t31 = point0*pose6 + point1*pose3 - point2*pose4
+    t32 = t31 + t31
+    t33 = t13 + t13
+    t34 = t9 + t9
+    t35 = t17 + t17
+    t36 = t21 + t21
+    t37 = t23 + t23
+    t38 = t24 + t24
     return (
-        point0*t14 + point3*pose0 + t2*t3 - t6*t7,
-        point1*t21 + point3*pose1 + t15*t16 - t19*t3,
-        point2*t24 + point3*pose2 - t16*t23 + t22*t7,
+        point0*t6 + point3*pose0 + t10*t9 - t13*t14,
+        point1*t16 + point3*pose1 + t17*t18 - t10*t21,
+        point2*t22 + point3*pose2 - t18*t23 + t14*t24,
         point3,
         point3,
         0,
         0,
         t26,
-        t27,
-        t29,
-        -2*t30,
+        t28,
+        t30,
+        -t32,
         0,
         point3,
         0,
-        t31,
-        -2*t28,
-        t27,
+        t32,
+        -t30,
+        t28,
         t26,
         0,
         0,
         point3,
-        t29,
-        t31,
-        -2*t25,
-        t27,
+        t30,
+        t32,
+        -t26,
+        t28,
         0,
         0,
         0,
@@ -416,17 +443,17 @@ def from_frame_storage_jac(pose, point):
         0,
         0,
         0,
-        t14,
-        -2*t6,
-        2*t2,
+        t6,
+        -t33,
+        t34,
         pose0,
-        2*t15,
-        t21,
-        -2*t19,
+        t35,
+        t16,
+        -t36,
         pose1,
-        -2*t23,
-        2*t22,
-        t24,
+        -t37,
+        t38,
+        t22,
         pose2,
         0,
         0,
@@ -438,7 +465,7 @@ def from_frame_storage_jac(pose, point):
 def to_point(landmark):
     """to_point: value."""
     landmark0, landmark1, landmark2, landmark3 = landmark
-    t0 = 1/(landmark3)
+    t0 = 1/landmark3
     return (
         landmark0*t0,
         landmark1*t0,
@@ -449,8 +476,8 @@ def to_point(landmark):
 def to_point_jac(landmark):
     """to_point: value and Jacobians."""
     landmark0, landmark1, landmark2, landmark3 = landmark
-    t0 = 1/(landmark3)
-    t1 = 1/(landmark3*landmark3)
+    t0 = 1/landmark3
+    t1 = t0*t0
     return (
         landmark0*t0,
         landmark1*t0,

@@ -18,54 +18,58 @@ def to_frame(pose, landmark):
     """to_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6, landmark7, landmark8 = landmark
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = cos(landmark3)
-    t4 = landmark0 - pose0
-    t5 = landmark5*t4 + t3*cos(landmark4)
-    t6 = 2*t5
-    t7 = landmark1 - pose1
-    t8 = landmark5*t7 + t3*sin(landmark4)
-    t9 = pose3*pose4
-    t10 = pose5*pose6
-    t11 = -2*t10 + 2*t9
-    t12 = landmark2 - pose2
-    t13 = landmark5*t12 + sin(landmark3)
-    t14 = pose6*pose6
-    t15 = pose5*pose5
-    t16 = -t15
-    t17 = pose3*pose3
-    t18 = pose4*pose4
-    t19 = t17 - t18
-    t20 = t14 + t16 + t19
-    t21 = -t11*t8 + t13*t20 + t2*t6
-    t22 = landmark8*t12 + sin(landmark6)
-    t23 = 2*t10 + 2*t9
-    t24 = pose3*pose6
-    t25 = pose4*pose5
-    t26 = t24 - t25
-    t27 = cos(landmark6)
-    t28 = landmark8*t4 + t27*cos(landmark7)
-    t29 = 2*t28
-    t30 = landmark8*t7 + t27*sin(landmark7)
-    t31 = -t14
-    t32 = t15 + t19 + t31
-    t33 = t22*t23 - t26*t29 + t30*t32
-    t34 = t13*t23 - t26*t6 + t32*t8
-    t35 = -t11*t30 + t2*t29 + t20*t22
-    t36 = 2*t0 - 2*t1
-    t37 = 2*t24 + 2*t25
-    t38 = t16 + t17 + t18 + t31
-    t39 = -t22*t36 + t28*t38 + t30*t37
-    t40 = -t13*t36 + t37*t8 + t38*t5
+    t0 = landmark1 - pose1
+    t1 = cos(landmark3)
+    t2 = landmark5*t0 + sin(landmark4)*t1
+    t3 = pose5*pose5
+    t4 = pose3*pose3
+    t5 = pose6*pose6
+    t6 = t4 - t5
+    t7 = pose4*pose4
+    t8 = -t7
+    t9 = t3 + t6 + t8
+    t10 = pose3*pose4
+    t11 = pose5*pose6
+    t12 = t10 + t11
+    t13 = landmark2 - pose2
+    t14 = landmark5*t13 + sin(landmark3)
+    t15 = t14 + t14
+    t16 = pose3*pose6
+    t17 = pose4*pose5
+    t18 = t16 - t17
+    t19 = landmark0 - pose0
+    t20 = landmark5*t19 + cos(landmark4)*t1
+    t21 = t20 + t20
+    first1 = t2*t9 + t12*t15 - t18*t21
+    t22 = pose3*pose5
+    t23 = pose4*pose6
+    t24 = t22 + t23
+    t25 = cos(landmark6)
+    t26 = landmark8*t19 + cos(landmark7)*t25
+    t27 = t26 + t26
+    t28 = t10 - t11
+    t29 = landmark8*t0 + sin(landmark7)*t25
+    t30 = t29 + t29
+    t31 = -t3
+    t32 = t31 + t4 + t5 + t8
+    t33 = landmark8*t13 + sin(landmark6)
+    second2 = t24*t27 - t28*t30 + t32*t33
+    t34 = t2 + t2
+    first2 = -t28*t34 + t21*t24 + t14*t32
+    t35 = t33 + t33
+    second1 = t12*t35 - t18*t27 + t29*t9
+    t36 = t16 + t17
+    t37 = t7 + t31 + t6
+    t38 = t22 - t23
+    first0 = t34*t36 + t20*t37 - t15*t38
+    second0 = -t35*t38 + t26*t37 + t30*t36
     return (
-        -t21*t33 + t34*t35,
-        t21*t39 - t35*t40,
-        t33*t40 - t34*t39,
-        landmark5*t39 - landmark8*t40,
-        landmark5*t33 - landmark8*t34,
-        landmark5*t35 - landmark8*t21,
+        first1*second2 - first2*second1,
+        -first0*second2 + first2*second0,
+        first0*second1 - first1*second0,
+        -first0*landmark8 + landmark5*second0,
+        -first1*landmark8 + landmark5*second1,
+        -first2*landmark8 + landmark5*second2,
     )
 
 
@@ -73,276 +77,225 @@ def to_frame_jac(pose, landmark):
     """to_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6, landmark7, landmark8 = landmark
-    t0 = sin(landmark4)
-    t1 = cos(landmark3)
-    t2 = landmark1 - pose1
-    t3 = landmark5*t2 + t0*t1
-    t4 = pose3*pose4
-    t5 = pose5*pose6
-    t6 = t4 - t5
-    t7 = 2*t6
-    t8 = t3*t7
-    t9 = sin(landmark3)
-    t10 = landmark2 - pose2
-    t11 = landmark5*t10 + t9
-    t12 = pose6*pose6
-    t13 = pose5*pose5
-    t14 = -t13
-    t15 = pose3*pose3
-    t16 = pose4*pose4
-    t17 = t15 - t16
-    t18 = t12 + t14 + t17
-    t19 = t11*t18
-    t20 = pose3*pose5
-    t21 = pose4*pose6
-    t22 = t20 + t21
-    t23 = cos(landmark4)
-    t24 = landmark0 - pose0
-    t25 = landmark5*t24 + t1*t23
-    t26 = 2*t25
-    t27 = t22*t26
-    t28 = t19 + t27
-    t29 = t28 - t8
-    t30 = pose3*pose6
-    t31 = pose4*pose5
-    t32 = t30 - t31
-    t33 = cos(landmark6)
-    t34 = cos(landmark7)
-    t35 = landmark8*t24 + t33*t34
-    t36 = 2*t35
-    t37 = t32*t36
-    t38 = sin(landmark7)
-    t39 = landmark8*t2 + t33*t38
-    t40 = -t12
-    t41 = t13 + t17 + t40
-    t42 = sin(landmark6)
-    t43 = landmark8*t10 + t42
-    t44 = t4 + t5
-    t45 = 2*t44
-    t46 = t39*t41 + t43*t45
-    t47 = -t37 + t46
-    t48 = t26*t32
-    t49 = t3*t41
-    t50 = t11*t45
-    t51 = t49 + t50
-    t52 = -t48 + t51
-    t53 = t39*t7
-    t54 = t18*t43 + t22*t36
-    t55 = -t53 + t54
-    t56 = t20 - t21
-    t57 = 2*t56
-    t58 = t43*t57
-    t59 = t14 + t15 + t16 + t40
-    t60 = t30 + t31
-    t61 = 2*t60
-    t62 = t35*t59 + t39*t61
-    t63 = -t58 + t62
-    t64 = t11*t57
-    t65 = t25*t59
-    t66 = t3*t61
-    t67 = t65 + t66
-    t68 = -t64 + t67
-    t69 = landmark5*t63
-    t70 = landmark8*t68
-    t71 = landmark5*t47
-    t72 = landmark8*t52
-    t73 = landmark5*t55
-    t74 = landmark8*t29
-    t75 = t22*t71 - t22*t72 + t32*t73 - t32*t74
-    t76 = -landmark8*t29*t41 - 2*landmark8*t52*t6 + t41*t73 + t7*t71
-    t77 = -landmark5*t18*t47 - 2*landmark8*t29*t44 + t18*t72 + t45*t73
-    t78 = pose4*t25 + pose5*t3 + pose6*t11
-    t79 = t47*t78
-    t80 = pose4*t35 + pose5*t39 + pose6*t43
-    t81 = pose3*t25 - pose5*t11 + pose6*t3
-    t82 = pose3*t35 - pose5*t43 + pose6*t39
-    t83 = -t29*t82 + t55*t81
-    t84 = -t52*t80 + t79 + t83
-    t85 = -t84
-    t86 = -2*t6
-    t87 = t28 + t3*t86
-    t88 = -t32
-    t89 = t36*t88 + t46
-    t90 = t39*t86 + t54
-    t91 = t26*t88 + t51
-    t92 = -t78*t90 + t80*t87 + t81*t89 - t82*t91
-    t93 = pose3*t43 - pose4*t39 + pose5*t35
-    t94 = pose3*t11 - pose4*t3 + pose5*t25
-    t95 = t47*t94
-    t96 = pose3*t3 + pose4*t11 - pose6*t25
-    t97 = pose3*t39 + pose4*t43 - pose6*t35
-    t98 = -t29*t97 + t55*t96
-    t99 = t52*t93 - t95 + t98
-    t100 = t87*t93 - t89*t96 - t90*t94 + t91*t97
-    t101 = t29*t80
-    t102 = t55*t78
-    t103 = t47*t81 - t52*t82
-    t104 = -t29*t93 + t55*t94
-    t105 = t47*t96 - t52*t97
-    t106 = 2*t22
-    t107 = -landmark5*t55*t59 - 2*landmark8*t22*t68 + t106*t69 + t59*t74
-    t108 = t6*t69 - t6*t70 + t60*t73 - t60*t74
-    t109 = -landmark8*t18*t68 - 2*landmark8*t29*t56 + t18*t69 + t57*t73
-    t110 = t63*t78
-    t111 = -t110 + t68*t80 + t98
-    t112 = t63*t96
-    t113 = t68*t97
-    t114 = -t101 + t102 + t112 - t113
-    t115 = t68*t93
-    t116 = t63*t94
-    t117 = t115 - t116 + t83
-    t118 = t63*t81 - t68*t82
-    t119 = t104 + t118
-    t120 = -2*t56
-    t121 = t11*t120 + t67
-    t122 = t120*t43 + t62
-    t123 = t121*t93
-    t124 = t122*t94
-    t125 = 2*t32
-    t126 = -2*landmark8*t32*t68 - landmark8*t52*t59 + t125*t69 + t59*t71
-    t127 = -landmark5*t41*t63 - 2*landmark8*t52*t60 + t41*t70 + t61*t71
-    t128 = t44*t69 - t44*t70 + t56*t71 - t56*t72
-    t129 = -t123 + t124 - t78*t89 + t80*t91
-    t130 = t110 - t52*t93 - t68*t80 + t95
-    t131 = -t130
-    t132 = t103 - t112 + t113
-    t133 = t121*t82 - t122*t81 - t89*t96 + t91*t97
-    t134 = landmark5*t80 - landmark8*t78
-    t135 = landmark5*t82 - landmark8*t81
-    t136 = landmark5*t97 - landmark8*t96
-    t137 = landmark5*t93 - landmark8*t94
-    t138 = pose3*t134 - pose4*t135 - pose5*t136 - pose6*t137
-    t139 = pose3*t137 - pose4*t136 + pose5*t135 + pose6*t134
-    t140 = pose3*t136 + pose4*t137 + pose5*t134 - pose6*t135
-    t141 = pose3*t135 + pose4*t134 - pose5*t137 + pose6*t136
-    t142 = t1*t45
-    t143 = 2*t88
-    t144 = t23*t9
-    t145 = t0*t9
-    t146 = -t142 + t143*t144 + t145*t41
-    t147 = t1*t18
-    t148 = t106*t144 + t145*t86 - t147
-    t149 = 2*t0*t22 + 2*t23*t6
-    t150 = t23*t41
-    t151 = t0*t143 - t150
-    t152 = 2*t24
-    t153 = t10*t18 + t152*t22 - t2*t7
-    t154 = t10*t45 - t152*t32 + t2*t41
-    t155 = t33*t45
-    t156 = t34*t42
-    t157 = t38*t42
-    t158 = t143*t156 - t155 + t157*t41
-    t159 = t18*t33
-    t160 = t106*t156 + t157*t86 - t159
-    t161 = 2*t22*t38 + 2*t34*t6
-    t162 = t34*t41
-    t163 = t125*t38 + t162
-    t164 = t144*t59 + t145*t61
-    t165 = -t1*t120 + t164
-    t166 = -t0*t59 + t23*t61
-    t167 = -t10*t57 + t2*t61 + t24*t59
-    t168 = t156*t59 + t157*t61
-    t169 = -t120*t33 + t168
-    t170 = t34*t61 - t38*t59
-    t171 = landmark8*t1
-    t172 = landmark5*t33
+    t0 = landmark1 - pose1
+    t1 = sin(landmark4)
+    t2 = cos(landmark3)
+    t3 = landmark5*t0 + t1*t2
+    t4 = pose5*pose5
+    t5 = pose3*pose3
+    t6 = pose6*pose6
+    t7 = t5 - t6
+    t8 = pose4*pose4
+    t9 = -t8
+    t10 = t4 + t7 + t9
+    t11 = pose3*pose4
+    t12 = pose5*pose6
+    t13 = t11 + t12
+    t14 = landmark2 - pose2
+    t15 = sin(landmark3)
+    t16 = landmark5*t14 + t15
+    t17 = t16 + t16
+    t18 = pose3*pose6
+    t19 = pose4*pose5
+    t20 = t18 - t19
+    t21 = landmark0 - pose0
+    t22 = cos(landmark4)
+    t23 = landmark5*t21 + t2*t22
+    t24 = t23 + t23
+    first1 = t10*t3 + t13*t17 - t20*t24
+    t25 = pose3*pose5
+    t26 = pose4*pose6
+    t27 = t25 + t26
+    t28 = cos(landmark6)
+    t29 = cos(landmark7)
+    t30 = landmark8*t21 + t28*t29
+    t31 = t30 + t30
+    t32 = t11 - t12
+    t33 = sin(landmark7)
+    t34 = landmark8*t0 + t28*t33
+    t35 = t34 + t34
+    t36 = -t4
+    t37 = t36 + t5 + t6 + t9
+    t38 = sin(landmark6)
+    t39 = landmark8*t14 + t38
+    second2 = t27*t31 - t32*t35 + t37*t39
+    t40 = t3 + t3
+    first2 = -t32*t40 + t24*t27 + t16*t37
+    t41 = t39 + t39
+    second1 = t13*t41 - t20*t31 + t10*t34
+    t42 = first1*second2 - first2*second1
+    t43 = t18 + t19
+    t44 = t8 + t36 + t7
+    t45 = t25 - t26
+    first0 = t40*t43 + t23*t44 - t17*t45
+    second0 = -t41*t45 + t30*t44 + t35*t43
+    t46 = first0*second2 - first2*second0
+    t47 = -t46
+    t48 = first0*second1 - first1*second0
+    t49 = first0*landmark8
+    t50 = landmark5*second0
+    t51 = t49 - t50
+    t52 = -t51
+    t53 = first1*landmark8
+    t54 = landmark5*second1
+    t55 = t53 - t54
+    t56 = -t55
+    t57 = first2*landmark8
+    t58 = landmark5*second2
+    t59 = t57 - t58
+    t60 = -t59
+    t61 = landmark5 + landmark5
+    t62 = t27 + t27
+    t63 = t20 + t20
+    t64 = -t61*second1*t27 - t61*second2*t20 + t53*t62 + t57*t63
+    t65 = t32 + t32
+    t66 = t10*t57 - t10*t58 + t53*t65 - t54*t65
+    t67 = t13 + t13
+    t68 = t37*t53 - t37*t54 - t57*t67 + t58*t67
+    t69 = -t44*t57 + t44*t58 + t49*t62 - t50*t62
+    t70 = t43 + t43
+    t71 = t49*t65 - t50*t65 + t57*t70 - t58*t70
+    t72 = t45 + t45
+    t73 = t37*t49 - t37*t50 + t57*t72 - t58*t72
+    t74 = t44*t53 - t44*t54 + t49*t63 - t50*t63
+    t75 = t10*t49 - t10*t50 - t53*t70 + t54*t70
+    t76 = -t61*second0*t13 - t61*second1*t45 + t49*t67 + t53*t72
+    t77 = t15*t22
+    t78 = t1*t15
+    t79 = -t65
+    t80 = t2*t37
+    t81 = t62*t77 + t78*t79 - t80
+    t82 = -t63
+    t83 = t2*t67
+    t84 = t10*t78 + t77*t82 - t83
+    t85 = t1*t27 + t22*t32
+    t86 = second1 + second1
+    t87 = t10*t22
+    t88 = t1*t82 - t87
+    t89 = t21 + t21
+    t90 = t0 + t0
+    t91 = t27*t89 - t32*t90 + t14*t37
+    t92 = t0*t10 - t20*t89 + t14*t67
+    t93 = t29*t38
+    t94 = t33*t38
+    t95 = t28*t37
+    t96 = t62*t93 + t79*t94 - t95
+    t97 = t28*t67
+    t98 = t10*t94 + t82*t93 - t97
+    t99 = t27*t33 + t29*t32
+    t100 = t99 + t99
+    t101 = t10*t29
+    t102 = -t33*t63 - t101
+    t103 = -t72
+    t104 = t44*t77 + t70*t78
+    t105 = -t103*t2 + t104
+    t106 = t85 + t85
+    t107 = -t1*t44 + t22*t70
+    t108 = t21*t44 - t14*t72 + t43*t90
+    t109 = t44*t93 + t70*t94
+    t110 = -t103*t28 + t109
+    t111 = first0 + first0
+    t112 = -t33*t44 + t29*t70
+    t113 = landmark8*t2
+    t114 = landmark5*t28
+    t115 = t15 + t15
     return (
-        -t29*t47 + t52*t55,
-        t29*t63 - t55*t68,
-        t47*t68 - t52*t63,
-        t69 - t70,
-        t71 - t72,
-        t73 - t74,
-        2*t75,
+        t42,
+        t47,
+        t48,
+        t52,
+        t56,
+        t60,
+        -t64,
+        t66,
+        -t68,
+        0,
+        -t48,
+        t47,
+        t69,
+        -t71,
+        t73,
+        t48,
+        0,
+        -t42,
+        t74,
+        -t75,
         -t76,
-        -t77,
-        -pose3*t100 - pose4*t99 - pose5*t85 - pose6*t92,
-        -pose3*t92 + pose4*t85 - pose5*t99 + pose6*t100,
-        -pose3*t84 + pose4*(t101 - t102 + t103) - pose5*(-t104 - t105) - pose6*t99,
-        -t107,
-        2*t108,
-        -t109,
-        -pose3*t114 + pose4*t117 + pose5*t111 + pose6*t119,
-        pose3*t119 - pose4*t111 + pose5*t117 + pose6*t114,
-        -pose3*(t121*t80 - t122*t78 - t87*t97 + t90*t96) - pose4*t119 - pose5*t114 + pose6*(t123 - t124 + t81*t90 - t82*t87),
-        -t126,
-        -t127,
-        2*t128,
-        -pose3*t129 - pose4*t132 + pose5*t133 + pose6*t131,
-        -pose3*t130 - pose4*(-t105 - t118) - pose5*t132 + pose6*(-t115 + t116 + t52*t80 - t79),
-        -pose3*t133 - pose4*t131 - pose5*t129 - pose6*t132,
+        t46,
+        t42,
         0,
         0,
         0,
-        t138,
-        -t139,
-        t140,
+        0,
+        0,
+        t59,
+        t56,
         0,
         0,
         0,
-        t139,
-        t138,
-        -t141,
+        t60,
+        0,
+        t51,
         0,
         0,
         0,
-        -t140,
-        t141,
-        t138,
-        -2*t75,
+        t55,
+        t52,
+        0,
+        t64,
+        -t66,
+        t68,
+        second1*t81 - second2*t84,
+        -(-t86*t85 + second2*t88)*t2,
+        -second1*t91 + second2*t92,
+        -first1*t96 + first2*t98,
+        (-first1*t100 + first2*t102)*t28,
+        first1*t91 - first2*t92,
+        -t69,
+        t71,
+        -t73,
+        -second0*t81 + second2*t105,
+        (-second0*t106 - second2*t107)*t2,
+        second0*t91 - second2*t108,
+        first0*t96 - first2*t110,
+        -(-t111*t99 - first2*t112)*t28,
+        -first0*t91 + first2*t108,
+        -t74,
+        t75,
         t76,
-        t77,
-        -t146*t55 + t148*t47,
-        t1*(t149*t47 - t151*t55),
-        -t153*t47 + t154*t55,
-        t158*t29 - t160*t52,
-        -t33*(t161*t52 + t163*t29),
-        t153*t52 - t154*t29,
-        t107,
-        -2*t108,
-        t109,
-        -t148*t63 + t165*t55,
-        -t1*(t149*t63 + t166*t55),
-        t153*t63 - t167*t55,
-        t160*t68 - t169*t29,
-        t33*(t161*t68 + t170*t29),
-        -t153*t68 + t167*t29,
-        t126,
-        t127,
-        -2*t128,
-        t146*t63 - t165*t47,
-        t1*(t151*t63 + t166*t47),
-        -t154*t63 + t167*t47,
-        -t158*t68 + t169*t52,
-        -t33*(t170*t52 + t68*(t143*t38 - t162)),
-        t154*t68 - t167*t52,
+        second0*t84 - second1*t105,
+        -(-second0*t88 - second1*t107)*t2,
+        -second0*t92 + second1*t108,
+        -first0*t98 + first1*t110,
+        -((t33*t82 - t101)*first0 + first1*t112)*t28,
+        first0*t92 - first1*t108,
         0,
         0,
         0,
-        landmark8*(t1*t57 + t164),
-        -t166*t171,
-        -landmark8*t167 + t35*t59 + 2*t39*t60 - t58,
-        -landmark5*(t168 + t33*t57),
-        t170*t172,
-        landmark5*t167 + t64 - t65 - t66,
+        (t104 + t2*t72)*landmark8,
+        -t107*t113,
+        -landmark8*t108 + second0,
+        -(t109 + t28*t72)*landmark5,
+        t112*t114,
+        -first0 + landmark5*t108,
         0,
         0,
         0,
-        landmark8*(t0*t41*t9 - t125*t144 - t142),
-        -t171*(t0*t125 + t150),
-        -landmark8*t154 - t37 + t39*t41 + 2*t43*t44,
-        -landmark5*(-t125*t156 - t155 + t38*t41*t42),
-        t163*t172,
-        landmark5*t154 + t48 - t49 - t50,
+        (t1*t10*t15 - t63*t77 - t83)*landmark8,
+        (-t1*t63 - t87)*t113,
+        -landmark8*t92 + second1,
+        -(t10*t33*t38 - t63*t93 - t97)*landmark5,
+        -t102*t114,
+        -first1 + landmark5*t92,
         0,
         0,
         0,
-        landmark8*(-t145*t7 - t147 + 2*t22*t23*t9),
-        t149*t171,
-        -landmark8*t153 + t18*t43 + 2*t22*t35 - t53,
-        -landmark5*(-t157*t7 - t159 + 2*t22*t34*t42),
-        -t161*t172,
-        landmark5*t153 - t19 - t27 + t8,
+        (t115*t22*t27 - t65*t78 - t80)*landmark8,
+        t106*t113,
+        -landmark8*t91 + second2,
+        -(t62*t29*t38 - t65*t94 - t95)*landmark5,
+        -t100*t114,
+        -first2 + landmark5*t91,
     )
 
 
@@ -350,253 +303,273 @@ def to_frame_storage_jac(pose, landmark):
     """to_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6, landmark7, landmark8 = landmark
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = cos(landmark3)
-    t4 = cos(landmark4)
-    t5 = landmark0 - pose0
-    t6 = landmark5*t5 + t3*t4
-    t7 = 2*t6
-    t8 = t2*t7
-    t9 = sin(landmark4)
-    t10 = landmark1 - pose1
-    t11 = landmark5*t10 + t3*t9
-    t12 = pose3*pose4
-    t13 = pose5*pose6
-    t14 = t12 - t13
-    t15 = 2*t14
-    t16 = t11*t15
-    t17 = sin(landmark3)
-    t18 = landmark2 - pose2
-    t19 = landmark5*t18 + t17
-    t20 = pose6*pose6
-    t21 = pose5*pose5
-    t22 = -t21
-    t23 = pose3*pose3
-    t24 = pose4*pose4
-    t25 = t23 - t24
-    t26 = t20 + t22 + t25
-    t27 = t19*t26
-    t28 = -t16 + t27 + t8
-    t29 = sin(landmark6)
-    t30 = landmark8*t18 + t29
-    t31 = t12 + t13
-    t32 = 2*t31
-    t33 = pose3*pose6
-    t34 = pose4*pose5
-    t35 = t33 - t34
-    t36 = cos(landmark6)
-    t37 = cos(landmark7)
-    t38 = landmark8*t5 + t36*t37
-    t39 = 2*t38
-    t40 = t35*t39
-    t41 = sin(landmark7)
-    t42 = landmark8*t10 + t36*t41
-    t43 = -t20
-    t44 = t21 + t25 + t43
-    t45 = t30*t32 - t40 + t42*t44
-    t46 = t19*t32
-    t47 = t35*t7
-    t48 = t11*t44
-    t49 = t46 - t47 + t48
-    t50 = t15*t42
-    t51 = t2*t39 + t26*t30 - t50
-    t52 = t0 - t1
-    t53 = 2*t52
-    t54 = t30*t53
-    t55 = t33 + t34
-    t56 = 2*t55
-    t57 = t22 + t23 + t24 + t43
-    t58 = t38*t57 + t42*t56 - t54
-    t59 = t19*t53
-    t60 = t11*t56
-    t61 = t57*t6
-    t62 = -t59 + t60 + t61
-    t63 = landmark5*t58
-    t64 = landmark8*t62
-    t65 = landmark5*t45
-    t66 = landmark8*t49
-    t67 = landmark5*t51
-    t68 = landmark8*t28
-    t69 = t2*t65 - t2*t66 + t35*t67 - t35*t68
-    t70 = -2*landmark8*t14*t49 - landmark8*t28*t44 + t15*t65 + t44*t67
-    t71 = -landmark5*t26*t45 - 2*landmark8*t28*t31 + t26*t66 + t32*t67
-    t72 = pose3*t30 - pose4*t42 + pose5*t38
-    t73 = pose3*t19 - pose4*t11 + pose5*t6
-    t74 = t45*t73
-    t75 = pose3*t11 + pose4*t19 - pose6*t6
-    t76 = pose3*t42 + pose4*t30 - pose6*t38
-    t77 = -t28*t76 + t51*t75
-    t78 = -t28*t72 + t51*t73
-    t79 = t45*t75 - t49*t76
-    t80 = pose4*t38 + pose5*t42 + pose6*t30
-    t81 = t28*t80
-    t82 = pose4*t6 + pose5*t11 + pose6*t19
-    t83 = t51*t82
-    t84 = pose3*t6 - pose5*t19 + pose6*t11
-    t85 = pose3*t38 - pose5*t30 + pose6*t42
-    t86 = t45*t84 - t49*t85
-    t87 = t45*t82
-    t88 = t49*t80
-    t89 = -t28*t85 + t51*t84
-    t90 = 2*t2
-    t91 = -landmark5*t51*t57 - 2*landmark8*t2*t62 + t57*t68 + t63*t90
-    t92 = t14*t63 - t14*t64 + t55*t67 - t55*t68
-    t93 = -landmark8*t26*t62 - 2*landmark8*t28*t52 + t26*t63 + t53*t67
-    t94 = t62*t72
-    t95 = t58*t73
-    t96 = t58*t75
-    t97 = t58*t84 - t62*t85
-    t98 = t62*t80
-    t99 = t58*t82
-    t100 = 2*t35
-    t101 = -2*landmark8*t35*t62 - landmark8*t49*t57 + t100*t63 + t57*t65
-    t102 = -landmark5*t44*t58 - 2*landmark8*t49*t55 + t44*t64 + t56*t65
-    t103 = t31*t63 - t31*t64 + t52*t65 - t52*t66
-    t104 = landmark5*t85 - landmark8*t84
-    t105 = 2*t104
-    t106 = 2*landmark5*t80 - 2*landmark8*t82
-    t107 = landmark5*t72 - landmark8*t73
-    t108 = landmark5*t76 - landmark8*t75
-    t109 = 2*t108
-    t110 = 2*t107
-    t111 = t3*t32
-    t112 = -2*t35
-    t113 = t17*t4
-    t114 = t17*t9
-    t115 = -t111 + t112*t113 + t114*t44
-    t116 = -2*t14
-    t117 = t26*t3
-    t118 = t113*t90 + t114*t116 - t117
-    t119 = 2*t14*t4 + 2*t2*t9
-    t120 = t4*t44
-    t121 = t112*t9 - t120
-    t122 = 2*t5
-    t123 = -t10*t15 + t122*t2 + t18*t26
-    t124 = t10*t44 - t122*t35 + t18*t32
-    t125 = t32*t36
-    t126 = t29*t37
-    t127 = t29*t41
-    t128 = t112*t126 - t125 + t127*t44
-    t129 = t26*t36
-    t130 = t116*t127 + t126*t90 - t129
-    t131 = 2*t14*t37 + 2*t2*t41
-    t132 = t37*t44
-    t133 = t100*t41 + t132
-    t134 = -2*t52
-    t135 = t113*t57 + t114*t56
-    t136 = -t134*t3 + t135
-    t137 = t4*t56 - t57*t9
-    t138 = t10*t56 - t18*t53 + t5*t57
-    t139 = t126*t57 + t127*t56
-    t140 = -t134*t36 + t139
-    t141 = t37*t56 - t41*t57
-    t142 = landmark8*t3
-    t143 = landmark5*t36
+    t0 = landmark1 - pose1
+    t1 = sin(landmark4)
+    t2 = cos(landmark3)
+    t3 = landmark5*t0 + t1*t2
+    t4 = pose5*pose5
+    t5 = pose3*pose3
+    t6 = pose6*pose6
+    t7 = t5 - t6
+    t8 = pose4*pose4
+    t9 = -t8
+    t10 = t4 + t7 + t9
+    t11 = pose3*pose4
+    t12 = pose5*pose6
+    t13 = t11 + t12
+    t14 = landmark2 - pose2
+    t15 = sin(landmark3)
+    t16 = landmark5*t14 + t15
+    t17 = t16 + t16
+    t18 = pose3*pose6
+    t19 = pose4*pose5
+    t20 = t18 - t19
+    t21 = landmark0 - pose0
+    t22 = cos(landmark4)
+    t23 = landmark5*t21 + t2*t22
+    t24 = t23 + t23
+    first1 = t10*t3 + t13*t17 - t20*t24
+    t25 = pose3*pose5
+    t26 = pose4*pose6
+    t27 = t25 + t26
+    t28 = cos(landmark6)
+    t29 = cos(landmark7)
+    t30 = landmark8*t21 + t28*t29
+    t31 = t30 + t30
+    t32 = t11 - t12
+    t33 = sin(landmark7)
+    t34 = landmark8*t0 + t28*t33
+    t35 = t34 + t34
+    t36 = -t4
+    t37 = t36 + t5 + t6 + t9
+    t38 = sin(landmark6)
+    t39 = landmark8*t14 + t38
+    second2 = t27*t31 - t32*t35 + t37*t39
+    t40 = t3 + t3
+    first2 = -t32*t40 + t24*t27 + t16*t37
+    t41 = t39 + t39
+    second1 = t13*t41 - t20*t31 + t10*t34
+    t42 = t18 + t19
+    t43 = t8 + t36 + t7
+    t44 = t25 - t26
+    first0 = t40*t42 + t23*t43 - t17*t44
+    second0 = -t41*t44 + t30*t43 + t35*t42
+    t45 = first0*landmark8
+    t46 = landmark5*second0
+    t47 = first1*landmark8
+    t48 = landmark5*second1
+    t49 = first2*landmark8
+    t50 = landmark5*second2
+    t51 = landmark5 + landmark5
+    t52 = t27 + t27
+    t53 = t20 + t20
+    t54 = -t51*second1*t27 - t51*second2*t20 + t47*t52 + t49*t53
+    t55 = t32 + t32
+    t56 = t10*t49 - t10*t50 + t47*t55 - t48*t55
+    t57 = t13 + t13
+    t58 = t37*t47 - t37*t48 - t49*t57 + t50*t57
+    t59 = pose3*t39 - pose4*t34 + pose5*t30
+    t60 = first1*t59
+    t61 = t60 + t60
+    t62 = pose3*t16 - pose4*t3 + pose5*t23
+    t63 = second1*t62
+    t64 = t63 + t63
+    t65 = pose3*t34 + pose4*t39 - pose6*t30
+    t66 = pose3*t3 + pose4*t16 - pose6*t23
+    t67 = -first2*t65 + second2*t66
+    t68 = t67 + t67
+    t69 = t59 + t59
+    t70 = t62 + t62
+    t71 = first2*t69 - second2*t70
+    t72 = second1 + second1
+    t73 = first1 + first1
+    t74 = -t66*t72 + t65*t73
+    t75 = pose4*t23 + pose5*t3 + pose6*t16
+    t76 = second2*t75
+    t77 = t76 + t76
+    t78 = pose3*t30 - pose5*t39 + pose6*t34
+    t79 = first1*t78
+    t80 = t79 + t79
+    t81 = pose4*t30 + pose5*t34 + pose6*t39
+    t82 = first2*t81
+    t83 = t82 + t82
+    t84 = pose3*t23 - pose5*t16 + pose6*t3
+    t85 = second1*t84
+    t86 = t85 + t85
+    t87 = first1*t81
+    t88 = t87 + t87
+    t89 = second1*t75
+    t90 = t89 + t89
+    t91 = first2*t78
+    t92 = t91 + t91
+    t93 = second2*t84
+    t94 = t93 + t93
+    t95 = -t43*t49 + t43*t50 + t45*t52 - t46*t52
+    t96 = t42 + t42
+    t97 = t45*t55 - t46*t55 + t49*t96 - t50*t96
+    t98 = t44 + t44
+    t99 = t37*t45 - t37*t46 + t49*t98 - t50*t98
+    t100 = first0*t59 - second0*t62
+    t101 = t100 + t100
+    t102 = first0*t65
+    t103 = t102 + t102
+    t104 = second0*t66
+    t105 = t104 + t104
+    t106 = first0 + first0
+    t107 = second0 + second0
+    t108 = t106*t78 - t107*t84
+    t109 = first0*t81
+    t110 = t109 + t109
+    t111 = second0*t75
+    t112 = t111 + t111
+    t113 = t43*t47 - t43*t48 + t45*t53 - t46*t53
+    t114 = t10*t45 - t10*t46 - t47*t96 + t48*t96
+    t115 = -t51*second0*t13 - t51*second1*t44 + t45*t57 + t47*t98
+    t116 = landmark8 + landmark8
+    t117 = t51*t78 - t116*t84
+    t118 = t51*t81 - t116*t75
+    t119 = landmark5*t69 - landmark8*t70
+    t120 = t51*t65 - t116*t66
+    t121 = t15*t22
+    t122 = t1*t15
+    t123 = -t55
+    t124 = t2*t37
+    t125 = t121*t52 + t122*t123 - t124
+    t126 = -t53
+    t127 = t2*t57
+    t128 = t121*t126 + t10*t122 - t127
+    t129 = t10*t22
+    t130 = t1*t126 - t129
+    t131 = t1*t27 + t22*t32
+    t132 = t21 + t21
+    t133 = t0 + t0
+    t134 = t132*t27 - t133*t32 + t14*t37
+    t135 = -t132*t20 + t0*t10 + t14*t57
+    t136 = t33*t38
+    t137 = t29*t38
+    t138 = t28*t37
+    t139 = t123*t136 + t137*t52 - t138
+    t140 = t28*t57
+    t141 = t126*t137 + t10*t136 - t140
+    t142 = t10*t29
+    t143 = -t142 - t33*t53
+    t144 = t27*t33 + t29*t32
+    t145 = -t98
+    t146 = t121*t43 + t122*t96
+    t147 = -t145*t2 + t146
+    t148 = -t1*t43 + t22*t96
+    t149 = t133*t42 + t21*t43 - t14*t98
+    t150 = t137*t43 + t136*t96
+    t151 = -t145*t28 + t150
+    t152 = -t33*t43 + t29*t96
+    t153 = landmark8*t2
+    t154 = landmark5*t28
+    t155 = t15 + t15
+    t156 = t131 + t131
+    t157 = t144 + t144
     return (
-        -t28*t45 + t49*t51,
-        t28*t58 - t51*t62,
-        t45*t62 - t49*t58,
-        t63 - t64,
-        t65 - t66,
-        t67 - t68,
-        2*t69,
-        -t70,
-        -t71,
-        2*t49*t72 - 2*t74 + 2*t77,
-        2*t78 + 2*t79,
-        -2*t81 + 2*t83 - 2*t86,
-        -2*t87 + 2*t88 - 2*t89,
-        -t91,
-        2*t92,
-        -t93,
-        -2*t89 - 2*t94 + 2*t95,
-        2*t62*t76 + 2*t81 - 2*t83 - 2*t96,
-        2*t78 + 2*t97,
-        -2*t77 - 2*t98 + 2*t99,
-        -t101,
-        -t102,
-        2*t103,
-        2*t62*t76 + 2*t86 - 2*t96,
-        2*t87 - 2*t88 + 2*t94 - 2*t95,
-        2*t49*t72 - 2*t74 + 2*t98 - 2*t99,
-        2*t79 + 2*t97,
+        first1*second2 - first2*second1,
+        -first0*second2 + first2*second0,
+        first0*second1 - first1*second0,
+        -t45 + t46,
+        -t47 + t48,
+        -t49 + t50,
+        -t54,
+        t56,
+        -t58,
+        t61 - t64 + t68,
+        -t71 - t74,
+        t77 + t80 - t83 - t86,
+        t88 - t90 + t92 - t94,
+        t95,
+        -t97,
+        t99,
+        t92 - t94 - t101,
+        -t77 + t83 + t103 - t105,
+        -t71 - t108,
+        -t68 - t110 + t112,
+        t113,
+        -t114,
+        -t115,
+        -t80 + t86 + t103 - t105,
+        -t88 + t90 + t101,
+        t61 - t64 + t110 - t112,
+        -t74 - t108,
         0,
         0,
         0,
-        t105,
-        t106,
-        -2*t107,
-        t109,
+        t117,
+        t118,
+        -t119,
+        t120,
         0,
         0,
         0,
-        t109,
-        t110,
-        t106,
-        -2*t104,
+        t120,
+        t119,
+        t118,
+        -t117,
         0,
         0,
         0,
-        t110,
-        -2*t108,
-        t105,
-        t106,
-        -2*t69,
-        t70,
-        t71,
-        -t115*t51 + t118*t45,
-        t3*(t119*t45 - t121*t51),
-        -t123*t45 + t124*t51,
-        t128*t28 - t130*t49,
-        -t36*(t131*t49 + t133*t28),
-        t123*t49 - t124*t28,
-        t91,
-        -2*t92,
-        t93,
-        -t118*t58 + t136*t51,
-        -t3*(t119*t58 + t137*t51),
-        t123*t58 - t138*t51,
-        t130*t62 - t140*t28,
-        t36*(t131*t62 + t141*t28),
-        -t123*t62 + t138*t28,
-        t101,
-        t102,
-        -2*t103,
-        t115*t58 - t136*t45,
-        t3*(t121*t58 + t137*t45),
-        -t124*t58 + t138*t45,
-        -t128*t62 + t140*t49,
-        -t36*(t141*t49 + t62*(t112*t41 - t132)),
-        t124*t62 - t138*t49,
+        t119,
+        -t120,
+        t117,
+        t118,
+        t54,
+        -t56,
+        t58,
+        second1*t125 - second2*t128,
+        -(second2*t130 - t131*t72)*t2,
+        -second1*t134 + second2*t135,
+        -first1*t139 + first2*t141,
+        (first2*t143 - t144*t73)*t28,
+        first1*t134 - first2*t135,
+        -t95,
+        t97,
+        -t99,
+        -second0*t125 + second2*t147,
+        (-second2*t148 - t107*t131)*t2,
+        second0*t134 - second2*t149,
+        first0*t139 - first2*t151,
+        -(-first2*t152 - t106*t144)*t28,
+        -first0*t134 + first2*t149,
+        -t113,
+        t114,
+        t115,
+        second0*t128 - second1*t147,
+        -(-second0*t130 - second1*t148)*t2,
+        -second0*t135 + second1*t149,
+        -first0*t141 + first1*t151,
+        -((t126*t33 - t142)*first0 + first1*t152)*t28,
+        first0*t135 - first1*t149,
         0,
         0,
         0,
-        landmark8*(t135 + t3*t53),
-        -t137*t142,
-        -landmark8*t138 + t38*t57 + 2*t42*t55 - t54,
-        -landmark5*(t139 + t36*t53),
-        t141*t143,
-        landmark5*t138 + t59 - t60 - t61,
+        (t2*t98 + t146)*landmark8,
+        -t148*t153,
+        -landmark8*t149 + second0,
+        -(t150 + t28*t98)*landmark5,
+        t152*t154,
+        -first0 + landmark5*t149,
         0,
         0,
         0,
-        landmark8*(-t100*t113 - t111 + t17*t44*t9),
-        -t142*(t100*t9 + t120),
-        -landmark8*t124 + 2*t30*t31 - t40 + t42*t44,
-        -landmark5*(-t100*t126 - t125 + t29*t41*t44),
-        t133*t143,
-        landmark5*t124 - t46 + t47 - t48,
+        (t1*t10*t15 - t121*t53 - t127)*landmark8,
+        (-t1*t53 - t129)*t153,
+        -landmark8*t135 + second1,
+        -(-t137*t53 - t140 + t10*t33*t38)*landmark5,
+        -t143*t154,
+        -first1 + landmark5*t135,
         0,
         0,
         0,
-        landmark8*(-t114*t15 - t117 + 2*t17*t2*t4),
-        t119*t142,
-        -landmark8*t123 + 2*t2*t38 + t26*t30 - t50,
-        -landmark5*(-t127*t15 - t129 + 2*t2*t29*t37),
-        -t131*t143,
-        landmark5*t123 + t16 - t27 - t8,
+        (-t122*t55 - t124 + t155*t22*t27)*landmark8,
+        t156*t153,
+        -landmark8*t134 + second2,
+        -(-t136*t55 - t138 + t52*t29*t38)*landmark5,
+        -t157*t154,
+        -first2 + landmark5*t134,
     )
 
 
@@ -605,47 +578,55 @@ def from_frame(pose, rays, prior):
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     rays0, rays1, rays2, rays3, rays4, rays5 = rays
     prior0, prior1 = prior
-    t0 = pose3*pose4
-    t1 = pose5*pose6
-    t2 = t0 + t1
-    t3 = 2*rays1
-    t4 = pose3*pose5
-    t5 = pose4*pose6
-    t6 = t4 - t5
-    t7 = 2*rays0
-    t8 = pose6*pose6
-    t9 = pose4*pose4
-    t10 = -t9
-    t11 = pose3*pose3
-    t12 = pose5*pose5
+    t0 = pose4*pose4
+    t1 = -t0
+    t2 = pose3*pose3
+    t3 = pose5*pose5
+    t4 = t2 - t3
+    t5 = pose6*pose6
+    t6 = t1 + t4 + t5
+    t7 = pose3*pose4
+    t8 = pose5*pose6
+    t9 = t7 + t8
+    t10 = rays1 + rays1
+    t11 = pose3*pose5
+    t12 = pose4*pose6
     t13 = t11 - t12
-    t14 = t10 + t13 + t8
-    t15 = pose3*pose6
-    t16 = pose4*pose5
-    t17 = t15 + t16
-    t18 = t0 - t1
-    t19 = 2*rays2
-    t20 = -t8
-    t21 = t10 + t11 + t12 + t20
-    t22 = rays1*t21 + t17*t7 - t18*t19
-    t23 = t4 + t5
-    t24 = t15 - t16
-    t25 = t13 + t20 + t9
-    t26 = rays0*t25 + t19*t23 - t24*t3
-    t27 = 2*rays4
-    t28 = 2*rays3
-    t29 = 2*rays5
-    t30 = rays4*t21 + t17*t28 - t18*t29
-    t31 = rays3*t25 + t23*t29 - t24*t27
+    t14 = rays0 + rays0
+    t15 = -t5
+    t16 = t1 + t2 + t3 + t15
+    t17 = pose3*pose6
+    t18 = pose4*pose5
+    t19 = t17 + t18
+    t20 = t7 - t8
+    t21 = rays2 + rays2
+    t22 = rays1*t16 + t14*t19 - t20*t21
+    t23 = t22*t22
+    t24 = t4 + t15 + t0
+    t25 = t11 + t12
+    t26 = t17 - t18
+    t27 = rays0*t24 + t21*t25 - t10*t26
+    t28 = t27*t27
+    t29 = t23 + t28
+    t30 = sqrt(t29)
+    t31 = rays4 + rays4
+    t32 = rays3 + rays3
+    t33 = rays5 + rays5
+    t34 = rays4*t16 + t19*t32 - t20*t33
+    t35 = t34*t34
+    t36 = rays3*t24 + t25*t33 - t26*t31
+    t37 = t36*t36
+    t38 = t35 + t37
+    t39 = sqrt(t38)
     return (
         pose0,
         pose1,
         pose2,
-        arctan2(rays2*t14 + t2*t3 - t6*t7, sqrt(t22*t22 + t26*t26)),
-        arctan2(t22, t26),
+        arctan2(rays2*t6 + t10*t9 - t13*t14, t30),
+        arctan2(t22, t27),
         prior0,
-        arctan2(rays5*t14 + t2*t27 - t28*t6, sqrt(t30*t30 + t31*t31)),
-        arctan2(t30, t31),
+        arctan2(rays5*t6 + t31*t9 - t13*t32, t39),
+        arctan2(t34, t36),
         prior1,
     )
 
@@ -655,103 +636,134 @@ def from_frame_jac(pose, rays, prior):
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     rays0, rays1, rays2, rays3, rays4, rays5 = rays
     prior0, prior1 = prior
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 - t1
-    t3 = 2*rays0
-    t4 = pose6*pose6
-    t5 = pose4*pose4
-    t6 = -t5
-    t7 = pose3*pose3
-    t8 = pose5*pose5
-    t9 = t7 - t8
-    t10 = t4 + t6 + t9
-    t11 = pose3*pose4
-    t12 = pose5*pose6
-    t13 = t11 + t12
-    t14 = 2*rays1
-    t15 = rays2*t10 + t13*t14
-    t16 = t15 - t2*t3
-    t17 = t11 - t12
-    t18 = 2*rays2
-    t19 = -t4
-    t20 = t19 + t6 + t7 + t8
+    t0 = pose6*pose6
+    t1 = pose4*pose4
+    t2 = -t1
+    t3 = pose3*pose3
+    t4 = pose5*pose5
+    t5 = t3 - t4
+    t6 = t0 + t2 + t5
+    t7 = pose3*pose4
+    t8 = pose5*pose6
+    t9 = t7 + t8
+    t10 = rays1 + rays1
+    t11 = rays2*t6 + t10*t9
+    t12 = pose3*pose5
+    t13 = pose4*pose6
+    t14 = t12 - t13
+    t15 = rays0 + rays0
+    t16 = t11 - t14*t15
+    t17 = t7 - t8
+    t18 = rays2 + rays2
+    t19 = -t0
+    t20 = t19 + t2 + t3 + t4
     t21 = pose3*pose6
     t22 = pose4*pose5
     t23 = t21 + t22
-    t24 = rays1*t20 + t23*t3
+    t24 = rays1*t20 + t15*t23
     t25 = -t17*t18 + t24
-    t26 = t0 + t1
+    t26 = t25*t25
     t27 = t21 - t22
-    t28 = t19 + t5 + t9
-    t29 = rays0*t28 - t14*t27 + t18*t26
-    t30 = t25*t25 + t29*t29
-    t31 = sqrt(t30)
-    t32 = 2*rays3
-    t33 = 2*rays4
-    t34 = rays5*t10 + t13*t33
-    t35 = -t2*t32 + t34
-    t36 = 2*rays5
-    t37 = rays4*t20 + t23*t32
-    t38 = -t17*t36 + t37
-    t39 = rays3*t28 + t26*t36 - t27*t33
-    t40 = t38*t38 + t39*t39
-    t41 = sqrt(t40)
-    t42 = 1/(t16*t16 + t30)
-    t43 = pose3*rays0 + pose5*rays2 - pose6*rays1
-    t44 = pose4*rays0 + pose5*rays1 + pose6*rays2
-    t45 = pose3*rays2 + pose4*rays1 - pose5*rays0
-    t46 = t29*t45
-    t47 = 1/(t31)
-    t48 = -t2
-    t49 = t47*(t15 + t3*t48)
-    t50 = t31*t43 + t49*(t25*t44 + t46)
+    t28 = t19 + t1 + t5
+    t29 = t12 + t13
+    t30 = rays0*t28 + t18*t29
+    t31 = -t10*t27 + t30
+    t32 = t31*t31
+    t33 = t26 + t32
+    t34 = sqrt(t33)
+    t35 = rays3 + rays3
+    t36 = rays4 + rays4
+    t37 = rays5*t6 + t36*t9
+    t38 = -t14*t35 + t37
+    t39 = rays5 + rays5
+    t40 = rays4*t20 + t23*t35
+    t41 = -t17*t39 + t40
+    t42 = t41*t41
+    t43 = rays3*t28 + t29*t39
+    t44 = -t27*t36 + t43
+    t45 = t44*t44
+    t46 = t42 + t45
+    t47 = sqrt(t46)
+    t48 = t16*t16
+    t49 = t48 + t33
+    t50 = 1/t49
     t51 = pose3*rays1 - pose4*rays2 + pose6*rays0
-    t52 = -t29*t44
-    t53 = -t31*t51 + t49*(-t25*t45 - t52)
-    t54 = t25*t51 + t29*t43
-    t55 = -t31*t45 + t49*t54
-    t56 = -t29*t51
-    t57 = -t31*t44 + t49*(t25*t43 + t56)
-    t58 = 1/(t30)
-    t59 = -t17
-    t60 = t18*t59 + t24
-    t61 = t44*t60 + t46
-    t62 = t45*t60 + t52
-    t63 = t43*t60 + t56
-    t64 = 1/(t35*t35 + t40)
-    t65 = pose3*rays3 + pose5*rays5 - pose6*rays4
-    t66 = pose4*rays3 + pose5*rays4 + pose6*rays5
-    t67 = pose3*rays5 + pose4*rays4 - pose5*rays3
-    t68 = t39*t67
-    t69 = 1/(t41)
-    t70 = t69*(t32*t48 + t34)
-    t71 = t41*t65 + t70*(t38*t66 + t68)
-    t72 = pose3*rays4 - pose4*rays5 + pose6*rays3
-    t73 = -t39*t66
-    t74 = -t41*t72 + t70*(-t38*t67 - t73)
-    t75 = t38*t72 + t39*t65
-    t76 = -t41*t67 + t70*t75
-    t77 = -t39*t72
-    t78 = -t41*t66 + t70*(t38*t65 + t77)
-    t79 = 1/(t40)
-    t80 = t36*t59 + t37
-    t81 = t66*t80 + t68
-    t82 = t67*t80 + t73
-    t83 = t65*t80 + t77
-    t84 = 2*t31
-    t85 = 2*t23
-    t86 = 2*t27
-    t87 = 2*t41
+    t52 = -t17
+    t53 = t18*t52 + t24
+    t54 = t53*t53
+    t55 = -t27
+    t56 = t10*t55 + t30
+    t57 = t56*t56
+    t58 = t54 + t57
+    t59 = sqrt(t58)
+    t60 = 1/t59
+    t61 = -t14
+    t62 = (t11 + t15*t61)*t60
+    t63 = pose3*rays2 + pose4*rays1 - pose5*rays0
+    t64 = pose4*rays0 + pose5*rays1 + pose6*rays2
+    t65 = t56*t64
+    t66 = -t51*t59 + (-t53*t63 + t65)*t62
+    t67 = pose3*rays0 + pose5*rays2 - pose6*rays1
+    t68 = -t59*t63 + (t51*t53 + t56*t67)*t62
+    t69 = t53*t67
+    t70 = -t59*t64 + (-t51*t56 + t69)*t62
+    t71 = t59*t67 + (t53*t64 + t56*t63)*t62
+    t72 = 1/t33
+    t73 = t25*t64 + t31*t63
+    t74 = t25*t67 - t31*t51
+    t75 = t25*t51 + t31*t67
+    t76 = t25*t63 - t31*t64
+    t77 = t38*t38
+    t78 = t77 + t46
+    t79 = 1/t78
+    t80 = pose3*rays4 - pose4*rays5 + pose6*rays3
+    t81 = t39*t52 + t40
+    t82 = t81*t81
+    t83 = t36*t55 + t43
+    t84 = t83*t83
+    t85 = t82 + t84
+    t86 = sqrt(t85)
+    t87 = 1/t86
+    t88 = (t35*t61 + t37)*t87
+    t89 = pose3*rays5 + pose4*rays4 - pose5*rays3
+    t90 = pose4*rays3 + pose5*rays4 + pose6*rays5
+    t91 = t83*t90
+    t92 = -t80*t86 + (-t81*t89 + t91)*t88
+    t93 = pose3*rays3 + pose5*rays5 - pose6*rays4
+    t94 = -t86*t89 + (t80*t81 + t83*t93)*t88
+    t95 = t81*t93
+    t96 = -t86*t90 + (-t80*t83 + t95)*t88
+    t97 = t86*t93 + (t81*t90 + t83*t89)*t88
+    t98 = 1/t46
+    t99 = t41*t90 + t44*t89
+    t100 = t41*t93 - t44*t80
+    t101 = t41*t80 + t44*t93
+    t102 = t41*t89 - t44*t90
+    t103 = t34 + t34
+    t104 = 1/t34
+    t105 = t104*t16
+    t106 = t23 + t23
+    t107 = t27 + t27
+    t108 = (-t17*t25 + t29*t31)
+    t109 = t108 + t108
+    t110 = (t17*t31 + t25*t29)
+    t111 = t110 + t110
+    t112 = t47 + t47
+    t113 = 1/t47
+    t114 = t113*t38
+    t115 = (-t17*t41 + t29*t44)
+    t116 = t115 + t115
+    t117 = (t17*t44 + t29*t41)
+    t118 = t117 + t117
     return (
         pose0,
         pose1,
         pose2,
-        arctan2(t16, t31),
-        arctan2(t25, t29),
+        arctan2(t16, t34),
+        arctan2(t25, t31),
         prior0,
-        arctan2(t35, t41),
-        arctan2(t38, t39),
+        arctan2(t38, t47),
+        arctan2(t41, t44),
         prior1,
         1,
         0,
@@ -774,37 +786,33 @@ def from_frame_jac(pose, rays, prior):
         0,
         0,
         0,
-        t42*(-pose3*t53 + pose4*t55 + pose5*t57 - pose6*t50),
-        t42*(-pose3*t50 - pose4*t57 + pose5*t55 + pose6*t53),
-        t42*(-pose3*t57 + pose4*t50 - pose5*t53 + pose6*t55),
+        -(pose3*t66 - pose4*t68 - pose5*t70 + pose6*t71)*t50,
+        -(pose3*t71 + pose4*t70 - pose5*t68 - pose6*t66)*t50,
+        -(pose3*t70 - pose4*t71 + pose5*t66 - pose6*t68)*t50,
         0,
         0,
         0,
-        t58*(-pose3*t61 + pose4*t63 - pose5*t54 - pose6*t62),
-        t58*(-pose3*t62 + pose4*t54 + pose5*t63 + pose6*t61),
-        t58*(pose3*t54 + pose4*t62 - pose5*t61 + pose6*t63),
-        0,
-        0,
-        0,
-        0,
+        (-pose3*t73 + pose4*t74 - pose5*t75 - pose6*t76)*t72,
+        -((t53*t63 - t65)*pose3 - pose4*t75 - (-t51*t56 + t69)*pose5 - pose6*t73)*t72,
+        (pose3*t75 + pose4*t76 - pose5*t73 + pose6*t74)*t72,
         0,
         0,
         0,
         0,
         0,
-        t64*(-pose3*t74 + pose4*t76 + pose5*t78 - pose6*t71),
-        t64*(-pose3*t71 - pose4*t78 + pose5*t76 + pose6*t74),
-        t64*(-pose3*t78 + pose4*t71 - pose5*t74 + pose6*t76),
-        0,
-        0,
-        0,
-        t79*(-pose3*t81 + pose4*t83 - pose5*t75 - pose6*t82),
-        t79*(-pose3*t82 + pose4*t75 + pose5*t83 + pose6*t81),
-        t79*(pose3*t75 + pose4*t82 - pose5*t81 + pose6*t83),
         0,
         0,
         0,
         0,
+        -(pose3*t92 - pose4*t94 - pose5*t96 + pose6*t97)*t79,
+        -(pose3*t97 + pose4*t96 - pose5*t94 - pose6*t92)*t79,
+        -(pose3*t96 - pose4*t97 + pose5*t92 - pose6*t94)*t79,
+        0,
+        0,
+        0,
+        (-pose3*t99 + pose4*t100 - pose5*t101 - pose6*t102)*t98,
+        -((t81*t89 - t91)*pose3 - pose4*t101 - (-t80*t83 + t95)*pose5 - pose6*t99)*t98,
+        (pose3*t101 + pose4*t102 - pose5*t99 + pose6*t100)*t98,
         0,
         0,
         0,
@@ -825,19 +833,19 @@ def from_frame_jac(pose, rays, prior):
         0,
         0,
         0,
-        -t42*(t2*t84 + t49*(t25*t85 + t28*t29)),
-        t42*(t13*t84 + t16*t47*(-t20*t25 + t29*t86)),
-        t42*(t10*t31 - 2*t49*(-t17*t25 + t26*t29)),
-        0,
-        0,
-        0,
-        t58*(-t25*t28 + t29*t85),
-        t58*(t20*t29 + t25*t86),
-        -2*t58*(t17*t29 + t26*t60),
         0,
         0,
         0,
         0,
+        -(t103*t14 + (t106*t25 + t28*t31)*t105)*t50,
+        (t103*t9 + (-t20*t25 + t107*t31)*t105)*t50,
+        -(-t34*t6 + t109*t105)*t50,
+        0,
+        0,
+        0,
+        (-t25*t28 + t106*t31)*t72,
+        -(-t20*t31 - t107*t25)*t72,
+        -t111*t72,
         0,
         0,
         0,
@@ -846,15 +854,19 @@ def from_frame_jac(pose, rays, prior):
         0,
         0,
         0,
-        -t64*(t2*t87 + t70*(t28*t39 + t38*t85)),
-        t64*(t13*t87 + t35*t69*(-t20*t38 + t39*t86)),
-        t64*(t10*t41 - 2*t70*(-t17*t38 + t26*t39)),
         0,
         0,
         0,
-        t79*(-t28*t38 + t39*t85),
-        t79*(t20*t39 + t38*t86),
-        -2*t79*(t17*t39 + t26*t80),
+        0,
+        -(t112*t14 + (t28*t44 + t106*t41)*t114)*t79,
+        (t112*t9 + (-t20*t41 + t107*t44)*t114)*t79,
+        -(-t47*t6 + t116*t114)*t79,
+        0,
+        0,
+        0,
+        (-t28*t41 + t106*t44)*t98,
+        -(-t20*t44 - t107*t41)*t98,
+        -t118*t98,
         0,
         0,
         0,
@@ -887,93 +899,97 @@ def from_frame_storage_jac(pose, rays, prior):
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     rays0, rays1, rays2, rays3, rays4, rays5 = rays
     prior0, prior1 = prior
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 - t1
-    t3 = 2*rays0
-    t4 = pose6*pose6
-    t5 = pose4*pose4
-    t6 = -t5
-    t7 = pose3*pose3
-    t8 = pose5*pose5
-    t9 = t7 - t8
-    t10 = t4 + t6 + t9
-    t11 = pose3*pose4
-    t12 = pose5*pose6
-    t13 = t11 + t12
-    t14 = 2*rays1
-    t15 = rays2*t10 + t13*t14
-    t16 = t15 - t2*t3
-    t17 = t11 - t12
-    t18 = 2*rays2
-    t19 = -t4
-    t20 = t19 + t6 + t7 + t8
-    t21 = pose3*pose6
-    t22 = pose4*pose5
-    t23 = t21 + t22
-    t24 = rays1*t20 + t23*t3
-    t25 = -t17*t18 + t24
-    t26 = t0 + t1
-    t27 = t21 - t22
-    t28 = t19 + t5 + t9
-    t29 = rays0*t28 - t14*t27 + t18*t26
-    t30 = t25*t25 + t29*t29
+    t0 = pose4*pose4
+    t1 = -t0
+    t2 = pose3*pose3
+    t3 = pose5*pose5
+    t4 = t2 - t3
+    t5 = pose6*pose6
+    t6 = t1 + t4 + t5
+    t7 = pose3*pose4
+    t8 = pose5*pose6
+    t9 = t7 + t8
+    t10 = rays1 + rays1
+    t11 = pose3*pose5
+    t12 = pose4*pose6
+    t13 = t11 - t12
+    t14 = rays0 + rays0
+    t15 = rays2*t6 + t10*t9 - t13*t14
+    t16 = -t5
+    t17 = t1 + t2 + t3 + t16
+    t18 = pose3*pose6
+    t19 = pose4*pose5
+    t20 = t18 + t19
+    t21 = t7 - t8
+    t22 = rays2 + rays2
+    t23 = rays1*t17 + t14*t20 - t21*t22
+    t24 = t23*t23
+    t25 = t4 + t16 + t0
+    t26 = t11 + t12
+    t27 = t18 - t19
+    t28 = rays0*t25 + t22*t26 - t10*t27
+    t29 = t28*t28
+    t30 = t24 + t29
     t31 = sqrt(t30)
-    t32 = 2*rays3
-    t33 = 2*rays4
-    t34 = rays5*t10 + t13*t33
-    t35 = -t2*t32 + t34
-    t36 = 2*rays5
-    t37 = rays4*t20 + t23*t32
-    t38 = -t17*t36 + t37
-    t39 = rays3*t28 + t26*t36 - t27*t33
-    t40 = t38*t38 + t39*t39
+    t32 = rays4 + rays4
+    t33 = rays3 + rays3
+    t34 = rays5*t6 + t32*t9 - t13*t33
+    t35 = rays5 + rays5
+    t36 = rays4*t17 + t20*t33 - t21*t35
+    t37 = t36*t36
+    t38 = rays3*t25 + t26*t35 - t27*t32
+    t39 = t38*t38
+    t40 = t37 + t39
     t41 = sqrt(t40)
-    t42 = pose3*rays2 + pose4*rays1 - pose5*rays0
-    t43 = pose3*rays0 + pose5*rays2 - pose6*rays1
-    t44 = pose3*rays1 - pose4*rays2 + pose6*rays0
-    t45 = t25*t44 + t29*t43
-    t46 = 1/(t31)
-    t47 = -t2
-    t48 = t46*(t15 + t3*t47)
-    t49 = 1/(t16*t16 + t30)
-    t50 = 2*t49
-    t51 = pose4*rays0 + pose5*rays1 + pose6*rays2
-    t52 = -t29*t51
-    t53 = t29*t42
-    t54 = -t29*t44
-    t55 = -t17
-    t56 = t18*t55 + t24
-    t57 = 1/(t30)
-    t58 = 2*t57
-    t59 = pose3*rays5 + pose4*rays4 - pose5*rays3
-    t60 = pose3*rays3 + pose5*rays5 - pose6*rays4
-    t61 = pose3*rays4 - pose4*rays5 + pose6*rays3
-    t62 = t38*t61 + t39*t60
-    t63 = 1/(t41)
-    t64 = t63*(t32*t47 + t34)
-    t65 = 1/(t35*t35 + t40)
-    t66 = 2*t65
-    t67 = pose4*rays3 + pose5*rays4 + pose6*rays5
-    t68 = -t39*t67
-    t69 = t39*t59
-    t70 = -t39*t61
-    t71 = t36*t55 + t37
-    t72 = 1/(t40)
-    t73 = 2*t72
-    t74 = 2*t31
-    t75 = 2*t23
-    t76 = 2*t27
-    t77 = 2*t41
+    t42 = t15*t15
+    t43 = t42 + t30
+    t44 = 1/t43
+    t45 = t44 + t44
+    t46 = pose3*rays2 + pose4*rays1 - pose5*rays0
+    t47 = pose3*rays1 - pose4*rays2 + pose6*rays0
+    t48 = pose3*rays0 + pose5*rays2 - pose6*rays1
+    t49 = t23*t47 + t28*t48
+    t50 = 1/t31
+    t51 = t15*t50
+    t52 = pose4*rays0 + pose5*rays1 + pose6*rays2
+    t53 = t23*t46 - t28*t52
+    t54 = t23*t52 + t28*t46
+    t55 = t23*t48 - t28*t47
+    t56 = 1/t30
+    t57 = t56 + t56
+    t58 = t34*t34
+    t59 = t58 + t40
+    t60 = 1/t59
+    t61 = t60 + t60
+    t62 = pose3*rays5 + pose4*rays4 - pose5*rays3
+    t63 = pose3*rays4 - pose4*rays5 + pose6*rays3
+    t64 = pose3*rays3 + pose5*rays5 - pose6*rays4
+    t65 = t36*t63 + t38*t64
+    t66 = 1/t41
+    t67 = t34*t66
+    t68 = pose4*rays3 + pose5*rays4 + pose6*rays5
+    t69 = t36*t62 - t38*t68
+    t70 = t36*t68 + t38*t62
+    t71 = t36*t64 - t38*t63
+    t72 = 1/t40
+    t73 = t72 + t72
+    t74 = t20 + t20
+    t75 = t31 + t31
+    t76 = t27 + t27
+    t77 = (-t21*t23 + t26*t28)
+    t78 = t77 + t77
+    t79 = t41 + t41
+    t80 = (-t21*t36 + t26*t38)
+    t81 = t80 + t80
     return (
         pose0,
         pose1,
         pose2,
-        arctan2(t16, t31),
-        arctan2(t25, t29),
+        arctan2(t15, t31),
+        arctan2(t23, t28),
         prior0,
-        arctan2(t35, t41),
-        arctan2(t38, t39),
+        arctan2(t34, t41),
+        arctan2(t36, t38),
         prior1,
         1,
         0,
@@ -999,42 +1015,38 @@ def from_frame_storage_jac(pose, rays, prior):
         0,
         0,
         0,
-        t50*(t31*t42 - t45*t48),
-        t50*(t31*t44 - t48*(-t25*t42 - t52)),
-        -t50*(t31*t43 + t48*(t25*t51 + t53)),
-        t50*(t31*t51 - t48*(t25*t43 + t54)),
+        -(-t31*t46 + t49*t51)*t45,
+        -(-t31*t47 - t51*t53)*t45,
+        -(t31*t48 + t51*t54)*t45,
+        -(-t31*t52 + t51*t55)*t45,
         0,
         0,
         0,
-        t58*(-t43*t56 - t54),
-        -t58*(t51*t56 + t53),
-        t58*(-t42*t56 - t52),
-        t45*t58,
-        0,
-        0,
-        0,
-        0,
+        -t55*t57,
+        -t54*t57,
+        -t53*t57,
+        t49*t57,
         0,
         0,
         0,
         0,
         0,
         0,
-        t66*(t41*t59 - t62*t64),
-        t66*(t41*t61 - t64*(-t38*t59 - t68)),
-        -t66*(t41*t60 + t64*(t38*t67 + t69)),
-        t66*(t41*t67 - t64*(t38*t60 + t70)),
-        0,
-        0,
-        0,
-        t73*(-t60*t71 - t70),
-        -t73*(t67*t71 + t69),
-        t73*(-t59*t71 - t68),
-        t62*t73,
         0,
         0,
         0,
         0,
+        -(-t41*t62 + t65*t67)*t61,
+        -(-t41*t63 - t67*t69)*t61,
+        -(t41*t64 + t67*t70)*t61,
+        -(-t41*t68 + t67*t71)*t61,
+        0,
+        0,
+        0,
+        -t71*t73,
+        -t70*t73,
+        -t69*t73,
+        t65*t73,
         0,
         0,
         0,
@@ -1056,19 +1068,19 @@ def from_frame_storage_jac(pose, rays, prior):
         0,
         0,
         0,
-        -t49*(t2*t74 + t48*(t25*t75 + t28*t29)),
-        t49*(t13*t74 + t16*t46*(-t20*t25 + t29*t76)),
-        t49*(t10*t31 - 2*t48*(-t17*t25 + t26*t29)),
-        0,
-        0,
-        0,
-        t57*(-t25*t28 + t29*t75),
-        t57*(t20*t29 + t25*t76),
-        -t58*(t17*t29 + t26*t56),
         0,
         0,
         0,
         0,
+        -((t23*t74 + t25*t28)*t51 + t13*t75)*t44,
+        (t75*t9 + (-t17*t23 + t28*t76)*t51)*t44,
+        -(-t31*t6 + t78*t51)*t44,
+        0,
+        0,
+        0,
+        (-t23*t25 + t28*t74)*t56,
+        -(-t17*t28 - t23*t76)*t56,
+        -(t21*t28 + t23*t26)*t57,
         0,
         0,
         0,
@@ -1077,15 +1089,19 @@ def from_frame_storage_jac(pose, rays, prior):
         0,
         0,
         0,
-        -t65*(t2*t77 + t64*(t28*t39 + t38*t75)),
-        t65*(t13*t77 + t35*t63*(-t20*t38 + t39*t76)),
-        t65*(t10*t41 - 2*t64*(-t17*t38 + t26*t39)),
         0,
         0,
         0,
-        t72*(-t28*t38 + t39*t75),
-        t72*(t20*t39 + t38*t76),
-        -t73*(t17*t39 + t26*t71),
+        0,
+        -((t25*t38 + t36*t74)*t67 + t13*t79)*t60,
+        (t79*t9 + (-t17*t36 + t38*t76)*t67)*t60,
+        -(-t41*t6 + t81*t67)*t60,
+        0,
+        0,
+        0,
+        (-t25*t36 + t38*t74)*t72,
+        -(-t17*t38 - t36*t76)*t72,
+        -(t21*t38 + t26*t36)*t73,
         0,
         0,
         0,
@@ -1119,13 +1135,13 @@ def point_at(landmark, abscissa):
     abscissa, = abscissa
     t0 = landmark5*landmark8
     t1 = abscissa*landmark5
-    t2 = t1*cos(landmark6)
-    t3 = landmark8*(abscissa - 1)
-    t4 = t3*cos(landmark3)
+    t2 = cos(landmark6)*t1
+    t3 = (abscissa - 1)*landmark8
+    t4 = cos(landmark3)*t3
     return (
-        landmark0*t0 + t2*cos(landmark7) - t4*cos(landmark4),
-        landmark1*t0 + t2*sin(landmark7) - t4*sin(landmark4),
-        landmark2*t0 + t1*sin(landmark6) - t3*sin(landmark3),
+        landmark0*t0 + cos(landmark7)*t2 - cos(landmark4)*t4,
+        landmark1*t0 + sin(landmark7)*t2 - sin(landmark4)*t4,
+        landmark2*t0 + sin(landmark6)*t1 - sin(landmark3)*t3,
         t0,
     )
 
@@ -1135,61 +1151,61 @@ def point_at_jac(landmark, abscissa):
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5, landmark6, landmark7, landmark8 = landmark
     abscissa, = abscissa
     t0 = landmark5*landmark8
-    t1 = cos(landmark7)
-    t2 = cos(landmark6)
-    t3 = abscissa*t2
-    t4 = t1*t3
-    t5 = landmark5*t4
-    t6 = cos(landmark4)
-    t7 = abscissa - 1
-    t8 = cos(landmark3)
-    t9 = t7*t8
-    t10 = t6*t9
-    t11 = -landmark8*t10
+    t1 = cos(landmark4)
+    t2 = abscissa - 1
+    t3 = cos(landmark3)
+    t4 = t2*t3
+    t5 = t1*t4
+    t6 = -landmark8*t5
+    t7 = cos(landmark7)
+    t8 = cos(landmark6)
+    t9 = abscissa*t8
+    t10 = t7*t9
+    t11 = landmark5*t10
     t12 = sin(landmark7)
-    t13 = t12*t3
+    t13 = t12*t9
     t14 = landmark5*t13
     t15 = sin(landmark4)
-    t16 = t15*t9
+    t16 = t15*t4
     t17 = landmark8*t16
     t18 = sin(landmark6)
     t19 = abscissa*t18
     t20 = landmark5*t19
     t21 = sin(landmark3)
-    t22 = t21*t7
+    t22 = t2*t21
     t23 = landmark8*t22
-    t24 = landmark5*t2
-    t25 = landmark8*t8
+    t24 = landmark5*t8
+    t25 = landmark8*t3
     return (
-        landmark0*t0 + t11 + t5,
+        landmark0*t0 + t6 + t11,
         landmark1*t0 + t14 - t17,
         landmark2*t0 + t20 - t23,
         t0,
         t0,
         0,
         0,
-        t23*t6,
+        t1*t23,
         t17,
-        landmark0*landmark8 + t4,
-        -t1*t20,
+        landmark0*landmark8 + t10,
+        -t20*t7,
         -t14,
-        landmark0*landmark5 - t10,
+        landmark0*landmark5 - t5,
         0,
         t0,
         0,
         t15*t23,
-        t11,
+        t6,
         landmark1*landmark8 + t13,
         -t12*t20,
-        t5,
+        t11,
         landmark1*landmark5 - t16,
         0,
         0,
         t0,
-        -landmark8*t9,
+        -landmark8*t4,
         0,
         landmark2*landmark8 + t19,
-        landmark5*t3,
+        landmark5*t9,
         0,
         landmark2*landmark5 - t22,
         0,
@@ -1201,7 +1217,7 @@ def point_at_jac(landmark, abscissa):
         0,
         0,
         landmark5,
-        t1*t24 - t25*t6,
+        t24*t7 - t1*t25,
         t12*t24 - t15*t25,
         landmark5*t18 - landmark8*t21,
         0,

@@ -20,42 +20,42 @@ def to_frame(pose, landmark):
     """to_frame: value."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = landmark1 - landmark3*pose2 + landmark5*pose0
-    t4 = 2*t3
-    t5 = pose3*pose5
-    t6 = pose4*pose6
-    t7 = t5 - t6
-    t8 = landmark2 + landmark3*pose1 - landmark4*pose0
-    t9 = 2*t8
-    t10 = landmark0 + landmark4*pose2 - landmark5*pose1
-    t11 = pose4*pose4
-    t12 = pose5*pose5
-    t13 = -t12
-    t14 = pose3*pose3
-    t15 = pose6*pose6
-    t16 = t14 - t15
-    t17 = t11 + t13 + t16
+    t0 = landmark0 + landmark4*pose2 - landmark5*pose1
+    t1 = pose4*pose4
+    t2 = pose5*pose5
+    t3 = -t2
+    t4 = pose3*pose3
+    t5 = pose6*pose6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = pose3*pose6
+    t9 = pose4*pose5
+    t10 = t8 + t9
+    t11 = landmark1 - landmark3*pose2 + landmark5*pose0
+    t12 = t11 + t11
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = landmark2 + landmark3*pose1 - landmark4*pose0
+    t17 = t16 + t16
     t18 = pose3*pose4
     t19 = pose5*pose6
     t20 = t18 + t19
-    t21 = t0 - t1
-    t22 = 2*t10
-    t23 = -t11
-    t24 = t12 + t16 + t23
-    t25 = t5 + t6
+    t21 = t8 - t9
+    t22 = t0 + t0
+    t23 = -t1
+    t24 = t2 + t6 + t23
+    t25 = t13 + t14
     t26 = t18 - t19
-    t27 = t13 + t14 + t15 + t23
-    t28 = 2*landmark4
-    t29 = 2*landmark5
-    t30 = 2*landmark3
+    t27 = t3 + t4 + t5 + t23
+    t28 = landmark4 + landmark4
+    t29 = landmark5 + landmark5
+    t30 = landmark3 + landmark3
     return (
-        t10*t17 + t2*t4 - t7*t9,
-        t20*t9 - t21*t22 + t24*t3,
-        t22*t25 - t26*t4 + t27*t8,
-        landmark3*t17 + t2*t28 - t29*t7,
+        t0*t7 + t10*t12 - t15*t17,
+        t17*t20 - t21*t22 + t11*t24,
+        t22*t25 - t12*t26 + t16*t27,
+        landmark3*t7 + t10*t28 - t15*t29,
         landmark4*t24 + t20*t29 - t21*t30,
         landmark5*t27 + t25*t30 - t26*t28,
     )
@@ -65,140 +65,134 @@ def to_frame_jac(pose, landmark):
     """to_frame: value and Jacobians."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = landmark1 - landmark3*pose2 + landmark5*pose0
-    t4 = 2*t3
-    t5 = pose3*pose5
-    t6 = pose4*pose6
-    t7 = t5 - t6
-    t8 = landmark2 + landmark3*pose1 - landmark4*pose0
-    t9 = 2*t8
-    t10 = landmark0 + landmark4*pose2 - landmark5*pose1
-    t11 = pose4*pose4
-    t12 = pose5*pose5
-    t13 = -t12
-    t14 = pose3*pose3
-    t15 = pose6*pose6
-    t16 = t14 - t15
-    t17 = t11 + t13 + t16
-    t18 = pose3*pose4
-    t19 = pose5*pose6
-    t20 = t18 + t19
-    t21 = t0 - t1
-    t22 = 2*t10
-    t23 = -t11
-    t24 = t12 + t16 + t23
-    t25 = t5 + t6
-    t26 = t18 - t19
-    t27 = t13 + t14 + t15 + t23
-    t28 = 2*landmark4
-    t29 = 2*landmark5
-    t30 = 2*landmark3
-    t31 = pose4*t10 + pose5*t3 + pose6*t8
-    t32 = pose3*t10 - pose5*t8 + pose6*t3
-    t33 = pose3*t3 + pose4*t8 - pose6*t10
-    t34 = pose3*t8 - pose4*t3 + pose5*t10
-    t35 = pose3*t31 - pose4*t32 - pose5*t33 - pose6*t34
-    t36 = pose3*t34 - pose4*t33 + pose5*t32 + pose6*t31
-    t37 = pose3*t33 + pose4*t34 + pose5*t31 - pose6*t32
-    t38 = pose3*t32 + pose4*t31 - pose5*t34 + pose6*t33
-    t39 = landmark3*pose4 + landmark4*pose5 + landmark5*pose6
-    t40 = landmark3*pose3 + landmark4*pose6 - landmark5*pose5
-    t41 = -landmark3*pose6 + landmark4*pose3 + landmark5*pose4
-    t42 = landmark3*pose5 - landmark4*pose4 + landmark5*pose3
-    t43 = pose3*t39 - pose4*t40 - pose5*t41 - pose6*t42
-    t44 = pose3*t42 - pose4*t41 + pose5*t40 + pose6*t39
-    t45 = pose3*t41 + pose4*t42 + pose5*t39 - pose6*t40
-    t46 = pose3*t40 + pose4*t39 - pose5*t42 + pose6*t41
-    t47 = 2*t2
-    t48 = -2*t7
-    t49 = 2*pose0
-    t50 = -2*t21
-    t51 = 2*t20
-    t52 = 2*pose1
-    t53 = 2*t25
-    t54 = -2*t26
+    t0 = landmark0 + landmark4*pose2 - landmark5*pose1
+    t1 = pose4*pose4
+    t2 = pose5*pose5
+    t3 = -t2
+    t4 = pose3*pose3
+    t5 = pose6*pose6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = pose3*pose6
+    t9 = pose4*pose5
+    t10 = t8 + t9
+    t11 = landmark1 - landmark3*pose2 + landmark5*pose0
+    t12 = t11 + t11
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = landmark2 + landmark3*pose1 - landmark4*pose0
+    t17 = t16 + t16
+    t18 = t0*t7 + t10*t12 - t15*t17
+    t19 = pose3*pose4
+    t20 = pose5*pose6
+    t21 = t19 + t20
+    t22 = t8 - t9
+    t23 = t0 + t0
+    t24 = -t1
+    t25 = t2 + t6 + t24
+    t26 = t17*t21 - t22*t23 + t11*t25
+    t27 = t13 + t14
+    t28 = t19 - t20
+    t29 = t3 + t4 + t5 + t24
+    t30 = t23*t27 - t12*t28 + t16*t29
+    t31 = landmark4 + landmark4
+    t32 = landmark5 + landmark5
+    t33 = landmark3*t7 + t10*t31 - t15*t32
+    t34 = landmark3 + landmark3
+    t35 = landmark4*t25 + t21*t32 - t22*t34
+    t36 = landmark5*t29 + t27*t34 - t28*t31
+    t37 = t10 + t10
+    t38 = t15 + t15
+    t39 = -t38
+    t40 = t22 + t22
+    t41 = -t40
+    t42 = t21 + t21
+    t43 = t27 + t27
+    t44 = t28 + t28
+    t45 = -t44
+    t46 = pose2 + pose2
+    t47 = pose0 + pose0
+    t48 = pose1 + pose1
     return (
-        t10*t17 + t2*t4 - t7*t9,
-        t20*t9 - t21*t22 + t24*t3,
-        t22*t25 - t26*t4 + t27*t8,
-        landmark3*t17 + t2*t28 - t29*t7,
-        landmark4*t24 + t20*t29 - t21*t30,
-        landmark5*t27 + t25*t30 - t26*t28,
-        2*landmark4*t7 + 2*landmark5*t2,
-        -landmark5*t17 - t30*t7,
-        landmark4*t17 - t2*t30,
+        t18,
+        t26,
+        t30,
+        t33,
         t35,
-        -t36,
-        t37,
-        landmark5*t24 - t20*t28,
-        2*landmark3*t20 + 2*landmark5*t21,
-        -landmark3*t24 - t21*t28,
         t36,
+        t10*t32 + t15*t31,
+        -landmark5*t7 - t15*t34,
+        landmark4*t7 - t10*t34,
+        0,
+        -t30,
+        t26,
+        landmark5*t25 - t21*t31,
+        t21*t34 + t22*t32,
+        -landmark3*t25 - t22*t31,
+        t30,
+        0,
+        -t18,
+        -landmark4*t29 - t28*t32,
+        landmark3*t29 - t27*t32,
+        t27*t31 + t28*t34,
+        -t26,
+        t18,
+        0,
+        0,
+        0,
+        0,
+        0,
+        -t36,
         t35,
-        -t38,
-        -landmark4*t27 - t26*t29,
-        landmark3*t27 - t25*t29,
-        2*landmark3*t26 + 2*landmark4*t25,
-        -t37,
-        t38,
-        t35,
         0,
         0,
         0,
+        t36,
+        0,
+        -t33,
+        0,
+        0,
+        0,
+        -t35,
+        t33,
+        0,
+        t7,
+        t37,
+        t39,
+        -pose1*t38 - pose2*t37,
+        pose0*t38 + pose2*t7,
+        pose0*t37 - pose1*t7,
+        t41,
+        t25,
+        t42,
+        pose1*t42 - pose2*t25,
+        -pose0*t42 - pose2*t40,
+        pose0*t25 + pose1*t40,
         t43,
-        -t44,
         t45,
+        t29,
+        pose1*t29 + t28*t46,
+        -pose0*t29 + t27*t46,
+        -t47*t28 - t48*t27,
         0,
         0,
         0,
-        t44,
+        t7,
+        t37,
+        t39,
+        0,
+        0,
+        0,
+        t41,
+        t25,
+        t42,
+        0,
+        0,
+        0,
         t43,
-        -t46,
-        0,
-        0,
-        0,
-        -t45,
-        t46,
-        t43,
-        t17,
-        t47,
-        t48,
-        -2*pose1*t7 - 2*pose2*t2,
-        pose2*t17 + t49*t7,
-        -pose1*t17 + t2*t49,
-        t50,
-        t24,
-        t51,
-        -pose2*t24 + t20*t52,
-        -2*pose0*t20 - 2*pose2*t21,
-        pose0*t24 + t21*t52,
-        t53,
-        t54,
-        t27,
-        pose1*t27 + 2*pose2*t26,
-        -pose0*t27 + 2*pose2*t25,
-        -2*pose0*t26 - 2*pose1*t25,
-        0,
-        0,
-        0,
-        t17,
-        t47,
-        t48,
-        0,
-        0,
-        0,
-        t50,
-        t24,
-        t51,
-        0,
-        0,
-        0,
-        t53,
-        t54,
-        t27,
+        t45,
+        t29,
     )
 
 
@@ -206,143 +200,149 @@ def to_frame_storage_jac(pose, landmark):
     """to_frame: value and derivatives by stored numbers."""
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5 = landmark
-    t0 = pose3*pose6
-    t1 = pose4*pose5
-    t2 = t0 + t1
-    t3 = landmark1 - landmark3*pose2 + landmark5*pose0
-    t4 = 2*t3
-    t5 = pose3*pose5
-    t6 = pose4*pose6
-    t7 = t5 - t6
-    t8 = landmark2 + landmark3*pose1 - landmark4*pose0
-    t9 = 2*t8
-    t10 = landmark0 + landmark4*pose2 - landmark5*pose1
-    t11 = pose4*pose4
-    t12 = pose5*pose5
-    t13 = -t12
-    t14 = pose3*pose3
-    t15 = pose6*pose6
-    t16 = t14 - t15
-    t17 = t11 + t13 + t16
+    t0 = landmark0 + landmark4*pose2 - landmark5*pose1
+    t1 = pose4*pose4
+    t2 = pose5*pose5
+    t3 = -t2
+    t4 = pose3*pose3
+    t5 = pose6*pose6
+    t6 = t4 - t5
+    t7 = t1 + t3 + t6
+    t8 = pose3*pose6
+    t9 = pose4*pose5
+    t10 = t8 + t9
+    t11 = landmark1 - landmark3*pose2 + landmark5*pose0
+    t12 = t11 + t11
+    t13 = pose3*pose5
+    t14 = pose4*pose6
+    t15 = t13 - t14
+    t16 = landmark2 + landmark3*pose1 - landmark4*pose0
+    t17 = t16 + t16
     t18 = pose3*pose4
     t19 = pose5*pose6
     t20 = t18 + t19
-    t21 = t0 - t1
-    t22 = 2*t10
-    t23 = -t11
-    t24 = t12 + t16 + t23
-    t25 = t5 + t6
+    t21 = t8 - t9
+    t22 = t0 + t0
+    t23 = -t1
+    t24 = t2 + t6 + t23
+    t25 = t13 + t14
     t26 = t18 - t19
-    t27 = t13 + t14 + t15 + t23
-    t28 = 2*landmark4
-    t29 = 2*landmark5
-    t30 = 2*landmark3
-    t31 = pose3*t10 - pose5*t8 + pose6*t3
-    t32 = 2*t31
-    t33 = 2*pose4*t10 + 2*pose5*t3 + 2*pose6*t8
-    t34 = pose3*t8 - pose4*t3 + pose5*t10
-    t35 = pose3*t3 + pose4*t8 - pose6*t10
-    t36 = 2*t35
-    t37 = 2*t34
-    t38 = landmark3*pose3 + landmark4*pose6 - landmark5*pose5
-    t39 = 2*t38
-    t40 = 2*(landmark3*pose4 + landmark4*pose5 + landmark5*pose6)
-    t41 = landmark3*pose5 - landmark4*pose4 + landmark5*pose3
-    t42 = -landmark3*pose6 + landmark4*pose3 + landmark5*pose4
-    t43 = 2*t42
-    t44 = 2*t41
-    t45 = 2*t2
-    t46 = -2*t7
-    t47 = 2*pose0
-    t48 = -2*t21
-    t49 = 2*t20
-    t50 = 2*pose1
-    t51 = 2*t25
-    t52 = -2*t26
+    t27 = t3 + t4 + t5 + t23
+    t28 = landmark4 + landmark4
+    t29 = landmark5 + landmark5
+    t30 = landmark3 + landmark3
+    t31 = pose3 + pose3
+    t32 = pose5 + pose5
+    t33 = pose6 + pose6
+    t34 = t31*t0 - t32*t16 + t33*t11
+    t35 = pose4 + pose4
+    t36 = t35*t0 + t32*t11 + t33*t16
+    t37 = t31*t16 - t35*t11 + t32*t0
+    t38 = t31*t11 + t35*t16 - t33*t0
+    t39 = landmark3*pose3 + landmark4*pose6 - landmark5*pose5
+    t40 = t39 + t39
+    t41 = landmark3*pose4 + landmark4*pose5 + landmark5*pose6
+    t42 = t41 + t41
+    t43 = landmark3*pose5 - landmark4*pose4 + landmark5*pose3
+    t44 = t43 + t43
+    t45 = -landmark3*pose6 + landmark4*pose3 + landmark5*pose4
+    t46 = t45 + t45
+    t47 = t10 + t10
+    t48 = t15 + t15
+    t49 = -t48
+    t50 = t21 + t21
+    t51 = -t50
+    t52 = t20 + t20
+    t53 = t25 + t25
+    t54 = t26 + t26
+    t55 = -t54
+    t56 = pose2 + pose2
+    t57 = pose0 + pose0
+    t58 = pose1 + pose1
     return (
-        t10*t17 + t2*t4 - t7*t9,
-        t20*t9 - t21*t22 + t24*t3,
-        t22*t25 - t26*t4 + t27*t8,
-        landmark3*t17 + t2*t28 - t29*t7,
+        t0*t7 + t10*t12 - t15*t17,
+        t17*t20 - t21*t22 + t11*t24,
+        t22*t25 - t12*t26 + t16*t27,
+        landmark3*t7 + t10*t28 - t15*t29,
         landmark4*t24 + t20*t29 - t21*t30,
         landmark5*t27 + t25*t30 - t26*t28,
-        2*landmark4*t7 + 2*landmark5*t2,
-        -landmark5*t17 - t30*t7,
-        landmark4*t17 - t2*t30,
-        t32,
-        t33,
-        -2*t34,
+        t10*t29 + t15*t28,
+        -landmark5*t7 - t15*t30,
+        landmark4*t7 - t10*t30,
+        t34,
         t36,
+        -t37,
+        t38,
         landmark5*t24 - t20*t28,
-        2*landmark3*t20 + 2*landmark5*t21,
+        t20*t30 + t21*t29,
         -landmark3*t24 - t21*t28,
-        t36,
+        t38,
         t37,
-        t33,
-        -2*t31,
+        t36,
+        -t34,
         -landmark4*t27 - t26*t29,
         landmark3*t27 - t25*t29,
-        2*landmark3*t26 + 2*landmark4*t25,
+        t25*t28 + t26*t30,
         t37,
-        -2*t35,
-        t32,
-        t33,
+        -t38,
+        t34,
+        t36,
         0,
         0,
         0,
-        t39,
         t40,
-        -2*t41,
-        t43,
-        0,
-        0,
-        0,
-        t43,
-        t44,
-        t40,
-        -2*t38,
-        0,
-        0,
-        0,
-        t44,
-        -2*t42,
-        t39,
-        t40,
-        t17,
-        t45,
+        t42,
+        -t44,
         t46,
-        -2*pose1*t7 - 2*pose2*t2,
-        pose2*t17 + t47*t7,
-        -pose1*t17 + t2*t47,
-        t48,
-        t24,
+        0,
+        0,
+        0,
+        t46,
+        t44,
+        t42,
+        -t40,
+        0,
+        0,
+        0,
+        t44,
+        -t46,
+        t40,
+        t42,
+        t7,
+        t47,
         t49,
-        -pose2*t24 + t20*t50,
-        -2*pose0*t20 - 2*pose2*t21,
-        pose0*t24 + t21*t50,
+        -pose1*t48 - pose2*t47,
+        pose0*t48 + pose2*t7,
+        pose0*t47 - pose1*t7,
         t51,
+        t24,
         t52,
+        pose1*t52 - pose2*t24,
+        -pose0*t52 - pose2*t50,
+        pose0*t24 + pose1*t50,
+        t53,
+        t55,
         t27,
-        pose1*t27 + 2*pose2*t26,
-        -pose0*t27 + 2*pose2*t25,
-        -2*pose0*t26 - 2*pose1*t25,
+        pose1*t27 + t26*t56,
+        -pose0*t27 + t25*t56,
+        -t57*t26 - t58*t25,
         0,
         0,
         0,
-        t17,
-        t45,
-        t46,
-        0,
-        0,
-        0,
-        t48,
-        t24,
+        t7,
+        t47,
         t49,
         0,
         0,
         0,
         t51,
+        t24,
         t52,
+        0,
+        0,
+        0,
+        t53,
+        t55,
         t27,
     )
 
@@ -352,70 +352,71 @@ def from_frame(pose, rays, prior):
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     rays0, rays1, rays2, rays3, rays4, rays5 = rays
     prior0, prior1 = prior
-    t0 = pose3*pose5
-    t1 = pose4*pose6
-    t2 = t0 + t1
-    t3 = rays0*rays4 - rays1*rays3
+    t0 = rays1*rays5 - rays2*rays4
+    t1 = t0*t0
+    t2 = rays0*rays4 - rays1*rays3
+    t3 = t2*t2
     t4 = rays0*rays5 - rays2*rays3
-    t5 = rays1*rays5 - rays2*rays4
-    t6 = t3*t3 + t5*t5
-    t7 = 1/(sqrt(t4*t4 + t6))
-    t8 = t3*t7
-    t9 = 2*t8
-    t10 = pose3*pose6
-    t11 = pose4*pose5
-    t12 = t10 - t11
-    t13 = t4*t7
-    t14 = 2*t13
-    t15 = pose3*pose3
-    t16 = pose4*pose4
-    t17 = pose5*pose5
-    t18 = -t17
-    t19 = pose6*pose6
-    t20 = -t19
-    t21 = t15 + t16 + t18 + t20
-    t22 = t5*t7
-    t23 = rays1 - rays4
-    t24 = rays0 - rays3
-    t25 = rays2 - rays5
-    t26 = prior0*t23 - prior1*t7*(-t24*t3 + t25*t5)
-    t27 = pose3*pose4
-    t28 = pose5*pose6
-    t29 = t27 + t28
-    t30 = 1/(sqrt(t23*t23 + t24*t24 + t25*t25))
-    t31 = 2*t30
-    t32 = t29*t31
-    t33 = t0 - t1
-    t34 = prior0*t30
-    t35 = -t23
-    t36 = -t25
-    t37 = -t4
-    t38 = -t24
-    t39 = prior1/(sqrt(t37*t37 + t6)*sqrt(t35*t35 + t36*t36 + t38*t38))
-    t40 = t24*t34 + t39*(t3*t35 - t36*t37)
-    t41 = t15 - t16
-    t42 = t18 + t19 + t41
-    t43 = t25*t34 + t39*(-t35*t5 + t37*t38)
-    t44 = t42*t43
-    t45 = -t26*t32 + 2*t33*t40 - t44
-    t46 = t17 + t20 + t41
-    t47 = t30*t46
-    t48 = t10 + t11
-    t49 = 2*t40
-    t50 = t48*t49
-    t51 = t27 - t28
-    t52 = -t26*t47 + 2*t43*t51 - t50
-    t53 = -t26
-    t54 = 2*t43
-    t55 = t2*t54 + t21*t40
-    t56 = t12*t31*t53 + t55
+    t5 = t4*t4
+    t6 = t1 + t3 + t5
+    t7 = 1/t6
+    t8 = sqrt(t7)
+    line0 = t0*t8
+    t9 = pose4*pose4
+    t10 = pose6*pose6
+    t11 = -t10
+    t12 = pose3*pose3
+    t13 = pose5*pose5
+    t14 = t12 - t13
+    t15 = t9 + t11 + t14
+    t16 = rays0 - rays3
+    t17 = t16*t16
+    t18 = rays1 - rays4
+    t19 = t18*t18
+    t20 = rays2 - rays5
+    t21 = t20*t20
+    t22 = t17 + t19 + t21
+    t23 = 1/t22
+    t24 = sqrt(t23)
+    t25 = prior1*t8
+    t26 = -t18
+    t27 = -t4
+    line5 = -(prior0*t20 + (-t0*t26 - t16*t27)*t25)*t24
+    t28 = -t9
+    t29 = t10 + t14 + t28
+    t30 = pose3*pose4
+    t31 = pose5*pose6
+    t32 = t30 + t31
+    line4 = -(prior0*t18 - (t0*t20 - t16*t2)*t25)*t24
+    t33 = line4 + line4
+    t34 = pose3*pose5
+    t35 = pose4*pose6
+    t36 = t34 - t35
+    line3 = -(prior0*t16 + (t2*t26 + t20*t27)*t25)*t24
+    t37 = line3 + line3
+    t38 = line5*t29 + t32*t33 - t36*t37
+    t39 = t11 + t12 + t13 + t28
+    t40 = pose3*pose6
+    t41 = pose4*pose5
+    t42 = t40 + t41
+    t43 = t30 - t31
+    t44 = line5 + line5
+    t45 = line4*t39 + t37*t42 - t43*t44
+    t46 = t34 + t35
+    line2 = t2*t8
+    t47 = line2 + line2
+    t48 = t40 - t41
+    line1 = -t4*t8
+    t49 = line1 + line1
+    t50 = line3*t15 + t44*t46 - t33*t48
+    t51 = line0 + line0
     return (
-        pose1*t45 - pose2*t52 + t12*t14 + t2*t9 + t21*t22,
-        -pose0*(t32*t53 + t33*t49 - t44) - pose2*t56 - t13*t46 + 2*t48*t5*t7 - t51*t9,
-        pose0*(t47*t53 - t50 + t51*t54) + pose1*t56 - t14*t29 - 2*t22*t33 + t42*t8,
-        2*t12*t26*t30 - t55,
-        t52,
+        line0*t15 + pose1*t38 - pose2*t45 + t46*t47 - t48*t49,
+        line1*t39 - pose0*t38 + pose2*t50 - t43*t47 + t42*t51,
+        line2*t29 + pose0*t45 - pose1*t50 + t32*t49 - t36*t51,
+        t50,
         t45,
+        t38,
     )
 
 
@@ -424,451 +425,426 @@ def from_frame_jac(pose, rays, prior):
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     rays0, rays1, rays2, rays3, rays4, rays5 = rays
     prior0, prior1 = prior
-    t0 = rays0*rays4
-    t1 = rays1*rays3
+    t0 = rays0*rays5
+    t1 = rays2*rays3
     t2 = t0 - t1
-    t3 = rays0*rays5
-    t4 = rays2*rays3
-    t5 = t3 - t4
-    t6 = rays1*rays5
-    t7 = rays2*rays4
-    t8 = t6 - t7
-    t9 = t2*t2 + t8*t8
-    t10 = t5*t5 + t9
-    t11 = 1/(sqrt(t10))
-    t12 = t11*t2
-    t13 = pose3*pose5
-    t14 = pose4*pose6
-    t15 = t13 + t14
-    t16 = 2*t15
-    t17 = t11*t5
-    t18 = pose3*pose6
-    t19 = pose4*pose5
-    t20 = t18 - t19
-    t21 = 2*t20
-    t22 = pose3*pose3
-    t23 = pose4*pose4
-    t24 = pose5*pose5
-    t25 = -t24
-    t26 = pose6*pose6
-    t27 = -t26
-    t28 = t22 + t23 + t25 + t27
-    t29 = t11*t8
-    t30 = rays0 - rays3
-    t31 = t30*t30
-    t32 = rays1 - rays4
-    t33 = t32*t32
-    t34 = rays2 - rays5
-    t35 = t34*t34
-    t36 = t31 + t33 + t35
-    t37 = 1/(sqrt(t36))
-    t38 = prior0*t32
-    t39 = t2*t30
-    t40 = -t34*t8 + t39
-    t41 = -t40
-    t42 = prior1*t11
-    t43 = t38 - t41*t42
-    t44 = t37*t43
-    t45 = pose3*pose4
-    t46 = pose5*pose6
-    t47 = t45 + t46
-    t48 = 2*t47
-    t49 = t13 - t14
-    t50 = prior0*t37
-    t51 = -t32
-    t52 = t2*t51
-    t53 = -t34
-    t54 = -t5
-    t55 = t53*t54
-    t56 = t52 - t55
-    t57 = -t30
-    t58 = t51*t51 + t53*t53 + t57*t57
-    t59 = 1/(sqrt(t58))
-    t60 = t54*t54 + t9
-    t61 = 1/(sqrt(t60))
-    t62 = prior1*t61
-    t63 = t59*t62
-    t64 = t30*t50 + t56*t63
-    t65 = 2*t64
-    t66 = t49*t65
-    t67 = t22 - t23
-    t68 = t25 + t26 + t67
-    t69 = t54*t57
-    t70 = t51*t8
-    t71 = t69 - t70
-    t72 = t34*t50 + t63*t71
-    t73 = t68*t72
-    t74 = -t44*t48 + t66 - t73
-    t75 = t24 + t27 + t67
-    t76 = t37*t75
-    t77 = t18 + t19
-    t78 = t65*t77
-    t79 = t45 - t46
-    t80 = 2*t72
-    t81 = t79*t80
-    t82 = -t43*t76 - t78 + t81
-    t83 = 2*t79
-    t84 = -t43
-    t85 = t37*t84
-    t86 = t15*t80 + t28*t64
-    t87 = t21*t85 + t86
-    t88 = t48*t85 + t66 - t73
-    t89 = t76*t84 - t78 + t81
-    t90 = 2*t20*t37*t43 - t86
-    t91 = prior0*t57 - t56*t62
-    t92 = prior0*t53 - t62*t71
-    t93 = t2*t57
-    t94 = t53*t8
-    t95 = prior0*t51 + t62*(t93 - t94)
-    t96 = t59*(pose3*t91 + pose5*t92 - pose6*t95)
-    t97 = pose4*t64 + pose6*t72
-    t98 = pose5*t37*t84 - t97
-    t99 = pose4*t17
-    t100 = pose5*t29
-    t101 = pose3*t12
-    t102 = pose2*t98 + t100 - t101 + t99
-    t103 = pose1*t96 + t102
-    t104 = pose6*t64
-    t105 = -pose3*t44 + pose4*t72 - t104
-    t106 = pose3*t72
-    t107 = pose4*t85 + pose5*t64 - t106
-    t108 = pose4*t29 - pose5*t17 + pose6*t12
-    t109 = pose2*t107 + t108
-    t110 = -pose4*t44 + pose5*t64 - t106
-    t111 = pose3*t29 + pose5*t12 + pose6*t17
-    t112 = pose1*t98
-    t113 = pose3*t64 + pose5*t72
-    t114 = pose6*t85 + t113
-    t115 = pose3*t17
-    t116 = pose4*t12
-    t117 = -pose6*t11*t8
-    t118 = pose2*t114 + t115 + t116 + t117
-    t119 = pose3*t61
-    t120 = t61*t8
-    t121 = pose4*t61
-    t122 = t59*(pose4*t91 + pose5*t95 + pose6*t92)
-    t123 = -pose1*t122 + pose2*t96 + pose6*t120 + t119*t54 - t121*t2
-    t124 = pose3*t92 + pose4*t95 - pose5*t91
-    t125 = pose2*t59
-    t126 = pose3*t85 + pose4*t72 - t104
-    t127 = pose1*t126 + t108
-    t128 = t124*t125 + t127
-    t129 = -t103
-    t130 = pose1*t107
-    t131 = -pose2*t126 + t111
-    t132 = t130 + t131
-    t133 = pose3*t95 - pose4*t92 + pose6*t91
-    t134 = pose0*t59
-    t135 = -pose2*t122 - pose5*t120 + t119*t2 + t121*t54 + t133*t134
-    t136 = pose0*t96 + t109
-    t137 = -pose0*t98 + t111
-    t138 = -t125*t133 + t137
-    t139 = pose0*t107 + t118
-    t140 = -t139
-    t141 = pose5*t44 + t97
-    t142 = -pose0*t114 + t108
-    t143 = pose0*t126
-    t144 = pose1*t59
-    t145 = -pose0*t122 + pose5*t2*t61 - pose6*t54*t61 + t119*t8 + t124*t144
-    t146 = t133*t144 + t142
-    t147 = t112 + t115 + t116 + t117 + t124*t134
-    t148 = -t147
-    t149 = pose1*t114 - t100 + t101 + t143 - t99
-    t150 = pose6*t37*t43 - t113
-    t151 = pose3*t141
-    t152 = pose4*t150
-    t153 = pose6*t110
-    t154 = t133*t59
-    t155 = -pose6*t98
-    t156 = pose4*t107
-    t157 = pose5*t98
-    t158 = t124*t59
-    t159 = pose5*t105
-    t160 = pose6*t126
-    t161 = rays4*t2
-    t162 = -rays5*t54 + t161
-    t163 = 1/(t10*sqrt(t10))
-    t164 = t162*t163
-    t165 = t21*t5
-    t166 = t28*t8
-    t167 = 1/(t36)
-    t168 = t167*t30
-    t169 = prior0*t168*t34
-    t170 = t30*t5
-    t171 = 1/(t10)
-    t172 = t162*t171
-    t173 = t32*t8
-    t174 = t167*t31
-    t175 = -t3 + t4
-    t176 = -rays5*t30 + t168*t173 + t174*t5 + t175
-    t177 = t169 + t42*(t170*t172 + t172*t173 + t176)
-    t178 = t37*t83
-    t179 = t168*t38
-    t180 = t34*t8
-    t181 = rays4*t30 - t162*t171*t2*t30 - t167*t2*t31 + t168*t180 + t172*t180 + t2
-    t182 = t179 - t181*t42
-    t183 = 1/(t36*sqrt(t36))
-    t184 = rays4*t51
-    t185 = rays5*t53
-    t186 = 1/(t58)
-    t187 = t186*t57
-    t188 = t187*t52
-    t189 = t186*t53
-    t190 = t189*t69
-    t191 = 1/(t60)
-    t192 = -t162*t191
-    t193 = -prior0*t183*t31 + t50 + t63*(t184 + t185 + t188 - t190 + t192*t52 - t192*t55)
-    t194 = -t193
-    t195 = 2*t194
-    t196 = t37*t48
-    t197 = t37*t68
-    t198 = t177*t197 + t182*t196 - t195*t49
-    t199 = t11*t16
-    t200 = t11*t28
-    t201 = rays3*t2 - rays5*t8
-    t202 = t163*t2
-    t203 = t16*t202
-    t204 = t163*t165
-    t205 = t163*t166
-    t206 = t167*t33
-    t207 = t34*t5
-    t208 = t167*t32
-    t209 = t2*t32
-    t210 = t171*t201
-    t211 = -t0 + t1
-    t212 = rays3*t32 + t2*t206 + t207*t208 - t207*t210 - t209*t210 + t211
-    t213 = t179 - t212*t42
-    t214 = 2*t37
-    t215 = t167*t34
-    t216 = t215*t38
-    t217 = rays5*t32 - t170*t208 + t170*t210 + t173*t210 - t206*t8 + t8
-    t218 = t216 - t217*t42
-    t219 = prior0*t183
-    t220 = rays3*t57
-    t221 = t189*t70
-    t222 = t191*t201
-    t223 = -t219*t33 + t50 + t63*(t185 - t188 + t220 + t221 - t222*t93 + t222*t94)
-    t224 = -t213*t214*t49 + t218*t37*t68 - t223*t48
-    t225 = -t178*t218 + 2*t213*t37*t77 - t223*t75
-    t226 = t11*t21
-    t227 = rays3*t54 - rays4*t8
-    t228 = t167*t35
-    t229 = t171*t227
-    t230 = rays3*t34 + t175 + t207*t229 + t209*t215 + t209*t229 + t228*t5
-    t231 = t214*(t169 - t230*t42)
-    t232 = -t6 + t7
-    t233 = rays4*t34 - t167*t2*t30*t34 - t171*t2*t227*t30 + t180*t229 + t228*t8 + t232
-    t234 = t216 - t233*t42
-    t235 = -t191*t227
-    t236 = -prior0*t183*t35 + t50 + t63*(t184 + t190 + t220 - t221 + t235*t69 - t235*t70)
-    t237 = -t236
-    t238 = rays1*t2
-    t239 = rays2*t5 + t238
-    t240 = rays1*t32
-    t241 = rays2*t34
-    t242 = t208*t39
-    t243 = t170*t215
-    t244 = t171*t239
-    t245 = -prior0*t174 + prior0 + t42*(t207*t244 + t209*t244 - t240 - t241 + t242 + t243)
-    t246 = t214*t245
-    t247 = t183*t38
-    t248 = t247*t30
-    t249 = t186*t30
-    t250 = t191*(-rays2*t54 + t238)
-    t251 = t248 + t63*(rays1*t57 - t187*t39 + t211 + t249*t94 - t250*t93 + t250*t94)
-    t252 = t219*t30*t34
-    t253 = t252 + t63*(rays2*t57 + t175 + t249*t69 - t249*t70 + t250*t69 - t250*t70)
-    t254 = t246*t49 + t251*t48 + t253*t68
-    t255 = t246*t77 - t251*t75 + t253*t83
-    t256 = rays0*t2 - rays2*t8
-    t257 = prior0*t206
-    t258 = rays0*t30
-    t259 = t180*t208
-    t260 = t171*t180*t256 - t171*t2*t256*t30 + t241 + t242 + t258 - t259
-    t261 = prior0 - t257 - t260*t42
-    t262 = t186*t32
-    t263 = -t191*t256
-    t264 = t248 + t63*(rays0*t51 + t2 + t262*t52 - t262*t55 + t263*t52 - t263*t55)
-    t265 = 2*t264
-    t266 = t247*t34
-    t267 = t266 + t63*(rays2*t51 + t232 + t262*t69 - t262*t70 + t263*t69 - t263*t70)
-    t268 = -t265*t77 + t267*t83
-    t269 = t265*t49 - t267*t68
-    t270 = t196*t261 + t269
-    t271 = rays1*t8
-    t272 = rays0*t5 + t271
-    t273 = -prior0
-    t274 = prior0*t228
-    t275 = t171*t272
-    t276 = -t170*t275 - t173*t275 + t240 + t243 + t258 + t259
-    t277 = -t273 - t274 - t276*t42
-    t278 = t191*(rays0*t54 - t271)
-    t279 = t186*t34
-    t280 = t266 + t63*(rays1*t53 + t180*t189 - t278*t93 + t278*t94 - t279*t93 + t8)
-    t281 = t252 + t63*(rays0*t53 + t278*t52 - t278*t55 + t279*t52 - t279*t55 + t5)
-    t282 = 2*t281
-    t283 = -t280*t48 + t282*t49
-    t284 = t197*t277 + t283
-    t285 = t280*t75 + t282*t77
-    t286 = t178*t277 + t285
-    t287 = t11*t83
-    t288 = t11*t75
-    t289 = 2*t77
-    t290 = t289*t8
-    t291 = t16*t37
-    t292 = t21*t37
-    t293 = rays5*t11
-    t294 = t163*t290
-    t295 = t202*t83
-    t296 = t163*t5*t75
-    t297 = t28*t37
-    t298 = t21*t223 + t213*t297 + t218*t291
-    t299 = t11*t289
-    t300 = rays3*t5 + rays4*t8
-    t301 = t169 - t230*t42
-    t302 = t214*t301
-    t303 = t216 - t233*t42
-    t304 = -t236*t68 - t302*t49 + 2*t303*t37*t47
-    t305 = -t16*t236 + t28*t301*t37 - t292*t303
-    t306 = -t16*t253 + t21*t251 + t245*t297
-    t307 = t16*t267 + t264*t28
-    t308 = prior0 - t274 - t276*t42
-    t309 = t21*t280 - t28*t281
-    t310 = t291*t308 + t309
-    t311 = t11*t68
-    t312 = rays5*t5 + t161
-    t313 = t163*t312
-    t314 = t48*t5
-    t315 = 2*t49
-    t316 = t315*t8
-    t317 = t202*t68
-    t318 = t171*t312
-    t319 = t169 + t42*(t170*t318 + t173*t318 + t176)
-    t320 = t179 - t181*t42
-    t321 = 2*t193
-    t322 = -t178*t319 + t320*t37*t75 - t321*t77
-    t323 = 2*t15*t319*t37 - t193*t28 - t292*t320
-    t324 = t163*t201
-    t325 = t216 - t217*t42
-    t326 = t179 - t212*t42
-    t327 = -t223
-    t328 = t11*t48
-    t329 = t11*t315
-    t330 = t163*t300
-    t331 = t236*t83 + t302*t77 + t303*t76
-    t332 = t163*t239
-    t333 = t163*t256
-    t334 = -t257 - t260*t42 - t273
-    t335 = t268 + t334*t76
-    t336 = t292*t334 + t307
-    t337 = 2*t30
-    t338 = t32*t48 - t337*t49 + t34*t68
-    t339 = t32*t75 + t337*t77 - t34*t83
-    t340 = 2*t207 + 2*t209
-    t341 = t170 + t173
-    t342 = t340*t49 + t341*t68 + t40*t48
-    t343 = t340*t77 + t341*t83 - t40*t75
-    t344 = t11*t37
-    t345 = -t338
-    t346 = t16*t34 - 2*t20*t32 + t28*t30
-    t347 = -t346
-    t348 = t59*t61
-    t349 = t348*t71
-    t350 = t344*t41
-    t351 = t348*t56
-    t352 = t16*t349 + t21*t350 + t28*t351
-    t353 = t343*t344
+    t3 = t2*t2
+    t4 = rays1*rays5
+    t5 = rays2*rays4
+    t6 = t4 - t5
+    t7 = t6*t6
+    t8 = rays0*rays4
+    t9 = rays1*rays3
+    t10 = t8 - t9
+    t11 = t10*t10
+    t12 = t7 + t11
+    t13 = t3 + t12
+    t14 = 1/t13
+    t15 = sqrt(t14)
+    line0 = t15*t6
+    t16 = pose4*pose4
+    t17 = pose6*pose6
+    t18 = -t17
+    t19 = pose3*pose3
+    t20 = pose5*pose5
+    t21 = t19 - t20
+    t22 = t16 + t18 + t21
+    t23 = rays0 - rays3
+    t24 = t23*t23
+    t25 = rays1 - rays4
+    t26 = t25*t25
+    t27 = rays2 - rays5
+    t28 = t27*t27
+    t29 = t24 + t26 + t28
+    t30 = 1/t29
+    t31 = sqrt(t30)
+    t32 = prior1*t15
+    t33 = -t2
+    t34 = -t23
+    t35 = t33*t34
+    t36 = -t25
+    t37 = t36*t6
+    t38 = t35 - t37
+    line5 = -(prior0*t27 + t32*t38)*t31
+    t39 = -t16
+    t40 = t17 + t21 + t39
+    t41 = pose3*pose4
+    t42 = pose5*pose6
+    t43 = t41 + t42
+    t44 = t10*t23
+    t45 = -t27*t6 + t44
+    t46 = -t45
+    t47 = prior0*t25
+    line4 = -(-t32*t46 + t47)*t31
+    t48 = line4 + line4
+    t49 = pose3*pose5
+    t50 = pose4*pose6
+    t51 = t49 - t50
+    t52 = prior0*t23
+    t53 = t10*t36
+    t54 = -t27
+    t55 = t33*t54
+    t56 = t53 - t55
+    line3 = -(t52 + t32*t56)*t31
+    t57 = line3 + line3
+    t58 = line5*t40 + t43*t48 - t51*t57
+    t59 = t18 + t19 + t20 + t39
+    t60 = pose3*pose6
+    t61 = pose4*pose5
+    t62 = t60 + t61
+    t63 = t41 - t42
+    t64 = line5 + line5
+    t65 = line4*t59 + t57*t62 - t63*t64
+    t66 = t49 + t50
+    line2 = t10*t15
+    t67 = line2 + line2
+    t68 = t60 - t61
+    line1 = -t15*t2
+    t69 = line1 + line1
+    t70 = line3*t22 + t64*t66 - t48*t68
+    t71 = line0 + line0
+    t72 = line3*pose6 + line4*pose3 - line5*pose4
+    t73 = pose1*t72
+    t74 = -line3*pose5 + line4*pose4 + line5*pose3
+    t75 = line0*pose4
+    t76 = line1*pose5
+    t77 = line2*pose6
+    t78 = pose2*t74 + t75 + t76 + t77
+    t79 = t73 + t78
+    t80 = pose2*t72
+    t81 = line1*pose6
+    t82 = line0*pose3 + line2*pose5 + pose1*t74 - t81
+    t83 = -t80 + t82
+    t84 = line3*pose4 + line4*pose5 + line5*pose6
+    t85 = pose1*t84
+    t86 = line3*pose3 - line4*pose6 + line5*pose5
+    t87 = line2*pose4
+    t88 = line0*pose6 + line1*pose3 + pose2*t86 - t87
+    t89 = -t85 + t88
+    t90 = line0*pose5
+    t91 = line1*pose4
+    t92 = line2*pose3
+    t93 = pose2*t84
+    t94 = pose1*t86
+    t95 = t90 - t91 - t92 + t93 + t94
+    t96 = -t95
+    t97 = pose0*t72 - t90 + t91 + t92
+    t98 = -t93 + t97
+    t99 = pose0*t74
+    t100 = t88 - t99
+    t101 = pose0*t84
+    t102 = -line0*pose3 - line2*pose5 + t80 + t81 + t101
+    t103 = -t102
+    t104 = pose0*t86
+    t105 = t78 + t104
+    t106 = -line0*pose6 - line1*pose3 + t85 + t87 + t99
+    t107 = -t106
+    t108 = -t94 + t97
+    t109 = t73 + t75 + t76 + t77 + t104
+    t110 = t82 - t101
+    t111 = pose5*t72
+    t112 = pose4*t86
+    t113 = pose3*t84
+    t114 = pose6*t74
+    t115 = t113 + t114
+    t116 = pose6*t84
+    t117 = pose3*t74
+    t118 = pose4*t72 + pose5*t86
+    t119 = pose3*t72
+    t120 = pose5*t84
+    t121 = pose4*t74 + pose6*t86
+    t122 = pose4*t84
+    t123 = pose3*t86
+    t124 = pose5*t74 + pose6*t72
+    t125 = rays4*t10
+    t126 = rays5*t2 + t125
+    t127 = t14*t15
+    t128 = t127*t6
+    t129 = t10*t14
+    t130 = rays4 - t126*t129
+    t131 = t66 + t66
+    t132 = t131*t15
+    t133 = -rays5*t33 + t125
+    t134 = t14*t2
+    t135 = rays5 - t133*t134
+    t136 = t68 + t68
+    t137 = t136*t15
+    t138 = t24*t30
+    t139 = -prior0*t138 + prior0
+    t140 = rays4*t36
+    t141 = rays5*t54
+    t142 = t34*t34
+    t143 = t36*t36
+    t144 = t54*t54
+    t145 = t142 + t143 + t144
+    t146 = 1/t145
+    t147 = t146*t34
+    t148 = t147*t53
+    t149 = t147*t55
+    t150 = t33*t33
+    t151 = t150 + t12
+    t152 = 1/t151
+    t153 = -t133
+    t154 = t152*t153
+    t155 = t139 + (t140 + t141 + t148 - t149 + t154*t53 - t154*t55)*t32
+    t156 = pose1*t51 + pose2*t62
+    t157 = t156 + t156
+    t158 = t157*t31
+    t159 = t30*t52
+    t160 = t159*t27
+    t161 = t2*t23
+    t162 = t126*t14
+    t163 = t25*t6
+    t164 = -t0 + t1
+    t165 = -rays5*t23 + t163*t23*t30 + t138*t2 + t164
+    t166 = t160 + (t161*t162 + t162*t163 + t165)*t32
+    t167 = pose2 + pose2
+    t168 = pose1*t40 + t167*t63
+    t169 = t168*t31
+    t170 = t159*t25
+    t171 = t10*t146
+    t172 = t10*t152
+    t173 = t172*t34
+    t174 = t152*t6
+    t175 = t174*t54
+    t176 = t146*t6
+    t177 = t176*t54
+    t178 = -t8 + t9
+    t179 = rays4*t34 + t142*t171 + t153*t173 - t153*t175 - t177*t34 + t178
+    t180 = t170 + t179*t32
+    t181 = pose1 + pose1
+    t182 = -pose2*t59 + t181*t43
+    t183 = t182*t31
+    t184 = rays3*t10 - rays5*t6
+    t185 = t14*t6
+    t186 = rays5 + t184*t185
+    t187 = t127 + t127
+    t188 = t26*t30
+    t189 = t2*t27
+    t190 = t25*t30
+    t191 = t14*t184
+    t192 = t10*t25
+    t193 = rays3*t25 + t178 + t10*t188 + t189*t190 - t189*t191 - t191*t192
+    t194 = t170 - t193*t32
+    t195 = t27*t30
+    t196 = t195*t47
+    t197 = t152*t184
+    t198 = t146*t35
+    t199 = -t4 + t5
+    t200 = rays5*t36 + t143*t176 - t197*t35 + t197*t37 - t198*t36 + t199
+    t201 = t196 + t200*t32
+    t202 = prior0*t188
+    t203 = prior0 - t202
+    t204 = rays3*t34
+    t205 = t146*t54
+    t206 = t205*t37
+    t207 = t172*t184
+    t208 = t203 + (t141 - t148 + t175*t184 + t204 + t206 - t207*t34)*t32
+    t209 = rays4*t6
+    t210 = rays3*t33 - t209
+    t211 = rays3 + t134*t210
+    t212 = t28*t30
+    t213 = prior0*t212
+    t214 = prior0 - t213
+    t215 = -t210
+    t216 = t152*t215
+    t217 = t214 + (t140 + t149 + t204 - t206 + t216*t35 - t216*t37)*t32
+    t218 = -t217
+    t219 = t27*t6
+    t220 = rays4*t27 - t10*t14*t210*t23 - t10*t23*t27*t30 + t14*t210*t219 + t199 + t212*t6
+    t221 = t196 - t220*t32
+    t222 = rays3*t54 + t144*t146*t33 - t10*t146*t36*t54 - t10*t152*t215*t36 + t216*t55 + t2
+    t223 = t160 + t222*t32
+    t224 = -t157
+    t225 = t10*t127
+    t226 = t131*t225
+    t227 = rays4 - t174*t215
+    t228 = t15*t22
+    t229 = rays1*t10
+    t230 = rays2*t2 + t229
+    t231 = rays1 - t129*t230
+    t232 = rays2 - t134*t230
+    t233 = t14*t230
+    t234 = rays1*t25
+    t235 = rays2*t27
+    t236 = t190*t44
+    t237 = t161*t195
+    t238 = t139 + (t189*t233 + t192*t233 - t234 - t235 + t236 + t237)*t32
+    t239 = t238*t31
+    t240 = t146*t37
+    t241 = -rays2*t33 + t229
+    t242 = t152*t241
+    t243 = t160 + (rays2*t34 + t198*t23 - t23*t240 + t164 + t242*t35 - t242*t37)*t32
+    t244 = t170 + (rays1*t34 + t177*t23 - t147*t44 - t173*t241 + t175*t241 + t178)*t32
+    t245 = rays0*t10 - rays2*t6
+    t246 = rays0 - t129*t245
+    t247 = t127*t2
+    t248 = t146*t25
+    t249 = -t245
+    t250 = t152*t249
+    t251 = t170 + (rays0*t36 + t248*t53 + t250*t53 - t248*t55 - t250*t55 + t10)*t32
+    t252 = t196 + (rays2*t36 + t198*t25 - t240*t25 + t199 + t250*t35 - t250*t37)*t32
+    t253 = -prior0
+    t254 = t14*t245
+    t255 = rays0*t23
+    t256 = t190*t219
+    t257 = t219*t254 + t235 + t236 + t255 - t256 - t254*t44
+    t258 = -t202 - t253 - t257*t32
+    t259 = rays2 + t185*t245
+    t260 = rays1*t6
+    t261 = rays0*t2 + t260
+    t262 = -t261
+    t263 = rays0 + t134*t262
+    t264 = t146*t27
+    t265 = rays0*t33 - t260
+    t266 = t152*t265
+    t267 = t160 + (rays0*t54 + t264*t53 + t266*t53 - t264*t55 - t266*t55 + t2)*t32
+    t268 = t14*t262
+    t269 = t161*t268 + t163*t268 + t234 + t237 + t255 + t256
+    t270 = -t213 - t253 - t269*t32
+    t271 = t196 + (rays1*t54 - t171*t27*t34 - t173*t265 + t175*t265 + t205*t219 + t6)*t32
+    t272 = rays1 - t185*t261
+    t273 = t62 + t62
+    t274 = t128*t273
+    t275 = pose0 + pose0
+    t276 = pose2*t22
+    t277 = (-t275*t51 - t276)*t31
+    t278 = t63 + t63
+    t279 = t15*t278
+    t280 = t15*t59
+    t281 = t152*t33
+    t282 = t31 + t31
+    t283 = pose0*t43
+    t284 = (pose2*t68 + t283)*t282
+    t285 = pose0*t40 - t167*t66
+    t286 = t285*t31
+    t287 = t133*t14
+    t288 = t247*t59
+    t289 = t15*t273
+    t290 = rays3 - t207
+    t291 = -t208
+    t292 = t225*t278
+    t293 = t283 + t283
+    t294 = t167*t68 + t293
+    t295 = -t275*t51 - t276
+    t296 = t51 + t51
+    t297 = t128*t296
+    t298 = t15*t40
+    t299 = t43 + t43
+    t300 = t15*t299
+    t301 = -pose1*t22 + t275*t62
+    t302 = t301*t31
+    t303 = pose0*t63 + pose1*t66
+    t304 = t282*t303
+    t305 = pose0*t59 + t181*t68
+    t306 = t305*t31
+    t307 = t247*t299
+    t308 = t15*t296
+    t309 = t303 + t303
+    t310 = -t309
+    t311 = -rays3*t2 - t209
+    t312 = t225*t40
+    t313 = t15 + t15
+    t314 = t243 + t243
+    t315 = t166 + t166
+    t316 = t194 + t194
+    t317 = t221 + t221
+    t318 = t15*t31
+    t319 = t161 + t163
+    t320 = -t189 - t192
+    t321 = t319 + t319
+    t322 = t320 + t320
     return (
-        pose1*t74 - pose2*t82 + t12*t16 + t17*t21 + t28*t29,
-        -pose0*t88 - pose2*t87 + 2*t11*t77*t8 - t12*t83 - t17*t75,
-        pose0*t89 + pose1*t87 + t12*t68 - t17*t48 - 2*t29*t49,
-        t90,
-        t82,
-        t74,
+        line0*t22 + pose1*t58 - pose2*t65 + t66*t67 - t68*t69,
+        line1*t59 - pose0*t58 + pose2*t70 - t63*t67 + t62*t71,
+        line2*t40 + pose0*t65 - pose1*t70 + t43*t69 - t51*t71,
+        t70,
+        t65,
+        t58,
         0,
-        t74,
-        -t89,
-        pose3*(pose1*t105 + t109) - pose4*(pose1*t110 - pose2*t105 + t111) + pose5*(-t112 - t118) - pose6*t103,
-        pose3*t129 - pose4*t123 - pose5*t132 - pose6*t128,
-        -pose3*t123 - pose4*t129 + pose5*t128 - pose6*t132,
-        -t88,
+        t58,
+        -t65,
+        pose3*t79 - pose4*t83 + pose5*t89 - pose6*t95,
+        pose3*t96 - pose4*t89 - pose5*t83 - pose6*t79,
+        -pose3*t89 - pose4*t96 + pose5*t79 - pose6*t83,
+        -t58,
         0,
-        t90,
-        -pose3*t135 - pose4*t140 - pose5*t138 + pose6*t136,
-        pose3*(pose2*t110 + t142) + pose4*(pose0*t141 + t131) + pose5*t139 + pose6*(-t102 + t143),
-        pose3*t138 - pose4*t136 - pose5*t135 - pose6*t140,
-        t82,
-        t87,
+        t70,
+        -pose3*t98 - pose4*t100 - pose5*t103 + pose6*t105,
+        pose3*t105 - pose4*t102 - pose5*t100 + pose6*t98,
+        pose3*t103 - pose4*t105 - pose5*t98 - pose6*t100,
+        t65,
+        -t70,
         0,
-        pose3*t148 - pose4*t149 - pose5*t146 - pose6*t145,
-        -pose3*t145 + pose4*t146 - pose5*t149 - pose6*t148,
-        pose3*(pose0*t150 + t127) + pose4*(t130 + t137) - pose5*t147 - pose6*t149,
-        0,
-        0,
-        0,
-        pose5*t126 - t151 - t152 + t153,
-        pose3*t107 - pose4*t154 + pose5*t114 + t155,
-        -pose3*t154 + pose6*t114 - t156 + t157,
+        pose3*t107 - pose4*t108 - pose5*t109 - pose6*t110,
+        -pose3*t110 + pose4*t109 - pose5*t108 - pose6*t107,
+        pose3*t109 + pose4*t110 - pose5*t106 - pose6*t108,
         0,
         0,
         0,
-        -pose3*t158 - pose4*t126 + pose5*t114 - t155,
-        pose6*t107 - t151 + t152 - t159,
-        -pose3*t114 - pose4*t98 - pose5*t158 - t160,
+        t111 - t112 + t115,
+        -t116 + t117 - t118,
+        -t119 + t120 - t121,
         0,
         0,
         0,
-        pose3*t126 - pose6*t96 - t156 - t157,
-        -pose3*t96 + pose4*t98 - pose5*t107 - t160,
-        -pose4*t114 - t151 - t153 + t159,
-        pose1*t198 - pose2*(-t177*t178 + t182*t76 + t195*t77) + 2*rays4*t11*t15 + 2*rays5*t11*t20 - t16*t164*t2 - t164*t165 - t164*t166,
-        pose1*t224 - pose2*t225 - rays3*t199 + rays5*t200 + t201*t203 + t201*t204 + t201*t205,
-        pose1*(t196*t234 - t231*t49 + t237*t68) - pose2*(t231*t77 + t234*t76 - t237*t83) - rays3*t226 - rays4*t200 - t203*t227 - t204*t227 - t205*t227,
-        -pose1*t254 - pose2*t255 - rays1*t199 - rays2*t226 + 2*t15*t163*t2*t239 + 2*t163*t20*t239*t5 + t163*t239*t28*t8,
-        pose1*t270 - pose2*(t261*t76 + t268) + 2*rays0*t11*t15 - rays2*t200 - t203*t256 - t204*t256 - t205*t256,
-        pose1*t284 + pose2*t286 + rays0*t226 + rays1*t200 - t203*t272 - t204*t272 - t205*t272,
-        -pose0*t198 + pose2*(t177*t291 - t182*t292 + t194*t28) - rays4*t287 - rays5*t288 + 2*t162*t163*t2*t79 + t162*t163*t5*t75 - t164*t290,
-        -pose0*t224 + pose2*t298 + rays3*t287 + t201*t294 - t201*t295 - t201*t296 + t289*t293,
-        -pose0*t304 + pose2*t305 + rays3*t11*t75 - rays4*t299 + 2*t163*t300*t77*t8 - t295*t300 - t296*t300,
-        pose0*t254 + pose2*t306 + rays1*t287 + rays2*t288 + t239*t294 - t239*t295 - t239*t296,
-        -pose0*t270 - pose2*(t261*t292 + t307) - rays0*t287 - rays2*t299 + 2*t163*t2*t256*t79 + t163*t256*t5*t75 - t256*t294,
-        -pose0*(t197*t308 + t283) + pose2*t310 - rays0*t288 + rays1*t299 - t272*t294 + t272*t295 + t272*t296,
-        pose0*t322 - pose1*t323 + rays4*t311 - t293*t48 - t312*t317 + t313*t314 + t313*t316,
-        pose0*(-t178*t325 + t214*t326*t77 + t327*t75) - pose1*(-t21*t327 + t291*t325 + t297*t326) - rays3*t311 + t163*t2*t201*t68 - t293*t315 - t314*t324 - t316*t324,
-        pose0*t331 - pose1*t305 + rays3*t328 + rays4*t329 + t300*t317 - t314*t330 - t316*t330,
-        pose0*t255 - pose1*t306 - rays1*t311 + 2*rays2*t11*t47 + t163*t2*t239*t68 - t314*t332 - t316*t332,
-        pose0*t335 + pose1*t336 + rays0*t311 + rays2*t329 - t256*t317 + t314*t333 + t316*t333,
-        -pose0*(t178*t308 + t285) - pose1*t310 - rays0*t328 - rays1*t329 + 2*t163*t272*t47*t5 + 2*t163*t272*t49*t8 - t272*t317,
-        t323,
-        t298,
-        t305,
-        t306,
-        -t336,
-        t277*t291 + t309,
-        t322,
-        t225,
-        t331,
-        t255,
-        t335,
-        -t286,
-        t196*t320 + t197*t319 + t321*t49,
-        t224,
-        t304,
-        -t254,
-        t196*t334 + t269,
-        t284,
-        t37*(-pose1*t338 + pose2*t339),
-        -t344*(pose1*t342 + pose2*t343),
-        t37*(-pose0*t345 + pose2*t347),
-        -pose0*(t315*t351 - t349*t68 + t350*t48) - pose2*t352,
-        t37*(-pose0*t339 + pose1*t346),
-        pose0*t353 + pose1*t352,
-        t347*t37,
-        -t352,
-        -t339*t37,
-        t353,
-        t345*t37,
-        -t342*t344,
+        t116 - t117 - t118,
+        -t111 + t112 + t115,
+        -t122 + t123 - t124,
+        0,
+        0,
+        0,
+        t119 - t120 - t121,
+        t122 - t123 - t124,
+        t111 + t112 + t113 - t114,
+        -t126*t128*t22 + t130*t132 + t135*t137 + t155*t158 + t166*t169 + t180*t183,
+        t15*t186*t22 + t187*t184*t2*t68 - (rays3 - t129*t184)*t132 - t158*t194 + t168*t201*t31 - t183*t208,
+        -t137*t211 + t169*t218 + t183*t221 + t223*t224*t31 - t210*t226 - t227*t228,
+        t127*t22*t230*t6 - t132*t231 - t137*t232 - t157*t239 - t169*t243 - t183*t244,
+        t132*t246 - t136*t245*t247 + t158*t251 - t169*t252 + t183*t258 - t228*t259,
+        t137*t263 + t158*t267 + t169*t270 - t183*t271 - t226*t261 + t228*t272,
+        -t133*t274 + t155*t277 - (rays4 - t129*t133)*t279 - (rays5 - t153*t281)*t280 - (t170 + t179*t32)*t284 - (t160 + (t161*t287 + t163*t287 + t165)*t32)*t286,
+        -t184*t288 + t186*t289 + t279*t290 - t284*t291 - t201*t286 - t194*t277,
+        t210*t292 + t211*t280 - t227*t289 - t223*t277 - t221*t284 - t218*t286,
+        t244*t294*t31 + t230*t274 + t231*t279 + t232*t280 - t239*t295 + t243*t286,
+        t245*t288 - t246*t279 + t251*t277 + t252*t286 - (t203 - t257*t32)*t284 - (rays2 - t174*t249)*t289,
+        -t262*t292 + t267*t277 + t271*t284 - (rays0 - t265*t281)*t280 - (t214 - t269*t32)*t286 + (rays1 + t185*t262)*t289,
+        t126*t297 + t130*t298 - t135*t300 - t155*t302 - t166*t304 + t180*t306,
+        -t184*t307 - t186*t308 + t201*t31*t310 - t290*t298 + t291*t306 + t194*t302,
+        t217*t304 + (rays3 + t134*t311)*t300 + t221*t306 + t223*t302 + (rays4 + t185*t210)*t308 - t311*t312,
+        t313*t232*t43 + t238*t301*t31 + t314*t303*t31 - t230*t297 - t231*t298 - t244*t306,
+        t245*t307 + t246*t298 + t259*t308 - t251*t302 + t258*t306 + t252*t304,
+        -t261*t312 - t263*t300 - t272*t308 - t267*t302 - t270*t304 - t271*t306,
+        (-t136*t180 - t155*t22 + t315*t66)*t31,
+        (t131*t201 + t136*t208 + t194*t22)*t31,
+        (-t131*t217 - t136*t221 + t22*t223)*t31,
+        (-t131*t243 + t136*t244 + t22*t238)*t31,
+        (-t131*t252 - t136*t258 - t22*t251)*t31,
+        (t131*t270 + t136*t271 - t22*t267)*t31,
+        (-t155*t273 - t166*t278 + t180*t59)*t31,
+        (t316*t62 - t201*t278 - t208*t59)*t31,
+        (t217*t278 + t223*t273 + t221*t59)*t31,
+        (t238*t273 - t244*t59 + t243*t278)*t31,
+        (-t251*t273 + t258*t59 + t252*t278)*t31,
+        (-t267*t273 - t270*t278 - t271*t59)*t31,
+        (t155*t296 + t166*t40 + t180*t299)*t31,
+        (-t194*t296 + t201*t40 - t208*t299)*t31,
+        (-t217*t40 - t223*t296 + t317*t43)*t31,
+        (-t238*t296 - t244*t299 - t243*t40)*t31,
+        (t251*t296 + t258*t299 - t252*t40)*t31,
+        (t267*t296 + t270*t40 - t271*t299)*t31,
+        -(t224*t23 + t182*t25 + t168*t27)*t31,
+        -(t168*t38 - t182*t46 + t224*t56)*t318,
+        (t23*t295 + t25*t294 + t27*t285)*t31,
+        (t285*t319 + t294*t45 + t295*t320)*t318,
+        -(t23*t301 + t25*t305 + t27*t310)*t31,
+        -(t301*t56 - t305*t46 + t310*t38)*t318,
+        -(t22*t23 + t131*t27 - t136*t25)*t31,
+        -(t131*t38 + t136*t46 + t22*t56)*t318,
+        -(t23*t273 + t25*t59 - t27*t278)*t31,
+        (-t273*t320 - t45*t59 + t321*t63)*t318,
+        -(-t23*t296 + t25*t299 + t27*t40)*t31,
+        (-t299*t45 - t319*t40 + t322*t51)*t318,
     )
 
 
@@ -877,422 +853,429 @@ def from_frame_storage_jac(pose, rays, prior):
     pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
     rays0, rays1, rays2, rays3, rays4, rays5 = rays
     prior0, prior1 = prior
-    t0 = rays0*rays4
-    t1 = rays1*rays3
+    t0 = rays0*rays5
+    t1 = rays2*rays3
     t2 = t0 - t1
-    t3 = rays0*rays5
-    t4 = rays2*rays3
-    t5 = t3 - t4
-    t6 = rays1*rays5
-    t7 = rays2*rays4
-    t8 = t6 - t7
-    t9 = t2*t2 + t8*t8
-    t10 = t5*t5 + t9
-    t11 = 1/(sqrt(t10))
-    t12 = t11*t2
-    t13 = pose3*pose5
-    t14 = pose4*pose6
-    t15 = t13 + t14
-    t16 = 2*t15
-    t17 = t11*t5
-    t18 = pose3*pose6
-    t19 = pose4*pose5
-    t20 = t18 - t19
-    t21 = 2*t20
-    t22 = pose3*pose3
-    t23 = pose4*pose4
-    t24 = pose5*pose5
-    t25 = -t24
-    t26 = pose6*pose6
-    t27 = -t26
-    t28 = t22 + t23 + t25 + t27
-    t29 = t11*t8
-    t30 = rays0 - rays3
-    t31 = t30*t30
-    t32 = rays1 - rays4
-    t33 = t32*t32
-    t34 = rays2 - rays5
-    t35 = t34*t34
-    t36 = t31 + t33 + t35
-    t37 = 1/(sqrt(t36))
-    t38 = prior0*t32
-    t39 = t2*t30
-    t40 = -t34*t8 + t39
-    t41 = -t40
-    t42 = prior1*t11
-    t43 = t38 - t41*t42
-    t44 = t37*t43
-    t45 = pose3*pose4
-    t46 = pose5*pose6
-    t47 = t45 + t46
-    t48 = 2*t47
-    t49 = t13 - t14
-    t50 = prior0*t37
-    t51 = -t32
-    t52 = t2*t51
-    t53 = -t34
-    t54 = -t5
-    t55 = t53*t54
-    t56 = t52 - t55
-    t57 = -t30
-    t58 = t51*t51 + t53*t53 + t57*t57
-    t59 = 1/(sqrt(t58))
-    t60 = t54*t54 + t9
-    t61 = 1/(sqrt(t60))
-    t62 = prior1*t61
-    t63 = t59*t62
-    t64 = t30*t50 + t56*t63
-    t65 = 2*t64
-    t66 = t49*t65
-    t67 = t22 - t23
-    t68 = t25 + t26 + t67
-    t69 = t54*t57
-    t70 = t51*t8
-    t71 = t69 - t70
-    t72 = t34*t50 + t63*t71
-    t73 = t68*t72
-    t74 = -t44*t48 + t66 - t73
-    t75 = t24 + t27 + t67
-    t76 = t37*t75
-    t77 = t18 + t19
-    t78 = t65*t77
-    t79 = t45 - t46
-    t80 = 2*t72
-    t81 = t79*t80
-    t82 = -t43*t76 - t78 + t81
-    t83 = 2*t79
-    t84 = -t43
-    t85 = t37*t84
-    t86 = t15*t80 + t28*t64
-    t87 = t21*t85 + t86
-    t88 = t48*t85 + t66 - t73
-    t89 = t76*t84 - t78 + t81
-    t90 = 2*t20*t37*t43 - t86
-    t91 = pose3*t72
-    t92 = pose5*t64
-    t93 = -pose4*t44 - t91 + t92
-    t94 = pose6*t64
-    t95 = pose4*t72
-    t96 = -pose3*t44 - t94 + t95
-    t97 = pose3*t29 + pose5*t12 + pose6*t17
-    t98 = pose4*t85 - t91 + t92
-    t99 = pose4*t29 - pose5*t17 + pose6*t12
-    t100 = prior0*t57 - t56*t62
-    t101 = prior0*t53 - t62*t71
-    t102 = t2*t57
-    t103 = t53*t8
-    t104 = prior0*t51 + t62*(t102 - t103)
-    t105 = pose4*t64 + pose6*t72
-    t106 = pose5*t37*t84 - t105
-    t107 = pose4*t17
-    t108 = pose5*t29
-    t109 = pose3*t12
-    t110 = pose2*t106 + t107 + t108 - t109
-    t111 = pose1*t106
-    t112 = pose3*t64 + pose5*t72
-    t113 = pose6*t85 + t112
-    t114 = pose3*t17
-    t115 = pose4*t12
-    t116 = -pose6*t29
-    t117 = pose2*t113 + t114 + t115 + t116
-    t118 = pose3*t85 - t94 + t95
-    t119 = pose0*t118
-    t120 = pose5*t44 + t105
-    t121 = pose6*t37*t43 - t112
-    t122 = 2*t121
-    t123 = -2*t120
-    t124 = 2*t93
-    t125 = 2*t96
-    t126 = rays4*t2
-    t127 = -rays5*t54 + t126
-    t128 = 1/(t10*sqrt(t10))
-    t129 = t127*t128
-    t130 = t21*t5
-    t131 = t28*t8
-    t132 = 1/(t36)
-    t133 = t132*t30
-    t134 = prior0*t133*t34
-    t135 = t30*t5
-    t136 = 1/(t10)
-    t137 = t127*t136
-    t138 = t32*t8
-    t139 = t132*t31
-    t140 = -t3 + t4
-    t141 = -rays5*t30 + t133*t138 + t139*t5 + t140
-    t142 = t134 + t42*(t135*t137 + t137*t138 + t141)
-    t143 = t37*t83
-    t144 = t133*t38
-    t145 = t34*t8
-    t146 = rays4*t30 - t127*t136*t2*t30 - t132*t2*t31 + t133*t145 + t137*t145 + t2
-    t147 = t144 - t146*t42
-    t148 = 1/(t36*sqrt(t36))
-    t149 = rays4*t51
-    t150 = rays5*t53
-    t151 = 1/(t58)
-    t152 = t151*t57
-    t153 = t152*t52
-    t154 = t151*t53
-    t155 = t154*t69
-    t156 = 1/(t60)
-    t157 = -t127*t156
-    t158 = -prior0*t148*t31 + t50 + t63*(t149 + t150 + t153 - t155 + t157*t52 - t157*t55)
-    t159 = -t158
-    t160 = 2*t159
-    t161 = t37*t48
-    t162 = t37*t68
-    t163 = t142*t162 + t147*t161 - t160*t49
-    t164 = t11*t16
-    t165 = t11*t28
-    t166 = rays3*t2 - rays5*t8
-    t167 = t128*t2
-    t168 = t16*t167
-    t169 = t128*t130
-    t170 = t128*t131
-    t171 = t132*t33
-    t172 = t34*t5
-    t173 = t132*t32
-    t174 = t2*t32
-    t175 = t136*t166
-    t176 = -t0 + t1
-    t177 = rays3*t32 + t171*t2 + t172*t173 - t172*t175 - t174*t175 + t176
-    t178 = t144 - t177*t42
-    t179 = 2*t37
-    t180 = t132*t34
-    t181 = t180*t38
-    t182 = rays5*t32 - t135*t173 + t135*t175 + t138*t175 - t171*t8 + t8
-    t183 = t181 - t182*t42
-    t184 = prior0*t148
-    t185 = rays3*t57
-    t186 = t154*t70
-    t187 = t156*t166
-    t188 = -t184*t33 + t50 + t63*(-t102*t187 + t103*t187 + t150 - t153 + t185 + t186)
-    t189 = -t178*t179*t49 + t183*t37*t68 - t188*t48
-    t190 = -t143*t183 + 2*t178*t37*t77 - t188*t75
-    t191 = t11*t21
-    t192 = rays3*t54 - rays4*t8
-    t193 = t132*t35
-    t194 = t136*t192
-    t195 = rays3*t34 + t140 + t172*t194 + t174*t180 + t174*t194 + t193*t5
-    t196 = t179*(t134 - t195*t42)
-    t197 = -t6 + t7
-    t198 = rays4*t34 - t132*t2*t30*t34 - t136*t192*t2*t30 + t145*t194 + t193*t8 + t197
-    t199 = t181 - t198*t42
-    t200 = -t156*t192
-    t201 = -prior0*t148*t35 + t50 + t63*(t149 + t155 + t185 - t186 + t200*t69 - t200*t70)
-    t202 = -t201
-    t203 = rays1*t2
-    t204 = rays2*t5 + t203
-    t205 = rays1*t32
-    t206 = rays2*t34
-    t207 = t173*t39
-    t208 = t135*t180
-    t209 = t136*t204
-    t210 = -prior0*t139 + prior0 + t42*(t172*t209 + t174*t209 - t205 - t206 + t207 + t208)
-    t211 = t179*t210
-    t212 = t148*t38
-    t213 = t212*t30
-    t214 = t151*t30
-    t215 = t156*(-rays2*t54 + t203)
-    t216 = t213 + t63*(rays1*t57 - t102*t215 + t103*t214 + t103*t215 - t152*t39 + t176)
-    t217 = t184*t30*t34
-    t218 = t217 + t63*(rays2*t57 + t140 + t214*t69 - t214*t70 + t215*t69 - t215*t70)
-    t219 = t211*t49 + t216*t48 + t218*t68
-    t220 = t211*t77 - t216*t75 + t218*t83
-    t221 = rays0*t2 - rays2*t8
-    t222 = prior0*t171
-    t223 = rays0*t30
-    t224 = t145*t173
-    t225 = t136*t145*t221 - t136*t2*t221*t30 + t206 + t207 + t223 - t224
-    t226 = prior0 - t222 - t225*t42
-    t227 = t151*t32
-    t228 = -t156*t221
-    t229 = t213 + t63*(rays0*t51 + t2 + t227*t52 - t227*t55 + t228*t52 - t228*t55)
-    t230 = 2*t229
-    t231 = t212*t34
-    t232 = t231 + t63*(rays2*t51 + t197 + t227*t69 - t227*t70 + t228*t69 - t228*t70)
-    t233 = -t230*t77 + t232*t83
-    t234 = t230*t49 - t232*t68
-    t235 = t161*t226 + t234
-    t236 = rays1*t8
-    t237 = rays0*t5 + t236
-    t238 = -prior0
-    t239 = prior0*t193
-    t240 = t136*t237
-    t241 = -t135*t240 - t138*t240 + t205 + t208 + t223 + t224
-    t242 = -t238 - t239 - t241*t42
-    t243 = t156*(rays0*t54 - t236)
-    t244 = t151*t34
-    t245 = t231 + t63*(rays1*t53 - t102*t243 - t102*t244 + t103*t243 + t145*t154 + t8)
-    t246 = t217 + t63*(rays0*t53 + t243*t52 - t243*t55 + t244*t52 - t244*t55 + t5)
-    t247 = 2*t246
-    t248 = -t245*t48 + t247*t49
-    t249 = t162*t242 + t248
-    t250 = t245*t75 + t247*t77
-    t251 = t143*t242 + t250
-    t252 = t11*t83
-    t253 = t11*t75
-    t254 = 2*t77
-    t255 = t254*t8
-    t256 = t16*t37
-    t257 = t21*t37
-    t258 = rays5*t11
-    t259 = t128*t255
-    t260 = t167*t83
-    t261 = t128*t5*t75
-    t262 = t28*t37
-    t263 = t178*t262 + t183*t256 + t188*t21
-    t264 = t11*t254
-    t265 = rays3*t5 + rays4*t8
-    t266 = t134 - t195*t42
-    t267 = t179*t266
-    t268 = t181 - t198*t42
-    t269 = -t201*t68 - t267*t49 + 2*t268*t37*t47
-    t270 = -t16*t201 - t257*t268 + t266*t28*t37
-    t271 = -t16*t218 + t21*t216 + t210*t262
-    t272 = t16*t232 + t229*t28
-    t273 = prior0 - t239 - t241*t42
-    t274 = t21*t245 - t246*t28
-    t275 = t256*t273 + t274
-    t276 = t11*t68
-    t277 = rays5*t5 + t126
-    t278 = t128*t277
-    t279 = t48*t5
-    t280 = 2*t49
-    t281 = t280*t8
-    t282 = t167*t68
-    t283 = t136*t277
-    t284 = t134 + t42*(t135*t283 + t138*t283 + t141)
-    t285 = t144 - t146*t42
-    t286 = 2*t158
-    t287 = -t143*t284 + t285*t37*t75 - t286*t77
-    t288 = 2*t15*t284*t37 - t158*t28 - t257*t285
-    t289 = t128*t166
-    t290 = t181 - t182*t42
-    t291 = t144 - t177*t42
-    t292 = -t188
-    t293 = t11*t48
-    t294 = t11*t280
-    t295 = t128*t265
-    t296 = t201*t83 + t267*t77 + t268*t76
-    t297 = t128*t204
-    t298 = t128*t221
-    t299 = -t222 - t225*t42 - t238
-    t300 = t233 + t299*t76
-    t301 = t257*t299 + t272
-    t302 = 2*t30
-    t303 = -t302*t49 + t32*t48 + t34*t68
-    t304 = t302*t77 + t32*t75 - t34*t83
-    t305 = 2*t172 + 2*t174
-    t306 = t135 + t138
-    t307 = t305*t49 + t306*t68 + t40*t48
-    t308 = t305*t77 + t306*t83 - t40*t75
-    t309 = t11*t37
-    t310 = -t303
-    t311 = t16*t34 - 2*t20*t32 + t28*t30
-    t312 = -t311
-    t313 = t59*t61
-    t314 = t313*t71
-    t315 = t309*t41
-    t316 = t313*t56
-    t317 = t16*t314 + t21*t315 + t28*t316
-    t318 = t308*t309
+    t3 = t2*t2
+    t4 = rays1*rays5
+    t5 = rays2*rays4
+    t6 = t4 - t5
+    t7 = t6*t6
+    t8 = rays0*rays4
+    t9 = rays1*rays3
+    t10 = t8 - t9
+    t11 = t10*t10
+    t12 = t7 + t11
+    t13 = t3 + t12
+    t14 = 1/t13
+    t15 = sqrt(t14)
+    line0 = t15*t6
+    t16 = pose4*pose4
+    t17 = pose6*pose6
+    t18 = -t17
+    t19 = pose3*pose3
+    t20 = pose5*pose5
+    t21 = t19 - t20
+    t22 = t16 + t18 + t21
+    t23 = rays0 - rays3
+    t24 = t23*t23
+    t25 = rays1 - rays4
+    t26 = t25*t25
+    t27 = rays2 - rays5
+    t28 = t27*t27
+    t29 = t24 + t26 + t28
+    t30 = 1/t29
+    t31 = sqrt(t30)
+    t32 = prior1*t15
+    t33 = -t2
+    t34 = -t23
+    t35 = t33*t34
+    t36 = -t25
+    t37 = t36*t6
+    t38 = t35 - t37
+    line5 = -(prior0*t27 + t32*t38)*t31
+    t39 = -t16
+    t40 = t17 + t21 + t39
+    t41 = pose3*pose4
+    t42 = pose5*pose6
+    t43 = t41 + t42
+    t44 = t10*t23
+    t45 = -t27*t6 + t44
+    t46 = -t45
+    t47 = prior0*t25
+    line4 = -(-t32*t46 + t47)*t31
+    t48 = line4 + line4
+    t49 = pose3*pose5
+    t50 = pose4*pose6
+    t51 = t49 - t50
+    t52 = prior0*t23
+    t53 = t10*t36
+    t54 = -t27
+    t55 = t33*t54
+    t56 = t53 - t55
+    line3 = -(t52 + t32*t56)*t31
+    t57 = line3 + line3
+    t58 = line5*t40 + t43*t48 - t51*t57
+    t59 = t18 + t19 + t20 + t39
+    t60 = pose3*pose6
+    t61 = pose4*pose5
+    t62 = t60 + t61
+    t63 = t41 - t42
+    t64 = line5 + line5
+    t65 = line4*t59 + t57*t62 - t63*t64
+    t66 = t49 + t50
+    line2 = t10*t15
+    t67 = line2 + line2
+    t68 = t60 - t61
+    line1 = -t15*t2
+    t69 = line1 + line1
+    t70 = line3*t22 + t64*t66 - t48*t68
+    t71 = line0 + line0
+    t72 = line3*pose6 + line4*pose3 - line5*pose4
+    t73 = pose2*t72
+    t74 = t73 + t73
+    t75 = -line3*pose5 + line4*pose4 + line5*pose3
+    t76 = line0*pose3
+    t77 = line2*pose5
+    t78 = line1*pose6
+    t79 = pose1*t75 + t76 + t77 - t78
+    t80 = t79 + t79
+    t81 = pose1 + pose1
+    t82 = t72*t81
+    t83 = pose2 + pose2
+    t84 = pose4*t71
+    t85 = pose5*t69
+    t86 = pose6*t67
+    t87 = t75*t83 + t84 + t85 + t86
+    t88 = line0*pose5
+    t89 = t88 + t88
+    t90 = line1*pose4
+    t91 = t90 + t90
+    t92 = line2*pose3
+    t93 = t92 + t92
+    t94 = line3*pose4 + line4*pose5 + line5*pose6
+    t95 = pose2*t94
+    t96 = t95 + t95
+    t97 = line3*pose3 - line4*pose6 + line5*pose5
+    t98 = pose1*t97
+    t99 = t98 + t98
+    t100 = pose1*t94
+    t101 = t100 + t100
+    t102 = line0*pose6
+    t103 = line1*pose3
+    t104 = line2*pose4
+    t105 = pose2*t97 + t102 + t103 - t104
+    t106 = t105 + t105
+    t107 = pose0*t75
+    t108 = t107 + t107
+    t109 = pose0*t72 - t88 + t90 + t92
+    t110 = t109 + t109
+    t111 = pose0 + pose0
+    t112 = t111*t97
+    t113 = t76 + t76
+    t114 = t77 + t77
+    t115 = t78 + t78
+    t116 = pose0*t94
+    t117 = t116 + t116
+    t118 = t102 + t102
+    t119 = t103 + t103
+    t120 = t104 + t104
+    t121 = t97 + t97
+    t122 = t94 + t94
+    t123 = t75 + t75
+    t124 = t72 + t72
+    t125 = rays4*t10
+    t126 = rays5*t2 + t125
+    t127 = t14*t15
+    t128 = t127*t6
+    t129 = t10*t14
+    t130 = rays4 - t126*t129
+    t131 = t66 + t66
+    t132 = t131*t15
+    t133 = -rays5*t33 + t125
+    t134 = t14*t2
+    t135 = rays5 - t133*t134
+    t136 = t68 + t68
+    t137 = t136*t15
+    t138 = t24*t30
+    t139 = -prior0*t138 + prior0
+    t140 = rays4*t36
+    t141 = rays5*t54
+    t142 = t34*t34
+    t143 = t36*t36
+    t144 = t54*t54
+    t145 = t142 + t143 + t144
+    t146 = 1/t145
+    t147 = t146*t34
+    t148 = t147*t53
+    t149 = t147*t55
+    t150 = t33*t33
+    t151 = t150 + t12
+    t152 = 1/t151
+    t153 = -t133
+    t154 = t152*t153
+    t155 = t139 + (t140 + t141 + t148 - t149 + t154*t53 - t154*t55)*t32
+    t156 = pose1*t51 + pose2*t62
+    t157 = t156 + t156
+    t158 = t157*t31
+    t159 = t30*t52
+    t160 = t159*t27
+    t161 = t2*t23
+    t162 = t126*t14
+    t163 = t25*t6
+    t164 = -t0 + t1
+    t165 = -rays5*t23 + t163*t23*t30 + t138*t2 + t164
+    t166 = t160 + (t161*t162 + t162*t163 + t165)*t32
+    t167 = pose1*t40 + t63*t83
+    t168 = t167*t31
+    t169 = t159*t25
+    t170 = t10*t146
+    t171 = t10*t152
+    t172 = t171*t34
+    t173 = t152*t6
+    t174 = t173*t54
+    t175 = t146*t6
+    t176 = t175*t54
+    t177 = -t8 + t9
+    t178 = rays4*t34 + t142*t170 + t153*t172 - t153*t174 - t176*t34 + t177
+    t179 = t169 + t178*t32
+    t180 = -pose2*t59 + t43*t81
+    t181 = t180*t31
+    t182 = rays3*t10 - rays5*t6
+    t183 = t127 + t127
+    t184 = t14*t6
+    t185 = rays5 + t182*t184
+    t186 = t26*t30
+    t187 = t2*t27
+    t188 = t25*t30
+    t189 = t14*t182
+    t190 = t10*t25
+    t191 = rays3*t25 + t177 + t10*t186 + t187*t188 - t187*t189 - t189*t190
+    t192 = t169 - t191*t32
+    t193 = t27*t30
+    t194 = t193*t47
+    t195 = t152*t182
+    t196 = t146*t35
+    t197 = -t4 + t5
+    t198 = rays5*t36 + t143*t175 - t195*t35 + t195*t37 - t196*t36 + t197
+    t199 = t194 + t198*t32
+    t200 = prior0*t186
+    t201 = prior0 - t200
+    t202 = rays3*t34
+    t203 = t146*t54
+    t204 = t203*t37
+    t205 = t171*t182
+    t206 = t201 + (t141 - t148 + t174*t182 + t202 + t204 - t205*t34)*t32
+    t207 = rays4*t6
+    t208 = rays3*t33 - t207
+    t209 = rays3 + t134*t208
+    t210 = t28*t30
+    t211 = prior0*t210
+    t212 = prior0 - t211
+    t213 = -t208
+    t214 = t152*t213
+    t215 = t212 + (t140 + t149 + t202 - t204 + t214*t35 - t214*t37)*t32
+    t216 = -t215
+    t217 = t27*t6
+    t218 = rays4*t27 - t10*t14*t208*t23 + t14*t208*t217 - t10*t23*t27*t30 + t197 + t210*t6
+    t219 = t194 - t218*t32
+    t220 = t10*t127
+    t221 = t131*t220
+    t222 = rays4 - t173*t213
+    t223 = t15*t22
+    t224 = rays3*t54 + t144*t146*t33 - t10*t146*t36*t54 - t10*t152*t213*t36 + t214*t55 + t2
+    t225 = t160 + t224*t32
+    t226 = -t157
+    t227 = rays1*t10
+    t228 = rays2*t2 + t227
+    t229 = rays1 - t129*t228
+    t230 = rays2 - t134*t228
+    t231 = t14*t228
+    t232 = rays1*t25
+    t233 = rays2*t27
+    t234 = t188*t44
+    t235 = t161*t193
+    t236 = t139 + (t187*t231 + t190*t231 - t232 - t233 + t234 + t235)*t32
+    t237 = t236*t31
+    t238 = t146*t37
+    t239 = -rays2*t33 + t227
+    t240 = t152*t239
+    t241 = t160 + (rays2*t34 + t196*t23 - t23*t238 + t164 + t240*t35 - t240*t37)*t32
+    t242 = t169 + (rays1*t34 + t176*t23 - t147*t44 - t172*t239 + t174*t239 + t177)*t32
+    t243 = rays0*t10 - rays2*t6
+    t244 = rays0 - t129*t243
+    t245 = t127*t2
+    t246 = t146*t25
+    t247 = -t243
+    t248 = t152*t247
+    t249 = t169 + (rays0*t36 + t246*t53 + t248*t53 - t246*t55 - t248*t55 + t10)*t32
+    t250 = t194 + (rays2*t36 + t196*t25 - t238*t25 + t197 + t248*t35 - t248*t37)*t32
+    t251 = -prior0
+    t252 = t14*t243
+    t253 = rays0*t23
+    t254 = t188*t217
+    t255 = t217*t252 + t233 + t234 + t253 - t254 - t252*t44
+    t256 = -t200 - t251 - t255*t32
+    t257 = rays2 + t184*t243
+    t258 = rays1*t6
+    t259 = rays0*t2 + t258
+    t260 = -t259
+    t261 = rays0 + t134*t260
+    t262 = t146*t27
+    t263 = rays0*t33 - t258
+    t264 = t152*t263
+    t265 = t160 + (rays0*t54 + t262*t53 + t264*t53 - t262*t55 - t264*t55 + t2)*t32
+    t266 = t14*t260
+    t267 = t161*t266 + t163*t266 + t232 + t235 + t253 + t254
+    t268 = -t211 - t251 - t267*t32
+    t269 = t194 + (rays1*t54 - t170*t27*t34 - t172*t263 + t174*t263 + t203*t217 + t6)*t32
+    t270 = rays1 - t184*t259
+    t271 = t62 + t62
+    t272 = t128*t271
+    t273 = pose2*t22
+    t274 = (-t273 - t111*t51)*t31
+    t275 = t63 + t63
+    t276 = t15*t275
+    t277 = t15*t59
+    t278 = t152*t33
+    t279 = t31 + t31
+    t280 = pose0*t43
+    t281 = (pose2*t68 + t280)*t279
+    t282 = pose0*t40 - t66*t83
+    t283 = t282*t31
+    t284 = t133*t14
+    t285 = t245*t59
+    t286 = t15*t271
+    t287 = rays3 - t205
+    t288 = -t206
+    t289 = t220*t275
+    t290 = t280 + t280
+    t291 = t83*t68 + t290
+    t292 = -t273 - t111*t51
+    t293 = t51 + t51
+    t294 = t128*t293
+    t295 = t15*t40
+    t296 = t43 + t43
+    t297 = t15*t296
+    t298 = -pose1*t22 + t111*t62
+    t299 = t298*t31
+    t300 = pose0*t63 + pose1*t66
+    t301 = t279*t300
+    t302 = pose0*t59 + t68*t81
+    t303 = t302*t31
+    t304 = t245*t296
+    t305 = t15*t293
+    t306 = t300 + t300
+    t307 = -t306
+    t308 = -rays3*t2 - t207
+    t309 = t220*t40
+    t310 = t15 + t15
+    t311 = t241 + t241
+    t312 = t166 + t166
+    t313 = t192 + t192
+    t314 = t219 + t219
+    t315 = t15*t31
+    t316 = t161 + t163
+    t317 = -t187 - t190
+    t318 = t316 + t316
+    t319 = t317 + t317
     return (
-        pose1*t74 - pose2*t82 + t12*t16 + t17*t21 + t28*t29,
-        -pose0*t88 - pose2*t87 + 2*t11*t77*t8 - t12*t83 - t17*t75,
-        pose0*t89 + pose1*t87 + t12*t68 - t17*t48 - 2*t29*t49,
-        t90,
-        t82,
-        t74,
+        line0*t22 + pose1*t58 - pose2*t65 + t66*t67 - t68*t69,
+        line1*t59 - pose0*t58 + pose2*t70 - t63*t67 + t62*t71,
+        line2*t40 + pose0*t65 - pose1*t70 + t43*t69 - t51*t71,
+        t70,
+        t65,
+        t58,
         0,
-        t74,
-        -t89,
-        2*pose1*t93 - 2*pose2*t96 + 2*t97,
-        2*pose1*t96 + 2*pose2*t98 + 2*t99,
-        -2*pose1*t59*(pose3*t100 + pose5*t101 - pose6*t104) - 2*t110,
-        2*t111 + 2*t117,
-        -t88,
+        t58,
+        -t65,
+        -t74 + t80,
+        t82 + t87,
+        -t89 + t91 + t93 - t96 - t99,
+        t101 - t106,
+        -t58,
         0,
-        t90,
-        -2*pose0*t98 - 2*t117,
-        2*t110 - 2*t119,
-        -2*pose0*t113 + 2*pose2*t93 + 2*t99,
-        2*pose0*t120 - 2*pose2*t118 + 2*t97,
-        t82,
-        t87,
+        t70,
+        t106 - t108,
+        t96 - t110,
+        t87 + t112,
+        -t74 + t113 + t114 - t115 - t117,
+        t65,
+        -t70,
         0,
-        2*pose1*t113 - 2*t107 - 2*t108 + 2*t109 + 2*t119,
-        -2*pose0*t59*(pose3*t101 + pose4*t104 - pose5*t100) - 2*t111 - 2*t114 - 2*t115 - 2*t116,
-        2*pose0*t106 - 2*pose1*t98 - 2*t97,
-        2*pose0*t121 + 2*pose1*t118 + 2*t99,
+        -t99 + t110,
+        -t101 + t118 + t119 - t120 - t108,
+        -t80 + t117,
+        t82 + t84 + t85 + t86 + t112,
         0,
         0,
         0,
+        t121,
         t122,
         t123,
-        t124,
-        -2*t118,
-        0,
-        0,
-        0,
-        t125,
-        -2*t98,
-        t123,
-        t122,
+        -t124,
         0,
         0,
         0,
         t124,
-        t125,
-        2*t113,
+        -t123,
+        t122,
+        t121,
+        0,
+        0,
+        0,
         t123,
-        pose1*t163 - pose2*(-t142*t143 + t147*t76 + t160*t77) + 2*rays4*t11*t15 + 2*rays5*t11*t20 - t129*t130 - t129*t131 - t129*t16*t2,
-        pose1*t189 - pose2*t190 - rays3*t164 + rays5*t165 + t166*t168 + t166*t169 + t166*t170,
-        pose1*(t161*t199 - t196*t49 + t202*t68) - pose2*(t196*t77 + t199*t76 - t202*t83) - rays3*t191 - rays4*t165 - t168*t192 - t169*t192 - t170*t192,
-        -pose1*t219 - pose2*t220 - rays1*t164 - rays2*t191 + 2*t128*t15*t2*t204 + 2*t128*t20*t204*t5 + t128*t204*t28*t8,
-        pose1*t235 - pose2*(t226*t76 + t233) + 2*rays0*t11*t15 - rays2*t165 - t168*t221 - t169*t221 - t170*t221,
-        pose1*t249 + pose2*t251 + rays0*t191 + rays1*t165 - t168*t237 - t169*t237 - t170*t237,
-        -pose0*t163 + pose2*(t142*t256 - t147*t257 + t159*t28) - rays4*t252 - rays5*t253 + 2*t127*t128*t2*t79 + t127*t128*t5*t75 - t129*t255,
-        -pose0*t189 + pose2*t263 + rays3*t252 + t166*t259 - t166*t260 - t166*t261 + t254*t258,
-        -pose0*t269 + pose2*t270 + rays3*t11*t75 - rays4*t264 + 2*t128*t265*t77*t8 - t260*t265 - t261*t265,
-        pose0*t219 + pose2*t271 + rays1*t252 + rays2*t253 + t204*t259 - t204*t260 - t204*t261,
-        -pose0*t235 - pose2*(t226*t257 + t272) - rays0*t252 - rays2*t264 + 2*t128*t2*t221*t79 + t128*t221*t5*t75 - t221*t259,
-        -pose0*(t162*t273 + t248) + pose2*t275 - rays0*t253 + rays1*t264 - t237*t259 + t237*t260 + t237*t261,
-        pose0*t287 - pose1*t288 + rays4*t276 - t258*t48 - t277*t282 + t278*t279 + t278*t281,
-        pose0*(-t143*t290 + t179*t291*t77 + t292*t75) - pose1*(-t21*t292 + t256*t290 + t262*t291) - rays3*t276 + t128*t166*t2*t68 - t258*t280 - t279*t289 - t281*t289,
-        pose0*t296 - pose1*t270 + rays3*t293 + rays4*t294 + t265*t282 - t279*t295 - t281*t295,
-        pose0*t220 - pose1*t271 - rays1*t276 + 2*rays2*t11*t47 + t128*t2*t204*t68 - t279*t297 - t281*t297,
-        pose0*t300 + pose1*t301 + rays0*t276 + rays2*t294 - t221*t282 + t279*t298 + t281*t298,
-        -pose0*(t143*t273 + t250) - pose1*t275 - rays0*t293 - rays1*t294 + 2*t128*t237*t47*t5 + 2*t128*t237*t49*t8 - t237*t282,
-        t288,
-        t263,
-        t270,
-        t271,
-        -t301,
-        t242*t256 + t274,
-        t287,
-        t190,
-        t296,
-        t220,
-        t300,
-        -t251,
-        t161*t285 + t162*t284 + t286*t49,
-        t189,
-        t269,
-        -t219,
-        t161*t299 + t234,
-        t249,
-        t37*(-pose1*t303 + pose2*t304),
-        -t309*(pose1*t307 + pose2*t308),
-        t37*(-pose0*t310 + pose2*t312),
-        -pose0*(t280*t316 - t314*t68 + t315*t48) - pose2*t317,
-        t37*(-pose0*t304 + pose1*t311),
-        pose0*t318 + pose1*t317,
-        t312*t37,
-        -t317,
-        -t304*t37,
-        t318,
-        t310*t37,
-        -t307*t309,
+        t124,
+        -t121,
+        t122,
+        -t126*t128*t22 + t130*t132 + t135*t137 + t155*t158 + t166*t168 + t179*t181,
+        t183*t182*t2*t68 + t15*t185*t22 - (rays3 - t129*t182)*t132 - t158*t192 + t167*t199*t31 - t181*t206,
+        -t137*t209 + t168*t216 + t181*t219 - t208*t221 - t222*t223 + t225*t226*t31,
+        t127*t22*t228*t6 - t132*t229 - t137*t230 - t157*t237 - t168*t241 - t181*t242,
+        t132*t244 - t136*t243*t245 + t158*t249 - t168*t250 + t181*t256 - t223*t257,
+        t137*t261 + t158*t265 + t168*t268 - t181*t269 - t221*t259 + t223*t270,
+        -t133*t272 + t155*t274 - (rays4 - t129*t133)*t276 - (rays5 - t153*t278)*t277 - (t169 + t178*t32)*t281 - (t160 + (t161*t284 + t163*t284 + t165)*t32)*t283,
+        -t182*t285 + t185*t286 + t276*t287 - t281*t288 - t199*t283 - t192*t274,
+        t208*t289 + t209*t277 - t222*t286 - t225*t274 - t219*t281 - t216*t283,
+        t242*t291*t31 + t228*t272 + t229*t276 + t230*t277 - t237*t292 + t241*t283,
+        t243*t285 - t244*t276 + t249*t274 + t250*t283 - (t201 - t255*t32)*t281 - (rays2 - t173*t247)*t286,
+        -t260*t289 + t265*t274 + t269*t281 - (rays0 - t263*t278)*t277 - (t212 - t267*t32)*t283 + (rays1 + t184*t260)*t286,
+        t126*t294 + t130*t295 - t135*t297 - t155*t299 - t166*t301 + t179*t303,
+        -t182*t304 - t185*t305 + t199*t307*t31 - t287*t295 + t288*t303 + t192*t299,
+        t215*t301 + (rays3 + t134*t308)*t297 + t219*t303 + t225*t299 + (rays4 + t184*t208)*t305 - t308*t309,
+        t310*t230*t43 + t236*t298*t31 + t311*t300*t31 - t228*t294 - t229*t295 - t242*t303,
+        t243*t304 + t244*t295 + t257*t305 - t249*t299 + t256*t303 + t250*t301,
+        -t259*t309 - t261*t297 - t270*t305 - t265*t299 - t268*t301 - t269*t303,
+        (-t136*t179 - t155*t22 + t312*t66)*t31,
+        (t131*t199 + t136*t206 + t192*t22)*t31,
+        (-t131*t215 - t136*t219 + t22*t225)*t31,
+        (-t131*t241 + t136*t242 + t22*t236)*t31,
+        (-t131*t250 - t136*t256 - t22*t249)*t31,
+        (t131*t268 + t136*t269 - t22*t265)*t31,
+        (-t155*t271 - t166*t275 + t179*t59)*t31,
+        (t313*t62 - t199*t275 - t206*t59)*t31,
+        (t215*t275 + t225*t271 + t219*t59)*t31,
+        (t236*t271 - t242*t59 + t241*t275)*t31,
+        (-t249*t271 + t256*t59 + t250*t275)*t31,
+        (-t265*t271 - t268*t275 - t269*t59)*t31,
+        (t155*t293 + t166*t40 + t179*t296)*t31,
+        (-t192*t293 + t199*t40 - t206*t296)*t31,
+        (-t215*t40 - t225*t293 + t314*t43)*t31,
+        (-t236*t293 - t242*t296 - t241*t40)*t31,
+        (t249*t293 + t256*t296 - t250*t40)*t31,
+        (t265*t293 + t268*t40 - t269*t296)*t31,
+        -(t226*t23 + t180*t25 + t167*t27)*t31,
+        -(t167*t38 - t180*t46 + t226*t56)*t315,
+        (t23*t292 + t25*t291 + t27*t282)*t31,
+        (t282*t316 + t291*t45 + t292*t317)*t315,
+        -(t23*t298 + t25*t302 + t27*t307)*t31,
+        -(t298*t56 - t302*t46 + t307*t38)*t315,
+        -(t131*t27 - t136*t25 + t22*t23)*t31,
+        -(t131*t38 + t136*t46 + t22*t56)*t315,
+        -(t23*t271 + t25*t59 - t27*t275)*t31,
+        (-t271*t317 + t318*t63 - t45*t59)*t315,
+        -(-t23*t293 + t25*t296 + t27*t40)*t31,
+        (-t296*t45 - t316*t40 + t319*t51)*t315,
     )
 
 
@@ -1300,13 +1283,17 @@ def point_at(landmark, abscissa):
     """point_at: value."""
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5 = landmark
     abscissa, = abscissa
-    t0 = landmark3*landmark3 + landmark4*landmark4 + landmark5*landmark5
-    t1 = abscissa*sqrt(t0)
+    t0 = landmark3*landmark3
+    t1 = landmark4*landmark4
+    t2 = landmark5*landmark5
+    t3 = t0 + t1 + t2
+    t4 = sqrt(t3)
+    t5 = abscissa*t4
     return (
-        -landmark1*landmark5 + landmark2*landmark4 + landmark3*t1,
-        landmark0*landmark5 - landmark2*landmark3 + landmark4*t1,
-        -landmark0*landmark4 + landmark1*landmark3 + landmark5*t1,
-        t0,
+        -landmark1*landmark5 + landmark2*landmark4 + landmark3*t5,
+        landmark0*landmark5 - landmark2*landmark3 + landmark4*t5,
+        -landmark0*landmark4 + landmark1*landmark3 + landmark5*t5,
+        t3,
     )
 
 
@@ -1322,11 +1309,14 @@ def point_at_jac(landmark, abscissa):
     t5 = landmark3*t4
     t6 = landmark4*t4
     t7 = landmark5*t4
-    t8 = 1/(t4)
+    t8 = 1/t4
     t9 = abscissa*landmark3*t8
     t10 = landmark4*t9
     t11 = landmark5*t9
     t12 = abscissa*landmark4*landmark5*t8
+    t13 = landmark3 + landmark3
+    t14 = landmark4 + landmark4
+    t15 = landmark5 + landmark5
     return (
         abscissa*t5 - landmark1*landmark5 + landmark2*landmark4,
         abscissa*t6 + landmark0*landmark5 - landmark2*landmark3,
@@ -1335,27 +1325,27 @@ def point_at_jac(landmark, abscissa):
         0,
         -landmark5,
         landmark4,
-        abscissa*(t0*t8 + t4),
+        (t0*t8 + t4)*abscissa,
         landmark2 + t10,
         -landmark1 + t11,
         landmark5,
         0,
         -landmark3,
         -landmark2 + t10,
-        abscissa*(t1*t8 + t4),
+        (t1*t8 + t4)*abscissa,
         landmark0 + t12,
         -landmark4,
         landmark3,
         0,
         landmark1 + t11,
         -landmark0 + t12,
-        abscissa*(t2*t8 + t4),
+        (t2*t8 + t4)*abscissa,
         0,
         0,
         0,
-        2*landmark3,
-        2*landmark4,
-        2*landmark5,
+        t13,
+        t14,
+        t15,
         t5,
         t6,
         t7,
@@ -1368,19 +1358,24 @@ def constrain(landmark, eye):
     landmark0, landmark1, landmark2, landmark3, landmark4, landmark5 = landmark
     eye0, eye1, eye2 = eye
     t0 = -eye0*landmark4 + eye1*landmark3 + landmark2
-    t1 = eye0*landmark5 - eye2*landmark3 + landmark1
-    t2 = -eye1*landmark5 + eye2*landmark4 + landmark0
-    t3 = (landmark3*t2 + landmark4*t1 + landmark5*t0)/(t0*t0 + t1*t1 + t2*t2)
-    t4 = landmark5 - t0*t3
-    t5 = landmark4 - t1*t3
-    t6 = landmark3 - t2*t3
+    t1 = t0*t0
+    t2 = eye0*landmark5 - eye2*landmark3 + landmark1
+    t3 = t2*t2
+    t4 = -eye1*landmark5 + eye2*landmark4 + landmark0
+    t5 = t4*t4
+    t6 = t1 + t3 + t5
+    t7 = 1/t6
+    t8 = (landmark3*t4 + landmark4*t2 + landmark5*t0)*t7
+    t9 = landmark5 - t0*t8
+    t10 = landmark4 - t2*t8
+    t11 = landmark3 - t4*t8
     return (
-        eye1*t4 - eye2*t5 + t2,
-        -eye0*t4 + eye2*t6 + t1,
-        eye0*t5 - eye1*t6 + t0,
-        t6,
-        t5,
-        t4,
+        eye1*t9 - eye2*t10 + t4,
+        -eye0*t9 + eye2*t11 + t2,
+        eye0*t10 - eye1*t11 + t0,
+        t11,
+        t10,
+        t9,
     )
 
 
@@ -1399,7 +1394,7 @@ def constrain_jac(landmark, eye):
     t8 = -eye1*landmark5 + eye2*landmark4 + landmark0
     t9 = t8*t8
     t10 = t3 + t7 + t9
-    t11 = 1/(t10)
+    t11 = 1/t10
     t12 = landmark4*t6
     t13 = landmark3*t8
     t14 = landmark5*t2
@@ -1413,74 +1408,71 @@ def constrain_jac(landmark, eye):
     t22 = t17*t8
     t23 = landmark3 - t22
     t24 = eye2*t6
-    t25 = 2*t22
+    t25 = t22 + t22
     t26 = landmark3 - t25
     t27 = t11*t26
     t28 = eye1*t2
-    t29 = -t6
-    t30 = 2*t17
-    t31 = landmark4 + t29*t30
-    t32 = 2*t20
-    t33 = 2*t12 + t15
-    t34 = t29*t32 + t33
-    t35 = -t2
-    t36 = landmark5 + t30*t35
-    t37 = 2*t18
-    t38 = t12 + t13 + 2*t14
-    t39 = t35*t37 + t38
-    t40 = -eye2*t6 + t28
-    t41 = -t40
-    t42 = eye1*t16
-    t43 = landmark0*t2 + t42
-    t44 = t37*t41 + t43
-    t45 = eye2*t16
-    t46 = t11*t6
-    t47 = eye0*t2
-    t48 = eye2*t8
-    t49 = t47 - t48
-    t50 = t16/(t10*t10)
-    t51 = 2*t50
-    t52 = landmark1*t46 + t49*t51*t6 - 1
-    t53 = eye0*t16
-    t54 = landmark1*t2 + t37*t49 - t53
-    t55 = t11*t2
-    t56 = eye0*t6
-    t57 = -eye1*t8 + t56
-    t58 = -t57
-    t59 = t2*t51
-    t60 = landmark2*t6 + t53
-    t61 = t32*t58 + t60
-    t62 = -t8
-    t63 = landmark3 + t30*t62
-    t64 = t12 + 2*t13 + t14
-    t65 = t25*t62 + t64
-    t66 = landmark4 - t32
-    t67 = t11*t66
-    t68 = t11*t8
-    t69 = t51*t8
-    t70 = landmark1*t8 + t25*t49 + t45
-    t71 = -landmark2*t11*t2 + t57*t59 + 1
-    t72 = -landmark2*t8 + t25*t57 + t42
-    t73 = landmark5 - t37
-    t74 = t11*t73
-    t75 = -landmark0*t11*t8 + t40*t69 + 1
-    t76 = -landmark0*t6 + t32*t40 + t45
-    t77 = -t66
-    t78 = -t73
-    t79 = -t26
-    t80 = landmark4*t2 - landmark5*t6
-    t81 = 2*t80
-    t82 = landmark4 - t55*t81
-    t83 = landmark5 + t46*t81
-    t84 = landmark3*t2 - landmark5*t8
-    t85 = landmark3 - 2*t55*t84
-    t86 = 2*t84
-    t87 = t11*t86
-    t88 = landmark3*t6 - landmark4*t8
-    t89 = 2*t88
-    t90 = landmark3 - t46*t89
-    t91 = landmark5 + t68*t86
-    t92 = landmark4 + t68*t89
+    t29 = t12 + t12
+    t30 = t17 + t17
+    t31 = t29 + t15 - t30*t7
+    t32 = t20 + t20
+    t33 = landmark4 - t32
+    t34 = t14 + t14
+    t35 = t12 + t13 + t34 - t3*t30
+    t36 = t18 + t18
+    t37 = landmark5 - t36
+    t38 = -t24 + t28
+    t39 = eye1*t16
+    t40 = landmark0*t2 - t36*t38 + t39
+    t41 = eye2*t16
+    t42 = landmark0*t6 - t32*t38 - t41
+    t43 = eye0*t2
+    t44 = eye2*t8
+    t45 = t43 - t44
+    t46 = eye0*t16
+    t47 = landmark1*t2 + t36*t45 - t46
+    t48 = t11*t47
+    t49 = t11*t6
+    t50 = t11*t11
+    t51 = t16*t50
+    t52 = t51 + t51
+    t53 = landmark1*t49 + t45*t52*t6 - 1
+    t54 = t11*t2
+    t55 = eye0*t6
+    t56 = -eye1*t8 + t55
+    t57 = t2*t52
+    t58 = landmark2*t6 - t32*t56 + t46
+    t59 = t11*t58
+    t60 = t13 + t13
+    t61 = t12 + t60 + t14 - t30*t9
+    t62 = t11*t33
+    t63 = t11*t40
+    t64 = t11*t8
+    t65 = t52*t8
+    t66 = landmark1*t8 + t25*t45 + t41
+    t67 = -landmark2*t11*t2 + t56*t57 + 1
+    t68 = landmark2*t8 - t25*t56 - t39
+    t69 = t11*t68
+    t70 = eye1*t8
+    t71 = t11*t37
+    t72 = t11*t42
+    t73 = -landmark0*t11*t8 + t38*t65 + 1
+    t74 = t11*t66
+    t75 = landmark4 + landmark4
+    t76 = landmark5 + landmark5
+    t77 = t75*t2 - t76*t6
+    t78 = landmark4 - t54*t77
+    t79 = landmark5 + t49*t77
+    t80 = landmark3 + landmark3
+    t81 = t80*t2 - t76*t8
+    t82 = landmark3 - t54*t81
+    t83 = t11*t81
+    t84 = t80*t6 - t75*t8
+    t85 = landmark3 - t49*t84
+    t86 = t11*t84
+    t87 = t11*t77
+    t88 = landmark5 + t64*t81
+    t89 = landmark4 + t64*t84
     return (
         eye1*t19 - eye2*t21 + t8,
         -eye0*t19 + eye2*t23 + t6,
@@ -1489,57 +1481,57 @@ def constrain_jac(landmark, eye):
         t21,
         t19,
         t24*t27 - t27*t28 + 1,
-        t11*(eye2*t34 - t28*t31),
-        t11*(-eye1*t39 + eye2*t36*t6),
-        t11*(-eye1*t44 + eye2*(landmark0*t6 + t32*t41 - t45)),
-        -eye1*t11*t54 + eye2*t52 + eye2,
-        -eye1*(landmark2*t55 + t58*t59 - 1) - eye1 + eye2*t11*t61,
-        t11*(-eye2*t65 + t47*t63),
-        t47*t67 - t48*t67 + 1,
-        t11*(eye0*t39 - t36*t48),
-        eye0*t11*t44 - eye2*(landmark0*t68 + t41*t69 - 1) - eye2,
-        t11*(eye0*t54 - eye2*t70),
-        -eye0*t71 + eye0 + eye2*t11*t72,
-        t11*(eye1*t65 - t56*t63),
-        t11*(-eye0*t34 + eye1*t31*t8),
-        eye1*t74*t8 - t56*t74 + 1,
-        eye0*t11*t76 - eye1*t75 + eye1,
-        -eye0*t52 - eye0 + eye1*t11*t70,
-        t11*(-eye0*t61 + eye1*(landmark2*t8 + t25*t58 - t42)),
-        t11*(2*t11*t16*t9 - t64),
-        t68*t77,
-        t68*t78,
-        t75,
-        -t11*t70,
-        t11*t72,
-        t46*t79,
-        t11*(2*t11*t16*t7 - t33),
-        t46*t78,
-        t11*t76,
-        -t52,
-        t11*(2*t11*t16*t57*t6 - t60),
-        t55*t79,
-        t55*t77,
-        t11*(2*t11*t16*t3 - t38),
-        t11*(2*t11*t16*t2*t40 - t43),
-        -t11*t54,
-        t71,
-        t17*(eye1*t82 + eye2*t83),
-        -t17*(eye1*t85 + t2 + t24*t87),
-        t17*(-eye2*t90 + landmark1 - t11*t28*t89 + t4 - t5),
-        t17*(-eye0*t82 + landmark2 + t0 - t1 - t11*t48*t81),
-        t17*(eye0*t85 + eye2*t91),
-        t17*(2*eye0*t11*t2*t88 - eye2*t92 - t8),
-        t17*(-eye0*t83 + 2*eye1*t11*t8*t80 - t6),
-        t17*(-eye1*t91 + t56*t87 + t8),
-        t17*(eye0*t90 + eye1*t92),
-        -t50*t8*t81,
-        t17*t91,
-        -t17*t92,
-        -t17*t83,
-        t50*t6*t86,
-        t17*t90,
-        t17*t82,
-        t17*(-landmark3 + 2*t11*t2*t84),
-        -t2*t50*t89,
+        -(-eye2*t31 + t28*t33)*t11,
+        -(eye1*t35 - t24*t37)*t11,
+        -(eye1*t40 - eye2*t42)*t11,
+        -eye1*t48 + eye2*t53 + eye2,
+        -(landmark2*t54 - t56*t57 - 1)*eye1 - eye1 + eye2*t59,
+        (-eye2*t61 + t26*t43)*t11,
+        t43*t62 - t44*t62 + 1,
+        (eye0*t35 - t37*t44)*t11,
+        eye0*t63 - (landmark0*t64 - t38*t65 - 1)*eye2 - eye2,
+        (eye0*t47 - eye2*t66)*t11,
+        -eye0*t67 + eye0 - eye2*t69,
+        -(-eye1*t61 + t26*t55)*t11,
+        -(eye0*t31 - t33*t70)*t11,
+        -t55*t71 + t70*t71 + 1,
+        -eye0*t72 - eye1*t73 + eye1,
+        -eye0*t53 - eye0 + eye1*t74,
+        -(eye0*t58 - eye1*t68)*t11,
+        -t11*t61,
+        -t33*t64,
+        -t37*t64,
+        t73,
+        -t74,
+        -t69,
+        -t26*t49,
+        -t11*t31,
+        -t37*t49,
+        -t72,
+        -t53,
+        -t59,
+        -t26*t54,
+        -t33*t54,
+        -t11*t35,
+        -t63,
+        -t48,
+        t67,
+        (eye1*t78 + eye2*t79)*t17,
+        -(eye1*t82 + t2 + t24*t83)*t17,
+        -(eye2*t85 - landmark1 + t28*t86 - t4 + t5)*t17,
+        -(eye0*t78 - landmark2 - t0 + t1 + t44*t87)*t17,
+        (eye0*t82 + eye2*t88)*t17,
+        -(eye2*t89 - t43*t86 + t8)*t17,
+        -(eye0*t79 + t6 - t70*t87)*t17,
+        -(eye1*t88 - t55*t83 - t8)*t17,
+        (eye0*t85 + eye1*t89)*t17,
+        -t51*t77*t8,
+        t17*t88,
+        -t17*t89,
+        -t17*t79,
+        t51*t6*t81,
+        t17*t85,
+        t17*t78,
+        -t17*t82,
+        -t2*t51*t84,
     )

@@ -17,12 +17,18 @@ def project(point, intrinsics, distortion):
     point0, point1, point2, point3 = point
     intrinsics0, intrinsics1, intrinsics2, intrinsics3 = intrinsics
     distortion0, distortion1, distortion2, distortion3, distortion4, distortion5, distortion6, distortion7 = distortion
-    t0 = (point0*point0 + point1*point1)/(point2*point2)
-    t1 = (t0*(distortion0 + t0*(distortion1 + t0*(distortion2 + t0*(distortion3 + t0*(distortion4 + t0*(distortion5 + t0*(distortion6 + distortion7*t0))))))) + 1)/point2
+    t0 = 1/point2
+    ideal0 = point0*t0
+    t1 = ideal0*ideal0
+    ideal1 = point1*t0
+    t2 = ideal1*ideal1
+    t3 = t1 + t2
+    t4 = (distortion0 + (distortion1 + (distortion2 + (distortion3 + (distortion4 + (distortion5 + (distortion6 + distortion7*t3)*t3)*t3)*t3)*t3)*t3)*t3)*t3 + 1
+    t5 = 1/point3
     return (
-        intrinsics0 + intrinsics2*point0*t1,
-        intrinsics1 + intrinsics3*point1*t1,
-        point2/point3,
+        ideal0*intrinsics2*t4 + intrinsics0,
+        ideal1*intrinsics3*t4 + intrinsics1,
+        point2*t5,
     )
 
 
@@ -31,88 +37,89 @@ def project_jac(point, intrinsics, distortion):
     point0, point1, point2, point3 = point
     intrinsics0, intrinsics1, intrinsics2, intrinsics3 = intrinsics
     distortion0, distortion1, distortion2, distortion3, distortion4, distortion5, distortion6, distortion7 = distortion
-    t0 = 1/(point2*point2)
-    t1 = point0*point0
-    t2 = point1*point1
+    t0 = 1/point2
+    ideal0 = point0*t0
+    t1 = ideal0*ideal0
+    ideal1 = point1*t0
+    t2 = ideal1*ideal1
     t3 = t1 + t2
-    t4 = t0*t3
-    t5 = distortion7*t4
-    t6 = distortion5 + t4*(distortion6 + t5)
-    t7 = distortion4 + t4*t6
-    t8 = distortion3 + t4*t7
-    t9 = distortion2 + t4*t8
-    t10 = distortion1 + t4*t9
-    t11 = distortion0 + t10*t4
-    t12 = t11*t4
-    t13 = t12 + 1
-    t14 = 1/(point2)
-    t15 = intrinsics2*t14
-    t16 = intrinsics3*t14
-    t17 = 1/(point3)
-    t18 = 2*t1
-    t19 = t0*t11
-    t20 = t10 + t4*(t4*(t4*(t4*(t4*(distortion6 + 2*t5) + t6) + t7) + t8) + t9)
-    t21 = t20/(point2*point2*point2*point2)
-    t22 = intrinsics2*point0
-    t23 = 1/(point2*point2*point2)
-    t24 = 2*t23*(t11 + t20*t4)
-    t25 = t3*t3
-    t26 = 2*t21
-    t27 = t0*(3*t12 + t25*t26 + 1)
-    t28 = intrinsics3*point1
-    t29 = t13*t14
-    t30 = t23*t3
-    t31 = t25/(point2*point2*point2*point2*point2)
-    t32 = t3*t3*t3/(point2*point2*point2*point2*point2*point2*point2)
-    t33 = t3*t3*t3*t3/(point2*point2*point2*point2*point2*point2*point2*point2*point2)
-    t34 = t3*t3*t3*t3*t3/(point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2)
-    t35 = t3*t3*t3*t3*t3*t3/(point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2)
-    t36 = t3*t3*t3*t3*t3*t3*t3/(point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2)
-    t37 = t3*t3*t3*t3*t3*t3*t3*t3/(point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2)
+    t4 = distortion7*t3
+    t5 = distortion5 + (distortion6 + t4)*t3
+    t6 = distortion4 + t3*t5
+    t7 = distortion3 + t3*t6
+    t8 = distortion2 + t3*t7
+    t9 = distortion1 + t3*t8
+    t10 = distortion0 + t3*t9
+    t11 = t10*t3 + 1
+    t12 = ideal0*t11
+    t13 = ideal1*t11
+    t14 = 1/point3
+    t15 = t10 + t10
+    t16 = t4 + t4
+    t17 = ((((((distortion6 + t16)*t3 + t5)*t3 + t6)*t3 + t7)*t3 + t8)*t3 + t9)*t3
+    t18 = t17 + t17
+    t19 = t1*t15 + t1*t18 + t11
+    t20 = intrinsics2*t0
+    t21 = (t10 + t17)
+    t22 = t21 + t21
+    t23 = t22*ideal0*ideal1
+    t24 = t0*t0
+    t25 = intrinsics3*t0
+    t26 = t11 + t15*t2 + t18*t2
+    t27 = t14*t14
+    t28 = ideal0*intrinsics2
+    t29 = t3*t3
+    t30 = t29*t3
+    t31 = t29*t29
+    t32 = t30*t29
+    t33 = t30*t30
+    t34 = t31*t30
+    t35 = t31*t31
+    t36 = ideal1*intrinsics3
     return (
-        intrinsics0 + point0*t13*t15,
-        intrinsics1 + point1*t13*t16,
-        point2*t17,
-        t15*(t13 + t18*t19 + t18*t21*t3),
-        point1*t22*t24,
-        -t22*t27,
+        intrinsics0 + intrinsics2*t12,
+        intrinsics1 + intrinsics3*t13,
+        point2*t14,
+        t19*t20,
+        t20*t23,
+        -(point0*t19 + point1*t23)*intrinsics2*t24,
         0,
-        point0*t24*t28,
-        t16*(t13 + 2*t19*t2 + t2*t26*t3),
-        -t27*t28,
+        t23*t25,
+        t25*t26,
+        -(point0*t23 + point1*t26)*intrinsics3*t24,
         0,
         0,
         0,
-        t17,
-        (-point2)/(point3*point3),
+        t14,
+        -point2*t27,
         1,
         0,
-        point0*t29,
+        t12,
         0,
         0,
         1,
         0,
-        point1*t29,
+        t13,
         0,
         0,
         0,
         0,
-        t22*t30,
-        t22*t31,
-        t22*t32,
-        t22*t33,
-        t22*t34,
-        t22*t35,
-        t22*t36,
-        t22*t37,
+        t28*t3,
+        t28*t29,
         t28*t30,
         t28*t31,
         t28*t32,
         t28*t33,
         t28*t34,
         t28*t35,
-        t28*t36,
-        t28*t37,
+        t3*t36,
+        t29*t36,
+        t30*t36,
+        t31*t36,
+        t32*t36,
+        t33*t36,
+        t34*t36,
+        t35*t36,
         0,
         0,
         0,
@@ -128,12 +135,17 @@ def lift(ideal, depth):
     """lift: value."""
     ideal0, ideal1 = ideal
     depth, = depth
-    t0 = 1/(sqrt(ideal0*ideal0 + ideal1*ideal1 + 1))
+    t0 = ideal0*ideal0
+    t1 = ideal1*ideal1
+    t2 = t0 + t1 + 1
+    t3 = 1/t2
+    t4 = sqrt(t3)
+    t5 = 1/depth
     return (
-        ideal0*t0,
-        ideal1*t0,
-        t0,
-        t0/depth,
+        ideal0*t4,
+        ideal1*t4,
+        t4,
+        t4*t5,
     )
 
 
@@ -144,28 +156,29 @@ def lift_jac(ideal, depth):
     t0 = ideal0*ideal0
     t1 = ideal1*ideal1
     t2 = t0 + t1 + 1
-    t3 = 1/(sqrt(t2))
-    t4 = 1/(depth)
-    t5 = 1/(t2)
-    t6 = 1/(t2*sqrt(t2))
+    t3 = 1/t2
+    t4 = sqrt(t3)
+    t5 = 1/depth
+    t6 = t3*t4
     t7 = ideal0*t6
     t8 = -ideal1*t7
     t9 = ideal1*t6
+    t10 = t5*t5
     return (
-        ideal0*t3,
-        ideal1*t3,
-        t3,
-        t3*t4,
-        t3*(-t0*t5 + 1),
+        ideal0*t4,
+        ideal1*t4,
+        t4,
+        t4*t5,
+        -(t0*t3 - 1)*t4,
         t8,
         t8,
-        t3*(-t1*t5 + 1),
+        -(t1*t3 - 1)*t4,
         -t7,
         -t9,
-        -t4*t7,
-        -t4*t9,
+        -t5*t7,
+        -t5*t9,
         0,
         0,
         0,
-        (-t3)/(depth*depth),
+        -t10*t4,
     )

@@ -21,11 +21,17 @@ SHAPES = {
 def angles(point):
     """angles: value."""
     point0, point1, point2, _ = point
-    t0 = point0*point0 + point1*point1
-    t1 = 2*arctan_ratio(t0, point2 + sqrt(point2*point2 + t0))
+    t0 = point0*point0
+    t1 = point1*point1
+    t2 = t0 + t1
+    t3 = point2*point2
+    t4 = t3 + t2
+    t5 = sqrt(t4)
+    t6 = arctan_ratio(t2, point2 + t5)
+    t7 = t6 + t6
     return (
-        point0*t1,
-        point1*t1,
+        point0*t7,
+        point1*t7,
     )
 
 
@@ -35,26 +41,35 @@ def angles_jac(point):
     t0 = point0*point0
     t1 = point1*point1
     t2 = t0 + t1
-    t3 = sqrt(point2*point2 + t2)
-    t4 = point2 + t3
-    t5 = arctan_ratio(t2, t4)
-    t6 = 2*t5
-    t7 = 1/(t3)
-    t8 = 1/(t2 + t4*t4)
-    t9 = -t7*t8 + 2*arctan_ratio_slope(t2, t4)
-    t10 = 2*point0
-    t11 = point1*t10*t9
-    t12 = t8*(point2*t7 + 1)
+    t3 = point2*point2
+    t4 = t3 + t2
+    t5 = sqrt(t4)
+    t6 = point2 + t5
+    t7 = arctan_ratio(t2, t6)
+    t8 = t7 + t7
+    t9 = 1/t5
+    t10 = t6*t6
+    t11 = t2 + t10
+    t12 = 1/t11
+    t13 = arctan_ratio_slope(t2, t6)
+    t14 = t13 + t13
+    t15 = -t12*t9 + t14
+    t16 = t0 + t0
+    t17 = point0 + point0
+    t18 = point1*t15*t17
+    t19 = (point2*t9 + 1)*t12
+    t20 = t1 + t1
+    t21 = point1 + point1
     return (
-        point0*t6,
-        point1*t6,
-        2*t0*t9 + 2*t5,
-        t11,
-        -t10*t12,
+        point0*t8,
+        point1*t8,
+        t16*t15 + t8,
+        t18,
+        -t17*t19,
         0,
-        t11,
-        2*t1*t9 + 2*t5,
-        -2*point1*t12,
+        t18,
+        t20*t15 + t8,
+        -t21*t19,
         0,
     )
 
@@ -63,11 +78,15 @@ def image(angles, lens):
     """image: value."""
     angles0, angles1 = angles
     lens0, lens1, lens2, lens3, lens4, lens5, lens6, lens7, lens8, lens9, lens10 = lens
-    t0 = angles0*angles0 + angles1*angles1
-    t1 = lens0 + t0*sqrt(t0)*(lens2 + t0*(lens4 + t0*(lens6 + t0*(lens10*t0 + lens8)))) + t0*(lens1 + t0*(lens3 + t0*(lens5 + t0*(lens7 + lens9*t0))))
+    t0 = angles0*angles0
+    t1 = angles1*angles1
+    t2 = t0 + t1
+    t3 = sqrt(t2)
+    t4 = t2*t3
+    t5 = lens0 + (lens2 + (lens4 + (lens6 + (lens10*t2 + lens8)*t2)*t2)*t2)*t4 + (lens1 + (lens3 + (lens5 + (lens7 + lens9*t2)*t2)*t2)*t2)*t2
     return (
-        angles0*t1,
-        angles1*t1,
+        angles0*t5,
+        angles1*t5,
     )
 
 
@@ -78,55 +97,63 @@ def image_jac(angles, lens):
     t0 = angles0*angles0
     t1 = angles1*angles1
     t2 = t0 + t1
-    t3 = lens9*t2
-    t4 = lens5 + t2*(lens7 + t3)
-    t5 = lens3 + t2*t4
-    t6 = t2*t5
-    t7 = t2*sqrt(t2)
-    t8 = lens10*t2
-    t9 = lens6 + t2*(lens8 + t8)
-    t10 = lens4 + t2*t9
-    t11 = lens2 + t10*t2
-    t12 = lens0 + t11*t7 + t2*(lens1 + t6)
-    t13 = 2*lens1 + 3*t11*sqrt(t2) + 2*t2*(t2*(t2*(lens7 + 2*t3) + t4) + t5) + 2*t6 + 2*t7*(t10 + t2*(t2*(lens8 + 2*t8) + t9))
-    t14 = angles0*angles1*t13
-    t15 = t2*t2
-    t16 = t2*t2*sqrt(t2)
-    t17 = t2*t2*t2
-    t18 = t2*t2*t2*sqrt(t2)
-    t19 = t2*t2*t2*t2
-    t20 = t2*t2*t2*t2*sqrt(t2)
-    t21 = t2*t2*t2*t2*t2
-    t22 = t2*t2*t2*t2*t2*sqrt(t2)
+    t3 = lens10*t2
+    t4 = lens6 + (lens8 + t3)*t2
+    t5 = lens4 + t2*t4
+    t6 = lens2 + t2*t5
+    t7 = sqrt(t2)
+    t8 = t2*t7
+    t9 = lens9*t2
+    t10 = lens5 + (lens7 + t9)*t2
+    t11 = lens3 + t10*t2
+    t12 = lens1 + t11*t2
+    t13 = lens0 + t6*t8 + t12*t2
+    t14 = t9 + t9
+    t15 = (((lens7 + t14)*t2 + t10)*t2 + t11)
+    t16 = t15 + t15
+    t17 = t12 + t12
+    t18 = t3 + t3
+    t19 = (t5 + ((lens8 + t18)*t2 + t4)*t2)
+    t20 = t19 + t19
+    t21 = 3*t6*t7 + t16*t2 + t17 + t20*t8
+    t22 = angles0*angles1*t21
+    t23 = t2*t2
+    t24 = t23*t7
+    t25 = t23*t2
+    t26 = t25*t7
+    t27 = t23*t23
+    t28 = t27*t7
+    t29 = t25*t23
+    t30 = t29*t7
     return (
-        angles0*t12,
-        angles1*t12,
-        t0*t13 + t12,
-        t14,
-        t14,
-        t1*t13 + t12,
+        angles0*t13,
+        angles1*t13,
+        t0*t21 + t13,
+        t22,
+        t22,
+        t1*t21 + t13,
         angles0,
         angles0*t2,
-        angles0*t7,
-        angles0*t15,
-        angles0*t16,
-        angles0*t17,
-        angles0*t18,
-        angles0*t19,
-        angles0*t20,
-        angles0*t21,
-        angles0*t22,
+        angles0*t8,
+        angles0*t23,
+        angles0*t24,
+        angles0*t25,
+        angles0*t26,
+        angles0*t27,
+        angles0*t28,
+        angles0*t29,
+        angles0*t30,
         angles1,
         angles1*t2,
-        angles1*t7,
-        angles1*t15,
-        angles1*t16,
-        angles1*t17,
-        angles1*t18,
-        angles1*t19,
-        angles1*t20,
-        angles1*t21,
-        angles1*t22,
+        angles1*t8,
+        angles1*t23,
+        angles1*t24,
+        angles1*t25,
+        angles1*t26,
+        angles1*t27,
+        angles1*t28,
+        angles1*t29,
+        angles1*t30,
     )
 
 
@@ -135,13 +162,17 @@ def pixel(angles, intrinsics, lens):
     angles0, angles1 = angles
     intrinsics0, intrinsics1, intrinsics2, intrinsics3, intrinsics4 = intrinsics
     lens0, lens1, lens2, lens3, lens4, lens5, lens6, lens7, lens8, lens9, lens10 = lens
-    t0 = angles0*angles0 + angles1*angles1
-    t1 = lens0 + t0*sqrt(t0)*(lens2 + t0*(lens4 + t0*(lens6 + t0*(lens10*t0 + lens8)))) + t0*(lens1 + t0*(lens3 + t0*(lens5 + t0*(lens7 + lens9*t0))))
-    t2 = angles0*t1
-    t3 = angles1*t1
+    t0 = angles0*angles0
+    t1 = angles1*angles1
+    t2 = t0 + t1
+    t3 = sqrt(t2)
+    t4 = t2*t3
+    t5 = lens0 + (lens2 + (lens4 + (lens6 + (lens10*t2 + lens8)*t2)*t2)*t2)*t4 + (lens1 + (lens3 + (lens5 + (lens7 + lens9*t2)*t2)*t2)*t2)*t2
+    t6 = angles1*t5
+    t7 = angles0*t5
     return (
-        intrinsics0 + intrinsics4*t3 + t2,
-        intrinsics1 + intrinsics2*t3 + intrinsics3*t2,
+        intrinsics0 + intrinsics4*t6 + t7,
+        intrinsics1 + intrinsics2*t6 + intrinsics3*t7,
     )
 
 
@@ -153,76 +184,84 @@ def pixel_jac(angles, intrinsics, lens):
     t0 = angles0*angles0
     t1 = angles1*angles1
     t2 = t0 + t1
-    t3 = lens9*t2
-    t4 = lens5 + t2*(lens7 + t3)
-    t5 = lens3 + t2*t4
-    t6 = t2*t5
-    t7 = t2*sqrt(t2)
-    t8 = lens10*t2
-    t9 = lens6 + t2*(lens8 + t8)
-    t10 = lens4 + t2*t9
-    t11 = lens2 + t10*t2
-    t12 = lens0 + t11*t7 + t2*(lens1 + t6)
-    t13 = angles0*t12
-    t14 = intrinsics4*t12
-    t15 = intrinsics2*t12
-    t16 = 2*lens1 + 3*t11*sqrt(t2) + 2*t2*(t2*(t2*(lens7 + 2*t3) + t4) + t5) + 2*t6 + 2*t7*(t10 + t2*(t2*(lens8 + 2*t8) + t9))
-    t17 = t0*t16
-    t18 = angles1*intrinsics4
-    t19 = angles0*t16
-    t20 = t1*t16
-    t21 = angles1*intrinsics2
-    t22 = angles0*intrinsics3
-    t23 = angles1*t12
-    t24 = angles0 + t18
-    t25 = t2*t2
-    t26 = t2*t2*sqrt(t2)
-    t27 = t2*t2*t2
-    t28 = t2*t2*t2*sqrt(t2)
-    t29 = t2*t2*t2*t2
-    t30 = t2*t2*t2*t2*sqrt(t2)
-    t31 = t2*t2*t2*t2*t2
-    t32 = t2*t2*t2*t2*t2*sqrt(t2)
-    t33 = t21 + t22
+    t3 = lens10*t2
+    t4 = lens6 + (lens8 + t3)*t2
+    t5 = lens4 + t2*t4
+    t6 = lens2 + t2*t5
+    t7 = sqrt(t2)
+    t8 = t2*t7
+    t9 = lens9*t2
+    t10 = lens5 + (lens7 + t9)*t2
+    t11 = lens3 + t10*t2
+    t12 = lens1 + t11*t2
+    t13 = lens0 + t6*t8 + t12*t2
+    t14 = intrinsics4*t13
+    t15 = angles0*t13
+    t16 = intrinsics2*t13
+    t17 = t9 + t9
+    t18 = (((lens7 + t17)*t2 + t10)*t2 + t11)
+    t19 = t18 + t18
+    t20 = t12 + t12
+    t21 = t3 + t3
+    t22 = (t5 + ((lens8 + t21)*t2 + t4)*t2)
+    t23 = t22 + t22
+    t24 = 3*t6*t7 + t19*t2 + t20 + t23*t8
+    t25 = t0*t24
+    t26 = angles1*intrinsics4
+    t27 = angles0*t24
+    t28 = t1*t24
+    t29 = angles1*intrinsics2
+    t30 = angles0*intrinsics3
+    t31 = angles1*t13
+    t32 = angles0 + t26
+    t33 = t2*t2
+    t34 = t33*t7
+    t35 = t33*t2
+    t36 = t35*t7
+    t37 = t33*t33
+    t38 = t37*t7
+    t39 = t35*t33
+    t40 = t39*t7
+    t41 = t29 + t30
     return (
-        angles1*t14 + intrinsics0 + t13,
-        angles1*t15 + intrinsics1 + intrinsics3*t13,
-        t12 + t17 + t18*t19,
-        angles1*t19 + intrinsics4*t20 + t14,
-        intrinsics3*t12 + intrinsics3*t17 + t19*t21,
-        angles1*t16*t22 + intrinsics2*t20 + t15,
+        angles1*t14 + intrinsics0 + t15,
+        angles1*t16 + intrinsics1 + intrinsics3*t15,
+        t13 + t25 + t26*t27,
+        angles1*t27 + intrinsics4*t28 + t14,
+        intrinsics3*t13 + intrinsics3*t25 + t27*t29,
+        angles1*t24*t30 + intrinsics2*t28 + t16,
         1,
         0,
         0,
         0,
-        t23,
+        t31,
         0,
         1,
-        t23,
-        t13,
+        t31,
+        t15,
         0,
-        t24,
-        t2*t24,
-        t24*t7,
-        t24*t25,
-        t24*t26,
-        t24*t27,
-        t24*t28,
-        t24*t29,
-        t24*t30,
-        t24*t31,
-        t24*t32,
-        t33,
-        t2*t33,
-        t33*t7,
-        t25*t33,
-        t26*t33,
-        t27*t33,
-        t28*t33,
-        t29*t33,
-        t30*t33,
-        t31*t33,
+        t32,
+        t2*t32,
+        t32*t8,
         t32*t33,
+        t32*t34,
+        t32*t35,
+        t32*t36,
+        t32*t37,
+        t32*t38,
+        t32*t39,
+        t32*t40,
+        t41,
+        t2*t41,
+        t41*t8,
+        t33*t41,
+        t34*t41,
+        t35*t41,
+        t36*t41,
+        t37*t41,
+        t38*t41,
+        t39*t41,
+        t40*t41,
     )
 
 
@@ -231,16 +270,27 @@ def project(point, intrinsics, lens):
     point0, point1, point2, _ = point
     intrinsics0, intrinsics1, intrinsics2, intrinsics3, intrinsics4 = intrinsics
     lens0, lens1, lens2, lens3, lens4, lens5, lens6, lens7, lens8, lens9, lens10 = lens
-    t0 = point0*point0 + point1*point1
-    t1 = arctan_ratio(t0, point2 + sqrt(point2*point2 + t0))
-    t2 = t1*t1
-    t3 = 4*t0*t2
-    t4 = 2*t1*(lens0 + 8*t0*sqrt(t0)*t2*sqrt(t2)*(lens2 + t3*(lens4 + t3*(lens6 + t3*(lens10*t3 + lens8)))) + t3*(lens1 + t3*(lens3 + t3*(lens5 + t3*(lens7 + lens9*t3)))))
-    t5 = point0*t4
-    t6 = point1*t4
+    t0 = point0*point0
+    t1 = point1*point1
+    t2 = t0 + t1
+    t3 = point2*point2
+    t4 = t3 + t2
+    t5 = sqrt(t4)
+    t6 = arctan_ratio(t2, point2 + t5)
+    t7 = t6 + t6
+    angles1 = point1*t7
+    angles0 = point0*t7
+    t8 = angles0*angles0
+    t9 = angles1*angles1
+    t10 = t8 + t9
+    t11 = sqrt(t10)
+    t12 = t10*t11
+    t13 = lens0 + (lens2 + (lens4 + (lens6 + (lens10*t10 + lens8)*t10)*t10)*t10)*t12 + (lens1 + (lens3 + (lens5 + (lens7 + lens9*t10)*t10)*t10)*t10)*t10
+    t14 = angles1*t13
+    t15 = angles0*t13
     return (
-        intrinsics0 + intrinsics4*t6 + t5,
-        intrinsics1 + intrinsics2*t6 + intrinsics3*t5,
+        intrinsics0 + intrinsics4*t14 + t15,
+        intrinsics1 + intrinsics2*t14 + intrinsics3*t15,
     )
 
 
@@ -252,112 +302,128 @@ def project_jac(point, intrinsics, lens):
     t0 = point0*point0
     t1 = point1*point1
     t2 = t0 + t1
-    t3 = sqrt(point2*point2 + t2)
-    t4 = point2 + t3
-    t5 = arctan_ratio(t2, t4)
-    t6 = t5*t5
-    t7 = 4*t6
-    t8 = t2*t7
-    t9 = lens5 + t8*(lens7 + lens9*t8)
-    t10 = lens3 + t8*t9
-    t11 = lens1 + t10*t8
-    t12 = t11*t2
-    t13 = t2*sqrt(t2)
-    t14 = lens6 + t8*(lens10*t8 + lens8)
-    t15 = lens4 + t14*t8
-    t16 = lens2 + t15*t8
-    t17 = t13*t16
-    t18 = t6*sqrt(t6)
-    t19 = 8*t18
-    t20 = lens0 + t12*t7 + t17*t19
-    t21 = t20*t5
-    t22 = 2*t21
-    t23 = point0*t22
-    t24 = intrinsics4*point1
-    t25 = intrinsics2*point1
-    t26 = intrinsics3*point0
-    t27 = 1/(t3)
-    t28 = 1/(t2 + t4*t4)
-    t29 = -t27*t28 + 2*arctan_ratio_slope(t2, t4)
-    t30 = t0*t29
-    t31 = t20*t30
-    t32 = point0*t20
-    t33 = t29*t32
-    t34 = t1*t29
-    t35 = 3*sqrt(t6)
-    t36 = 8*t6
-    t37 = t2*t36
-    t38 = t10 + t8*(t8*(lens7 + lens9*t37) + t9)
-    t39 = t19*(t15 + t8*(t14 + t8*(lens10*t37 + lens8)))
-    t40 = t36*(t30 + t34 + t5)*(t11 + t13*t39 + t16*sqrt(t2)*t35 + t38*t8)
-    t41 = t0*t40
-    t42 = point0*t40
-    t43 = t20*t34
-    t44 = t1*t40
-    t45 = t2*t2
-    t46 = t2*t2*sqrt(t2)
-    t47 = t36*(t12 + t17*t35 + t38*t45*t7 + t39*t46)
-    t48 = 2*t28*(point2*t27 + 1)
-    t49 = intrinsics3*t32
-    t50 = point1*t22
-    t51 = point0 + t24
-    t52 = 2*t5
-    t53 = 8*t2*t5*t5*t5
-    t54 = t5*t51
-    t55 = 16*t13*t18
-    t56 = 32*t45*t5*t5*t5*t5*t5
-    t57 = 64*t46*t6*t6*sqrt(t6)
-    t58 = 128*t2*t2*t2*t5*t5*t5*t5*t5*t5*t5
-    t59 = 256*t2*t2*t2*sqrt(t2)*t6*t6*t6*sqrt(t6)
-    t60 = 512*t2*t2*t2*t2*t5*t5*t5*t5*t5*t5*t5*t5*t5
-    t61 = 1024*t2*t2*t2*t2*sqrt(t2)*t6*t6*t6*t6*sqrt(t6)
-    t62 = 2048*t2*t2*t2*t2*t2*t5*t5*t5*t5*t5*t5*t5*t5*t5*t5*t5
-    t63 = 4096*t2*t2*t2*t2*t2*sqrt(t2)*t6*t6*t6*t6*t6*sqrt(t6)
-    t64 = t25 + t26
-    t65 = t5*t64
+    t3 = point2*point2
+    t4 = t3 + t2
+    t5 = sqrt(t4)
+    t6 = point2 + t5
+    t7 = arctan_ratio(t2, t6)
+    t8 = t7 + t7
+    angles1 = point1*t8
+    angles0 = point0*t8
+    t9 = angles0*angles0
+    t10 = angles1*angles1
+    t11 = t9 + t10
+    t12 = lens9*t11
+    t13 = lens5 + (lens7 + t12)*t11
+    t14 = lens3 + t11*t13
+    t15 = lens1 + t11*t14
+    t16 = sqrt(t11)
+    t17 = t11*t16
+    t18 = lens10*t11
+    t19 = lens6 + (lens8 + t18)*t11
+    t20 = lens4 + t11*t19
+    t21 = lens2 + t11*t20
+    t22 = lens0 + t11*t15 + t17*t21
+    t23 = intrinsics4*t22
+    t24 = angles0*t22
+    t25 = intrinsics2*t22
+    t26 = t15 + t15
+    t27 = t18 + t18
+    t28 = (t20 + (t19 + (lens8 + t27)*t11)*t11)
+    t29 = t28 + t28
+    t30 = t12 + t12
+    t31 = (t14 + (t13 + (lens7 + t30)*t11)*t11)
+    t32 = t31 + t31
+    t33 = t26 + t29*t17 + 3*t16*t21 + t32*t11
+    t34 = angles0*t33
+    t35 = t10*t33
+    t36 = angles1*t34 + intrinsics4*t35 + t23
+    t37 = point1*t36
+    t38 = 1/t5
+    t39 = t6*t6
+    t40 = t2 + t39
+    t41 = 1/t40
+    t42 = arctan_ratio_slope(t2, t6)
+    t43 = t42 + t42
+    t44 = -t38*t41 + t43
+    t45 = point0*t44
+    t46 = t37 + t37
+    t47 = t0*t44 + t7
+    t48 = angles1*intrinsics4
+    t49 = t33*t9
+    t50 = t22 + t34*t48 + t49
+    t51 = t47 + t47
+    t52 = t1*t44 + t7
+    t53 = t36 + t36
+    t54 = point0*t50
+    t55 = point1*t44
+    t56 = t54 + t54
+    t57 = (point2*t38 + 1)
+    t58 = t57 + t57
+    t59 = t58*t41
+    t60 = angles0*intrinsics3
+    t61 = angles1*t33*t60 + intrinsics2*t35 + t25
+    t62 = point1*t61
+    t63 = t45 + t45
+    t64 = angles1*intrinsics2
+    t65 = intrinsics3*t22 + intrinsics3*t49 + t34*t64
+    t66 = point0*t65
+    t67 = t55 + t55
+    t68 = t52 + t52
+    t69 = angles1*t22
+    t70 = angles0 + t48
+    t71 = t11*t11
+    t72 = t71*t16
+    t73 = t71*t11
+    t74 = t73*t16
+    t75 = t71*t71
+    t76 = t75*t16
+    t77 = t73*t71
+    t78 = t77*t16
+    t79 = t60 + t64
     return (
-        intrinsics0 + t22*t24 + t23,
-        intrinsics1 + t22*t25 + t22*t26,
-        2*t21 + 2*t24*t33 + 2*t24*t42 + 2*t31 + 2*t41,
-        2*intrinsics4*t21 + 2*intrinsics4*t43 + 2*intrinsics4*t44 + 2*point1*t33 + 2*point1*t42,
-        -t48*(point0*t47 + t20*t24 + t24*t47 + t32),
+        angles1*t23 + intrinsics0 + t24,
+        angles1*t25 + intrinsics1 + intrinsics3*t24,
+        t46*t45 + t51*t50,
+        t53*t52 + t56*t55,
+        -(t37 + t54)*t59,
         0,
-        2*intrinsics3*t21 + 2*intrinsics3*t31 + 2*intrinsics3*t41 + 2*t25*t33 + 2*t25*t42,
-        2*intrinsics2*t21 + 2*intrinsics2*t43 + 2*intrinsics2*t44 + 2*point1*t26*t40 + 2*point1*t29*t49,
-        -t48*(t20*t25 + t25*t47 + t26*t47 + t49),
-        0,
-        1,
-        0,
-        0,
-        0,
-        t50,
+        t63*t62 + t51*t65,
+        t67*t66 + t68*t61,
+        -(t62 + t66)*t59,
         0,
         1,
-        t50,
-        t23,
         0,
-        t51*t52,
-        t51*t53,
-        t54*t55,
-        t51*t56,
-        t54*t57,
-        t51*t58,
-        t54*t59,
-        t51*t60,
-        t54*t61,
-        t51*t62,
-        t54*t63,
-        t52*t64,
-        t53*t64,
-        t55*t65,
-        t56*t64,
-        t57*t65,
-        t58*t64,
-        t59*t65,
-        t60*t64,
-        t61*t65,
-        t62*t64,
-        t63*t65,
+        0,
+        0,
+        t69,
+        0,
+        1,
+        t69,
+        t24,
+        0,
+        t70,
+        t11*t70,
+        t17*t70,
+        t70*t71,
+        t70*t72,
+        t70*t73,
+        t70*t74,
+        t70*t75,
+        t70*t76,
+        t70*t77,
+        t70*t78,
+        t79,
+        t11*t79,
+        t17*t79,
+        t71*t79,
+        t72*t79,
+        t73*t79,
+        t74*t79,
+        t75*t79,
+        t76*t79,
+        t77*t79,
+        t78*t79,
     )
 
 
@@ -365,12 +431,14 @@ def ray(angles, unmeasured):
     """ray: value."""
     angles0, angles1 = angles
     unmeasured, = unmeasured
-    t0 = angles0*angles0 + angles1*angles1
-    t1 = stumpff(1, t0)
+    t0 = angles0*angles0
+    t1 = angles1*angles1
+    t2 = t0 + t1
+    t3 = stumpff(1, t2)
     return (
-        angles0*t1,
-        angles1*t1,
-        stumpff(0, t0),
+        angles0*t3,
+        angles1*t3,
+        stumpff(0, t2),
         unmeasured,
     )
 
@@ -385,18 +453,18 @@ def ray_jac(angles, unmeasured):
     t3 = stumpff(1, t2)
     t4 = angles0*t3
     t5 = angles1*t3
-    t6 = -t3
-    t7 = stumpff(2, t2) - stumpff(3, t2)
-    t8 = -angles0*angles1*t7
+    t6 = stumpff(2, t2) - stumpff(3, t2)
+    t7 = -t3
+    t8 = -angles0*angles1*t6
     return (
         t4,
         t5,
         stumpff(0, t2),
         unmeasured,
-        -t0*t7 - t6,
+        -t0*t6 - t7,
         t8,
         t8,
-        -t1*t7 - t6,
+        -t1*t6 - t7,
         -t4,
         -t5,
         0,

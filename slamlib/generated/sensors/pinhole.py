@@ -22,11 +22,13 @@ def distort(ideal, distortion):
     """distort: value."""
     ideal0, ideal1 = ideal
     distortion0, distortion1, distortion2, distortion3, distortion4, distortion5, distortion6, distortion7 = distortion
-    t0 = ideal0*ideal0 + ideal1*ideal1
-    t1 = t0*(distortion0 + t0*(distortion1 + t0*(distortion2 + t0*(distortion3 + t0*(distortion4 + t0*(distortion5 + t0*(distortion6 + distortion7*t0))))))) + 1
+    t0 = ideal0*ideal0
+    t1 = ideal1*ideal1
+    t2 = t0 + t1
+    t3 = (distortion0 + (distortion1 + (distortion2 + (distortion3 + (distortion4 + (distortion5 + (distortion6 + distortion7*t2)*t2)*t2)*t2)*t2)*t2)*t2)*t2 + 1
     return (
-        ideal0*t1,
-        ideal1*t1,
+        ideal0*t3,
+        ideal1*t3,
     )
 
 
@@ -38,47 +40,50 @@ def distort_jac(ideal, distortion):
     t1 = ideal1*ideal1
     t2 = t0 + t1
     t3 = distortion7*t2
-    t4 = distortion5 + t2*(distortion6 + t3)
+    t4 = distortion5 + (distortion6 + t3)*t2
     t5 = distortion4 + t2*t4
     t6 = distortion3 + t2*t5
     t7 = distortion2 + t2*t6
     t8 = distortion1 + t2*t7
     t9 = distortion0 + t2*t8
     t10 = t2*t9 + 1
-    t11 = 2*t9
-    t12 = t2*(t2*(t2*(t2*(t2*(t2*(distortion6 + 2*t3) + t4) + t5) + t6) + t7) + t8)
-    t13 = 2*t12
-    t14 = 2*ideal0*ideal1*(t12 + t9)
-    t15 = t2*t2
-    t16 = t2*t2*t2
-    t17 = t2*t2*t2*t2
-    t18 = t2*t2*t2*t2*t2
-    t19 = t2*t2*t2*t2*t2*t2
-    t20 = t2*t2*t2*t2*t2*t2*t2
-    t21 = t2*t2*t2*t2*t2*t2*t2*t2
+    t11 = t9 + t9
+    t12 = t3 + t3
+    t13 = ((((((distortion6 + t12)*t2 + t4)*t2 + t5)*t2 + t6)*t2 + t7)*t2 + t8)*t2
+    t14 = t13 + t13
+    t15 = (t13 + t9)
+    t16 = t15 + t15
+    t17 = t16*ideal0*ideal1
+    t18 = t2*t2
+    t19 = t18*t2
+    t20 = t18*t18
+    t21 = t19*t18
+    t22 = t19*t19
+    t23 = t20*t19
+    t24 = t20*t20
     return (
         ideal0*t10,
         ideal1*t10,
-        t0*t11 + t0*t13 + t10,
-        t14,
-        t14,
-        t1*t11 + t1*t13 + t10,
+        t0*t11 + t0*t14 + t10,
+        t17,
+        t17,
+        t1*t11 + t1*t14 + t10,
         ideal0*t2,
-        ideal0*t15,
-        ideal0*t16,
-        ideal0*t17,
         ideal0*t18,
         ideal0*t19,
         ideal0*t20,
         ideal0*t21,
+        ideal0*t22,
+        ideal0*t23,
+        ideal0*t24,
         ideal1*t2,
-        ideal1*t15,
-        ideal1*t16,
-        ideal1*t17,
         ideal1*t18,
         ideal1*t19,
         ideal1*t20,
         ideal1*t21,
+        ideal1*t22,
+        ideal1*t23,
+        ideal1*t24,
     )
 
 
@@ -87,11 +92,13 @@ def pixel(ideal, intrinsics, distortion):
     ideal0, ideal1 = ideal
     intrinsics0, intrinsics1, intrinsics2, intrinsics3 = intrinsics
     distortion0, distortion1, distortion2, distortion3, distortion4, distortion5, distortion6, distortion7 = distortion
-    t0 = ideal0*ideal0 + ideal1*ideal1
-    t1 = t0*(distortion0 + t0*(distortion1 + t0*(distortion2 + t0*(distortion3 + t0*(distortion4 + t0*(distortion5 + t0*(distortion6 + distortion7*t0))))))) + 1
+    t0 = ideal0*ideal0
+    t1 = ideal1*ideal1
+    t2 = t0 + t1
+    t3 = (distortion0 + (distortion1 + (distortion2 + (distortion3 + (distortion4 + (distortion5 + (distortion6 + distortion7*t2)*t2)*t2)*t2)*t2)*t2)*t2)*t2 + 1
     return (
-        ideal0*intrinsics2*t1 + intrinsics0,
-        ideal1*intrinsics3*t1 + intrinsics1,
+        ideal0*intrinsics2*t3 + intrinsics0,
+        ideal1*intrinsics3*t3 + intrinsics1,
     )
 
 
@@ -104,7 +111,7 @@ def pixel_jac(ideal, intrinsics, distortion):
     t1 = ideal1*ideal1
     t2 = t0 + t1
     t3 = distortion7*t2
-    t4 = distortion5 + t2*(distortion6 + t3)
+    t4 = distortion5 + (distortion6 + t3)*t2
     t5 = distortion4 + t2*t4
     t6 = distortion3 + t2*t5
     t7 = distortion2 + t2*t6
@@ -113,26 +120,27 @@ def pixel_jac(ideal, intrinsics, distortion):
     t10 = t2*t9 + 1
     t11 = ideal0*t10
     t12 = ideal1*t10
-    t13 = 2*t9
-    t14 = t2*(t2*(t2*(t2*(t2*(t2*(distortion6 + 2*t3) + t4) + t5) + t6) + t7) + t8)
-    t15 = 2*t14
-    t16 = ideal0*intrinsics2
-    t17 = 2*t14 + 2*t9
-    t18 = ideal1*intrinsics3
-    t19 = t2*t2
-    t20 = t2*t2*t2
-    t21 = t2*t2*t2*t2
-    t22 = t2*t2*t2*t2*t2
-    t23 = t2*t2*t2*t2*t2*t2
-    t24 = t2*t2*t2*t2*t2*t2*t2
-    t25 = t2*t2*t2*t2*t2*t2*t2*t2
+    t13 = t9 + t9
+    t14 = t3 + t3
+    t15 = ((((((distortion6 + t14)*t2 + t4)*t2 + t5)*t2 + t6)*t2 + t7)*t2 + t8)*t2
+    t16 = t15 + t15
+    t17 = ideal0*intrinsics2
+    t18 = t16 + t13
+    t19 = ideal1*intrinsics3
+    t20 = t2*t2
+    t21 = t20*t2
+    t22 = t20*t20
+    t23 = t21*t20
+    t24 = t21*t21
+    t25 = t22*t21
+    t26 = t22*t22
     return (
         intrinsics0 + intrinsics2*t11,
         intrinsics1 + intrinsics3*t12,
-        intrinsics2*(t0*t13 + t0*t15 + t10),
-        ideal1*t16*t17,
-        ideal0*t17*t18,
-        intrinsics3*(t1*t13 + t1*t15 + t10),
+        (t0*t13 + t0*t16 + t10)*intrinsics2,
+        ideal1*t17*t18,
+        ideal0*t18*t19,
+        (t1*t13 + t1*t16 + t10)*intrinsics3,
         1,
         0,
         t11,
@@ -141,22 +149,22 @@ def pixel_jac(ideal, intrinsics, distortion):
         1,
         0,
         t12,
-        t16*t2,
-        t16*t19,
-        t16*t20,
-        t16*t21,
-        t16*t22,
-        t16*t23,
-        t16*t24,
-        t16*t25,
-        t18*t2,
-        t18*t19,
-        t18*t20,
-        t18*t21,
-        t18*t22,
-        t18*t23,
-        t18*t24,
-        t18*t25,
+        t17*t2,
+        t17*t20,
+        t17*t21,
+        t17*t22,
+        t17*t23,
+        t17*t24,
+        t17*t25,
+        t17*t26,
+        t19*t2,
+        t19*t20,
+        t19*t21,
+        t19*t22,
+        t19*t23,
+        t19*t24,
+        t19*t25,
+        t19*t26,
     )
 
 
@@ -165,11 +173,16 @@ def project(point, intrinsics, distortion):
     point0, point1, point2, _ = point
     intrinsics0, intrinsics1, intrinsics2, intrinsics3 = intrinsics
     distortion0, distortion1, distortion2, distortion3, distortion4, distortion5, distortion6, distortion7 = distortion
-    t0 = (point0*point0 + point1*point1)/(point2*point2)
-    t1 = (t0*(distortion0 + t0*(distortion1 + t0*(distortion2 + t0*(distortion3 + t0*(distortion4 + t0*(distortion5 + t0*(distortion6 + distortion7*t0))))))) + 1)/point2
+    t0 = 1/point2
+    ideal0 = point0*t0
+    t1 = ideal0*ideal0
+    ideal1 = point1*t0
+    t2 = ideal1*ideal1
+    t3 = t1 + t2
+    t4 = (distortion0 + (distortion1 + (distortion2 + (distortion3 + (distortion4 + (distortion5 + (distortion6 + distortion7*t3)*t3)*t3)*t3)*t3)*t3)*t3)*t3 + 1
     return (
-        intrinsics0 + intrinsics2*point0*t1,
-        intrinsics1 + intrinsics3*point1*t1,
+        ideal0*intrinsics2*t4 + intrinsics0,
+        ideal1*intrinsics3*t4 + intrinsics1,
     )
 
 
@@ -178,78 +191,78 @@ def project_jac(point, intrinsics, distortion):
     point0, point1, point2, _ = point
     intrinsics0, intrinsics1, intrinsics2, intrinsics3 = intrinsics
     distortion0, distortion1, distortion2, distortion3, distortion4, distortion5, distortion6, distortion7 = distortion
-    t0 = 1/(point2*point2)
-    t1 = point0*point0
-    t2 = point1*point1
+    t0 = 1/point2
+    ideal0 = point0*t0
+    t1 = ideal0*ideal0
+    ideal1 = point1*t0
+    t2 = ideal1*ideal1
     t3 = t1 + t2
-    t4 = t0*t3
-    t5 = distortion7*t4
-    t6 = distortion5 + t4*(distortion6 + t5)
-    t7 = distortion4 + t4*t6
-    t8 = distortion3 + t4*t7
-    t9 = distortion2 + t4*t8
-    t10 = distortion1 + t4*t9
-    t11 = distortion0 + t10*t4
-    t12 = t11*t4
-    t13 = t12 + 1
-    t14 = 1/(point2)
-    t15 = intrinsics2*t14
-    t16 = intrinsics3*t14
-    t17 = 2*t1
-    t18 = t0*t11
-    t19 = t10 + t4*(t4*(t4*(t4*(t4*(distortion6 + 2*t5) + t6) + t7) + t8) + t9)
-    t20 = t19/(point2*point2*point2*point2)
-    t21 = intrinsics2*point0
-    t22 = 1/(point2*point2*point2)
-    t23 = 2*t22*(t11 + t19*t4)
-    t24 = t3*t3
-    t25 = 2*t20
-    t26 = t0*(3*t12 + t24*t25 + 1)
-    t27 = intrinsics3*point1
-    t28 = t13*t14
-    t29 = t22*t3
-    t30 = t24/(point2*point2*point2*point2*point2)
-    t31 = t3*t3*t3/(point2*point2*point2*point2*point2*point2*point2)
-    t32 = t3*t3*t3*t3/(point2*point2*point2*point2*point2*point2*point2*point2*point2)
-    t33 = t3*t3*t3*t3*t3/(point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2)
-    t34 = t3*t3*t3*t3*t3*t3/(point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2)
-    t35 = t3*t3*t3*t3*t3*t3*t3/(point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2)
-    t36 = t3*t3*t3*t3*t3*t3*t3*t3/(point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2*point2)
+    t4 = distortion7*t3
+    t5 = distortion5 + (distortion6 + t4)*t3
+    t6 = distortion4 + t3*t5
+    t7 = distortion3 + t3*t6
+    t8 = distortion2 + t3*t7
+    t9 = distortion1 + t3*t8
+    t10 = distortion0 + t3*t9
+    t11 = t10*t3 + 1
+    t12 = ideal0*t11
+    t13 = ideal1*t11
+    t14 = t10 + t10
+    t15 = t4 + t4
+    t16 = ((((((distortion6 + t15)*t3 + t5)*t3 + t6)*t3 + t7)*t3 + t8)*t3 + t9)*t3
+    t17 = t16 + t16
+    t18 = t1*t14 + t1*t17 + t11
+    t19 = intrinsics2*t0
+    t20 = (t10 + t16)
+    t21 = t20 + t20
+    t22 = t21*ideal0*ideal1
+    t23 = t0*t0
+    t24 = intrinsics3*t0
+    t25 = t11 + t14*t2 + t17*t2
+    t26 = ideal0*intrinsics2
+    t27 = t3*t3
+    t28 = t27*t3
+    t29 = t27*t27
+    t30 = t28*t27
+    t31 = t28*t28
+    t32 = t29*t28
+    t33 = t29*t29
+    t34 = ideal1*intrinsics3
     return (
-        intrinsics0 + point0*t13*t15,
-        intrinsics1 + point1*t13*t16,
-        t15*(t13 + t17*t18 + t17*t20*t3),
-        point1*t21*t23,
-        -t21*t26,
+        intrinsics0 + intrinsics2*t12,
+        intrinsics1 + intrinsics3*t13,
+        t18*t19,
+        t19*t22,
+        -(point0*t18 + point1*t22)*intrinsics2*t23,
         0,
-        point0*t23*t27,
-        t16*(t13 + 2*t18*t2 + t2*t25*t3),
-        -t26*t27,
-        0,
-        1,
-        0,
-        point0*t28,
-        0,
+        t22*t24,
+        t24*t25,
+        -(point0*t22 + point1*t25)*intrinsics3*t23,
         0,
         1,
         0,
-        point1*t28,
-        t21*t29,
-        t21*t30,
-        t21*t31,
-        t21*t32,
-        t21*t33,
-        t21*t34,
-        t21*t35,
-        t21*t36,
-        t27*t29,
-        t27*t30,
-        t27*t31,
-        t27*t32,
-        t27*t33,
+        t12,
+        0,
+        0,
+        1,
+        0,
+        t13,
+        t26*t3,
+        t26*t27,
+        t26*t28,
+        t26*t29,
+        t26*t30,
+        t26*t31,
+        t26*t32,
+        t26*t33,
+        t3*t34,
         t27*t34,
-        t27*t35,
-        t27*t36,
+        t28*t34,
+        t29*t34,
+        t30*t34,
+        t31*t34,
+        t32*t34,
+        t33*t34,
     )
 
 
@@ -257,11 +270,15 @@ def ray(ideal, unmeasured):
     """ray: value."""
     ideal0, ideal1 = ideal
     unmeasured, = unmeasured
-    t0 = 1/(sqrt(ideal0*ideal0 + ideal1*ideal1 + 1))
+    t0 = ideal0*ideal0
+    t1 = ideal1*ideal1
+    t2 = t0 + t1 + 1
+    t3 = 1/t2
+    t4 = sqrt(t3)
     return (
-        ideal0*t0,
-        ideal1*t0,
-        t0,
+        ideal0*t4,
+        ideal1*t4,
+        t4,
         unmeasured,
     )
 
@@ -273,20 +290,20 @@ def ray_jac(ideal, unmeasured):
     t0 = ideal0*ideal0
     t1 = ideal1*ideal1
     t2 = t0 + t1 + 1
-    t3 = 1/(sqrt(t2))
-    t4 = 1/(t2)
-    t5 = 1/(t2*sqrt(t2))
+    t3 = 1/t2
+    t4 = sqrt(t3)
+    t5 = t3*t4
     t6 = ideal0*t5
     t7 = -ideal1*t6
     return (
-        ideal0*t3,
-        ideal1*t3,
-        t3,
+        ideal0*t4,
+        ideal1*t4,
+        t4,
         unmeasured,
-        t3*(-t0*t4 + 1),
+        -(t0*t3 - 1)*t4,
         t7,
         t7,
-        t3*(-t1*t4 + 1),
+        -(t1*t3 - 1)*t4,
         -t6,
         -ideal1*t5,
         0,
@@ -317,10 +334,11 @@ def project_line_jac(line, intrinsics):
     intrinsics0, intrinsics1, intrinsics2, intrinsics3 = intrinsics
     t0 = intrinsics3*line0
     t1 = intrinsics2*line1
+    t2 = intrinsics2*intrinsics3
     return (
         t0,
         t1,
-        -intrinsics0*t0 - intrinsics1*t1 + intrinsics2*intrinsics3*line2,
+        -intrinsics0*t0 - intrinsics1*t1 + line2*t2,
         intrinsics3,
         0,
         0,
@@ -335,7 +353,7 @@ def project_line_jac(line, intrinsics):
         0,
         -intrinsics0*intrinsics3,
         -intrinsics1*intrinsics2,
-        intrinsics2*intrinsics3,
+        t2,
         0,
         0,
         0,

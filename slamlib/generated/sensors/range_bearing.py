@@ -15,41 +15,54 @@ SHAPES = {
 def project(point):
     """project: value."""
     point0, point1, point2, point3 = point
-    t0 = point0*point0 + point1*point1
+    t0 = 1/point3
+    t1 = point2*point2
+    t2 = point0*point0
+    t3 = point1*point1
+    t4 = t2 + t3
+    t5 = t1 + t4
+    t6 = sqrt(t5)
+    t7 = sqrt(t4)
     return (
-        sqrt(point2*point2 + t0)/point3,
+        t0*t6,
         arctan2(point1, point0),
-        arctan2(-point2, sqrt(t0)),
+        arctan2(-point2, t7),
     )
 
 
 def project_jac(point):
     """project: value and Jacobians."""
     point0, point1, point2, point3 = point
-    t0 = 1/(point3)
-    t1 = point0*point0 + point1*point1
-    t2 = point2*point2 + t1
-    t3 = sqrt(t2)
-    t4 = sqrt(t1)
-    t5 = t0/t3
-    t6 = 1/(t1)
-    t7 = 1/(t2)
-    t8 = point2*t7/t4
+    t0 = 1/point3
+    t1 = point2*point2
+    t2 = point0*point0
+    t3 = point1*point1
+    t4 = t2 + t3
+    t5 = t1 + t4
+    t6 = sqrt(t5)
+    t7 = sqrt(t4)
+    t8 = 1/t6
+    t9 = t0*t8
+    t10 = t0*t0
+    t11 = 1/t4
+    t12 = 1/t5
+    t13 = 1/t7
+    t14 = point2*t12*t13
     return (
-        t0*t3,
+        t0*t6,
         arctan2(point1, point0),
-        arctan2(-point2, t4),
-        point0*t5,
-        point1*t5,
-        point2*t5,
-        (-t3)/(point3*point3),
-        -point1*t6,
-        point0*t6,
+        arctan2(-point2, t7),
+        point0*t9,
+        point1*t9,
+        point2*t9,
+        -t10*t6,
+        -point1*t11,
+        point0*t11,
         0,
         0,
-        point0*t8,
-        point1*t8,
-        -t4*t7,
+        point0*t14,
+        point1*t14,
+        -t12*t7,
         0,
     )
 
@@ -58,11 +71,12 @@ def back_project(measurement):
     """back_project: value."""
     measurement0, measurement1, measurement2 = measurement
     t0 = cos(measurement2)
+    t1 = 1/measurement0
     return (
-        t0*cos(measurement1),
-        t0*sin(measurement1),
+        cos(measurement1)*t0,
+        sin(measurement1)*t0,
         -sin(measurement2),
-        1/(measurement0),
+        t1,
     )
 
 
@@ -75,11 +89,13 @@ def back_project_jac(measurement):
     t3 = sin(measurement1)
     t4 = t1*t3
     t5 = sin(measurement2)
+    t6 = 1/measurement0
+    t7 = t6*t6
     return (
         t2,
         t4,
         -t5,
-        1/(measurement0),
+        t6,
         0,
         -t4,
         -t0*t5,
@@ -89,7 +105,7 @@ def back_project_jac(measurement):
         0,
         0,
         -t1,
-        (-1)/(measurement0*measurement0),
+        -t7,
         0,
         0,
     )

@@ -15,7 +15,7 @@ SHAPES = {
 def project(point):
     """project: value."""
     point0, point1, point2, point3 = point
-    t0 = 1/(point3)
+    t0 = 1/point3
     return (
         point0*t0,
         point1*t0,
@@ -26,8 +26,8 @@ def project(point):
 def project_jac(point):
     """project: value and Jacobians."""
     point0, point1, point2, point3 = point
-    t0 = 1/(point3)
-    t1 = 1/(point3*point3)
+    t0 = 1/point3
+    t1 = t0*t0
     return (
         point0*t0,
         point1*t0,
@@ -50,12 +50,17 @@ def project_jac(point):
 def back_project(measurement):
     """back_project: value."""
     measurement0, measurement1, measurement2 = measurement
-    t0 = 1/(sqrt(measurement0*measurement0 + measurement1*measurement1 + measurement2*measurement2))
+    t0 = measurement0*measurement0
+    t1 = measurement1*measurement1
+    t2 = measurement2*measurement2
+    t3 = t0 + t1 + t2
+    t4 = 1/t3
+    t5 = sqrt(t4)
     return (
-        measurement0*t0,
-        measurement1*t0,
-        measurement2*t0,
-        t0,
+        measurement0*t5,
+        measurement1*t5,
+        measurement2*t5,
+        t5,
     )
 
 
@@ -66,28 +71,28 @@ def back_project_jac(measurement):
     t1 = measurement1*measurement1
     t2 = measurement2*measurement2
     t3 = t0 + t1 + t2
-    t4 = 1/(sqrt(t3))
-    t5 = 1/(t3)
-    t6 = 1/(t3*sqrt(t3))
+    t4 = 1/t3
+    t5 = sqrt(t4)
+    t6 = t4*t5
     t7 = measurement0*t6
     t8 = -measurement1*t7
     t9 = -measurement2*t7
     t10 = measurement1*t6
     t11 = -measurement2*t10
     return (
-        measurement0*t4,
-        measurement1*t4,
-        measurement2*t4,
-        t4,
-        t4*(-t0*t5 + 1),
+        measurement0*t5,
+        measurement1*t5,
+        measurement2*t5,
+        t5,
+        -(t0*t4 - 1)*t5,
         t8,
         t9,
         t8,
-        t4*(-t1*t5 + 1),
+        -(t1*t4 - 1)*t5,
         t11,
         t9,
         t11,
-        t4*(-t2*t5 + 1),
+        -(t2*t4 - 1)*t5,
         -t7,
         -t10,
         -measurement2*t6,

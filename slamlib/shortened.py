@@ -1,0 +1,99 @@
+"""A generated function for fewer coefficients than it was made for: the missing ones are zero.
+
+A lens may have eight coefficients, and most have two. What is multiplied by a missing one is left out of the generated
+function, and so are the derivatives by it; what remains is the same arithmetic.
+"""
+
+import ast
+import inspect
+import math
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+
+def code(whole: Any, short: Any) -> Any:
+    """The generated functions of the model `short`, whose lists are shorter than those of the model `whole`."""
+    pairs = list(zip(whole.arguments, short.arguments, strict=True))
+    lengths = {b.name: b.size for b in short.arguments}
+    zeros = {f"{a.name}{i}" for a, b in pairs for i in range(b.size, a.size)}
+    shape = whole.code.SHAPES[whole.name]
+    functions = {whole.name: _without(getattr(whole.code, whole.name), lengths, zeros, list(range(math.prod(shape))))}
+    for kind, stored in (("_jac", not whole.has_manifold), ("_storage_jac", True)):
+        rows = math.prod(shape if stored or whole.result is None else whole.result.tangent)
+        kept, start = list(range(math.prod(shape))), math.prod(shape)
+        for a, b in pairs:
+            size = math.prod(a.shape if stored else a.tangent)
+            left = size if a.shape == b.shape else b.size
+            kept += [start + size * row + column for row in range(rows) for column in range(left)]
+            start += size * rows
+        if hasattr(whole.code, whole.name + kind):
+            functions[whole.name + kind] = _without(getattr(whole.code, whole.name + kind), lengths, zeros, kept)
+    return SimpleNamespace(SHAPES=whole.code.SHAPES, **functions)
+
+
+def _without(
+    function: Callable[..., Any], lengths: dict[str, int], zeros: set[str], kept: list[int]
+) -> Callable[..., Any]:
+    """The function for arguments of these lengths, without the numbers named in `zeros`; its entries are those kept."""
+    definition: Any = ast.parse(inspect.getsource(function)).body[0]
+    *lines, result = definition.body
+    fold, body = _Fold(zeros), []
+    for line in lines:
+        fold.visit(line)
+        target = line.targets[0] if isinstance(line, ast.Assign) else None
+        if isinstance(target, ast.Tuple):  # the numbers of an argument: pose0, pose1, ... = pose
+            target.elts = target.elts[: lengths[line.value.id]]
+        if isinstance(target, ast.Name) and isinstance(line.value, ast.Constant | ast.Name):
+            fold.known[target.id] = line.value
+        else:
+            body.append(line)
+    result.value.elts = [fold.visit(result.value.elts[i]) for i in kept]
+    definition.body = [*_needed(body, result), result]
+    namespace = dict(function.__globals__)
+    exec(compile(ast.unparse(definition), f"<{function.__name__} for fewer coefficients>", "exec"), namespace)
+    return namespace[function.__name__]
+
+
+def _needed(lines: list[ast.stmt], result: ast.stmt) -> list[ast.stmt]:
+    """The lines that the result depends on."""
+    used, needed = _names(result), []
+    for line in reversed(lines):
+        single = isinstance(line, ast.Assign) and isinstance(line.targets[0], ast.Name)
+        if not single or line.targets[0].id in used:  # type: ignore[attr-defined]
+            used |= _names(line)
+            needed.append(line)
+    return needed[::-1]
+
+
+def _names(node: ast.AST) -> set[str]:
+    return {n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
+
+
+class _Fold(ast.NodeTransformer):
+    """Leaves out what is multiplied by zero, and the zeros in sums."""
+
+    def __init__(self, zeros: set[str]) -> None:
+        self.known: dict[str, ast.expr] = {name: ast.Constant(0) for name in zeros}
+
+    def visit_Name(self, node: ast.Name) -> ast.expr:
+        return self.known.get(node.id, node) if isinstance(node.ctx, ast.Load) else node
+
+    def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.expr:
+        self.generic_visit(node)
+        return node.operand if _is_zero(node.operand) else node
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.expr:
+        self.generic_visit(node)
+        left, right = _is_zero(node.left), _is_zero(node.right)
+        if isinstance(node.op, ast.Mult | ast.Div):
+            return ast.Constant(0) if left or right else node
+        if right:
+            return node.left
+        if left:
+            return node.right if isinstance(node.op, ast.Add) else ast.UnaryOp(ast.USub(), node.right)
+        return node
+
+
+def _is_zero(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and node.value == 0
