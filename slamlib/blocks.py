@@ -1,25 +1,26 @@
 """Blocks of a belief, and what a belief was at one moment."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
 
 from slamlib import linalg
-from slamlib.spaces import Array, Space
+from slamlib.spaces import Array, Euclidean, Space
 
 
 class Block:
     """A handle to one part of the belief; its mean is read-only, its covariance is belief.covariance(block)."""
 
     def __init__(self, space: Space, mean: Array, start: int) -> None:
-        self.space, self.start = space, start
-        self.mean = mean
+        self.start = start
+        self.take(space, mean)
 
-    @property
-    def dof(self) -> int:
-        """Estimated degrees of freedom."""
-        return self.space.dof
+    def take(self, space: Space, mean: Array) -> None:
+        """Become a point of another space; dof are its estimated degrees of freedom."""
+        self.space, self.mean, self.dof = space, mean, space.dof
 
     @property
     def slice(self) -> slice:
@@ -28,6 +29,33 @@ class Block:
 
     def __repr__(self) -> str:
         return f"<block {self.space!r} at {self.start}>"
+
+
+class Layout:
+    """How blocks lie among the rows of the covariance: vectors, which are moved in one sum, and points of manifolds.
+
+    rows: of the vectors' numbers, one block after the other; places: of each vector among these.
+    """
+
+    def __init__(self, blocks: Iterable[Block]) -> None:
+        blocks = list(blocks)
+        are_vectors = [type(block.space) is Euclidean for block in blocks]
+        self.vectors = [block for block, is_vector in zip(blocks, are_vectors, strict=True) if is_vector]
+        self.points = [block for block, is_vector in zip(blocks, are_vectors, strict=True) if not is_vector]
+        dofs = np.array([block.dof for block in blocks], dtype=int)
+        self.rows = np.flatnonzero(np.repeat(np.array(are_vectors, dtype=bool), dofs))
+        self.places = [slice(*pair) for pair in pairwise(accumulate((v.dof for v in self.vectors), initial=0))]
+
+    def flat(self) -> Array:
+        """The vectors' means as one array of its own."""
+        return np.concatenate([np.zeros(0), *(block.mean for block in self.vectors)])
+
+    def share(self, flat: Array) -> None:
+        """Let the vectors' means be read-only views of one array: they change with it."""
+        view = flat.view()
+        view.flags.writeable = False
+        for block, place in zip(self.vectors, self.places, strict=True):
+            block.mean = view[place]
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,11 +74,4 @@ def point_of(space: Space, mean: Array, function: str) -> Array:
     """A read-only copy of a mean that is checked to be a point of its space."""
     mean = linalg.finite(mean, (space.size,), function, "mean")
     space.check(mean, f"{function}: mean")
-    return frozen(mean)
-
-
-def frozen(array: Array) -> Array:
-    """A read-only copy."""
-    array = np.array(array, dtype=float)
-    array.flags.writeable = False
-    return array
+    return linalg.frozen(mean)

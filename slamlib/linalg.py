@@ -13,6 +13,8 @@ import numpy as np
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
 from slamlib.spaces import Array
 
+quiet = np.errstate(over="ignore", invalid="ignore")  # results are checked: an overflow is an error, not a warning
+
 # Sizes from which the triangular product of BLAS repays its mirroring: benchmarks/covariance_update.py.
 _LARGE = 1000
 
@@ -36,6 +38,13 @@ def finite(value: Array, shape: tuple[int, ...], function: str, argument: str) -
     if not np.isfinite(array).all():
         where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
         raise NonFiniteError(f"{function}: {argument} holds {array[where]} at index {where}; remove or mask it")
+    return array
+
+
+def frozen(array: Array) -> Array:
+    """A read-only copy, of floats."""
+    array = np.array(array, dtype=float)
+    array.flags.writeable = False
     return array
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.pose import compose
 from slamlib.landmarks.line import LineLandmark
+from slamlib.model import Model
 from slamlib.observation import Observation, named
 from slamlib.sensors.sensor import Calibration
 from slamlib.spaces import Array
@@ -24,9 +25,7 @@ def observe_line(
     A line has no ends, so it has no border to lie in: `visible` is true for all; segments are judged by their ends
     (slamlib.landmarks.segments). Raises SlamlibError for a sensor that sees no lines. Chapter 12, eq. (li-project).
     """
-    project = calibration.sensor.project_line
-    if project is None:
-        raise SlamlibError(f"{calibration.sensor.name} measures no lines, so it cannot observe {kind.name}")
+    project = _sees_lines(calibration, f"observe {kind.name}")
     camera, by_camera = compose.jac(robot, mount)
     line, by_frame = kind.to_frame.jac(camera, landmarks)
     names = [n for n in project.parameters if n in calibration.given]
@@ -47,8 +46,10 @@ def initialize_line(
     """The landmark of a segment (..., 4), two pixels, and of the two numbers `prior` that it does not tell; Jacobians.
 
     jacobians.robot (..., dof, 6), .mount (..., dof, 6), .measurement (..., dof, 4), .unmeasured (..., dof, 2), and one
-    for each parameter of the camera. Each endpoint is undistorted by itself. Chapter 12, eq. (li-chain).
+    for each parameter of the camera. Each endpoint is undistorted by itself. Raises SlamlibError for a sensor that sees
+    no lines. Chapter 12, eq. (li-chain).
     """
+    _sees_lines(calibration, f"initialize {kind.name}")
     segment = np.asarray(segment, dtype=float)
     if segment.shape[-1:] != (4,):
         raise ShapeError.of("initialize_line", "segment", (4,), segment.shape)
@@ -67,6 +68,14 @@ def initialize_line(
         **{n: by_frame.rays @ _stacked(getattr(by_sensor, n)) for n in calibration.given},
     }
     return landmark, named(parts)
+
+
+def _sees_lines(calibration: Calibration, task: str) -> Model:
+    """The model of a line's image; raises SlamlibError for a sensor that has none."""
+    project = calibration.sensor.project_line
+    if project is None:
+        raise SlamlibError(f"{calibration.sensor.name} measures no lines, so it cannot {task}")
+    return project
 
 
 def _stacked(by_parameter: Array) -> Array:

@@ -10,6 +10,8 @@ definition, which argument, where, and by how much. Chapter 13 uses them; the pa
 from typing import Any
 
 from slamlib.checks.judge import CheckError, Finding, Judge
+from slamlib.checks.line_pairs import DEFINED as SEGMENT
+from slamlib.checks.line_pairs import line_pair_properties
 from slamlib.checks.lines import line_properties
 from slamlib.checks.pairs import DEFINED as MEASURED
 from slamlib.checks.pairs import pair_properties
@@ -47,12 +49,22 @@ def check_sensor(calibration: Calibration, *, silent: bool = False, seed: int = 
     judge.conclude(silent)
 
 
-def check_pair(kind: PointLandmark, calibration: Calibration, *, silent: bool = False, seed: int = 0) -> bool:
+def check_pair(
+    kind: PointLandmark | LineLandmark, calibration: Calibration, *, silent: bool = False, seed: int = 0
+) -> bool:
     """Judge a parametrization seen by a sensor on a robot: initialize, observe again, correct. As check_landmark.
 
-    False if the pair does not exist: the parametrization refuses every point that the sensor measures.
+    False if the pair does not exist: a parametrization of points refuses every point that the sensor measures, or the
+    sensor has no images of lines.
     """
     judge = Judge(f"{kind.name} seen by {calibration.sensor.name}", seed)
+    if isinstance(kind, LineLandmark):
+        line_pair_properties(judge, kind, calibration)
+        return _concluded(judge, silent, SEGMENT)
     pair_properties(judge, kind, calibration)
+    return _concluded(judge, silent, MEASURED)
+
+
+def _concluded(judge: Judge, silent: bool, exists: str) -> bool:
     judge.conclude(silent)
-    return MEASURED in judge.places
+    return exists in judge.places

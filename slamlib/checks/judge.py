@@ -114,7 +114,9 @@ class Judge:
         if self.findings:
             raise CheckError(self.name, list(self.findings.values()))
         if not silent:
-            print(f"{self.name}: all {len(self.places)} properties hold.")
+            print(
+                f"{self.name}:", f"all {n} properties hold." if (n := len(self.places)) > 1 else "the property holds."
+            )
 
 
 def shown(where: Mapping[str, Array]) -> str:

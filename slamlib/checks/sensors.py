@@ -21,6 +21,8 @@ UNIT = "a measured ray has length one, so that w is the inverse distance"
 INVERSE = "the Jacobians of the two models undo each other"
 COMPLETE = "the measurement and what it does not tell make a point together"
 LINE = "points of a line are seen on the line's image"
+SOUGHT = (4000, 16000, 64000, 256000)  # directions, until one is seen
+NARROWEST = 1e-6  # radians
 
 
 def sensor_properties(judge: Judge, calibration: Calibration) -> None:
@@ -29,7 +31,7 @@ def sensor_properties(judge: Judge, calibration: Calibration) -> None:
     if not _interface(judge, calibration):
         return
     points = visible_points(calibration, rng, 10)
-    how = "of 4000 directions all around none is visible and inside the image"
+    how = f"of {sum(SOUGHT)} directions all around none is visible and inside the image"
     if not judge.require(SEES, f"{sensor.name}.visible", len(points) >= 10, how, {}):
         return
     _mask(judge, calibration)
@@ -52,12 +54,32 @@ def sensor_properties(judge: Judge, calibration: Calibration) -> None:
 
 
 def visible_points(calibration: Calibration, rng: np.random.Generator, count: int) -> Array:
-    """Homogeneous points (count, 4) that the sensor can measure, from all its directions, 1 to 20 m away."""
-    rays = rng.standard_normal((4000, 3))
-    rays /= np.linalg.norm(rays, axis=1, keepdims=True)
+    """Homogeneous points (count, 4) that the sensor can measure, from all its directions, 1 to 20 m away.
+
+    Of a narrow view few directions all around are any: then more are sought, ever closer to those that were found.
+    None if there are none.
+    """
+    found = _seen(calibration, rng.standard_normal((SOUGHT[0], 3)), rng)
+    for number in SOUGHT[1:]:
+        if len(found):
+            break
+        # Most lenses look along an axis, which chance does not hit.
+        rays = np.concatenate([np.eye(3), -np.eye(3), rng.standard_normal((number, 3))])
+        found = _seen(calibration, rays, rng)
+    spread = 1.0
+    while 0 < len(found) < count and spread > NARROWEST:
+        spread /= 2
+        rays = found[rng.integers(len(found), size=SOUGHT[0]), :3] + spread * rng.standard_normal((SOUGHT[0], 3))
+        found = np.concatenate([found, _seen(calibration, rays, rng)])
+    return found[:count]
+
+
+def _seen(calibration: Calibration, rays: Array, rng: np.random.Generator) -> Array:
+    """Points (n, 4) along those of the directions (k, 3) that the sensor can measure."""
+    rays = rays / np.linalg.norm(rays, axis=1, keepdims=True)
     points = np.column_stack([rays, rng.uniform(0.05, 1, len(rays))])
     points = points[calibration.visible(points)]
-    return points[calibration.inside(calibration.project(points))][:count] if len(points) else points
+    return points[calibration.inside(calibration.project(points))] if len(points) else points
 
 
 def unmeasured(calibration: Calibration, rng: np.random.Generator) -> tuple[Array, ...]:

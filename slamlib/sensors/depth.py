@@ -39,4 +39,5 @@ def check(calibration):
 
 
 back_project = BackProjection(pinhole.ideal_point, lift, size=3)
-PINHOLE_DEPTH = Sensor("pinHoleDepth", project, back_project, ("intrinsics", "distortion"), visible, check)
+PARAMETERS = ("intrinsics", "distortion")
+PINHOLE_DEPTH = Sensor("pinHoleDepth", project, back_project, PARAMETERS, visible, check, pixels=True)

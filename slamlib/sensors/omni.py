@@ -133,4 +133,4 @@ def check(calibration):
         )
 
 
-OMNI = Sensor("omniCam", project, back_project, ("intrinsics", "lens"), visible, check)
+OMNI = Sensor("omniCam", project, back_project, ("intrinsics", "lens"), visible, check, pixels=True)

@@ -116,12 +116,17 @@ ideal_point = Implicit("ideal_point", pixel, unknown="ideal", start=_first_guess
 back_project = BackProjection(ideal_point, ray, size=2)
 
 
+@lru_cache
+def _limit(calibration):
+    fold = float(fold_radius(calibration.given["distortion"]))
+    return min(fold, calibration.limits.get("radius", np.inf))
+
+
 def visible(point, calibration):
     """Mask of the points in front, below the fold, and below limits["radius"] if it is given."""
-    x, y, z = np.moveaxis(point[..., :3], -1, 0)
-    fold = float(fold_radius(calibration.given["distortion"]))
-    limit = min(fold, calibration.limits.get("radius", np.inf))
-    return (z > 0) & (np.sqrt(x**2 + y**2) < limit * np.where(z > 0, z, 1))
+    x, y, z = (point[..., i] for i in range(3))
+    ahead = z > 0
+    return ahead & (np.sqrt(x**2 + y**2) < _limit(calibration) * np.where(ahead, z, 1))
 
 
 def check(calibration):
@@ -146,4 +151,5 @@ def check(calibration):
 
 
 PARAMETERS = ("intrinsics", "distortion")
-PINHOLE = Sensor("pinHole", project, back_project, PARAMETERS, visible, check, project_line)
+MODELS = project, back_project
+PINHOLE = Sensor("pinHole", *MODELS, PARAMETERS, visible, check, project_line, pixels=True)

@@ -6,11 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.blocks import frozen
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
-from slamlib.linalg import covariance, finite, numbers
+from slamlib.linalg import covariance, finite, frozen, numbers
 from slamlib.model import Model
-from slamlib.spaces import Array
+from slamlib.spaces import Array, Space, as_space
 
 
 def _nothing_to_check(calibration: "Calibration") -> None:
@@ -27,7 +26,8 @@ class Sensor:
     tells all has no such argument. visible(point, calibration): mask of the points that can be measured at all, by the
     sensor's own rule; whether a pixel lies in the image is asked afterwards, for all sensors alike. check(calibration)
     raises SlamlibError for parameters that make no sense. project_line(line, **parameters it has): homogeneous image
-    line (3,) of a line in Pluecker coordinates (6,). A model may also be an object with the same calls, as Implicit is.
+    line (3,) of a line in Pluecker coordinates (6,). pixels: the first two numbers of a measurement are a pixel, which
+    an image can bound. A model may also be an object with the same calls, as Implicit is.
     """
 
     name: str
@@ -37,20 +37,27 @@ class Sensor:
     visible: Callable[[Array, "Calibration"], Array]
     check: Callable[["Calibration"], None] = _nothing_to_check
     project_line: Model | None = None
+    pixels: bool = False
 
     @property
     def size(self) -> int:
         """Numbers in a measurement."""
         return int(self.back_project.arguments[0].size)
 
+    @property
+    def space(self) -> Space:
+        """Where measurements live: their difference is space.minus(measured, expected)."""
+        result = getattr(self.project, "result", None)
+        return result.space if result is not None else as_space(self.size)
+
 
 class Calibration:
     """A sensor of a type: its parameters, its noise, and its image.
 
-    noise: covariance (m, m) of a measurement. image: (width, height) [px], or None. limits: what the type's rule of
-    visibility asks for, such as {"angle": 1.6} [rad]. parameters: by name; lists of coefficients may be shorter than
-    the model's, since the missing ones are zero. Arrays are copied and read-only, and no attribute can be set: another
-    calibration is another object. Raises SlamlibError, naming the parameter.
+    noise: covariance (m, m) of a measurement. image: (width, height) [px], or None; for sensors with pixels only.
+    limits: what the type's rule of visibility asks for, such as {"angle": 1.6} [rad]. parameters: by name; lists of
+    coefficients may be shorter than the model's, since the missing ones are zero. Arrays are copied and read-only, and
+    no attribute can be set: another calibration is another object. Raises SlamlibError, naming the parameter.
     """
 
     sensor: Sensor
@@ -65,7 +72,7 @@ class Calibration:
         sensor: Sensor,
         noise: Array,
         *,
-        image: tuple[float, float] | None = None,
+        image: tuple[float, ...] | None = None,
         limits: dict[str, float] | None = None,
         **parameters: Array,
     ) -> None:
@@ -77,6 +84,11 @@ class Calibration:
             raise SlamlibError(f"{sensor.name}: the calibration lacks {', '.join(missing)}")
         if not isinstance(limits or {}, dict):
             raise SlamlibError(f'{sensor.name}: limits are given by name, such as {{"angle": 1.6}}, got {limits!r}')
+        if image is not None and not sensor.pixels:
+            raise SlamlibError(
+                f"{sensor.name}: its measurements are no pixels, so there is no image to bound them; leave image out, "
+                "and bound the view by limits (a type that measures pixels says so: Sensor(..., pixels=True))"
+            )
         size = None if image is None else frozen(finite(image, (2,), sensor.name, "image"))
         if size is not None and not (size > 0).all():
             raise SlamlibError(f"{sensor.name}: an image has a width and a height above zero, got {image}")
@@ -97,11 +109,13 @@ class Calibration:
 
     def project(self, point: Array) -> Array:
         """Measurements (..., m) of homogeneous points (..., 4) in the sensor's frame."""
-        return self.sensor.project(point, **self.padded)
+        short = _shortened(self.sensor.project, self.given)
+        return short(point, **self.given) if short else self.sensor.project(point, **self.padded)
 
     def project_jac(self, point: Array) -> tuple[Array, Any]:
         """Measurements, and Jacobians by the point and by each parameter as it was given."""
-        return self._jac(self.sensor.project, (point,))
+        short = _shortened(self.sensor.project, self.given)
+        return short.jac(point, **self.given) if short else self._jac(self.sensor.project, (point,))
 
     def back_project_jac(self, measurement: Array, *unmeasured: Array) -> tuple[Array, Any]:
         """Homogeneous points (..., 4), and Jacobians by the measurement, what it does not tell, and each parameter."""
@@ -121,6 +135,13 @@ class Calibration:
             return np.ones(np.shape(measurement)[:-1], dtype=bool)
         pixel = np.asarray(measurement)[..., :2]
         return ((pixel >= margin) & (pixel <= self.image - margin)).all(-1)
+
+
+def _shortened(project: Model | Any, given: dict[str, Array]) -> Model | None:
+    """The model for as many coefficients as there are, if it is a model, and if there is one in each list."""
+    if not isinstance(project, Model) or not all(map(len, given.values())):
+        return None
+    return project.shortened(*(len(given[a.name]) if a.name in given else a.size for a in project.arguments))
 
 
 def _limit(sensor: str, name: str, value: float) -> float:

@@ -52,4 +52,4 @@ def check(calibration):
         raise SlamlibError(f"stereo: the baseline is one length above zero [m], got {baseline.tolist()}")
 
 
-STEREO = Sensor("stereo", project, back_project, ("intrinsics", "baseline"), visible, check)
+STEREO = Sensor("stereo", project, back_project, ("intrinsics", "baseline"), visible, check, pixels=True)

@@ -5,7 +5,9 @@ import dataclasses
 import numpy as np
 import pytest
 
-from slamlib.checks import CheckError, check_landmark, check_pair, check_sensor
+from slamlib import line_observation
+from slamlib.checks import CheckError, check_landmark, check_pair, check_sensor, line_pairs
+from slamlib.checks.sensors import visible_points
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
@@ -98,6 +100,112 @@ def test_a_wrong_line_is_found():
         check_landmark(wrong, silent=True)
     with pytest.raises(CheckError, match="same point"):
         check_landmark(dataclasses.replace(kind, abscissas=(0.5, 0.5)), silent=True)
+
+
+def without(function, argument):
+    """A function that forgets one of its Jacobians."""
+
+    def forgetful(*args):
+        found = function(*args)
+        value, jacobians = found if isinstance(found, tuple) else (found.value, found.jacobians)
+        jacobians = jacobians._replace(**{argument: 0 * getattr(jacobians, argument)})
+        return (value, jacobians) if isinstance(found, tuple) else dataclasses.replace(found, jacobians=jacobians)
+
+    return forgetful
+
+
+CAMERA = next(example(s) for s in SENSORS.values() if s.project_line)
+
+
+@pytest.mark.parametrize(
+    ("function", "argument"),
+    [
+        *(("observe_line", a) for a in ("robot", "mount", "landmark", "intrinsics")),
+        *(("initialize_line", a) for a in ("robot", "mount", "measurement", "unmeasured", "intrinsics", "distortion")),
+    ],
+)
+def test_a_jacobian_that_a_pair_with_lines_lacks_is_named(monkeypatch, function, argument):
+    monkeypatch.setattr(line_pairs, function, without(getattr(line_pairs, function), argument))
+    with pytest.raises(CheckError, match=f"argument '{argument}': the Jacobian is the derivative"):
+        check_pair(LINES["plkLin"], CAMERA, silent=True)
+
+
+@model(line=6, intrinsics=4)
+def image_of_the_direction(line, intrinsics):
+    """A camera that takes the wrong half of a line's coordinates."""
+    (a, b, c), (u0, v0, au, av) = line[3:], intrinsics
+    return np.array([av * a, au * b, au * av * c - av * u0 * a - au * v0 * b])
+
+
+def swapped(function):
+    """Takes the ends of a segment for each other's columns and rows."""
+
+    def mistaken(kind, calibration, robot, mount, segment, prior):
+        return function(kind, calibration, robot, mount, np.asarray(segment)[..., [1, 0, 3, 2]], prior)
+
+    return mistaken
+
+
+def test_a_line_that_misses_its_segment_is_found(monkeypatch):
+    kind, sensor = LINES["plkLin"], dataclasses.replace(CAMERA.sensor, project_line=image_of_the_direction)
+    camera = Calibration(sensor, CAMERA.noise, image=CAMERA.image, **CAMERA.given)
+    with pytest.raises(CheckError, match="goes through both ends of its segment"):
+        check_pair(kind, camera, silent=True)
+    monkeypatch.setattr(line_pairs, "initialize_line", swapped(line_pairs.initialize_line))
+    with pytest.raises(CheckError, match="goes through both ends of its segment"):
+        check_pair(kind, CAMERA, silent=True)
+
+
+def test_numbers_without_a_value_are_found_at_nasty_places(monkeypatch):
+    def lost_at_the_centre(kind, calibration, robot, mount, landmark):
+        found = line_observation.observe_line(kind, calibration, robot, mount, landmark)
+        through_centre = np.abs(found.value).max() < 1e-6
+        return dataclasses.replace(found, value=found.value * (np.nan if through_centre else 1))
+
+    monkeypatch.setattr(line_pairs, "observe_line", lost_at_the_centre)
+    with pytest.raises(CheckError, match="at nasty places all numbers are finite, or it is refused"):
+        check_pair(LINES["plkLin"], CAMERA, silent=True)
+
+
+def test_a_narrow_lens_is_judged_too_and_one_that_sees_nothing_is_told():
+    def camera(focal, image=(640, 480)):
+        return Calibration(CAMERA.sensor, np.eye(2), image=image, intrinsics=[320, 240, focal, focal], distortion=[])
+
+    assert check_pair(LINES["ahmLin"], camera(1200.0), silent=True)  # thirty degrees across
+    with pytest.raises(CheckError, match="it sees too few directions for a segment"):
+        check_pair(LINES["ahmLin"], camera(1e6, (1, 1)), silent=True)
+
+
+@pytest.mark.parametrize(("across", "aside"), [(10.0, 0.0), (3.0, 0.0), (0.1, 0.0), (10.0, 5.0), (3.0, 5.0)])
+def test_a_telephoto_lens_is_judged(across, aside):
+    """Degrees from side to side, and from the optical axis to the middle of the image, in widths of the image."""
+    focal = 320 / np.tan(np.radians(across / 2))
+    centre = [320 + 640 * aside, 240]
+    narrow = Calibration(CAMERA.sensor, np.eye(2), image=(640, 480), intrinsics=[*centre, focal, focal], distortion=[])
+    points = visible_points(narrow, np.random.default_rng(0), 50)
+    pixels = narrow.project(points)
+    assert len(points) == 50
+    assert narrow.inside(pixels).all()
+    assert (np.ptp(pixels, axis=0) > [400, 300]).all()
+    check_sensor(narrow, silent=True)
+
+
+def test_a_sensor_that_sees_nothing_is_told():
+    nothing = Calibration(CAMERA.sensor, np.eye(2), image=(1, 1), intrinsics=[320, 240, 1e6, 1e6], distortion=[])
+    assert len(visible_points(nothing, np.random.default_rng(0), 10)) == 0
+    with pytest.raises(CheckError, match="of 340000 directions all around none is visible and inside the image"):
+        check_sensor(nothing, silent=True)
+
+
+@pytest.mark.parametrize("told", ["", "some line"])
+def test_a_sensor_without_lines_must_say_so(monkeypatch, told):
+    def silent(*_):
+        if told:
+            raise SlamlibError(told)
+
+    monkeypatch.setattr(line_pairs, "observe_line", silent)
+    with pytest.raises(CheckError, match="a sensor that sees no lines says so"):
+        check_pair(LINES["plkLin"], example(SENSORS["relativePosition"]), silent=True)
 
 
 @model(point=4)

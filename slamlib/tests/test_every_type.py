@@ -13,6 +13,7 @@ import pytest
 
 import slamlib.sensors
 from slamlib.checks import check_landmark, check_pair, check_sensor
+from slamlib.errors import SlamlibError
 from slamlib.landmarks import LINES, POINTS
 from slamlib.sensors import SENSORS, Calibration
 
@@ -36,7 +37,7 @@ def example(sensor):
     missing = [n for n in sensor.parameters if (n, sizes[n]) not in DEFAULTS]
     assert not missing, f"no plausible {missing}: put a Calibration of {sensor.name} into its file"
     root = np.diag(np.full(sensor.size, 0.5)) + 0.1  # full, not diagonal
-    image = (640, 480) if "intrinsics" in sensor.parameters else None
+    image = (640, 480) if sensor.pixels else None
     parameters = {n: DEFAULTS[n, sizes[n]] for n in sensor.parameters}
     return Calibration(sensor, root @ root.T, image=image, **parameters)
 
@@ -53,10 +54,25 @@ def test_every_sensor_passes_the_checks(name, capsys):
     assert "properties hold." in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(("kind", "sensor"), list(itertools.product(POINTS, SENSORS)))
+@pytest.mark.parametrize(("kind", "sensor"), list(itertools.product([*POINTS, *LINES], SENSORS)))
 def test_every_pair_initializes_observes_and_corrects(kind, sensor, capsys):
-    check_pair(POINTS[kind], example(SENSORS[sensor]))
-    assert "properties hold." in capsys.readouterr().out
+    check_pair({**POINTS, **LINES}[kind], example(SENSORS[sensor]))
+    assert capsys.readouterr().out.endswith(("properties hold.\n", "the property holds.\n"))
+
+
+@pytest.mark.parametrize("name", list(SENSORS))
+def test_an_image_bounds_pixels_and_is_refused_where_there_are_none(name):
+    known = example(SENSORS[name])
+    given = {"limits": known.limits, **known.given}
+    if not known.sensor.pixels:
+        assert known.image is None
+        with pytest.raises(SlamlibError, match=rf"{name}: its measurements are no pixels.* limits .*pixels=True"):
+            Calibration(known.sensor, known.noise, image=(640, 480), **given)
+        return
+    camera = Calibration(known.sensor, known.noise, image=(640, 480), **given)
+    inner = np.full((4, camera.sensor.size), 10.0)
+    inner[:, :2] = [[0.0, 0.0], [640.0, 480.0], [641.0, 10.0], [10.0, -1.0]]
+    assert camera.inside(inner).tolist() == [True, True, False, False]
 
 
 def test_the_folders_are_not_empty_and_every_type_has_partners():
@@ -67,3 +83,11 @@ def test_the_folders_are_not_empty_and_every_type_has_partners():
     )
     assert exists.sum(0).min() >= len(POINTS) - 1, "a sensor has partners among nearly all the points"
     assert exists.any(1).all(), "every point is seen by some sensor"
+
+
+def test_every_line_is_seen_by_the_sensors_with_images_of_lines_and_by_no_other():
+    cameras = [sensor.project_line is not None for sensor in SENSORS.values()]
+    assert len(LINES) >= 5
+    assert any(cameras)
+    for kind in LINES.values():
+        assert [check_pair(kind, example(sensor), silent=True) for sensor in SENSORS.values()] == cameras

@@ -65,7 +65,16 @@ def published(point, f, k):
     return f * _bent(np.arctan(r), k) * a / r if r else np.zeros(2)
 
 
-@wrong("9.3", "adds pi to the angle behind, as the issue proposes, but keeps the turned azimuth")
+@wrong("9.3", "adds pi to the angle behind, as the issue proposes")
+def as_proposed(point, f, k):
+    z = point[2] if point[2] else 1e-300
+    a = point[:2] / z
+    r = np.hypot(*a)
+    theta = np.arctan(r) + (np.pi if z < 0 else 0)
+    return f * _bent(theta, k) * a / r if r else np.zeros(2)
+
+
+@wrong("9.3", "the right angle behind, but the azimuth is still the turned one")
 def half_repaired(point, f, k):
     z = point[2] if point[2] else 1e-300
     a = point[:2] / z
