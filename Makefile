@@ -6,7 +6,7 @@ READY := $(VENV)/.ready
 export OPENBLAS_NUM_THREADS := 1
 export PYTHONDONTWRITEBYTECODE := 1
 
-.PHONY: help book serve test environment assets parity rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book serve test environment assets parity experiments rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -38,6 +38,9 @@ assets: environment  ## fetch what the site serves itself (MathJax, Python for t
 
 parity: book  ## compare the page's Python with this one, and store the appendix's table (needs Chromium)
 	@$(BIN)/python -m book.tools.live_check --store
+
+experiments: environment  ## run the Monte Carlo experiments of chapter 17 and store their averages (long; resumable)
+	@$(BIN)/python -m book.tools.experiments
 
 rosetta: environment  ## write the tables of the Rosetta appendix from its CSV and the package
 	@$(BIN)/python -m book.tools.rosetta

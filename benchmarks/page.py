@@ -31,8 +31,7 @@ SYMPY = """async () => {
 def open_fresh(chromium: Any, base: str, name: str) -> Any:
     """A page in a profile of its own, loaded with its mathematics set."""
     page = chromium.new_context(viewport={"width": 1280, "height": 900}).new_page()
-    page.goto(f"{base}/{name}", wait_until="load")
-    page.evaluate("() => window.MathJax && MathJax.startup ? MathJax.startup.promise : null")
+    browser.load(page, f"{base}/{name}")
     return page
 
 

@@ -1,5 +1,9 @@
 """EKF-SLAM, derived: the package whose formulas the book derives, proves and generates.
 
+To begin: `slamlib.runs.Run(slamlib.presets.points()).finish()`, or the command `slamlib run points`. The filter is
+`slamlib.slam.Slam`; what it is built of is in `slamlib.rig`, what it takes in `records`, what it shows in `snapshots`.
+The formulas are in `geometry`, `motions`, `sensors` and `landmarks`, the Kalman algebra in `belief`.
+
 Importing slamlib loads NumPy and nothing else; sympy and scipy are loaded by the parts that use them.
 """
 
@@ -12,9 +16,12 @@ __version__ = "0.1.0"
 __all__ = ["SlamlibError", "__version__"]
 
 _PARTS = (
-    *("analytic", "belief", "checks", "codegen", "correction", "drawing", "errors", "evaluation", "exercises"),
-    *("geometry", "implicit", "landmarks", "line_observation", "linalg", "model", "motions", "observation"),
-    *("registry", "sensors", "spaces"),
+    *("analytic", "association", "belief", "blocks", "checks", "cli", "codegen"),
+    *("correction", "digest", "drawing", "errors", "evaluation", "exercises", "experiments"),
+    *("geometry", "implicit", "kernel", "landmarks", "linalg", "line_observation", "model"),
+    *("motions", "observation", "presets", "progress", "records", "registry", "rig"),
+    *("runs", "scene", "sensors", "series", "shortened", "simulation", "slam"),
+    *("snapshots", "spaces", "tangle"),
 )
 
 

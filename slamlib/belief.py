@@ -2,33 +2,33 @@
 
 The covariance is over tangent vectors, so a pose takes six rows and the matrix is never singular by construction. Every
 change is checked first and made whole or not at all. The same few functions serve a linear Kalman filter, an extended
-one, and SLAM. Derived in chapters 2, 3 and 9.
+one, and SLAM. Derived in chapters 2 and 3 (predict, correct) and 14 (blocks; add, replace, remove; what each costs).
 
 The matrix has exactly the size of the state: adding, replacing and removing blocks build it anew. That costs an eighth
 of one correction; and what every correction touches is contiguous, a third quicker than a view of a larger array.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 
 import numpy as np
 
 from slamlib import linalg
-from slamlib.blocks import BeliefSnapshot, Block, frozen, point_of
-from slamlib.correction import Correction, Observation, compact, solve, stack
+from slamlib.blocks import BeliefSnapshot, Block, Layout, point_of
+from slamlib.correction import Correction, Observation, Stacked, compact, solve, stack
 from slamlib.errors import SlamlibError
-from slamlib.spaces import Array, Euclidean, Space, as_space
+from slamlib.linalg import frozen
+from slamlib.series import Series
+from slamlib.spaces import Array, Space, as_space
 
 __all__ = ["Belief", "BeliefSnapshot", "Block", "Correction", "Observation"]
-
-_quiet = np.errstate(over="ignore", invalid="ignore")  # results are checked: an overflow is an error, not a warning
 
 
 class Belief:
     """Means of blocks and their joint covariance."""
 
     def __init__(self) -> None:
-        self._blocks: dict[Block, None] = {}  # in the order of their rows
-        self._P = np.zeros((0, 0))
+        self._set([], np.zeros((0, 0)))
 
     @property
     def blocks(self) -> tuple[Block, ...]:
@@ -64,10 +64,24 @@ class Belief:
         if snapshot.belief is not self:
             raise SlamlibError("restore: the snapshot was taken from another belief, whose blocks are not of this one")
         for block, space, mean in zip(snapshot.blocks, snapshot.spaces, snapshot.means, strict=True):
-            block.space, block.mean = space, mean
+            block.take(space, mean)
         self._set(snapshot.blocks, snapshot.covariance.copy())
 
-    @_quiet
+    def overwrite(self, blocks: Mapping[int, Block], means: Mapping[int, Array], covariance: Array) -> None:
+        """Take over means and covariance as they were saved, bit for bit; blocks by their place among the rows.
+
+        Raises SlamlibError unless the blocks are those of this belief, and all of them; ShapeError, NonFiniteError.
+        """
+        if sorted(map(id, blocks.values())) != sorted(map(id, self._blocks)) or sorted(blocks) != sorted(means):
+            raise SlamlibError("overwrite: give every block of the belief once, with its mean")
+        P = linalg.finite(covariance, (self.size, self.size), "overwrite", "covariance")
+        ordered = [blocks[i] for i in sorted(blocks)]
+        taken = [point_of(blocks[i].space, means[i], "overwrite") for i in sorted(blocks)]
+        for block, mean in zip(ordered, taken, strict=True):
+            block.mean = mean
+        self._set(ordered, P.copy())
+
+    @linalg.quiet
     def add(
         self,
         space: int | Space,
@@ -103,7 +117,7 @@ class Belief:
         P = linalg.exchange(self._P, block.slice, np.zeros((0, self.size)), np.zeros((0, 0)))
         self._set([b for b in self._blocks if b is not block], P)
 
-    @_quiet
+    @linalg.quiet
     def replace(self, block: Block, space: int | Space, mean: Array, jacobian: Array) -> Block:
         """Another parametrization of a block: its rows become J P, J (new dof, old dof). Every handle stays valid."""
         space = as_space(space)
@@ -114,11 +128,11 @@ class Belief:
         corner = rows[:, block.slice] @ J.T
         linalg.not_overflown("replace", rows, corner)
         P = linalg.exchange(self._P, block.slice, rows, corner)
-        block.space, block.mean = space, mean
+        block.take(space, mean)
         self._set(self.blocks, P)
         return block
 
-    @_quiet
+    @linalg.quiet
     def predict(self, block: Block, mean: Array, F: Array, Q: Array) -> None:
         """Move a block: its mean becomes `mean`, its rows F P, its corner F P F' + Q (Report eq. 5.23 with E10).
 
@@ -135,7 +149,7 @@ class Belief:
         P[at, at] = corner / 2 + corner.T / 2
         block.mean = mean
 
-    @_quiet
+    @linalg.quiet
     def innovation_covariance(self, blocks: Sequence[Block], jacobians: Sequence[Array], R: Array) -> Array:
         """H P H' + R, (m, m), for the blocks that a measurement depends on: what a gate needs before correcting."""
         rows = np.shape(jacobians[0])[:1] if len(jacobians) else ()
@@ -151,7 +165,7 @@ class Belief:
         """Correct all blocks by one measurement: innovation z = y - e (m,), Jacobians of e, noise R (m, m)."""
         return self.correct_all([Observation(blocks, jacobians, innovation, R)], method=method)
 
-    @_quiet
+    @linalg.quiet
     def correct_all(self, observations: Sequence[Observation], *, method: str = "batch") -> Correction:
         """Correct all blocks by several measurements at once; Jacobians and innovations at the present means.
 
@@ -169,27 +183,53 @@ class Belief:
         digit. Raises ShapeError, NonFiniteError, CovarianceError; then nothing is changed.
         """
         observations = list(observations)
-        stacked = stack(observations, "correct", self._own)
+        return self._correct(method, stack(observations, "correct", self._own), observations)
+
+    def _correct(self, method: str, stacked: Stacked, observations: Sequence[Observation]) -> Correction:
         HP = stacked.H @ self._P[stacked.touched]
         S = stacked.innovation_covariance(HP)
         step, rows, nis = solve(method, HP, S, stacked, observations)
         means = self._moved(step)
         linalg.subtract_square(self._P, rows)
-        for block, mean in zip(self._blocks, means, strict=True):
+        for block, mean in means:
             block.mean = mean
         return Correction(stacked.z, S, nis)
 
-    def _moved(self, step: Array) -> list[Array]:
-        """Every block's mean plus its piece of the step; all vectors in one sum, since maps hold hundreds of them."""
-        flat = [b.mean if type(b.space) is Euclidean else np.zeros(b.dof) for b in self._blocks]
-        summed = frozen(linalg.finite(np.concatenate(flat) + step, step.shape, "correct", "the corrected means"))
-        means = []
-        for block in self._blocks:
-            mean = summed[block.slice]
-            if type(block.space) is not Euclidean:
-                mean = block.space.plus(block.mean, step[block.slice])
-                mean = frozen(linalg.finite(mean, (block.space.size,), "correct", f"the corrected mean of {block!r}"))
-            means.append(mean)
+    @linalg.quiet
+    def correct_rows(self, columns: Array, H: Array, innovation: Array, R: Array) -> Correction:
+        """As `correct`, for a Jacobian H (m, k) by the rows `columns` (k,) of the covariance: no block is looked up.
+
+        The rows are those of `block.slice`; none may appear twice.
+        """
+        z = linalg.numbers(innovation, "correct_rows", "innovation")
+        m, k = z.size, len(columns)
+        z, H = linalg.finite(z, (m,), "correct_rows", "innovation"), linalg.finite(H, (m, k), "correct_rows", "H")
+        return self._correct("batch", Stacked(z, H, linalg.finite(R, (m, m), "correct_rows", "R"), columns), [])
+
+    @contextmanager
+    def series(self) -> Iterator[Series]:
+        """Corrections one after another, each at the means that those before it left.
+
+        with belief.series() as series: series.correct(...), as often as wanted. Means follow at once; the covariance at
+        the end, also where an error ends it. Until then nothing else may be done with the belief.
+        """
+        series = Series(self._P, self._layout)
+        try:
+            with np.errstate(over="ignore", invalid="ignore"):  # one for all of them
+                yield series
+        finally:
+            series.finish()
+
+    def _moved(self, step: Array) -> list[tuple[Block, Array]]:
+        """Every block with its mean plus its piece of the step; vectors in one sum, since maps hold hundreds."""
+        layout = self._layout
+        flat = layout.flat()
+        summed = frozen(linalg.finite(flat + step[layout.rows], flat.shape, "correct", "the corrected means"))
+        means = [(block, summed[place]) for block, place in zip(layout.vectors, layout.places, strict=True)]
+        for block in layout.points:
+            mean = block.space.plus(block.mean, step[block.slice])
+            what = f"the corrected mean of {block!r}"
+            means.append((block, frozen(linalg.finite(mean, (block.space.size,), "correct", what))))
         return means
 
     def _own(self, blocks: Sequence[Block]) -> None:
@@ -206,3 +246,4 @@ class Belief:
         for block in blocks:
             block.start = start
             start += block.dof
+        self._layout = Layout(self._blocks)

@@ -151,6 +151,7 @@ def solve(
         return _METHODS[method](HP, stacked.H, stacked.touched, S, stacked.R, stacked.z)
     except CovarianceError as error:
         singular = stacked.R if method == "scalar" else S
+        which = blame(singular, given) if given else "a measurement"
         raise CovarianceError(
-            f"{error}: {blame(singular, given)} is claimed to be known exactly; nothing was changed. Give R > 0."
+            f"{error}: {which} is claimed to be known exactly; nothing was changed. Give R > 0."
         ) from None

@@ -99,8 +99,9 @@
       this.clock = setInterval(() => this.say(state, text, `${seconds(since)} s`), 200);
     }
 
-    /* Run code; `shown(kind, text)` hears what it prints. Resolves to {ok, milliseconds}, or {stopped: true}. */
-    run(cell, code, shown) {
+    /* Run code; `shown(kind, text)` hears what it prints, up to `limit` characters if that is said. Resolves to
+       {ok, milliseconds}, or {stopped: true}. */
+    run(cell, code, shown, limit) {
       this.start();
       const number = ++this.count;
       this.running = cell;
@@ -112,7 +113,7 @@
           this.say("ready", data.ok ? `Ran ${cell}.` : `Failed: ${cell}.`, `${(data.milliseconds / 1000).toFixed(2)} s`);
           resolve(data);
         } });
-        this.worker.postMessage({ run: number, cell, code });
+        this.worker.postMessage({ run: number, cell, code, limit });
       });
     }
 

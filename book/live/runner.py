@@ -33,15 +33,15 @@ class Runner:
         self.magics: dict[str, Any] = {"load_ext": self.load_extension}
         sys.meta_path.append(Later(fetch, later))
 
-    def run(self, code: str, cell: str) -> bool:
-        """Run a cell named `cell`; everything it shows is sent; False if it failed."""
+    def run(self, code: str, cell: str, limit: int | None = None) -> bool:
+        """Run a cell named `cell`; what it shows is sent, of texts `limit` characters at most; False if it failed."""
         code = MAGIC.sub(lambda m: f"get_ipython().run_line_magic({m[1]!r}, {m[2].strip()!r})", code)
         if code.startswith("%%"):
             first, _, body = code.partition("\n")
             name, _, line = first[2:].partition(" ")
             code = f"get_ipython().run_cell_magic({name!r}, {line.strip()!r}, {body!r})"
         linecache.cache[cell] = (len(code), None, code.splitlines(keepends=True), cell)
-        out, err = Printer(self.send, "stdout"), Printer(self.send, "stderr")
+        out, err = (Printer(self.send, kind, LIMIT if limit is None else limit) for kind in ("stdout", "stderr"))
         before = sys.stdout, sys.stderr
         sys.stdout, sys.stderr = out, err
         try:
@@ -110,14 +110,14 @@ class Runner:
 class Printer(io.TextIOBase):
     """What a cell prints, sent in pieces; the middle of something endless is left out."""
 
-    def __init__(self, send: Any, kind: str) -> None:
-        self.forward, self.kind = send, kind
+    def __init__(self, send: Any, kind: str, limit: int) -> None:
+        self.forward, self.kind, self.limit = send, kind, limit
         self.waiting: list[str] = []
         self.sent, self.dropped, self.last = 0, 0, time.monotonic()
 
     def write(self, text: str) -> int:
         """Keep the text for the next piece."""
-        room = max(0, LIMIT - self.sent)
+        room = max(0, self.limit - self.sent)
         self.waiting.append(text[:room])
         self.sent += min(room, len(text))
         self.dropped += max(0, len(text) - room)

@@ -1,5 +1,5 @@
 /* Python for one page. It fetches the files of manifest.json, says how far it is, and runs what the page sends.
-   Messages in:  {run, cell, code}, {frame, key, position}     (run and frame are numbers that come back in the answers)
+   Messages in:  {run, cell, code, limit}, {frame, key, position}  (run and frame are numbers that come back in the answers)
    Messages out: {progress}, {ready}, {fetching}, {shown}, {done}, {frame}, {fatal} */
 "use strict";
 
@@ -111,7 +111,7 @@ self.onmessage = async ({ data }) => {
     if (data.run !== undefined) {
       running = data.run;
       const began = performance.now();
-      const ok = runner.run(data.code, data.cell);
+      const ok = runner.run(data.code, data.cell, data.limit);
       post({ done: data.run, ok, milliseconds: performance.now() - began });
     } else {
       post({ frame: data.frame, drawn: JSON.parse(runner.frame(data.key, data.position)) });

@@ -41,8 +41,7 @@ def main() -> int:
             context = chromium.new_context(color_scheme=scheme, viewport={"width": 1280, "height": 900})
             for name in pages:
                 page = context.new_page()
-                page.goto(f"{base}/{name}", wait_until="load")
-                page.evaluate("() => window.MathJax && MathJax.startup ? MathJax.startup.promise : null")
+                browser.load(page, f"{base}/{name}")
                 page.add_style_tag(content=STILL)  # a colour on its way from light to dark is none that a reader sees
                 page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
                 found += [f"{name} ({scheme}): {f}" for f in findings(page, axe)]

@@ -49,15 +49,19 @@ def without_browser(stage: str) -> int:
     return 1 if os.environ.get("BOOK_BROWSER_NEEDED") else 77
 
 
+def load(page: Any, url: str) -> None:
+    """Go to a page, and wait until all of it is there and MathJax has set its formulas."""
+    page.goto(url, wait_until="load")
+    page.evaluate("() => window.MathJax && MathJax.startup ? MathJax.startup.promise : null")
+
+
 def visit(context: Any, base: str, page_name: str, faults: list[str]) -> int:
     """Open one page, note its faults, drive its sliders to both ends; returns how many sliders it has."""
     page = context.new_page()
     page.on("console", lambda m: faults.append(f"console: {m.text}") if m.type == "error" else None)
     page.on("pageerror", lambda e: faults.append(f"script error: {e}"))
     page.on("response", lambda r: faults.append(f"{r.status} {r.url}") if r.status >= 400 else None)
-    page.goto(f"{base}/{page_name}", wait_until="load")
-    page.wait_for_function("() => !window.MathJax || !MathJax.startup || MathJax.startup.promise")
-    page.evaluate("() => window.MathJax && MathJax.startup ? MathJax.startup.promise : null")
+    load(page, f"{base}/{page_name}")
     faults += page.evaluate(FAULTS)
     sliders = page.query_selector_all("figure.sweep input[type=range]")
     for slider in sliders:

@@ -2,10 +2,16 @@
 
 from slamlib.drawing.colors import colors
 from slamlib.drawing.figure import Figure, figure, figure3d
-from slamlib.drawing.frames3d import draw_axes3d, draw_ellipsoid
-from slamlib.drawing.gaussians import draw_ellipse, ellipse
 from slamlib.drawing.page import Picture, Sweep, picture, sweep
-from slamlib.drawing.plane import draw_frame, draw_map, draw_robot
+from slamlib.drawing.sketches import (
+    draw_axes3d,
+    draw_ellipse,
+    draw_ellipsoid,
+    draw_frame,
+    draw_map,
+    draw_robot,
+    ellipse,
+)
 from slamlib.drawing.widget import live
 
 __all__ = [

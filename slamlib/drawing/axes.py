@@ -8,14 +8,13 @@ import numpy as np
 from slamlib.drawing import frame
 from slamlib.drawing.areas import Areas
 from slamlib.drawing.callouts import Callouts
-from slamlib.drawing.calls import UnknownCallError
 from slamlib.drawing.canvas import Canvas
 from slamlib.drawing.fields import Fields
 from slamlib.drawing.legend import Legend
 from slamlib.drawing.lines import Lines
 from slamlib.drawing.paths import Box
 from slamlib.drawing.scales import View
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, UnknownCallError, UnknownNameError
 from slamlib.spaces import Array
 
 

@@ -5,10 +5,9 @@ import numpy as np
 from slamlib.drawing import ticks
 from slamlib.drawing.canvas import Canvas
 from slamlib.drawing.colors import colors, paint
-from slamlib.drawing.lettering import Lettering
 from slamlib.drawing.paths import polyline
 from slamlib.drawing.projection import Projection
-from slamlib.drawing.words import width_of
+from slamlib.drawing.words import Lettering, width_of
 from slamlib.spaces import Array
 
 TICK, LABEL = 10.0, 11.0

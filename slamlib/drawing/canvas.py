@@ -8,9 +8,8 @@ from contextlib import contextmanager
 from dataclasses import replace
 from math import floor
 
-from slamlib.drawing.lettering import Lettering
 from slamlib.drawing.paths import Box, number
-from slamlib.drawing.words import SMALL, runs
+from slamlib.drawing.words import SMALL, Lettering, runs
 
 _ROOT = (
     "width:100%;max-width:{width}px;height:auto;fill:none;stroke-linejoin:round;"

@@ -7,12 +7,11 @@ from typing import Any
 import numpy as np
 
 from slamlib.drawing.axes import Axes
-from slamlib.drawing.calls import UnknownCallError
 from slamlib.drawing.canvas import Canvas
 from slamlib.drawing.colors import standing_alone
 from slamlib.drawing.paths import Box
 from slamlib.drawing.space import Space
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, UnknownCallError, UnknownNameError
 
 KINDS = {None: Axes, "3d": Space}
 PAD, BETWEEN = 3.0, 8.0  # points around all, and between neighbours

@@ -9,10 +9,9 @@ import numpy as np
 from slamlib.drawing.axis import SIZE, Ticks
 from slamlib.drawing.canvas import Canvas
 from slamlib.drawing.colors import colors, paint
-from slamlib.drawing.lettering import LINE, Lettering
 from slamlib.drawing.paths import joined, number
 from slamlib.drawing.scales import View
-from slamlib.drawing.words import width_of
+from slamlib.drawing.words import LINE, Lettering, width_of
 from slamlib.spaces import Array
 
 if TYPE_CHECKING:

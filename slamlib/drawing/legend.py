@@ -7,11 +7,10 @@ import numpy as np
 
 from slamlib.drawing.canvas import Canvas
 from slamlib.drawing.colors import colors, paint
-from slamlib.drawing.lettering import Lettering
 from slamlib.drawing.marks import Mark, beyond
 from slamlib.drawing.paths import Box
 from slamlib.drawing.scales import View
-from slamlib.drawing.words import width_of
+from slamlib.drawing.words import Lettering, width_of
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.spaces import Array
 

@@ -7,12 +7,12 @@ from itertools import pairwise
 import numpy as np
 
 from slamlib.drawing.canvas import Canvas
-from slamlib.drawing.lettering import Lettering
 from slamlib.drawing.markers import Marker
 from slamlib.drawing.marks import Line, Mark
 from slamlib.drawing.paths import outline
 from slamlib.drawing.projection import Projection
 from slamlib.drawing.style import Stroke
+from slamlib.drawing.words import Lettering
 from slamlib.spaces import Array
 
 PIECES = 12  # of a line, at most, that lie before or behind other marks on their own

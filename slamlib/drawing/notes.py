@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.drawing.canvas import Canvas
-from slamlib.drawing.lettering import Lettering
 from slamlib.drawing.marks import Mark, beyond
 from slamlib.drawing.paths import Box, cut_line, outline
 from slamlib.drawing.scales import View
 from slamlib.drawing.style import Fill, Stroke
+from slamlib.drawing.words import Lettering
 from slamlib.spaces import Array
 
 Place = Callable[[View, Array], Array]  # where (2,) on the sheet a pair of numbers is

@@ -67,6 +67,7 @@ class Log(Linear):
             raise SlamlibError(f"a logarithmic axis cannot span {low:g} to {high:g}: both ends must be positive")
 
 
+SMALLEST = 1e-290  # what differs by less is drawn as equal: the steps of its ticks would be zero in floating point
 SCALES: dict[str, Linear] = {"linear": Linear(), "log": Log()}
 
 
@@ -75,8 +76,9 @@ def spread(low: float, high: float, scale: Linear, tight: tuple[bool, bool] = (F
     if not np.isfinite(low + high):
         return scale.empty
     a, b = (float(v) for v in scale.forward(np.array([low, high])))
-    if b - a <= 1e-12 * max(abs(a), abs(b)):
-        half = 0.05 * max(abs(a), abs(b)) or 0.05
+    size = max(abs(a), abs(b))
+    if b - a <= max(1e-12 * size, SMALLEST):
+        half = 0.05 * size if size > SMALLEST else 0.05
         a, b, tight = a - half, b + half, (True, True)
     room = MARGIN * (b - a)
     a, b = a - room * (not tight[0]), b + room * (not tight[1])

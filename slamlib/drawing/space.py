@@ -5,12 +5,10 @@ from typing import Any
 import numpy as np
 
 from slamlib.drawing import box3d
-from slamlib.drawing.calls import UnknownCallError
 from slamlib.drawing.canvas import Canvas
 from slamlib.drawing.data import row_of, rows_of
 from slamlib.drawing.holder import Holder
 from slamlib.drawing.legend import Legend
-from slamlib.drawing.lettering import Lettering
 from slamlib.drawing.marks3d import Line3d, Mark3d, Words3d, drawn
 from slamlib.drawing.paths import Box
 from slamlib.drawing.projection import Projection, view_axes
@@ -25,7 +23,8 @@ from slamlib.drawing.style import (
     positive,
     stroke_of,
 )
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.drawing.words import Lettering
+from slamlib.errors import SlamlibError, UnknownCallError, UnknownNameError
 from slamlib.spaces import Array
 
 NAMES = ("x", "y", "z")

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 
 from slamlib.drawing.colors import color_named, colors, paint
-from slamlib.drawing.lettering import Lettering
 from slamlib.drawing.markers import MARKERS, Look, Marker
 from slamlib.drawing.paths import number
+from slamlib.drawing.words import Lettering
 from slamlib.errors import SlamlibError, UnknownNameError
 
 SHORT = {

@@ -9,18 +9,17 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from slamlib.drawing import colors, figure, figure3d, paths
 from slamlib.drawing.contours import contour_lines, regions
 from slamlib.drawing.images import colored, png
 from slamlib.drawing.legend import PLACES
-from slamlib.drawing.lettering import Lettering
 from slamlib.drawing.projection import Projection, view_axes
 from slamlib.drawing.scales import SCALES, View, spread
 from slamlib.drawing.ticks import decades, labels, nice_ticks
-from slamlib.drawing.words import runs, width_of
+from slamlib.drawing.words import Lettering, runs, width_of
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnknownNameError
 
 MINUS = "\N{MINUS SIGN}"
@@ -398,6 +397,7 @@ LABEL = st.text(st.characters(codec="utf-8", exclude_characters="$\\"), max_size
 )
 
 
+@example("a", "b", "c", 5e-324, None)
 @given(LABEL, LABEL, LABEL, st.floats(-1e9, 1e9), st.sampled_from([None, "best", "outside right", "outside upper"]))
 @settings(max_examples=60, deadline=None)
 def test_no_word_leaves_the_sheet_and_every_file_is_well_formed(title, xlabel, ylabel, scale, loc):

@@ -100,6 +100,13 @@ def test_endless_output_is_cut_and_says_so(page):
     assert "more characters were printed" in said(page, "stderr")
 
 
+def test_a_caller_who_wants_more_or_less_says_so(page):
+    assert page.run("print('x' * 5000)", "cell 1", 10_000)
+    assert len(said(page, "stdout")) == 5001
+    assert page.run("print('y' * 5000)", "cell 2", 10)
+    assert said(page, "stdout").count("y") == 10
+
+
 def test_a_rejected_exercise_speaks_for_itself(page):
     text = "from slamlib.exercises import check\ndef gain(P, Q, R):\n    return P[0]\ncheck('2.3', gain)"
     assert not page.run(text, "cell 1")

@@ -11,7 +11,7 @@ from book.tools import layout, rosetta
 from slamlib.errors import SlamlibError
 from slamlib.evaluation import chi2_cdf
 from slamlib.landmarks import LINES, POINTS
-from slamlib.line_observation import observe_line
+from slamlib.line_observation import initialize_line, observe_line
 from slamlib.motions import CONSTANT_VELOCITY, ODOMETRY
 from slamlib.sensors import SENSORS
 from slamlib.tests.test_every_type import example
@@ -24,6 +24,9 @@ TYPES = {ODOMETRY.name: ODOMETRY, CONSTANT_VELOCITY.name: CONSTANT_VELOCITY, **S
 OWN = {"stereo", "relativePosition", "rangeBearing"}  # sensors that the toolbox does not have
 
 FRAME = ["x", "t", "q", "R", "Rt", "Pi", "Pc"]
+QUICK_START = ["1, download", "2, install", "3, rename", "4, path", "5, run", "6, edit userData", "7, step by step"]
+QUICK_START += ["8, help pages", "9, video", "10, guidelines", "11, points", "12, lines", "13, omnidirectional camera"]
+QUICK_START += ["14, several sensors", "15, several robots", "quick start of April 2009"]
 NAMES = {  # of the seeds, by the numbers of our list of what they describe
     "A013": ["odometry"],
     "A014": ["constVel"],
@@ -40,12 +43,42 @@ NAMES = {  # of the seeds, by the numbers of our list of what they describe
     "A025": ["ahmLin"],
     "A026": ["idpLin"],
     "A027": ["which pairs exist"],
+    "A028": [f"Rob.{f}" for f in ("rob", "id", "name", "type", "sensors", "motion")],
+    "A029": ["Rob.con.u", "Rob.con.uStd", "Rob.con.U"],
     "A030": [f"Rob.frame.{f}" for f in [*FRAME, "P", "r"]],
     "A031": ["Rob.vel.x", "Rob.vel.P", "Rob.vel.r"],
     "A032": ["Rob.state.x", "Rob.state.P", "Rob.state.size", "Rob.state.r"],
     "A033": [*(f"frame.{f}" for f in FRAME), "updateFrame"],
     "A034": ["frame.it", "frame.iq"],
     "A035": ["splitFrame"],
+    "A036": [f"Sen.{f}" for f in ("sen", "id", "name", "type", "robot")],
+    "A037": ["Sen.frameInMap"],
+    "A038": [f"Sen.frame.{f}" for f in [*FRAME, "P", "r"]],
+    "A039": [f"Sen.par.{f}" for f in ("k", "d", "c", "imSize", "pixErr", "pixCov")],
+    "A040": [f"Sen.state.{f}" for f in ("x", "P", "size", "r")],
+    "A041": [f"Sen.imGrid.{f}" for f in ("imSize", "numCells", "skipOuter", "usedCell", "xticks", "yticks")],
+    "A042": ["5, fact 4"],
+    "A043": ["Raw.type"],
+    "A044": ["Raw.data.points.coord", "Raw.data.points.app"],
+    "A045": ["Raw.data.segments.coord", "Raw.data.segments.app"],
+    "A046": ["Raw.data.img"],
+    "A047": [f"Lmk.{f}" for f in ("lmk", "id", "type", "sig", "used")],
+    "A048": [f"Lmk.state.{f}" for f in ("r", "x", "P", "size")],
+    "A049": ["Lmk.par.endp.t", "Lmk.par.endp.e"],
+    "A050": ["Lmk.nSearch", "Lmk.nMatch", "Lmk.nInlier"],
+    "A051": ["Lmk.nom.n", "Lmk.nom.N"],
+    "A052": ["Lmk.sig.patch", "Lmk.sig.pose0"],
+    "A053": ["Map.used", "Map.x", "Map.P"],
+    "A054": ["deleteLmk", "reparametrizeLmk"],
+    "A055": [f"Obs.{f}" for f in ("sen", "lmk", "sid", "lid", "stype", "ltype")],
+    "A056": ["Obs.meas.y", "Obs.meas.R"],
+    "A057": ["Obs.nom.n", "Obs.nom.N"],
+    "A058": ["Obs.exp.e", "Obs.exp.E", "Obs.exp.um"],
+    "A059": ["Obs.inn.z", "Obs.inn.Z", "Obs.inn.iZ", "Obs.inn.MD2"],
+    "A060": ["Obs.app.pred", "Obs.app.curr", "Obs.app.sc"],
+    "A061": ["Obs.par.endp.e", "Obs.par.endp.E"],
+    "A062": ["Obs.vis", "Obs.measured", "Obs.matched", "Obs.updated"],
+    "A063": [f"Obs.Jac.{a}_{b}" for a in "EZ" for b in "rsl"],
     "A064": ["Tim.dt", "Tim.firstFrame", "Tim.lastFrame"],
     "A065": ["Opt.map.numLmks", "Opt.map.lmkSize"],
     "A066": ["Opt.correct.reprojectLmks"],
@@ -60,6 +93,47 @@ NAMES = {  # of the seeds, by the numbers of our list of what they describe
     "A075": ["Opt.init.featQualityTh"],
     "A076": [f"Opt.init.{t}.nonObs{m}" for t in ("idpPnt", "plkLin", "hmgPnt", "idpLin") for m in ("Mean", "Std")],
     "A077": ["Opt.obs.lines.minLength"],
+    "A078": [f"SimRob.{f}" for f in ("rob", "id", "name", "type", "motion", "sensors")]
+    + [f"SimRob.frame.{f}" for f in FRAME]
+    + ["SimRob.vel.x", "SimRob.con.u", "SimRob.con.uStd", "SimRob.con.U"],
+    "A079": [f"SimSen.{f}" for f in ("sen", "id", "name", "type", "robot")]
+    + [f"SimSen.frame.{f}" for f in FRAME]
+    + [f"SimSen.par.{f}" for f in ("k", "d", "c", "imSize")],
+    "A080": [f"SimLmk.{a}.{b}" for a in ("points", "segments") for b in ("id", "coord")],
+    "A081": [f"SimLmk.lims.{a}{b}" for a in "xyz" for b in ("Min", "Max")]
+    + [f"SimLmk.dims.{a}" for a in "lwh"]
+    + [f"SimLmk.center.{a}Mean" for a in "xyz"],
+    "A082": [*(f"SimOpt.random.{f}" for f in ("newSeed", "fixedSeed", "seed")), "SimOpt.obs"],
+    "A083": ["SimObs"],
+    "A084": [f"MapFig.{f}" for f in ("fig", "axes", "ground", "Rob.patch", "Rob.ellipse", "Sen")]
+    + [f"MapFig.Lmk.{f}" for f in ("drawn", "mean", "ellipse", "label")]
+    + ["MapFig.simRob", "MapFig.simSen", "MapFig.simLmk"],
+    "A085": [f"SenFig.{f}" for f in ("fig", "axes", "raw.points", "raw.segments", "drawn", "measure", "mean")]
+    + ["SenFig.ellipse", "SenFig.label"],
+    "A086": ["FigOpt.renderer", "FigOpt.rendPeriod", "FigOpt.createVideo"],
+    "A087": [f"FigOpt.map.{f}" for f in ("proj", "view", "orbit", "size", "showSimLmk", "showEllip")],
+    "A088": [f"FigOpt.map.colors.{f}" for f in ("border", "axes", "bckgnd", "simLmk", "simu", "est", "ground", "label")]
+    + [f"FigOpt.map.colors.{a}.{b}" for a in ("defPnt", "othPnt", "defLin") for b in ("mean", "ellip")],
+    "A089": ["FigOpt.sensor.size", "FigOpt.sensor.showEllip"]
+    + [f"FigOpt.sensor.colors.{f}" for f in ("border", "axes", "bckgnd", "raw", "label")]
+    + [f"FigOpt.sensor.colors.{a}.{b}" for a in ("defPnt", "othPnt") for b in ("updated", "predicted")]
+    + [f"FigOpt.sensor.colors.{a}.{b}" for a in ("defLin", "othLin") for b in ("meas", "mean", "ellip")],
+    "A090": ["FigOpt.map.colors.defPnt.mean", "FigOpt.map.colors.othPnt.mean"],
+    "A091": ["slamtb", "universalSLAM"],
+    "A092": ["userData", "userDataPnt", "userDataLin"],
+    "A093": ["createSlamStructures"],
+    "A094": ["createSimStructures"],
+    "A095": ["createGraphicsStructures"],
+    "A096": ["motion", "correctKnownLmks", "initNewLmk"],
+    "A097": ["simMotion"],
+    "A098": ["simObservation", "motion", "correctKnownLmks", "observeKnownLmks", "initNewLmk"],
+    "A099": ["drawMapFig", "drawSenFig", "createMapFig", "createSenFig"],
+    "A100": ["reparametrizeLmk", "initLmkParams", "updateLmkParams", "matchFeature"],
+    "A101": ["correctKnownLmks", "smartDeleteLmk"],
+    "A102": [
+        *("DataManagement", "DetectionMatching", "EKF", "FrameTransforms", "Graphics", "Kinematics", "Lines"),
+        *("Math", "Observations", "Points", "Simulation", "Slam", "help DirectoryName"),
+    ],
     "A103": [
         *("frame", "quaternion", "updateFrame", "splitFrame", "q2R", "q2qc", "q2Pi", "pi2pc"),
         *("toFrame", "fromFrame", "fromFrameIdp"),
@@ -71,6 +145,13 @@ NAMES = {  # of the seeds, by the numbers of our list of what they describe
     ],
     "A106": ["idp2euc", "py2vec", "hmg2euc"],
     "A107": ["retroProjPlkEndPnts", "updatePlkLinEndPnts", "trimHmgLin", "normvec"],
+    "A108": [
+        *("drawEucPnt", "drawPnt", "drawEllipse", "drawLabel", "drawSeg", "drawObsPnt", "drawObsLin"),
+        *("cov2elli", "cov3elli", "drawGauss3dPnt", "drawEuclmk", "drawIdplmk", "drawHmglmk"),
+    ],
+    "A109": ["harris_strongest", "pix2patch", "zncc", "ssd", "census", "imresize2", "patchResize", "imtransform"],
+    "A110": ["EKF", "predictBlockEkf", "correctBlockEkf", "innovation"],
+    **{f"A{110 + i}": [name] for i, name in enumerate(QUICK_START, 1)},
     **{f"A{126 + i}": [f"5, fact {i}"] for i in range(1, 7)},
     "A133": ["5.1, lazy procedure", "Opt.init.initType"],
     "A134": ["5.2, step 1"],
@@ -87,13 +168,15 @@ NAMES = {  # of the seeds, by the numbers of our list of what they describe
     + [f"IDP_{x}" for x in ("rf", "sf", "sk", "sc", "u", "n")],
     "A145": ["5.5, reparametrization", "hmg2euc", "reparametrizeLmk"],
     "A146": ["5.6, outside the map", "initLmkParams", "updateLmkParams"],
+    "A147": ["5.7.1, handles"],
+    "A148": ["5.7.2, create and draw"],
+    "A149": ["6, points and lines"],
 }
 BOTH = {"constVel", "pinHole", "omniCam"}  # names of a type and of a function: once as each
 
 
 def test_every_item_of_the_list_is_asked_for():
-    wanted = [*range(13, 28), *range(30, 36), *range(64, 78), *range(103, 108), *range(127, 147)]
-    assert sorted(NAMES) == [f"A{i:03}" for i in wanted]
+    assert sorted(NAMES) == [f"A{i:03}" for i in range(13, 150)]
 
 
 @pytest.mark.parametrize("item", NAMES)
@@ -202,6 +285,8 @@ def test_the_table_of_pairs_is_what_happens(name):
         if cell == "no":
             with pytest.raises(SlamlibError, match=f"{name} .*{kind.name}"):
                 observe_line(kind, calibration, IDENTITY, IDENTITY, np.ones(kind.space.size))
+            with pytest.raises(SlamlibError, match=f"{name} .*{kind.name}"):
+                initialize_line(kind, calibration, IDENTITY, IDENTITY, np.ones(4), np.ones(2))
             continue
         rays = np.array([0.3, 0.0, 0.9, 0.0, 0.3, 0.9]) / np.sqrt(0.9)
         landmark = kind.from_frame(IDENTITY, rays, np.array([0.2, 0.3]))

@@ -1,0 +1,165 @@
+"""`make experiments`: the Monte Carlo experiments of chapter 17, stored as one small file of averages.
+
+Every case is run RUNS times with the seeds of one experiment; finished runs are kept in _build/experiments, so that an
+interrupted one goes on where it was. The file holds what figures and tables of the chapter need, rounded, the digest of
+each preset, and the first numbers of all, by which a test sees that the file belongs to the package as it is.
+Times are not stored: they belong to a machine.
+"""
+
+import argparse
+import hashlib
+import json
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from book.tools import layout
+from slamlib.evaluation import band, share_inside
+from slamlib.experiments import Experiment, monte_carlo
+from slamlib.landmarks import LINES, POINTS
+from slamlib.presets import PRESETS, Preset, lines, points
+from slamlib.rig import Rig, SensorSetup
+
+FILE = layout.BOOK / "chapters" / "data" / "experiments.json"
+FOLDER = layout.BUILD / "experiments"
+RUNS, SEED, DOF = 100, 17, 6
+FIRST_RUNS, FIRST_FRAMES = 2, 12  # of each case, kept number by number
+BEGINNING, SHORT = 120, 60  # frames of the presets, and of comparisons of one change at a time
+EVERY = 20  # frames between two stored errors
+TOOLBOX = {"inverse_distance": (0.01, 0.5)}  # mean and standard deviation [1/m] in the toolbox's userDataPnt
+
+
+def with_options(preset: Preset, **changes: Any) -> Preset:
+    """The preset with other options."""
+    return replace(preset, options=replace(preset.options, **changes))
+
+
+def quiet(motion: float, pixels: float, **start: Any) -> Preset:
+    """`points` with the noise of the motion scaled, that of the camera in pixels, and an uncertain start."""
+    preset = with_options(points(), reproject=False)
+    robot, camera = preset.rig.robots[0], preset.rig.sensors[0]
+    robot = replace(robot, control_std=tuple(motion * s for s in robot.control_std), **start)
+    return replace(preset, rig=Rig((robot,), (replace(camera, std=(pixels,)),)))
+
+
+def with_depth(preset: Preset) -> Preset:
+    """The preset with a camera that measures depths, too, to 2 mm: no prior is needed, and everything is small."""
+    camera = preset.rig.sensors[0]
+    camera = replace(camera, type="pinHoleDepth", std=(*camera.std * 2, 0.002))
+    return with_options(replace(preset, rig=replace(preset.rig, sensors=(camera,))), points="eucPnt")
+
+
+def linear() -> Preset:
+    """The robot knows where it heads, and measures where points are relative to it: nothing bends."""
+    preset = with_options(points(), points="eucPnt", reproject=False)
+    robot = replace(preset.rig.robots[0], control_std=(0.005,) * 3 + (1e-6,) * 3)
+    sensor = SensorSetup(type="relativePosition", std=(0.05,), image=None, parameters={}, limits={"far": 4.0})
+    return replace(preset, rig=Rig((robot,), (sensor,)))
+
+
+def cases() -> dict[str, Preset]:
+    """All experiments by name. Corrections in one batch a frame, except where the name says otherwise."""
+    base = with_options(points(), points="idpPnt", reproject=False)
+    house = with_options(lines(), reproject=False)
+    return {
+        **{f"points {name}": with_options(base, points=name) for name in sorted(POINTS)},
+        **{f"lines {name}": with_options(house, lines=name) for name in sorted(LINES)},
+        **theory(),
+        **switches(replace(base, frames=SHORT)),
+        **{f"preset {name}": shortened(make()) for name, make in PRESETS.items()},
+        **{f"prior {name}": with_options(base, points=name, **TOOLBOX) for name in ("idpPnt", "hmgPnt")},
+    }
+
+
+def shortened(preset: Preset) -> Preset:
+    """The beginning, which shows what the sensors are worth; whole rounds are those of points and lines."""
+    return replace(with_options(preset, reproject=False), frames=BEGINNING)
+
+
+def theory() -> dict[str, Preset]:
+    """Where theory says that the filter must be consistent, and where it says that it cannot be."""
+    return {
+        "theory linear": linear(),
+        "theory small noise": with_depth(quiet(0.1, 0.1)),
+        "theory small noise, one camera": quiet(0.01, 0.05),
+        "theory start known to 10 cm": replace(quiet(0.01, 0.05, position_std=(0.1,)), frames=BEGINNING),
+        "theory start known to 0.1 degrees": replace(quiet(0.01, 0.05, attitude_std=(0.1,)), frames=SHORT),
+    }
+
+
+def switches(base: Preset) -> dict[str, Preset]:
+    """One change at a time."""
+    sharper = replace(base, rig=replace(base.rig, sensors=(replace(base.rig.sensors[0], std=(0.3,)),)))
+    return {
+        "switch none": base,
+        "switch prior of the toolbox": with_options(base, **TOOLBOX),
+        "switch no gate": with_options(base, gate=1 - 1e-9),
+        "switch oldest first": with_options(base, choose="order"),
+        "switch no conversion": with_options(base, convert=False),
+        "switch one after another": with_options(base, reproject=True),
+        "switch 0.3 pixels": sharper,
+        "switch prior, 0.3 pixels": with_options(sharper, **TOOLBOX),
+    }
+
+
+def digest(preset: Preset) -> str:
+    """Fingerprint of everything that a preset says."""
+    return hashlib.sha256(json.dumps(preset.to_dict(), sort_keys=True).encode()).hexdigest()[:12]
+
+
+def summary(preset: Preset, found: Experiment) -> dict[str, Any]:
+    """What is kept of an experiment. Lengths in metres; lists by robot, then by frame."""
+    runs, frames, robots = found.nees.shape
+    average, limits = found.nees.mean(0), band(DOF, runs)
+    half = frames // 2
+    return {
+        "digest": digest(preset),
+        "frames": frames,
+        "nees": [rounded(average[:, i], 2) for i in range(robots)],
+        "inside": [round(share_inside(average[:, i], limits), 3) for i in range(robots)],
+        "inside_first_half": [round(share_inside(average[:half, i], limits), 3) for i in range(robots)],
+        "run_means": [rounded(np.quantile(found.nees[:, :, i].mean(1), (0.05, 0.5, 0.95)), 1) for i in range(robots)],
+        "error": [rounded(_rms(found.errors[:, EVERY - 1 :: EVERY, i]), 5) for i in range(robots)],
+        "sigma": [rounded(_rms(found.sigmas[:, EVERY - 1 :: EVERY, i]), 5) for i in range(robots)],
+        "map_error": round(float(np.nanmedian(found.map_error)), 5),
+        "landmarks": round(float(found.landmarks.mean()), 2),
+        "deleted": round(float(found.deleted.mean()), 2),
+        "first": [rounded(row, 3) for row in found.nees[:FIRST_RUNS, :FIRST_FRAMES, 0]],
+    }
+
+
+def rounded(values: Any, digits: int) -> list[float]:
+    """Plain numbers for the file."""
+    return [round(float(v), digits) for v in values]
+
+
+def _rms(values: Any) -> Any:
+    return np.sqrt((values**2).mean(0))
+
+
+def run(names: list[str], runs: int = RUNS, jobs: int = 1) -> dict[str, Any]:
+    """The summaries of the named cases; finished runs are taken from the folder, and new ones put there."""
+    known, found = cases(), {}
+    for name in names:
+        experiment = monte_carlo(known[name], runs, seed=SEED, jobs=jobs, folder=FOLDER)
+        found[name] = summary(known[name], experiment)
+        print(f"{name}: {found[name]['inside']} of the steps inside", flush=True)
+    return found
+
+
+def main() -> None:
+    """Run everything, and write the file when all of it is done."""
+    parser = argparse.ArgumentParser(description="Run the Monte Carlo experiments of chapter 17.")
+    parser.add_argument("--jobs", type=int, default=2, help="runs at once (default 2)")
+    given = parser.parse_args()
+    found = run(list(cases()), jobs=given.jobs)
+    head = {"runs": RUNS, "seed": SEED, "dof": DOF, "band": rounded(band(DOF, RUNS), 4), "every": EVERY}
+    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(case)}" for name, case in found.items())
+    text = json.dumps(head)[:-1] + ', "cases": {\n' + rows + "\n}}\n"
+    layout.write_whole(FILE, text.encode())
+    print(f"wrote {FILE.relative_to(layout.ROOT)}: {len(found)} cases of {RUNS} runs, {len(text) / 1024:.0f} kB")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,36 @@
+"""The command `slamlib`: runs experiments, compares parametrizations, lists what there is."""
+
+import argparse
+import sys
+from collections.abc import Sequence
+
+from slamlib.cli import compare, listing, run
+from slamlib.errors import SlamlibError
+
+COMMANDS = {"run": run, "compare": compare, "list": listing}
+
+
+def parser() -> argparse.ArgumentParser:
+    """What the command line understands."""
+    top = argparse.ArgumentParser(prog="slamlib", description="EKF-SLAM, derived: run the book's filter.")
+    commands = top.add_subparsers(dest="command", required=True, metavar="{" + ",".join(COMMANDS) + "}")
+    for name, module in COMMANDS.items():
+        line = (module.__doc__ or "").strip().splitlines()[0]
+        command = commands.add_parser(name, help=line, description=line)
+        module.arguments(command)
+        command.set_defaults(execute=module.execute)
+    return top
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Do what the command line says; the exit status: 0, 2 for a mistake of the caller, 130 when interrupted."""
+    given = parser().parse_args(words)
+    try:
+        status: int = given.execute(given)
+    except SlamlibError as error:
+        print(f"slamlib: {error}", file=sys.stderr)
+        return 2
+    except BrokenPipeError:
+        sys.stderr.close()
+        return 1
+    return status

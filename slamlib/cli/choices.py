@@ -1,0 +1,95 @@
+"""Options of the command line that several commands share, and the preset that they make."""
+
+import argparse
+import json
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import Any
+
+from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.landmarks import LINES, POINTS
+from slamlib.presets import PRESETS, Preset, preset
+from slamlib.rig import Rig, tuples
+from slamlib.slam import Options
+
+
+def add(parser: argparse.ArgumentParser) -> None:
+    """The options that change a preset."""
+    parser.add_argument("--frames", type=count, help="how many frames")
+    parser.add_argument("--seed", type=int, help="of everything that is drawn")
+    parser.add_argument("--batch", action="store_true", help="correct by all landmarks at once, not one after another")
+    parser.add_argument("--calibrate", action="store_true", help="estimate the mounts of all sensors but the first")
+    parser.add_argument("--noise-in", choices=("control", "truth"), help="what the noise of the motion disturbs")
+    parser.add_argument(
+        "--option", action="append", default=[], metavar="NAME=VALUE", help="any option of `slamlib list options`"
+    )
+
+
+def count(text: str) -> int:
+    """A whole number above zero, for argparse."""
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"a whole number above 0, not {text}")
+    return value
+
+
+def base(name: str) -> Preset:
+    """The preset of a name, or of a JSON or TOML file. Raises SlamlibError with the choices."""
+    if name in PRESETS:
+        return preset(name)
+    if Path(name).suffix in (".json", ".toml"):
+        return Preset.load(name)
+    raise UnknownNameError.of("preset", name, PRESETS)
+
+
+def changed(chosen: Preset, given: argparse.Namespace) -> Preset:
+    """The preset with what the command line says of it."""
+    names = {"frames": given.frames, "seed": given.seed, "noise_in": given.noise_in}
+    options: dict[str, Any] = dict(_assignment(text) for text in given.option)
+    if given.batch:
+        options["reproject"] = False
+    chosen = replace(chosen, options=replace(chosen.options, **options))
+    if given.calibrate:
+        chosen = replace(chosen, rig=_calibrated(chosen.rig))
+    return replace(chosen, **{name: value for name, value in names.items() if value is not None})
+
+
+def with_landmark(chosen: Preset, name: str) -> Preset:
+    """The preset with new landmarks of this parametrization, in place of those of its family."""
+    if name not in POINTS and name not in LINES:
+        raise UnknownNameError.of("landmark", name, [*POINTS, *LINES])
+    family = "points" if name in POINTS else "lines"
+    if getattr(chosen.options, family) is None:
+        raise SlamlibError(f"the preset {chosen.name!r} has no {family}, so that {name} has no place in it")
+    change: dict[str, Any] = {family: name}
+    return replace(chosen, options=replace(chosen.options, **change))
+
+
+def _calibrated(rig: Rig) -> Rig:
+    if len(rig.sensors) < 2:
+        raise SlamlibError(
+            "--calibrate: a rig of one sensor has nothing to be calibrated against: where the sensor sits and where "
+            "the robot is cannot be told apart. Try `slamlib run stereo --calibrate`"
+        )
+    first, *others = rig.sensors
+    loose = [
+        s if s.estimated else replace(s, estimated=True, position_std=(0.02,), attitude_std=(1.5,)) for s in others
+    ]
+    return replace(rig, sensors=(first, *loose))
+
+
+def _assignment(text: str) -> tuple[str, Any]:
+    """NAME=VALUE, the value in JSON, or a word."""
+    name, equals, value = text.partition("=")
+    known = [f.name for f in fields(Options)]
+    if not equals:
+        raise SlamlibError(f"--option takes NAME=VALUE, got {text!r}")
+    if name not in known:
+        raise UnknownNameError.of("option", name, known)
+    words = {"true": True, "false": False, "none": None}
+    if value.lower() in words:
+        return name, words[value.lower()]
+    try:
+        return name, tuples(json.loads(value))
+    except json.JSONDecodeError:
+        return name, value

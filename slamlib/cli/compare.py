@@ -1,0 +1,81 @@
+"""Compare parametrizations on the same simulated runs: error, consistency, landmarks lost, time."""
+
+import argparse
+import json
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from slamlib.cli import choices
+from slamlib.evaluation import share_inside
+from slamlib.experiments import Experiment, monte_carlo
+from slamlib.landmarks import LINES
+
+DOF = 6
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """What `slamlib compare` takes."""
+    parser.add_argument("landmarks", nargs="+", help="parametrizations, of `slamlib list points` or `lines`")
+    parser.add_argument("--preset", help="default: points for points, lines for lines")
+    parser.add_argument("--runs", type=choices.count, default=20, help="independent runs of each (default 20)")
+    parser.add_argument("--jobs", type=int, default=1, help="runs at once, on so many processors (default 1)")
+    parser.add_argument("--folder", metavar="PATH", help="keep finished runs there, and go on with them next time")
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    choices.add(parser)
+
+
+def execute(given: argparse.Namespace) -> int:
+    """Run them all; the runs of each have the same worlds, motions and noises."""
+    rows = []
+    for name in given.landmarks:
+        base = choices.base(given.preset or ("lines" if name in LINES else "points"))
+        preset = choices.with_landmark(choices.changed(base, given), name)
+        # The seed draws the runs: files of finished runs belong to the preset without it.
+        found = monte_carlo(replace(preset, seed=0), given.runs, seed=preset.seed, jobs=given.jobs, folder=given.folder)
+        rows.append(summary(name, found))
+    print(json.dumps(rows, indent=2) if given.json else table(rows))
+    return 0
+
+
+def summary(name: str, found: Experiment) -> dict[str, Any]:
+    """The result as plain data: lengths in metres, times in milliseconds."""
+    statistic = found.consistency()
+    half = statistic.average.size // 2
+    return {
+        "landmark": name,
+        "runs": statistic.runs,
+        "frames": statistic.average.size,
+        "position_error_rms": float(np.sqrt((found.errors[:, -1, 0] ** 2).mean())),
+        "position_sigma": float(np.sqrt((found.sigmas[:, -1, 0] ** 2).mean())),
+        "map_error_median": float(np.nanmedian(found.map_error)),
+        "nees_median": float(np.median(statistic.average)),
+        "nees_last": float(statistic.average[-1]),
+        "nees_band": list(statistic.limits),
+        "inside_first_half": share_inside(statistic.average[: half or 1], statistic.limits),
+        "inside": statistic.inside,
+        "landmarks": float(found.landmarks.mean()),
+        "deleted": float(found.deleted.mean()),
+        "milliseconds_per_frame": 1e3 * float(np.median(found.seconds)),
+    }
+
+
+def table(rows: list[dict[str, Any]]) -> str:
+    """The result for people."""
+    low, high = rows[0]["nees_band"]
+    head = (
+        f"{rows[0]['runs']} runs of {rows[0]['frames']} frames. At the last frame: rms error and sigma of the place, "
+        f"median error of the map.\nNEES of the pose: {DOF} degrees of freedom, averaged over the runs at each frame; "
+        f"95 % band [{low:.2f}, {high:.2f}]; share of the frames inside it."
+    )
+    lines = ["", f"{'':8} {'error':>8} {'sigma':>8} {'map':>8} | {'NEES':>6} {'last':>6} {'1st half':>8} {'all':>5} |"
+             f" {'map':>5} {'lost':>5} {'ms/frame':>8}"]  # fmt: skip
+    lines += [
+        f"{r['landmark']:8} {100 * r['position_error_rms']:5.1f} cm {100 * r['position_sigma']:5.1f} cm "
+        f"{100 * r['map_error_median']:5.1f} cm | {r['nees_median']:6.2f} {r['nees_last']:6.2f} "
+        f"{r['inside_first_half']:8.0%} {r['inside']:5.0%} | {r['landmarks']:5.1f} {r['deleted']:5.1f} "
+        f"{r['milliseconds_per_frame']:8.2f}"
+        for r in rows
+    ]
+    return head + "\n".join(lines)

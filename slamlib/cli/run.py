@@ -1,0 +1,136 @@
+"""Run one experiment, and say how well it went."""
+
+import argparse
+import json
+import sys
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from slamlib.cli import choices
+from slamlib.errors import SlamlibError
+from slamlib.evaluation import band, share_inside
+from slamlib.progress import progress
+from slamlib.runs import Result, Run
+
+DOF = 6
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """What `slamlib run` takes."""
+    parser.add_argument("preset", nargs="?", help="a name of `slamlib list presets`, or a JSON or TOML file")
+    parser.add_argument("--landmark", action="append", default=[], help="parametrization of new points or lines")
+    choices.add(parser)
+    parser.add_argument("--video", metavar="PATH", help="a film: .mp4, .webm, .gif, or a folder for numbered PNG files")
+    parser.add_argument(
+        "--save", metavar="PATH", help="write the finished run to a file; an interrupted one goes there"
+    )
+    parser.add_argument("--resume", metavar="PATH", help="go on with a saved run instead of beginning one")
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+
+
+def execute(given: argparse.Namespace) -> int:
+    """Run it; an interrupted run is saved, and can be gone on with."""
+    run = _run(given)
+    if given.video:
+        from slamlib.scene.video import ready
+
+        ready(given.video)
+    film: list[Any] = []
+    path = given.save or f"slamlib-{run.preset.name}-{run.preset.seed}.npz"
+    try:
+        for step in progress(run, len(run), f"{run.preset.name}, seed {run.preset.seed}"):
+            if given.video:
+                film.append((run.slam.snapshot(), step.truth))
+    except KeyboardInterrupt:
+        run.save(path)
+        print(f"interrupted after frame {run.slam.number}; go on with: slamlib run --resume {path}", file=sys.stderr)
+        return 130
+    if given.save:
+        run.save(path)
+    if given.video:
+        _film(given.video, film, run)
+    result = run.result()
+    print(json.dumps(summary(result), indent=2) if given.json else table(result))
+    return 0
+
+
+def _run(given: argparse.Namespace) -> Run:
+    if given.resume:
+        if given.preset:
+            raise SlamlibError("--resume goes on with the preset of its file: leave the name out")
+        run = Run.load(given.resume)
+        if given.frames:
+            run.preset = replace(run.preset, frames=given.frames)
+        return run
+    if not given.preset:
+        raise SlamlibError("which preset? `slamlib list presets` shows them; --resume PATH goes on with a saved run")
+    chosen = choices.base(given.preset)
+    for name in given.landmark:
+        chosen = choices.with_landmark(chosen, name)
+    return Run(choices.changed(chosen, given))
+
+
+def _film(path: str, film: list[Any], run: Run) -> None:
+    from slamlib.scene import animate
+
+    snapshots, truths = zip(*film, strict=True)
+    animate(snapshots, path, world=run.preset.world, truths=truths)
+
+
+def summary(result: Result) -> dict[str, Any]:
+    """The result as plain data: lengths in metres, angles in degrees, times in milliseconds."""
+    low, high = band(DOF)
+    robots = [
+        {
+            "name": setup.name,
+            "position_error": float(np.linalg.norm(result.errors[-1, i, :3])),
+            "position_sigma": float(np.linalg.norm(result.sigmas[-1, i, :3])),
+            "attitude_error": float(np.degrees(np.linalg.norm(result.errors[-1, i, 3:]))),
+            "nees": float(result.nees[-1, i]),
+            "nees_inside": share_inside(result.nees[np.isfinite(result.nees[:, i]), i], (low, high)),
+        }
+        for i, setup in enumerate(result.preset.rig.robots)
+    ]
+    return {
+        "preset": result.preset.name,
+        "seed": result.preset.seed,
+        "frames": len(result.nees),
+        "robots": robots,
+        "nees_band": [low, high],
+        "nis_per_dof": float(result.nis.sum() / max(result.nis_dof.sum(), 1)),
+        "landmarks": int(result.landmarks[-1]),
+        "begun": result.begun,
+        "deleted": result.deleted,
+        "state": int(result.size[-1]),
+        "point_error_median": _median(result.point_errors),
+        "line_error_median": _median(result.segment_errors),
+        "milliseconds_per_frame": 1e3 * float(np.median(result.seconds)),
+    }
+
+
+def _median(values: Any) -> float | None:
+    finite = values[np.isfinite(values)]
+    return float(np.median(finite)) if len(finite) else None
+
+
+def table(result: Result) -> str:
+    """The result for people."""
+    s = summary(result)
+    rows = [("preset", f"{s['preset']}, seed {s['seed']}, {s['frames']} frames")]
+    low, high = s["nees_band"]
+    for robot in s["robots"]:
+        place = f"{100 * robot['position_error']:.1f} cm (sigma {100 * robot['position_sigma']:.1f} cm), "
+        rows.append((f"{robot['name']}: error", place + f"{robot['attitude_error']:.2f} degrees"))
+        share = f"{robot['nees']:.2f}; {robot['nees_inside']:.0%} of the steps inside [{low:.2f}, {high:.2f}]"
+        rows.append((f"{robot['name']}: NEES, {DOF} dof", share + " (1 run, 95 %)"))
+    rows.append(("NIS per degree of freedom", f"{s['nis_per_dof']:.2f}"))
+    rows.append(("landmarks", f"{s['landmarks']} in the map, {s['begun']} begun, {s['deleted']} deleted"))
+    for name in ("point", "line"):
+        if s[f"{name}_error_median"] is not None:
+            rows.append((f"{name}s: median error", f"{100 * s[f'{name}_error_median']:.1f} cm"))
+    rows.append(("state", f"{s['state']} degrees of freedom"))
+    rows.append(("processor time", f"{s['milliseconds_per_frame']:.2f} ms per frame (median)"))
+    width = max(len(name) for name, _ in rows)
+    return "\n".join(f"{name:{width}}  {value}" for name, value in rows)

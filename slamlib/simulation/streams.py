@@ -1,0 +1,25 @@
+"""Random numbers of a simulation: a stream of its own for each thing that is drawn."""
+
+import numpy as np
+
+from slamlib.errors import SlamlibError
+
+KINDS = ("start", "control", "mount", "points", "segments", "faults")
+
+
+Streams = dict[str, np.random.Generator]
+
+
+def streams(rng: np.random.Generator, count: int) -> list[Streams]:
+    """For each of so many robots and sensors a generator of every kind; they depend on the state of `rng` alone.
+
+    What is drawn from one changes nothing in the others, and nobody else draws from them: a second sensor, a fault
+    more, or a filter that goes on with `rng` leaves all other numbers as they were. Raises SlamlibError.
+    """
+    if not isinstance(rng, np.random.Generator):
+        raise SlamlibError(f"simulate: rng is a generator, such as np.random.default_rng(1), not {rng!r}")
+    seed = rng.integers(2**32, size=4).tolist()
+    return [
+        {kind: np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(i, k))) for k, kind in enumerate(KINDS)}
+        for i in range(count)
+    ]

@@ -1,0 +1,94 @@
+"""A filter in one file, whole or not at all: what is loaded goes on exactly as what was saved would have.
+
+The file is a ZIP of NumPy arrays (np.load reads it): `header`, the text of a JSON object; `P`, the joint covariance;
+`means`, all blocks' means one after another; `abscissas`, the two ends of each line (nan for points).
+"""
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from slamlib.errors import SlamlibError
+from slamlib.landmarks import landmark as landmark_kind
+from slamlib.rig import Rig
+from slamlib.slam.entities import Landmark
+from slamlib.slam.options import Options
+
+FORMAT, VERSION = "slamlib filter", 1
+
+
+def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
+    """Write the filter to a file; extra: plain data of the caller, which `load` gives back."""
+    landmarks = slam.landmarks
+    order = {id(block): i for i, block in enumerate(slam.belief.blocks)}
+    header = {
+        "format": FORMAT,
+        "version": VERSION,
+        "rig": slam.rig.to_dict(),
+        "options": slam.options.to_dict(),
+        "number": slam.number,
+        "time": slam.time,
+        "frames_of": slam.frames_of,
+        "robots": [order[id(r.block)] for r in slam.robots],
+        "sensors": [None if s.block is None else order[id(s.block)] for s in slam.sensors],
+        "sizes": [len(block.mean) for block in slam.belief.blocks],
+        "landmarks": [
+            [lm.id, lm.kind.name, order[id(lm.block)], lm.born, lm.searched, lm.matched, lm.inliers] for lm in landmarks
+        ],
+        "extra": extra,
+    }
+    none = np.full(2, np.nan)
+    arrays = {
+        "header": np.array(json.dumps(header)),
+        "P": slam.belief.matrix,
+        "means": np.concatenate([block.mean for block in slam.belief.blocks]),
+        "abscissas": np.array([none if lm.abscissas is None else lm.abscissas for lm in landmarks]).reshape(-1, 2),
+    }
+    target = Path(path)
+    partial = target.with_name(target.name + ".part")
+    try:
+        with partial.open("wb") as file:
+            np.savez_compressed(file, **arrays)
+        os.replace(partial, target)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def read(path: str | os.PathLike[str]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """The header and the arrays of a file. Raises SlamlibError for a file that is none, or not whole."""
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            arrays = {name: file[name] for name in ("P", "means", "abscissas")}
+            header = json.loads(str(file["header"]))
+    except FileNotFoundError:
+        raise SlamlibError(f"{path}: there is no such file") from None
+    except Exception as error:
+        raise SlamlibError(f"{path} is no filter that slamlib saved, or is damaged: {error}") from None
+    if header.get("format") != FORMAT or header.get("version") != VERSION:
+        found = f"{header.get('format')!r} version {header.get('version')}"
+        raise SlamlibError(f"{path} holds {found}; this slamlib reads {FORMAT!r} version {VERSION}")
+    return header, arrays
+
+
+def load(path: str | os.PathLike[str], front_ends: Any, make: Any) -> tuple[Any, dict[str, Any]]:
+    """The filter of a file, made by make(rig, options, front_ends=...), and the caller's extra data."""
+    header, arrays = read(path)
+    slam = make(Rig.from_dict(header["rig"]), Options.from_dict(header["options"]), front_ends=front_ends)
+    ends = np.cumsum(header["sizes"])
+    means = np.split(arrays["means"], ends[:-1])
+    own = {i: r.block for i, r in zip(header["robots"], slam.robots, strict=True)}
+    own |= {i: s.block for i, s in zip(header["sensors"], slam.sensors, strict=True) if i is not None}
+    kinds = {row[2]: landmark_kind(row[1]) for row in header["landmarks"]}
+    blocks = {i: slam.belief.add(kinds[i].space, means[i], np.eye(kinds[i].space.dof)) for i in sorted(kinds)}
+    slam.belief.overwrite({**own, **blocks}, dict(enumerate(means)), arrays["P"])
+    for row, abscissas in zip(header["landmarks"], arrays["abscissas"], strict=True):
+        number, _, block, born, searched, matched, inliers = row
+        known = None if np.isnan(abscissas).any() else abscissas
+        slam.landmarks.append(
+            Landmark(number, kinds[block], blocks[block], born, searched, matched, inliers, abscissas=known)
+        )
+    slam.number, slam.time, slam.frames_of = header["number"], header["time"], header["frames_of"]
+    return slam, header["extra"]

@@ -1,0 +1,73 @@
+"""Robots, sensors and landmarks as the filter holds them: handles to blocks of the belief, and what is kept beside."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from slamlib.blocks import Block
+from slamlib.motions import Motion
+from slamlib.sensors.sensor import Calibration
+from slamlib.spaces import Array
+
+POSE = 6  # degrees of freedom of a pose, the first of every robot's state
+
+
+@dataclass(eq=False)
+class Robot:
+    """A robot in the map; its state begins with its pose. noise: of a step without a control."""
+
+    name: str
+    motion: Motion
+    block: Block
+    noise: Array
+
+    @property
+    def pose(self) -> Array:
+        """Pose (7,) in the world."""
+        return self.block.mean[:7]
+
+
+@dataclass(eq=False)
+class MountedSensor:
+    """A sensor on a robot: its mount is given, or a block of the map that is estimated."""
+
+    name: str
+    robot: Robot
+    calibration: Calibration
+    given: Array
+    block: Block | None = None
+
+    @property
+    def mount(self) -> Array:
+        """Pose (7,) in the robot's frame."""
+        return self.given if self.block is None else self.block.mean
+
+    @property
+    def columns(self) -> Array:
+        """Rows of the joint covariance of the robot's pose, and of the mount if it is estimated."""
+        starts = [self.robot.block.start] + ([] if self.block is None else [self.block.start])
+        return (np.array(starts)[:, None] + np.arange(POSE)).ravel()
+
+    @property
+    def blocks(self) -> list[Block]:
+        """The blocks of the map that it depends on."""
+        return [self.robot.block] + ([] if self.block is None else [self.block])
+
+
+@dataclass(eq=False)
+class Landmark:
+    """A landmark in the map: its parametrization, its block, its history; of a line the abscissas of its two ends.
+
+    searched, matched, inliers: how often it was looked for, found, and believed. signature: what a front end keeps.
+    """
+
+    id: int
+    kind: Any
+    block: Block
+    born: int
+    searched: int = 1
+    matched: int = 1
+    inliers: int = 1
+    abscissas: Array | None = None
+    signature: Any = field(default=None, repr=False)

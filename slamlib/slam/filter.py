@@ -1,0 +1,199 @@
+"""EKF-SLAM: robots, sensors and landmarks in one joint Gaussian, corrected by frames. Chapter 16 reads it."""
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from slamlib.association import Identity
+from slamlib.belief import Belief
+from slamlib.errors import SingularPointError, SlamlibError
+from slamlib.geometry.pose import Pose
+from slamlib.records import Control, Frame, Scan
+from slamlib.rig import Rig
+from slamlib.slam import checkpoint
+from slamlib.slam.entities import Landmark, MountedSensor, Robot
+from slamlib.slam.lines import LineFamily
+from slamlib.slam.looking import (
+    Look,
+    choose_and_match,
+    correct_in_batch,
+    correct_in_sequence,
+    expect_all,
+    follow,
+    groups,
+)
+from slamlib.slam.options import Options
+from slamlib.slam.points import PointFamily
+from slamlib.slam.showing import snapshot_of
+from slamlib.snapshots import Snapshot
+from slamlib.spaces import Array
+
+
+@dataclass(frozen=True)
+class Report:
+    """What one step did: ids of the landmarks begun and deleted, and of those that the capacity kept out."""
+
+    begun: tuple[int, ...] = ()
+    deleted: tuple[int, ...] = ()
+    refused: tuple[int, ...] = ()
+
+
+@dataclass(eq=False)
+class _Events:
+    begun: list[int] = field(default_factory=list)
+    deleted: list[int] = field(default_factory=list)
+    refused: list[int] = field(default_factory=list)
+
+
+class Slam:
+    """The filter. It is built of a rig and options, takes frames one by one, and shows itself in snapshots."""
+
+    def __init__(self, rig: Rig, options: Options | None = None, *, front_ends: Sequence[Any] | None = None) -> None:
+        """front_ends: one for each sensor, that finds its measurements (default: slamlib.association.Identity)."""
+        self.rig, self.options = rig, options or Options()
+        self.belief = Belief()
+        self.robots = [Robot(r.name, r.model, self.belief.add(r.model.space, r.state, r.covariance), r.noise)
+                       for r in rig.robots]  # fmt: skip
+        self.sensors = [self._mounted(s) for s in rig.sensors]
+        self.front_ends = list(front_ends or [Identity()] * len(self.sensors))
+        if len(self.front_ends) != len(self.sensors):
+            raise SlamlibError(f"Slam: {len(self.sensors)} sensors need as many front ends, got {len(self.front_ends)}")
+        self.families = (PointFamily(self.options), LineFamily(self.options))
+        self.landmarks: list[Landmark] = []
+        self.number, self.time = 0, 0.0
+        self.frames_of = [0] * len(self.sensors)
+        self.scans: list[Scan | None] = [None] * len(self.sensors)
+        self.looks: list[list[Look]] = [[] for _ in self.sensors]
+
+    def _mounted(self, setup: Any) -> MountedSensor:
+        block = self.belief.add(Pose, setup.mount, setup.covariance) if setup.estimated else None
+        return MountedSensor(setup.name, self.robots[setup.robot], setup.calibration, setup.mount, block)
+
+    def step(self, frame: Frame) -> Report:
+        """One frame: all robots move; then each sensor corrects what is known, and begins what is new.
+
+        Raises SlamlibError for a frame that does not fit the rig; then nothing is changed.
+        """
+        self._check(frame)
+        events = _Events()
+        self.number, self.time = frame.number, self.time + frame.dt
+        for robot, control in zip(self.robots, frame.controls, strict=True):
+            self._predict(robot, control, frame.dt)
+        for i, scan in enumerate(frame.scans):
+            self._correct(i, scan)
+            self._delete(self.looks[i], events)
+            self._begin(i, scan, events)
+        return Report(tuple(events.begun), tuple(events.deleted), tuple(events.refused))
+
+    def _check(self, frame: Frame) -> None:
+        given, wanted = (len(frame.controls), len(frame.scans)), (len(self.robots), len(self.sensors))
+        if given != wanted:
+            raise SlamlibError(
+                f"frame {frame.number}: {given[0]} controls and {given[1]} scans for a rig of {wanted[0]} robots "
+                f"and {wanted[1]} sensors; a robot without a control has None, a sensor without features an empty scan"
+            )
+        for robot, control in zip(self.robots, frame.controls, strict=True):
+            if control is not None and control.value.shape != (robot.motion.control,):
+                raise SlamlibError(
+                    f"frame {frame.number}: {robot.name} takes controls of {robot.motion.control} numbers, "
+                    f"got {control.value.size}"
+                )
+        for sensor, scan in zip(self.sensors, frame.scans, strict=True):
+            size = sensor.calibration.sensor.size
+            if scan.points.values.shape[1] != size and len(scan.points):
+                raise SlamlibError(
+                    f"frame {frame.number}: {sensor.name} measures {size} numbers a point, got "
+                    f"{scan.points.values.shape[1]}"
+                )
+
+    def _predict(self, robot: Robot, control: Control | None, dt: float) -> None:
+        value = np.zeros(robot.motion.control) if control is None else control.value
+        noise = robot.noise if control is None else control.covariance
+        state, J = robot.motion.step.jac(robot.block.mean, value, dt)
+        self.belief.predict(robot.block, state, J.state, J.control @ noise @ J.control.T)
+
+    def _correct(self, i: int, scan: Scan) -> None:
+        sensor = self.sensors[i]
+        looks = expect_all(self.belief, sensor, self.families, self.landmarks)
+        matched = choose_and_match(looks, scan, self.front_ends[i], self.options)
+        correct = correct_in_sequence if self.options.reproject else correct_in_batch
+        correct(self.belief, sensor, matched, self.options)
+        follow(self.belief, sensor, matched)
+        self.scans[i], self.looks[i] = scan, looks
+
+    def _delete(self, looks: list[Look], events: _Events) -> None:
+        """Landmarks that are not found where they should be, or found to be wrong, and points beyond infinity, go."""
+        bad = {look.landmark for look in looks if look.chosen and self._is_bad(look.landmark)}
+        for group in groups(self.landmarks):
+            for family in self.families:
+                if isinstance(group[0].kind, family.kinds):
+                    bad |= family.lost(self.belief, group)
+        for landmark in [lm for lm in self.landmarks if lm in bad] if bad else ():
+            self.forget(landmark)
+            events.deleted.append(landmark.id)
+
+    def _is_bad(self, landmark: Landmark) -> bool:
+        o = self.options
+        return landmark.searched >= o.search_first and (
+            landmark.matched < o.keep_matched * landmark.searched
+            or landmark.inliers < o.keep_inliers * landmark.matched
+        )
+
+    def snapshot(self) -> Snapshot:
+        """What may be shown of the filter now; nothing of it changes later."""
+        return snapshot_of(self)
+
+    def save(self, path: str | os.PathLike[str], **extra: Any) -> None:
+        """Write the filter to one file, whole or not at all; extra: plain data that `load` gives back."""
+        checkpoint.save(self, path, **extra)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str], *, front_ends: Sequence[Any] | None = None) -> "Slam":
+        """The filter of a file: it goes on exactly as the saved one would have. Raises SlamlibError."""
+        return cls.resume(path, front_ends=front_ends)[0]
+
+    @classmethod
+    def resume(cls, path: str | os.PathLike[str], *, front_ends: Sequence[Any] | None = None) -> tuple["Slam", Any]:
+        """The same, with the extra data that were saved beside it."""
+        return checkpoint.load(path, front_ends, cls)
+
+    def forget(self, landmark: Landmark) -> None:
+        """Take a landmark out of the map: what remains is the marginal of the rest."""
+        self.belief.remove(landmark.block)
+        self.landmarks.remove(landmark)
+
+    def _begin(self, i: int, scan: Scan, events: _Events) -> None:
+        sensor = self.sensors[i]
+        count = self.options.later if self.frames_of[i] else self.options.first
+        self.frames_of[i] += 1
+        for family in self.families:
+            kind = family.new
+            if kind is None or not family.sees(sensor):
+                continue
+            known = {landmark.id for landmark in self.landmarks}
+            found = self.front_ends[i].detect(
+                scan, family.name, known, lambda values, f=family: f.usable(sensor, values), count
+            )
+            for number, value, signature in found:
+                self._begin_one(family, sensor, kind, number, value, signature, events)
+
+    def _begin_one(
+        self, family: Any, sensor: MountedSensor, kind: Any, number: int, value: Array, signature: Any, events: _Events
+    ) -> None:
+        if self.options.capacity is not None and len(self.landmarks) >= self.options.capacity:
+            events.refused.append(number)
+            return
+        try:
+            x, noise, jacobians = family.begin(sensor, kind, value)
+        except SingularPointError:
+            return  # this parametrization cannot hold what is there; it may from the next place
+        blocks = sensor.blocks
+        pads = [np.pad(J, ((0, 0), (0, b.dof - J.shape[1]))) for b, J in zip(blocks, jacobians, strict=False)]
+        block = self.belief.add(kind.space, x, noise, given=blocks, jacobians=pads)
+        self.landmarks.append(
+            Landmark(number, kind, block, self.number, abscissas=family.abscissas(kind), signature=signature)
+        )
+        events.begun.append(number)

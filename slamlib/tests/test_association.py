@@ -1,0 +1,92 @@
+"""Choosing what to look at, gating, and association by identity."""
+
+import numpy as np
+import pytest
+
+from slamlib.association import CHOICES, Identity, gate, innovation_covariances, normalized
+from slamlib.belief import Belief
+from slamlib.evaluation import chi2_cdf
+from slamlib.records import Features, Scan
+
+
+@pytest.fixture
+def rng():
+    return np.random.default_rng(16)
+
+
+def spd(rng, n):
+    A = rng.standard_normal((n, n))
+    return A @ A.T + 0.1 * np.eye(n)
+
+
+def test_innovation_covariances_are_those_of_the_belief(rng):
+    belief = Belief()
+    robot = belief.add(3, np.zeros(3), spd(rng, 3))
+    marks = [belief.add(2, np.zeros(2), spd(rng, 2), given=[robot], jacobians=[rng.random((2, 3))]) for _ in range(4)]
+    H, R = rng.standard_normal((4, 2, 5)), np.array([spd(rng, 2) for _ in range(4)])
+    columns = np.array([[0, 1, 2, *range(m.start, m.start + 2)] for m in marks])
+    found = innovation_covariances(belief.matrix, columns, H, R)
+    for i, mark in enumerate(marks):
+        wanted = belief.innovation_covariance([robot, mark], [H[i][:, :3], H[i][:, 3:]], R[i])
+        assert np.allclose(found[i], wanted, rtol=1e-13)
+    assert np.array_equal(found, found.swapaxes(1, 2))
+
+
+def test_rows_correct_as_blocks_do(rng):
+    beliefs = []
+    for _ in range(2):
+        r = np.random.default_rng(3)
+        belief = Belief()
+        belief.add(3, r.random(3), spd(r, 3))
+        belief.add(2, r.random(2), spd(r, 2))
+        beliefs.append(belief)
+    H, R, z = rng.standard_normal((2, 5)), spd(rng, 2), rng.standard_normal(2)
+    a = beliefs[0].correct(beliefs[0].blocks, [H[:, :3], H[:, 3:]], z, R)
+    b = beliefs[1].correct_rows(np.arange(5), H, z, R)
+    assert a.nis == b.nis
+    assert np.array_equal(beliefs[0].matrix, beliefs[1].matrix)
+    before = beliefs[1].matrix.copy()
+    with beliefs[1].series() as series:
+        assert series.correct(np.arange(5), H, 100 * z, R, 9.0).nis > 9
+    assert np.array_equal(before, beliefs[1].matrix)
+
+
+def test_the_most_uncertain_expectations_come_first():
+    Z = np.array([np.diag(d) for d in ([1.0, 1.0], [4.0, 2.0], [3.0, 3.0], [4.0, 2.0])])
+    assert CHOICES["information"](Z, 3).tolist() == [2, 1, 3]
+    assert CHOICES["order"](Z, 2).tolist() == [0, 1]
+    assert CHOICES["information"](Z, 10).tolist() == [2, 1, 3, 0]
+
+
+@pytest.mark.parametrize("dof", [1, 2, 3])
+def test_a_gate_lets_its_share_of_the_truth_pass(dof, rng):
+    """20000 draws: the share is binomial, with a standard deviation of 0.0007 for p = 0.99."""
+    Z = spd(rng, dof)
+    z = rng.multivariate_normal(np.zeros(dof), Z, size=20000)
+    share = (normalized(z, np.broadcast_to(Z, (20000, dof, dof))) < gate(0.99, dof)).mean()
+    assert abs(share - 0.99) < 4 * np.sqrt(0.99 * 0.01 / 20000)
+
+
+def test_without_a_gate_everything_passes():
+    assert gate(1.0, 2) == np.inf
+
+
+def test_nine_is_another_probability_for_each_size():
+    """The toolbox's one threshold for everything (E59)."""
+    assert [round(chi2_cdf(9, n), 3) for n in (1, 2, 3, 4)] == [0.997, 0.989, 0.971, 0.939]
+
+
+def test_identity_matches_by_id_and_begins_with_the_lowest():
+    scan = Scan(Features([7, 3, 9, 5], [[7.0, 0], [3, 0], [9, 0], [5, 0]]))
+
+    class Wanted:
+        def __init__(self, number):
+            self.landmark = type("L", (), {"id": number})
+
+    measured, found = Identity().match(scan, "points", [Wanted(9), Wanted(4), Wanted(3)])
+    assert found.tolist() == [True, False, True]
+    assert measured[[0, 2], 0].tolist() == [9, 3]
+    assert np.isnan(measured[1]).all()
+    fresh = Identity().detect(scan, "points", {3}, lambda values: values[:, 0] != 5, 2)
+    assert [number for number, _, _ in fresh] == [7, 9]
+    assert Identity().detect(Scan(Features.none(2)), "points", set(), lambda v: np.ones(len(v), bool), 3) == []

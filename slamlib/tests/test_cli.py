@@ -1,0 +1,179 @@
+"""The command line: what it prints, what it refuses, and that an interrupted run is not lost."""
+
+import io
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from slamlib.cli import main
+from slamlib.progress import progress
+from slamlib.runs import Run
+
+SHORT = ["--frames", "12"]
+
+
+def test_run_prints_a_table(capsys):
+    assert main(["run", "points", *SHORT]) == 0
+    text = capsys.readouterr().out
+    for word in ("points, seed 1, 12 frames", "NEES, 6 dof", "landmarks", "ms per frame"):
+        assert word in text
+
+
+def test_run_prints_json(capsys):
+    assert main(["run", "lines", "--landmark", "plkLin", "--seed", "5", "--json", "--batch", *SHORT]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert (found["preset"], found["seed"], found["frames"]) == ("lines", 5, 12)
+    assert found["robots"][0]["position_error"] < 0.1
+    assert found["line_error_median"] is not None
+    assert found["point_error_median"] is None
+
+
+def test_the_same_seed_gives_the_same_numbers(capsys):
+    found = []
+    for _ in range(2):
+        main(["run", "points", "--json", *SHORT])
+        found.append(json.loads(capsys.readouterr().out))
+        del found[-1]["milliseconds_per_frame"]
+    assert found[0] == found[1]
+
+
+def test_options_of_the_filter(tmp_path, capsys):
+    words = ["--option", "capacity=11", "--option", "inverse_distance=[0.2, 0.2]", "--option", "convert=false"]
+    path = tmp_path / "run.npz"
+    assert main(["run", "points", *words, "--save", str(path), *SHORT]) == 0
+    options = Run.load(path).preset.options
+    assert (options.capacity, options.inverse_distance, options.convert) == (11, (0.2, 0.2), False)
+    assert "11 in the map" in capsys.readouterr().out
+
+
+def test_calibrate_puts_the_second_mount_into_the_map(tmp_path):
+    path = tmp_path / "run.npz"
+    assert main(["run", "stereo", "--calibrate", "--save", str(path), *SHORT]) == 0
+    assert [s.block is not None for s in Run.load(path).slam.sensors] == [False, True]
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["run", "pints"], "did you mean 'points'?"),
+        (["run"], "which preset?"),
+        (["run", "absent.toml"], "cannot be read"),
+        (["run", "points", "--landmark", "ahmPt"], "did you mean 'ahmPnt'?"),
+        (["run", "points", "--landmark", "plkLin"], "has no lines"),
+        (["run", "points", "--calibrate"], "nothing to be calibrated against"),
+        (["run", "points", "--option", "gat=0.9"], "did you mean 'gate'?"),
+        (["run", "points", "--option", "gate"], "NAME=VALUE"),
+        (["run", "points", "--option", "gate=2"], "gate should be"),
+        (["run", "--resume", "absent.npz"], "no such file"),
+        (["run", "points", "--resume", "absent.npz"], "leave the name out"),
+    ],
+)
+def test_mistakes_are_named(words, message, capsys):
+    assert main(words) == 2
+    found = capsys.readouterr()
+    assert message in found.err
+    assert found.err.startswith("slamlib: ")
+    assert not found.out
+
+
+@pytest.mark.parametrize("words", [["--help"], ["run", "--help"], ["compare", "--help"], ["list", "--help"]])
+def test_help(words, capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(words)
+    assert stop.value.code == 0
+    assert "usage: slamlib" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "words", [[], ["walk"], ["run", "points", "--frames", "0"], ["run", "points", "--frames", "x"]]
+)
+def test_usage_errors(words):
+    with pytest.raises(SystemExit) as stop:
+        main(words)
+    assert stop.value.code == 2
+
+
+def test_list_shows_everything(capsys):
+    assert main(["list"]) == 0
+    text = capsys.readouterr().out
+    for name in ("two_robots", "fhmPnt", "aplLin", "omniCam", "constVel", "thickCloister"):
+        assert name in text
+    assert main(["list", "options"]) == 0
+    assert "gate = 0.99" in capsys.readouterr().out
+
+
+def test_compare_on_the_same_runs(capsys, tmp_path):
+    words = ["compare", "ahmPnt", "idpPnt", "--runs", "2", "--json", "--folder", str(tmp_path), *SHORT]
+    assert main(words) == 0
+    rows = json.loads(capsys.readouterr().out)
+    assert [r["landmark"] for r in rows] == ["ahmPnt", "idpPnt"]
+    assert rows[0]["position_error_rms"] == pytest.approx(rows[1]["position_error_rms"], rel=0.1)
+    assert len(list(tmp_path.glob("*.npz"))) == 4
+    assert main(words[:-4] + words[-4:]) == 0  # again, from the files
+    assert json.loads(capsys.readouterr().out) == rows
+    assert main(["compare", "plkLin", "--runs", "1", *SHORT]) == 0
+    assert "95 % band" in capsys.readouterr().out
+
+
+def test_an_interrupted_run_goes_on(tmp_path, monkeypatch, capsys):
+    whole = Run.load(_saved(tmp_path, "whole", ["run", "points", *SHORT])).result()
+
+    def interrupted(items, total, label):
+        for i, item in enumerate(items):
+            if i == 5:
+                raise KeyboardInterrupt
+            yield item
+
+    monkeypatch.setattr("slamlib.cli.run.progress", interrupted)
+    path = tmp_path / "cut.npz"
+    assert main(["run", "points", "--save", str(path), *SHORT]) == 130
+    assert f"slamlib run --resume {path}" in capsys.readouterr().err
+    monkeypatch.undo()
+    assert main(["run", "--resume", str(path), "--save", str(path)]) == 0
+    cut = Run.load(path).result()
+    for name in ("errors", "nees", "nis", "landmarks", "point_errors"):
+        assert np.array_equal(getattr(whole, name), getattr(cut, name), equal_nan=True)
+
+
+def _saved(folder, name, words):
+    path = folder / f"{name}.npz"
+    assert main([*words, "--save", str(path)]) == 0
+    return path
+
+
+def test_a_film_that_cannot_be_written_is_said_before_the_run(tmp_path, capsys, monkeypatch):
+    pytest.importorskip("matplotlib", reason="films need matplotlib")
+    monkeypatch.setattr("slamlib.slam.filter.Slam.step", None)  # no frame may be run
+    (tmp_path / "there.gif").touch()
+    for name, message in (("there.gif", "is there already"), ("film.avi", "ending of a video")):
+        assert main(["run", "points", "--video", str(tmp_path / name), *SHORT]) == 2
+        assert message in capsys.readouterr().err
+
+
+def test_a_film_as_numbered_pictures(tmp_path):
+    pytest.importorskip("matplotlib", reason="films need matplotlib")
+    assert main(["run", "points", "--video", str(tmp_path / "film"), "--frames", "2"]) == 0
+    assert sorted(f.name for f in (tmp_path / "film").iterdir()) == ["0001.png", "0002.png"]
+
+
+def test_python_m_slamlib():
+    call = [sys.executable, "-m", "slamlib", "list", "sensors"]
+    assert "pinHole" in subprocess.run(call, capture_output=True, text=True, check=True).stdout
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+def test_progress_draws_on_terminals_only():
+    quiet, seen = io.StringIO(), Terminal()
+    assert list(progress(iter(range(3)), 3, "work", quiet)) == [0, 1, 2]
+    assert quiet.getvalue() == ""
+    assert list(progress(iter(range(3)), 3, "work", seen)) == [0, 1, 2]
+    assert seen.getvalue().endswith("\n")
+    assert "3/3" in seen.getvalue()
+    assert list(progress([], 0, "nothing", seen)) == []

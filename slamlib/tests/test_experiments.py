@@ -1,0 +1,95 @@
+"""Many runs: independent of the number of workers, resumable, and consistent where they should be."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from slamlib.errors import SlamlibError
+from slamlib.evaluation import band
+from slamlib.experiments import NAMES, monte_carlo
+from slamlib.presets import preset
+from slamlib.rig import Rig
+
+SHORT = replace(preset("points"), frames=8)
+SAME = [name for name in NAMES if name != "seconds"]
+
+
+def equal(a, b):
+    return all(np.array_equal(getattr(a, name), getattr(b, name), equal_nan=True) for name in SAME)
+
+
+def test_any_number_of_workers_gives_the_same():
+    pytest.importorskip("joblib", reason="several runs at once need joblib")
+    assert equal(monte_carlo(SHORT, 3, seed=4), monte_carlo(SHORT, 3, seed=4, jobs=2))
+
+
+def test_runs_are_independent_and_depend_on_the_seed():
+    a, b = monte_carlo(SHORT, 3, seed=4), monte_carlo(SHORT, 3, seed=5)
+    assert len(np.unique(np.concatenate([a.nees[:, -1], b.nees[:, -1]]))) == 6
+    assert equal(a, monte_carlo(SHORT, 3, seed=4))
+
+
+def test_finished_runs_are_kept_and_not_run_again(tmp_path, monkeypatch):
+    first = monte_carlo(SHORT, 2, folder=tmp_path)
+    more = monte_carlo(SHORT, 3, folder=tmp_path)
+    assert np.array_equal(first.nees, more.nees[:2])
+    assert len(list(tmp_path.iterdir())) == 3
+    other = replace(SHORT, options=replace(SHORT.options, updates=3))
+    assert not np.array_equal(monte_carlo(other, 2, folder=tmp_path).nees, first.nees)
+    monkeypatch.setattr("slamlib.experiments._row", None)  # whatever would be run again would fail
+    assert equal(monte_carlo(SHORT, 3, folder=tmp_path), more)
+
+
+def test_the_same_call_on_a_dask_cluster():
+    distributed = pytest.importorskip(
+        "distributed", reason="dask's cluster is optional: pip install 'dask[distributed]'"
+    )
+    joblib = pytest.importorskip("joblib")
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.Client(cluster),
+        joblib.parallel_config(backend="dask"),
+    ):
+        assert equal(monte_carlo(SHORT, 3, seed=4, jobs=None), monte_carlo(SHORT, 3, seed=4))
+
+
+def test_no_runs_are_refused():
+    with pytest.raises(SlamlibError, match="at least one run"):
+        monte_carlo(SHORT, 0)
+
+
+def first_part(kind, **change):
+    """Twenty runs of the first fifty frames."""
+    p = replace(preset("points"), frames=50)
+    options = replace(p.options, points=kind, reproject=False, **change)
+    return monte_carlo(replace(p, options=options), 20).consistency()
+
+
+# Neighbouring steps are correlated: a set of runs that begins high stays high, and few of its steps may be inside a
+# 95 % band (seed 7: 14 %, seeds 8 and 9: 100 %). What is asked for is a band that a single step leaves once in a
+# thousand sets, at every step; the share inside the 95 % band is printed.
+RARELY = band(6, 20, 0.999)
+
+
+@pytest.mark.parametrize("kind", ["idpPnt", "ahmPnt", "fhmPnt"])
+def test_points_are_consistent_in_the_first_part_of_the_round(kind):
+    found = first_part(kind)
+    print(kind, found)
+    assert ((found.average > RARELY[0]) & (found.average < RARELY[1])).all(), found
+
+
+def test_what_is_known_to_be_inconsistent_is_found_so():
+    """hmgPnt's unobservable direction depends on its estimate (chapter 17)."""
+    found = first_part("hmgPnt")
+    assert found.average[10:].max() > RARELY[1], found
+
+
+def test_small_noise_is_consistent_throughout():
+    """Where errors are small the filter is linear: NEES inside its band over the whole round."""
+    p = preset("points")
+    robot = replace(p.rig.robots[0], control_std=tuple(v / 100 for v in p.rig.robots[0].control_std))
+    camera = replace(p.rig.sensors[0], std=(0.05,))
+    options = replace(p.options, reproject=False, inverse_distance=(0.2, 0.2))
+    found = monte_carlo(replace(p, rig=Rig((robot,), (camera,)), options=options, frames=100), 20).consistency()
+    assert ((found.average > RARELY[0]) & (found.average < RARELY[1])).all(), found

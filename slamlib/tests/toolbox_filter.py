@@ -1,0 +1,234 @@
+"""Our filter with our corrections of the toolbox switched off, one by one, for a replay of its recorded runs.
+
+Each name of SWITCHES undoes one correction. The formulas are the facts of the runs; the models are ours.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from slamlib.geometry.pose import compose
+from slamlib.landmarks import idp_point
+from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.landmarks.linearity import to_euclidean
+from slamlib.slam import Slam
+from slamlib.slam.entities import MountedSensor
+from slamlib.slam.expected import Expected, Innovation, columns_of, means_of
+from slamlib.slam.lines import LineFamily
+from slamlib.slam.looking import choose_and_match, correct_in_sequence, expect_all, follow
+from slamlib.slam.points import PointFamily
+
+SWITCHES = {
+    "selection": "by det(E) of the expectation alone, not by det(Z) with the noise (errata E57)",
+    "at once": "a point is converted right after its own correction, not after all corrections of the sensor",
+    "index": "by the linearity index of the toolbox, not by that of chapter 11",
+    "reset": "a negative inverse distance becomes 0.001, and its covariance stays (no point is deleted for it)",
+    "seven": "the pose is a vector of seven numbers, its quaternion normalised with the Jacobian I / |q|",
+}
+
+
+def by_determinant(E, count):
+    """The largest determinants first."""
+    return np.argsort(-np.linalg.det(E), kind="stable")[:count]
+
+
+@dataclass(eq=False)
+class SevenSensor(MountedSensor):
+    """A sensor whose robot's pose has seven rows in the covariance."""
+
+    @property
+    def columns(self):
+        return self.robot.block.start + np.arange(7)
+
+
+def camera_of(sensor):
+    """The camera's pose, and its Jacobian by the robot's pose: by six numbers of the tangent space or by all seven."""
+    seven = isinstance(sensor, SevenSensor)
+    camera, J = (compose.storage_jac if seven else compose.jac)(sensor.robot.pose, sensor.mount)
+    return camera, J.outer
+
+
+def jac(sensor, model, *arguments):
+    return (model.storage_jac if isinstance(sensor, SevenSensor) else model.jac)(*arguments)
+
+
+@dataclass(frozen=True)
+class Points(PointFamily):
+    """Points, with switches."""
+
+    switches: frozenset = frozenset()
+
+    def _observe(self, sensor, kind, means):
+        camera, by_robot = camera_of(sensor)
+        h, F = jac(sensor, kind.to_frame, camera, means)
+        seen = sensor.calibration.visible(h)
+        value, S = sensor.calibration.project_jac(np.where(seen[..., None], h, np.array([0.25, 0.5, 1, 1])))
+        by = np.concatenate([S.point @ F.pose @ by_robot, S.point @ F.landmark], axis=-1)
+        return value, seen & sensor.calibration.inside(value), by
+
+    def expect(self, sensor, landmarks):
+        value, seen, by = self._observe(sensor, landmarks[0].kind, means_of(landmarks))
+        looked = [lm for lm, is_seen in zip(landmarks, seen, strict=True) if is_seen]
+        return Expected(looked, value[seen], value[seen], by[seen], columns_of(sensor, landmarks)[seen])
+
+    def innovation(self, sensor, landmark, measured):
+        value, _, by = self._observe(sensor, landmark.kind, landmark.block.mean)
+        return Innovation(measured - value, by, sensor.calibration.noise)
+
+    def begin(self, sensor, kind, value):
+        x, own, jacobians = super().begin(sensor, kind, value)
+        if isinstance(sensor, SevenSensor):
+            camera, by_robot = camera_of(sensor)
+            ray, _ = sensor.calibration.back_project_jac(value, np.array([self.options.inverse_distance[0]]))
+            jacobians = [kind.from_frame.storage_jac(camera, ray)[1].pose @ by_robot]
+        return x, own, jacobians
+
+    def corrected(self, belief, sensor, landmarks, measured):
+        if "reset" in self.switches:
+            for landmark in landmarks:
+                reset(belief, landmark, [5])
+        if "index" not in self.switches:
+            if not isinstance(sensor, SevenSensor):
+                super().corrected(belief, sensor, landmarks, measured)
+            return
+        camera = camera_of(sensor)[0]
+        for landmark in landmarks:
+            if (
+                landmark.kind is not EUC_POINT
+                and self._index(belief, landmark, camera[:3]) < self.options.convert_below
+            ):
+                belief.replace(landmark.block, 3, *to_euclidean(landmark.kind, landmark.block.mean))
+                landmark.kind = EUC_POINT
+
+    def _index(self, belief, landmark, eye):
+        """Four standard deviations of the distance from the anchor, by the distance, times a cosine."""
+        x, m = landmark.block.mean, idp_point.direction(landmark.block.mean[3:5])
+        away = landmark.kind.to_point(x) - eye
+        distance = np.linalg.norm(away)
+        sigma = np.sqrt(belief.covariance(landmark.block)[5, 5]) / x[5] ** 2
+        return 4 * sigma / distance * abs(m @ away / distance)
+
+    def lost(self, belief, landmarks):
+        return set() if "reset" in self.switches else super().lost(belief, landmarks)
+
+    def certainty(self, belief, sensor, landmark):
+        """E of an expectation."""
+        _, _, by = self._observe(sensor, landmark.kind, landmark.block.mean)
+        at = columns_of(sensor, [landmark])[0]
+        return by @ belief.matrix[np.ix_(at, at)] @ by.T
+
+
+@dataclass(frozen=True)
+class Lines(LineFamily):
+    """Lines idpLin, with switches."""
+
+    switches: frozenset = frozenset()
+
+    def expect(self, sensor, landmarks):
+        found = super().expect(sensor, landmarks)
+        if not found.landmarks or not isinstance(sensor, SevenSensor):
+            return found
+        rows = [self._line(sensor, lm) for lm in found.landmarks]
+        by = np.array([row[1] for row in rows])
+        return Expected(found.landmarks, found.value, found.inner, by, columns_of(sensor, found.landmarks))
+
+    def _line(self, sensor, landmark):
+        camera, by_robot = camera_of(sensor)
+        line, J = jac(sensor, landmark.kind.to_frame, camera, landmark.block.mean)
+        return line, np.concatenate([J.pose @ by_robot, J.landmark], axis=-1)
+
+    def innovation(self, sensor, landmark, measured):
+        return self._innovation(sensor, *self._line(sensor, landmark), measured)
+
+    def begin(self, sensor, kind, value):
+        x, own, jacobians = super().begin(sensor, kind, value)
+        if isinstance(sensor, SevenSensor):
+            camera, by_robot = camera_of(sensor)
+            rays = sensor.calibration.back_project_jac(value.reshape(2, 2), np.ones((2, 1)))[0][:, :3].ravel()
+            prior = np.array(self.options.line_prior(kind.name)[0])
+            jacobians = [kind.from_frame.storage_jac(camera, rays, prior)[1].pose @ by_robot]
+        return x, own, jacobians
+
+    def corrected(self, belief, sensor, landmarks, measured):
+        if "reset" in self.switches:
+            for landmark in landmarks:
+                reset(belief, landmark, [5, 8])
+
+    def certainty(self, belief, sensor, landmark):
+        """E (3, 3) of the homogeneous image line through two pixels, its normal of unit length."""
+        camera, by_robot = camera_of(sensor)
+        x = landmark.block.mean
+        pixels, parts = [], []
+        for own in ([0, 1, 2, 3, 4, 5], [0, 1, 2, 6, 7, 8]):
+            h, F = jac(sensor, idp_point.to_frame, camera, x[own])
+            pixel, S = sensor.calibration.project_jac(h)
+            by = np.zeros((3, by_robot.shape[1] + 9))
+            by[:2, : by_robot.shape[1]] = S.point @ F.pose @ by_robot
+            by[:2, by_robot.shape[1] + np.array(own)] = S.point @ F.landmark
+            pixels.append(np.append(pixel, 1.0))
+            parts.append(by)
+        line = np.cross(*pixels)
+        by = (np.cross(parts[0].T, pixels[1]) + np.cross(pixels[0], parts[1].T)).T / np.linalg.norm(line[:2])
+        at = columns_of(sensor, [landmark])[0]
+        return by @ belief.matrix[np.ix_(at, at)] @ by.T
+
+
+def reset(belief, landmark, places):
+    """All inverse distances become 0.001 if any is negative; the covariance stays."""
+    x = landmark.block.mean.copy()
+    places = [i for i in places if len(x) > 3]
+    if places and (x[places] < 0).any():
+        x[places] = 0.001
+        belief.replace(landmark.block, landmark.block.space, x, np.eye(len(x)))
+
+
+class ToolboxFilter(Slam):
+    """The filter with some of our corrections switched off."""
+
+    def __init__(self, rig, options, switches=()):
+        super().__init__(rig, options)
+        self.switches = frozenset(switches)
+        self.families = (Points(options, switches=self.switches), Lines(options, switches=self.switches))
+        if "seven" in self.switches:
+            robot = self.robots[0]
+            self.belief.replace(robot.block, 7, robot.pose, np.zeros((7, 6)))  # the start is known exactly
+            self.sensors = [SevenSensor(**vars(s)) for s in self.sensors]
+
+    def _normalise(self):
+        block = self.robots[0].block
+        if "seven" in self.switches:
+            length = np.linalg.norm(block.mean[3:])
+            shorten = np.diag([1.0] * 3 + [1 / length] * 4)
+            self.belief.replace(block, 7, shorten @ block.mean, shorten)
+
+    def _predict(self, robot, control, dt):
+        if "seven" not in self.switches:
+            super()._predict(robot, control, dt)
+            return
+        self._normalise()
+        state, J = robot.motion.step.storage_jac(robot.block.mean, control.value, dt)
+        self.belief.predict(robot.block, state, J.state, J.control @ control.covariance @ J.control.T)
+
+    def _correct(self, i, scan):
+        sensor = self.sensors[i]
+        self._normalise()
+        looks = expect_all(self.belief, sensor, self.families, self.landmarks)
+        if "selection" in self.switches:
+            for look in looks:
+                look.Z = look.family.certainty(self.belief, sensor, look.landmark)
+        matched = choose_and_match(looks, scan, self.front_ends[i], self.options)
+        if "at once" in self.switches:
+            for look in matched:
+                self._one(sensor, look)
+        else:
+            correct_in_sequence(self.belief, sensor, matched, self.options)
+            follow(self.belief, sensor, matched)
+        self.scans[i], self.looks[i] = scan, looks
+        self._normalise()
+
+    def _one(self, sensor, look):
+        self._normalise()
+        look.expected.columns[look.row] = columns_of(sensor, [look.landmark])[0]
+        correct_in_sequence(self.belief, sensor, [look], self.options)
+        self._normalise()
+        follow(self.belief, sensor, [look])
