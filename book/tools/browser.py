@@ -49,9 +49,13 @@ def without_browser(stage: str) -> int:
     return 1 if os.environ.get("BOOK_BROWSER_NEEDED") else 77
 
 
+ARRIVED = "() => document.readyState === 'complete' && !document.querySelector('meta[http-equiv=Refresh i]')"
+
+
 def load(page: Any, url: str) -> None:
-    """Go to a page, and wait until all of it is there and MathJax has set its formulas."""
+    """Go to a page, and wait until all of it is there and MathJax has set its formulas; a page may lead to another."""
     page.goto(url, wait_until="load")
+    page.wait_for_function(ARRIVED)
     page.evaluate("() => window.MathJax && MathJax.startup ? MathJax.startup.promise : null")
 
 
