@@ -32,7 +32,8 @@
     constructor(element, number, page) {
       Object.assign(this, { element, number, page, name: `cell ${number}`, ok: false });
       this.optional = element.matches(".tag_exercise, .tag_solution");
-      this.still = element.querySelector(".cell_output");
+      // A result that is folded away stays so: its fold moves with it.
+      this.still = element.querySelector("details.below-input") ?? element.querySelector(".cell_output");
       this.output = make("div", { className: "cell_output live-output", hidden: true });
       this.output.setAttribute("aria-label", `Result of ${this.name}`);
       this.output.setAttribute("role", "group");
