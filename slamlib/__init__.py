@@ -17,7 +17,7 @@ __all__ = ["SlamlibError", "__version__"]
 
 _PARTS = (
     *("analytic", "association", "belief", "blocks", "checks", "cli", "codegen"),
-    *("correction", "digest", "drawing", "errors", "evaluation", "exercises", "experiments"),
+    *("correction", "digest", "drawing", "errors", "evaluation", "exercises", "experiments", "files"),
     *("geometry", "implicit", "kernel", "landmarks", "linalg", "line_observation", "model"),
     *("motions", "observation", "presets", "progress", "records", "registry", "rig"),
     *("runs", "scene", "sensors", "series", "shortened", "simulation", "slam"),

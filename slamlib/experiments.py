@@ -17,6 +17,7 @@ import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.evaluation import Consistency
+from slamlib.files import whole
 from slamlib.presets import Preset
 from slamlib.progress import progress
 from slamlib.runs import Run
@@ -91,10 +92,8 @@ def one(preset: Preset, seed: int, folder: Path | None = None) -> tuple[Array, .
             return tuple(file[name] for name in NAMES)
     row = _row(preset, seed)
     if path:
-        partial = path.with_name(path.name + ".part")
-        with partial.open("wb") as stream:
+        with whole(path) as partial, partial.open("wb") as stream:
             np.savez_compressed(stream, **dict(zip(NAMES, row, strict=True)))
-        os.replace(partial, path)
     return row
 
 

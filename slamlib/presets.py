@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.files import whole
 from slamlib.records import Frame, Truth, World
 from slamlib.rig import Rig, RobotSetup, SensorSetup, tuples
 from slamlib.sensors.scaramuzza import polynomials
@@ -85,10 +86,8 @@ class Preset:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write it as JSON, whole or not at all."""
-        target = Path(path)
-        partial = target.with_name(target.name + ".part")
-        partial.write_text(json.dumps(self.to_dict(), indent=2) + "\n", encoding="utf-8")
-        os.replace(partial, target)
+        with whole(path) as partial:
+            partial.write_text(json.dumps(self.to_dict(), indent=2) + "\n", encoding="utf-8")
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> "Preset":

@@ -20,7 +20,6 @@ A control moves the robot before its frame's features are seen. Nothing is round
 """
 
 import json
-import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -29,6 +28,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import SlamlibError
+from slamlib.files import whole
 from slamlib.records import Frame, Truth, World
 from slamlib.rig import Rig
 from slamlib.simulation.packing import packed, unpacked
@@ -58,17 +58,12 @@ def save(path: str | Path, frames: Iterable[tuple[Frame, Truth | None]], *, rig:
 
     frames: what simulate(...) gives, or a Recording, or pairs of one's own with the truth in all of them or None.
     """
-    path, pairs = Path(path), list(frames)
+    pairs = list(frames)
     known = any(truth is not None for _, truth in pairs)
     header = {"format": FORMAT, "version": VERSION, "rig": rig.to_dict(), "truth": known}
     arrays = {"header": np.array(json.dumps(header, default=_plain)), **packed(pairs, rig, world)}
-    partial = path.with_name(f".{path.name}.{os.getpid()}.partial")
-    try:
-        with partial.open("wb") as file:
-            np.savez_compressed(file, **arrays)
-        os.replace(partial, path)
-    finally:
-        partial.unlink(missing_ok=True)
+    with whole(path) as partial, partial.open("wb") as file:
+        np.savez_compressed(file, **arrays)
 
 
 def load(path: str | Path) -> Recording:

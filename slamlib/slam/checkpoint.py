@@ -6,12 +6,12 @@ The file is a ZIP of NumPy arrays (np.load reads it): `header`, the text of a JS
 
 import json
 import os
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from slamlib.errors import SlamlibError
+from slamlib.files import whole
 from slamlib.landmarks import landmark as landmark_kind
 from slamlib.rig import Rig
 from slamlib.slam.entities import Landmark
@@ -47,14 +47,8 @@ def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
         "means": np.concatenate([block.mean for block in slam.belief.blocks]),
         "abscissas": np.array([none if lm.abscissas is None else lm.abscissas for lm in landmarks]).reshape(-1, 2),
     }
-    target = Path(path)
-    partial = target.with_name(target.name + ".part")
-    try:
-        with partial.open("wb") as file:
-            np.savez_compressed(file, **arrays)
-        os.replace(partial, target)
-    finally:
-        partial.unlink(missing_ok=True)
+    with whole(path) as partial, partial.open("wb") as file:
+        np.savez_compressed(file, **arrays)
 
 
 def read(path: str | os.PathLike[str]) -> tuple[dict[str, Any], dict[str, Any]]:
