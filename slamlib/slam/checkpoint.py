@@ -36,8 +36,11 @@ def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
         "sensors": [None if s.block is None else order[id(s.block)] for s in slam.sensors],
         "sizes": [len(block.mean) for block in slam.belief.blocks],
         "landmarks": [
-            [lm.id, lm.kind.name, order[id(lm.block)], lm.born, lm.searched, lm.matched, lm.inliers] for lm in landmarks
+            [lm.id, lm.kind.name, order[id(lm.block)], lm.born, lm.searched, lm.matched, lm.inliers, lm.sensor]
+            for lm in landmarks
         ],
+        "front_ends": [front_end.dump() for front_end in slam.front_ends],
+        "signatures": [slam.front_ends[lm.sensor].pack(lm.signature) for lm in landmarks],
         "extra": extra,
     }
     none = np.full(2, np.nan)
@@ -78,11 +81,13 @@ def load(path: str | os.PathLike[str], front_ends: Any, make: Any) -> tuple[Any,
     kinds = {row[2]: landmark_kind(row[1]) for row in header["landmarks"]}
     blocks = {i: slam.belief.add(kinds[i].space, means[i], np.eye(kinds[i].space.dof)) for i in sorted(kinds)}
     slam.belief.overwrite({**own, **blocks}, dict(enumerate(means)), arrays["P"])
-    for row, abscissas in zip(header["landmarks"], arrays["abscissas"], strict=True):
-        number, _, block, born, searched, matched, inliers = row
+    for row, abscissas, packed in zip(header["landmarks"], arrays["abscissas"], header["signatures"], strict=True):
+        number, _, block, born, searched, matched, inliers, sensor = row
         known = None if np.isnan(abscissas).any() else abscissas
-        slam.landmarks.append(
-            Landmark(number, kinds[block], blocks[block], born, searched, matched, inliers, abscissas=known)
-        )
+        signature = slam.front_ends[sensor].unpack(packed)
+        counts = (born, searched, matched, inliers)
+        slam.landmarks.append(Landmark(number, kinds[block], blocks[block], *counts, known, sensor, signature))
+    for front_end, state in zip(slam.front_ends, header["front_ends"], strict=True):
+        front_end.restore(state)
     slam.number, slam.time, slam.frames_of = header["number"], header["time"], header["frames_of"]
     return slam, header["extra"]

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.blocks import Block
+from slamlib.geometry.pose import compose
 from slamlib.motions import Motion
 from slamlib.sensors.sensor import Calibration
 from slamlib.spaces import Array
@@ -44,6 +45,12 @@ class MountedSensor:
         return self.given if self.block is None else self.block.mean
 
     @property
+    def camera(self) -> Array:
+        """Pose (7,) in the world, as it is estimated now."""
+        pose: Array = compose(self.robot.pose, self.mount)
+        return pose
+
+    @property
     def columns(self) -> Array:
         """Rows of the joint covariance of the robot's pose, and of the mount if it is estimated."""
         starts = [self.robot.block.start] + ([] if self.block is None else [self.block.start])
@@ -59,7 +66,8 @@ class MountedSensor:
 class Landmark:
     """A landmark in the map: its parametrization, its block, its history; of a line the abscissas of its two ends.
 
-    searched, matched, inliers: how often it was looked for, found, and believed. signature: what a front end keeps.
+    searched, matched, inliers: how often it was looked for, found, and believed. sensor: the number of the one that
+    began it; signature: what that one's front end keeps of its looks.
     """
 
     id: int
@@ -70,4 +78,5 @@ class Landmark:
     matched: int = 1
     inliers: int = 1
     abscissas: Array | None = None
+    sensor: int = 0
     signature: Any = field(default=None, repr=False)

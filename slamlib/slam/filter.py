@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.association import Identity
+from slamlib.association import Identity, Sight
 from slamlib.belief import Belief
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import Pose
 from slamlib.records import Control, Frame, Scan
 from slamlib.rig import Rig
 from slamlib.slam import checkpoint
+from slamlib.slam.consensus import CONSENSUS
 from slamlib.slam.entities import Landmark, MountedSensor, Robot
 from slamlib.slam.lines import LineFamily
 from slamlib.slam.looking import (
@@ -118,9 +119,10 @@ class Slam:
     def _correct(self, i: int, scan: Scan) -> None:
         sensor = self.sensors[i]
         looks = expect_all(self.belief, sensor, self.families, self.landmarks)
-        matched = choose_and_match(looks, scan, self.front_ends[i], self.options)
+        matched = choose_and_match(Sight(scan, sensor, looks), self.front_ends[i], self.options)
         correct = correct_in_sequence if self.options.reproject else correct_in_batch
-        correct(self.belief, sensor, matched, self.options)
+        for group in CONSENSUS[self.options.consensus](self.belief, sensor, matched, self.options):
+            correct(self.belief, sensor, group, self.options)
         follow(self.belief, sensor, matched)
         self.scans[i], self.looks[i] = scan, looks
 
@@ -167,6 +169,7 @@ class Slam:
 
     def _begin(self, i: int, scan: Scan, events: _Events) -> None:
         sensor = self.sensors[i]
+        sight = Sight(scan, sensor, self.looks[i])
         count = self.options.later if self.frames_of[i] else self.options.first
         self.frames_of[i] += 1
         for family in self.families:
@@ -175,14 +178,15 @@ class Slam:
                 continue
             known = {landmark.id for landmark in self.landmarks}
             found = self.front_ends[i].detect(
-                scan, family.name, known, lambda values, f=family: f.usable(sensor, values), count
+                sight, family.name, known, lambda values, f=family: f.usable(sensor, values), count
             )
             for number, value, signature in found:
-                self._begin_one(family, sensor, kind, number, value, signature, events)
+                self._begin_one(family, i, kind, number, value, signature, events)
 
     def _begin_one(
-        self, family: Any, sensor: MountedSensor, kind: Any, number: int, value: Array, signature: Any, events: _Events
+        self, family: Any, i: int, kind: Any, number: int, value: Array, signature: Any, events: _Events
     ) -> None:
+        sensor = self.sensors[i]
         if self.options.capacity is not None and len(self.landmarks) >= self.options.capacity:
             events.refused.append(number)
             return
@@ -193,7 +197,5 @@ class Slam:
         blocks = sensor.blocks
         pads = [np.pad(J, ((0, 0), (0, b.dof - J.shape[1]))) for b, J in zip(blocks, jacobians, strict=False)]
         block = self.belief.add(kind.space, x, noise, given=blocks, jacobians=pads)
-        self.landmarks.append(
-            Landmark(number, kind, block, self.number, abscissas=family.abscissas(kind), signature=signature)
-        )
+        self.landmarks.append(Landmark(number, kind, block, self.number, 1, 1, 1, family.abscissas(kind), i, signature))
         events.begun.append(number)

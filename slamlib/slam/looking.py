@@ -7,9 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.association import CHOICES, gate, innovation_covariances, normalized
+from slamlib.association import CHOICES, Sight, gate, innovation_covariances, normalized
 from slamlib.belief import Belief
-from slamlib.records import Scan
 from slamlib.slam.entities import Landmark, MountedSensor
 from slamlib.slam.expected import Expected
 from slamlib.slam.options import Options
@@ -69,10 +68,10 @@ def expect_all(belief: Belief, sensor: MountedSensor, families: Any, landmarks: 
     return looks
 
 
-def choose_and_match(looks: list[Look], scan: Scan, front_end: Any, options: Options) -> list[Look]:
+def choose_and_match(sight: Sight, front_end: Any, options: Options) -> list[Look]:
     """The looks that tell most and were matched, the one that tells most first; the landmarks' histories go on."""
     sizes: dict[int, list[Look]] = defaultdict(list)
-    for look in looks:
+    for look in sight.looks:
         sizes[len(look.Z)].append(look)
     # Determinants of different sizes do not compare: points and segments both count two pixels, and share the budget.
     choose = CHOICES[options.choose]
@@ -83,7 +82,7 @@ def choose_and_match(looks: list[Look], scan: Scan, front_end: Any, options: Opt
         look.landmark.searched += 1
         by_family[look.family.name].append(look)
     for name, group in by_family.items():
-        measured, found = front_end.match(scan, name, group)
+        measured, found = front_end.match(sight, name, group)
         for look, y, is_found in zip(group, measured, found.tolist(), strict=True):
             look.measured, look.matched = y, is_found
             look.landmark.matched += is_found

@@ -11,6 +11,7 @@ from slamlib.rig import tuples
 
 INNOVATIONS = ("ortDst", "rhoThe", "angles")
 CHOICES = ("information", "order")
+CONSENSUS = ("each", "joint", "one-point")
 Prior = tuple[tuple[float, float], tuple[float, float]]
 PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 
@@ -26,6 +27,8 @@ class Options:
     reproject: one landmark after another, each expected anew at the mean of that moment; False: all in one batch, with
         Jacobians at the predicted mean (correct.reprojectLmks).
     gate: probability with which a true measurement passes, for the innovation's own degrees of freedom (MD2th); 1: all.
+    consensus: which matches of a frame are believed together: "each" is judged by the gate alone; "joint": the largest
+        jointly compatible set; "one-point": those that agree with what one of them says of the camera.
     convert, convert_below: whether, and below which linearity index, points become Euclidean ones (reparametrize,
         linTestIdp).
     first, later: new landmarks of one sensor in its first frame, and in every other (init.nbrInits).
@@ -48,6 +51,7 @@ class Options:
     choose: str = "information"
     reproject: bool = True
     gate: float = 0.99
+    consensus: str = "each"
     convert: bool = True
     convert_below: float = THRESHOLD
     first: int = 10
@@ -68,6 +72,7 @@ class Options:
         _known("line landmark", self.lines, LINES, none=True)
         _known("innovation", self.innovation, INNOVATIONS)
         _known("choose", self.choose, CHOICES)
+        _known("consensus", self.consensus, CONSENSUS)
         for name in ("updates", "first", "later", "search_first"):
             self._ask(name, "a whole number, 0 or more", lambda v: isinstance(v, int) and v >= 0)
         for name in ("reproject", "convert", "extend"):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from slamlib.association import CHOICES, Identity, gate, innovation_covariances, normalized
+from slamlib.association import CHOICES, Identity, Sight, gate, innovation_covariances, normalized
 from slamlib.belief import Belief
 from slamlib.evaluation import chi2_cdf
 from slamlib.records import Features, Scan
@@ -83,10 +83,13 @@ def test_identity_matches_by_id_and_begins_with_the_lowest():
         def __init__(self, number):
             self.landmark = type("L", (), {"id": number})
 
-    measured, found = Identity().match(scan, "points", [Wanted(9), Wanted(4), Wanted(3)])
+    measured, found = Identity().match(Sight(scan, None, []), "points", [Wanted(9), Wanted(4), Wanted(3)])
     assert found.tolist() == [True, False, True]
     assert measured[[0, 2], 0].tolist() == [9, 3]
     assert np.isnan(measured[1]).all()
-    fresh = Identity().detect(scan, "points", {3}, lambda values: values[:, 0] != 5, 2)
+    fresh = Identity().detect(Sight(scan, None, []), "points", {3}, lambda values: values[:, 0] != 5, 2)
     assert [number for number, _, _ in fresh] == [7, 9]
-    assert Identity().detect(Scan(Features.none(2)), "points", set(), lambda v: np.ones(len(v), bool), 3) == []
+    assert (
+        Identity().detect(Sight(Scan(Features.none(2)), None, []), "points", set(), lambda v: np.ones(len(v), bool), 3)
+        == []
+    )

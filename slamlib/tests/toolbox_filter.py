@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from slamlib.association import Sight
 from slamlib.geometry.pose import compose
 from slamlib.landmarks import idp_point
 from slamlib.landmarks.euc_point import EUC_POINT
@@ -216,7 +217,7 @@ class ToolboxFilter(Slam):
         if "selection" in self.switches:
             for look in looks:
                 look.Z = look.family.certainty(self.belief, sensor, look.landmark)
-        matched = choose_and_match(looks, scan, self.front_ends[i], self.options)
+        matched = choose_and_match(Sight(scan, sensor, looks), self.front_ends[i], self.options)
         if "at once" in self.switches:
             for look in matched:
                 self._one(sensor, look)
