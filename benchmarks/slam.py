@@ -18,6 +18,7 @@ import time
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import islice
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -188,7 +189,8 @@ def parts(case: Case, frames: int = 200) -> str:
     for frame in records:
         slam.step(frame)
     profiler.disable()
-    found = {key[2]: row[3] for key, row in pstats.Stats(profiler).stats.items()}  # type: ignore[attr-defined]
+    calls = pstats.Stats(profiler).stats.items()  # type: ignore[attr-defined]
+    found = {name: row[3] for (file, _, name), row in calls if Path(file).parent.name == "slam"}
     whole = found["step"]
     outer = [f"{name.strip('_')} {found[name] / whole:.0%}" for name in PARTS]
     inner = [f"{name} {found[name] / whole:.0%}" for name in INNER if name in found]

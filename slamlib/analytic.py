@@ -5,6 +5,7 @@ and with NumPy for a batch. Angles in radians.
 """
 
 import math
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -79,9 +80,15 @@ _SERIES = 2.0  # below this squared angle the series is exact to the last digit 
 
 def _stumpff_series(order: int, s: Value) -> Value:
     total = s * 0.0
-    for j in range(12, -1, -1):
-        total = total * -s + 1.0 / math.factorial(2 * j + order)
+    for coefficient in _stumpff_coefficients(order):
+        total = total * -s + coefficient
     return total
+
+
+@cache
+def _stumpff_coefficients(order: int) -> list[float]:
+    """1 / (2j + order)! for j = 12, ..., 0."""
+    return [1.0 / math.factorial(2 * j + order) for j in range(12, -1, -1)]
 
 
 def _stumpff_closed(order: int, s: Value, library: Any) -> Value:

@@ -78,7 +78,7 @@ class Belief:
         ordered = [blocks[i] for i in sorted(blocks)]
         taken = [point_of(blocks[i].space, means[i], "overwrite") for i in sorted(blocks)]
         for block, mean in zip(ordered, taken, strict=True):
-            block.mean = mean
+            block.take(block.space, mean)
         self._set(ordered, P.copy())
 
     @linalg.quiet
@@ -186,13 +186,12 @@ class Belief:
         return self._correct(method, stack(observations, "correct", self._own), observations)
 
     def _correct(self, method: str, stacked: Stacked, observations: Sequence[Observation]) -> Correction:
-        HP = stacked.H @ self._P[stacked.touched]
+        HP = stacked.H @ self._P.take(stacked.touched, axis=0)
         S = stacked.innovation_covariance(HP)
         step, rows, nis = solve(method, HP, S, stacked, observations)
         means = self._moved(step)
         linalg.subtract_square(self._P, rows)
-        for block, mean in means:
-            block.mean = mean
+        self._layout.move(*means)
         return Correction(stacked.z, S, nis)
 
     @linalg.quiet
@@ -220,17 +219,13 @@ class Belief:
         finally:
             series.finish()
 
-    def _moved(self, step: Array) -> list[tuple[Block, Array]]:
-        """Every block with its mean plus its piece of the step; vectors in one sum, since maps hold hundreds."""
-        layout = self._layout
-        flat = layout.flat()
-        summed = frozen(linalg.finite(flat + step[layout.rows], flat.shape, "correct", "the corrected means"))
-        means = [(block, summed[place]) for block, place in zip(layout.vectors, layout.places, strict=True)]
-        for block in layout.points:
-            mean = block.space.plus(block.mean, step[block.slice])
-            what = f"the corrected mean of {block!r}"
-            means.append((block, frozen(linalg.finite(mean, (block.space.size,), "correct", what))))
-        return means
+    def _moved(self, step: Array) -> tuple[Array, list[Array]]:
+        """Every mean plus its piece of the step; raises NonFiniteError where one overflows."""
+        flat, points = self._layout.moved(step)
+        linalg.finite(flat, flat.shape, "correct", "the corrected means")
+        for block, mean in zip(self._layout.points, points, strict=True):
+            linalg.finite(mean, (block.space.size,), "correct", f"the corrected mean of {block!r}")
+        return flat, points
 
     def _own(self, blocks: Sequence[Block]) -> None:
         if isinstance(blocks, Block):

@@ -1,6 +1,6 @@
 """Blocks of a belief, and what a belief was at one moment."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import accumulate, pairwise
 from typing import Any
@@ -20,7 +20,27 @@ class Block:
 
     def take(self, space: Space, mean: Array) -> None:
         """Become a point of another space; dof are its estimated degrees of freedom."""
-        self.space, self.mean, self.dof = space, mean, space.dof
+        self.space, self.dof = space, space.dof
+        self.layout: Layout | None
+        self._own, self.layout, self.place = mean, None, slice(0)
+
+    def lie(self, layout: "Layout", place: slice) -> None:
+        """From now on the mean is this piece of the layout's numbers, and changes with them."""
+        self.layout, self.place = layout, place
+
+    @property
+    def mean(self) -> Array:
+        """The present mean (size,): an array that never changes, for the next mean is another one."""
+        return self._own if self.layout is None else self.layout.flat[self.place]
+
+    @mean.setter
+    def mean(self, mean: Array) -> None:
+        if self.layout is None:
+            self._own = mean
+        else:
+            flat = self.layout.flat.copy()
+            flat[self.place] = mean
+            self.layout.flat = linalg.sealed(flat)
 
     @property
     def slice(self) -> slice:
@@ -34,28 +54,40 @@ class Block:
 class Layout:
     """How blocks lie among the rows of the covariance: vectors, which are moved in one sum, and points of manifolds.
 
-    rows: of the vectors' numbers, one block after the other; places: of each vector among these.
+    flat: the vectors' means in one read-only array, one after the other; rows: of the covariance, of these numbers.
     """
 
     def __init__(self, blocks: Iterable[Block]) -> None:
         blocks = list(blocks)
         are_vectors = [type(block.space) is Euclidean for block in blocks]
-        self.vectors = [block for block, is_vector in zip(blocks, are_vectors, strict=True) if is_vector]
+        vectors = [block for block, is_vector in zip(blocks, are_vectors, strict=True) if is_vector]
         self.points = [block for block, is_vector in zip(blocks, are_vectors, strict=True) if not is_vector]
         dofs = np.array([block.dof for block in blocks], dtype=int)
         self.rows = np.flatnonzero(np.repeat(np.array(are_vectors, dtype=bool), dofs))
-        self.places = [slice(*pair) for pair in pairwise(accumulate((v.dof for v in self.vectors), initial=0))]
+        self.flat = linalg.sealed(np.concatenate([np.zeros(0), *(block.mean for block in vectors)]))
+        for block, place in zip(vectors, pairwise(accumulate((v.dof for v in vectors), initial=0)), strict=True):
+            block.lie(self, slice(*place))
 
-    def flat(self) -> Array:
-        """The vectors' means as one array of its own."""
-        return np.concatenate([np.zeros(0), *(block.mean for block in self.vectors)])
+    def moved(self, step: Array) -> tuple[Array, list[Array]]:
+        """The vectors' means, and each point's, after a step (size of the covariance,); nothing is changed yet."""
+        points = [linalg.frozen(block.space.plus(block.mean, step[block.slice])) for block in self.points]
+        return linalg.sealed(self.flat + step.take(self.rows)), points
 
-    def share(self, flat: Array) -> None:
-        """Let the vectors' means be read-only views of one array: they change with it."""
-        view = flat.view()
-        view.flags.writeable = False
-        for block, place in zip(self.vectors, self.places, strict=True):
-            block.mean = view[place]
+    def move(self, flat: Array, points: Iterable[Array]) -> None:
+        """Take over what `moved` gave."""
+        self.flat = flat
+        for block, mean in zip(self.points, points, strict=True):
+            block.mean = mean
+
+
+def means_of(blocks: Sequence[Block]) -> Array:
+    """Means (n, size) of blocks of one space; of vectors that lie in one belief, all at once."""
+    layouts = {block.layout for block in blocks}
+    layout = layouts.pop()
+    if layouts or layout is None:
+        return np.array([block.mean for block in blocks])
+    places = np.array([block.place.start for block in blocks])[:, None] + np.arange(blocks[0].dof)
+    return layout.flat.take(places)
 
 
 @dataclass(frozen=True, eq=False)

@@ -42,7 +42,7 @@ class Stacked:
 
     def innovation_covariance(self, HP: Array) -> Array:
         """S = H P H' + R, exactly symmetric, from H P over all columns."""
-        half = HP[:, self.touched] @ self.H.T / 2
+        half = HP.take(self.touched, axis=1) @ self.H.T / 2
         return half + half.T + self.R
 
 

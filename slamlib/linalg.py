@@ -10,13 +10,16 @@ from typing import Any
 
 import numpy as np
 
+from slamlib import small
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
 from slamlib.spaces import Array
 
 quiet = np.errstate(over="ignore", invalid="ignore")  # results are checked: an overflow is an error, not a warning
 
 # Sizes from which the triangular product of BLAS repays its mirroring: benchmarks/covariance_update.py.
-_LARGE = 1000
+_LARGE = 400
+_SMALL = 4  # numbers of a measurement up to which Python's floats are quicker than LAPACK
+_ROUNDING = 4 * float(np.finfo(float).eps)  # of each row, beside the variance
 
 
 def numbers(value: Array, function: str, argument: str) -> Array:
@@ -43,7 +46,11 @@ def finite(value: Array, shape: tuple[int, ...], function: str, argument: str) -
 
 def frozen(array: Array) -> Array:
     """A read-only copy, of floats."""
-    array = np.array(array, dtype=float)
+    return sealed(np.array(array, dtype=float))
+
+
+def sealed(array: Array) -> Array:
+    """The array itself, from now on read-only: for those that nobody else holds."""
     array.flags.writeable = False
     return array
 
@@ -79,13 +86,15 @@ def covariance(value: Array, size: int, function: str, argument: str) -> Array:
 
 def _factor(matrix: Array) -> Array | None:
     """Lower Cholesky factors of (..., n, n), or None where there is none, or one by the grace of rounding alone."""
+    if matrix.ndim == 2 and 0 < len(matrix) <= _SMALL:
+        return small.factor(matrix, _ROUNDING)
     try:
         factor = np.linalg.cholesky(matrix)
     except np.linalg.LinAlgError:
         return None
     # What earlier rows leave of each variance, beside that variance itself: so mixed units do no harm. NaN is not >.
     own = np.diagonal(factor, axis1=-2, axis2=-1) ** 2
-    rounding = 4 * np.finfo(float).eps * matrix.shape[-1] * np.diagonal(matrix, axis1=-2, axis2=-1)
+    rounding = _ROUNDING * matrix.shape[-1] * np.diagonal(matrix, axis1=-2, axis2=-1)
     return factor if (own > rounding).all() else None
 
 
@@ -108,9 +117,11 @@ def solve_lower(factor: Array, right: Array) -> Array:
 
     Never through an inverse of the factor: that is quicker, and thirty times less accurate where S is near singular.
     """
-    fast = _scipy("scipy.linalg.blas", "dtrsm") if right.ndim == 2 and right.size else None
-    # BLAS counts columns first: X' = right' (factor')^-1, and factor' is upper triangular.
-    return fast(1.0, factor.T, right.T, side=1).T if fast else np.linalg.solve(factor, right)
+    fast = _scipy("scipy.linalg.blas", "dtrsv" if right.ndim == 1 else "dtrsm") if right.size else None
+    if not fast:
+        return np.linalg.solve(factor, right)
+    # BLAS counts columns first: factor' is upper triangular, and X' = right' (factor')^-1.
+    return fast(factor.T, right, trans=1) if right.ndim == 1 else fast(1.0, factor.T, right.T, side=1).T
 
 
 def subtract_square(matrix: Array, rows: Array) -> None:
@@ -128,13 +139,17 @@ def subtract_square(matrix: Array, rows: Array) -> None:
         matrix -= rows.T @ rows
 
 
-def _mirror(matrix: Array, width: int = 64) -> None:
-    """Copy the lower triangle over the upper one, in blocks that fit the cache."""
-    for start in range(0, len(matrix), width):
-        stop = min(start + width, len(matrix))
+_WIDTH = 64  # of the blocks in which a matrix is mirrored: they fit the cache
+_BELOW = np.tri(_WIDTH, k=-1, dtype=bool)
+
+
+def _mirror(matrix: Array) -> None:
+    """Copy the lower triangle over the upper one, block by block."""
+    for start in range(0, len(matrix), _WIDTH):
+        stop = min(start + _WIDTH, len(matrix))
         matrix[:start, start:stop] = matrix[start:stop, :start].T
-        corner = matrix[start:stop, start:stop]
-        np.copyto(corner.T, corner, where=np.tri(stop - start, k=-1, dtype=bool))
+        corner, size = matrix[start:stop, start:stop], stop - start
+        np.copyto(corner.T, corner, where=_BELOW[:size, :size])
 
 
 def exchange(matrix: Array, old: slice, rows: Array, corner: Array) -> Array:

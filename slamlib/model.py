@@ -109,7 +109,7 @@ class Model:
         Raises ShapeError, NonFiniteError, UnitError for bad arguments, SingularPointError where no value exists.
         """
         arguments = self._bind(args, kwargs)
-        if _defining.get() or any(a.dtype == object for a in arguments):
+        if _defining.get() or "O" in [a.dtype.char for a in arguments]:
             return self.definition(*calling.get()(self, arguments))
         return self._evaluate("", arguments)[0]
 
@@ -126,11 +126,12 @@ class Model:
 
     def _bind(self, args: tuple[Array, ...], kwargs: dict[str, Array]) -> list[Array]:
         names = self.parameters
-        if len(args) + len(kwargs) != len(names) or any(k not in names[len(args) :] for k in kwargs):
+        if len(args) + len(kwargs) != len(names) or (kwargs and not kwargs.keys() <= set(names[len(args) :])):
             raise SlamlibError(
                 f"{self.name} takes ({', '.join(names)}); got {len(args)} by position and {sorted(kwargs)} by name"
             )
-        return [np.asarray(a) for a in (*args, *(kwargs[n] for n in names[len(args) :]))]
+        given = (*args, *[kwargs[n] for n in names[len(args) :]]) if kwargs else args
+        return [np.asarray(a) for a in given]
 
     @functools.cache  # noqa: B019 - models live as long as their module
     def shortened(self, *sizes: int) -> "Model":
@@ -165,9 +166,12 @@ class Model:
 
     def _evaluate(self, kind: str, arguments: list[Array]) -> list[Array]:
         kernel = self._kernel(kind)
-        for argument, value in zip(self.arguments, arguments, strict=True):
-            self._check(argument, value)
-        return kernel(arguments)
+        found = kernel.single(arguments)
+        if found is None:
+            for argument, value in zip(self.arguments, arguments, strict=True):
+                self._check(argument, value)
+            found = kernel(arguments)
+        return found
 
     @functools.cache  # noqa: B019 - models live as long as their module
     def _kernel(self, kind: str) -> Kernel:

@@ -38,13 +38,21 @@ def observe(kind: PointLandmark, calibration: Calibration, robot: Array, mount: 
 
     Raises SlamlibError for what is no point. Chapter 8, the chain rule of (ph-chain).
     """
-    _check_point(kind, calibration, "observe")
     camera, by_camera = compose.jac(robot, mount)
+    found = observe_from(kind, calibration, camera, landmarks)
+    by_pose, *others = found.jacobians
+    parts = {**_through(by_camera, by_pose), **dict(zip(found.jacobians._fields[1:], others, strict=True))}
+    return Observation(found.value, found.visible, named(parts))
+
+
+def observe_from(kind: PointLandmark, calibration: Calibration, camera: Array, landmarks: Array) -> Observation:
+    """The same from the sensor's own pose (7,) in the world: jacobians.camera (..., m, 6) is by that one."""
+    _check_point(kind, calibration, "observe")
     point, by_frame = kind.to_frame.jac(camera, landmarks)
     seen = calibration.visible(point)
     value, by_sensor = calibration.project_jac(point if seen.all() else np.where(seen[..., None], point, AHEAD))
     parts = {
-        **_through(by_camera, product(by_sensor.point, by_frame.pose)),
+        "camera": product(by_sensor.point, by_frame.pose),
         "landmark": product(by_sensor.point, by_frame[1]),
         **{n: getattr(by_sensor, n) for n in calibration.given},
     }
@@ -109,7 +117,9 @@ def _seen_again(kind: PointLandmark, camera: Array, point: Array, landmark: Arra
 def product(left: Array, right: Array) -> Array:
     """left @ right for Jacobians (..., m, k), (..., k, n): quick where each entry lies in memory over all items."""
     lead = left.ndim - 2
-    if lead and right.ndim == 2:  # one matrix for all items: (n, k) @ (m, k, items), a product of large matrices
+    if left.ndim == right.ndim == 2:
+        return left @ right
+    if right.ndim == 2:  # one matrix for all items: (n, k) @ (m, k, items), a product of large matrices
         entries = left.transpose(lead, lead + 1, *range(lead))
         whole = right.T @ entries.reshape(*entries.shape[:2], math.prod(left.shape[:-2]))
         return whole.reshape(len(entries), right.shape[1], *left.shape[:-2]).transpose(*range(2, lead + 2), 0, 1)

@@ -13,25 +13,27 @@ from slamlib.correction import Correction
 from slamlib.errors import NonFiniteError
 from slamlib.spaces import Array
 
+_ROWS = 32  # of W that there is room for at first
+
 
 class Series:
     """Corrections in progress; made by Belief.series."""
 
     def __init__(self, covariance: Array, layout: Layout) -> None:
-        """covariance (n, n): corrected in place by `finish`. Means of vectors become views of one array that moves."""
+        """covariance (n, n): corrected in place by `finish`."""
         self._P, self._layout = covariance, layout
-        self._taken = np.zeros((0, len(covariance)))
-        self._flat = layout.flat()
-        layout.share(self._flat)
+        self._store, self._count = np.empty((_ROWS, len(covariance))), 0  # W is its first rows
 
     def correct(self, columns: Array, H: Array, innovation: Array, R: Array, gate: float = np.inf) -> Correction:
         """As Belief.correct_rows, at the present means; changes nothing unless its nis is below the gate.
 
         columns (k,), H (d, k), innovation (d,), R (d, d). Raises CovarianceError, NonFiniteError.
         """
-        taken = self._taken
-        HP = H @ self._P[columns] - (H @ taken[:, columns].T) @ taken
-        half = HP[:, columns] @ H.T / 2
+        taken = self._store[: self._count]
+        HP = H @ self._P.take(columns, axis=0)
+        if self._count:
+            HP -= (H @ taken.take(columns, axis=1).T) @ taken
+        half = HP.take(columns, axis=1) @ H.T / 2
         S = half + half.T + R
         factor = linalg.cholesky(S, "correct", "the innovation covariance")
         white = linalg.solve_lower(factor, np.concatenate([HP, innovation[:, None]], axis=1))
@@ -39,19 +41,23 @@ class Series:
         nis = float(z @ z)
         if nis < gate:
             self._move(z @ W)
-            self._taken = np.concatenate([taken, W])
+            self._take(W)
         return Correction(innovation, S, nis)
+
+    def _take(self, rows: Array) -> None:
+        """More rows of W, in a store that doubles when it is full."""
+        end = self._count + len(rows)
+        while end > len(self._store):
+            self._store = np.concatenate([self._store, np.empty_like(self._store)])
+        self._store[self._count : end], self._count = rows, end
 
     def _move(self, step: Array) -> None:
         if not np.isfinite(step).all():
             raise NonFiniteError("correct: the step overflows; choose units in which the numbers are smaller")
-        self._flat += step[self._layout.rows]
-        for block in self._layout.points:
-            block.mean = linalg.frozen(block.space.plus(block.mean, step[block.slice]))
+        self._layout.move(*self._layout.moved(step))
 
     def finish(self) -> None:
         """The covariance becomes that of the present means, which stay as they are."""
-        self._flat.flags.writeable = False
-        if len(self._taken):
-            linalg.subtract_square(self._P, self._taken)
-            self._taken = self._taken[:0]
+        if self._count:
+            linalg.subtract_square(self._P, self._store[: self._count])
+            self._count = 0

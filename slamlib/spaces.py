@@ -72,7 +72,7 @@ class Manifold:
     def check(self, point: Array, what: str) -> None:
         """Raise UnitError unless the points have unit length (to 1e-6, the half of the digits; 1e-3 in float32)."""
         tolerance = 2e-3 if point.dtype == np.float32 else 2e-6
-        if point.ndim == 1 and abs(sum(x * x for x in point.tolist()) - 1) <= tolerance:
+        if point.ndim == 1 and abs(sum([x * x for x in point.tolist()]) - 1) <= tolerance:
             return  # a single one, quickly
         with np.errstate(over="ignore"):
             squared = np.einsum("...i,...i", point, point)
@@ -102,10 +102,11 @@ class Product:
         self.size, self.dof = self._stored[-1].stop, self._tangent[-1].stop
 
     def _split(self, vector: Array, dof: bool) -> list[Array]:
-        return [np.asarray(vector)[..., at] for at in (self._tangent if dof else self._stored)]
+        numbers = np.asarray(vector)
+        return [numbers[..., at] for at in (self._tangent if dof else self._stored)]
 
     def _join(self, pieces: list[Array]) -> Array:
-        if all(p.ndim == 1 for p in pieces):
+        if all([p.ndim == 1 for p in pieces]):
             return np.concatenate(pieces)  # a single one, quickly
         lead = np.broadcast_shapes(*(p.shape[:-1] for p in pieces))
         return np.concatenate([np.broadcast_to(p, lead + p.shape[-1:]) for p in pieces], axis=-1)

@@ -35,12 +35,15 @@ def linearity_index(kind: PointLandmark, mean: Array, covariance: Array, camera:
     return _index((h[..., None, :] @ J[..., :3, :])[..., 0, :], P, (h * h).sum(-1))
 
 
-def euclidean_index(kind: PointLandmark, mean: Array, covariance: Array, camera: Array) -> Array:
+def euclidean_index(
+    kind: PointLandmark, mean: Array, covariance: Array, camera: Array, by: Array | None = None
+) -> Array:
     """The linearity index (...) that the point will have as a Euclidean one; arguments as there. Eq. (pt-index-euc).
 
     Four times the relative standard deviation of the distance |h| / w. Infinite for points at or beyond infinity.
+    by: Jacobian (dof + 6, k) of landmark and camera by what the covariance (..., k, k) is of, if it is of neither.
     """
-    point, J, P = _seen(kind, mean, covariance, camera, "euclidean_index")
+    point, J, P = _seen(kind, mean, covariance, camera, "euclidean_index", by)
     h, w = point[..., :3], point[..., 3]
     squared = (h * h).sum(-1)
     # w h' dh - |h|^2 dw, over w |h|^2: no division until the end
@@ -49,10 +52,15 @@ def euclidean_index(kind: PointLandmark, mean: Array, covariance: Array, camera:
 
 
 def should_convert(
-    kind: PointLandmark, mean: Array, covariance: Array, camera: Array, threshold: float = THRESHOLD
+    kind: PointLandmark,
+    mean: Array,
+    covariance: Array,
+    camera: Array,
+    threshold: float = THRESHOLD,
+    by: Array | None = None,
 ) -> Array:
     """Mask (...) of the points that may become Euclidean: those whose index is below the threshold afterwards."""
-    return euclidean_index(kind, mean, covariance, camera) < threshold
+    return euclidean_index(kind, mean, covariance, camera, by) < threshold
 
 
 def to_euclidean(kind: PointLandmark, mean: Array) -> tuple[Array, Array]:
@@ -75,10 +83,14 @@ def beyond_infinity(kind: PointLandmark, mean: Array, covariance: Array, sigmas:
     return point[..., 3] < -sigmas * np.sqrt(np.maximum(variance, 0))
 
 
-def _seen(kind: PointLandmark, mean: Array, covariance: Array, camera: Array, function: str) -> tuple[Array, ...]:
+def _seen(
+    kind: PointLandmark, mean: Array, covariance: Array, camera: Array, function: str, by: Array | None = None
+) -> tuple[Array, ...]:
     """Homogeneous point in the camera, its Jacobian by all that the covariance is of, and the covariance."""
     point, J = kind.to_frame.jac(camera, mean)
     P, dof = np.asarray(covariance), kind.space.dof
+    if by is not None:
+        return point, J.landmark @ by[:dof] + J.pose @ by[dof:], P
     if P.shape[-2:] == (dof, dof):
         return point, J.landmark, P
     if P.shape[-2:] == (dof + 6, dof + 6):

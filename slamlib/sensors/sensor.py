@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -39,12 +40,12 @@ class Sensor:
     project_line: Model | None = None
     pixels: bool = False
 
-    @property
+    @cached_property
     def size(self) -> int:
         """Numbers in a measurement."""
         return int(self.back_project.arguments[0].size)
 
-    @property
+    @cached_property
     def space(self) -> Space:
         """Where measurements live: their difference is space.minus(measured, expected)."""
         result = getattr(self.project, "result", None)
@@ -107,15 +108,25 @@ class Calibration:
     def __setattr__(self, name: str, value: Any) -> None:
         raise SlamlibError(f"a calibration cannot be changed: make another one with the {name} that you want")
 
+    @cached_property
+    def _short(self) -> tuple[Model, list[Array]] | None:
+        """The model for as many coefficients as are given, and these in its order; all of it can never change."""
+        short = _shortened(self.sensor.project, self.given)
+        return (short, [self.given[name] for name in short.parameters[1:]]) if short else None
+
     def project(self, point: Array) -> Array:
         """Measurements (..., m) of homogeneous points (..., 4) in the sensor's frame."""
-        short = _shortened(self.sensor.project, self.given)
-        return short(point, **self.given) if short else self.sensor.project(point, **self.padded)
+        if self._short:
+            model, parameters = self._short
+            return model(point, *parameters)
+        return self.sensor.project(point, **self.padded)
 
     def project_jac(self, point: Array) -> tuple[Array, Any]:
         """Measurements, and Jacobians by the point and by each parameter as it was given."""
-        short = _shortened(self.sensor.project, self.given)
-        return short.jac(point, **self.given) if short else self._jac(self.sensor.project, (point,))
+        if self._short:
+            model, parameters = self._short
+            return model.jac(point, *parameters)
+        return self._jac(self.sensor.project, (point,))
 
     def back_project_jac(self, measurement: Array, *unmeasured: Array) -> tuple[Array, Any]:
         """Homogeneous points (..., 4), and Jacobians by the measurement, what it does not tell, and each parameter."""
@@ -134,6 +145,9 @@ class Calibration:
         if self.image is None:
             return np.ones(np.shape(measurement)[:-1], dtype=bool)
         pixel = np.asarray(measurement)[..., :2]
+        if pixel.ndim == 1:  # a single one, quickly
+            (u, v), (width, height) = pixel.tolist(), self.image.tolist()
+            return np.bool_(margin <= u <= width - margin and margin <= v <= height - margin)
         return ((pixel >= margin) & (pixel <= self.image - margin)).all(-1)
 
 

@@ -1,9 +1,14 @@
 """What a sensor expects of the landmarks that it should see, whatever they are."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
+from slamlib import blocks
+from slamlib.geometry.pose import compose
+from slamlib.linalg import sealed
+from slamlib.observation import product
 from slamlib.slam.entities import Landmark, MountedSensor
 from slamlib.spaces import Array
 
@@ -24,8 +29,13 @@ class Expected:
 
     def take(self, rows: list[int]) -> "Expected":
         """Some of the landmarks, in this order."""
-        arrays = (self.value[rows], self.inner[rows], self.by[rows], self.columns[rows])
+        arrays = (array.take(rows, axis=0) for array in (self.value, self.inner, self.by, self.columns))
         return Expected([self.landmarks[i] for i in rows], *arrays)
+
+    @classmethod
+    def nothing(cls, size: int) -> "Expected":
+        """No landmark in view, of those whose measurements have `size` numbers."""
+        return cls([], np.zeros((0, size)), np.zeros((0, size)), np.zeros((0, size, 0)), np.zeros((0, 0), dtype=int))
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,17 +49,38 @@ class Innovation:
 
 def means_of(landmarks: list[Landmark]) -> Array:
     """Means (n, size) of landmarks of one kind."""
-    return np.array([landmark.block.mean for landmark in landmarks])
+    return blocks.means_of([landmark.block for landmark in landmarks])
 
 
 def columns_of(sensor: MountedSensor, landmarks: list[Landmark]) -> Array:
     """Rows (n, k) of the joint covariance that a look at each of the landmarks, all of one kind, depends on."""
     starts = np.array([landmark.block.start for landmark in landmarks])
-    own = starts[:, None] + np.arange(landmarks[0].block.dof)
-    fixed = sensor.columns
-    return np.concatenate([np.broadcast_to(fixed, (len(own), len(fixed))), own], axis=1)
+    shared, dof = sensor.columns, landmarks[0].block.dof
+    columns = np.empty((len(starts), len(shared) + dof), dtype=int)
+    columns[:, : len(shared)], columns[:, len(shared) :] = shared, starts[:, None] + np.arange(dof)
+    return columns
 
 
-def by_columns(sensor: MountedSensor, robot: Array, mount: Array, landmark: Array) -> Array:
-    """Jacobians by the robot, by the mount (if it is estimated), and by the landmark as one (..., q, k)."""
-    return np.concatenate([robot, landmark] if sensor.block is None else [robot, mount, landmark], axis=-1)
+@dataclass(frozen=True, eq=False)
+class Place:
+    """A sensor's pose (7,) in the world, and its Jacobian (6, k) by the rows `columns` of the joint covariance."""
+
+    pose: Array
+    by: Array
+
+
+def place_of(sensor: MountedSensor) -> Place:
+    """Where the sensor is now: its pose depends on the robot's, and on the mount if that is estimated."""
+    robot, mount = (np.asarray(pose, dtype=float).tobytes() for pose in (sensor.robot.pose, sensor.mount))
+    return _place(robot, mount, sensor.block is not None)
+
+
+@lru_cache(maxsize=8)  # by the numbers themselves: one frame asks several times between two corrections
+def _place(robot: bytes, mount: bytes, is_estimated: bool) -> Place:
+    pose, J = compose.jac(np.frombuffer(robot), np.frombuffer(mount))
+    return Place(sealed(pose), sealed(np.concatenate(J, axis=1) if is_estimated else J.outer))
+
+
+def by_columns(place: Place, camera: Array, landmark: Array) -> Array:
+    """Jacobians by the sensor's pose (..., q, 6) and by the landmark (..., q, dof) as one by its rows (..., q, k)."""
+    return np.concatenate([product(camera, place.by), landmark], axis=-1)

@@ -5,14 +5,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.geometry.pose import compose
 from slamlib.landmarks import LINES, endpoints, hmg_point, segments
 from slamlib.landmarks.line import LineLandmark
 from slamlib.line_observation import initialize_line
+from slamlib.slam.ends import settled
 from slamlib.slam.entities import Landmark, MountedSensor
-from slamlib.slam.expected import Expected, Innovation, by_columns, columns_of, means_of
+from slamlib.slam.expected import Expected, Innovation, by_columns, columns_of, means_of, place_of
 from slamlib.slam.options import Options
 from slamlib.slam.segments import READINGS, bent, rays_of
+from slamlib.small import corners
 from slamlib.snapshots import MapView
 from slamlib.spaces import Array
 
@@ -41,17 +42,17 @@ class LineFamily:
     def expect(self, sensor: MountedSensor, landmarks: list[Landmark]) -> Expected:
         """The segments that the camera should see, between the lines' ends; those out of view are left out."""
         kind, means = landmarks[0].kind, means_of(landmarks)
-        camera, by_camera = compose.jac(sensor.robot.pose, sensor.mount)
-        ends = hmg_point.to_frame(camera, endpoints.ends(kind, means, np.array([lm.abscissas for lm in landmarks])))
+        place = place_of(sensor)
+        ends = hmg_point.to_frame(place.pose, endpoints.ends(kind, means, np.array([lm.abscissas for lm in landmarks])))
         calibration, least = sensor.calibration, self.options.minimum_length
         intrinsics = calibration.given["intrinsics"]
         found = segments.visible(ends[:, 0], ends[:, 1], intrinsics, calibration.image, minimum_length=least)
         seen = found.seen
         looked = [landmark for landmark, s in zip(landmarks, seen.tolist(), strict=True) if s]
         if not looked:
-            return Expected([], np.zeros((0, 4)), np.zeros((0, 6)), np.zeros((0, 6, 0)), np.zeros((0, 0), int))
-        line, J = kind.to_frame.jac(camera, means[seen])
-        by = by_columns(sensor, J.pose @ by_camera.outer, J.pose @ by_camera.inner, J.landmark)
+            return Expected.nothing(4)
+        line, J = kind.to_frame.jac(place.pose, means[seen])
+        by = by_columns(place, J.pose, J.landmark)
         return Expected(looked, bent(calibration, found.pixels[seen]), line, by, columns_of(sensor, looked))
 
     def innovate(self, sensor: MountedSensor, expected: Expected, measured: Array) -> Innovation:
@@ -60,9 +61,9 @@ class LineFamily:
 
     def innovation(self, sensor: MountedSensor, landmark: Landmark, measured: Array) -> Innovation:
         """The innovation of one line at the present means. A line has no border: whoever saw it, sees it."""
-        camera, by_camera = compose.jac(sensor.robot.pose, sensor.mount)
-        line, J = landmark.kind.to_frame.jac(camera, landmark.block.mean)
-        by = by_columns(sensor, J.pose @ by_camera.outer, J.pose @ by_camera.inner, J.landmark)
+        place = place_of(sensor)
+        line, J = landmark.kind.to_frame.jac(place.pose, landmark.block.mean)
+        by = by_columns(place, J.pose, J.landmark)
         return self._innovation(sensor, line, by, measured)
 
     def _innovation(self, sensor: MountedSensor, line: Array, by: Array, measured: Array) -> Innovation:
@@ -83,7 +84,7 @@ class LineFamily:
     def corrected(self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array) -> None:
         """After a correction: lines of one kind are made lines again, their ends follow what was seen. Chapter 12."""
         kind = landmarks[0].kind
-        camera = compose(sensor.robot.pose, sensor.mount)
+        camera = place_of(sensor).pose
         if kind.constrain is not None:
             for landmark in landmarks:
                 mean, J = kind.constrain.jac(landmark.block.mean, camera[:3])
@@ -108,7 +109,7 @@ class LineFamily:
         by_point = sensor.calibration.project_jac(np.where(seen[..., None], point, _AHEAD))[1].point
         H = by_point @ F.landmark @ J.landmark
         rows = np.array([lm.block.start for lm in landmarks])[:, None] + np.arange(landmarks[0].block.dof)
-        P = belief.matrix[rows[:, :, None], rows[:, None, :]]
+        P = corners(belief.matrix, rows)
         spread = endpoints.spread(H @ P[:, None] @ H.swapaxes(-1, -2))
         return np.where(seen, spread, np.inf).max(-1)
 
@@ -128,7 +129,7 @@ class LineFamily:
                 geometry[i, end], covariance[i, end] = x, by @ P @ by.T
         kinds = tuple(landmark.kind.name for landmark in landmarks)
         ids = np.array([lm.id for lm in landmarks], dtype=int)
-        return MapView(ids, kinds, geometry, covariance, np.ones(len(landmarks), dtype=bool))
+        return MapView(ids, kinds, geometry, covariance, settled(geometry, covariance))
 
 
 def _noise(sensor: MountedSensor) -> Array:

@@ -5,15 +5,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.geometry.pose import compose
 from slamlib.landmarks import POINTS
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import beyond_infinity, should_convert, to_euclidean
 from slamlib.landmarks.point import PointLandmark
-from slamlib.observation import initialize, observe
+from slamlib.observation import initialize, observe_from
 from slamlib.slam.entities import Landmark, MountedSensor
-from slamlib.slam.expected import Expected, Innovation, by_columns, columns_of, means_of
+from slamlib.slam.expected import Expected, Innovation, by_columns, columns_of, means_of, place_of
 from slamlib.slam.options import Options
+from slamlib.small import corners
 from slamlib.snapshots import MapView
 from slamlib.spaces import Array
 
@@ -43,27 +43,30 @@ class PointFamily:
     def expect(self, sensor: MountedSensor, landmarks: list[Landmark]) -> Expected:
         """What the sensor should measure of landmarks of one kind; those out of view are left out."""
         kind, means = landmarks[0].kind, means_of(landmarks)
-        found = observe(kind, sensor.calibration, sensor.robot.pose, sensor.mount, means)
-        seen, J = found.visible, found.jacobians
-        looked = [landmark for landmark, s in zip(landmarks, seen.tolist(), strict=True) if s]
-        by = by_columns(sensor, J.robot, J.mount, J.landmark)
-        return Expected(looked, found.value[seen], found.value[seen], by[seen], columns_of(sensor, landmarks)[seen])
+        place = place_of(sensor)
+        found = observe_from(kind, sensor.calibration, place.pose, means)
+        seen, J = np.flatnonzero(found.visible), found.jacobians
+        if not len(seen):
+            return Expected.nothing(sensor.calibration.sensor.size)
+        looked, value = [landmarks[i] for i in seen.tolist()], found.value.take(seen, axis=0)
+        by = by_columns(place, J.camera.take(seen, axis=0), J.landmark.take(seen, axis=0))
+        return Expected(looked, value, value, by, columns_of(sensor, looked))
 
     def innovate(self, sensor: MountedSensor, expected: Expected, measured: Array) -> Innovation:
         """Measured minus expected (n, m), in the space of the measurement."""
         z = sensor.calibration.sensor.space.minus(measured, expected.value)
         noise = sensor.calibration.noise
-        return Innovation(z, expected.by, np.broadcast_to(noise, (len(z), *noise.shape)))
+        return Innovation(z, expected.by, noise[None].repeat(len(z), axis=0))
 
     def innovation(self, sensor: MountedSensor, landmark: Landmark, measured: Array) -> Innovation | None:
         """The innovation of one landmark at the present means; None if it should not be seen from there."""
-        calibration = sensor.calibration
-        found = observe(landmark.kind, calibration, sensor.robot.pose, sensor.mount, landmark.block.mean)
+        calibration, place = sensor.calibration, place_of(sensor)
+        found = observe_from(landmark.kind, calibration, place.pose, landmark.block.mean)
         if not found.visible:
             return None
         J = found.jacobians
         z = calibration.sensor.space.minus(measured, found.value)
-        return Innovation(z, by_columns(sensor, J.robot, J.mount, J.landmark), calibration.noise)
+        return Innovation(z, by_columns(place, J.camera, J.landmark), calibration.noise)
 
     def begin(self, sensor: MountedSensor, kind: PointLandmark, value: Array) -> tuple[Array, Array, list[Array]]:
         """Mean, own noise and Jacobians by robot and mount of a point that is seen for the first time. Chapter 15."""
@@ -85,13 +88,12 @@ class PointFamily:
         kind = landmarks[0].kind
         if not self.options.convert or kind is EUC_POINT:
             return
-        camera, by = compose.jac(sensor.robot.pose, sensor.mount)
-        turn = [by.outer, by.inner][: 1 if sensor.block is None else 2]
+        place = place_of(sensor)
         columns, dof = columns_of(sensor, landmarks), landmarks[0].block.dof
-        P = belief.matrix[columns[:, :, None], columns[:, None, :]]
         T = np.zeros((dof + 6, columns.shape[1]))  # from (robot, mount, landmark) to (landmark, camera)
-        T[:dof, -dof:], T[dof:, :-dof] = np.eye(dof), np.concatenate(turn, axis=1)
-        ripe = should_convert(kind, means_of(landmarks), T @ P @ T.T, camera, self.options.convert_below)
+        T[:dof, -dof:], T[dof:, :-dof] = np.eye(dof), place.by
+        means, P = means_of(landmarks), corners(belief.matrix, columns)
+        ripe = should_convert(kind, means, P, place.pose, self.options.convert_below, T)
         for landmark, is_ripe in zip(landmarks, ripe.tolist(), strict=True):
             if is_ripe:
                 belief.replace(landmark.block, EUC_POINT.space, *to_euclidean(kind, landmark.block.mean))
@@ -99,9 +101,13 @@ class PointFamily:
 
     def lost(self, belief: Belief, landmarks: list[Landmark]) -> set[Landmark]:
         """The landmarks, of one kind, that lie beyond infinity: no point is there. Chapter 11."""
-        if landmarks[0].kind is EUC_POINT:
+        kind = landmarks[0].kind
+        if kind is EUC_POINT:
             return set()
-        beyond = beyond_infinity(landmarks[0].kind, means_of(landmarks), _own(belief, landmarks))
+        means = means_of(landmarks)
+        if (kind.to_frame(_WORLD, means)[:, 3] >= 0).all():
+            return set()  # as mostly: quick, without Jacobians
+        beyond = beyond_infinity(kind, means, _own(belief, landmarks))
         return {landmarks[i] for i in np.flatnonzero(beyond)}
 
     def view(self, belief: Belief, landmarks: list[Landmark]) -> MapView:
@@ -124,4 +130,4 @@ _WORLD = np.array([0.0, 0, 0, 1, 0, 0, 0])
 def _own(belief: Belief, landmarks: list[Landmark]) -> Array:
     """Covariances (n, dof, dof) of landmarks of one kind."""
     rows = np.array([lm.block.start for lm in landmarks])[:, None] + np.arange(landmarks[0].block.dof)
-    return belief.matrix[rows[:, :, None], rows[:, None, :]]
+    return corners(belief.matrix, rows)

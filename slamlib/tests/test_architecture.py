@@ -83,12 +83,12 @@ def test_only_the_named_modules_are_generated_and_nothing_is_removed(tmp_path):
 
 LAYERS = [  # each may import those above it, and itself
     {"errors", "analytic", "spaces", "digest"},
-    {"model", "kernel", "shortened", "linalg"},
+    {"model", "kernel", "shortened", "linalg", "small"},
     {"geometry", "implicit", "registry"},
     {"landmarks", "sensors", "motions"},
     {"observation", "line_observation"},
 ]
-CORE = {"errors", "spaces", "linalg", "blocks", "correction", "series"}  # all that the belief may know
+CORE = {"errors", "spaces", "linalg", "small", "blocks", "correction", "series"}  # all that the belief may know
 
 
 def imports(file: Path) -> set[str]:

@@ -11,6 +11,7 @@ import pytest
 from benchmarks import covariance_update
 from slamlib import correction, linalg
 from slamlib.belief import Belief, Observation
+from slamlib.blocks import means_of
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnitError, UnknownNameError
 from slamlib.geometry.pose import Pose
 from slamlib.tests.beliefs import Circle, grown, random_covariance, state
@@ -433,7 +434,45 @@ def test_a_factor_of_nan_is_an_error(monkeypatch):
     """In WebAssembly a failed factorization is NaN, not an exception."""
     monkeypatch.setattr(np.linalg, "cholesky", lambda a: np.full_like(a, np.nan))
     with pytest.raises(CovarianceError, match="smallest eigenvalue 1"):
-        linalg.cholesky(np.eye(2), "f", "S")
+        linalg.cholesky(np.eye(6), "f", "S")
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4])
+def test_small_factors_are_those_of_lapack(rng, n):
+    for scale in (1e-9, 1, 1e9):
+        matrix = scale * random_covariance(rng, n)
+        factor = linalg.cholesky(matrix, "f", "S")
+        assert np.allclose(factor, np.linalg.cholesky(matrix), rtol=1e-12, atol=0)
+        many = linalg.cholesky(np.stack([matrix, matrix]), "f", "S")
+        assert np.allclose(many, factor, rtol=1e-12, atol=0)
+
+
+@pytest.mark.parametrize("matrix", [np.ones((2, 2)), -np.eye(3), np.zeros((1, 1)), np.diag([1, np.nan])])
+def test_what_is_not_definite_has_no_factor_however_small(matrix):
+    for given in (matrix, np.stack([matrix, matrix])):
+        with pytest.raises(CovarianceError):
+            linalg.cholesky(given, "f", "S")
+
+
+def test_means_of_many_blocks_are_the_means_of_each(rng):
+    belief, other = Belief(), Belief()
+    blocks = [belief.add(3, rng.standard_normal(3), np.eye(3)) for _ in range(4)]
+    pose = belief.add(Pose, Pose.random(rng), np.eye(6))
+    stranger = other.add(3, rng.standard_normal(3), np.eye(3))
+    columns, H = np.arange(18), rng.standard_normal((2, 18))
+    chosen = [blocks[2], blocks[0]]
+    for change in (
+        lambda: belief.correct_rows(columns, H, np.ones(2), np.eye(2)),
+        lambda: belief.predict(blocks[2], np.ones(3), np.eye(3), np.eye(3)),
+        lambda: belief.remove(blocks[1]),
+        lambda: belief.replace(pose, 3, np.zeros(3), np.eye(3, 6)),
+    ):
+        kept, numbers = blocks[0].mean, blocks[0].mean.tolist()
+        change()
+        assert np.array_equal(means_of(chosen), [block.mean for block in chosen])
+        assert kept.tolist() == numbers
+    assert np.array_equal(means_of([blocks[0], stranger]), [blocks[0].mean, stranger.mean])
+    assert np.array_equal(blocks[2].mean, means_of(chosen)[0])
 
 
 def test_blas_on_a_view_updates_a_copy():
