@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from slamlib import small
 from slamlib.evaluation import chi2_quantile
 from slamlib.records import Features, Scan
 from slamlib.spaces import Array
@@ -19,16 +20,14 @@ from slamlib.spaces import Array
 
 def innovation_covariances(covariance: Array, columns: Array, H: Array, R: Array) -> Array:
     """Z = H P H' + R (n, d, d) of n measurements, one by one; covariance (s, s), columns (n, k), H (n, d, k)."""
-    P = covariance[columns[:, :, None], columns[:, None, :]]
-    half = H @ P @ H.swapaxes(-1, -2) / 2
+    half = H @ small.corners(covariance, columns) @ H.swapaxes(-1, -2) / 2
     Z: Array = half + half.swapaxes(-1, -2) + R
     return Z
 
 
 def normalized(z: Array, Z: Array) -> Array:
     """z' Z^-1 z (n,) of innovations (n, d) with covariances (n, d, d)."""
-    squared: Array = (z * np.linalg.solve(Z, z[..., None])[..., 0]).sum(-1)
-    return squared
+    return small.squares(z, Z)
 
 
 def by_information(Z: Array, count: int) -> Array:
@@ -37,7 +36,7 @@ def by_information(Z: Array, count: int) -> Array:
     A measurement lowers the entropy of the state by log(det Z / det R) / 2: with one R for all, the most uncertain
     expectation is the one to look at. Davison (2005); the toolbox leaves R out (errata E57). Ties: the earlier row.
     """
-    return np.argsort(-np.linalg.slogdet(Z)[1], kind="stable")[:count]
+    return np.argsort(-small.log_determinants(Z), kind="stable")[:count]
 
 
 def by_order(Z: Array, count: int) -> Array:
@@ -69,9 +68,17 @@ class Sight:
 class Identity:
     """Association by identity: simulated features, and those of labelled data, carry the id of what they show.
 
-    What any front end must offer: match and detect; and, for files, dump and restore of its own state, and pack and
-    unpack of the signatures that it gives to landmarks. One that works on images finds its measurements itself.
+    What any front end must offer: check, findable, match and detect; and, for files, dump and restore of its own state,
+    and pack and unpack of the signatures that it gives to landmarks. One that works on images finds its measurements
+    itself.
     """
+
+    def check(self, scan: Scan) -> None:
+        """Raise SlamlibError for a scan that it cannot look at, before anything is changed: there is none."""
+
+    def findable(self, sight: Sight) -> list[Any]:
+        """The looks that it could find at all if the landmarks are there: of identified features, all."""
+        return sight.looks
 
     def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
         """Measurements (n, m) of what is looked for, nan where there is none, and the mask of those found."""

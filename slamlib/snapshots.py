@@ -1,10 +1,14 @@
 """What the filter shows of itself at one frame: all that pictures and evaluations get to see. Frozen, arrays only."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+
+import numpy as np
 
 from slamlib.geometry.pose import compose
 from slamlib.records import Scan
 from slamlib.spaces import Array
+
+_LEFT_OUT: Array = np.zeros(0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,6 +37,11 @@ class Looks:
     One row for each landmark that it expected to see: ids (n,), kinds, what it expected (n, m) (of a segment: its two
     ends in the image) with the covariance (n, d, d) of the innovation, what it measured (n, m) (nan where nothing was
     looked for or found), masks (n,) chosen, matched, inlier, and z' Z^-1 z (n,) (nan where nothing was matched).
+
+    What not every look has, and what may be left out: of a segment ends (n, 2, 2), where the filter puts its two ends
+    in the image after the frame, with their covariances spreads (n, 2, 2, 2) [px^2], nan for points and for ends out of
+    view; from a front end that looks at images scores (n,), nan where there is none, and for each look the patch that
+    was predicted and the one that was found there, as grey images or None.
     """
 
     ids: Array
@@ -44,6 +53,19 @@ class Looks:
     matched: Array
     inlier: Array
     nis: Array
+    ends: Array = field(default_factory=lambda: _LEFT_OUT)
+    spreads: Array = field(default_factory=lambda: _LEFT_OUT)
+    scores: Array = field(default_factory=lambda: _LEFT_OUT)
+    predicted: tuple[Array | None, ...] = ()
+    found: tuple[Array | None, ...] = ()
+
+    def __post_init__(self) -> None:
+        n = len(self.ids)
+        for name, shape in (("ends", (n, 2, 2)), ("spreads", (n, 2, 2, 2)), ("scores", (n,))):
+            if getattr(self, name) is _LEFT_OUT:
+                object.__setattr__(self, name, np.full(shape, np.nan))
+        for name in ("predicted", "found"):
+            object.__setattr__(self, name, getattr(self, name) or (None,) * n)
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +90,8 @@ class MapView:
     """Landmarks of one family as they are estimated: ids (n,), kinds, geometry [m], covariance, converged (n,).
 
     Points: geometry (n, 3), covariance (n, 3, 3); nan where the estimate lies at infinity. Segments: both ends,
-    (n, 2, 3) and (n, 2, 3, 3). converged: points that are held as Euclidean ones; of lines, all.
+    (n, 2, 3) and (n, 2, 3, 3). converged: points that are held as Euclidean ones; lines whose ends are known, in their
+    worst direction, to a tenth of the length between them.
     """
 
     ids: Array

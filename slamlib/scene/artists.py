@@ -10,8 +10,10 @@ from slamlib.drawing.colors import colors
 from slamlib.errors import SlamlibError
 from slamlib.scene.figures import SHELL
 from slamlib.scene.layers import Flat
-from slamlib.scene.roles import Role, themed
+from slamlib.scene.roles import HALO, OUTLINE, Role, over_image, themed
 from slamlib.spaces import Array
+
+ABOVE = 0.025  # of the figure's height: from the top of axes to their key
 
 
 def extra(module: str, purpose: str) -> Any:
@@ -40,8 +42,23 @@ class Artists:
         )
         self.axes, self.role, self.color, self.depth = axes, role, color, depth
         self.words: list[Any] = []
+        self.effects: list[Any] = []  # outlines of words
         if legend and role.label:
             (self.lines if role.marker in ("", ".") else self.marks).set_label(role.label)
+
+    def lift(self) -> None:
+        """From now on lie over a photograph: bright, with a dark outline."""
+        self.color = over_image(self.role).color
+        effects = extra("matplotlib.patheffects", "a window")
+        widths = {self.lines: self.role.width, self.shells: SHELL * self.role.width, self.marks: 1.0}
+        for artist, width in widths.items():
+            artist.set_edgecolor(self.color)
+            artist.set_path_effects([effects.withStroke(linewidth=width + 2 * HALO, foreground=OUTLINE)])
+        if not self.role.hollow:
+            self.marks.set_facecolor(self.color)
+        self.effects = [effects.withStroke(linewidth=2 * HALO, foreground=OUTLINE)]
+        for text in self.words:
+            text.set(color=self.color, path_effects=self.effects)
 
     def update(self, layer: Flat) -> None:
         """Show another layer of this role."""
@@ -59,6 +76,7 @@ class Artists:
     def _word(self) -> Any:
         look = {"color": self.color, "fontsize": self.role.size, "ha": "center", "va": "center"}
         placed = {"textcoords": "offset points", "zorder": self.depth, "clip_on": True, "animated": True}
+        placed["path_effects"] = self.effects
         return self.axes.annotate("", (0, 0), (0, self.role.raised), **placed, **look)
 
     def draw(self) -> None:
@@ -82,8 +100,9 @@ class Sheet:
         self.artists = {n: Artists(axes, role, theme, 2 + i, legend) for i, (n, role) in enumerate(roles.items())}
         if legend:
             ink = themed(colors.text, theme)
-            look = {"loc": "lower left", "bbox_to_anchor": (0, 1.03), "ncols": 4, "fontsize": 8, "frameon": False}
-            axes.legend(labelcolor=ink, **look)
+            place = axes.get_position(original=True)  # an image may fill a part of it only
+            look = {"bbox_to_anchor": (place.x0, place.y1 + ABOVE), "bbox_transform": axes.figure.transFigure}
+            axes.legend(labelcolor=ink, loc="lower left", ncols=4, fontsize=8, frameon=False, **look)
 
     def update(self, layers: Sequence[Flat]) -> None:
         """Show these layers."""

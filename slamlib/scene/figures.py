@@ -12,13 +12,15 @@ from slamlib.records import Truth, World
 from slamlib.scene.image_scene import sensor_scene, sensor_view
 from slamlib.scene.layers import Flat
 from slamlib.scene.options import MapOptions, SensorOptions, chosen
-from slamlib.scene.roles import ROLES, Role
+from slamlib.scene.photographs import photograph
+from slamlib.scene.roles import HALO, OUTLINE, ROLES, Role, over_image
 from slamlib.scene.scene import bounds, map_scene
 from slamlib.scene.view import NAMED, View
 from slamlib.snapshots import Snapshot
 from slamlib.spaces import Array
 
 SHELL = 0.7  # width of the outlines of uncertainty, in that of the lines of their role
+WIDE = 320  # pixels: the widest image that a figure holds, if nobody asks for another
 CLOSER = 0.5  # how near the view that follows a robot is, in the distance from which all is seen
 
 
@@ -89,31 +91,59 @@ def sensor_figure(
     layers = sensor_scene(snapshot, sensor, options=look)
     fig, ax = figure(width=width, height=height)
     names = look.names or tuple(f"measured number {n}" for n in look.numbers)
+    photo = None
     if view.image is not None:
         names = look.names or ("u [px]", "v [px]")
         ax.set(xlim=(0, view.image[0]), ylim=(view.image[1], 0), aspect="equal")
-        if view.scan is not None and view.scan.image is not None:
-            ax.imshow(view.scan.image)
+        photo = photograph(view, look.image_width or WIDE) if look.image else None
+    if photo is not None:
+        ax.imshow(photo.pixels, extent=photo.extent, vmin=0, vmax=255, interpolation="bilinear")
     ax.set(xlabel=names[0], ylabel=names[1])
-    draw(ax, layers, ROLES["sensor"], look.legend)
+    (draw if photo is None else draw_over)(ax, layers, ROLES["sensor"], look.legend)
     return fig
 
 
 def draw(ax: Any, layers: Sequence[Flat], roles: dict[str, Role], legend: bool) -> None:
     """Put layers into axes, in their order, each with its role's look."""
     for layer in layers:
-        role, label = roles[layer.role], roles[layer.role].label
-        stroke = {"color": role.color, "ls": role.linestyle, "alpha": role.alpha}
-        if len(layer.shells):
-            ax.plot(*layer.shells.T, lw=SHELL * role.width, **stroke)
-        if len(layer.lines):
-            ax.plot(*layer.lines.T, lw=role.width, label="" if len(layer.marks) else label, **stroke)
-        if len(layer.marks):
-            face = "none" if role.hollow else role.color
-            look = {"ls": "", "marker": role.marker, "ms": role.size, "color": role.color, "mfc": face}
-            ax.plot(*layer.marks.T, label=label, **look)
-        look = {"color": role.color, "fontsize": role.size, "ha": "center", "va": "center", "clip_on": True}
-        for place, word in zip(layer.places, layer.words, strict=True):
-            ax.annotate(word, place, (0, role.raised), textcoords="offset points", **look)
+        _put(ax, layer, roles[layer.role])
     if legend:
         ax.legend(loc="outside upper", ncols=4, fontsize=9)
+
+
+def draw_over(ax: Any, layers: Sequence[Flat], roles: dict[str, Role], legend: bool) -> None:
+    """The same over a photograph: bright, with dark outlines. The key beside it keeps the page's colours."""
+    for layer in layers:
+        role = replace(over_image(roles[layer.role]), label="")
+        dark = replace(role, color=OUTLINE, width=role.width + 2 * HALO, linestyle="-", hollow=True)
+        _put(ax, Flat(layer.role, lines=layer.lines, marks=layer.marks), dark, edge=1 + 2 * HALO)
+        _put(ax, Flat(layer.role, lines=layer.shells), replace(dark, width=SHELL * role.width + 2 * HALO))
+        for right, up in ((-HALO, 0), (HALO, 0), (0, -HALO), (0, HALO)):
+            _words(ax, layer, replace(role, color=OUTLINE), right, up)
+        _put(ax, layer, role)
+        # what has a label is nowhere, and in the page's colours
+        parts = {name: getattr(layer, name)[:1] * np.nan for name in ("lines", "shells", "marks")}
+        _put(ax, Flat(layer.role, **parts), roles[layer.role])
+    if legend:
+        ax.legend(loc="outside upper", ncols=4, fontsize=9)
+
+
+def _put(ax: Any, layer: Flat, role: Role, edge: float = 1.0) -> None:
+    """One layer; edge: width of the outlines of its marks [pt]."""
+    stroke = {"color": role.color, "ls": role.linestyle, "alpha": role.alpha}
+    marked, lined = len(layer.marks) > 0, len(layer.lines) > 0
+    if len(layer.shells):
+        ax.plot(*layer.shells.T, lw=SHELL * role.width, label="" if marked or lined else role.label, **stroke)
+    if lined:
+        ax.plot(*layer.lines.T, lw=role.width, label="" if marked else role.label, **stroke)
+    if marked:
+        face = "none" if role.hollow else role.color
+        look = {"ls": "", "marker": role.marker, "ms": role.size, "color": role.color, "mfc": face, "mew": edge}
+        ax.plot(*layer.marks.T, label=role.label, **look)
+    _words(ax, layer, role)
+
+
+def _words(ax: Any, layer: Flat, role: Role, right: float = 0.0, up: float = 0.0) -> None:
+    look = {"color": role.color, "fontsize": role.size, "ha": "center", "va": "center", "clip_on": True}
+    for place, word in zip(layer.places, layer.words, strict=True):
+        ax.annotate(word, place, (right, role.raised + up), textcoords="offset points", **look)

@@ -17,9 +17,11 @@ from slamlib.snapshots import Looks, SensorView, Snapshot
 from slamlib.spaces import Array
 
 AWAY = 8.0  # pixels from a segment to its label, along its normal
-# What became of a look, by the role that shows it.
+RING = 0.022  # of the image's width: the least radius of a search region as it is drawn
+# What became of a look, by the role that shows it: not looked for, looked for in vain, believed, not believed.
 OUTCOMES: dict[str, Callable[[Looks], Array]] = {
-    "predicted": lambda looks: ~looks.matched,
+    "predicted": lambda looks: ~looks.chosen & ~looks.matched,
+    "missed": lambda looks: looks.chosen & ~looks.matched,
     "updated": lambda looks: looks.matched & looks.inlier,
     "rejected": lambda looks: looks.matched & ~looks.inlier,
 }
@@ -42,22 +44,37 @@ def sensor_scene(
     view = sensor_view(snapshot, sensor)
     pair = list(options.numbers)
     _check_numbers(view, pair)
-    converged = converged_points(snapshot)
-    known = np.array([int(i) in converged for i in view.points.ids], dtype=bool)
-    expected = np.reshape(view.points.expected, (len(known), -1))[:, pair] if len(known) else np.zeros((0, 2))
+    expected, known = _means(view, pair, converged(snapshot))
     return (
         *([_raw(view, pair)] if options.raw else []),
         *(_outcome(name, view, pair, options) for name in OUTCOMES),
         Flat("new point", marks=expected[~known]),
         Flat("point", marks=expected[known]),
         _measured(view, pair),
-        *(_labels(view, expected) if options.labels else ()),
+        *(_labels(view, pair) if options.labels else ()),
+        *([_scores(view, pair)] if options.scores else []),
     )
 
 
-def converged_points(snapshot: Snapshot) -> set[int]:
-    """The numbers of the points that have converged."""
-    return {int(i) for i, c in zip(snapshot.points.ids, snapshot.points.converged, strict=True) if c}
+def converged(snapshot: Snapshot) -> set[int]:
+    """The numbers of the landmarks that have converged."""
+    both = (snapshot.points, snapshot.segments)
+    return {int(i) for view in both for i, c in zip(view.ids, view.converged, strict=True) if c}
+
+
+def _means(view: SensorView, pair: list[int], known: set[int]) -> tuple[Array, Array]:
+    """Places (n, 2) of the points expected and of the ends of segments in view, and the mask of those converged."""
+    ends = view.segments.ends.reshape(-1, 2)
+    marks = np.concatenate([_expected(view, pair), ends])
+    ids = [*view.points.ids, *np.repeat(view.segments.ids, 2)]
+    found = np.array([int(i) in known for i in ids], dtype=bool)
+    shown = np.isfinite(marks).all(axis=1)
+    return marks[shown], found[shown]
+
+
+def _expected(view: SensorView, pair: list[int]) -> Array:
+    """Two numbers (n, 2) of each point expected."""
+    return view.points.expected[:, pair] if len(view.points.ids) else np.zeros((0, 2))
 
 
 def _check_numbers(view: SensorView, pair: list[int]) -> None:
@@ -78,16 +95,30 @@ def _raw(view: SensorView, pair: list[int]) -> Flat:
 
 
 def _outcome(role: str, view: SensorView, pair: list[int], options: SensorOptions) -> Flat:
-    """Ellipses around the points expected, and the segments expected, of one outcome."""
-    some = OUTCOMES[role](view.points)
+    """Ellipses around the points expected and the ends of segments, and the segments expected, of one outcome."""
+    some, seen = OUTCOMES[role](view.points), OUTCOMES[role](view.segments)
     found: list[Array] = []
     if options.ellipses and some.any():
-        covariances = view.points.covariance[some][:, pair][:, :, pair]
-        radius = np.sqrt(chi2_quantile(options.gate, view.points.covariance.shape[-1]))
-        found = list(view.points.expected[some][:, None, pair] + radius * rings(covariances))
-    seen = OUTCOMES[role](view.segments)
+        found += list(view.points.expected[some][:, None, pair] + rings(regions(view, pair, options)[some]))
+    if options.ellipses and seen.any():
+        ends, spreads = view.segments.ends[seen].reshape(-1, 2), view.segments.spreads[seen].reshape(-1, 2, 2)
+        shown = np.isfinite(ends).all(axis=1)
+        found += list(ends[shown, None] + np.sqrt(chi2_quantile(options.gate, 2)) * rings(spreads[shown]))
     segments = view.segments.expected[seen].reshape(-1, 2, 2) if seen.any() else []
     return Flat(role, lines=strung(segments, 2), shells=strung(found, 2))
+
+
+def regions(view: SensorView, pair: list[int], options: SensorOptions) -> Array:
+    """Where each point expected should be found, as a covariance (n, 2, 2) whose ellipse of one sigma bounds it.
+
+    In an image one that is smaller than the mark in its middle is a ring around that: what became of it is to be seen.
+    """
+    covariances = view.points.covariance[:, pair][:, :, pair]
+    shapes = chi2_quantile(options.gate, view.points.covariance.shape[-1]) * covariances
+    if view.image is not None:
+        least = (RING * float(view.image[0])) ** 2
+        shapes[np.linalg.eigvalsh(shapes)[:, -1] < least] = least * np.eye(2)
+    return shapes
 
 
 def _measured(view: SensorView, pair: list[int]) -> Flat:
@@ -101,13 +132,30 @@ def _measured(view: SensorView, pair: list[int]) -> Flat:
     return Flat("measured", lines=lines, marks=np.concatenate([marks, ends]))
 
 
-def _labels(view: SensorView, expected: Array) -> tuple[Flat, Flat]:
+def _labels(view: SensorView, pair: list[int]) -> tuple[Flat, Flat]:
     """Numbers of the landmarks: of points above what was expected, of segments beside their middles."""
     ends = view.segments.expected.reshape(-1, 2, 2) if len(view.segments.ids) else np.zeros((0, 2, 2))
     return (
-        Flat("label", places=expected, words=tuple(map(str, view.points.ids))),
+        Flat("label", places=_expected(view, pair), words=tuple(map(str, view.points.ids))),
         Flat("line label", places=beside(ends), words=tuple(map(str, view.segments.ids))),
     )
+
+
+def scores(view: SensorView, pair: list[int]) -> tuple[Array, tuple[str, ...]]:
+    """Where to write (n, 2) how well each look agreed, which is where it was found, or else expected; and the words."""
+    places, words = [np.zeros((0, 2))], []
+    for looks, columns in ((view.points, pair), (view.segments, [0, 1, 2, 3])):
+        known = np.isfinite(looks.scores)
+        if known.any():
+            found = np.where(looks.matched[:, None], looks.measured, looks.expected)[known][:, columns]
+            places.append(found.reshape(len(found), -1, 2).mean(axis=1))
+            words += [f"{score:.2f}" for score in looks.scores[known]]
+    return np.concatenate(places), tuple(words)
+
+
+def _scores(view: SensorView, pair: list[int]) -> Flat:
+    places, words = scores(view, pair)
+    return Flat("score", places=places, words=words)
 
 
 def beside(segments: Array) -> Array:

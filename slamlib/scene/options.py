@@ -52,8 +52,11 @@ class MapOptions:
 class SensorOptions:
     """Of a sensor's figure.
 
-    gate: probability that the ellipses of expectations hold. numbers: which two numbers of a measurement are drawn,
-    across and up (pixels: down); names: what they are called, with their units.
+    gate: probability that the ellipses of expectations hold; in an image none is drawn smaller than a mark. numbers:
+    which two numbers of a measurement are drawn, across and up (pixels: down); names: what they are called, with their
+    units. image: whether what a camera delivered lies below, in a page at most image_width pixels wide (None: as the
+    page has room). scores: what a front end says of how well each match agrees. patches: what it looked for and what it
+    found, beside the image in windows and films.
     """
 
     gate: float = 0.99
@@ -63,8 +66,14 @@ class SensorOptions:
     labels: bool = True
     raw: bool = True
     legend: bool = True
+    image: bool = True
+    image_width: int | None = None
+    scores: bool = True
+    patches: bool = True
 
     def __post_init__(self) -> None:
+        if self.image_width is not None and not (isinstance(self.image_width, int) and self.image_width > 0):
+            raise SlamlibError(f"SensorOptions: image_width is a number of pixels, got {self.image_width!r}")
         if not 0 < self.gate < 1:
             raise SlamlibError(f"SensorOptions: gate is a probability between 0 and 1, got {self.gate!r}")
         if len(self.numbers) != 2 or not all(isinstance(n, int) and n >= 0 for n in self.numbers):

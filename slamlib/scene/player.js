@@ -108,10 +108,12 @@ window.slamlibPlayer = function (figure) {
     sheet.replaceChildren();
     return Object.entries(roles).map(([name, role]) => {
       const group = element("g", "", sheet), shape = (style) => element("path", style, group);
-      return { name, role, group, lines: shape(role.line), shells: shape(role.shell), marks: shape(role.mark), words: [] };
+      const halo = role.halo && shape(role.halo);
+      return { name, role, group, halo, lines: shape(role.line), shells: shape(role.shell), marks: shape(role.mark), words: [] };
     });
   };
-  const layers = emptied(svg, data.roles), seen = second ? emptied(second, data.sensor.roles) : [];
+  const layers = emptied(svg, data.roles), seen = second ? emptied(second, data.sensor.over || data.sensor.roles) : [];
+  const photo = second && data.sensor.over ? second.insertBefore(element("image", "", second), second.firstChild) : null;
 
   function contents(name) {
     const frame = data.frames[state.frame], found = { lines: [], balls: [], marks: [], words: [] };
@@ -135,14 +137,24 @@ window.slamlibPlayer = function (figure) {
   }
 
   /* What a sensor saw: of each look its landmark's number, what became of it, where it was expected and found. */
-  function sight(name) {
+  const scales = () => {
     const [left, right, low, high] = data.sensor.limits, [, , wide, tall] = second.getAttribute("viewBox").split(" ").map(Number);
     const [across, down] = [(wide - 2 * data.pad) / (right - left), (tall - 2 * data.pad) / (low - high)];
-    const place = (u, v) => [data.pad + across * (u - left), data.pad + down * (v - high)];
+    return { across, down, left, right, low, high, place: (u, v) => [data.pad + across * (u - left), data.pad + down * (v - high)] };
+  };
+  function develop() {
+    const { image, extent } = data.frames[state.frame].looks, { place } = scales();
+    photo.setAttribute("href", image || "data:,");
+    if (!image) return;
+    const [x, y] = place(extent[0], extent[3]), [right, bottom] = place(extent[1], extent[2]);
+    Object.entries({ x, y, width: right - x, height: bottom - y, preserveAspectRatio: "none" }).forEach((pair) => photo.setAttribute(...pair));
+  }
+  function sight(name) {
+    const { across, down, left, right, low, high, place } = scales();
     const line = (a, b) => `M${written(place(...a))}L${written(place(...b))}`;
-    const { raw, points, segments } = data.frames[state.frame].looks, found = { lines: "", shells: "", marks: [], words: [] };
+    const { raw, points, segments, scores } = data.frames[state.frame].looks, found = { lines: "", shells: "", marks: [], words: [] };
     if (name === "raw") {
-      found.lines = line([left, high], [right, high]) + line([right, high], [right, low]) + line([right, low], [left, low]) + line([left, low], [left, high]);
+      if (!photo) found.lines = line([left, high], [right, high]) + line([right, high], [right, low]) + line([right, low], [left, low]) + line([left, low], [left, high]);
       raw.segments.forEach(([a, b, c, d]) => { found.lines += line([a, b], [c, d]); });
       found.marks = raw.points.map((p) => place(...p));
     }
@@ -156,11 +168,16 @@ window.slamlibPlayer = function (figure) {
         found.marks.push(place(...measured));
       }
     }
-    for (const [id, role, x, y, a, b, c, d, ...measured] of segments) {
+    for (const [id, role, known, x, y, a, b, c, d, ends, ...measured] of segments) {
+      for (const [u, v, e, f, g] of ends) {
+        if (name === data.sensor.outcomes[role]) found.shells += ellipse(place(u, v), [across * e, down * f, down * g]);
+        if (name === (known ? "point" : "new point")) found.marks.push(place(u, v));
+      }
       if (name === data.sensor.outcomes[role]) found.lines += line([a, b], [c, d]);
       if (name === "line label") found.words.push([place(x, y), String(id)]);
       if (name === "measured" && measured.length) found.marks.push(place(measured[0], measured[1]), place(measured[2], measured[3]));
     }
+    if (name === "score") scores.forEach(([u, v, word]) => found.words.push([place(u, v), word]));
     return found;
   }
   /* An ellipse around a place of the sheet with this lower triangular factor. */
@@ -178,11 +195,12 @@ window.slamlibPlayer = function (figure) {
       words: words.map(([p, word]) => [camera.point(p), word]).filter(([p]) => p),
     };
   }
-  function show({ role, group, lines, shells, marks, words }, found) {
+  function show({ role, group, halo, lines, shells, marks, words }, found) {
     const mark = shapes[role.marker] || shapes.o, shown = find("labels").checked ? found.words : [];
     lines.setAttribute("d", found.lines);
     shells.setAttribute("d", found.shells);
     marks.setAttribute("d", found.marks.map((p) => mark(p, role.size / 2)).join(""));
+    if (halo) halo.setAttribute("d", [lines, shells, marks].map((path) => path.getAttribute("d")).join(""));
     while (words.length < shown.length) words.push(element("text", role.text, group));
     words.forEach((text, i) => {
       const [p, word] = shown[i] || [[-99, -99], ""];
@@ -196,6 +214,7 @@ window.slamlibPlayer = function (figure) {
     const camera = new Camera();
     layers.forEach((layer) => show(layer, onto(layer, camera)));
     seen.forEach((layer) => show(layer, sight(layer.name)));
+    if (photo) develop();
     const { said, note } = data.frames[state.frame];
     slider.value = state.frame;
     slider.setAttribute("aria-valuetext", said);

@@ -14,17 +14,18 @@ from slamlib.drawing.colors import paint
 from slamlib.drawing.paths import number
 from slamlib.errors import SlamlibError
 from slamlib.records import Truth, World
-from slamlib.scene.figures import SHELL, draw, map_figure
+from slamlib.scene.figures import SHELL, draw, draw_over, map_figure
 from slamlib.scene.image_scene import OUTCOMES, sensor_scene
 from slamlib.scene.options import MapOptions, SensorOptions, chosen
 from slamlib.scene.packing import packed
 from slamlib.scene.player_page import Player
-from slamlib.scene.roles import MAP, SENSOR, Role
+from slamlib.scene.roles import HALO, MAP, OUTLINE, SENSOR, Role, over_image
 from slamlib.scene.sights import Sights
 from slamlib.snapshots import Snapshot
 
 SECOND = 3.6  # inches: width of the sensor's view, which stands beside the map or below it
 WEIGHT = 200_000  # characters of data at most, beside the script and the still picture
+WEIGHT_OF_IMAGES = 600_000  # so many more if images are asked for
 
 
 def player(
@@ -38,6 +39,7 @@ def player(
     note: Callable[[Snapshot], str] | None = None,
     sensor: int | str | None = None,
     sensor_options: SensorOptions | None = None,
+    images: bool = False,
     width: float = 5.8,
     height: float = 4.0,
     **options: Any,
@@ -46,21 +48,22 @@ def player(
 
     alt: a sentence that says what one sees. truths: one a snapshot, or none. frames: at most so many are shown, evenly
     spread and the last among them; fewer if their data would weigh more than 200 kB. fps: frames per second. note: what
-    to say of a frame, below the map. sensor: place or name of one whose view is shown beside the map. Raises
-    SlamlibError.
+    to say of a frame, below the map. sensor: place or name of one whose view is shown beside the map. images: whether
+    that camera's images lie below it, small; then all weighs up to 800 kB. Raises SlamlibError.
     """
     look = chosen(MapOptions(), options)
     _check(snapshots, truths, alt, frames, fps)
-    sights = None if sensor is None else Sights(snapshots, sensor, sensor_options or SensorOptions())
+    sights = None if sensor is None else Sights(snapshots, sensor, sensor_options or SensorOptions(), images)
+    most = WEIGHT + WEIGHT_OF_IMAGES * images
     last, count = snapshots[-1], min(frames, len(snapshots))
     while True:
         data = packed(snapshots, world, truths, count, look, width / height)
         for frame, snapshot in zip(data["frames"], data["shown"], strict=True):
             frame |= {} if sights is None else {"looks": sights.frame(snapshot)}
         weight = len(json.dumps(data["frames"], separators=(",", ":")))
-        if weight <= WEIGHT or count <= 2:
+        if weight <= most or count <= 2:
             break
-        count = max(2, min(count - 1, int(count * WEIGHT / weight)))
+        count = max(2, min(count - 1, int(count * most / weight)))
     for frame, snapshot in zip(data["frames"], data.pop("shown"), strict=True):
         frame["note"] = note(snapshot) if note is not None else ""
     data |= {"fps": fps, "roles": {name: _looks(role) for name, role in MAP.items() if name in _used(data)}}
@@ -76,10 +79,23 @@ def player(
     )
     stills = [still.svg(alt)]
     if sights is not None:
-        roles = {name: _looks(role) for name, role in SENSOR.items()}
-        data["sensor"] = {"roles": roles, "limits": sights.limits, "outcomes": list(OUTCOMES)}
+        data["sensor"] = _sensor(sights, [frame["looks"] for frame in data["frames"]])
         stills.append(_still(last, sights, alt))
     return Player(data, "".join(stills), alt, look.labels)
+
+
+def _sensor(sights: Sights, looks: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """What the script needs of a sensor beside its looks; over images everything is bright, with a dark outline."""
+    roles = {name: _looks(role) for name, role in SENSOR.items()}
+    found: dict[str, Any] = {"roles": roles, "limits": sights.limits, "outcomes": list(OUTCOMES)}
+    if any("image" in frame for frame in looks):
+        over = {name: _looks(over_image(role)) for name, role in SENSOR.items()}
+        for name, look in over.items():
+            width = number(SENSOR[name].width + 2 * HALO)
+            look["halo"] = f"stroke:{OUTLINE};stroke-width:{width};stroke-linejoin:round"
+            look["text"] += f";paint-order:stroke;stroke:{OUTLINE};stroke-width:{number(2 * HALO)}"
+        found["over"] = over
+    return found
 
 
 def _still(snapshot: Snapshot, sights: Sights, alt: str) -> str:
@@ -90,7 +106,10 @@ def _still(snapshot: Snapshot, sights: Sights, alt: str) -> str:
     ax.axis("off")
     ax.set(xlim=(left, right), ylim=(low, high))
     ax.plot([left, right, right, left, left], [low, low, high, high, low], color=SENSOR["raw"].color, lw=1.2)
-    draw(ax, sensor_scene(snapshot, sights.sensor, options=sights.options), SENSOR, legend=False)
+    photo, layers = sights.photo(snapshot), sensor_scene(snapshot, sights.sensor, options=sights.options)
+    if photo is not None:
+        ax.imshow(photo.pixels, extent=photo.extent, vmin=0, vmax=255, interpolation="bilinear", aspect="auto")
+    (draw if photo is None else draw_over)(ax, layers, SENSOR, legend=False)
     return fig.svg(f"What {sights.view.name} saw. {alt}")
 
 
@@ -114,7 +133,7 @@ def _used(data: dict[str, Any]) -> set[str]:
 
 def _looks(role: Role) -> dict[str, Any]:
     """A role as the styles of what the script draws."""
-    color, dashes = paint(role.color), {"--": "3.7 1.6", "-.": "6.4 1.6 1 1.6"}.get(role.linestyle, "")
+    color, dashes = paint(role.color), {"--": "3.7 1.6", "-.": "6.4 1.6 1 1.6", ":": "1 1.65"}.get(role.linestyle, "")
     spaced = " ".join(number(float(d) * role.width) for d in dashes.split())
     line = f"stroke:{color};stroke-opacity:{number(role.alpha)};stroke-width:{{}}"
     line += f";stroke-dasharray:{spaced}" if spaced else ""

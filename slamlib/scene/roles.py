@@ -4,7 +4,7 @@ The colours are the palette's, which readers with each kind of colour blindness 
 side differ in their marks or dashes too.
 """
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 
 from slamlib.drawing.colors import Palette, colors
 from slamlib.errors import UnknownNameError
@@ -45,19 +45,28 @@ MAP = {
 SENSOR = {
     "raw": Role("delivered", colors.grey, 1.2, marker="+", size=7.0),
     "predicted": Role("expected", colors.purple, 1.1, "--", marker=""),
+    "missed": Role("not found", colors.orange, 1.7, ":", marker=""),
     "updated": Role("used", colors.blue, 1.4, marker=""),
     "rejected": Role("rejected", colors.red, 1.4, "-.", marker=""),
     "new point": Role("new", colors.orange, marker="o", size=4.5, hollow=True),
     "point": Role("converged", colors.green, marker="o", size=3.5),
     "measured": Role("matched", colors.text, 1.0, marker="x", size=5.5),
-    "label": Role("", colors.text, size=7.5, raised=7.0),
+    "label": Role("", colors.text, size=7.5, raised=10.0),
     "line label": Role("", colors.text, size=7.5),
+    "score": Role("", colors.text, size=6.5, raised=-10.0),
 }
 ROLES = {"map": MAP, "sensor": SENSOR}
 
 # The palette on a dark page, as the page's style sheet has it.
 DARK = Palette("#3592fa", "#f2a81b", "#47ce99", "#fd4b2e", "#cb6fb0", "#7d848b", "#ced6dd", "#737a81", "#121212")
 THEMES = {"light": colors, "dark": DARK}
+OUTLINE = "#010101"  # around everything that lies over a photograph, which may be bright there
+HALO = 1.1  # points: how wide that is on either side
+
+
+def over_image(role: Role) -> Role:
+    """The role over a photograph: bright in each theme, for its outline is dark."""
+    return replace(role, color=themed(role.color, "dark"))
 
 
 def themed(color: str, theme: str) -> str:

@@ -30,6 +30,7 @@ PYRAMID: Lines = (
 CROSS: Lines = (((-0.3, 0, 0), (0.3, 0, 0)), ((0, -0.3, 0), (0, 0.3, 0)), ((0, 0, -0.3), (0, 0, 0.3)))
 ABOVE = 0.5  # of a robot's size: how far labels are above what they name
 WIDE = 0.04  # of the diagonal of all that there is: a robot's size
+FAR = 5.0  # times as far away as half of the landmarks: what lies beyond may leave a picture without a world
 GRID = 10  # squares of the ground along its longer side, about
 
 
@@ -70,7 +71,7 @@ def bounds(
     """The least and the greatest x, y, z (2, 3) of what a picture should show.
 
     That is the world and the robots; without a world the landmarks, as far as they are known to a fifth of their
-    distance: the others may be anywhere.
+    distance, for the others may be anywhere, and as far as they are not much farther away than most.
     """
     robots = [r.pose[:3] for s in (*path[:: max(len(path) // 50, 1)], snapshot) for r in s.robots]
     true = [np.asarray(state)[:3] for state in truth.robots] if truth is not None else []
@@ -95,11 +96,13 @@ def world_points(world: World) -> Array:
 
 
 def _known(snapshot: Snapshot) -> Array:
+    """Points and ends (N, 3) that are known well; without those that lie much farther away than most."""
     means, shapes = (np.concatenate(parts) for parts in zip(*map(_ends, snapshot_views(snapshot)), strict=True))
     spread = np.sqrt(np.trace(shapes, axis1=1, axis2=2))
     away = np.linalg.norm(means - snapshot.robots[0].pose[:3], axis=1)
     with np.errstate(invalid="ignore"):
-        return means[spread < 0.2 * away]
+        known = spread < 0.2 * away
+    return means[known & (away < FAR * np.median(away[known]))] if known.any() else means[:0]
 
 
 def snapshot_views(snapshot: Snapshot) -> tuple[MapView, MapView]:

@@ -8,6 +8,7 @@ import shutil
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
+from itertools import chain, islice, zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -28,11 +29,11 @@ Writer = Callable[[Path, Iterable[Array], float], None]
 
 
 def animate(
-    snapshots: Sequence[Snapshot],
+    snapshots: Iterable[Snapshot],
     path: str | os.PathLike[str],
     *,
     world: World | None = None,
-    truths: Sequence[Truth] = (),
+    truths: Iterable[Truth] = (),
     fps: float = 10.0,
     every: int = 1,
     overwrite: bool = False,
@@ -40,22 +41,33 @@ def animate(
 ) -> Path:
     """Write a run as a film: path ends in .mp4, .webm (for web pages) or .gif, or is a folder for 0001.png, ...
 
-    truths: one a snapshot, or none. every: only each so many-th snapshot. overwrite: whether what is there may be
-    replaced. The other keywords are those of Window and of MapOptions (view, orbit, ...). A progress bar shows where
-    stderr is a terminal. Raises SlamlibError, also for a missing package, which it names.
+    snapshots: a list, or an iterator, of which each is shown when it comes and none is kept: then no bar, and without a
+    world the map's limits grow. truths: one a snapshot, or none. every: only each so many-th snapshot. overwrite:
+    whether what is there may be replaced. The other keywords are those of Window and of MapOptions (view, orbit, ...).
+    A progress bar shows where stderr is a terminal. Raises SlamlibError, also for a missing package, which it names.
     """
     write = ready(path, overwrite=overwrite)
     target = Path(path)
     _check(snapshots, truths, fps, every)
-    places = range(0, len(snapshots), every)
-    look = MapOptions(limits=options.get("limits"))
-    corners = bounds(snapshots[-1], world, truths[-1] if truths else None, snapshots, look)
-    window = Window(snapshots[0], world=world, corners=corners, **options)
-    frames = _pictures(window, [(snapshots[i], truths[i] if truths else None) for i in places])
+    shown = islice(_pairs(snapshots, truths), 0, None, every)
+    first = next(shown, None)
+    if first is None:
+        raise SlamlibError("animate: there is no snapshot to show")
+    known = snapshots if isinstance(snapshots, Sequence) else ()
+    corners = _corners(known, world, truths, options)
+    window = Window(first[0], world=world, corners=corners, coming=known, **options)
+    frames = _pictures(window, chain([first], shown))
     target.parent.mkdir(parents=True, exist_ok=True)
     with _whole(target) as unfinished:
-        write(unfinished, progress(frames, len(places), "video"), fps)
+        write(unfinished, progress(frames, -(-len(known) // every), "video") if known else frames, fps)
     return target
+
+
+def _corners(known: Sequence[Snapshot], world: World | None, truths: Any, options: dict[str, Any]) -> Array | None:
+    """Limits of the map that hold in all frames, if the last one is known already."""
+    if not known:
+        return None
+    return bounds(known[-1], world, truths[-1] if truths else None, known, MapOptions(limits=options.get("limits")))
 
 
 def ready(path: str | os.PathLike[str], *, overwrite: bool = False) -> Writer:
@@ -71,13 +83,19 @@ def ready(path: str | os.PathLike[str], *, overwrite: bool = False) -> Writer:
     return WRITERS[ending]
 
 
-def _check(snapshots: Sequence[Snapshot], truths: Sequence[Truth], fps: float, every: int) -> None:
-    if not snapshots:
-        raise SlamlibError("animate: there is no snapshot to show")
-    if truths and len(truths) != len(snapshots):
+def _check(snapshots: Iterable[Snapshot], truths: Iterable[Truth], fps: float, every: int) -> None:
+    if isinstance(snapshots, Sequence) and isinstance(truths, Sequence) and len(truths) not in (0, len(snapshots)):
         raise SlamlibError(f"animate: one truth a snapshot is wanted, got {len(truths)} for {len(snapshots)}")
     if not fps > 0 or every < 1:
         raise SlamlibError(f"animate: fps is positive and every is at least 1, got {fps!r} and {every!r}")
+
+
+def _pairs(snapshots: Iterable[Snapshot], truths: Iterable[Truth]) -> Iterator[tuple[Snapshot, Truth | None]]:
+    """Each snapshot with its truth, or with None if there are none at all."""
+    for snapshot, truth in zip_longest(snapshots, truths):
+        if truths and (snapshot is None or truth is None):
+            raise SlamlibError("animate: one truth a snapshot is wanted, but one of the two ended before the other")
+        yield snapshot, truth
 
 
 def _pictures(window: Window, shown: Iterable[tuple[Snapshot, Truth | None]]) -> Iterator[Array]:

@@ -4,6 +4,7 @@ A `Window` shows a run while it goes on, step by step. matplotlib is imported wh
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,16 +14,17 @@ from slamlib.errors import SlamlibError
 from slamlib.records import Truth, World
 from slamlib.scene.artists import Sheet, extra
 from slamlib.scene.figures import view_of
-from slamlib.scene.image_scene import sensor_scene, sensor_view
 from slamlib.scene.options import MapOptions, SensorOptions, chosen
-from slamlib.scene.roles import MAP, SENSOR, themed
+from slamlib.scene.roles import MAP, themed
 from slamlib.scene.scene import bounds, map_scene
+from slamlib.scene.sensor_sheet import SensorSheet
 from slamlib.snapshots import Snapshot
 from slamlib.spaces import Array
 
 # Left, bottom, width and height of the parts, in shares of the figure.
 PLACES = {"map": (0.01, 0.02, 0.58, 0.86), "alone": (0.01, 0.02, 0.98, 0.86), "sensors": (0.645, 0.02, 0.345, 0.86)}
 GAP = 0.025
+MAP_ARRAYS = ("ids", "geometry", "covariance", "converged")
 WINDOWLESS = ("agg", "cairo", "pdf", "pgf", "ps", "svg", "template")  # backends of matplotlib
 MOVES = {  # keys that move the viewer: degrees of azimuth and elevation, and the factor of the distance
     "shift+left": (-5.0, 0.0, 1.0),
@@ -38,7 +40,9 @@ class Window:
     """The map and the sensors of a run, as a window or as pictures for a video.
 
     sensors: which are shown beside the map, by place or name; the first three if nothing is said. size [in]. show: open
-    a window, else pictures are made unseen. corners: limits as `slamlib.scene.scene.bounds` gives them, to keep them.
+    a window, else pictures are made unseen. corners: limits as `slamlib.scene.scene.bounds` gives them, to keep them;
+    without them and without a world the limits grow with the map. coming: the snapshots that will be shown, if they are
+    known: what they need has its room from the beginning.
     Keys in the window: shift and an arrow turn the map, + and - zoom; matplotlib's own tools shift and magnify each
     part. The other keywords are those of MapOptions; sensor_options is a SensorOptions. Raises SlamlibError if
     matplotlib is missing, or cannot open a window that is asked for.
@@ -56,6 +60,7 @@ class Window:
         show: bool = False,
         sensor_options: SensorOptions | None = None,
         corners: Array | None = None,
+        coming: Sequence[Snapshot] = (),
         **options: Any,
     ) -> None:
         self.options = chosen(MapOptions(), options)
@@ -65,9 +70,12 @@ class Window:
         self.path: list[Snapshot] = []
         self.true_path: list[Truth] = []
         self.moved = np.array([0.0, 0.0, 1.0])
+        self.largest: Array | None = None
         self.figure = self._figure(size, dpi, show)
         self.figure.set_facecolor(themed(colors.paper, theme))
         self._make_axes(snapshot, theme)
+        for sheet in self.views:
+            sheet.room(coming)
         self.empty: Any = None  # the canvas without what changes
         self.figure.canvas.mpl_connect("draw_event", self._drawn)
         self.figure.canvas.mpl_connect("key_press_event", self._key)
@@ -98,29 +106,22 @@ class Window:
         axes.set(xlim=(-self.aspect, self.aspect), ylim=(-1, 1))
         self.views = [self._sensor_sheet(snapshot, i, theme) for i in range(len(self.sensors))]
 
-    def _sensor_sheet(self, snapshot: Snapshot, i: int, theme: str) -> Sheet:
+    def _sensor_sheet(self, snapshot: Snapshot, i: int, theme: str) -> SensorSheet:
         left, bottom, width, height = PLACES["sensors"]
         each = height / len(self.sensors)
         place = left, bottom + height - (i + 1) * each + GAP, width, each - 2 * GAP
-        view, axes = sensor_view(snapshot, self.sensors[i]), self.figure.add_axes(place)
-        ink, faint = (themed(color, theme) for color in (colors.text, colors.faint))
-        axes.patch.set_visible(False)
-        axes.tick_params(colors=ink, labelsize=8)
-        axes.spines[:].set_color(faint)
-        axes.text(1, 1.01, view.name, fontsize=9, color=ink, ha="right", transform=axes.transAxes)
-        if view.image is not None:
-            axes.set(xlim=(0, view.image[0]), ylim=(view.image[1], 0))
-            axes.set_aspect("equal", anchor="N")
-        return Sheet(axes, SENSOR, theme, self.look.legend and i == 0)
+        legend = self.look.legend and i == 0
+        return SensorSheet(self.figure, place, snapshot, self.sensors[i], self.look, theme, legend)
 
     def update(self, snapshot: Snapshot, truth: Truth | None = None) -> None:
         """Show the next snapshot, and if there is one the truth; the robots' paths grow by them."""
+        self.path[-1:] = [_thin(past) for past in self.path[-1:]]
         self.path.append(snapshot)
         self.true_path += [truth] if truth is not None else []
         self._draw_map()
-        for sheet, sensor in zip(self.views, self.sensors, strict=True):
-            sheet.update(sensor_scene(snapshot, sensor, options=self.look))
-            if _fit(sheet.axes, sensor_view(snapshot, sensor), self.look):
+        for sheet in self.views:
+            sheet.show(snapshot)
+            if sheet.stale:
                 self.empty = None
         self._show()
 
@@ -146,11 +147,18 @@ class Window:
 
     def _draw_map(self) -> None:
         snapshot, truth = self.path[-1], self.true_path[-1] if self.true_path else None
-        corners = bounds(snapshot, self.world, truth, self.path, self.options) if self.corners is None else self.corners
+        corners = self._grown(truth) if self.corners is None else self.corners
         shown: dict[str, Any] = {"world": self.world, "truth": truth, "path": self.path, "true_path": self.true_path}
         layers = map_scene(snapshot, **shown, options=self.options, corners=corners)
         view = view_of(self.options, snapshot, corners, self.aspect).moved(*self.moved)
         self.map.update(view.flat(layers))
+
+    def _grown(self, truth: Truth | None) -> Array:
+        """The limits of what there is; they never shrink, so that the picture of a map that grows stays calm."""
+        now = bounds(self.path[-1], self.world, truth, self.path, self.options)
+        before = now if self.largest is None else self.largest
+        self.largest = np.stack([np.minimum(now[0], before[0]), np.maximum(now[1], before[1])])
+        return self.largest
 
     def _key(self, event: Any) -> None:
         """Move the viewer."""
@@ -173,18 +181,10 @@ class Window:
         self.figure.savefig(path, facecolor=self.figure.get_facecolor())
 
 
-def _fit(axes: Any, view: Any, options: SensorOptions) -> bool:
-    """Of a sensor without an image, widen the limits to hold what it delivered and expected; True if they changed."""
-    if view.image is not None:
-        return False
-    pair = list(options.numbers)
-    expected = view.points.expected[:, pair] if len(view.points.ids) else np.zeros((0, 2))
-    scanned = view.scan.points.values[:, pair] if view.scan is not None and len(view.scan.points) else np.zeros((0, 2))
-    points = np.concatenate([expected, scanned])
-    box = np.array([axes.get_xlim(), axes.get_ylim()])
-    if not len(points) or (np.all(points.min(0) >= box[:, 0]) and np.all(points.max(0) <= box[:, 1])):
-        return False
-    low, high = np.minimum(points.min(0), box[:, 0]), np.maximum(points.max(0), box[:, 1])
-    spare = 0.1 * (high - low)
-    axes.set(xlim=(low[0] - spare[0], high[0] + spare[0]), ylim=(low[1] - spare[1], high[1] + spare[1]))
-    return True
+def _thin(snapshot: Snapshot) -> Snapshot:
+    """What a path needs of a snapshot: the robots. A long run has more images than the memory holds."""
+    points, segments = (
+        replace(view, kinds=(), **{n: getattr(view, n)[:0].copy() for n in MAP_ARRAYS})
+        for view in (snapshot.points, snapshot.segments)
+    )
+    return replace(snapshot, sensors=(), points=points, segments=segments)

@@ -109,6 +109,8 @@ class Slam:
                     f"frame {frame.number}: {sensor.name} measures {size} numbers a point, got "
                     f"{scan.points.values.shape[1]}"
                 )
+        for front_end, scan in zip(self.front_ends, frame.scans, strict=True):
+            front_end.check(scan)
 
     def _predict(self, robot: Robot, control: Control | None, dt: float) -> None:
         value = np.zeros(robot.motion.control) if control is None else control.value

@@ -26,7 +26,11 @@ def groups(landmarks: Iterable[Landmark]) -> list[list[Landmark]]:
 
 @dataclass(eq=False)
 class Look:
-    """One expected landmark on its way through a frame."""
+    """One expected landmark on its way through a frame.
+
+    score, predicted, found: what a front end that looks at images leaves here for pictures: how well the best place
+    agrees, the patch that it looked for, and the one that it found, both grey images.
+    """
 
     family: Any
     landmark: Landmark
@@ -38,6 +42,9 @@ class Look:
     matched: bool = False
     inlier: bool = False
     nis: float = np.nan
+    score: float = np.nan
+    predicted: Array | None = None
+    found: Array | None = None
 
     @property
     def value(self) -> Array:
@@ -71,7 +78,7 @@ def expect_all(belief: Belief, sensor: MountedSensor, families: Any, landmarks: 
 def choose_and_match(sight: Sight, front_end: Any, options: Options) -> list[Look]:
     """The looks that tell most and were matched, the one that tells most first; the landmarks' histories go on."""
     sizes: dict[int, list[Look]] = defaultdict(list)
-    for look in sight.looks:
+    for look in front_end.findable(sight):
         sizes[len(look.Z)].append(look)
     # Determinants of different sizes do not compare: points and segments both count two pixels, and share the budget.
     choose = CHOICES[options.choose]
@@ -146,7 +153,7 @@ def _stacked(parts: list[tuple[Array, Array, Array, Array]]) -> tuple[Array, Arr
 
 
 def _stack(looks: list[Look]) -> Array:
-    return np.array([look.Z for look in looks])
+    return np.concatenate([look.Z for look in looks]).reshape(-1, *looks[0].Z.shape)
 
 
 def looks_of(looks: list[Look], family: str, size: int) -> Looks:
@@ -163,4 +170,11 @@ def looks_of(looks: list[Look], family: str, size: int) -> Looks:
         matched=np.array([look.matched for look in own], dtype=bool),
         inlier=np.array([look.inlier for look in own], dtype=bool),
         nis=np.array([look.nis for look in own]),
+        scores=np.array([look.score for look in own], dtype=float),
+        predicted=tuple(_array(look.predicted) for look in own),
+        found=tuple(_array(look.found) for look in own),
     )
+
+
+def _array(patch: Any) -> Array | None:
+    return None if patch is None else np.asarray(patch)

@@ -1,12 +1,14 @@
 """A snapshot of the filter: copies of what it believes, and of what its sensors looked at in the last frame."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from slamlib.slam.ends import ends_in_image
 from slamlib.slam.entities import POSE, MountedSensor
 from slamlib.slam.looking import looks_of
-from slamlib.snapshots import MapView, RobotView, SensorView, Snapshot
+from slamlib.snapshots import Looks, MapView, RobotView, SensorView, Snapshot
 
 
 def snapshot_of(slam: Any) -> Snapshot:
@@ -20,10 +22,16 @@ def snapshot_of(slam: Any) -> Snapshot:
 def _sensor_view(slam: Any, i: int, sensor: MountedSensor) -> SensorView:
     covariance = np.zeros((POSE, POSE)) if sensor.block is None else slam.belief.covariance(sensor.block)
     sizes = sensor.calibration.sensor.size, 4
-    looks = [looks_of(slam.looks[i], f.name, n) for f, n in zip(slam.families, sizes, strict=True)]
+    looks = [_looks(slam, i, f.name, n) for f, n in zip(slam.families, sizes, strict=True)]
     robot = slam.robots.index(sensor.robot)
     image = sensor.calibration.image
     return SensorView(sensor.name, robot, sensor.mount.copy(), covariance, image, slam.scans[i], *looks)
+
+
+def _looks(slam: Any, i: int, family: str, size: int) -> Looks:
+    own = [look.landmark for look in slam.looks[i] if look.family.name == family]
+    ends, spreads = ends_in_image(slam.belief, slam.sensors[i], own)
+    return replace(looks_of(slam.looks[i], family, size), ends=ends, spreads=spreads)
 
 
 def _map_view(slam: Any, family: Any) -> MapView:

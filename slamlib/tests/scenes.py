@@ -65,7 +65,7 @@ def snapshot(number: int = 40, seed: int = 1, setup: SensorSetup | None = None) 
     points = MapView(all_there.points.ids, ("x",) * count, means, shapes, converged)
     ends = all_there.segments.values.reshape(-1, 2, 3) + 0.03 * rng.normal(size=(len(all_there.segments), 2, 3))
     spread = random_covariances(rng, 2 * len(ends), 0.04).reshape(-1, 2, 3, 3)
-    lines = MapView(all_there.segments.ids, ("y",) * len(ends), ends, spread, np.ones(len(ends), bool))
+    lines = MapView(all_there.segments.ids, ("y",) * len(ends), ends, spread, np.arange(len(ends)) % 3 > 0)
     sensor, looks = setup.calibration, NO_LOOKS
     seen = observe(EUC_POINT, sensor, pose, setup.mount, means)
     some = np.flatnonzero(seen.visible)
@@ -88,16 +88,47 @@ def _looks(rng: np.random.Generator, points: MapView, some: np.ndarray, expected
 
 
 def with_segments(shown: Snapshot) -> Snapshot:
-    """The same with three segments in the sensor's image: one expected only, one used, one rejected."""
+    """The same with three segments in the sensor's image: one looked for in vain, one used, one rejected.
+
+    One end of the last is out of view. The numbers are those of a new line and of two that have converged.
+    """
     expected = np.array([[100, 80, 300, 90], [340, 300, 360, 100], [420, 400, 620, 300]], float)
     measured = expected + np.array([[np.nan], [3.0], [30.0]])
     matched, inlier = np.array([False, True, True]), np.array([False, True, False])
+    ends = expected.reshape(-1, 2, 2) + 2.0
+    ends[2, 1] = np.nan
+    spreads = np.where(np.isnan(ends)[..., None], np.nan, np.array([[90.0, 30.0], [30.0, 40.0]]))
+    number, chosen = shown.segments.ids[[0, 1, 2]], np.ones(3, bool)
     looks = Looks(
-        np.array([70, 71, 72]), ("y",) * 3, expected, np.ones((3, 2, 2)), measured, matched, matched, inlier, inlier
+        number, ("y",) * 3, expected, np.ones((3, 2, 2)), measured, chosen, matched, inlier, inlier, ends, spreads
     )
     view = shown.sensors[0]
-    scan = Scan(view.scan.points, Features(np.array([71, 72]), measured[1:]))
+    scan = Scan(view.scan.points, Features(number[1:], measured[1:]))
     return replace(shown, sensors=(replace(view, segments=looks, scan=scan),))
+
+
+def photograph(number: int = 0, width: int = 640, height: int = 480) -> np.ndarray:
+    """A grey image (height, width) with all that makes overlays hard to read: white, black, a fine pattern, noise."""
+    v, u = np.mgrid[:height, :width]
+    image = 255.0 * u / width
+    image[:, : width // 4] = np.where(((u + v + number) // 4) % 2, 250, 10)[:, : width // 4]
+    image[height // 2 :, width // 2 :] = 255 - image[height // 2 :, width // 2 :]
+    noisy = image + np.random.default_rng(number).normal(0, 12, image.shape)
+    return np.clip(noisy, 0, 255).astype(np.uint8)
+
+
+def with_photograph(shown: Snapshot) -> Snapshot:
+    """The same as a front end leaves it that looks at images: an image, scores, patches, some looked for in vain."""
+    view, rng = shown.sensors[0], np.random.default_rng(shown.number)
+    looks, image = view.points, photograph(shown.number)
+    count = len(looks.ids)
+    chosen = looks.matched | (np.arange(count) % 8 == 0)
+    scores = np.where(chosen, np.where(looks.inlier, 0.95, 0.6), np.nan)
+    patches = [rng.uniform(0, 255, (11, 11)).round() if m else None for m in looks.matched]
+    found = [None if p is None else (0.5 * p + 40).astype(np.uint8) for p in patches]
+    seen = replace(looks, chosen=chosen, scores=scores, predicted=tuple(patches), found=tuple(found))
+    scan = Scan(view.scan.points, view.scan.segments, image)
+    return replace(shown, sensors=(replace(view, points=seen, scan=scan),))
 
 
 def run(frames: int) -> tuple[list[Snapshot], list[Truth]]:
@@ -105,4 +136,4 @@ def run(frames: int) -> tuple[list[Snapshot], list[Truth]]:
     return [snapshot(i) for i in range(frames)], [truth(i) for i in range(frames)]
 
 
-__all__ = ["run", "snapshot", "truth", "with_segments", "world"]
+__all__ = ["photograph", "run", "snapshot", "truth", "with_photograph", "with_segments", "world"]

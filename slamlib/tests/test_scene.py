@@ -16,10 +16,10 @@ from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS
 from slamlib.rig import SensorSetup
 from slamlib.scene.figures import view_of
-from slamlib.scene.image_scene import AWAY, beside, sensor_scene
+from slamlib.scene.image_scene import AWAY, OUTCOMES, RING, beside, regions, sensor_scene
 from slamlib.scene.layers import Layer, strung
 from slamlib.scene.options import MapOptions, SensorOptions, chosen
-from slamlib.scene.roles import DARK, MAP, ROLES, SENSOR, THEMES, themed
+from slamlib.scene.roles import DARK, MAP, ROLES, THEMES, themed
 from slamlib.scene.scene import bounds, map_scene
 from slamlib.scene.view import NAMED, NEAR, View, rings
 from slamlib.sensors import SENSORS
@@ -126,9 +126,12 @@ def test_the_map_has_what_there_is_once_and_in_its_role():
     converged = shown.points.converged
     assert layers["point"].marks == pytest.approx(shown.points.geometry[converged])
     assert layers["new point"].marks == pytest.approx(shown.points.geometry[~converged])
-    assert len(layers["line"].means) == 2 * len(shown.segments.ids)
-    assert layers["line"].shapes == pytest.approx(9 * shown.segments.covariance.reshape(-1, 3, 3))  # three sigmas
-    assert not len(layers["new line"].lines)
+    for role, some in (("line", shown.segments.converged), ("new line", ~shown.segments.converged)):
+        assert some.any()
+        assert len(layers[role].means) == 2 * some.sum()
+        wanted = 9 * shown.segments.covariance[some].reshape(-1, 3, 3)  # three sigmas
+        assert layers[role].shapes == pytest.approx(wanted)
+        assert np.isfinite(layers[role].lines).all(axis=1).sum() == 2 * some.sum()
     assert layers["label"].words == tuple(map(str, [*shown.points.ids, *shown.segments.ids]))
     assert (layers["label"].places[:3, 2] > shown.points.geometry[:3, 2]).all()
     assert layers["robot"].means == pytest.approx(shown.robots[0].pose[None, :3])
@@ -195,17 +198,21 @@ def flat_of(shown, **options):
 
 
 def test_what_became_of_each_expectation():
-    shown = scenes.with_segments(scenes.snapshot())
-    looks, layers = shown.sensors[0].points, flat_of(shown)
-    counts = {role: int(np.isnan(layers[role].shells).all(axis=1).sum()) + 1 for role in SENSOR if "ed" in role}
-    assert counts["updated"] == (looks.matched & looks.inlier).sum()
-    assert counts["rejected"] == (looks.matched & ~looks.inlier).sum()
-    assert counts["predicted"] == (~looks.matched).sum()
-    assert len(layers["raw"].marks) == len(shown.sensors[0].scan.points)
+    shown = scenes.with_photograph(scenes.with_segments(scenes.snapshot()))
+    view, layers = shown.sensors[0], flat_of(shown)
+    looks, segments = view.points, view.segments
+    ends = np.isfinite(segments.ends).all(axis=-1)
+    counts = {role: int(np.isnan(layers[role].shells).all(axis=1).sum()) + 1 for role in OUTCOMES}
+    assert counts["updated"] == (looks.matched & looks.inlier).sum() + 2
+    assert counts["rejected"] == (looks.matched & ~looks.inlier).sum() + 1  # one end is out of view
+    assert counts["missed"] == (looks.chosen & ~looks.matched).sum() + 2
+    assert counts["predicted"] == (~looks.chosen).sum()
+    assert len(layers["raw"].marks) == len(view.scan.points)
     assert len(layers["measured"].marks) == looks.matched.sum() + 2 * 2
-    assert len(layers["point"].marks) + len(layers["new point"].marks) == len(looks.ids)
-    for role in ("updated", "rejected", "predicted"):
+    assert len(layers["point"].marks) + len(layers["new point"].marks) == len(looks.ids) + ends.sum()
+    for role in ("updated", "rejected", "missed"):
         assert layers[role].lines.shape == (2, 2)  # one segment each
+    assert not len(layers["predicted"].lines)
 
 
 def test_the_ellipses_hold_the_share_of_the_gate():
@@ -215,6 +222,18 @@ def test_the_ellipses_hold_the_share_of_the_gate():
     ring = flat_of(shown, gate=0.9)["updated"].shells[:37] - looks.expected[some]
     squared = np.einsum("ni,ij,nj->n", ring, np.linalg.inv(looks.covariance[some]), ring)
     assert squared == pytest.approx(chi2_quantile(0.9, 2))
+
+
+def test_a_region_smaller_than_a_mark_is_a_ring_around_it():
+    shown = scenes.snapshot()
+    view = shown.sensors[0]
+    tiny = view.points.covariance.copy()
+    tiny[0], tiny[1] = 0.01 * np.eye(2), np.diag([900.0, 0.01])  # the second is long and thin: it stays as it is
+    view = replace(view, points=replace(view.points, covariance=tiny))
+    shapes = regions(view, [0, 1], SensorOptions())
+    assert shapes[0] == pytest.approx((RING * 640) ** 2 * np.eye(2))
+    assert shapes[1:] == pytest.approx(chi2_quantile(0.99, 2) * tiny[1:])
+    assert regions(replace(view, image=None), [0, 1], SensorOptions()) == pytest.approx(chi2_quantile(0.99, 2) * tiny)
 
 
 def test_labels_of_segments_stand_beside_them():

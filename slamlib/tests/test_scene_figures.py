@@ -16,10 +16,9 @@ import pytest
 
 from slamlib.drawing import picture
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.evaluation import chi2_quantile
 from slamlib.rig import SensorSetup
 from slamlib.scene import SensorOptions, map_figure, player, sensor_figure
-from slamlib.scene.image_scene import OUTCOMES
+from slamlib.scene.image_scene import OUTCOMES, regions
 from slamlib.scene.packing import KINDS
 from slamlib.scene.player import WEIGHT
 from slamlib.tests import scenes
@@ -68,7 +67,7 @@ def test_a_camera_s_figure_has_its_image_s_axes_and_shows_the_image():
     shown = scenes.with_segments(RUN[-1])
     svg = sensor_figure(shown, "camera").svg(ALT)
     words = {e.text for e in ElementTree.fromstring(svg).iter("text")}
-    assert {"u [px]", "v [px]", "used", "rejected", "expected", "delivered", "matched", "71"} <= words
+    assert {"u [px]", "v [px]", "used", "rejected", "expected", "not found", "delivered", "matched", "81"} <= words
     image = np.zeros((48, 64), np.uint8)
     view = shown.sensors[0]
     seen = replace(shown, sensors=(replace(view, scan=replace(view.scan, image=image)),))
@@ -139,6 +138,7 @@ def test_the_player_s_data_are_the_snapshots_to_a_unit_of_length():
             error = factor @ factor.T / 9 - shown.points.covariance[i]
             assert np.abs(error).max() < 2 * unit * (size + unit)
         for i, number in enumerate(shown.segments.ids):
+            assert KINDS[rows[f"s{number}"][0]] == ("line" if shown.segments.converged[i] else "new line")
             ends = np.reshape(rows[f"s{number}"][1:], (2, 9))[:, :3] * unit
             assert ends == pytest.approx(shown.segments.geometry[i], abs=0.5001 * unit)
         assert np.array(frame["at"]) * unit == pytest.approx(shown.robots[0].pose[None, :3], abs=0.5001 * unit)
@@ -165,9 +165,11 @@ def test_the_player_s_looks_are_the_snapshots_to_a_tenth_of_a_pixel():
             assert list(OUTCOMES.values())[outcome](looks)[i]
             assert [u, v] == pytest.approx(looks.expected[i], abs=0.051)
             root = np.array([[a, 0], [b, c]])
-            assert root @ root.T / chi2_quantile(0.99, 2) == pytest.approx(looks.covariance[i], rel=0.05, abs=0.5)
+            wanted = regions(shown.sensors[0], [0, 1], SensorOptions())[i]
+            assert root @ root.T == pytest.approx(wanted, rel=0.05, abs=4)
             assert measured == (pytest.approx(looks.measured[i], abs=0.051) if looks.matched[i] else [])
-        assert [row[1] for row in frame["looks"]["segments"]] == [0, 1, 2]
+        outcomes = [list(OUTCOMES)[row[1]] for row in frame["looks"]["segments"]]
+        assert outcomes == ["missed", "updated", "rejected"]
         assert len(frame["looks"]["raw"]["segments"]) == 2
 
 
