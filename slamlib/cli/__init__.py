@@ -4,10 +4,10 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from slamlib.cli import compare, listing, run
+from slamlib.cli import compare, images, listing, run
 from slamlib.errors import SlamlibError
 
-COMMANDS = {"run": run, "compare": compare, "list": listing}
+COMMANDS = {"run": run, "run images": images, "compare": compare, "list": listing}
 
 
 def parser() -> argparse.ArgumentParser:
@@ -24,7 +24,7 @@ def parser() -> argparse.ArgumentParser:
 
 def main(words: Sequence[str] | None = None) -> int:
     """Do what the command line says; the exit status: 0, 2 for a mistake of the caller, 130 when interrupted."""
-    given = parser().parse_args(words)
+    given = parser().parse_args(_joined(sys.argv[1:] if words is None else words))
     try:
         status: int = given.execute(given)
     except SlamlibError as error:
@@ -34,3 +34,9 @@ def main(words: Sequence[str] | None = None) -> int:
         sys.stderr.close()
         return 1
     return status
+
+
+def _joined(words: Sequence[str]) -> list[str]:
+    """The words of a command of two as one: "run images"."""
+    first = " ".join(words[:2])
+    return [first, *words[2:]] if first in COMMANDS else list(words)

@@ -45,7 +45,7 @@ def base(name: str) -> Preset:
 def changed(chosen: Preset, given: argparse.Namespace) -> Preset:
     """The preset with what the command line says of it."""
     names = {"frames": given.frames, "seed": given.seed, "noise_in": given.noise_in}
-    options: dict[str, Any] = dict(_assignment(text) for text in given.option)
+    options: dict[str, Any] = assignments(given.option)
     if given.batch:
         options["reproject"] = False
     chosen = replace(chosen, options=replace(chosen.options, **options))
@@ -78,14 +78,19 @@ def _calibrated(rig: Rig) -> Rig:
     return replace(rig, sensors=(first, *loose))
 
 
-def _assignment(text: str) -> tuple[str, Any]:
+def assignments(texts: list[str], kind: type = Options, flag: str = "--option") -> dict[str, Any]:
+    """Values by name, of "NAME=VALUE" each: fields of the options, or of another dataclass. Raises SlamlibError."""
+    return dict(_assignment(text, kind, flag) for text in texts)
+
+
+def _assignment(text: str, kind: Any, flag: str) -> tuple[str, Any]:
     """NAME=VALUE, the value in JSON, or a word."""
     name, equals, value = text.partition("=")
-    known = [f.name for f in fields(Options)]
+    known = [f.name for f in fields(kind)]
     if not equals:
-        raise SlamlibError(f"--option takes NAME=VALUE, got {text!r}")
+        raise SlamlibError(f"{flag} takes NAME=VALUE, got {text!r}")
     if name not in known:
-        raise UnknownNameError.of("option", name, known)
+        raise UnknownNameError.of(flag.strip("-"), name, known)
     words = {"true": True, "false": False, "none": None}
     if value.lower() in words:
         return name, words[value.lower()]

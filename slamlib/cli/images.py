@@ -1,0 +1,176 @@
+"""Run the filter on real pictures: a folder, a glob, a video, or TUM RGB-D, EuRoC and KITTI layouts."""
+
+import argparse
+import json
+import sys
+from dataclasses import fields
+from typing import Any
+
+import numpy as np
+
+from slamlib.cli import choices, working
+from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.images.active_search import ActiveSearch, Settings
+from slamlib.images.hand_held import IMPULSE, NOISE, OPTIONS, VELOCITY, hand_held, options
+from slamlib.images.opening import opened
+from slamlib.images.results import summary, table
+from slamlib.images.run import ImageRun
+from slamlib.images.target import Target
+from slamlib.landmarks import POINTS
+from slamlib.motions import MOTIONS
+from slamlib.rig import SensorSetup, tuples
+from slamlib.slam.options import CONSENSUS
+from slamlib.trajectories import read_trajectory
+
+ALIASES = {"constant-velocity": "constVel"}
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """What `slamlib run images` takes."""
+    _what(parser.add_argument_group("what it sees"))
+    _how(parser.add_argument_group("how the filter works"))
+    _out(parser.add_argument_group("what becomes of it"))
+
+
+def _what(group: Any) -> None:
+    group.add_argument(
+        "--source", metavar="PATH", help="a folder, a glob in quotation marks, a video, or a data set's folder"
+    )
+    group.add_argument(
+        "--calibration", metavar="FILE", help="slamlib's, EuRoC's, OpenCV's, KITTI's, or plain text; or fr1, fr2, fr3"
+    )
+    group.add_argument(
+        "--camera", type=_from_zero, default=0, metavar="N", help="of several cameras, which (default 0)"
+    )
+    group.add_argument("--undistort", action="store_true", help="free the pictures of the lens's distortion (OpenCV)")
+    group.add_argument("--fps", type=float, help="pictures a second, where no file says their times (default 30)")
+    group.add_argument("--frames", type=choices.count, metavar="N", help="how many pictures")
+    group.add_argument("--start", type=_from_zero, default=0, metavar="N", help="the first picture (default 0)")
+    group.add_argument("--every", type=choices.count, default=1, metavar="N", help="only each so many-th")
+    group.add_argument(
+        "--scale", default="free", metavar="free|FILE",
+        help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3), n at least 4, and their '
+        '"pixels" (n, 2) in the first picture, "std" of the points',
+    )  # fmt: skip
+
+
+def _how(group: Any) -> None:
+    group.add_argument(
+        "--motion", default="constant-velocity", help="constant-velocity, or a name of `slamlib list motions`"
+    )
+    for name, default, what in (
+        ("--impulse", IMPULSE, "changes of velocity from one picture to the next"),
+        ("--velocity", VELOCITY, "velocities at the start, whose mean is zero"),
+    ):
+        text = (
+            f"std of {what} (default {default[0]:g} times the target's distance, if there is one, and {default[1]:g})"
+        )
+        group.add_argument(name, nargs=2, type=float, metavar=("M/S", "DEG/S"), help=text)
+    group.add_argument(
+        "--noise",
+        type=float,
+        metavar="PX",
+        help=f"std of a measured pixel (default: the calibration file's, or {NOISE})",
+    )
+    group.add_argument(
+        "--landmark", default=OPTIONS.points, help=f"parametrization of points (default {OPTIONS.points})"
+    )
+    group.add_argument(
+        "--updates",
+        type=choices.count,
+        metavar="N",
+        help=f"landmarks a frame (default {OPTIONS.updates}, more with a target)",
+    )
+    group.add_argument("--consensus", choices=CONSENSUS, help="which matches are believed together (default each)")
+    group.add_argument(
+        "--option", action="append", default=[], metavar="NAME=VALUE", help="any option of `slamlib list options`"
+    )
+    names = ", ".join(f.name for f in fields(Settings))
+    group.add_argument("--search", action="append", default=[], metavar="NAME=VALUE", help=f"of active search: {names}")
+    group.add_argument(
+        "--patience", type=choices.count, metavar="N", help="stop after N frames without a match (default 30)"
+    )
+    group.add_argument("--seed", type=int, default=1, metavar="N", help="of where new landmarks are sought (default 1)")
+
+
+def _out(group: Any) -> None:
+    group.add_argument("--trajectory", metavar="FILE", help="write the camera's path in TUM format, for evo")
+    group.add_argument("--reference", metavar="FILE", help="compare with a path in TUM or EuRoC format")
+    group.add_argument("--video", metavar="PATH", help="a film: .mp4, .webm, .gif, or a folder for numbered PNG files")
+    group.add_argument("--live", action="store_true", help="show the run in a window")
+    group.add_argument("--save", metavar="PATH", help="write the run to a file; an interrupted one goes there")
+    group.add_argument("--resume", metavar="PATH", help="go on with a saved run instead of beginning one")
+    group.add_argument("--json", action="store_true", help="print the result as JSON")
+
+
+def _from_zero(text: str) -> int:
+    value = int(text)
+    if value < 0:
+        raise argparse.ArgumentTypeError(f"a whole number, 0 or more, not {text}")
+    return value
+
+
+def execute(given: argparse.Namespace) -> int:
+    """Run it; a run that stops, by itself or by Ctrl-C, is saved, and can be gone on with."""
+    reference = read_trajectory(given.reference) if given.reference else None
+    run = _resumed(given) if given.resume else _begun(given)
+    outcome = working.work(run, given)
+    if not run.history:
+        raise SlamlibError(outcome.stopped or "nothing has been run")
+    s: dict[str, Any] = {"source": run.source.where, "layout": run.source.layout, **summary(run.result())}
+    s["stopped"], s["reference"] = outcome.stopped, None
+    try:
+        s["reference"] = None if reference is None else working.compared(run, reference)
+    except SlamlibError as error:  # the run is good, whatever the reference
+        outcome.status = working.MISTAKE
+        print(f"slamlib: {given.reference}: {error}", file=sys.stderr)
+    print(json.dumps(s, indent=2) if given.json else _text(s))
+    return outcome.status
+
+
+def _begun(given: argparse.Namespace) -> ImageRun:
+    if not given.source or not given.calibration:
+        raise SlamlibError("--source and --calibration are wanted, or --resume PATH; see slamlib run images --help")
+    motion = ALIASES.get(given.motion, given.motion)
+    if motion not in MOTIONS:
+        raise UnknownNameError.of("motion", given.motion, [*ALIASES, *MOTIONS])
+    source, camera = opened(
+        given.source, given.calibration, camera=given.camera, fps=given.fps, undistort=given.undistort
+    )
+    if given.noise is not None:
+        camera["std"] = (given.noise,)
+    target = None if given.scale == "free" else Target.load(given.scale)
+    unit = 1.0 if target is None else target.distance(SensorSetup(**tuples(camera)).calibration)
+    rig = hand_held(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
+    settings = Settings(**choices.assignments(given.search, Settings, "--search"))
+    return ImageRun(
+        source.part(given.start, given.every, given.frames),
+        rig,
+        options(unit, 0 if target is None else len(target.points), **_said(given)),
+        ActiveSearch(rig.sensors[0].calibration, np.random.default_rng(given.seed), settings),
+        scale=target,
+        **({} if given.patience is None else {"patience": given.patience}),
+    )
+
+
+def _said(given: argparse.Namespace) -> dict[str, Any]:
+    """The filter's options that the command line says."""
+    if given.landmark not in POINTS:
+        raise UnknownNameError.of("point landmark (lines are not sought in pictures)", given.landmark, POINTS)
+    named = {"points": given.landmark, "updates": given.updates, "consensus": given.consensus}
+    said = {name: value for name, value in named.items() if value is not None}
+    return {**said, **choices.assignments(given.option)}
+
+
+def _resumed(given: argparse.Namespace) -> ImageRun:
+    if given.source or given.calibration:
+        raise SlamlibError("--resume goes on with the pictures and the calibration of its file: leave them out")
+    run = ImageRun.load(given.resume, frames=given.frames)
+    run.patience = given.patience or run.patience
+    return run
+
+
+def _text(s: dict[str, Any]) -> str:
+    rows = [("source", f"{s['source']} ({s['layout']})"), *table(s), *working.table(s["reference"])]
+    width = max(len(name) for name, _ in rows)
+    return "\n".join(f"{name:{width}}  {value}" for name, value in rows)

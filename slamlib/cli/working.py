@@ -1,0 +1,157 @@
+"""What `slamlib run images` does while it works: a bar, a film or a window, and a stop that loses nothing."""
+
+import argparse
+import signal
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from slamlib.alignment import aligned
+from slamlib.errors import SlamlibError
+from slamlib.images.run import ImageRun, ImageStep
+from slamlib.progress import progress
+from slamlib.snapshots import Snapshot
+from slamlib.trajectories import Trajectory, associate, write_tum
+
+MISTAKE, INTERRUPTED = 2, 130
+SAVED = "slamlib-images.npz"
+
+
+@dataclass
+class Outcome:
+    """How a run ended: the exit status, and why it stopped before its end, or None."""
+
+    status: int = 0
+    stopped: str | None = None
+
+
+def work(run: ImageRun, given: argparse.Namespace) -> Outcome:
+    """Run it to its end, or until something stops it; what was done is written and saved in both cases."""
+    _check_places(given)
+    outcome = Outcome()
+    try:
+        _consume(_shown(run, given, outcome), given.video, 1 / (run.source.interval * run.source.frames.step))
+    except Exception as error:
+        if not run.whole or not given.video:
+            raise
+        why = f"the film cannot be written: {error}"
+        outcome.status = outcome.status or MISTAKE
+        outcome.stopped = why if outcome.stopped is None else f"{outcome.stopped}\n{why}"
+    if run.history and given.trajectory:
+        write_tum(given.trajectory, run.trajectory())
+    if run.history and (outcome.stopped or given.save):
+        _keep(run, given.save or SAVED, outcome.stopped)
+    return outcome
+
+
+def _check_places(given: argparse.Namespace) -> None:
+    """Raise SlamlibError for what could not be written after the run: better before it."""
+    for path in filter(None, (given.trajectory, given.save)):
+        if not Path(path).absolute().parent.is_dir() or Path(path).is_dir():
+            raise SlamlibError(f"{path} cannot be written: its folder is not there, or it is a folder itself")
+    if given.video:
+        from slamlib.scene.video import ready
+
+        ready(given.video)
+
+
+def _keep(run: ImageRun, path: str, stopped: str | None) -> None:
+    if not run.whole:
+        print(f"slamlib: {stopped}; the frame was broken off, and the run cannot be saved", file=sys.stderr)
+        return
+    run.save(path)
+    if stopped:
+        done = f"after {len(run.history)} pictures; go on with: slamlib run images --resume {path}"
+        print(f"slamlib: {stopped}\nslamlib: saved {done}", file=sys.stderr)
+
+
+def _shown(run: ImageRun, given: argparse.Namespace, outcome: Outcome) -> Iterator[Snapshot | None]:
+    """Step by step; snapshots are made if somebody looks at them. What stops the run ends them, and is told."""
+    window, warned = _window(run) if given.live else None, False
+    try:
+        with _interrupts() as asked:
+            for step in progress(run, len(run), run.source.where.rpartition("/")[2]):
+                warned = warned or _warn(run, step)
+                snapshot = run.slam.snapshot() if window is not None or given.video else None
+                if window is not None:
+                    window.update(snapshot)
+                yield snapshot
+                if asked:
+                    raise KeyboardInterrupt
+    except KeyboardInterrupt:
+        outcome.status, outcome.stopped = INTERRUPTED, "interrupted"
+    except SlamlibError as error:
+        outcome.status, outcome.stopped = MISTAKE, str(error)
+
+
+def _warn(run: ImageRun, step: ImageStep) -> bool:
+    if not run.gap.frames:
+        return False
+    what = f"no match in {step.picture.name}: the filter predicts, and stops after {run.patience} such frames in a row"
+    print(f"\nslamlib: {what} (said once; they are counted)", file=sys.stderr)
+    return True
+
+
+@contextmanager
+def _interrupts() -> Iterator[list[int]]:
+    """Ctrl-C is taken note of in the list, for the end of the frame: the middle of one cannot be saved."""
+    asked: list[int] = []
+    try:
+        before = signal.signal(signal.SIGINT, lambda number, _: asked.append(number))
+    except ValueError:  # not in the main thread, where nobody presses Ctrl-C
+        yield asked
+        return
+    try:
+        yield asked
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _window(run: ImageRun) -> Any:
+    from slamlib.scene import Window
+
+    return Window(run.slam.snapshot(), show=True)
+
+
+def _consume(snapshots: Iterator[Snapshot | None], video: str | None, fps: float) -> None:
+    if video is None:
+        for _ in snapshots:
+            pass
+        return
+    from slamlib.scene import animate
+
+    animate((snapshot for snapshot in snapshots if snapshot is not None), video, fps=fps)
+
+
+def compared(run: ImageRun, reference: Trajectory) -> dict[str, Any]:
+    """The path against a reference of the same camera, as plain data; with a free scale after a similarity."""
+    estimate = run.trajectory()
+    i, j = associate(estimate, reference, max(0.02, 0.5 * run.source.interval))
+    found = aligned(estimate[i], reference[j], scale=not run.metric)
+    return {
+        "poses": len(i),
+        "path_length": found.path,
+        "scale": found.similarity.scale,
+        "turn_from": found.by,
+        "position_rmse": found.rmse,
+        "position_relative": found.relative,
+        "attitude_rms": float(np.degrees(np.sqrt((found.attitude**2).mean()))),
+    }
+
+
+def table(s: dict[str, Any] | None) -> list[tuple[str, str]]:
+    """The rows of a comparison for people."""
+    if s is None:
+        return []
+    how = f"{s['poses']} poses, scale {s['scale']:.4g}, turn from the {s['turn_from']}"
+    error = f"{s['position_rmse']:.4g} rms, {s['position_relative']:.2%} of the path of {s['path_length']:.4g}"
+    return [
+        ("aligned with reference", how),
+        ("error of the place", error),
+        ("error of the attitude", f"{s['attitude_rms']:.2f} degrees rms"),
+    ]

@@ -1,0 +1,272 @@
+"""Calibration files of all kinds, as a sensor's plain data; lenses that must be undistorted; what does not fit."""
+
+import json
+
+import numpy as np
+import pytest
+
+from slamlib.errors import SlamlibError
+from slamlib.images.calibrations import TUM, read_calibration, read_lens
+from slamlib.images.lens import Lens, Undistortion, fitted
+from slamlib.rig import Rig, RobotSetup, SensorSetup
+from slamlib.tests.reference import FOLDER
+
+cv2 = pytest.importorskip("cv2", reason="OpenCV reads and undistorts")
+DATA = FOLDER.parent / "data"
+EUROC = """# General sensor definitions.
+sensor_type: camera
+T_BS:
+  cols: 4
+  rows: 4
+  data: [0.0, -1.0, 0.0, -0.02,
+         1.0, 0.0, 0.0, -0.06,
+         0.0, 0.0, 1.0, 0.01,
+         0.0, 0.0, 0.0, 1.0]
+rate_hz: 20
+resolution: [752, 480]
+camera_model: pinhole
+intrinsics: [458.654, 457.296, 367.215, 248.375] #fu, fv, cu, cv
+distortion_model: radial-tangential
+distortion_coefficients: [-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05]
+"""
+KALIBR = """cam0:
+  camera_model: pinhole
+  distortion_coeffs: [-0.01, 0.02, -0.01, 0.003]
+  distortion_model: equidistant
+  intrinsics: [380.0, 381.0, 320.0, 240.0]
+  resolution: [640, 480]
+cam1:
+  camera_model: pinhole
+  distortion_coeffs: []
+  distortion_model: none
+  intrinsics: [390.0, 391.0, 321.0, 241.0]
+  resolution: [640, 480]
+"""
+KITTI = """P0: 7.188560e+02 0 6.071928e+02 0 0 7.188560e+02 1.852157e+02 0 0 0 1 0
+P1: 7.188560e+02 0 6.071928e+02 -3.861448e+02 0 7.188560e+02 1.852157e+02 0 0 0 1 0
+"""
+
+
+def write(folder, text, name="calib.txt"):
+    (folder / name).write_text(text)
+    return folder / name
+
+
+def test_slamlibs_own_files(tmp_path):
+    omni = SensorSetup(type="omniCam", parameters={"intrinsics": (320.0, 240.0, 1.0, 0.0, 0.0), "lens": (170.0, -3.0)})
+    rig = Rig((RobotSetup(),), (SensorSetup(name="left"), SensorSetup(name="right", position=(0, 0.1, 0)), omni))
+    path = write(tmp_path, json.dumps(rig.to_dict()), "rig.json")
+    for i, setup in enumerate(rig.sensors):
+        assert Rig.from_dict({"robots": [{}], "sensors": [read_calibration(path, i)]}).sensors[0] == setup
+    with pytest.raises(SlamlibError, match="no camera 3"):
+        read_calibration(path, 3)
+    with pytest.raises(SlamlibError, match="works on this camera's pictures as they are"):
+        read_lens(path, 2)
+    toml = "image = [640, 480]\n[parameters]\nintrinsics = [320, 240, 500, 501]\ndistortion = [-0.3, 0.1]\n"
+    path = write(tmp_path, toml, "camera.toml")
+    assert read_calibration(path)["parameters"]["distortion"] == [-0.3, 0.1]
+    assert read_lens(path) == Lens((320, 240, 500, 501), (640, 480), distortion=(-0.3, 0.1, 0.0, 0.0, 0.0))
+    with pytest.raises(SlamlibError, match="did you mean 'parameters'"):
+        read_calibration(write(tmp_path, '{"parameters": {}, "parametres": 1}', "a.json"))
+
+
+def test_euroc_and_kalibr(tmp_path):
+    path = write(tmp_path, EUROC, "sensor.yaml")
+    lens = read_lens(path)
+    assert (lens.intrinsics, lens.image) == ((367.215, 248.375, 458.654, 457.296), (752, 480))
+    assert lens.distortion == (-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05)
+    np.testing.assert_allclose(np.reshape(lens.place, (4, 4))[:3, 3], [-0.02, -0.06, 0.01])
+    with pytest.raises(SlamlibError, match="--undistort"):
+        read_calibration(path)
+    radial = write(tmp_path, EUROC.replace("0.00019359, 1.76187114e-05", "0, 0.0"))
+    assert read_calibration(radial)["parameters"]["distortion"] == (-0.28340811, 0.07395907)
+    chain = write(tmp_path, KALIBR, "camchain.yaml")
+    assert read_lens(chain).model == "equidistant"
+    with pytest.raises(SlamlibError, match="--undistort"):
+        read_calibration(chain)
+    right = read_calibration(chain, 1)
+    assert right["parameters"] == {"intrinsics": (321.0, 241.0, 390.0, 391.0), "distortion": (0.0,)}
+    with pytest.raises(SlamlibError, match="no camera 2, but 0, 1"):
+        read_lens(chain, 2)
+
+
+def test_kitti(tmp_path):
+    path = write(tmp_path, KITTI)
+    assert read_calibration(path)["parameters"]["intrinsics"] == (607.1928, 185.2157, 718.856, 718.856)
+    baseline = np.reshape(read_lens(path, 1).place, (4, 4))[:3, 3]
+    np.testing.assert_allclose(baseline, [0.5371657, 0, 0], atol=1e-6)
+    bare = write(tmp_path, KITTI.replace("P0: ", "").replace("P1: ", ""))
+    assert read_lens(bare, 1) == read_lens(path, 1)
+    with pytest.raises(SlamlibError, match="no camera 2, but 0, 1"):
+        read_lens(path, 2)
+
+
+@pytest.mark.parametrize("ending", ["yml", "xml", "json"])
+def test_opencv(tmp_path, ending):
+    path = tmp_path / f"camera.{ending}"
+    storage = cv2.FileStorage(str(path), cv2.FILE_STORAGE_WRITE)
+    storage.write("image_width", 640)
+    storage.write("image_height", 480)
+    storage.write("camera_matrix", np.array([[500.0, 0, 320], [0, 501, 240], [0, 0, 1]]))
+    storage.write("distortion_coefficients", np.array([[0.1, -0.2, 0.0, 0.0, 0.05]]))
+    storage.release()
+    found = read_calibration(path)
+    assert found == {
+        "type": "pinHole",
+        "image": (640, 480),
+        "parameters": {"intrinsics": (320, 240, 500, 501), "distortion": (0.1, -0.2, 0.05)},
+    }
+
+
+def test_opencvs_two_cameras(tmp_path):
+    path = tmp_path / "intrinsics.yml"
+    storage = cv2.FileStorage(str(path), cv2.FILE_STORAGE_WRITE)
+    for i in (1, 2):
+        storage.write(f"M{i}", np.array([[500.0 + i, 0, 320], [0, 501, 240], [0, 0, 1]]))
+        storage.write(f"D{i}", np.zeros((1, 5)))
+    storage.release()
+    assert [read_lens(path, i).intrinsics[2] for i in (0, 1)] == [501, 502]
+    with pytest.raises(SlamlibError, match="no camera matrix of camera 2; it holds M1"):
+        read_lens(path, 2)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "fx 500\nfy 501\ncx 320\ncy 240\nk1 -0.1\n",
+        "# ours\nFX: 500\nfy = 501, \ncx: 320\ncy: 240\nk1: -0.1 # radial\n",
+        "500 501 320 240 -0.1 0 0 0\n",
+    ],
+)
+def test_plain_text(tmp_path, text):
+    found = read_calibration(write(tmp_path, text))
+    assert found == {
+        "type": "pinHole",
+        "parameters": {"intrinsics": (320, 240, 500, 501), "distortion": (-0.1,)},
+    }
+
+
+def test_the_cameras_of_tum(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert read_lens("fr1") == TUM["fr1"]
+    assert read_calibration("fr3")["parameters"]["intrinsics"] == (320.1, 247.6, 535.4, 539.2)
+    with pytest.raises(SlamlibError, match="--undistort"):
+        read_calibration("fr1")
+    with pytest.raises(SlamlibError, match="fr1, fr2, fr3 need no file"):
+        read_calibration("fr4")
+    write(tmp_path, "500 500 1 1", "fr1")  # a file comes before a name
+    assert read_lens("fr1").intrinsics[0] == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("nothing to see", "no calibration that slamlib knows"),
+        ("", "no calibration that slamlib knows"),
+        ("fx 500\nfy 500\ncx 320\n", "no whole one: 'cy'"),
+        ("fx 500\nfy 500\ncx 320\ncy 240\nkk1 3\n", "did you mean 'k1'"),
+        ("fx 0\nfy 500\ncx 320\ncy 240\n", "focal lengths above 0"),
+        ("fx five\nfy 500\ncx 320\ncy 240\n", "no whole one: could not convert"),
+        ("nan 500 320 240", "focal lengths above 0"),
+        (EUROC.replace("pinhole", "omni"), "'omni' is not known"),
+        (EUROC.replace("radial-tangential", "radial"), "unknown model of distortion 'radial'"),
+        (EUROC.replace(", 248.375", ""), "no whole one"),
+        ("P0: 1 2 3\n", "no whole one"),
+        ("%YAML:1.0\n---\ncamera_matrix: [1,\n", "no whole one: OpenCV"),
+        ("%YAML:1.0\n---\nother: 1\n", "no camera matrix"),
+    ],
+)
+def test_what_is_no_calibration_is_refused(tmp_path, text, message):
+    with pytest.raises(SlamlibError, match=message):
+        read_calibration(write(tmp_path, text))
+
+
+def test_a_calibration_must_fit_the_pictures():
+    setup = Lens((320, 240, 500, 500), (640, 480)).setup()
+    assert fitted(setup, (640, 480), "x")["image"] == (640.0, 480.0)
+    with pytest.raises(SlamlibError, match="of pictures of 640x480 pixels, and those of room have 320x240"):
+        fitted(setup, (320, 240), "room")
+    without = Lens((320, 240, 500, 500)).setup()
+    assert fitted(without, (640, 480), "x")["image"] == (640.0, 480.0)
+    for size in ((320, 240), (1280, 960)):
+        with pytest.raises(SlamlibError, match="principal point"):
+            fitted(without, size, "room")
+    aside = Lens((600, 240, 500, 500), (640, 480)).setup()
+    assert fitted(aside, (640, 480), "x")["image"] == (640.0, 480.0)  # whoever gives the size may have cut it out
+    with pytest.raises(SlamlibError, match="principal point"):
+        fitted(Lens((700, 240, 500, 500), (640, 480)).setup(), (640, 480), "x")
+
+
+LENSES = {
+    "euroc": Lens((367.2, 248.4, 458.7, 457.3), (752, 480), distortion=(-0.283, 0.0740, 0.00019, 1.8e-5)),
+    "fr1": TUM["fr1"],
+    "fisheye": Lens((320, 240, 300, 300), (640, 480), "equidistant", (-0.01, 0.02, -0.01, 0.003)),
+}
+
+
+@pytest.mark.parametrize("name", LENSES)
+def test_undistorted_pictures_are_those_of_a_pinhole(name):
+    lens = LENSES[name]
+    size = tuple(map(int, lens.image))
+    undistort = Undistortion(lens, size)
+    camera = SensorSetup(**undistort.setup).calibration
+    rng = np.random.default_rng(1)
+    points = np.concatenate([rng.uniform(-0.4, 0.4, (40, 2)), np.ones((40, 1))], axis=1)
+    there = _project(lens, points)
+    points, there = (a[((there > 20) & (there < np.array(size) - 20)).all(1)][:12] for a in (points, there))
+    assert len(points) == 12
+    bright = np.zeros(size[::-1], np.uint8)
+    assert undistort(np.full_like(bright, 200)).min() == 200  # nowhere the lens did not see
+    v, u = np.mgrid[: size[1], : size[0]]
+    pixels = camera.project(np.concatenate([points, np.ones((len(points), 1))], axis=1))
+    for seen, wanted in zip(there, pixels, strict=True):
+        spot = 250 * np.exp(-((u - seen[0]) ** 2 + (v - seen[1]) ** 2) / 18)
+        found = undistort(spot.round().astype(np.uint8)).astype(float)
+        centre = np.array([(found * u).sum(), (found * v).sum()]) / found.sum()
+        np.testing.assert_allclose(centre, wanted, atol=0.25)
+
+
+def _project(lens, points):
+    """Pixels of points in front of the camera by the equations in OpenCV's documentation, written down anew."""
+    x, y = points[:, 0] / points[:, 2], points[:, 1] / points[:, 2]
+    r2 = x * x + y * y
+    if lens.model == "equidistant":
+        t, r = np.arctan(np.sqrt(r2)), np.sqrt(r2)
+        stretch = t * (1 + sum(k * t ** (2 * i + 2) for i, k in enumerate(lens.distortion))) / r
+        x, y = x * stretch, y * stretch
+    else:
+        k1, k2, p1, p2, k3 = (*lens.distortion, 0.0)[:5]
+        radial = 1 + k1 * r2 + k2 * r2**2 + k3 * r2**3
+        x, y = (
+            x * radial + 2 * p1 * x * y + p2 * (r2 + 2 * x * x),
+            y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y,
+        )
+    u0, v0, au, av = lens.intrinsics
+    return np.stack([u0 + au * x, v0 + av * y], axis=1)
+
+
+def test_radial_lenses_need_no_undistortion_and_agree_with_opencv(tmp_path):
+    setup = read_calibration(write(tmp_path, "500 501 320 240 -0.2 0.05 0 0 -0.01"))
+    camera = SensorSetup(**setup, image=(640, 480)).calibration
+    points = np.random.default_rng(2).uniform(-0.3, 0.3, (20, 4)) + np.array([0, 0, 1, 1])
+    K = np.array([[500.0, 0, 320], [0, 501, 240], [0, 0, 1]])
+    there = cv2.projectPoints(points[:, None, :3], np.zeros(3), np.zeros(3), K, np.array([-0.2, 0.05, 0, 0, -0.01]))[0]
+    np.testing.assert_allclose(camera.project(points), there[:, 0], atol=1e-9)
+
+
+def test_a_lens_that_makes_no_sense_is_not_undistorted():
+    with pytest.raises(SlamlibError, match="does not describe pictures"):
+        Undistortion(Lens((900, 240, 500, 500), (640, 480)), (640, 480))
+    with pytest.raises(SlamlibError, match="at most 4"):
+        Lens((320, 240, 500, 500), model="equidistant", distortion=(1,) * 5)
+    with pytest.raises(SlamlibError, match="did you mean 'equidistant'"):
+        Lens((320, 240, 500, 500), model="equidistan")
+
+
+def test_real_calibrations():
+    if not (DATA / "mono_visp_cube").is_dir():
+        pytest.skip("the excerpts of real sequences are not at hand")
+    visp = read_calibration(DATA / "mono_visp_cube" / "calib.txt")
+    assert (visp["image"], visp["parameters"]["intrinsics"]) == ((384, 288), (192, 144, 576.63, 554.99))
+    kitti = read_lens(DATA / "stereo_kitti_a" / "calib.txt", 1)
+    assert np.reshape(kitti.place, (4, 4))[0, 3] == pytest.approx(0.537, abs=1e-3)

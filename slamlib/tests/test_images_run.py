@@ -1,0 +1,347 @@
+"""A run on pictures, with a front end that is told what it sees: gaps, scale, times, and that saving loses nothing."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from slamlib.alignment import aligned
+from slamlib.errors import SlamlibError
+from slamlib.geometry.pose import compose, to_frame
+from slamlib.geometry.quaternion import exponential
+from slamlib.images.gaps import Lost
+from slamlib.images.hand_held import OPTIONS, hand_held
+from slamlib.images.hand_held import options as images_options
+from slamlib.images.pictures import Picture
+from slamlib.images.results import COLUMNS, PARTS, summary, table
+from slamlib.images.run import ImageRun
+from slamlib.images.sources import of_pictures
+from slamlib.images.target import Target
+from slamlib.rig import SensorSetup
+from slamlib.trajectories import Trajectory
+
+CAMERA = {
+    "image": (64, 48),
+    "parameters": {"intrinsics": (31.5, 23.5, 50.0, 50.0), "distortion": (0.0,)},
+    "std": (0.1,),
+}
+CALIBRATION = SensorSetup(**CAMERA).calibration
+DARK = 255  # a picture of this brightness shows nothing
+COUNT, DT = 40, 0.04
+
+
+def true_path():
+    """A camera that moves to the right and turns, from the origin on, looking along x."""
+    turn = exponential(np.stack([0 * np.arange(COUNT), 0 * np.arange(COUNT), -0.004 * np.arange(COUNT)], axis=1))
+    x = np.arange(COUNT) * 0.02
+    robot = np.concatenate([np.stack([0.3 * x, -x, 0.2 * np.sin(3 * x)], axis=1), turn], axis=1)
+    return Trajectory(DT * np.arange(COUNT), compose(robot, SensorSetup().mount))
+
+
+def world():
+    """Points ahead of the camera, near and far, by number."""
+    rng = np.random.default_rng(3)
+    return np.stack([rng.uniform(1, 4, 80), rng.uniform(-2.5, 1.5, 80), rng.uniform(-1, 1, 80)], axis=1)
+
+
+class Told:
+    """Sees the world's points from the true path; the brightness of a picture is its number, and DARK shows nothing."""
+
+    def __init__(self, seed=0):
+        self.rng, self.points, self.path = np.random.default_rng(seed), world(), true_path()
+
+    def check(self, scan):
+        pass
+
+    def findable(self, sight):
+        return sight.looks
+
+    def _pixels(self, sight, numbers):
+        pose = self.path.poses[int(sight.scan.image[0, 0])]
+        seen = np.concatenate([to_frame(pose, self.points[numbers]), np.ones((len(numbers), 1))], axis=1)
+        pixels = CALIBRATION.project(seen) + self.rng.normal(0, 0.1, (len(seen), 2))
+        return pixels, CALIBRATION.visible(seen) & CALIBRATION.inside(pixels)
+
+    def match(self, sight, family, looks):
+        if sight.scan.image[0, 0] == DARK:
+            return np.full((len(looks), 2), np.nan), np.zeros(len(looks), dtype=bool)
+        pixels, seen = self._pixels(sight, np.array([look.landmark.signature for look in looks]))
+        return np.where(seen[:, None], pixels, np.nan), seen
+
+    def detect(self, sight, family, known, usable, count):
+        if sight.scan.image[0, 0] == DARK:
+            return []
+        pixels, seen = self._pixels(sight, np.arange(len(self.points)))
+        seen &= usable(pixels)
+        fresh = [n for n in self.rng.permutation(len(seen)).tolist() if seen[n] and n not in known]
+        return [(n, pixels[n], n) for n in fresh[:count]]
+
+    def adopt(self, sight, family, values):
+        """Each pixel's point is the world's whose number comes next: targets in these tests are its first points."""
+        return [(n, pixel, n) if pixel[0] > 3 else None for n, pixel in enumerate(values)]
+
+    def dump(self):
+        return self.rng.bit_generator.state
+
+    def restore(self, state):
+        self.rng.bit_generator.state = state
+
+    def pack(self, signature):
+        return signature
+
+    def unpack(self, packed):
+        return packed
+
+
+def pictures(dark=(), count=COUNT):
+    """Pictures whose brightness is their number."""
+    shades = [DARK if i in dark else i for i in range(count)]
+    return of_pictures([Picture(f"{i}.png", DT * i, np.full((48, 64), s, np.uint8)) for i, s in enumerate(shades)], DT)
+
+
+def begun(dark=(), **options):
+    return ImageRun(pictures(dark), hand_held(CAMERA), OPTIONS, Told(), **options)
+
+
+def error(run, scale=True):
+    return aligned(run.trajectory(), true_path()[np.arange(len(run.history))], scale=scale)
+
+
+def test_a_run_of_all_pictures():
+    run = begun()
+    assert len(run) == COUNT
+    steps = list(run)
+    assert len(run) == 0
+    assert list(run) == []
+    assert [s.number for s in steps] == list(range(1, COUNT + 1))
+    assert steps[3].picture.name == "3.png"
+    assert set(steps[5].row) == set(COLUMNS)
+    found = error(run)
+    assert found.relative < 0.02
+    assert 0.2 < found.similarity.scale < 5
+    result = run.result()
+    assert result.matched[0] == 0
+    assert (result.matched[1:] > 5).all()
+    assert result.gaps == 0
+    assert 0.5 < result.nis[5:].sum() / result.nis_dof[5:].sum() < 1.5
+    s = summary(result)
+    assert s["frames"] == COUNT
+    assert s["matched_share"] > 0.9
+    assert set(s["milliseconds"]) == set(PARTS)
+    assert table(s)[0][0] == "frames"
+    with pytest.raises(AttributeError):
+        _ = result.nothing
+
+
+def test_going_on_is_the_same_as_not_stopping(tmp_path):
+    whole, cut = begun({20, 21}), begun({20, 21})
+    list(whole)
+    steps = iter(cut)
+    for _ in range(21):
+        next(steps)
+    cut.save(tmp_path / "run.npz")
+    again = ImageRun.load(tmp_path / "run.npz", source=pictures({20, 21}), front_end=lambda calibration: Told(seed=9))
+    assert (len(again), again.gap.frames) == (COUNT - 21, 1)
+    list(again)
+    assert np.array_equal(whole.trajectory().poses, again.trajectory().poses)
+    assert np.array_equal(whole.slam.belief.matrix, again.slam.belief.matrix)
+    timeless = [i for i, name in enumerate(COLUMNS) if name not in PARTS]
+    assert np.array_equal(np.array(whole.history)[:, timeless], np.array(again.history)[:, timeless])
+    with pytest.raises(SlamlibError, match="were in memory"):
+        ImageRun.load(tmp_path / "run.npz", front_end=lambda calibration: Told())
+    again.slam.save(tmp_path / "other.npz")
+    with pytest.raises(SlamlibError, match="holds no run on images"):
+        ImageRun.load(tmp_path / "other.npz")
+
+
+def test_what_is_broken_off_in_the_middle_is_not_saved(tmp_path):
+    run = begun()
+    steps = iter(run)
+    next(steps)
+    run.slam.front_ends[0].match = None  # fails
+    with pytest.raises(TypeError):
+        next(steps)
+    with pytest.raises(SlamlibError, match="frame 2 was broken off"):
+        run.save(tmp_path / "run.npz")
+    assert not list(tmp_path.iterdir())
+
+
+def test_frames_without_matches_are_predictions():
+    run = begun({15, 16, 17})
+    gaps = [run.gap.frames for _ in run]
+    assert gaps[14:19] == [0, 1, 2, 3, 0]
+    assert run.result().gaps == 3
+    assert error(run).relative < 0.03
+    moved = np.linalg.norm(np.diff(run.trajectory().positions, axis=0), axis=1)
+    assert (moved[14:17] > 0.25 * np.median(moved)).all()
+
+
+def test_a_gap_that_lasts_ends_the_run_and_nothing_is_lost(tmp_path):
+    run = begun(set(range(10, 25)), patience=6)
+    with pytest.raises(Lost, match=r"6 frames in a row without a match, from frame 11 on; was there a cut"):
+        list(run)
+    assert len(run.history) == 16
+    run.save(tmp_path / "run.npz")
+    again = ImageRun.load(tmp_path / "run.npz", source=run.source, front_end=lambda calibration: Told())
+    again.patience = 100
+    list(again)
+    assert len(again.history) == COUNT
+
+
+def test_after_a_cut_new_landmarks_do_not_hide_that_the_old_ones_are_gone():
+    run = begun(patience=8)
+    for step in run:
+        if step.number == 12:  # another place, where nothing known is in view
+            run.slam.front_ends[0].points = run.slam.front_ends[0].points * [1, 1, 1] + [0, 0, 50]
+            run.slam.front_ends[0].points[40:] = world()[40:]
+            known = {lm.signature for lm in run.slam.landmarks}
+            run.slam.front_ends[0].points[sorted(known)] += 50
+        if run.gap.frames == 7:
+            break
+    assert run.result().begun[12:].sum() > 0
+    assert run.gap.first == 13
+    with pytest.raises(Lost):
+        list(run)
+
+
+def test_a_dark_beginning_keeps_the_start_known():
+    run = begun(set(range(5)), patience=30)
+    list(run)
+    result = run.result()
+    assert result.begun[:6].tolist() == [0, 0, 0, 0, 0, OPTIONS.first]
+    np.testing.assert_array_equal(result.trajectory.positions[:6], 0)
+    with pytest.raises(Lost, match="is there light, and texture"):
+        list(begun(set(range(COUNT)), patience=10))
+
+
+def test_over_a_longer_time_more_impulses():
+    there = pictures()
+    sparse = of_pictures([p for i, p in enumerate(there) if i not in (20, 21, 22)], DT)
+    spreads = []
+    for source in (there, sparse):
+        run = ImageRun(source, hand_held(CAMERA), OPTIONS, Told())
+        seen = []
+        correct = run.slam._correct
+        run.slam._correct = lambda i, scan, s=run.slam, c=correct, a=seen: (
+            a.append(s.belief.covariance(s.robots[0].block)[6:9, 6:9].trace()), c(i, scan)
+        )  # fmt: skip
+        list(run)
+        spreads.append(seen)
+    impulse = 3 * 0.1**2
+    assert spreads[0][20] < 2.5 * impulse
+    assert spreads[1][20] > 3.9 * impulse
+
+
+def test_a_picture_of_another_size_is_refused_before_the_filter_moves():
+    source = of_pictures([Picture("a.png", 0.0, np.zeros((24, 32), np.uint8))], DT)
+    run = ImageRun(source, hand_held(CAMERA), OPTIONS, Told())
+    with pytest.raises(SlamlibError, match=r"a\.png is 32x24, and the calibration is of 64x48"):
+        list(run)
+    assert run.whole
+    for what in (run.result, run.trajectory):
+        with pytest.raises(SlamlibError, match="nothing has been run"):
+            what()
+    rig = hand_held(CAMERA)
+    with pytest.raises(SlamlibError, match="one robot with one camera"):
+        ImageRun(source, replace(rig, sensors=(rig.sensors[0], replace(rig.sensors[0], name="right"))))
+
+
+# -- a known target ----------------------------------------------------------------------------------------------------
+
+
+def target(count=6, noise=0.0, std=0.0):
+    """The first points that are seen in the first picture, which the world then begins with."""
+    told = Told()
+    pixels, seen = told._pixels(type("S", (), {"scan": type("I", (), {"image": np.zeros((1, 1))})}), np.arange(80))
+    inside = seen & (pixels[:, 0] > 6)
+    order = np.concatenate([np.flatnonzero(inside), np.flatnonzero(~inside)])
+    rng = np.random.default_rng(4)
+    return Target(told.points[order[:count]], pixels[order[:count]] + rng.normal(0, noise, (count, 2)), std), order
+
+
+def with_target(**options):
+    known, order = target(**options)
+    told = Told()
+    told.points = told.points[order]
+    unit = known.distance(CALIBRATION)
+    return ImageRun(pictures(), hand_held(CAMERA, unit=unit), images_options(unit, 6), told, scale=known), known
+
+
+def test_a_target_gives_the_true_scale_and_the_place():
+    run, known = with_target()
+    first = next(iter(run))
+    assert first.row["searched"] == 0
+    assert first.row["landmarks"] == len(known.points) + OPTIONS.first
+    P = run.slam.belief.covariance(run.slam.robots[0].block)
+    assert np.sqrt(P[:3, :3].diagonal()).max() < 0.1
+    np.testing.assert_allclose(run.trajectory().positions[0], 0, atol=4 * np.sqrt(P[:3, :3].diagonal().max()))
+    list(run)
+    found = aligned(run.trajectory(), true_path(), scale=True)
+    assert found.similarity.scale == pytest.approx(1, abs=0.05)
+    off = np.linalg.norm(run.trajectory().positions - true_path().positions, axis=1)  # without any alignment
+    assert off.max() < 0.15
+    assert run.slam.options.updates == OPTIONS.updates + 6
+
+
+def test_the_uncertainty_of_the_start_is_that_of_the_pixels():
+    """The batch of pixels counts once: errors of the first pose are as large as the filter says, over many draws."""
+    rng, squared = np.random.default_rng(5), []
+    known, order = target(8)
+    for _ in range(60):
+        noisy = replace(
+            known, pixels=Target(known.points, true_pixels(known.points)).pixels + rng.normal(0, 0.1, (8, 2))
+        )
+        told = Told()
+        told.points = told.points[order]
+        run = ImageRun(pictures(), hand_held(CAMERA), OPTIONS, told, scale=noisy)
+        next(iter(run))
+        from slamlib.geometry.pose import Pose, inverse
+
+        true = compose(true_path().poses[0], inverse(SensorSetup().mount))
+        e = Pose.minus(true, run.slam.robots[0].pose)
+        squared.append(e @ np.linalg.solve(run.slam.belief.covariance(run.slam.robots[0].block)[:6, :6], e))
+    assert 4.5 < np.mean(squared) < 8.0  # 6 degrees of freedom, 99.9 % band of 60 draws about [4.7, 7.5]
+
+
+def true_pixels(points):
+    seen = np.concatenate([to_frame(true_path().poses[0], points), np.ones((len(points), 1))], axis=1)
+    return CALIBRATION.project(seen)
+
+
+def test_targets_are_read_from_json(tmp_path):
+    known, _ = target()
+    path = tmp_path / "target.json"
+    import json
+
+    path.write_text(json.dumps({"points": known.points.tolist(), "pixels": known.pixels.tolist(), "std": 0.01}))
+    found = Target.load(path)
+    assert np.array_equal(found.points, known.points)
+    assert found.std == 0.01
+    for text in ("", "[]", '{"points": 3}', '{"points": [[1, 2, 3]]}'):
+        path.write_text(text)
+        with pytest.raises(SlamlibError, match="is no target"):
+            Target.load(path)
+    with pytest.raises(SlamlibError, match="is no target"):
+        Target.load(tmp_path / "absent")
+
+
+def test_targets_that_say_too_little_or_do_not_fit():
+    known, _ = target(8)
+    with pytest.raises(SlamlibError, match="at least 4 points, got 3"):
+        Target(known.points[:3], known.pixels[:3])
+    with pytest.raises(SlamlibError, match="one line"):
+        Target(np.outer(np.arange(5.0), [1, 2, 3]), known.pixels[:5])
+    with pytest.raises(SlamlibError, match="std"):
+        Target(known.points, known.pixels, -1.0)
+    with pytest.raises(SlamlibError, match="do not fit its points"):
+        Target(known.points, known.pixels[::-1]).camera(CALIBRATION)
+    square = Target([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[20, 15], [40, 15], [40, 35], [20, 35]])
+    assert np.linalg.norm(square.camera(CALIBRATION)[:3] - [0.5, 0.5, 0]) == pytest.approx(2.5, abs=0.1)
+
+    run, _ = with_target()
+    run.target = Target(known.points, known.pixels * [0, 1])
+    with pytest.raises(SlamlibError, match="too near the picture's border"):
+        next(iter(run))
+    run = ImageRun(pictures(), hand_held(CAMERA), OPTIONS, type("Other", (Told,), {"adopt": property()})(), scale=known)
+    with pytest.raises(SlamlibError, match="has no `adopt`"):
+        next(iter(run))

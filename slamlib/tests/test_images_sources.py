@@ -1,0 +1,263 @@
+"""Where pictures come from: every layout, in order and lazily; and every kind of bad input, named."""
+
+import numpy as np
+import pytest
+
+from slamlib.errors import SlamlibError
+from slamlib.images.pictures import Picture, read_image
+from slamlib.images.sources import of_film, of_pictures, open_source, reopen
+from slamlib.simulation import rooms
+from slamlib.tests.reference import FOLDER
+
+cv2 = pytest.importorskip("cv2", reason="OpenCV reads the images")
+DATA = FOLDER.parent / "data"
+SIZE = (24, 32)
+
+
+def shade(number):
+    """A picture that tells its number by its brightness."""
+    return np.full(SIZE, 10 * number + 5, np.uint8)
+
+
+def put(path, image):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    assert cv2.imwrite(str(path), image)
+
+
+def numbers(source):
+    """The numbers of the pictures, by their brightness."""
+    return [round((float(p.image.mean()) - 5) / 10) for p in source]
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """Twelve pictures whose names need the natural order, and what is no picture."""
+    for i in range(12):
+        put(tmp_path / "seq" / f"frame{i}.png", shade(i))
+    (tmp_path / "seq" / "notes.txt").write_text("not an image")
+    (tmp_path / "seq" / "._frame3.png").write_text("left by another system")
+    return tmp_path / "seq"
+
+
+def test_a_folder_in_natural_order(folder):
+    source = open_source(folder, fps=20)
+    assert (source.layout, len(source), source.interval) == ("folder", 12, 0.05)
+    assert numbers(source) == list(range(12))
+    pictures = list(source)
+    assert [p.name for p in pictures[:3]] == ["frame0.png", "frame1.png", "frame2.png"]
+    assert pictures[3].time == pytest.approx(0.15)
+    assert (pictures[0].image.shape, pictures[0].image.dtype) == (SIZE, np.uint8)
+
+
+def test_a_glob_and_one_image(folder):
+    assert numbers(open_source(f"{folder}/frame1*.png")) == [1, 10, 11]
+    assert numbers(open_source(folder / "frame7.png")) == [7]
+
+
+def test_pictures_are_read_when_they_are_asked_for(folder):
+    source = open_source(folder)
+    (folder / "frame5.png").write_bytes(b"damaged")
+    found = iter(source)
+    assert [next(found).name for _ in range(5)][-1] == "frame4.png"
+    with pytest.raises(SlamlibError, match=r"frame5\.png"):
+        next(found)
+    assert numbers(source.part(6)) == [6, 7, 8, 9, 10, 11]
+
+
+def test_parts_and_opening_again(folder):
+    source = open_source(folder, fps=10).part(1, 3)
+    assert numbers(source) == [1, 4, 7, 10]
+    assert source.interval == 0.1  # of the whole
+    rest = source.part(2).part(count=1)
+    assert numbers(rest) == [7]
+    assert [p.time for p in rest] == [pytest.approx(0.7)]
+    again = reopen(rest.recipe)
+    assert (numbers(again), again.recipe) == ([7], rest.recipe)
+    assert numbers(reopen(open_source(folder).recipe)) == list(range(12))
+    for wrong in ({"start": -1}, {"every": 0}, {"count": 0}):
+        with pytest.raises(SlamlibError, match="start is 0 or more"):
+            source.part(**wrong)
+    with pytest.raises(SlamlibError, match="none is left"):
+        source.part(4)
+    for i in range(6, 12):
+        (folder / f"frame{i}.png").unlink()
+    with pytest.raises(SlamlibError, match="had more when"):
+        reopen(rest.recipe)
+
+
+def test_colour_becomes_grey_and_a_black_picture_is_valid(tmp_path):
+    colour = np.zeros((*SIZE, 3), np.uint8)
+    colour[..., 1] = 200  # green
+    put(tmp_path / "1.png", colour)
+    put(tmp_path / "2.png", np.dstack([colour, np.full(SIZE, 9, np.uint8)]))
+    put(tmp_path / "3.png", np.zeros(SIZE, np.uint8))
+    one, two, black = (p.image for p in open_source(tmp_path))
+    assert one.mean() == pytest.approx(0.587 * 200, abs=1)
+    assert np.array_equal(one, two)
+    assert not black.any()
+    halved = open_source(tmp_path).through(lambda image: image[::2], {"halved": True})
+    assert [p.image.shape for p in halved] == [(12, 32)] * 3
+    assert halved.part(1).recipe == {"halved": True, "frames": [1, 3, 1]}
+
+
+def test_the_layout_of_tum(tmp_path):
+    for i, name in enumerate(["b.png", "a.png", "c.png"]):  # in the order of the list, not of the names
+        put(tmp_path / "rgb" / name, np.dstack([shade(i)] * 3))
+    put(tmp_path / "depth" / "a.png", np.zeros(SIZE, np.uint16))
+    rows = ["# color images", "1305031102.10 rgb/b.png", "1305031102.14 rgb/a.png", "1305031102.18 rgb/c.png"]
+    (tmp_path / "rgb.txt").write_text("\n".join(rows))
+    source = open_source(tmp_path)
+    assert (source.layout, numbers(source)) == ("TUM RGB-D", [0, 1, 2])
+    assert [p.time for p in source] == [1305031102.10, 1305031102.14, 1305031102.18]
+    assert source.interval == pytest.approx(0.04, abs=1e-6)
+
+
+def test_the_layout_of_euroc(tmp_path):
+    for camera in range(2):
+        there = tmp_path / "mav0" / f"cam{camera}"
+        for i in range(3):
+            put(there / "data" / f"{1403636579763555584 + 50000000 * i}.png", shade(i + 5 * camera))
+        rows = [f"{1403636579763555584 + 50000000 * i},{1403636579763555584 + 50000000 * i}.png" for i in range(3)]
+        (there / "data.csv").write_text("#timestamp [ns],filename\r\n" + "\r\n".join(rows) + "\r\n")
+    for where in (tmp_path, tmp_path / "mav0", tmp_path / "mav0" / "cam0"):
+        assert (open_source(where).layout, numbers(open_source(where))) == ("EuRoC", [0, 1, 2])
+    right = open_source(tmp_path, camera=1)
+    assert numbers(right) == [5, 6, 7]
+    assert numbers(reopen(right.recipe)) == [5, 6, 7]
+    assert [p.time for p in right][1] == pytest.approx(1403636579.813555584, abs=1e-6)
+    with pytest.raises(SlamlibError, match="no camera 2; it has 0, 1"):
+        open_source(tmp_path, camera=2)
+
+
+def test_the_layout_of_kitti(tmp_path):
+    for i in range(3):
+        for camera in range(2):
+            put(tmp_path / f"image_{camera}" / f"{i:06d}.png", shade(i + 5 * camera))
+    assert open_source(tmp_path).interval == pytest.approx(0.1)
+    (tmp_path / "times.txt").write_text("0.000000e+00\n1.036224e-01\n2.071898e-01\n")
+    source = open_source(tmp_path)
+    assert (source.layout, numbers(source)) == ("KITTI", [0, 1, 2])
+    assert [p.time for p in source] == [0, 0.1036224, 0.2071898]
+    assert numbers(open_source(tmp_path, camera=1)) == [5, 6, 7]
+    with pytest.raises(SlamlibError, match="no image_2; its cameras are 0, 1"):
+        open_source(tmp_path, camera=2)
+    put(tmp_path / "image_0" / "000003.png", shade(3))
+    with pytest.raises(SlamlibError, match="3 times for 4 pictures"):
+        open_source(tmp_path)
+
+
+def film(path, count, codec="MJPG"):
+    """A video of shades; skips where this OpenCV cannot write one."""
+    writer = cv2.VideoWriter(str(path), cv2.VideoWriter_fourcc(*codec), 12.5, SIZE[::-1])
+    if not writer.isOpened():
+        pytest.skip("this OpenCV writes no videos")
+    for i in range(count):
+        writer.write(np.dstack([shade(i)] * 3))
+    writer.release()
+    return path
+
+
+def test_a_video(tmp_path):
+    path = film(tmp_path / "film.avi", 9)
+    source = open_source(path)
+    assert (source.layout, numbers(source)) == ("video", list(range(9)))
+    assert source.interval == pytest.approx(0.08)
+    pictures = list(source.part(2, 3))
+    assert numbers(pictures) == [2, 5, 8]
+    assert [p.time for p in pictures] == [pytest.approx(t) for t in (0.16, 0.40, 0.64)]
+    assert pictures[1].name == "picture 5"
+    assert numbers(source.part(2, 3).part(2)) == [8]
+    assert open_source(path, fps=25).interval == 0.04
+
+
+def test_a_video_without_pictures_or_its_end(tmp_path):
+    with pytest.raises(SlamlibError, match=r"without a single picture|cannot open it as a video"):
+        open_source(film(tmp_path / "empty.avi", 0))
+    whole = film(tmp_path / "whole.avi", 25)
+    (tmp_path / "cut.avi").write_bytes(whole.read_bytes()[: int(0.6 * whole.stat().st_size)])
+    with pytest.raises(SlamlibError, match=r"breaks off after \d+ of 25"):
+        list(open_source(tmp_path / "cut.avi"))
+    (tmp_path / "text.mp4").write_text("no video")
+    with pytest.raises(SlamlibError, match="cannot open it as a video"):
+        open_source(tmp_path / "text.mp4")
+
+
+def test_pictures_in_memory_and_of_a_film():
+    there = [Picture(str(i), 0.1 * i, shade(i)) for i in range(6)]
+    assert numbers(of_pictures(there, 0.1).part(1, 2)) == [1, 3, 5]
+    path = rooms.path("sideways")
+    film = rooms.film(
+        rooms.default_room("drawn"), rooms.hand_held(path), path, frames=4, dt=0.05, rng=np.random.default_rng(1)
+    )
+    source = of_film(film)
+    assert (len(source), source.interval) == (4, 0.05)
+    pictures = list(source.part(1, 2))
+    assert [p.name for p in pictures] == ["frame 2", "frame 4"]
+    assert [p.time for p in pictures] == [pytest.approx(0.1), pytest.approx(0.2)]
+    assert np.array_equal(pictures[1].image, [frame for frame, _ in film][3].scans[0].image)
+
+
+def test_nothing_there(tmp_path):
+    with pytest.raises(SlamlibError, match="there is nothing"):
+        open_source(tmp_path / "absent")
+    with pytest.raises(SlamlibError, match="there is nothing"):
+        open_source(f"{tmp_path}/*.png")
+    with pytest.raises(SlamlibError, match=r"no image in this folder$"):
+        open_source(tmp_path)
+    put(tmp_path / "left" / "1.png", shade(1))
+    with pytest.raises(SlamlibError, match="folders left: is one of them meant"):
+        open_source(tmp_path)
+    with pytest.raises(SlamlibError, match="has one camera"):
+        open_source(tmp_path / "left", camera=1)
+    with pytest.raises(SlamlibError, match="above 0"):
+        open_source(tmp_path / "left", fps=0)
+
+
+@pytest.mark.parametrize("ending", ["png", "jpg", "pgm", "bmp", "tif", "webp"])
+@pytest.mark.parametrize("share", [0.0, 0.5, 0.9])
+def test_files_that_are_not_whole(tmp_path, ending, share):
+    path = tmp_path / f"image.{ending}"
+    put(path, np.random.default_rng(0).integers(0, 255, SIZE).astype(np.uint8))
+    read_image(path)
+    path.write_bytes(path.read_bytes()[: int(share * path.stat().st_size)])
+    with pytest.raises(SlamlibError, match=path.name):
+        list(open_source(tmp_path))
+
+
+def test_other_numbers_of_bits_and_sizes_that_change(tmp_path):
+    put(tmp_path / "a" / "1.png", np.zeros(SIZE, np.uint16))
+    with pytest.raises(SlamlibError, match=r"1\.png has 16 bits.*depth image"):
+        list(open_source(tmp_path / "a"))
+    put(tmp_path / "b" / "1.png", shade(1))
+    put(tmp_path / "b" / "2.png", shade(1)[:, :-2])
+    with pytest.raises(SlamlibError, match=r"1\.png is 32x24, 2\.png is 30x24"):
+        list(open_source(tmp_path / "b"))
+
+
+@pytest.mark.parametrize(
+    ("rows", "message"),
+    [
+        ("1.0 a.png\n1.0 b.png\n", "times must grow, but a.png is of 1.0 s"),
+        ("1.0 a.png\n0.5 b.png\n", "times must grow"),
+        ("1.0 a.png\n2.0 c.png\n", "1 files that are not there"),
+        ("1.0 a.png\n2.0\n", "line 2: 2 columns"),
+        ("one a.png\n", "'one' is no time"),
+        ("# nothing\n", "lists no picture"),
+    ],
+)
+def test_lists_that_make_no_sense(tmp_path, rows, message):
+    for name in ("a.png", "b.png"):
+        put(tmp_path / name, shade(1))
+    (tmp_path / "rgb.txt").write_text(rows)
+    with pytest.raises(SlamlibError, match=message):
+        open_source(tmp_path)
+
+
+def test_real_excerpts():
+    if not (DATA / "mono_visp_cube").is_dir():
+        pytest.skip("the excerpts of real sequences are not at hand")
+    source = open_source(DATA / "mono_visp_cube" / "frames")
+    assert len(source) == 80
+    first = next(iter(source))
+    assert (first.name, first.image.shape) == ("image.0000.pgm", (288, 384))
+    assert len(open_source(f"{DATA}/stereo_kitti_a/image_l/*.png").part(0, 5)) == 11
