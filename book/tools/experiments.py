@@ -25,7 +25,7 @@ FILE = layout.BOOK / "chapters" / "data" / "experiments.json"
 FOLDER = layout.BUILD / "experiments"
 RUNS, SEED, DOF = 100, 17, 6
 FIRST_RUNS, FIRST_FRAMES = 2, 12  # of each case, kept number by number
-BEGINNING, SHORT = 120, 60  # frames of the presets, and of comparisons of one change at a time
+BEGINNING, SHORT = 400, 200  # frames of the presets, and of comparisons of one change at a time
 EVERY = 20  # frames between two stored errors
 TOOLBOX = {"inverse_distance": (0.01, 0.5)}  # mean and standard deviation [1/m] in the toolbox's userDataPnt
 
