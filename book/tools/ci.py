@@ -48,7 +48,7 @@ def stages() -> list[Stage]:
         Stage("format", [*PYTHON, "ruff", "format", "--check"], r"(\d+) files? already formatted", "files"),
         Stage(
             "types",
-            [*PYTHON, "mypy", "slamlib", "book/tools", "book/live", "benchmarks"],
+            [*PYTHON, "mypy", "slamlib", "book/tools", "book/live", "book/report", "benchmarks"],
             r"in (\d+) source files",
             "files",
         ),

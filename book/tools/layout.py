@@ -50,6 +50,7 @@ def write_whole(file: Path, content: bytes) -> None:
 def package_files() -> list[Path]:
     """What the result of a notebook depends on besides the notebook: slamlib, the lock, the data of the book."""
     code = [f for end in ("py", "js") for f in (ROOT / "slamlib").rglob(f"*.{end}") if "tests" not in f.parts]
+    code += (BOOK / "report").rglob("*.py")
     data = [f for f in BOOK.rglob("data/*") if f.is_file()]
     return [*code, *data, ROOT / "requirements.txt", BOOK / "tools" / "notebooks.py"]
 

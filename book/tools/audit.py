@@ -1,0 +1,176 @@
+"""`make audit`: every number E01 to E30 of the list of the report's errata, computed again.
+
+For each: where the report says what, what is right, the figures as they come out now, those of the list, the limits,
+and a verdict: reproduced, corrected (the list was, and the remark says why), reading, or FAILED. The exit status is 1
+if one failed. --store writes the file that chapter 22 draws its table from.
+"""
+
+import argparse
+import json
+import math
+import textwrap
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from book.report import SWITCHES
+from book.report.checks import CHECKS
+from book.report.findings import RUNS, SEED, Check, Figure, Row, ran
+from book.report.runs import DOF, Outcome
+from book.tools import layout
+from slamlib.errors import UnknownNameError
+from slamlib.evaluation import band
+from slamlib.progress import progress
+
+FILE = layout.BOOK / "chapters" / "data" / "audit.json"
+SHOWN = "gentle", "hard"  # scenes of the chapter's figure
+ELSEWHERE = {"E21"}  # switches that these scenes do not show
+ALSO = {"E03": "uneven", "E06": "optical", "E17": "rig"}  # scenes in which these errors show
+WIDTH = 118
+
+
+def rows(names: list[str]) -> Iterator[Row]:
+    """The findings of these numbers, one after the other."""
+    for name in names:
+        yield row(CHECKS[name])
+
+
+def row(check: Check) -> Row:
+    """One finding, and how long it took."""
+    began = time.perf_counter()
+    finding = check.run()
+    return Row(check, finding, time.perf_counter() - began)
+
+
+def chosen(names: list[str]) -> list[str]:
+    """The numbers asked for, or all; raises UnknownNameError."""
+    for name in names:
+        if name not in CHECKS:
+            raise UnknownNameError.of("number of the list", name, CHECKS)
+    return sorted(names or CHECKS)
+
+
+def text(row: Row) -> str:
+    """What is printed of a row: its head, then a line for each figure."""
+    check = row.check
+    head = f"{check.number} {check.where}: {check.says}. Right: {check.right}"
+    lines = [f"{row.verdict:<11}{part}" if i == 0 else f"{'':11}{part}" for i, part in enumerate(_wrapped(head))]
+    lines += [line for figure in row.finding.figures for line in _figure(figure)]
+    return "\n".join([*lines, *(f"{'':11}{part}" for part in _wrapped(row.finding.note))])
+
+
+def _figure(figure: Figure) -> list[str]:
+    mark = "!" if not figure.holds else "*" if figure.corrected else " "
+    line = (
+        f"{mark:>10} {figure.what:<62}{figure.measured:>10.4g}  list {figure.listed or '-':<12.12} {figure.tolerance}"
+    )
+    return [line, *(f"{'':14}{part}" for part in _wrapped(figure.remark))]
+
+
+def _wrapped(words: str) -> list[str]:
+    return textwrap.wrap(words, WIDTH - 14)
+
+
+def plain(row: Row) -> dict[str, Any]:
+    """A row as plain data. A number that is not finite is written as text, as JSON knows none."""
+    check = row.check
+    figures = [
+        {
+            "what": f.what,
+            "measured": number(f.measured),
+            "low": number(f.low),
+            "high": number(f.high),
+            "listed": f.listed,
+            "remark": f.remark,
+            "corrected": f.corrected,
+        }
+        for f in row.finding.figures
+    ]
+    told = {"number": check.number, "where": check.where, "says": check.says, "right": check.right}
+    return {**told, "verdict": row.verdict, "figures": figures, "note": row.finding.note}
+
+
+def number(value: float, digits: int = 5) -> float | str:
+    """Rounded to so many digits; "inf", "-inf" or "nan"."""
+    return float(f"{value:.{digits}g}") if math.isfinite(value) else str(value)
+
+
+def judged(figure: dict[str, Any]) -> bool:
+    """True unless a plain figure has no limits at all, as times of a machine have none."""
+    return [figure["low"], figure["high"]] != ["-inf", "inf"]
+
+
+def series() -> dict[str, Any]:
+    """For the figure with switches: NEES over its degrees of freedom at each step, averaged over the runs."""
+    wanted = [(scene, name) for scene in SHOWN for name in ("", *SWITCHES) if name not in ELSEWHERE]
+    wanted += [(scene, name) for error, scene in ALSO.items() for name in ("", error)]
+    found: dict[str, Any] = {}
+    for scene, name in progress(wanted, len(wanted), "switches"):
+        try:
+            outcome = ran(scene, *([name] if name else []))
+        except ValueError as refused:  # the shapes do not fit
+            found.setdefault(scene, {})[name] = {"refused": str(refused)}
+        else:
+            found.setdefault(scene, {})[name] = summary(outcome)
+    return found
+
+
+def summary(outcome: Outcome) -> dict[str, Any]:
+    """What is kept of the runs with one error."""
+    average = outcome.nees.mean(0) / DOF
+    return {
+        "nees": [number(v, 4) for v in average],
+        "inside": round(outcome.inside, 3),
+        "ratio": number(outcome.ratio, 4),
+        "position": number(outcome.position, 4),
+        "rotation": number(outcome.rotation, 4),
+    }
+
+
+def stored(found: list[Row]) -> str:
+    """The chapter's file: a row a line."""
+    limits = [round(v / DOF, 4) for v in band(DOF, RUNS)]
+    switches = {n: {"equation": s.equation, "slip": s.slip} for n, s in SWITCHES.items()}
+    head = {"runs": RUNS, "seed": SEED, "dof": DOF, "band": limits, "switches": switches, "scenes": series()}
+    lines = ",\n".join(json.dumps(plain(r)) for r in found)
+    return json.dumps(head)[:-1] + ', "rows": [\n' + lines + "\n]}\n"
+
+
+def main() -> int:
+    """Compute, print, and say whether all of it holds."""
+    parser = argparse.ArgumentParser(description="Compute every figure of the errata E01 to E30 again.")
+    parser.add_argument("--only", nargs="+", default=[], metavar="E07", help="these numbers alone")
+    parser.add_argument("--json", action="store_true", help="print the rows as JSON")
+    parser.add_argument("--store", action="store_true", help=f"write {FILE.relative_to(layout.ROOT)} (all numbers)")
+    given = parser.parse_args()
+    try:
+        names = chosen(given.only)
+    except UnknownNameError as error:
+        parser.error(str(error))
+    found = []
+    for each in progress(rows(names), len(names), "audit"):
+        found.append(each)
+        if not given.json:
+            print(text(each), flush=True)
+    if given.json:
+        print(json.dumps([plain(r) for r in found], indent=1))
+    failed = [r.check.number for r in found if not r.holds]
+    if given.store and not given.only and not failed:
+        layout.write_whole(FILE, stored(found).encode())
+    if not given.json:
+        print(_end(found, failed))
+    return 1 if failed else 0
+
+
+def _end(found: list[Row], failed: list[str]) -> str:
+    verdicts = [r.verdict for r in found]
+    counts = ", ".join(f"{verdicts.count(v)} {v}" for v in ("reproduced", "corrected", "reading") if v in verdicts)
+    seconds = np.sum([r.seconds for r in found])
+    told = f"FAILED: {' '.join(failed)}" if failed else "all within their limits"
+    return f"audit: {len(found)} numbers, {counts}; {told} ({seconds:.0f} s)"
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
