@@ -6,10 +6,10 @@ READY := $(VENV)/.ready
 export OPENBLAS_NUM_THREADS := 1
 export PYTHONDONTWRITEBYTECODE := 1
 
-.PHONY: help book serve test environment assets parity experiments rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book serve test environment assets parity experiments audit rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
-	@grep -hE '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
 
 book: environment  ## build the book (HTML) and print where it is
 	@$(BIN)/python -m book.tools.build
@@ -41,6 +41,15 @@ parity: book  ## compare the page's Python with this one, and store the appendix
 
 experiments: environment  ## run the Monte Carlo experiments of chapter 17 and store their averages (long; resumable)
 	@$(BIN)/python -m book.tools.experiments
+
+audit: environment  ## compute every figure of the errata E01 to E30 of the report again (ARGS=--store, "--only E07", --json)
+	@$(BIN)/python -m book.tools.audit $(ARGS)
+
+monocular: environment  ## run the longer films of chapter 20 in the rendered room, and store their figures
+	@$(BIN)/python -m book.tools.monocular
+
+real-images: environment  ## fetch the real sequence of chapter 20 (75 MB), run the filter on it, store its figures
+	@$(BIN)/python -m book.tools.real_images
 
 rosetta: environment  ## write the tables of the Rosetta appendix from its CSV and the package
 	@$(BIN)/python -m book.tools.rosetta

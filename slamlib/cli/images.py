@@ -10,7 +10,8 @@ import numpy as np
 
 from slamlib.cli import choices, working
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.images.active_search import ActiveSearch, Settings
+from slamlib.images.active_search import Settings
+from slamlib.images.both import front_end_of
 from slamlib.images.hand_held import IMPULSE, NOISE, OPTIONS, VELOCITY, hand_held, options
 from slamlib.images.opening import opened
 from slamlib.images.results import summary, table
@@ -76,12 +77,19 @@ def _how(group: Any) -> None:
         "--landmark", default=OPTIONS.points, help=f"parametrization of points (default {OPTIONS.points})"
     )
     group.add_argument(
+        "--lines",
+        metavar="LANDMARK",
+        help="also straight edges, in this parametrization, such as idpLin (default: none)",
+    )
+    group.add_argument(
         "--updates",
         type=choices.count,
         metavar="N",
         help=f"landmarks a frame (default {OPTIONS.updates}, more with a target)",
     )
-    group.add_argument("--consensus", choices=CONSENSUS, help="which matches are believed together (default each)")
+    group.add_argument(
+        "--consensus", choices=CONSENSUS, help=f"which matches are believed together (default {OPTIONS.consensus})"
+    )
     group.add_argument(
         "--option", action="append", default=[], metavar="NAME=VALUE", help="any option of `slamlib list options`"
     )
@@ -143,11 +151,12 @@ def _begun(given: argparse.Namespace) -> ImageRun:
     unit = 1.0 if target is None else target.distance(SensorSetup(**tuples(camera)).calibration)
     rig = hand_held(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
     settings = Settings(**choices.assignments(given.search, Settings, "--search"))
+    chosen = options(unit, 0 if target is None else len(target.points), **_said(given))
     return ImageRun(
         source.part(given.start, given.every, given.frames),
         rig,
-        options(unit, 0 if target is None else len(target.points), **_said(given)),
-        ActiveSearch(rig.sensors[0].calibration, np.random.default_rng(given.seed), settings),
+        chosen,
+        front_end_of(chosen, rig.sensors[0].calibration, np.random.default_rng(given.seed), settings),
         scale=target,
         **({} if given.patience is None else {"patience": given.patience}),
     )
@@ -156,8 +165,8 @@ def _begun(given: argparse.Namespace) -> ImageRun:
 def _said(given: argparse.Namespace) -> dict[str, Any]:
     """The filter's options that the command line says."""
     if given.landmark not in POINTS:
-        raise UnknownNameError.of("point landmark (lines are not sought in pictures)", given.landmark, POINTS)
-    named = {"points": given.landmark, "updates": given.updates, "consensus": given.consensus}
+        raise UnknownNameError.of("point landmark (for lines there is --lines)", given.landmark, POINTS)
+    named = {"points": given.landmark, "lines": given.lines, "updates": given.updates, "consensus": given.consensus}
     said = {name: value for name, value in named.items() if value is not None}
     return {**said, **choices.assignments(given.option)}
 

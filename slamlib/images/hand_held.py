@@ -6,8 +6,8 @@ from typing import Any
 from slamlib.rig import Rig, RobotSetup, SensorSetup, tuples
 from slamlib.slam import Options
 
-OPTIONS = Options(points="ahmPnt", updates=25, first=12, later=3, inverse_distance=(1.0, 0.5))
-IMPULSE = (0.1, 10.0)
+OPTIONS = Options(points="ahmPnt", updates=25, first=12, later=3, inverse_distance=(1.0, 0.5), consensus="joint")
+IMPULSE = (0.3, 10.0)
 VELOCITY = (0.3, 10.0)
 NOISE = 0.1  # px, of a matched patch; the real sequences' NIS says that this is rather too much than too little
 

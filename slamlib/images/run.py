@@ -23,7 +23,8 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.images.active_search import ActiveSearch, Settings
+from slamlib.images.active_search import Settings
+from slamlib.images.both import front_end_of
 from slamlib.images.gaps import Gap
 from slamlib.images.hand_held import OPTIONS
 from slamlib.images.opening import reopened
@@ -64,9 +65,9 @@ class ImageRun:
     ) -> None:
         """rig: one robot with one camera. scale: a known target, or None for a free scale.
 
-        front_end: default ActiveSearch, which draws with `rng`. patience: frames without a match, after which the run
-        stops. The impulses of the rig's motion are those between two neighbours of the whole source: over a longer
-        time there are as many more of them. Raises SlamlibError.
+        front_end: default ActiveSearch, which draws with `rng`, and beside it SegmentSearch if the options have lines.
+        patience: frames without a match, after which the run stops. The impulses of the rig's motion are those between
+        two neighbours of the whole source: over a longer time there are as many more of them. Raises SlamlibError.
         """
         if len(rig.robots) != 1 or len(rig.sensors) != 1:
             raise SlamlibError("ImageRun: a rig of one robot with one camera is wanted")
@@ -74,7 +75,7 @@ class ImageRun:
         self.metric = scale is not None  # whether lengths are true
         rig = rig if scale is None else scale.placed(rig)
         calibration = rig.sensors[0].calibration
-        own = ActiveSearch(calibration, rng or np.random.default_rng(0)) if front_end is None else front_end
+        own = front_end_of(options, calibration, rng or np.random.default_rng(0)) if front_end is None else front_end
         self.slam = Slam(rig, options, front_ends=[own])
         self.history: list[list[float]] = []
         self.path: list[list[float]] = []
@@ -191,7 +192,8 @@ class ImageRun:
         if saved is None:
             raise SlamlibError(f"{path} holds no run on images: `slamlib run --resume` goes on with a simulated one")
         calibration = Rig.from_dict(header["rig"]).sensors[0].calibration
-        make = front_end or (lambda c: ActiveSearch(c, np.random.default_rng(0), Settings(**tuples(saved["settings"]))))
+        chosen, settings = Options.from_dict(header["options"]), saved["settings"]
+        make = front_end or (lambda c: front_end_of(chosen, c, np.random.default_rng(0), Settings(**tuples(settings))))
         if source is None and not saved["source"]:
             raise SlamlibError(f"{path}: its pictures were in memory; give them as source=...")
         run = cls.__new__(cls)

@@ -177,6 +177,19 @@ def test_an_interrupted_run_goes_on_as_if_it_had_not_been(room, tmp_path, capsys
     assert np.array_equal(one.slam.belief.matrix, two.slam.belief.matrix)
 
 
+def test_lines_beside_points_also_after_a_resume(room, tmp_path, capsys):
+    whole, half = tmp_path / "whole.npz", tmp_path / "half.npz"
+    assert main(words(room, "--lines", "idpLin", "--frames", "8", "--save", str(whole))) == 0
+    assert main(words(room, "--lines", "idpLin", "--frames", "4", "--save", str(half))) == 0
+    assert main(["run", "images", "--resume", str(half), "--frames", "8", "--save", str(half)]) == 0
+    runs = [ImageRun.load(path).slam for path in (whole, half)]
+    kinds = [[landmark.kind.name for landmark in slam.landmarks] for slam in runs]
+    assert "idpLin" in kinds[0]
+    assert kinds[0] == kinds[1]
+    np.testing.assert_array_equal(runs[0].belief.matrix, runs[1].belief.matrix)
+    capsys.readouterr()
+
+
 def test_more_frames_after_a_resume(room, tmp_path, capsys):
     path = str(tmp_path / "run.npz")
     assert main(words(room, "--frames", "5", "--start", "1", "--save", path)) == 0
@@ -304,7 +317,8 @@ def test_a_window_shows_every_frame(room, monkeypatch):
         (["--source", "{room}/left", "--calibration", "fr3"], "of pictures of 640x480 pixels, and those of"),
         (["--source", "{room}/left", "--calibration", "{room}/truth.txt"], "no calibration that slamlib knows"),
         (["--motion", "constant"], "did you mean 'constant-velocity'?"),
-        (["--landmark", "plkLin"], "lines are not sought in pictures"),
+        (["--landmark", "plkLin"], "for lines there is --lines"),
+        (["--lines", "idpPnt"], "unknown line landmark 'idpPnt'"),
         (["--option", "gat=1"], "unknown option 'gat'; did you mean 'gate'?"),
         (["--search", "patsch=1"], "unknown search 'patsch'; did you mean 'patch'?"),
         (["--search", "patch"], "--search takes NAME=VALUE"),

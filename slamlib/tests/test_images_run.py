@@ -10,7 +10,7 @@ from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import compose, to_frame
 from slamlib.geometry.quaternion import exponential
 from slamlib.images.gaps import Lost
-from slamlib.images.hand_held import OPTIONS, hand_held
+from slamlib.images.hand_held import IMPULSE, OPTIONS, hand_held
 from slamlib.images.hand_held import options as images_options
 from slamlib.images.pictures import Picture
 from slamlib.images.results import COLUMNS, PARTS, summary, table
@@ -227,7 +227,7 @@ def test_over_a_longer_time_more_impulses():
         )  # fmt: skip
         list(run)
         spreads.append(seen)
-    impulse = 3 * 0.1**2
+    impulse = 3 * IMPULSE[0] ** 2
     assert spreads[0][20] < 2.5 * impulse
     assert spreads[1][20] > 3.9 * impulse
 

@@ -1,0 +1,99 @@
+"""`make monocular`: the longer runs of chapter 20 in the rendered room, stored as one small file.
+
+Three hundred frames of 320 x 240 pixels past a wall, with five seeds (noise of the images, choice of the cells), also
+with a fifth of all matches wrong; and once round the room, with the paths themselves. benchmarks/monocular.py prints
+the same runs with their times, which belong to a machine and are not stored.
+"""
+
+import json
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from benchmarks import monocular as bench
+from book.tools import layout
+from slamlib.alignment import aligned
+from slamlib.images.active_search import ActiveSearch
+from slamlib.progress import progress
+from slamlib.simulation import rooms
+from slamlib.slam import Slam
+from slamlib.slam.options import CONSENSUS
+from slamlib.trajectories import Trajectory
+
+FILE = layout.BOOK / "chapters" / "data" / "monocular.json"
+SEEDS, FRAMES = (1, 2, 3, 4, 5), 300
+LIGHT = 15  # frames that a test runs again
+ROUND, ROUND_DT, EVERY = 449, 1 / 15, 8  # frames, [s] between them, and frames between two that are stored
+OLD = 200  # frames: a landmark that was begun so long ago and is seen now closes the loop
+
+
+def sideways(seed: int, frames: int = FRAMES, wrong: str | None = None) -> bench.Outcome:
+    """One run past the wall; wrong: a fifth of the matches is, and this consensus judges them."""
+    film = bench.frames_of("drawn", "sideways", frames, seed)
+    if wrong is None:
+        return bench.run(*film, seed, bench.OPTIONS, ActiveSearch)
+    return bench.run(*film, seed, replace(bench.OPTIONS, consensus=wrong), bench.WithWrongMatches)
+
+
+def row(outcome: bench.Outcome) -> dict[str, float]:
+    """Figures of merit of one run, rounded."""
+    return {
+        "off": round(100 * float(outcome.relative), 3),
+        "scale": round(float(outcome.scale), 3),
+        "matched": round(float(outcome.matched.sum() / outcome.searched.sum()), 3),
+        "nis": round(float(outcome.nis.sum() / outcome.dof.sum()), 3),
+    }
+
+
+def around(seed: int) -> dict[str, Any]:
+    """Once round the room, and half a second more: every eighth place as estimated and in truth, and what was seen."""
+    way = rooms.path("round")
+    pushed = (0.03,) * 3 + (1.2,) * 3
+    rig = rooms.hand_held(way, std=(0.1,), control_std=pushed)
+    rng = np.random.default_rng(seed)
+    film = rooms.film(rooms.default_room("drawn"), rig, way, frames=ROUND, dt=ROUND_DT, rng=rng)
+    search = ActiveSearch(rig.sensors[0].calibration, np.random.default_rng([seed, 1]))
+    slam, poses, true, old = Slam(rig, bench.OPTIONS, front_ends=[search]), [], [], []
+    for frame, truth in film:
+        slam.step(frame)
+        poses.append(slam.robots[0].pose.copy())
+        true.append(truth.robots[0][:7])
+        old.append(sum(k.inlier and k.landmark.born < frame.number - OLD for k in slam.looks[0]))
+    estimate, reference = (Trajectory(ROUND_DT * np.arange(ROUND), np.array(p)) for p in (poses, true))
+    stored = slice(0, None, EVERY)
+    return {
+        "off": round(100 * aligned(estimate, reference).relative, 3),
+        "landmarks": len(slam.landmarks),
+        "old": old[stored],
+        "place": np.round(estimate.positions[stored], 4).tolist(),
+        "true": np.round(reference.positions[stored], 4).tolist(),
+    }
+
+
+def main() -> None:
+    """Run everything, and write the file when all of it is done."""
+    names: list[str | None] = [None, *CONSENSUS]
+    work = [(name, seed) for name in names for seed in SEEDS]
+    plain: list[dict[str, float]] = []
+    wrong: dict[str, list[dict[str, float]]] = {name: [] for name in CONSENSUS}
+    outcomes = []
+    for name, seed in progress(work, len(work), "past the wall"):
+        outcome = sideways(seed, wrong=name)
+        (plain if name is None else wrong[name]).append(row(outcome))
+        outcomes += [outcome] if name is None else []
+    found = {
+        "frames": FRAMES,
+        "inside": round(bench.inside(outcomes), 3),
+        "light": [row(sideways(seed, LIGHT)) for seed in SEEDS[:1]],
+        "sideways": plain,
+        "wrong": wrong,
+        "round": [around(seed) for seed in progress(SEEDS, len(SEEDS), "round the room")],
+    }
+    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(value)}" for name, value in found.items())
+    layout.write_whole(FILE, f"{{{rows}}}\n".encode())
+    print(f"wrote {FILE.relative_to(layout.ROOT)}")
+
+
+if __name__ == "__main__":
+    main()

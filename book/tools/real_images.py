@@ -1,0 +1,260 @@
+"""`make real-images`: fetch the real sequence of chapter 20, run the filter on it, and store the figures of merit.
+
+The images (80 of a robot-held camera, Inria's ViSP, GPL-2) are in Debian's package visp-images-data. They are fetched
+once, by version and checksum, into _build/real, and never committed. The calibration and the two references, which
+are not part of that package, are in book/chapters/data (visp_cube_*); how they were made is told in the chapter.
+"""
+
+import argparse
+import hashlib
+import io
+import json
+import os
+import platform
+import shutil
+import subprocess
+import sys
+import tarfile
+import tempfile
+import urllib.error
+import urllib.request
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from book.tools import layout
+from slamlib.alignment import Aligned, aligned
+from slamlib.images.active_search import ActiveSearch
+from slamlib.images.gaps import Lost
+from slamlib.images.hand_held import hand_held, options
+from slamlib.images.opening import opened
+from slamlib.images.results import ImageResult, summary
+from slamlib.images.run import ImageRun
+from slamlib.progress import progress
+from slamlib.trajectories import Trajectory, read_trajectory
+
+PACKAGE, VERSION = "visp-images-data", "3.5.0-1"
+SHA256 = "8d78de2b5d0ff5536ae5c281b11a5011fd6e95cd717c2e0ebf38bacf57723a9d"
+INSIDE = "usr/share/visp-images-data/ViSP-images/cube/"
+POOL = os.environ.get("DEBIAN_MIRROR", "http://deb.debian.org/debian").rstrip("/")
+FOLDER = layout.BUILD / "real" / "visp_cube"
+DATA = layout.BOOK / "chapters" / "data"
+CALIBRATION, FILE = DATA / "visp_cube_calibration.json", DATA / "visp_cube_run.json"
+REFERENCES = {"structure from motion": "visp_cube_sfm.txt", "dots of the cube": "visp_cube_dots.txt"}
+COUNT, FPS = 80, 25.0
+
+SEEDS, FEW, NOISE, IMPULSE = tuple(range(1, 21)), tuple(range(1, 6)), 0.1, (0.3, 10.0)  # [px]; [unit/s], [deg/s]
+SAID: dict[str, Any] = {"updates": 25, "consensus": "joint"}  # of the filter's options
+LIGHT = 20  # frames that a test runs again
+# What is changed, by the name that the chapter's table has for it, with a few seeds each.
+CHANGES: dict[str, dict[str, Any]] = {
+    "impulses 0.1, 3": {"impulse": (0.1, 3.0)},
+    "impulses 0.1, 10": {"impulse": (0.1, 10.0)},
+    "impulses 1, 10": {"impulse": (1.0, 10.0)},
+    "impulses 0.3, 30": {"impulse": (0.3, 30.0)},
+    "12 updates": {"updates": 12},
+    "gate alone": {"consensus": "each"},
+    "one-point": {"consensus": "one-point"},
+}
+
+
+class RealImagesError(Exception):
+    """The package cannot be had, or is not the one that is wanted."""
+
+
+# -- the images --------------------------------------------------------------------------------------------------------
+
+
+def folder() -> Path | None:
+    """Where the images are, if they have been fetched."""
+    return FOLDER if len(list(FOLDER.glob("*.pgm"))) == COUNT else None
+
+
+def fetch() -> Path:
+    """The images' folder; the package is downloaded if they are not there yet. Raises RealImagesError."""
+    known = folder()
+    if known is not None:
+        return known
+    print(f"fetching {PACKAGE} {VERSION} (75 MB, once)", flush=True)
+    package = _by_apt() or _by_download()
+    found = hashlib.sha256(package).hexdigest()
+    if found != SHA256:
+        raise RealImagesError(f"{PACKAGE} {VERSION}: the checksum is {found}, and should be {SHA256}")
+    with tempfile.TemporaryDirectory(dir=layout.BUILD) as partial:
+        count = unpack(package, Path(partial))
+        if count != COUNT:
+            raise RealImagesError(f"{PACKAGE}: {count} images in {INSIDE}, and {COUNT} are wanted")
+        shutil.rmtree(FOLDER, ignore_errors=True)
+        FOLDER.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copytree(partial, FOLDER)
+    return FOLDER
+
+
+def _by_apt() -> bytes | None:
+    """The package by apt-get, which needs no root for a download; None where there is no apt, or no such package."""
+    if shutil.which("apt-get") is None:
+        return None
+    with tempfile.TemporaryDirectory() as there:
+        command = ["apt-get", "download", "-q", f"{PACKAGE}={VERSION}"]
+        subprocess.run(command, cwd=there, capture_output=True, check=False)
+        files = list(Path(there).glob("*.deb"))
+        return files[0].read_bytes() if files else None
+
+
+def _by_download() -> bytes:
+    """The package from a mirror of Debian, DEBIAN_MIRROR if that is set."""
+    address = f"{POOL}/pool/main/v/visp-images/{PACKAGE}_{VERSION}_all.deb"
+    try:
+        with urllib.request.urlopen(address, timeout=600) as answer:
+            return bytes(answer.read())
+    except (urllib.error.URLError, TimeoutError) as error:
+        raise RealImagesError(f"{address} cannot be downloaded; is the network there? ({error})") from error
+
+
+def unpack(package: bytes, target: Path) -> int:
+    """Write the images of a Debian package, an `ar` archive with a `tar` in it, into a folder; how many."""
+    with tarfile.open(fileobj=io.BytesIO(member(package, "data.tar"))) as packed:
+        images = [m for m in packed if m.isfile() and m.name.removeprefix("./").startswith(INSIDE)]
+        for image in images:
+            content = packed.extractfile(image)
+            assert content is not None  # it is a file
+            layout.write_whole(target / Path(image.name).name, content.read())
+    return len(images)
+
+
+def member(package: bytes, name: str) -> bytes:
+    """The member of an `ar` archive whose name begins so. Raises RealImagesError."""
+    at = 8
+    while package[:8] == b"!<arch>\n" and at + 60 <= len(package):
+        head, size = package[at : at + 60], int(package[at + 48 : at + 58])
+        if head[:16].decode().startswith(name):
+            return package[at + 60 : at + 60 + size]
+        at += 60 + size + size % 2
+    raise RealImagesError(f"this is no Debian package: there is no {name} in it")
+
+
+# -- the runs ----------------------------------------------------------------------------------------------------------
+
+
+def run(
+    images: Path,
+    *,
+    seed: int = 1,
+    noise: float = NOISE,
+    impulse: tuple[float, float] = IMPULSE,
+    frames: int = COUNT,
+    **said: Any,
+) -> ImageRun:
+    """The filter on the sequence, a free scale; seed: of where landmarks are begun; said: options of the filter."""
+    source, camera = opened(str(images), str(CALIBRATION), fps=FPS)
+    rig = hand_held({**camera, "std": (noise,)}, impulse=impulse)
+    search = ActiveSearch(rig.sensors[0].calibration, np.random.default_rng(seed))
+    work = ImageRun(source.part(0, 1, frames), rig, options(1.0, **{**SAID, **said}), search)
+    for _ in work:
+        pass
+    return work
+
+
+def compared(path: Trajectory, name: str = "structure from motion") -> Aligned:
+    """A path of the camera laid over one of the references (a similarity, its turn from the attitudes)."""
+    reference = read_trajectory(DATA / REFERENCES[name])
+    return aligned(path, reference[np.arange(len(path))], by="attitudes")
+
+
+def figures(result: ImageResult) -> dict[str, Any]:
+    """Figures of merit of one run, rounded. `off`: by the reference's name, rms [% of the path], and [degrees]."""
+    s = summary(result)
+    both = {name: compared(result.trajectory, name) for name in REFERENCES}
+    return {
+        "off": {name: [round(100 * a.relative, 2), round(_rms_degrees(a.attitude), 2)] for name, a in both.items()},
+        "scale": round(both["structure from motion"].similarity.scale, 2),
+        "tracked_mean": round(s["tracked_mean"], 1),
+        "tracked_least": s["tracked_least"],
+        "matched_share": round(s["matched_share"], 3),
+        "believed_share": round(s["believed_share"], 3),
+        "nis_per_dof": round(s["nis_per_dof"], 2),
+        "landmarks": s["landmarks"],
+    }
+
+
+def _rms_degrees(angle: Any) -> float:
+    return float(np.degrees(np.sqrt((angle**2).mean())))
+
+
+def told(result: ImageResult) -> dict[str, Any]:
+    """One run frame by frame, for the figures: its aligned path, and what was looked for, matched, believed."""
+    c, over = result.columns, compared(result.trajectory)
+    whole = {name: c[name].astype(int).tolist() for name in ("searched", "matched", "believed", "landmarks")}
+    with np.errstate(invalid="ignore", divide="ignore"):
+        nis = np.nan_to_num(c["nis"] / c["nis_dof"])
+    return {
+        **whole,
+        "nis_per_dof": np.round(nis, 2).tolist(),
+        "position": np.round(over.estimate.positions, 3).tolist(),
+        "off": np.round(over.position, 3).tolist(),
+    }
+
+
+def measured(images: Path) -> dict[str, Any]:
+    """Everything that the file holds."""
+    cases: list[tuple[str, int, dict[str, Any]]] = [("as told", seed, {}) for seed in SEEDS]
+    cases += [(name, seed, change) for name, change in CHANGES.items() for seed in FEW]
+    found: dict[str, list[Any]] = {}
+    first: ImageRun | None = None
+    for name, seed, change in progress(cases, len(cases), "runs"):
+        try:
+            work = run(images, seed=seed, **change)
+            row: dict[str, Any] | None = figures(work.result())
+            first = first or work
+        except Lost:
+            row = None
+        found.setdefault(name, []).append(row)
+    if first is None:
+        raise RealImagesError("every run was lost")
+    light = run(images, frames=LIGHT).trajectory().positions[-1]
+    return {
+        "images": f"{PACKAGE} {VERSION}, cube, {COUNT} of 384 x 288 pixels",
+        "made with": {"python": platform.python_version(), **{n: version(n) for n in ("numpy", _opencv())}},
+        "noise": NOISE,
+        "impulse": list(IMPULSE),
+        "options": options(1.0, **SAID).to_dict(),
+        "references agree to": _agreement(),
+        "light": np.round(light, 4).tolist(),
+        "first": told(first.result()),
+        "runs": found,
+    }
+
+
+def _opencv() -> str:
+    return "opencv-python-headless"
+
+
+def _agreement() -> list[float]:
+    """How far the two references are from one another: rms, [% of the path], and [degrees]."""
+    over = compared(read_trajectory(DATA / REFERENCES["dots of the cube"]))
+    return [round(100 * over.relative, 2), round(_rms_degrees(over.attitude), 2)]
+
+
+def main() -> int:
+    """Fetch, run, store; exit status 0 if all went well."""
+    parser = argparse.ArgumentParser(description="Fetch the real sequence of chapter 20, and run the filter on it.")
+    parser.add_argument("--images", type=Path, help="a folder that holds the 80 images already")
+    parser.add_argument("--only-fetch", action="store_true", help="do not run the filter")
+    given = parser.parse_args()
+    try:
+        images = given.images or fetch()
+    except RealImagesError as error:
+        print(error, file=sys.stderr)
+        return 1
+    print(images)
+    if not given.only_fetch:
+        rows = json.dumps(measured(images), indent=None)
+        layout.write_whole(FILE, (rows.replace('}, {"off"', '},\n{"off"').replace('], "', '],\n"') + "\n").encode())
+        print(f"wrote {FILE.relative_to(layout.ROOT)}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
