@@ -1,0 +1,33 @@
+"""Two cameras side by side: features of rectified pairs, motion between them, and a front end for the filter.
+
+A pair is one array (2, h, w): the left picture, then the right one, of type uint8. Both are rectified: a point of the
+world lies in the same row of both, and the disparity d = u_left - u_right is focal length times baseline by depth. What
+is measured is (u, v, d) [px] of the left picture, as slamlib.sensors.stereo defines it. Chapter 21.
+"""
+
+from slamlib.images.stereo.features import Eyes, Observed
+from slamlib.images.stereo.front_end import StereoSearch
+from slamlib.images.stereo.geometry import triangulate
+from slamlib.images.stereo.joining import joined, paired
+from slamlib.images.stereo.matching import circular, mutual
+from slamlib.images.stereo.odometry import Motion, VisualOdometry, motion_between
+from slamlib.images.stereo.pairs import pair
+from slamlib.images.stereo.settings import StereoSettings
+from slamlib.images.stereo.tracks import Tracks
+
+__all__ = [
+    "Eyes",
+    "Motion",
+    "Observed",
+    "StereoSearch",
+    "StereoSettings",
+    "Tracks",
+    "VisualOdometry",
+    "circular",
+    "joined",
+    "motion_between",
+    "mutual",
+    "pair",
+    "paired",
+    "triangulate",
+]

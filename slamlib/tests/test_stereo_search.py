@@ -1,0 +1,159 @@
+"""The stereo front end in the filter, on rendered pictures."""
+
+import json
+
+import numpy as np
+import pytest
+
+from slamlib.errors import SlamlibError
+from slamlib.geometry.pose import Pose, compose
+from slamlib.images.stereo import Eyes, StereoSearch, StereoSettings
+from slamlib.images.stereo.odometry import halves
+from slamlib.images.stereo.views import View, Views
+from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.records import Features, Frame, Scan
+from slamlib.sensors.pinhole import PINHOLE
+from slamlib.sensors.sensor import Calibration
+from slamlib.slam import Options, Slam
+from slamlib.tests.stereo import calibration, stereo_film
+
+pytest.importorskip("cv2", reason="OpenCV is not installed")
+OPTIONS = Options(points="eucPnt", updates=40, first=40, later=5)
+
+
+@pytest.fixture(scope="module")
+def film():
+    return stereo_film(18)
+
+
+def filter_of(rig, **more):
+    """A filter with the stereo front end."""
+    return Slam(rig, OPTIONS, front_ends=[StereoSearch(rig.sensors[0].calibration, **more)])
+
+
+def run(slam, frames):
+    """The filter after the frames."""
+    for frame, _ in frames:
+        slam.step(frame)
+    return slam
+
+
+def dark(frame):
+    """The same frame with nothing to see in it."""
+    image = np.zeros_like(frame.scans[0].image)
+    return Frame(frame.number, frame.dt, frame.controls, (Scan(Features.none(3), image=image),))
+
+
+def test_the_camera_is_where_the_filter_says(film):
+    rig, frames, _ = film
+    slam = run(filter_of(rig), frames)
+    error = Pose.minus(frames[-1][1].robots[0][:7], slam.robots[0].pose)
+    looks = slam.looks[0]
+    assert np.linalg.norm(error[:3]) < 0.005  # [m], after 0.25 m
+    assert np.degrees(np.linalg.norm(error[3:])) < 0.1
+    assert sum(look.inlier for look in looks) > 20
+
+
+def test_landmarks_are_where_the_room_is(film):
+    rig, frames, made = film
+    slam, begun = filter_of(rig), {}
+    for frame, truth in frames[:6]:
+        report = slam.step(frame)
+        for landmark in slam.landmarks:
+            if landmark.id in report.begun:
+                camera = compose(truth.robots[0][:7], rig.sensors[0].mount)
+                pixel = slam.front_ends[0].calibration.project(EUC_POINT.to_frame(camera, landmark.block.mean))
+                begun[landmark.id] = made.truth_of(truth, pixel[None, :2])[0]
+    away = [np.linalg.norm(lm.block.mean - begun[lm.id]) for lm in slam.landmarks]
+    assert len(away) > 30
+    assert np.median(away) < 0.02  # [m] at two to four metres
+
+
+def test_a_landmark_keeps_its_number_while_it_is_out_of_sight(film):
+    rig, frames, _ = film
+    slam = run(filter_of(rig), frames[:6])
+    before = {landmark.id for landmark in slam.landmarks}
+    for frame, _ in frames[6:9]:
+        slam.step(dark(frame))
+    assert not any(look.matched for look in slam.looks[0])
+    again = set()
+    for frame, _ in frames[9:14]:
+        slam.step(frame)
+        again |= {look.landmark.id for look in slam.looks[0] if look.inlier}
+    assert len(again & before) > 10
+
+
+def test_no_landmark_is_begun_upon_another(film):
+    rig, frames, _ = film
+    slam = run(filter_of(rig), frames[:8])
+    values = np.array([look.value for look in slam.looks[0]])
+    apart = np.abs(values[:, None, :2] - values[None, :, :2]).max(-1) + 1e3 * np.eye(len(values))
+    assert np.mean(apart.min(1) > 4) > 0.97
+
+
+def test_a_saved_run_goes_on_exactly(film, tmp_path):
+    rig, frames, _ = film
+    whole = run(filter_of(rig), frames[:12])
+    run(filter_of(rig), frames[:7]).save(tmp_path / "half.npz")
+    fresh = StereoSearch(rig.sensors[0].calibration)
+    resumed = run(Slam.load(tmp_path / "half.npz", front_ends=[fresh]), frames[7:12])
+    assert [lm.id for lm in resumed.landmarks] == [lm.id for lm in whole.landmarks]
+    np.testing.assert_array_equal(resumed.belief.matrix, whole.belief.matrix)
+    np.testing.assert_array_equal(resumed.robots[0].pose, whole.robots[0].pose)
+    json.dumps(fresh.dump())  # plain data
+
+
+def test_a_half_measures_in_its_squares_only(film):
+    rig, frames, _ = film
+    slam = filter_of(rig, half=1)
+    for frame, _ in frames[:5]:
+        slam.step(frame)
+        measured = np.array([look.measured for look in slam.looks[0] if look.matched]).reshape(-1, 3)
+        assert (halves(measured) == 1).all()
+    assert len(slam.landmarks) > 15
+
+
+def test_a_shared_look_is_made_once(film):
+    rig, frames, _ = film
+    eyes = Eyes(rig.sensors[0].calibration)
+    slam = Slam(rig, OPTIONS, front_ends=[StereoSearch(rig.sensors[0].calibration, eyes=eyes)])
+    seen = eyes.look(frames[0][0].scans[0].image)
+    slam.step(frames[0][0])
+    assert eyes.last is seen
+
+
+def test_scans_without_a_pair_change_nothing(film):
+    rig, frames, _ = film
+    slam = run(filter_of(rig), frames[:2])
+    before = slam.belief.matrix.copy()
+    for image in (None, np.zeros((240, 320), np.uint8), np.zeros((2, 240, 300), np.uint8)):
+        with pytest.raises(SlamlibError, match="pair"):
+            slam.step(Frame(3, 0.03, (None,), (Scan(Features.none(3), image=image),)))
+    np.testing.assert_array_equal(slam.belief.matrix, before)
+
+
+def test_other_sensors_are_refused():
+    camera = Calibration(PINHOLE, np.eye(2), image=(320, 240), intrinsics=[159.5, 119.5, 260, 260], distortion=[0])
+    with pytest.raises(SlamlibError, match="type='stereo'"):
+        StereoSearch(camera)
+    with pytest.raises(SlamlibError, match="image"):
+        StereoSearch(calibration(image=None))
+
+
+def test_settings_that_make_no_sense_are_refused():
+    with pytest.raises(SlamlibError, match="disparity"):
+        StereoSettings(disparity=(5, 2))
+    with pytest.raises(SlamlibError, match="patch"):
+        StereoSettings(patch=10)
+
+
+def test_the_first_view_is_never_given_up():
+    views = Views((View(np.zeros(32, np.uint8), np.zeros((13, 13)), 10.0),))
+    for d in (12.0, 15.0, 19.0, 24.0, 30.0):
+        views = views.with_view(View(np.zeros(32, np.uint8), np.zeros((13, 13)), d), 4)
+    assert [v.disparity for v in views.all] == [10.0, 19.0, 24.0, 30.0]
+    assert views.nearest(11.0).disparity == 10.0
+    assert views.nearest(26.0).disparity == 24.0
+    assert views.all[0].zoom(-1.0) == np.inf
+    packed = json.loads(json.dumps(views.pack()))
+    assert [v.disparity for v in Views.unpack(packed).all] == [10.0, 19.0, 24.0, 30.0]
