@@ -3,9 +3,7 @@
 Each function is one step of section 6.1.3 of the toolbox's manual. Chapter 19 walks through them.
 """
 
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +15,9 @@ from slamlib.images.appearance import Appearance, predict, recognizable
 from slamlib.images.corners import QUALITY, Corner, best_corner
 from slamlib.images.grid import Grid
 from slamlib.images.patches import cut
+from slamlib.images.resting import Rests
 from slamlib.images.search import Match, register, search
+from slamlib.images.stopwatch import Stopwatch
 from slamlib.records import Scan
 from slamlib.sensors.sensor import Calibration
 from slamlib.spaces import Array
@@ -55,26 +55,6 @@ class Settings:
     longest: int = 16
 
 
-@dataclass
-class Rest:
-    """What stands before a landmark is as a rule still there in the next frame: it is not looked for in so many frames.
-
-    Otherwise hidden landmarks, which nothing corrects, would soon be the most uncertain ones, and be chosen first.
-    """
-
-    misses: int = 0
-    frames: int = 0
-
-    def is_over(self) -> bool:
-        """Whether it may be looked for now; asked once a frame."""
-        self.frames -= 1
-        return self.frames < 0
-
-    def longer(self, longest: int) -> "Rest":
-        """After one more miss."""
-        return Rest(self.misses + 1, min(2**self.misses, longest))
-
-
 class ActiveSearch:
     """A front end for one camera with an image. seconds: time spent so far in "search" and in "detection"."""
 
@@ -86,10 +66,10 @@ class ActiveSearch:
         width, height = calibration.image.astype(int).tolist()
         self.shape = (height, width)
         self.grid = Grid((width, height), self.settings.cells, self.settings.skip_outer)
-        self.seconds = {"search": 0.0, "detection": 0.0}
+        self.seconds = Stopwatch("search", "detection")
         self.last = 0
         self.found: dict[int, Match] = {}
-        self.rests: dict[int, Rest] = {}
+        self.rests = Rests()
 
     def findable(self, sight: Sight) -> list[Any]:
         """2a: the looks whose template would lie in the image, and look enough like what was seen of it before."""
@@ -99,14 +79,14 @@ class ActiveSearch:
         mask = recognizable(looks_like, sight.sensor.camera, points)
         mask &= self.calibration.inside(values, self.settings.patch // 2 + 1)
         able = [look for look, is_able in zip(sight.looks, mask.tolist(), strict=True) if is_able]
-        return [look for look in able if self.rests.get(look.landmark.id, Rest()).is_over()]
+        return self.rests.awake(able)
 
     def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
         """Pixels (n, 2) of what is looked for, nan where it is not found, and the mask (n,) of those found. 2c, 2h."""
         measured = np.full((len(looks), 2), np.nan)
         image = np.asarray(sight.scan.image)
         self.found.clear()
-        with self._timed("search"):
+        with self.seconds.timed("search"):
             self.predict_appearances(sight, looks)
             for pixel, look in zip(measured, looks, strict=True):
                 found = None if look.predicted is None else self.scan(image, look)
@@ -146,18 +126,14 @@ class ActiveSearch:
 
     def remember(self, looks: list[Any]) -> None:
         """Landmarks that were not found rest, the longer the more often in a row."""
-        for look in looks:
-            number = look.landmark.id
-            before = self.rests.pop(number, Rest())
-            if number not in self.found:
-                self.rests[number] = before.longer(self.settings.longest)
+        self.rests.remember(looks, [look.landmark.id in self.found for look in looks], self.settings.longest)
 
     def detect(
         self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
     ) -> list[tuple[int, Array, Any]]:
         """Up to `count` new landmarks (id, pixel, signature), each in a cell of its own without landmarks. 1a to 1h."""
         image = np.asarray(sight.scan.image)
-        with self._timed("detection"):
+        with self.seconds.timed("detection"):
             self.renew(image, sight)
             seen = np.array([look.value for look in sight.looks]).reshape(-1, 2)
             corners = self.new_corners(image, seen, usable, count)
@@ -212,21 +188,14 @@ class ActiveSearch:
             found = "no image" if image is None else f"one of shape {np.shape(image)}"
             raise SlamlibError(f"ActiveSearch: an image of (height, width) = {self.shape} is calibrated, got {found}")
 
-    @contextmanager
-    def _timed(self, what: str) -> Iterator[None]:
-        began = time.perf_counter()
-        yield
-        self.seconds[what] += time.perf_counter() - began
-
     def dump(self) -> Any:
         """The state of the random numbers, the last id given, and the landmarks that rest."""
-        rests = {number: (rest.misses, rest.frames) for number, rest in self.rests.items()}
-        return {"rng": self.rng.bit_generator.state, "last": self.last, "rests": rests}
+        return {"rng": self.rng.bit_generator.state, "last": self.last, "rests": self.rests.dump()}
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave."""
         self.rng.bit_generator.state, self.last = state["rng"], state["last"]
-        self.rests = {int(number): Rest(*rest) for number, rest in state["rests"].items()}
+        self.rests.restore(state["rests"])
 
     def pack(self, signature: Any) -> Any:
         """A landmark's appearance as plain data."""

@@ -5,9 +5,7 @@ segment are to be moved across. Their covariance follows from that of the innova
 the plane of these two numbers, as that of a point is one in the image.
 """
 
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -15,10 +13,11 @@ import numpy as np
 
 from slamlib.association import Sight, gate
 from slamlib.errors import SlamlibError
-from slamlib.images.active_search import Rest
 from slamlib.images.edge_regions import across_covariances, lines_of, side_by_side, steep_lines
 from slamlib.images.edges import PROFILE, Edge, fitted
+from slamlib.images.resting import Rests
 from slamlib.images.segments import refined, segments_of
+from slamlib.images.stopwatch import Stopwatch
 from slamlib.images.strips import STEP, strip
 from slamlib.records import Scan
 from slamlib.sensors.sensor import Calibration
@@ -77,9 +76,9 @@ class SegmentSearch:
         self.calibration, self.settings = calibration, settings or SegmentSettings()
         width, height = calibration.image.astype(int).tolist()
         self.shape = (height, width)
-        self.seconds = {"search": 0.0, "detection": 0.0}
+        self.seconds = Stopwatch("search", "detection")
         self.last = 0
-        self.rests: dict[int, Rest] = {}
+        self.rests = Rests()
 
     def check(self, scan: Scan) -> None:
         """Raise SlamlibError for a scan without an image, or with one of another size than the calibration's."""
@@ -95,22 +94,19 @@ class SegmentSearch:
         count = np.pi * limit * np.sqrt(np.linalg.det(regions)) / STEP**2
         narrow = ((half <= s.largest) & (count <= s.most)).tolist()
         looks = [look for look, is_narrow in zip(sight.looks, narrow, strict=True) if is_narrow]
-        return [look for look in looks if self.rests.get(look.landmark.id, Rest()).is_over()]
+        return self.rests.awake(looks)
 
     def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
         """Segments (n, 4) of what is looked for, nan where it is not found, and the mask (n,) of those found."""
         measured, image = np.full((len(looks), 4), np.nan), np.asarray(sight.scan.image, dtype=float)
-        with self._timed("search"):
+        with self.seconds.timed("search"):
             regions = across_covariances(looks, sight.sensor)
             where = zip(looks, self.straight([look.value for look in looks]), regions, strict=True)
             edges = [self.sought(image, look, ideal, region) for look, ideal, region in where]
             for row in self.distinct(looks, edges):
                 measured[row] = edges[row].segment  # type: ignore[union-attr]
         found = np.isfinite(measured[:, 0])
-        for look, is_found in zip(looks, found.tolist(), strict=True):
-            before = self.rests.pop(look.landmark.id, Rest())
-            if not is_found:
-                self.rests[look.landmark.id] = before.longer(self.settings.longest)
+        self.rests.remember(looks, found.tolist(), self.settings.longest)
         return measured, found
 
     def sought(self, image: Array, look: Any, ideal: Array, region: Array) -> Edge | None:
@@ -156,7 +152,7 @@ class SegmentSearch:
         count = min(count, self.settings.enough - len(sight.looks))
         if count <= 0:
             return []
-        with self._timed("detection"):
+        with self.seconds.timed("detection"):
             taken, image = self.straight([look.value for look in sight.looks]), np.asarray(sight.scan.image)
             edges = self.new_edges(image, taken, usable, count)
             return [(self.new_id(known), e.segment, EdgeLook(e.profile, e.slope)) for e in edges]
@@ -186,20 +182,14 @@ class SegmentSearch:
         self.last = max(self.last, *known, 0) + 1
         return self.last
 
-    @contextmanager
-    def _timed(self, what: str) -> Iterator[None]:
-        began = time.perf_counter()
-        yield
-        self.seconds[what] += time.perf_counter() - began
-
     def dump(self) -> Any:
         """The last id given, and the landmarks that rest."""
-        return {"last": self.last, "rests": {number: (rest.misses, rest.frames) for number, rest in self.rests.items()}}
+        return {"last": self.last, "rests": self.rests.dump()}
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave."""
         self.last = state["last"]
-        self.rests = {int(number): Rest(*rest) for number, rest in state["rests"].items()}
+        self.rests.restore(state["rests"])
 
     def pack(self, signature: Any) -> Any:
         """A landmark's EdgeLook as plain data."""

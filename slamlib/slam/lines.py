@@ -8,6 +8,7 @@ from slamlib.belief import Belief
 from slamlib.landmarks import LINES, endpoints, hmg_point, segments
 from slamlib.landmarks.line import LineLandmark
 from slamlib.line_observation import initialize_line
+from slamlib.sensors.sensor import Calibration
 from slamlib.slam.ends import settled
 from slamlib.slam.entities import Landmark, MountedSensor
 from slamlib.slam.expected import Expected, Innovation, by_columns, columns_of, means_of, place_of
@@ -69,6 +70,10 @@ class LineFamily:
     def _innovation(self, sensor: MountedSensor, line: Array, by: Array, measured: Array) -> Innovation:
         z, by_line, by_segment = READINGS[self.options.innovation](sensor.calibration, line, measured)
         return Innovation(z, -by_line @ by, by_segment @ _noise(sensor) @ by_segment.swapaxes(-1, -2))
+
+    def inner(self, calibration: Calibration, in_frame: Array) -> Array:
+        """What the innovation is computed from: lines (..., 6) of the sensor's frame themselves."""
+        return in_frame
 
     def begin(self, sensor: MountedSensor, kind: LineLandmark, value: Array) -> tuple[Array, Array, list[Array]]:
         """Mean, own noise and Jacobians by robot and mount of a line that is seen for the first time. Chapter 15."""

@@ -9,7 +9,8 @@ from slamlib.landmarks import POINTS
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import beyond_infinity, should_convert, to_euclidean
 from slamlib.landmarks.point import PointLandmark
-from slamlib.observation import initialize, observe_from
+from slamlib.observation import AHEAD, initialize, observe_from
+from slamlib.sensors.sensor import Calibration
 from slamlib.slam.entities import Landmark, MountedSensor
 from slamlib.slam.expected import Expected, Innovation, by_columns, columns_of, means_of, place_of
 from slamlib.slam.options import Options
@@ -67,6 +68,11 @@ class PointFamily:
         J = found.jacobians
         z = calibration.sensor.space.minus(measured, found.value)
         return Innovation(z, by_columns(place, J.camera, J.landmark), calibration.noise)
+
+    def inner(self, calibration: Calibration, in_frame: Array) -> Array:
+        """Measurements expected of homogeneous points (..., 4) in the sensor's frame; nan where it cannot see them."""
+        seen = calibration.visible(in_frame)[..., None]
+        return np.where(seen, calibration.project(np.where(seen, in_frame, AHEAD)), np.nan)
 
     def begin(self, sensor: MountedSensor, kind: PointLandmark, value: Array) -> tuple[Array, Array, list[Array]]:
         """Mean, own noise and Jacobians by robot and mount of a point that is seen for the first time. Chapter 15."""

@@ -1,15 +1,13 @@
 """The innovations of one frame as one vector, with the covariance that binds them together. Chapter 19."""
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.geometry.pose import Pose, compose
-from slamlib.observation import AHEAD
-from slamlib.sensors.sensor import Calibration
 from slamlib.slam.entities import POSE, MountedSensor
 from slamlib.slam.expected import Expected, means_of
 from slamlib.slam.looking import Look
@@ -100,25 +98,10 @@ def _cameras(sensor: MountedSensor, steps: Array) -> Array:
 def _innovations(sensor: MountedSensor, looks: list[Look], in_frame: Array) -> Array:
     """Innovations (h, n, d) of looks of one family, at landmarks in_frame (h, n, q) of the sensor."""
     family = looks[0].family
-    inner = _EXPECTED[family.name](sensor.calibration, in_frame)
+    inner = family.inner(sensor.calibration, in_frame)
     h, n, q = inner.shape
     flat, columns = inner.reshape(h * n, q), np.zeros((h * n, 0), dtype=int)
     expected = Expected([look.landmark for look in looks] * h, flat, flat, np.zeros((h * n, q, 0)), columns)
     measured = np.tile(np.array([look.measured for look in looks]), (h, 1))
     z: Array = family.innovate(sensor, expected, measured).z
     return z.reshape(h, n, -1)
-
-
-def _points(calibration: Calibration, points: Array) -> Array:
-    """Measurements of homogeneous points in the sensor's frame; nan where it cannot see them."""
-    seen = calibration.visible(points)[..., None]
-    return np.where(seen, calibration.project(np.where(seen, points, AHEAD)), np.nan)
-
-
-def _lines(calibration: Calibration, lines: Array) -> Array:
-    """The innovation of a line is computed from the line in the camera's frame itself."""
-    return lines
-
-
-# What a family computes its innovations from, of landmarks in the sensor's frame.
-_EXPECTED: dict[str, Callable[[Calibration, Array], Array]] = {"points": _points, "segments": _lines}

@@ -11,7 +11,8 @@ from slamlib.alignment import aligned
 from slamlib.association import Sight
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import compose
-from slamlib.images.active_search import ActiveSearch, Rest, Settings
+from slamlib.images.active_search import ActiveSearch, Settings
+from slamlib.images.resting import Rest
 from slamlib.records import Features, Frame, Scan
 from slamlib.rig import SensorSetup
 from slamlib.simulation import rooms

@@ -1,15 +1,13 @@
 """A front end for a stereo sensor: landmarks are found again by their descriptors, within the filter's own gate."""
 
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from slamlib.association import Sight, gate
 from slamlib.errors import SlamlibError
-from slamlib.images.active_search import Rest
+from slamlib.images.resting import Rests
 from slamlib.images.stereo.features import Eyes, Observed, remeasured
 from slamlib.images.stereo.matching import distances, mutual
 from slamlib.images.stereo.odometry import halves
@@ -17,6 +15,7 @@ from slamlib.images.stereo.pairs import checked
 from slamlib.images.stereo.refine import cut
 from slamlib.images.stereo.settings import StereoSettings
 from slamlib.images.stereo.views import View, Views
+from slamlib.images.stopwatch import Stopwatch
 from slamlib.records import Scan
 from slamlib.sensors.sensor import Calibration
 from slamlib.spaces import Array
@@ -47,9 +46,9 @@ class StereoSearch:
         self.calibration, self.half = calibration, half
         self.settings = settings or (eyes.settings if eyes else StereoSettings())
         self.eyes = eyes or Eyes(calibration, self.settings)
-        self.seconds = {"search": 0.0, "detection": 0.0}
+        self.seconds = Stopwatch("search", "detection")
         self.last = 0
-        self.rests: dict[int, Rest] = {}
+        self.rests = Rests()
         self.found: dict[int, int] = {}  # rows of the present features, by the landmarks that they show
 
     def check(self, scan: Scan) -> None:
@@ -66,7 +65,7 @@ class StereoSearch:
             and self.calibration.inside(look.value, s.border)
             and self.mine(look.value[None])[0]
         ]
-        return [look for look in able if self.rests.get(look.landmark.id, Rest()).is_over()]
+        return self.rests.awake(able)
 
     def mine(self, values: Array) -> Array:
         """Mask (n,) of the measurements (n, .) in this front end's part of the picture."""
@@ -75,7 +74,7 @@ class StereoSearch:
     def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
         """Measurements (n, 3) of what is looked for, nan where it is not found, and the mask (n,) of those found."""
         measured = np.full((len(looks), 3), np.nan)
-        with self._timed("search"):
+        with self.seconds.timed("search"):
             seen = self.eyes.look(sight.scan.image)
             views = [look.landmark.signature.nearest(look.value[2]) for look in looks]
             pairs = mutual(self.costs(seen, looks, views), largest=self.settings.distance, ratio=self.settings.ratio)
@@ -108,17 +107,13 @@ class StereoSearch:
 
     def remember(self, looks: list[Any]) -> None:
         """Landmarks that were not found rest, the longer the more often in a row."""
-        for look in looks:
-            number = look.landmark.id
-            before = self.rests.pop(number, Rest())
-            if number not in self.found:
-                self.rests[number] = before.longer(self.settings.longest)
+        self.rests.remember(looks, [look.landmark.id in self.found for look in looks], self.settings.longest)
 
     def detect(
         self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
     ) -> list[tuple[int, Array, Any]]:
         """Up to `count` new landmarks (id, value (3,), signature), the strongest, apart from all that is in view."""
-        with self._timed("detection"):
+        with self.seconds.timed("detection"):
             seen = self.eyes.look(sight.scan.image)
             self.renew(seen, sight)
             expected = np.array([look.value for look in sight.looks]).reshape(-1, 3)
@@ -165,20 +160,14 @@ class StereoSearch:
         self.last = max(self.last, *known, 0) + 1
         return self.last
 
-    @contextmanager
-    def _timed(self, what: str) -> Iterator[None]:
-        began = time.perf_counter()
-        yield
-        self.seconds[what] += time.perf_counter() - began
-
     def dump(self) -> Any:
         """The last number given, and the landmarks that rest."""
-        return {"last": self.last, "rests": {n: (rest.misses, rest.frames) for n, rest in self.rests.items()}}
+        return {"last": self.last, "rests": self.rests.dump()}
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave."""
         self.last = state["last"]
-        self.rests = {int(number): Rest(*rest) for number, rest in state["rests"].items()}
+        self.rests.restore(state["rests"])
 
     def pack(self, signature: Any) -> Any:
         """A landmark's views as plain data."""
