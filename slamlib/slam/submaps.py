@@ -1,0 +1,190 @@
+"""Several maps one after another, each in a frame of its own; joined, and tied where they overlap. Chapter 18.
+
+A map's cost grows with the square of its size, and its errors with the angle that it has come to doubt. A small map in
+the frame of the robot's pose where it began knows that pose exactly. The next one shares no measurement with it: two
+neighbours are independent, as long as each is in its own frame.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from slamlib.belief import Belief, Observation
+from slamlib.blocks import Block
+from slamlib.errors import SlamlibError
+from slamlib.geometry.pose import Pose, compose, from_frame
+from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.records import Frame
+from slamlib.rig import ZERO, Rig
+from slamlib.slam.entities import POSE
+from slamlib.slam.filter import Report, Slam
+from slamlib.slam.options import Options
+from slamlib.spaces import Array, Euclidean, Product
+
+WORLD = np.array([0.0, 0, 0, 1, 0, 0, 0])
+
+
+def _space(points: int) -> Product:
+    return Product("submap", Pose, Euclidean(3 * points)) if points else Product("submap", Pose)
+
+
+@dataclass(frozen=True, eq=False)
+class Submap:
+    """A finished map: the robot's last pose (7,) and points (n, 3) [m] in the map's frame, ids (n,) of the points.
+
+    covariance (6 + 3n, 6 + 3n): of the pose's tangent vector and the points, together.
+    """
+
+    pose: Array
+    ids: Array
+    points: Array
+    covariance: Array
+
+    @classmethod
+    def of(cls, slam: Slam) -> "Submap":
+        """What a filter of one robot knows: the marginal of its pose and its Euclidean points; the rest is left out."""
+        known = [landmark for landmark in slam.landmarks if landmark.kind is EUC_POINT]
+        robot = slam.robots[0].block
+        starts = np.array([lm.block.start for lm in known], dtype=int)
+        rows = np.concatenate([robot.start + np.arange(POSE), (starts[:, None] + np.arange(3)).ravel()])
+        points = np.array([lm.block.mean for lm in known]).reshape(-1, 3)
+        ids = np.array([lm.id for lm in known], dtype=int)
+        return cls(slam.robots[0].pose, ids, points, slam.belief.matrix[np.ix_(rows, rows)])
+
+
+class Atlas:
+    """Submaps joined in the frame of the first: a belief with one block for each, its last pose and its points."""
+
+    def __init__(self) -> None:
+        self.belief = Belief()
+        self.blocks: list[Block] = []
+        self.ids: list[Array] = []
+
+    @property
+    def pose(self) -> Array:
+        """The robot's pose (7,) at the end of the last map, where the next one begins."""
+        return self.blocks[-1].mean[:7] if self.blocks else WORLD
+
+    def points(self, number: int) -> Array:
+        """Points (n, 3) [m] of one map, in the frame of the first."""
+        return self.blocks[number].mean[7:].reshape(-1, 3)
+
+    def covariance(self) -> Array:
+        """Covariance (6, 6) of `pose`."""
+        return self.belief.covariance(self.blocks[-1])[:POSE, :POSE]
+
+    def join(self, submap: Submap) -> None:
+        """Append the map that began where the last one ended: y = base (+) x, by the Jacobians of both. Eq. (ms-join).
+
+        x has nothing in common with what is in the atlas: its covariance takes the place of the noise.
+        """
+        base = self.pose
+        pose, J = compose.jac(base, submap.pose)
+        n, points = len(submap.ids), submap.points
+        by_base, by_map = np.zeros((POSE + 3 * n, POSE)), np.zeros((POSE + 3 * n,) * 2)
+        by_base[:POSE], by_map[:POSE, :POSE] = J.outer, J.inner
+        if n:
+            points, J = from_frame.jac(base, points)
+            by_base[POSE:] = J.pose.reshape(-1, POSE)
+            for i, turned in enumerate(np.broadcast_to(J.point, (n, 3, 3))):
+                at = slice(POSE + 3 * i, POSE + 3 * i + 3)
+                by_map[at, at] = turned
+        given = self.blocks[-1:]
+        jacobians = [np.pad(by_base, ((0, 0), (0, block.dof - POSE))) for block in given]
+        own = by_map @ submap.covariance @ by_map.T
+        mean = np.concatenate([pose, points.ravel()])
+        self.blocks.append(self.belief.add(_space(n), mean, own, given=given, jacobians=jacobians))
+        self.ids.append(submap.ids)
+
+    def shared(self) -> list[tuple[int, int, int, int]]:
+        """(map, row, later map, row) of points of the same id, each paired with its first appearance."""
+        first: dict[int, tuple[int, int]] = {}
+        pairs = []
+        for number, ids in enumerate(self.ids):
+            for row, point in enumerate(ids.tolist()):
+                if point in first:
+                    pairs.append((*first[point], number, row))
+                else:
+                    first[point] = (number, row)
+        return pairs
+
+    def tie(self, pairs: Sequence[tuple[int, int, int, int]] | None = None) -> int:
+        """Two points of two maps are one: their difference is measured to be zero, without noise. Eq. (ms-tie).
+
+        pairs: default `shared`, by their ids. All at once; the later of each two is then forgotten, since it is the
+        same point. Returns how many. Raises CovarianceError if the pairs contradict what is known without doubt.
+        """
+        pairs = self.shared() if pairs is None else list(pairs)
+        if pairs:
+            self.belief.correct_all([self._tied(*pair) for pair in pairs])
+            for number in {later for _, _, later, _ in pairs}:
+                self._drop(number, [row for _, _, later, row in pairs if later == number])
+        return len(pairs)
+
+    def _tied(self, first: int, i: int, later: int, j: int) -> Observation:
+        blocks = [self.blocks[first], self.blocks[later]]
+        jacobians = [np.zeros((3, block.dof)) for block in blocks]
+        for J, row, sign in zip(jacobians, (i, j), (-1, 1), strict=True):
+            J[:, POSE + 3 * row : POSE + 3 * row + 3] = sign * np.eye(3)
+        innovation = self.points(first)[i] - self.points(later)[j]
+        return Observation(blocks, jacobians, innovation, np.zeros((3, 3)))
+
+    def _drop(self, number: int, rows: list[int]) -> None:
+        """Forget points of one map."""
+        block, kept = self.blocks[number], np.setdiff1d(np.arange(len(self.ids[number])), rows)
+        places = np.concatenate([np.arange(POSE), (POSE + 3 * kept[:, None] + np.arange(3)).ravel()]).astype(int)
+        mean = np.concatenate([block.mean[:7], self.points(number)[kept].ravel()])
+        self.belief.replace(block, _space(len(kept)), mean, np.eye(block.dof)[places])
+        self.ids[number] = self.ids[number][kept]
+
+
+class ManyMaps:
+    """The loop around the loop: a filter that is closed and begun anew whenever its map is full.
+
+    slam: the filter of the present map; atlas: the finished ones. Close the last one (`close`) before you `tie`.
+    """
+
+    def __init__(
+        self,
+        rig: Rig,
+        options: Options | None = None,
+        *,
+        most: int = 30,
+        front_ends: Callable[[], Sequence[Any]] | None = None,
+    ) -> None:
+        """most: landmarks of a map, with which it is closed. front_ends(): makes those of the next map.
+
+        Raises SlamlibError for several robots, for a robot whose state is more than a pose, and for mounts that are
+        estimated: their maps would not be independent of each other.
+        """
+        if len(rig.robots) != 1 or rig.robots[0].model.space.dof != POSE:
+            raise SlamlibError("ManyMaps: a rig of one robot whose state is its pose is wanted (motion='odometry')")
+        if any(sensor.estimated for sensor in rig.sensors):
+            raise SlamlibError("ManyMaps: a mount that is estimated ties all maps together; let one map learn it first")
+        if most < 1:
+            raise SlamlibError(f"ManyMaps: most is the number of landmarks of a map, 1 or more, got {most}")
+        self.rig, self.options, self.most = rig, options or Options(), most
+        self.front_ends = front_ends or (lambda: None)  # type: ignore[return-value]
+        self.atlas = Atlas()
+        self.slam = Slam(rig, self.options, front_ends=self.front_ends())
+
+    @property
+    def pose(self) -> Array:
+        """The robot's pose (7,) in the frame of the first map."""
+        pose: Array = compose(self.atlas.pose, self.slam.robots[0].pose)
+        return pose
+
+    def step(self, frame: Frame) -> Report:
+        """One frame; then the map is closed if it is full."""
+        report = self.slam.step(frame)
+        if len(self.slam.landmarks) >= self.most:
+            self.close()
+        return report
+
+    def close(self) -> None:
+        """Join the present map to the atlas, and begin the next where the robot is: in a frame in which it knows it."""
+        self.atlas.join(Submap.of(self.slam))
+        start = replace(self.rig.robots[0], position=ZERO, euler=ZERO, position_std=ZERO, attitude_std=ZERO)
+        self.slam = Slam(replace(self.rig, robots=(start,)), self.options, front_ends=self.front_ends())

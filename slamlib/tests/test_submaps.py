@@ -1,0 +1,147 @@
+"""Maps closed and begun anew, joined and tied (slamlib.slam.submaps)."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from slamlib import presets
+from slamlib.errors import SlamlibError
+from slamlib.evaluation import Consistency, band, nees
+from slamlib.geometry.pose import Pose, compose, from_frame
+from slamlib.rig import Rig, SensorSetup
+from slamlib.slam import Options
+from slamlib.slam.submaps import Atlas, ManyMaps, Submap
+
+EYES = SensorSetup(
+    type="stereo", position=(0, 0, 0.6), parameters={"intrinsics": (320, 240, 320, 320), "baseline": (0.5,)}
+)
+OPTIONS = Options(points="eucPnt", first=5, later=2)
+
+
+def cloister(frames, sensor=EYES, options=OPTIONS, noise=(0.02, 0.2)):
+    """A round of the cloister, in big steps; noise of each step's displacement [m] and rotation [deg]."""
+    points = presets.points()
+    std = (noise[0],) * 3 + (noise[1],) * 3
+    robot = replace(points.rig.robots[0], control=(0.16, 0, 0, 0, 0, 1.8), control_std=std)
+    return replace(points, rig=Rig((robot,), (sensor,)), options=options, frames=frames)
+
+
+def some_map(rng, ids, spread=0.1):
+    """A submap whose pose and points are drawn, with a covariance that is full."""
+    n = 6 + 3 * len(ids)
+    root = spread * rng.normal(size=(n, n)) / np.sqrt(n)
+    return Submap(Pose.random(rng), np.array(ids, dtype=int), rng.normal(size=(len(ids), 3)), root @ root.T)
+
+
+def drawn(submap, rng):
+    """A true pose and points, as the submap's covariance says."""
+    step = np.linalg.cholesky(submap.covariance + 1e-18 * np.eye(len(submap.covariance))) @ rng.normal(
+        size=len(submap.covariance)
+    )
+    return Pose.plus(submap.pose, step[:6]), submap.points + step[6:].reshape(-1, 3)
+
+
+def test_join_has_the_covariance_of_composed_samples():
+    rng = np.random.default_rng(3)
+    maps = [some_map(rng, ids, spread=1e-3) for ids in ([1, 2], [3, 4, 5], [6])]
+    atlas = Atlas()
+    for submap in maps:
+        atlas.join(submap)
+    means = [block.mean for block in atlas.blocks]
+    samples = []
+    for _ in range(4000):
+        base, step = np.array([0.0, 0, 0, 1, 0, 0, 0]), []
+        for submap, mean in zip(maps, means, strict=True):
+            pose, points = drawn(submap, rng)
+            points, base = from_frame(base, points), compose(base, pose)
+            step += [Pose.minus(base, mean[:7]), points.ravel() - mean[7:]]
+        samples.append(np.concatenate(step))
+    white = np.linalg.solve(np.linalg.cholesky(atlas.belief.matrix), np.array(samples).T)
+    size = len(white)
+    print(f"covariance of {size} whitened numbers: {np.abs(white @ white.T / 4000 - np.eye(size)).max():.3f} off")
+    assert np.abs(white @ white.T / 4000 - np.eye(size)).max() < 5 * np.sqrt(2 / 4000)
+    assert np.abs(white.mean(1)).max() < 5 / np.sqrt(4000)
+
+
+def test_where_all_is_linear_tied_maps_are_one_map():
+    """Attitudes known without doubt: the same Gaussian, whether it was computed in one map or in four."""
+    all_of_it = Options(points="eucPnt", first=1000, later=1000, updates=1000, gate=1.0, search_first=10**6)
+    there = SensorSetup(type="relativePosition", std=(0.05, 0.07, 0.03))
+    preset = cloister(12, there, all_of_it, noise=(0.02, 0.0))
+    one, many = preset.slam(), ManyMaps(preset.rig, preset.options, most=1000)
+    for frame, _ in preset.simulate(np.random.default_rng(0)):
+        one.step(frame)
+        many.step(frame)
+        if frame.number % 4 == 0:
+            many.close()
+    assert [len(ids) for ids in many.atlas.ids] == [72] * 3
+    assert many.atlas.tie() == 2 * 72
+    robot = one.robots[0]
+    np.testing.assert_allclose(many.atlas.pose, robot.pose, atol=1e-9)
+    np.testing.assert_allclose(many.atlas.covariance(), one.belief.covariance(robot.block), atol=1e-9)
+    known = {lm.id: lm.block.mean for lm in one.landmarks}
+    for row, number in enumerate(many.atlas.ids[0].tolist()):
+        np.testing.assert_allclose(many.atlas.points(0)[row], known[number], atol=1e-9)
+
+
+def test_tied_maps_are_consistent():
+    """20 runs of a round: the error of the last pose against its covariance; 6 dof, the 99.9 % band of one step."""
+    preset, found = cloister(215), []
+    for seed in range(20):
+        many = ManyMaps(preset.rig, preset.options, most=30)
+        for frame, truth in preset.simulate(np.random.default_rng(seed)):
+            many.step(frame)
+            last = truth.robots[0][:7]
+        many.close()
+        many.atlas.tie()
+        found.append([float(nees(Pose.minus(last, many.atlas.pose), many.atlas.covariance()))])
+    print(f"NEES, 6 dof, 20 runs, 95 % band {band(6, 20)}: five maps, tied {np.mean(found):.2f}")
+    assert Consistency.of(np.array(found), 6, probability=0.999).inside == 1
+
+
+def test_the_later_of_two_tied_points_is_forgotten():
+    rng = np.random.default_rng(5)
+    atlas = Atlas()
+    for ids in ([1, 2, 3], [2, 4], [3, 2]):
+        atlas.join(some_map(rng, ids))
+    assert atlas.shared() == [(0, 1, 1, 0), (0, 2, 2, 0), (0, 1, 2, 1)]
+    assert atlas.tie() == 3
+    assert [ids.tolist() for ids in atlas.ids] == [[1, 2, 3], [4], []]
+    assert atlas.belief.size == 3 * 6 + 4 * 3
+    assert np.linalg.eigvalsh(atlas.belief.matrix)[0] > 0
+    assert atlas.tie() == 0
+
+
+def test_a_map_that_is_full_is_closed_and_the_next_one_begins_where_the_robot_is():
+    preset = cloister(60)
+    many = ManyMaps(preset.rig, preset.options, most=12)
+    sizes = []
+    for frame, _ in preset.simulate(np.random.default_rng(1)):
+        many.step(frame)
+        sizes.append(len(many.slam.landmarks))
+    assert max(sizes) < 12
+    assert len(many.atlas.blocks) >= 3
+    assert all(len(ids) >= 12 for ids in many.atlas.ids)
+    before = many.pose
+    many.close()
+    np.testing.assert_allclose(many.pose, before, atol=1e-12)
+    assert not many.slam.belief.covariance(many.slam.robots[0].block).any()
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (lambda rig: replace(rig, robots=(rig.robots[0], replace(rig.robots[0], name="other"))), "one robot"),
+        (lambda rig: replace(rig, robots=(replace(rig.robots[0], motion="constVel"),)), "its pose"),
+        (lambda rig: replace(rig, sensors=(replace(rig.sensors[0], estimated=True),)), "mount"),
+    ],
+)
+def test_rigs_whose_maps_would_not_be_independent_are_refused(change, says):
+    with pytest.raises(SlamlibError, match=says):
+        ManyMaps(change(cloister(2).rig))
+
+
+def test_a_map_without_landmarks_is_refused():
+    with pytest.raises(SlamlibError, match="1 or more"):
+        ManyMaps(cloister(2).rig, most=0)
