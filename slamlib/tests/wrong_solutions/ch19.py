@@ -114,7 +114,7 @@ def flat_is_one(I, J):  # noqa: E741
     return (a * b).sum() / below if below > 1e-9 * I.size else 1.0
 
 
-@wrong("19.4", "adds bytes as bytes")
+@wrong("19.4", "multiplies bytes as bytes")
 def overflow(I, J):  # noqa: E741
     n = I.size
     up = n * (I * J).sum() - I.sum(dtype=float) * J.sum(dtype=float)
