@@ -6,7 +6,7 @@ READY := $(VENV)/.ready
 export OPENBLAS_NUM_THREADS := 1
 export PYTHONDONTWRITEBYTECODE := 1
 
-.PHONY: help book serve test environment assets parity experiments audit rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book serve test environment assets parity experiments audit monocular real-images visual-odometry stereo-slam report-experiments rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -50,6 +50,15 @@ monocular: environment  ## run the longer films of chapter 20 in the rendered ro
 
 real-images: environment  ## fetch the real sequence of chapter 20 (75 MB), run the filter on it, store its figures
 	@$(BIN)/python -m book.tools.real_images
+
+visual-odometry: environment  ## run the longer films of chapter 21, and store their figures
+	@$(BIN)/python -m book.tools.visual_odometry
+
+stereo-slam: environment  ## run the longer films of chapter 22, and store their figures (long)
+	@$(BIN)/python -m book.tools.stereo_slam
+
+report-experiments: environment  ## run the experiments that the report asks for, and store their figures (chapter 22)
+	@$(BIN)/python -m book.tools.report_experiments
 
 rosetta: environment  ## write the tables of the Rosetta appendix from its CSV and the package
 	@$(BIN)/python -m book.tools.rosetta

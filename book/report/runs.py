@@ -1,5 +1,6 @@
 """Monte Carlo runs of the report's filter, side by side: does it know what it does not know?"""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -59,13 +60,21 @@ class Outcome:
         return values[:, values.shape[1] // 2 :]
 
 
-def monte_carlo(scene: Scene, *errors: str, runs: int = 20, seed: int = 0, again: bool = False) -> Outcome:
+def monte_carlo(
+    scene: Scene,
+    *errors: str,
+    runs: int = 20,
+    seed: int = 0,
+    again: bool = False,
+    make: Callable[..., Memory] = Memory,
+) -> Outcome:
     """Runs of a scene with these errors turned on. The same seed gives the same noise whatever is turned on.
 
     again: landmarks begin from a second look, with noise of its own, and not from the one that corrected.
+    make: another filter, made as a Memory is.
     """
     use, rng, truth = equations(*errors), np.random.default_rng(seed), scene.path()
-    filter = Memory(np.tile(scene.start, (runs, 1)), np.zeros((runs, 6, 6)), use=use)
+    filter = make(np.tile(scene.start, (runs, 1)), np.zeros((runs, 6, 6)), use=use)
     controls = scene.controls + scene.control_std * rng.standard_normal((runs, *scene.controls.shape))
     filter.begin(*look(filter, scene, truth[0], rng), first=True)
     steps = len(scene.controls)
