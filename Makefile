@@ -9,7 +9,7 @@ export PYTHONDONTWRITEBYTECODE := 1
 .PHONY: help book serve test environment assets parity experiments audit monocular real-images visual-odometry stereo-slam report-experiments rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
-	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
 
 book: environment  ## build the book (HTML) and print where it is
 	@$(BIN)/python -m book.tools.build
