@@ -4,10 +4,11 @@ import contextlib
 import os
 import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
-from book.tools import layout, serve, site
+from book.tools import layout, serve, site, workers
 
 FLAGS = [
     "--no-sandbox",
@@ -96,20 +97,32 @@ def shut_off(context: Any, base: str) -> list[str]:
     return outside
 
 
-def check(pages: list[str], executable: str) -> tuple[int, list[str]]:
-    """Visit all pages in light and dark and at phone width; returns the number of sliders driven, and the faults."""
-    found, sliders = [], 0
+@contextlib.contextmanager
+def visitor(executable: str) -> Iterator[Callable[[str], tuple[int, list[str]]]]:
+    """What visits a page in light and dark and at phone width; gives the number of sliders driven, and the faults."""
     with site_in_chromium(executable) as (base, browser):
-        for scheme, width in VIEWS:
-            context = browser.new_context(color_scheme=scheme, viewport={"width": width, "height": 900})
-            outside = shut_off(context, base)
-            for name in pages:
+        contexts = [
+            browser.new_context(color_scheme=scheme, viewport={"width": width, "height": 900})
+            for scheme, width in VIEWS
+        ]
+        asked = [shut_off(context, base) for context in contexts]
+
+        def visits(name: str) -> tuple[int, list[str]]:
+            found, sliders = [], 0
+            for (scheme, width), context, outside in zip(VIEWS, contexts, asked, strict=True):
                 faults: list[str] = []
                 sliders += visit(context, base, name, faults)
                 found += [f"{name} ({scheme}, {width} px): {f}" for f in [*faults, *(f"asks for {u}" for u in outside)]]
                 outside.clear()
-            context.close()
-    return sliders, found
+            return sliders, found
+
+        yield visits
+
+
+def check(pages: list[str], executable: str) -> tuple[int, list[str]]:
+    """Visit all pages; returns the number of sliders driven, and the faults."""
+    results = list(workers.each(partial(visitor, executable), pages))
+    return sum(sliders for sliders, _ in results), [fault for _, faults in results for fault in faults]
 
 
 def _inside_only(route: Any, base: str, outside: list[str]) -> None:

@@ -4,15 +4,19 @@
 """
 
 import argparse
+import contextlib
 import json
 import sys
 import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import nbformat
 
-from book.tools import browser, layout, notebooks, parity
+from book.tools import browser, layout, notebooks, parity, workers
 from book.tools.live_page import PATIENCE, SAID, open_page, panel
 from book.tools.live_readers import manners
 
@@ -20,6 +24,19 @@ RUN = "(i) => { const cell = Live.page.cells[i]; return [cell.element.dataset.ra
 UNFOLD = """(cell) => { for (let e = cell; e; e = e.parentElement) {
   if (e.tagName === 'DETAILS') e.open = true;
   if (e.classList.contains('toggle-hidden')) e.querySelector('.toggle-button').click(); } }"""
+
+
+@dataclass
+class Done:
+    """What a job has run, what it says, and what it found wrong."""
+
+    cells: int = 0
+    sliders: int = 0
+    lines: list[str] = field(default_factory=list)
+    faults: list[str] = field(default_factory=list)
+
+
+Job = Callable[[Any, Any, str], Done]  # of a browser, a context of it that reaches nothing else, and the site's URL
 
 
 def live_cells(file: Path) -> list[Any]:
@@ -90,8 +107,29 @@ def drive_sliders(page: Any, faults: list[str]) -> int:
     return figures.count()
 
 
-def compared(context: Any, base: str, file: Path, keep: bool) -> list[str]:
-    """Faults of the comparison between this Python and the page's."""
+def chapter(file: Path, chromium: Any, context: Any, base: str) -> Done:
+    """Run a chapter's live cells in its page, and move its sliders."""
+    start, done = time.perf_counter(), Done()
+    page = open_page(context, base, file, done.faults)
+    done.cells = run_all(page, file, done.faults)
+    done.sliders = drive_sliders(page, done.faults)
+    page.close()
+    seconds, number = time.perf_counter() - start, len(done.faults)
+    done.lines.append(
+        f"  {file.stem:<36} {done.cells:>3} cells, {done.sliders} sliders, {number} faults {seconds:6.1f} s"
+    )
+    done.faults = [f"{file.stem}: {f}" for f in done.faults]
+    return done
+
+
+def readers(file: Path, chromium: Any, context: Any, base: str) -> Done:
+    """Do to a page what readers and their browsers do."""
+    lines, faults = manners(chromium, context, base, file)
+    return Done(lines=lines, faults=faults)
+
+
+def compared(file: Path, keep: bool, chromium: Any, context: Any, base: str) -> Done:
+    """Compare this Python with the page's."""
     page = open_page(context, base, file, [])
     answer = page.evaluate(
         """async (code) => { let out = ''; let errors = '';
@@ -102,14 +140,37 @@ def compared(context: Any, base: str, file: Path, keep: bool) -> list[str]:
     )
     page.close()
     if answer.startswith("failed"):
-        return [answer]
+        return Done(faults=[answer])
     rows, faults = parity.compare(parity.here(), json.loads(answer))
     if keep and not faults:
         parity.store(rows)
     if parity.stale(rows):
         faults.append("book/appendices/parity.csv is about other models: run `make parity`")
-    print(f"parity: {len(rows)} things computed, {sum(int(r[1]) for r in rows)} numbers, {len(faults)} faults")
-    return faults
+    count = sum(int(r[1]) for r in rows)
+    return Done(lines=[f"parity: {len(rows)} things computed, {count} numbers, {len(faults)} faults"], faults=faults)
+
+
+@contextlib.contextmanager
+def worker(executable: str) -> Iterator[Callable[[Job], Done]]:
+    """What does a job, in a browser of its own that is shut off from the world."""
+    with browser.site_in_chromium(executable) as (base, chromium):
+        context = chromium.new_context(viewport={"width": 1280, "height": 900})
+        outside = browser.shut_off(context, base)
+
+        def does(job: Job) -> Done:
+            done = job(chromium, context, base)
+            done.faults += [f"asks for {url}" for url in outside]
+            outside.clear()
+            return done
+
+        yield does
+
+
+def jobs(files: list[Path], whole: bool, keep: bool) -> list[Job]:
+    """What there is to do, long jobs first, so that no worker is left alone with one at the end."""
+    pages = sorted(files, key=lambda f: -len(live_cells(f)))
+    around = [partial(readers, files[0]), partial(compared, files[0], keep)] if files and whole else []
+    return [*around[:1], *(partial(chapter, f) for f in pages), *around[1:]]
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -122,27 +183,11 @@ def main(arguments: list[str] | None = None) -> int:
     if executable is None:
         return browser.without_browser("live")
     files = [f for f in layout.notebooks() if live_cells(f) and options.only in f.stem]
-    found, cells, sliders = [], 0, 0
-    with browser.site_in_chromium(executable) as (base, chromium):
-        context = chromium.new_context(viewport={"width": 1280, "height": 900})
-        outside = browser.shut_off(context, base)
-        for file in files:
-            start, faults = time.perf_counter(), list[str]()
-            page = open_page(context, base, file, faults)
-            number = run_all(page, file, faults)
-            moved = drive_sliders(page, faults)
-            page.close()
-            cells, sliders = cells + number, sliders + moved
-            seconds = time.perf_counter() - start
-            print(
-                f"  {file.stem:<36} {number:>3} cells, {moved} sliders, {len(faults)} faults {seconds:6.1f} s",
-                flush=True,
-            )
-            found += [f"{file.stem}: {f}" for f in faults]
-        if files and not options.only:
-            found += manners(chromium, context, base, files[0])
-            found += compared(context, base, files[0], options.store)
-        found += [f"asks for {url}" for url in outside]
+    found, cells, sliders = list[str](), 0, 0
+    for done in workers.each(partial(worker, executable), jobs(files, not options.only, options.store)):
+        for line in done.lines:
+            print(line, flush=True)
+        cells, sliders, found = cells + done.cells, sliders + done.sliders, [*found, *done.faults]
     for fault in found:
         print(fault, file=sys.stderr)
     print(f"live: {cells} cells run in {len(files)} pages, {sliders} live sliders driven, {len(found)} faults")

@@ -7,7 +7,7 @@ from book.tools import layout
 
 SAID = """(i) => [...Live.page.cells[i].output.querySelectorAll('[data-kind]')]
   .filter(e => e.dataset.kind !== 'hint').map(e => e.dataset.text ?? e.textContent).join('')"""
-PATIENCE = 60_000  # milliseconds for a cell, on a machine that does other things too
+PATIENCE = 240_000  # milliseconds for a cell, on a machine that runs a second page and does other things too
 
 
 def address(file: Path) -> str:

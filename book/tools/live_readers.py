@@ -201,9 +201,9 @@ def on_a_phone(chromium: Any, base: str, file: Path) -> bool:
     return bool(ran and wide <= 0 and min(sizes) >= 24)
 
 
-def manners(chromium: Any, context: Any, base: str, file: Path) -> list[str]:
-    """Faults of the things that readers do, and of browsers that lack something."""
-    faults: list[str] = []
+def manners(chromium: Any, context: Any, base: str, file: Path) -> tuple[list[str], list[str]]:
+    """How it goes with the things that readers do, and with browsers that lack something: a line each; the faults."""
+    lines, faults = list[str](), list[str]()
     page = open_page(context, base, file, [])
     checks: dict[str, Callable[[], bool]] = {r.__name__.replace("_", " "): partial(r, page) for r in READERS}
     checks |= {name: partial(without, context, base, file, *how) for name, how in HANDICAPS.items()}
@@ -218,8 +218,8 @@ def manners(chromium: Any, context: Any, base: str, file: Path) -> list[str]:
             good = action()
         except Exception as error:
             good, name = False, f"{name} ({type(error).__name__}: {str(error)[:300]})"
-        print(f"  {name:<60} {'ok' if good else 'FAILED'}", flush=True)
+        lines.append(f"  {name:<60} {'ok' if good else 'FAILED'}")
         if not good:
             faults.append(name)
     page.close()
-    return faults
+    return lines, faults

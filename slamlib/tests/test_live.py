@@ -2,6 +2,7 @@
 
 import ast
 import importlib.util
+import io
 import json
 import re
 import subprocess
@@ -139,8 +140,6 @@ def test_a_figure_with_a_slider_asks_for_frames(page):
 
 
 def test_a_package_is_fetched_when_it_is_first_imported(tmp_path, monkeypatch):
-    import io
-
     spec = importlib.util.spec_from_file_location("book_runner", ROOT / "book" / "live" / "runner.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -215,6 +214,60 @@ def test_the_wheel_is_the_same_bytes_on_every_run_and_holds_the_package(tmp_path
     assert {n: (target / n).read_bytes() for n in packed} == packed
 
 
+# -- the report's filter -----------------------------------------------------------------------------------------------
+
+ON_NUMPY_ALONE = """
+import importlib, sys
+for name in ("scipy", "sympy", "cv2", "matplotlib", "joblib", "skimage", "IPython", "yaml"):
+    sys.modules[name] = None
+sys.path = [p for p in sys.path if p != {root!r}]
+sys.path.insert(0, {folder!r})
+for name in {modules!r}:
+    assert importlib.import_module(name).__file__.startswith({folder!r}), name
+"""
+
+
+def test_the_report_is_packed_whole_and_is_imported_with_numpy_alone(tools, tmp_path):
+    packed = tools["live"].report()
+    wanted = {f.relative_to(ROOT).as_posix() for f in (ROOT / "book" / "report").rglob("*.py")}
+    assert set(packed) == {"book/__init__.py", *wanted}
+    assert "book/report/filter.py" in wanted
+    with zipfile.ZipFile(io.BytesIO(tools["live"]._zip(packed))) as archive:
+        archive.extractall(tmp_path)
+    (tmp_path / "slamlib").symlink_to(ROOT / "slamlib")
+    modules = sorted(n.removesuffix(".py").removesuffix("/__init__").replace("/", ".") for n in packed)
+    program = ON_NUMPY_ALONE.format(root=str(ROOT), folder=str(tmp_path), modules=modules)
+    run = subprocess.run([sys.executable, "-B", "-c", program], cwd=tmp_path, capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr[-2000:]
+
+
+def test_a_page_that_does_not_import_the_report_does_not_fetch_it(tools, monkeypatch, tmp_path):
+    """What the manifest names is there, and the report is neither in the wheel nor in what every page fetches."""
+    live = tools["live"]
+
+    def interpreter(target):
+        for name in (*live.FIRST, "pyodide.js"):
+            tools["layout"].write_whole(target / name, b"-")
+        tools["layout"].write_whole(target / "lock.json", b"{}")
+
+    monkeypatch.setattr(tools["layout"], "BUILD", tmp_path / "build")
+    monkeypatch.setattr(live, "_interpreter", interpreter)
+    monkeypatch.setattr(live, "_numpy", dict)
+    monkeypatch.setattr(live, "_sympy", dict)
+    monkeypatch.setattr(live.wheel, "build", lambda target: (target / "w.whl").write_bytes(b"-") and target / "w.whl")
+    live.build(tmp_path / "live")
+    manifest = json.loads((tmp_path / "live" / "manifest.json").read_text("utf-8"))
+    assert {*manifest["first"], *manifest["data"], *manifest["later"].values()} <= set(manifest["files"])
+    assert manifest["later"]["book"] == "book.zip"
+    assert "book.zip" not in manifest["first"]
+    assert manifest["files"]["book.zip"]["bytes"] < 100_000
+
+
+def test_a_notebook_runs_again_when_the_report_changes(tools):
+    depends = set(tools["layout"].package_files())
+    assert set((ROOT / "book" / "report").rglob("*.py")) <= depends
+
+
 # -- the cells of the chapters -----------------------------------------------------------------------------------------
 
 
@@ -261,9 +314,9 @@ def test_a_chapter_runs_in_the_page_but_for_what_is_tagged_otherwise(chapter):
 def tools(monkeypatch):
     """The book's tools as modules."""
     monkeypatch.syspath_prepend(str(ROOT))
-    from book.tools import assets, bundle, layout, parity, serve
+    from book.tools import assets, bundle, layout, live, parity, serve
 
-    return {"assets": assets, "bundle": bundle, "layout": layout, "parity": parity, "serve": serve}
+    return {"assets": assets, "bundle": bundle, "layout": layout, "live": live, "parity": parity, "serve": serve}
 
 
 def test_an_archive_with_another_checksum_is_refused_and_not_kept(tools, monkeypatch, tmp_path):
