@@ -1,0 +1,183 @@
+"""`python -m book.tools.visual_odometry`: the longer runs of chapter 21, stored as one small file. Needs OpenCV.
+
+Variants of the features in the rendered room and, where it is at hand, on an excerpt of KITTI's street (its licence
+forbids shipping it; without it the stored figures stay). Once round the room with plain odometry, and what it would
+cost to keep every point that was seen on the way.
+"""
+
+import json
+from typing import Any
+
+import numpy as np
+
+from benchmarks import stereo as bench
+from book.tools import layout
+from slamlib.geometry.pose import compose
+from slamlib.geometry.quaternion import exponential, minus
+from slamlib.images.stereo import Eyes, Motion, Observed, StereoSettings, VisualOdometry, mutual
+from slamlib.images.stereo.features import within
+from slamlib.images.stereo.matching import distances
+from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.observation import observe
+from slamlib.path_errors import relative_errors
+from slamlib.progress import progress
+from slamlib.sensors.sensor import Calibration
+from slamlib.spaces import Array
+from slamlib.tests.stereo import KITTI, kitti, stereo_film
+from slamlib.trajectories import Trajectory
+
+FILE = layout.BOOK / "chapters" / "data" / "visual_odometry.json"
+SEEDS, FRAMES, ROUND, EVERY = (1, 2, 3), 120, 449, 8
+STD = 0.035  # px, of the measurements in the room: the mean of z' S^-1 z by its degrees of freedom is near one
+LENGTHS = (10.0, 20.0, 30.0, 40.0, 50.0)  # m, of KITTI's measure: the excerpt is 60 m long
+OFFSET = 0.2  # px, of all disparities: with it the excerpt's own sum of z' S^-1 z is least
+NEAR, FAR = 3.0, 25.0  # px: a match is right within, and looked for within where a prediction is used
+
+
+def variant(calibration: Calibration, mount: Array, images: list[Array], truth: Array, settings: Any) -> dict[str, Any]:
+    """Counts of one kind of features, and the error of the last position as a share of the path [%]."""
+    pose, c = bench.odometry(calibration, mount, images, truth[0], settings)
+    path = np.linalg.norm(np.diff(truth[:, :3], axis=0), axis=1).sum()
+    return {
+        "stereo": round(float(np.mean(c.stereo))),
+        "circular": round(float(np.mean(c.circular))),
+        "believed": round(float(np.mean(c.inliers))),
+        "lost": c.lost,
+        "fit": round(float(np.mean(c.fit)), 2),
+        "off": round(100 * float(np.linalg.norm(pose[:3] - truth[-1, :3]) / path), 2),
+    }
+
+
+def room() -> dict[str, Any]:
+    """All variants past the wall of the room."""
+    rig, film, _ = stereo_film(FRAMES, "sideways", std=0.2)
+    images = [frame.scans[0].image for frame, _ in film]
+    truth = np.array([t.robots[0][:7] for _, t in film])
+    sensor = rig.sensors[0]
+    return {n: variant(sensor.calibration, sensor.mount, images, truth, s) for n, s in bench.VARIANTS.items()}
+
+
+def street(before: dict[str, Any]) -> dict[str, Any]:
+    """All variants on the street, and KITTI's measure of the first; the stored figures where it is not at hand."""
+    if not KITTI.is_dir():
+        return before
+    calibration, images, truth = kitti()
+    origin = np.array([0.0, 0, 0, 1, 0, 0, 0])
+    return {
+        "rows": {n: variant(calibration, origin, images, truth.poses, s) for n, s in bench.VARIANTS.items()},
+        "lengths": list(LENGTHS),
+        "as told": measured(calibration, images, truth, 0.0),
+        "offset": measured(calibration, images, truth, OFFSET),
+    }
+
+
+def measured(calibration: Calibration, images: list[Array], truth: Trajectory, offset: float) -> dict[str, Any]:
+    """KITTI's measure [%, deg/m], the length by the true one, and z' S^-1 z by its dof; offset [px]: of disparities."""
+    moving, poses, fits = VisualOdometry(Eyes(calibration, StereoSettings(offset=offset))), [truth.poses[0]], []
+    moving.step(images[0])
+    for image in images[1:]:
+        motion = moving.step(image)
+        poses.append(poses[-1] if motion is None else compose(poses[-1], motion.pose))
+        fits += [] if motion is None else [motion.fit]
+    path = Trajectory(truth.times, np.array(poses))
+    off = relative_errors(path, truth, LENGTHS, step=5)
+    return {
+        "translation": np.round(100 * off.translation, 2).tolist(),
+        "rotation": np.round(np.degrees(off.rotation), 4).tolist(),
+        "length": round(float(path.distances[-1] / truth.distances[-1]), 4),
+        "fit": round(float(np.mean(fits)), 2),
+    }
+
+
+def around(seed: int, frames: int = ROUND) -> dict[str, Any]:
+    """Once round the room by plain odometry: every eighth error of the place and its claimed deviation [m]."""
+    rig, film, made = stereo_film(frames, "round", seed, STD)
+    sensor = rig.sensors[0]
+    truth = np.array([t.robots[0][:7] for _, t in film])
+    moving = VisualOdometry(Eyes(sensor.calibration), sensor.mount)
+    pose, P, rows, fits, library = truth[0], np.zeros((6, 6)), [], [], Library(sensor, made)
+    for number, (frame, there) in enumerate(film):
+        motion = moving.step(frame.scans[0].image)
+        if motion is not None:
+            pose, J = compose.jac(pose, motion.pose)
+            P = J.outer @ P @ J.outer.T + J.inner @ _of_pose(motion) @ J.inner.T
+            fits.append(motion.fit)
+        rows.append([np.linalg.norm(pose[:3] - truth[number, :3]), np.sqrt(np.trace(P[:3, :3]))])
+        library.add(moving.eyes.look(frame.scans[0].image), moving.tracks, there)
+    return {
+        "path": round(float(np.linalg.norm(np.diff(truth[:, :3], axis=0), axis=1).sum()), 3),
+        "fit": round(float(np.mean(fits)), 2),
+        "rows": np.round(np.array(rows)[::EVERY], 5).tolist(),
+        "ages": np.bincount(np.array(list(library.longest.values()))).tolist(),
+        "library": library.rows,
+    }
+
+
+def _of_pose(motion: Motion) -> Array:
+    """The control's covariance, of a displacement and a rotation vector, as that of the pose (6, 6)."""
+    turn = motion.control.value[3:]
+    _, to_q = exponential.jac(turn)
+    q = exponential(turn)
+    _, by = minus.jac(q, q)
+    T = np.eye(6)
+    T[3:, 3:] = by.q @ to_q.vector
+    U: Array = T @ motion.control.covariance @ T.T
+    return U
+
+
+class Library:
+    """Every feature that was ever seen, with its descriptor and its true place: what matching against all costs."""
+
+    def __init__(self, sensor: Any, made: Any) -> None:
+        self.sensor, self.made = sensor, made
+        self.bits, self.places = np.zeros((0, 32), np.uint8), np.zeros((0, 3))
+        self.longest: dict[int, int] = {}
+        self.known: set[int] = set()
+        self.rows: list[list[int]] = []
+        self.frames = 0
+
+    def add(self, seen: Observed, tracks: Any, truth: Any) -> None:
+        """Match the features of a pair against all that is kept; then keep those that are new."""
+        if self.frames % 64 == 0 and self.frames:
+            self.rows.append(self.tried(seen, truth))
+        fresh = np.array([i not in self.known for i in tracks.ids.tolist()], dtype=bool)
+        self.known.update(tracks.ids.tolist())
+        self.longest.update(zip(tracks.ids.tolist(), tracks.ages.tolist(), strict=True))
+        self.bits = np.concatenate([self.bits, seen.descriptors(0)[fresh]])
+        self.places = np.concatenate([self.places, self.made.truth_of(truth, seen.values[fresh, :2])])
+        self.frames += 1
+
+    def tried(self, seen: Observed, truth: Any) -> list[int]:
+        """Points kept, features seen; matches and wrong ones among all; comparisons, matches, wrong ones near."""
+        cost = distances(self.bits, seen.descriptors(0))
+        expected = observe(EUC_POINT, self.sensor.calibration, truth.robots[0][:7], self.sensor.mount, self.places)
+        pixels = np.where(expected.visible[:, None], expected.value, np.nan)
+        there = within(pixels, seen.values, FAR)
+        near = np.where(there, cost, np.inf)
+        judged = [self.judged(c, pixels, seen) for c in (cost, near)]
+        return [len(self.bits), len(seen), *judged[0], int(there.sum()), *judged[1]]
+
+    def judged(self, cost: Array, pixels: Array, seen: Observed) -> list[int]:
+        """Matches, and how many of them are wrong."""
+        found = mutual(cost, largest=60, ratio=0.85)
+        off = np.abs(pixels[found[:, 0], :2] - seen.values[found[:, 1], :2]).max(1, initial=0)
+        return [len(found), int((~(off <= NEAR)).sum())]
+
+
+def main() -> None:
+    """Run everything, and write the file when all of it is done."""
+    before = json.loads(FILE.read_text()) if FILE.exists() else {}
+    found = {
+        "frames": FRAMES,
+        "room": room(),
+        "street": street(before.get("street", {})),
+        "every": EVERY,
+        "round": [around(seed) for seed in progress(SEEDS, len(SEEDS), "round the room")],
+    }
+    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(value)}" for name, value in found.items())
+    layout.write_whole(FILE, f"{{{rows}}}\n".encode())
+    print(f"wrote {FILE.relative_to(layout.ROOT)}")
+
+
+if __name__ == "__main__":
+    main()
