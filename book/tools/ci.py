@@ -1,5 +1,6 @@
 """Run every check, one after the other, and say at the end how each went; a stage that runs nothing has failed."""
 
+import argparse
 import os
 import re
 import subprocess
@@ -111,9 +112,16 @@ def summary(results: Iterable[Result]) -> int:
     return 1 if failed or not results else 0
 
 
-def main() -> int:
-    """Run all stages, whatever happens to each."""
-    return summary([run(stage) for stage in stages()])
+def main(arguments: list[str] | None = None) -> int:
+    """Run all stages, or those that are named, whatever happens to each."""
+    known = stages()
+    names = ", ".join(stage.name for stage in known)
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("stage", nargs="*", help=f"of {names} (default: all)")
+    wanted = parser.parse_args(arguments).stage
+    for name in set(wanted) - {stage.name for stage in known}:
+        parser.error(f"no stage is called {name}: there are {names}")
+    return summary([run(stage) for stage in known if not wanted or stage.name in wanted])
 
 
 if __name__ == "__main__":
