@@ -4,10 +4,10 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from slamlib.cli import compare, images, listing, run
+from slamlib.cli import compare, images, listing, run, stereo_images
 from slamlib.errors import SlamlibError
 
-COMMANDS = {"run": run, "run images": images, "compare": compare, "list": listing}
+COMMANDS = {"run": run, "run images": images, "run stereo-images": stereo_images, "compare": compare, "list": listing}
 
 
 def parser() -> argparse.ArgumentParser:

@@ -12,6 +12,8 @@ from slamlib.presets import PRESETS, Preset, preset
 from slamlib.rig import Rig, tuples
 from slamlib.slam import Options
 
+OPTION = "any option of `slamlib list options`, such as gate=0.999 or inverse_distance=1,0.5"
+
 
 def add(parser: argparse.ArgumentParser) -> None:
     """The options that change a preset."""
@@ -20,9 +22,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--batch", action="store_true", help="correct by all landmarks at once, not one after another")
     parser.add_argument("--calibrate", action="store_true", help="estimate the mounts of all sensors but the first")
     parser.add_argument("--noise-in", choices=("control", "truth"), help="what the noise of the motion disturbs")
-    parser.add_argument(
-        "--option", action="append", default=[], metavar="NAME=VALUE", help="any option of `slamlib list options`"
-    )
+    parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help=OPTION)
 
 
 def count(text: str) -> int:
@@ -30,6 +30,14 @@ def count(text: str) -> int:
     value = int(text)
     if value < 1:
         raise argparse.ArgumentTypeError(f"a whole number above 0, not {text}")
+    return value
+
+
+def from_zero(text: str) -> int:
+    """A whole number, 0 or more, for argparse."""
+    value = int(text)
+    if value < 0:
+        raise argparse.ArgumentTypeError(f"a whole number, 0 or more, not {text}")
     return value
 
 
@@ -84,7 +92,7 @@ def assignments(texts: list[str], kind: type = Options, flag: str = "--option") 
 
 
 def _assignment(text: str, kind: Any, flag: str) -> tuple[str, Any]:
-    """NAME=VALUE, the value in JSON, or a word."""
+    """NAME=VALUE, the value in JSON, or a word, or several numbers with commas."""
     name, equals, value = text.partition("=")
     known = [f.name for f in fields(kind)]
     if not equals:
@@ -94,7 +102,9 @@ def _assignment(text: str, kind: Any, flag: str) -> tuple[str, Any]:
     words = {"true": True, "false": False, "none": None}
     if value.lower() in words:
         return name, words[value.lower()]
-    try:
-        return name, tuples(json.loads(value))
-    except json.JSONDecodeError:
-        return name, value
+    for text in (value, f"[{value}]") if "," in value else (value,):
+        try:
+            return name, tuples(json.loads(text))
+        except json.JSONDecodeError:
+            continue
+    return name, value

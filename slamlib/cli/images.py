@@ -1,36 +1,30 @@
 """Run the filter on real pictures: a folder, a glob, a video, or TUM RGB-D, EuRoC and KITTI layouts."""
 
 import argparse
-import json
-import sys
 from dataclasses import fields
 from typing import Any
 
 import numpy as np
 
-from slamlib.cli import choices, working
+from slamlib.cli import choices, reporting
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.images.active_search import Settings
 from slamlib.images.both import front_end_of
 from slamlib.images.hand_held import IMPULSE, NOISE, OPTIONS, VELOCITY, hand_held, options
 from slamlib.images.opening import opened
-from slamlib.images.results import summary, table
 from slamlib.images.run import ImageRun
 from slamlib.images.target import Target
 from slamlib.landmarks import POINTS
 from slamlib.motions import MOTIONS
 from slamlib.rig import SensorSetup, tuples
 from slamlib.slam.options import CONSENSUS
-from slamlib.trajectories import read_trajectory
 
 ALIASES = {"constant-velocity": "constVel"}
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """What `slamlib run images` takes."""
-    _what(parser.add_argument_group("what it sees"))
-    _how(parser.add_argument_group("how the filter works"))
-    _out(parser.add_argument_group("what becomes of it"))
+    reporting.groups(parser, _what, _how)
 
 
 def _what(group: Any) -> None:
@@ -41,13 +35,10 @@ def _what(group: Any) -> None:
         "--calibration", metavar="FILE", help="slamlib's, EuRoC's, OpenCV's, KITTI's, or plain text; or fr1, fr2, fr3"
     )
     group.add_argument(
-        "--camera", type=_from_zero, default=0, metavar="N", help="of several cameras, which (default 0)"
+        "--camera", type=choices.from_zero, default=0, metavar="N", help="of several cameras, which (default 0)"
     )
     group.add_argument("--undistort", action="store_true", help="free the pictures of the lens's distortion (OpenCV)")
-    group.add_argument("--fps", type=float, help="pictures a second, where no file says their times (default 30)")
-    group.add_argument("--frames", type=choices.count, metavar="N", help="how many pictures")
-    group.add_argument("--start", type=_from_zero, default=0, metavar="N", help="the first picture (default 0)")
-    group.add_argument("--every", type=choices.count, default=1, metavar="N", help="only each so many-th")
+    reporting.which(group, "pictures")
     group.add_argument(
         "--scale", default="free", metavar="free|FILE",
         help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3), n at least 4, and their '
@@ -90,9 +81,7 @@ def _how(group: Any) -> None:
     group.add_argument(
         "--consensus", choices=CONSENSUS, help=f"which matches are believed together (default {OPTIONS.consensus})"
     )
-    group.add_argument(
-        "--option", action="append", default=[], metavar="NAME=VALUE", help="any option of `slamlib list options`"
-    )
+    group.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help=choices.OPTION)
     names = ", ".join(f.name for f in fields(Settings))
     group.add_argument("--search", action="append", default=[], metavar="NAME=VALUE", help=f"of active search: {names}")
     group.add_argument(
@@ -101,39 +90,9 @@ def _how(group: Any) -> None:
     group.add_argument("--seed", type=int, default=1, metavar="N", help="of where new landmarks are sought (default 1)")
 
 
-def _out(group: Any) -> None:
-    group.add_argument("--trajectory", metavar="FILE", help="write the camera's path in TUM format, for evo")
-    group.add_argument("--reference", metavar="FILE", help="compare with a path in TUM or EuRoC format")
-    group.add_argument("--video", metavar="PATH", help="a film: .mp4, .webm, .gif, or a folder for numbered PNG files")
-    group.add_argument("--live", action="store_true", help="show the run in a window")
-    group.add_argument("--save", metavar="PATH", help="write the run to a file; an interrupted one goes there")
-    group.add_argument("--resume", metavar="PATH", help="go on with a saved run instead of beginning one")
-    group.add_argument("--json", action="store_true", help="print the result as JSON")
-
-
-def _from_zero(text: str) -> int:
-    value = int(text)
-    if value < 0:
-        raise argparse.ArgumentTypeError(f"a whole number, 0 or more, not {text}")
-    return value
-
-
 def execute(given: argparse.Namespace) -> int:
     """Run it; a run that stops, by itself or by Ctrl-C, is saved, and can be gone on with."""
-    reference = read_trajectory(given.reference) if given.reference else None
-    run = _resumed(given) if given.resume else _begun(given)
-    outcome = working.work(run, given)
-    if not run.history:
-        raise SlamlibError(outcome.stopped or "nothing has been run")
-    s: dict[str, Any] = {"source": run.source.where, "layout": run.source.layout, **summary(run.result())}
-    s["stopped"], s["reference"] = outcome.stopped, None
-    try:
-        s["reference"] = None if reference is None else working.compared(run, reference)
-    except SlamlibError as error:  # the run is good, whatever the reference
-        outcome.status = working.MISTAKE
-        print(f"slamlib: {given.reference}: {error}", file=sys.stderr)
-    print(json.dumps(s, indent=2) if given.json else _text(s))
-    return outcome.status
+    return reporting.carry_out(_resumed(given) if given.resume else _begun(given), given, "run images")
 
 
 def _begun(given: argparse.Namespace) -> ImageRun:
@@ -177,9 +136,3 @@ def _resumed(given: argparse.Namespace) -> ImageRun:
     run = ImageRun.load(given.resume, frames=given.frames)
     run.patience = given.patience or run.patience
     return run
-
-
-def _text(s: dict[str, Any]) -> str:
-    rows = [("source", f"{s['source']} ({s['layout']})"), *table(s), *working.table(s["reference"])]
-    width = max(len(name) for name, _ in rows)
-    return "\n".join(f"{name:{width}}  {value}" for name, value in rows)

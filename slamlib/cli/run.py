@@ -19,7 +19,7 @@ DOF = 6
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """What `slamlib run` takes."""
-    parser.epilog = "On real pictures: slamlib run images --help"
+    parser.epilog = "On real pictures: slamlib run images --help; on stereo pairs: slamlib run stereo-images --help"
     parser.add_argument("preset", nargs="?", help="a name of `slamlib list presets`, or a JSON or TOML file")
     parser.add_argument("--landmark", action="append", default=[], help="parametrization of new points or lines")
     choices.add(parser)

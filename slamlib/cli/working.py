@@ -1,4 +1,4 @@
-"""What `slamlib run images` does while it works: a bar, a film or a window, and a stop that loses nothing."""
+"""What a command does while a run on pictures works: a bar, a film or a window, and a stop that loses nothing."""
 
 import argparse
 import signal
@@ -9,17 +9,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from slamlib.alignment import aligned
 from slamlib.errors import SlamlibError
-from slamlib.images.run import ImageRun, ImageStep
+from slamlib.images.stepping import ImageStep, Stepping
 from slamlib.progress import progress
 from slamlib.snapshots import Snapshot
-from slamlib.trajectories import Trajectory, associate, write_tum
+from slamlib.trajectories import write_tum
 
 MISTAKE, INTERRUPTED = 2, 130
-SAVED = "slamlib-images.npz"
 
 
 @dataclass
@@ -30,8 +26,11 @@ class Outcome:
     stopped: str | None = None
 
 
-def work(run: ImageRun, given: argparse.Namespace) -> Outcome:
-    """Run it to its end, or until something stops it; what was done is written and saved in both cases."""
+def work(run: Stepping, given: argparse.Namespace, command: str) -> Outcome:
+    """Run it to its end, or until something stops it; what was done is written and saved in both cases.
+
+    command: the one that goes on with it, "run images"; what stopped and has no name is slamlib-images.npz then.
+    """
     _check_places(given)
     outcome = Outcome()
     try:
@@ -45,7 +44,7 @@ def work(run: ImageRun, given: argparse.Namespace) -> Outcome:
     if run.history and given.trajectory:
         write_tum(given.trajectory, run.trajectory())
     if run.history and (outcome.stopped or given.save):
-        _keep(run, given.save or SAVED, outcome.stopped)
+        _keep(run, given.save, outcome.stopped, command)
     return outcome
 
 
@@ -60,24 +59,25 @@ def _check_places(given: argparse.Namespace) -> None:
         ready(given.video)
 
 
-def _keep(run: ImageRun, path: str, stopped: str | None) -> None:
+def _keep(run: Stepping, chosen: str | None, stopped: str | None, command: str) -> None:
+    path = chosen or f"slamlib-{command.split()[-1]}.npz"
     if not run.whole:
         print(f"slamlib: {stopped}; the frame was broken off, and the run cannot be saved", file=sys.stderr)
         return
     run.save(path)
     if stopped:
-        done = f"after {len(run.history)} pictures; go on with: slamlib run images --resume {path}"
+        done = f"after {len(run.history)} {run.of}; go on with: slamlib {command} --resume {path}"
         print(f"slamlib: {stopped}\nslamlib: saved {done}", file=sys.stderr)
 
 
-def _shown(run: ImageRun, given: argparse.Namespace, outcome: Outcome) -> Iterator[Snapshot | None]:
+def _shown(run: Stepping, given: argparse.Namespace, outcome: Outcome) -> Iterator[Snapshot | None]:
     """Step by step; snapshots are made if somebody looks at them. What stops the run ends them, and is told."""
     window, warned = _window(run) if given.live else None, False
     try:
         with _interrupts() as asked:
             for step in progress(run, len(run), run.source.where.rpartition("/")[2]):
                 warned = warned or _warn(run, step)
-                snapshot = run.slam.snapshot() if window is not None or given.video else None
+                snapshot = run.snapshot() if window is not None or given.video else None
                 if window is not None:
                     window.update(snapshot)
                 yield snapshot
@@ -89,7 +89,7 @@ def _shown(run: ImageRun, given: argparse.Namespace, outcome: Outcome) -> Iterat
         outcome.status, outcome.stopped = MISTAKE, str(error)
 
 
-def _warn(run: ImageRun, step: ImageStep) -> bool:
+def _warn(run: Stepping, step: ImageStep) -> bool:
     if not run.gap.frames:
         return False
     what = f"no match in {step.picture.name}: the filter predicts, and stops after {run.patience} such frames in a row"
@@ -112,10 +112,10 @@ def _interrupts() -> Iterator[list[int]]:
         signal.signal(signal.SIGINT, before)
 
 
-def _window(run: ImageRun) -> Any:
+def _window(run: Stepping) -> Any:
     from slamlib.scene import Window
 
-    return Window(run.slam.snapshot(), show=True)
+    return Window(run.snapshot(), show=True)
 
 
 def _consume(snapshots: Iterator[Snapshot | None], video: str | None, fps: float) -> None:
@@ -126,32 +126,3 @@ def _consume(snapshots: Iterator[Snapshot | None], video: str | None, fps: float
     from slamlib.scene import animate
 
     animate((snapshot for snapshot in snapshots if snapshot is not None), video, fps=fps)
-
-
-def compared(run: ImageRun, reference: Trajectory) -> dict[str, Any]:
-    """The path against a reference of the same camera, as plain data; with a free scale after a similarity."""
-    estimate = run.trajectory()
-    i, j = associate(estimate, reference, max(0.02, 0.5 * run.source.interval))
-    found = aligned(estimate[i], reference[j], scale=not run.metric)
-    return {
-        "poses": len(i),
-        "path_length": found.path,
-        "scale": found.similarity.scale,
-        "turn_from": found.by,
-        "position_rmse": found.rmse,
-        "position_relative": found.relative,
-        "attitude_rms": float(np.degrees(np.sqrt((found.attitude**2).mean()))),
-    }
-
-
-def table(s: dict[str, Any] | None) -> list[tuple[str, str]]:
-    """The rows of a comparison for people."""
-    if s is None:
-        return []
-    how = f"{s['poses']} poses, scale {s['scale']:.4g}, turn from the {s['turn_from']}"
-    error = f"{s['position_rmse']:.4g} rms, {s['position_relative']:.2%} of the path of {s['path_length']:.4g}"
-    return [
-        ("aligned with reference", how),
-        ("error of the place", error),
-        ("error of the attitude", f"{s['attitude_rms']:.2f} degrees rms"),
-    ]

@@ -43,8 +43,18 @@ def euroc(path: Path, text: str, camera: int) -> Lens:
     coefficients = _list(text, "distortion_coefficients", "distortion_coeffs")
     size = _list(text, "resolution") or None
     model = _model(_word(text, "distortion_model", "none"))
-    place = _list(text.partition("T_BS:")[2], "data") or None
+    place = _list(text.partition("T_BS:")[2], "data") or _beside(text)
     return Lens((u0, v0, au, av), size, model, coefficients, place)
+
+
+def _beside(text: str) -> Numbers | None:
+    """Kalibr's T_cn_cnm1 takes points of the camera before to this one: its inverse is the place. None without it."""
+    _, there, after = text.partition("T_cn_cnm1:")
+    if not there:
+        return None
+    rows = re.findall(r"^\s*-\s*\[([^\]]*)\]", after, re.M)[:4]
+    moved = np.array([[float(word) for word in row.replace(",", " ").split()] for row in rows])
+    return tuple(np.linalg.inv(moved.reshape(4, 4)).ravel().tolist())
 
 
 def _model(name: str) -> str:
@@ -92,7 +102,17 @@ def opencv_storage(path: Path, text: str, camera: int) -> Lens:
     fisheye = _node(found, "fisheye_model", "fisheye")
     model = "equidistant" if fisheye is not None and fisheye.real() else "radial-tangential"
     (au, _, u0), (_, av, v0), _ = matrix.mat().tolist()
-    return Lens((u0, v0, au, av), size, model, coefficients)
+    return Lens((u0, v0, au, av), size, model, coefficients, _second(found) if camera else None)
+
+
+def _second(found: dict[str, Any]) -> Numbers | None:
+    """Place of the second camera of two: the inverse of R, T, which take points of the first to it. None without."""
+    turn, shift = _node(found, "R"), _node(found, "T")
+    if turn is None or shift is None:
+        return None
+    moved = np.eye(4)
+    moved[:3, :3], moved[:3, 3] = turn.mat(), np.ravel(shift.mat())
+    return tuple(np.linalg.inv(moved).ravel().tolist())
 
 
 _ONE = ("camera_matrix", "cameraMatrix", "Camera_Matrix", "K", "M", "intrinsics")

@@ -16,8 +16,9 @@ from slamlib.images.subpixel import top
 from slamlib.spaces import Array
 
 # With noise of two grey levels in both images a match of this quality has a deviation of 0.1 px in its worst direction,
-# 2 sigma^2 / 0.1^2. And measured on photographs (benchmarks/images.py): from here on 98 % or more of all searches end at
-# the right place, and no wrong match looks right; with noise of four grey levels, 95 % at half of it, 64 % at a tenth.
+# 2 sigma^2 / 0.1^2. And measured on photographs (benchmarks/images.py): from here on 98 % or more of all searches end
+# at the right place, and no wrong match looks right; with noise of four grey levels, 95 % at half of it, 64 % at a
+# tenth.
 QUALITY = 800.0
 EDGE = 20.0
 

@@ -16,15 +16,22 @@ from slamlib.images.pictures import Picture, in_natural_order, is_image, read_im
 
 FPS, KITTI_FPS = 30.0, 10.0
 Entries = list[tuple[Path, float]]
+Numbers = range | list[int]
 
 
 @dataclass(frozen=True)
 class Sequence:
-    """count pictures, `interval` [s] between two of them as a rule; read(numbers, ascending) yields some of them."""
+    """Names and times [s] of all pictures, `interval` [s] between two of them as a rule.
 
-    count: int
+    read(numbers, ascending) yields some of them. told: whether a list says the times, so that they tell which pictures
+    of two cameras belong together; otherwise they are counted.
+    """
+
+    names: tuple[str, ...]
+    times: tuple[float, ...]
     interval: float
-    read: Callable[[range], Iterator[Picture]]
+    read: Callable[[Numbers], Iterator[Picture]]
+    told: bool = False
 
 
 def is_folder(where: str) -> bool:
@@ -61,12 +68,12 @@ def tum(where: str, fps: float | None, camera: int) -> Sequence:
 
 def is_euroc(where: str) -> bool:
     """Whether the data.csv of a camera is there."""
-    return bool(_euroc_cameras(where))
+    return bool(euroc_cameras(where))
 
 
 def euroc(where: str, fps: float | None, camera: int) -> Sequence:
     """Rows of "time in nanoseconds, file" in data.csv; files are in the folder data beside it."""
-    cameras = _euroc_cameras(where)
+    cameras = euroc_cameras(where)
     if camera not in cameras:
         raise SlamlibError(f"{where} has no camera {camera}; it has {', '.join(map(str, cameras))}")
     listing = cameras[camera]
@@ -74,7 +81,8 @@ def euroc(where: str, fps: float | None, camera: int) -> Sequence:
     return _listed([(listing.parent / "data" / name, 1e-9 * _seconds(time, listing)) for time, name in rows], listing)
 
 
-def _euroc_cameras(where: str) -> dict[int, Path]:
+def euroc_cameras(where: str) -> dict[int, Path]:
+    """The lists of the cameras that are there, by number."""
     root = Path(where)
     places = {n: [root / "mav0" / f"cam{n}", root / f"cam{n}"] for n in range(4)}
     places[0].append(root)
@@ -84,12 +92,12 @@ def _euroc_cameras(where: str) -> dict[int, Path]:
 
 def is_kitti(where: str) -> bool:
     """Whether the folder of a camera is there."""
-    return bool(_kitti_cameras(where))
+    return bool(kitti_cameras(where))
 
 
 def kitti(where: str, fps: float | None, camera: int) -> Sequence:
     """The images of image_N, with the times of times.txt, if it is there."""
-    cameras = _kitti_cameras(where)
+    cameras = kitti_cameras(where)
     if camera not in cameras:
         raise SlamlibError(f"{where} has no image_{camera}; its cameras are {', '.join(map(str, cameras))}")
     paths = in_natural_order([p for p in cameras[camera].iterdir() if is_image(p)])
@@ -102,7 +110,8 @@ def kitti(where: str, fps: float | None, camera: int) -> Sequence:
     return _listed(list(zip(paths, times, strict=True)), listing)
 
 
-def _kitti_cameras(where: str) -> dict[int, Path]:
+def kitti_cameras(where: str) -> dict[int, Path]:
+    """The folders of the cameras that are there, by number."""
     places = {n: Path(where) / f"image_{n}" for n in range(4)}
     return {n: place for n, place in places.items() if place.is_dir() and any(map(is_image, place.iterdir()))}
 
@@ -152,10 +161,11 @@ def _listed(entries: Entries, listing: Path, interval: float | None = None) -> S
     if missing:
         raise SlamlibError(f"{listing} lists {len(missing)} files that are not there, the first of them {missing[0]}")
 
-    def read(numbers: range) -> Iterator[Picture]:
+    def read(numbers: Numbers) -> Iterator[Picture]:
         for number in numbers:
             path, time = entries[number]
             yield Picture(path.name, time, read_image(path))
 
     typical = float(np.median(np.diff(times))) if len(times) > 1 else 1 / FPS
-    return Sequence(len(entries), interval or typical, read)
+    names = tuple(path.name for path, _ in entries)
+    return Sequence(names, tuple(times.tolist()), interval or typical, read, interval is None)

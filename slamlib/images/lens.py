@@ -76,7 +76,7 @@ class Undistortion:
         zoom = _zoom(lens, size)
         ideal = Lens((u, v, zoom * a, zoom * b), (float(size[0]), float(size[1])))
         self.setup = ideal.setup()
-        self._maps = _maps(lens, zoom, size)
+        self._maps = maps(lens, _zoomed(lens, zoom), size)
 
     def __call__(self, image: Array) -> Array:
         """The picture (h, w), undistorted, bilinear."""
@@ -85,26 +85,43 @@ class Undistortion:
         return found
 
 
-def _maps(lens: Lens, zoom: float, size: tuple[int, int]) -> Any:
-    """Where in the old picture each pixel of the new one comes from: columns and rows, (h, w) each."""
+def maps(lens: Lens, new: Array, size: tuple[int, int], turn: Array | None = None) -> Any:
+    """Where in the old picture each pixel of the new one comes from: columns and rows, (h, w) each.
+
+    new: its camera matrix (3, 3). turn (3, 3): takes rays of the old camera to those of the new one; None: the same.
+    """
     model = MODELS[lens.model]
     distortion = np.pad(np.array(lens.distortion, dtype=float), (0, model.most - len(lens.distortion)))
-    return model.maps(lens.matrix, distortion, lens.matrix * [[zoom, 1, 1], [1, zoom, 1], [1, 1, 1]], size)
+    return model.maps(lens.matrix, distortion, np.eye(3) if turn is None else turn, new, size)
+
+
+def _zoomed(lens: Lens, zoom: float) -> Array:
+    found: Array = lens.matrix * [[zoom, 1, 1], [1, zoom, 1], [1, 1, 1]]
+    return found
 
 
 def _zoom(lens: Lens, size: tuple[int, int]) -> float:
     """The least factor of the focal lengths with which each new pixel comes from within the old picture; bisected."""
-    low, high = ZOOMS
-    if not _inside(_maps(lens, high, size), size):
+    found = least_zoom(lambda zoom: inside(maps(lens, _zoomed(lens, zoom), size), size))
+    if found is None:
         raise SlamlibError(f"{lens} does not describe pictures of {size[0]}x{size[1]} pixels")
+    return found
+
+
+def least_zoom(fits: Callable[[float], bool]) -> float | None:
+    """The least factor of ZOOMS that fits, where all larger ones do, bisected; None if the largest does not."""
+    low, high = ZOOMS
+    if not fits(high):
+        return None
     while high / low > 1 + 1e-4:
-        middle = np.sqrt(low * high)
-        low, high = (low, middle) if _inside(_maps(lens, middle, size), size) else (middle, high)
-    return float(high)
+        middle = float(np.sqrt(low * high))
+        low, high = (low, middle) if fits(middle) else (middle, high)
+    return high
 
 
-def _inside(maps: Any, size: tuple[int, int]) -> bool:
-    columns, rows = maps
+def inside(places: Any, size: tuple[int, int]) -> bool:
+    """Whether maps (columns and rows) stay within pictures of a size (width, height)."""
+    columns, rows = places
     return bool(columns.min() >= 0 and rows.min() >= 0 and columns.max() <= size[0] - 1 and rows.max() <= size[1] - 1)
 
 
@@ -113,12 +130,12 @@ class Model:
     """A model of distortion with `most` coefficients.
 
     radial(coefficients): those of slamlib's pin-hole, or None if it cannot hold the lens. maps(camera matrix,
-    coefficients, new camera matrix, size): where the pixels of an undistorted picture come from.
+    coefficients, turn of the rays, new camera matrix, size): where the pixels of an undistorted picture come from.
     """
 
     most: int
     radial: Callable[[Numbers], Numbers | None]
-    maps: Callable[[Array, Array, Array, tuple[int, int]], Any]
+    maps: Callable[[Array, Array, Array, Array, tuple[int, int]], Any]
 
 
 def _radial(distortion: Numbers) -> Numbers | None:
@@ -129,14 +146,14 @@ def _radial(distortion: Numbers) -> Numbers | None:
     return None if p1 or p2 or any(rest) else found
 
 
-def _brown(K: Array, distortion: Array, new: Array, size: tuple[int, int]) -> Any:
+def _brown(K: Array, distortion: Array, turn: Array, new: Array, size: tuple[int, int]) -> Any:
     cv2 = opencv(PURPOSE)
-    return cv2.initUndistortRectifyMap(K, distortion, None, new, size, cv2.CV_32FC1)
+    return cv2.initUndistortRectifyMap(K, distortion, turn, new, size, cv2.CV_32FC1)
 
 
-def _fish(K: Array, distortion: Array, new: Array, size: tuple[int, int]) -> Any:
+def _fish(K: Array, distortion: Array, turn: Array, new: Array, size: tuple[int, int]) -> Any:
     cv2 = opencv(PURPOSE)
-    return cv2.fisheye.initUndistortRectifyMap(K, distortion, np.eye(3), new, size, cv2.CV_32FC1)
+    return cv2.fisheye.initUndistortRectifyMap(K, distortion, turn, new, size, cv2.CV_32FC1)
 
 
 MODELS = {

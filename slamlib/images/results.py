@@ -21,7 +21,8 @@ class ImageResult:
     """Per frame, arrays (n,) by the names of COLUMNS; the camera's trajectory; size of the state in the end.
 
     time [s] of the picture; searched, matched, believed: landmarks looked for, found, and believed; nis and its degrees
-    of freedom nis_dof: of all believed ones; landmarks: in the map; begun, deleted; PARTS: seconds spent.
+    of freedom nis_dof: of all believed ones; landmarks: in the map; begun, deleted; PARTS, and perhaps more of them:
+    seconds spent.
     """
 
     columns: dict[str, Array]
@@ -29,15 +30,22 @@ class ImageResult:
     size: int
 
     @classmethod
-    def of(cls, history: list[list[float]], trajectory: Trajectory, size: int) -> "ImageResult":
+    def of(
+        cls, history: list[list[float]], trajectory: Trajectory, size: int, columns: tuple[str, ...] = COLUMNS
+    ) -> "ImageResult":
         """From a run's rows."""
         rows = np.array(history, dtype=float)
-        return cls(dict(zip(COLUMNS, rows.T, strict=True)), trajectory, size)
+        return cls(dict(zip(columns, rows.T, strict=True)), trajectory, size)
 
     def __getattr__(self, name: str) -> Array:
-        if name not in COLUMNS:
+        if name == "columns" or name not in self.columns:
             raise AttributeError(name)
         return self.columns[name]
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """Names of the columns of seconds."""
+        return tuple(name for name in self.columns if name not in COLUMNS or name in PARTS)
 
     @property
     def gaps(self) -> int:
@@ -81,7 +89,7 @@ def summary(result: ImageResult) -> dict[str, Any]:
         "deleted": int(c["deleted"].sum()),
         "state": result.size,
         "path_length": float(result.trajectory.distances[-1]),
-        "milliseconds": {name: 1e3 * float(np.median(c[name])) for name in PARTS},
+        "milliseconds": {name: 1e3 * float(np.median(c[name])) for name in result.parts},
     }
 
 
@@ -89,7 +97,7 @@ def table(s: dict[str, Any]) -> list[tuple[str, str]]:
     """The rows of a summary for people: what, and how much."""
     share = {name: "none" if s[name] is None else f"{s[name]:.1%}" for name in ("matched_share", "believed_share")}
     nis = "no match" if s["nis_per_dof"] is None else f"{s['nis_per_dof']:.2f} (1 is ideal; the gate cuts some off)"
-    parts = ", ".join(f"{name} {s['milliseconds'][name]:.1f}" for name in PARTS)
+    parts = ", ".join(f"{name} {spent:.1f}" for name, spent in s["milliseconds"].items())
     return [
         ("frames", f"{s['frames']}, {s['seconds']:.2f} s"),
         ("tracked features", f"{s['tracked_mean']:.1f} a frame, at least {s['tracked_least']}"),

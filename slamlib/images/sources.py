@@ -12,8 +12,9 @@ Pictures are read one at a time, when they are asked for, in the order of their 
 """
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import accumulate
 from pathlib import Path
 from typing import Any
 
@@ -25,18 +26,21 @@ from slamlib.spaces import Array
 
 @dataclass(frozen=True)
 class Layout:
-    """A way in which pictures are kept: is_there(path text), and open(path text, pictures a second or None, camera)."""
+    """A way in which pictures are kept: is_there(path text), and open(path text, pictures a second or None, camera).
+
+    cameras(path text): which of them are there, by number, in layouts of several.
+    """
 
     name: str
     is_there: Callable[[str], bool]
     open: Callable[[str, float | None, int], layouts.Sequence]
-    cameras: bool = False
+    cameras: Callable[[str], Iterable[int]] | None = None
 
 
 LAYOUTS = (
     Layout("TUM RGB-D", layouts.is_tum, layouts.tum),
-    Layout("EuRoC", layouts.is_euroc, layouts.euroc, cameras=True),
-    Layout("KITTI", layouts.is_kitti, layouts.kitti, cameras=True),
+    Layout("EuRoC", layouts.is_euroc, layouts.euroc, layouts.euroc_cameras),
+    Layout("KITTI", layouts.is_kitti, layouts.kitti, layouts.kitti_cameras),
     Layout("folder", layouts.is_folder, layouts.folder),
     Layout("video", video.is_video, video.open_video),
     Layout("glob", layouts.is_glob, layouts.matching),
@@ -48,23 +52,28 @@ class Source:
     """A sized iterable of pictures, all of one size; each round reads them anew.
 
     layout: its name; where: the absolute path; frames: the numbers of its pictures in the whole sequence;
-    interval: typical time [s] between two neighbours of the whole; recipe: plain data to open the same again.
+    whole: names and times of the whole, with the typical time between two neighbours; recipe: plain data to open the
+    same again.
     Iterating raises SlamlibError, which names the picture, for one that cannot be read or has another size.
     """
 
     layout: str
     where: str
     frames: range
-    interval: float
-    read: Callable[[range], Iterator[Picture]]
+    whole: layouts.Sequence
     recipe: dict[str, Any]
 
     def __len__(self) -> int:
         return len(self.frames)
 
+    @property
+    def interval(self) -> float:
+        """Typical time [s] between two neighbours of the whole sequence."""
+        return self.whole.interval
+
     def __iter__(self) -> Iterator[Picture]:
         first: Picture | None = None
-        for picture in self.read(self.frames):
+        for picture in self.whole.read(self.frames):
             first = first or picture
             if picture.image.shape != first.image.shape:
                 raise SlamlibError(
@@ -83,31 +92,41 @@ class Source:
         chosen = [frames.start, frames.stop, frames.step]
         return replace(self, frames=frames, recipe={**self.recipe, "frames": chosen})
 
+    def again(self, recipe: dict[str, Any], count: int | None = None) -> "Source":
+        """Of the whole, the part of a recipe, or `count` pictures from its first one on. Raises SlamlibError."""
+        chosen = range(*recipe.get("frames", (len(self),)))
+        if chosen[-1] >= len(self):
+            raise SlamlibError(f"{self.where} has {len(self)} pictures, and had more when the run was saved")
+        if count is None and "frames" not in recipe:
+            return self
+        return self.part(chosen.start, chosen.step, len(chosen) if count is None else count)
+
     def through(self, change: Callable[[Array], Array], recipe: dict[str, Any]) -> "Source":
         """The same pictures, each changed, as by an undistortion; recipe: plain data that tells of the change too."""
 
-        def read(frames: range) -> Iterator[Picture]:
-            return (replace(picture, image=change(picture.image)) for picture in self.read(frames))
+        def read(frames: layouts.Numbers) -> Iterator[Picture]:
+            return (replace(picture, image=change(picture.image)) for picture in self.whole.read(frames))
 
-        return replace(self, read=read, recipe=recipe)
+        return replace(self, whole=replace(self.whole, read=read), recipe=recipe)
 
 
 def of_pictures(pictures: Sequence[Picture], interval: float) -> Source:
     """A source of pictures that are in memory, `interval` [s] apart as a rule; it cannot be opened again."""
-    return Source("memory", "memory", range(len(pictures)), interval, lambda frames: (pictures[i] for i in frames), {})
+    names, times = zip(*((p.name, p.time) for p in pictures), strict=True) if pictures else ((), ())
+    whole = layouts.Sequence(names, times, interval, lambda frames: (pictures[i] for i in frames))
+    return Source("memory", "memory", range(len(pictures)), whole, {})
 
 
 def of_film(film: Any, sensor: int = 0) -> Source:
     """The images of one sensor of a rendered film (slamlib.simulation.rooms), made anew each time they are read."""
 
-    def read(frames: range) -> Iterator[Picture]:
-        time = 0.0
+    def read(frames: layouts.Numbers) -> Iterator[Picture]:
         for i, (frame, _) in zip(range(frames[-1] + 1), film, strict=False):
-            time += frame.dt
             if i in frames:
-                yield Picture(f"frame {frame.number}", time, frame.scans[sensor].image)
+                yield Picture(names[i], times[i], frame.scans[sensor].image)
 
-    return Source("film", "a rendered film", range(len(film)), film.dt, read, {})
+    names, times = tuple(f"frame {n + 1}" for n in range(len(film))), tuple(accumulate([film.dt] * len(film)))
+    return Source("film", "a rendered film", range(len(film)), layouts.Sequence(names, times, film.dt, read), {})
 
 
 def open_source(text: str | os.PathLike[str], *, fps: float | None = None, camera: int = 0) -> Source:
@@ -124,9 +143,16 @@ def open_source(text: str | os.PathLike[str], *, fps: float | None = None, camer
         raise SlamlibError(f"{text}: {_why_not(where)}")
     if camera and not layout.cameras:
         raise SlamlibError(f"{text} is a {layout.name}, which has one camera: leave camera {camera} out")
-    sequence = layout.open(where, fps, camera)
+    whole = layout.open(where, fps, camera)
     recipe = {"text": where, "fps": fps, "camera": camera}
-    return Source(layout.name, where, range(sequence.count), sequence.interval, sequence.read, recipe)
+    return Source(layout.name, where, range(len(whole.times)), whole, recipe)
+
+
+def cameras_at(where: str | os.PathLike[str]) -> list[int]:
+    """Numbers of the cameras in a data set's folder; none for what is no layout of several."""
+    text = os.path.abspath(where)
+    layout = next((layout for layout in LAYOUTS if layout.is_there(text)), None)
+    return [] if layout is None or layout.cameras is None else sorted(layout.cameras(text))
 
 
 def reopen(recipe: dict[str, Any], count: int | None = None) -> Source:
@@ -135,16 +161,11 @@ def reopen(recipe: dict[str, Any], count: int | None = None) -> Source:
     Raises SlamlibError if it is not there any more, or has become shorter.
     """
     source = open_source(recipe["text"], fps=recipe["fps"], camera=recipe["camera"])
-    chosen = range(*recipe.get("frames", (len(source),)))
-    if chosen[-1] >= len(source):
-        raise SlamlibError(f"{source.where} has {len(source)} pictures, and had more when the run was saved")
-    if count is None and "frames" not in recipe:
-        return source
-    return source.part(chosen.start, chosen.step, len(chosen) if count is None else count)
+    return source.again(recipe, count)
 
 
 def _size(image: Array) -> str:
-    return f"{image.shape[1]}x{image.shape[0]}"
+    return f"{image.shape[-1]}x{image.shape[-2]}"
 
 
 def _why_not(where: str) -> str:

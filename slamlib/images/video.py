@@ -12,7 +12,7 @@ from typing import Any
 
 from slamlib.errors import SlamlibError
 from slamlib.images.extras import opencv
-from slamlib.images.layouts import FPS, Sequence
+from slamlib.images.layouts import FPS, Numbers, Sequence
 from slamlib.images.pictures import Picture, grey, is_image
 
 SLACK = 0.02  # the length in a header is often an estimate: so much of it may be missing at the end
@@ -35,17 +35,19 @@ def open_video(where: str, fps: float | None, camera: int) -> Sequence:
     if not count:
         raise SlamlibError(f"{where} is a video without a single picture that can be read")
     rate = fps or (own if math.isfinite(own) and own > 0 else FPS)
+    times = tuple(number / rate for number in range(count))
+    names = tuple(f"picture {number}" for number in range(count))
 
-    def read(numbers: range) -> Iterator[Picture]:
+    def read(numbers: Numbers) -> Iterator[Picture]:
         with _opened(where) as film:
             for number in range(numbers[-1] + 1):
                 if not film.grab():
                     _check_end(where, number, count)
                     return
                 if number in numbers:
-                    yield Picture(f"picture {number}", number / rate, _picture(film, where, number))
+                    yield Picture(names[number], times[number], _picture(film, where, number))
 
-    return Sequence(count, 1 / rate, read)
+    return Sequence(names, times, 1 / rate, read)
 
 
 def _picture(film: Any, where: str, number: int) -> Any:

@@ -36,7 +36,7 @@ def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
         "sensors": [None if s.block is None else order[id(s.block)] for s in slam.sensors],
         "sizes": [len(block.mean) for block in slam.belief.blocks],
         "landmarks": [
-            [lm.id, lm.kind.name, order[id(lm.block)], lm.born, lm.searched, lm.matched, lm.inliers, lm.sensor]
+            [lm.id, lm.kind.name, order[id(lm.block)], lm.born, lm.searched, lm.matched, lm.inliers, lm.sensor, lm.seen]
             for lm in landmarks
         ],
         "front_ends": [front_end.dump() for front_end in slam.front_ends],
@@ -81,12 +81,17 @@ def load(path: str | os.PathLike[str], front_ends: Any, make: Any) -> tuple[Any,
     kinds = {row[2]: landmark_kind(row[1]) for row in header["landmarks"]}
     blocks = {i: slam.belief.add(kinds[i].space, means[i], np.eye(kinds[i].space.dof)) for i in sorted(kinds)}
     slam.belief.overwrite({**own, **blocks}, dict(enumerate(means)), arrays["P"])
+    # Files of before landmarks knew when they were seen last: all of them just now, so that none goes for that.
     for row, abscissas, packed in zip(header["landmarks"], arrays["abscissas"], header["signatures"], strict=True):
-        number, _, block, born, searched, matched, inliers, sensor = row
+        number, _, block, born, searched, matched, inliers, sensor, *seen = row
         known = None if np.isnan(abscissas).any() else abscissas
         signature = slam.front_ends[sensor].unpack(packed)
         counts = (born, searched, matched, inliers)
-        slam.landmarks.append(Landmark(number, kinds[block], blocks[block], *counts, known, sensor, signature))
+        slam.landmarks.append(
+            Landmark(
+                number, kinds[block], blocks[block], *counts, known, sensor, signature, *(seen or [header["number"]])
+            )
+        )
     for front_end, state in zip(slam.front_ends, header["front_ends"], strict=True):
         front_end.restore(state)
     slam.number, slam.time, slam.frames_of = header["number"], header["time"], header["frames_of"]

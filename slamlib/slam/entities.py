@@ -67,7 +67,8 @@ class Landmark:
     """A landmark in the map: its parametrization, its block, its history; of a line the abscissas of its two ends.
 
     searched, matched, inliers: how often it was looked for, found, and believed. sensor: the number of the one that
-    began it; signature: what that one's front end keeps of its looks.
+    began it; signature: what that one's front end keeps of its looks. seen: the frame in which it was believed last,
+    born: the one in which it was begun.
     """
 
     id: int
@@ -80,3 +81,7 @@ class Landmark:
     abscissas: Array | None = None
     sensor: int = 0
     signature: Any = field(default=None, repr=False)
+    seen: int = 0
+
+    def __post_init__(self) -> None:
+        self.seen = max(self.seen, self.born)

@@ -16,6 +16,7 @@ from slamlib.rig import Rig
 from slamlib.slam import checkpoint
 from slamlib.slam.consensus import CONSENSUS
 from slamlib.slam.entities import Landmark, MountedSensor, Robot
+from slamlib.slam.forgetting import makes_room, out_of_window
 from slamlib.slam.lines import LineFamily
 from slamlib.slam.looking import (
     Look,
@@ -89,6 +90,12 @@ class Slam:
             self._begin(i, scan, events)
         return Report(tuple(events.begun), tuple(events.deleted), tuple(events.refused))
 
+    def wait(self, controls: Sequence[Control | None], dt: float) -> None:
+        """Time passes without a frame: all robots move, and no sensor looks."""
+        self.time += dt
+        for robot, control in zip(self.robots, controls, strict=True):
+            self._predict(robot, control, dt)
+
     def _check(self, frame: Frame) -> None:
         given, wanted = (len(frame.controls), len(frame.scans)), (len(self.robots), len(self.sensors))
         if given != wanted:
@@ -131,6 +138,7 @@ class Slam:
     def _delete(self, looks: list[Look], events: _Events) -> None:
         """Landmarks that are not found where they should be, or found to be wrong, and points beyond infinity, go."""
         bad = {look.landmark for look in looks if look.chosen and self._is_bad(look.landmark)}
+        bad |= out_of_window(self.landmarks, looks, self.number, self.options)
         for group in groups(self.landmarks):
             for family in self.families:
                 if isinstance(group[0].kind, family.kinds):
@@ -185,17 +193,28 @@ class Slam:
             for number, value, signature in found:
                 self._begin_one(family, i, kind, number, value, signature, events)
 
+    def _has_room(self, events: _Events) -> bool:
+        """Whether one more landmark may be begun; at the capacity, another one may have to go for it."""
+        if self.options.capacity is None or len(self.landmarks) < self.options.capacity:
+            return True
+        given_up = makes_room(self.landmarks, self.number, self.options)
+        if given_up is None:
+            return False
+        self.forget(given_up)
+        events.deleted.append(given_up.id)
+        return True
+
     def _begin_one(
         self, family: Any, i: int, kind: Any, number: int, value: Array, signature: Any, events: _Events
     ) -> None:
         sensor = self.sensors[i]
-        if self.options.capacity is not None and len(self.landmarks) >= self.options.capacity:
-            events.refused.append(number)
-            return
         try:
             x, noise, jacobians = family.begin(sensor, kind, value)
         except SingularPointError:
             return  # this parametrization cannot hold what is there; it may from the next place
+        if not self._has_room(events):
+            events.refused.append(number)
+            return
         blocks = sensor.blocks
         pads = [np.pad(J, ((0, 0), (0, b.dof - J.shape[1]))) for b, J in zip(blocks, jacobians, strict=False)]
         block = self.belief.add(kind.space, x, noise, given=blocks, jacobians=pads)

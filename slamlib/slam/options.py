@@ -12,6 +12,7 @@ from slamlib.rig import tuples
 INNOVATIONS = ("ortDst", "rhoThe", "angles")
 CHOICES = ("information", "order")
 CONSENSUS = ("each", "joint", "one-point")
+FULL = ("unseen", "useless")
 Prior = tuple[tuple[float, float], tuple[float, float]]
 PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 
@@ -22,6 +23,9 @@ class Options:
 
     points, lines: parametrization of new landmarks, or None for none of them (init.initType).
     capacity: largest number of landmarks, or None for no limit (map.numLmks).
+    full: what happens to new landmarks at the capacity: None refuses them; "unseen": the landmark that was not seen for
+        longest makes room; "useless": the one that was looked for in vain the largest share of times does.
+    window: a landmark that was not seen in more frames than this is forgotten; None: it is remembered for ever.
     updates: most landmarks that one sensor corrects in one frame (correct.nUpdates).
     choose: "information": those whose innovation covariance has the largest determinant; "order": the oldest.
     reproject: one landmark after another, each expected anew at the mean of that moment; False: all in one batch, with
@@ -47,6 +51,8 @@ class Options:
     points: str | None = "idpPnt"
     lines: str | None = None
     capacity: int | None = None
+    full: str | None = None
+    window: int | None = None
     updates: int = 10
     choose: str = "information"
     reproject: bool = True
@@ -73,11 +79,13 @@ class Options:
         _known("innovation", self.innovation, INNOVATIONS)
         _known("choose", self.choose, CHOICES)
         _known("consensus", self.consensus, CONSENSUS)
+        _known("rule for a full map", self.full, FULL, none=True)
         for name in ("updates", "first", "later", "search_first"):
             self._ask(name, "a whole number, 0 or more", lambda v: isinstance(v, int) and v >= 0)
         for name in ("reproject", "convert", "extend"):
             self._ask(name, "True or False", lambda v: isinstance(v, bool))
-        self._ask("capacity", "a whole number above 0, or None", lambda v: v is None or (isinstance(v, int) and v > 0))
+        for name in ("capacity", "window"):
+            self._ask(name, "a whole number above 0, or None", lambda v: v is None or (isinstance(v, int) and v > 0))
         self._ask("gate", "a probability above 0, up to 1", lambda v: 0 < v <= 1)
         for name in ("keep_matched", "keep_inliers"):
             self._ask(name, "a share between 0 and 1", lambda v: 0 <= v <= 1)

@@ -40,11 +40,11 @@ def seen_from(points, robot, mount=ORIGIN):
 
 
 def stereo_film(frames, path="sideways", seed=1, std=0.1):
-    """Frames with pairs, truths, and the rig with its one stereo sensor."""
+    """The rig with its one stereo sensor, frames with pairs and truths, and the film; seed: of textures and noise."""
     way = rooms.path(path)
     rig = rooms.hand_held(way, baseline=0.12, image=(320.0, 240.0), parameters=LENS)
-    made = rooms.film(rooms.default_room(), rig, way, frames=frames, rng=np.random.default_rng(seed))
-    return joined(rig, (std,) * 3), [(paired(frame), truth) for frame, truth in made], made
+    made = rooms.film(rooms.default_room(seed=seed), rig, way, frames=frames, rng=np.random.default_rng(seed))
+    return joined(rig, std if np.ndim(std) else (std,) * 3), [(paired(frame), truth) for frame, truth in made], made
 
 
 def kitti(count=51):

@@ -3,7 +3,6 @@
 import json
 import os
 import shutil
-import signal
 
 import numpy as np
 import pytest
@@ -11,6 +10,7 @@ import pytest
 from slamlib.cli import main, working
 from slamlib.images.run import ImageRun
 from slamlib.simulation import rooms
+from slamlib.tests.pictures import interrupted_at
 from slamlib.tests.reference import FOLDER
 from slamlib.trajectories import Trajectory, read_trajectory, write_tum
 
@@ -106,6 +106,8 @@ def test_choices_reach_the_run(room, tmp_path):
     given += [
         "--option",
         "first=7",
+        "--option",
+        "inverse_distance=0.8,0.4",
         "--search",
         "patch=9",
         "--noise",
@@ -123,6 +125,7 @@ def test_choices_reach_the_run(room, tmp_path):
     assert (list(run.source.frames), run.source.interval, run.patience) == ([2, 5, 8, 11, 14], 1 / 15, 4)
     options, rig = run.slam.options, run.slam.rig
     assert (options.updates, options.consensus, options.points, options.first) == (9, "joint", "idpPnt", 7)
+    assert options.inverse_distance == (0.8, 0.4)
     assert run.slam.front_ends[0].settings.patch == 9
     assert rig.sensors[0].std == (0.3,)
     assert rig.robots[0].control_std == (0.2, 0.2, 0.2, 5.0, 5.0, 5.0)
@@ -157,14 +160,7 @@ def test_a_glob_a_video_and_the_public_layouts(room, tmp_path, capsys):
 def test_an_interrupted_run_goes_on_as_if_it_had_not_been(room, tmp_path, capsys, monkeypatch):
     whole, cut = tmp_path / "whole.npz", tmp_path / "cut.npz"
     assert main(words(room, "--save", str(whole))) == 0
-
-    def interrupted(items, total, label):
-        for i, item in enumerate(items):
-            if i == 9:
-                os.kill(os.getpid(), signal.SIGINT)
-            yield item
-
-    monkeypatch.setattr(working, "progress", interrupted)
+    monkeypatch.setattr(working, "progress", interrupted_at(9))
     assert main(words(room, "--save", str(cut), "--trajectory", str(tmp_path / "t.txt"))) == 130
     assert f"slamlib run images --resume {cut}" in capsys.readouterr().err
     assert len(read_trajectory(tmp_path / "t.txt")) == 10
@@ -226,6 +222,15 @@ def test_a_cut_is_warned_of_once_and_stops_the_run(room, tmp_path, capsys):
     assert told.err.count("no match in 10.png") == 1
     assert main(["run", "images", "--resume", "slamlib-images.npz", "--patience", "50", "--json"]) == 0
     assert found(capsys)["frames"] == COUNT
+
+
+def test_a_run_that_may_be_reversed_is_named(room, capsys, monkeypatch):
+    assert main(words(room, "--frames", "8")) == 0
+    assert "reversed" not in capsys.readouterr().err
+    monkeypatch.setattr("slamlib.cli.reporting.JUDGED", 8)
+    monkeypatch.setattr("slamlib.cli.reporting.ENOUGH", 1.01)
+    assert main(words(room, "--frames", "8", "--json")) == 0
+    assert "the path may be reversed" in capsys.readouterr().err
 
 
 def test_undistortion(room, tmp_path, capsys):
@@ -320,6 +325,7 @@ def test_a_window_shows_every_frame(room, monkeypatch):
         (["--landmark", "plkLin"], "for lines there is --lines"),
         (["--lines", "idpPnt"], "unknown line landmark 'idpPnt'"),
         (["--option", "gat=1"], "unknown option 'gat'; did you mean 'gate'?"),
+        (["--option", "inverse_distance=1,a"], "inverse_distance should be (mean, std)"),
         (["--search", "patsch=1"], "unknown search 'patsch'; did you mean 'patch'?"),
         (["--search", "patch"], "--search takes NAME=VALUE"),
         (["--start", "24"], "none is left"),

@@ -176,6 +176,23 @@ def test_frames_without_matches_are_predictions():
     assert (moved[14:17] > 0.25 * np.median(moved)).all()
 
 
+def test_missing_pictures_pass_as_dark_ones_do():
+    spoilt = set(range(15, 23))
+    dark = begun(spoilt)
+    there = [p for i, p in enumerate(pictures()) if i not in spoilt]
+    missing = ImageRun(of_pictures(there, DT), hand_held(CAMERA), OPTIONS, Told())
+    seen = []
+    for run in (dark, missing):
+        step = next(step for step in run if step.picture.name == "23.png")
+        assert (step.number, run.slam.time) == (24 if run is dark else 16, pytest.approx(23 * DT))
+        seen.append({look.landmark.signature: look for look in run.slam.looks[0]})
+    assert len(seen[0]) > 10
+    assert seen[0].keys() == seen[1].keys()
+    for name, look in seen[0].items():
+        np.testing.assert_allclose(look.value, seen[1][name].value, atol=1e-9)
+        np.testing.assert_allclose(look.Z, seen[1][name].Z, rtol=1e-9)
+
+
 def test_a_gap_that_lasts_ends_the_run_and_nothing_is_lost(tmp_path):
     run = begun(set(range(10, 25)), patience=6)
     with pytest.raises(Lost, match=r"6 frames in a row without a match, from frame 11 on; was there a cut"):

@@ -113,6 +113,31 @@ def test_a_half_measures_in_its_squares_only(film):
     assert len(slam.landmarks) > 15
 
 
+def test_landmarks_take_turns(film):
+    rig, frames, _ = film
+    slam = filter_of(rig, settings=StereoSettings(turns=3))
+    looked = dict[int, list[int]]()
+    for frame, _ in frames[:10]:
+        slam.step(frame)
+        for look in slam.looks[0]:
+            if look.chosen:
+                looked.setdefault(look.landmark.id, []).append(frame.number)
+    assert len(looked) > 20
+    assert all(set(np.diff(numbers)) <= {3, 6, 9} for numbers in looked.values())
+    assert {numbers[0] % 3 for numbers in looked.values()} == {0, 1, 2}  # in each frame some
+
+
+def test_what_is_left_to_an_odometry_is_not_measured(film):
+    rig, frames, _ = film
+    slam = run(filter_of(rig), frames[:3])
+    front_end = slam.front_ends[0]
+    seen = front_end.eyes.look(frames[3][0].scans[0].image)
+    front_end.others = np.arange(0, len(seen), 2)
+    slam.step(frames[3][0])
+    assert len(front_end.found) > 10
+    assert set(front_end.others.tolist()).isdisjoint([*front_end.found.values(), *front_end.begun])
+
+
 def test_a_shared_look_is_made_once(film):
     rig, frames, _ = film
     eyes = Eyes(rig.sensors[0].calibration)

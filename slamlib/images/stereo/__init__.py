@@ -10,14 +10,17 @@ from slamlib.images.stereo.front_end import StereoSearch
 from slamlib.images.stereo.geometry import triangulate
 from slamlib.images.stereo.joining import joined, paired
 from slamlib.images.stereo.matching import circular, mutual
+from slamlib.images.stereo.moving import MOVING, Moving
 from slamlib.images.stereo.odometry import Motion, VisualOdometry, motion_between
 from slamlib.images.stereo.pairs import pair
 from slamlib.images.stereo.settings import StereoSettings
 from slamlib.images.stereo.tracks import Tracks
 
 __all__ = [
+    "MOVING",
     "Eyes",
     "Motion",
+    "Moving",
     "Observed",
     "StereoSearch",
     "StereoSettings",

@@ -59,10 +59,11 @@ def observe(image: Array, settings: StereoSettings) -> Observed:
     """Detect in both pictures, match in both directions along the rows, and refine the disparities."""
     s, (left, right) = settings, (detect(picture, settings) for picture in image)
     cost = distances(left.descriptors, right.descriptors)
-    cost = np.where(along_rows(left.pixels, right.pixels, s.rows, s.disparity), cost, np.inf)
+    least, largest = (bound - s.offset for bound in s.disparity)
+    cost = np.where(along_rows(left.pixels, right.pixels, s.rows, (least, largest)), cost, np.inf)
     rows = mutual(cost, largest=s.distance, ratio=s.ratio)
     pixels = left.pixels[rows[:, 0]]
-    d = pixels[:, 0] - right.pixels[rows[:, 1], 0]
+    d = pixels[:, 0] - right.pixels[rows[:, 1], 0] + s.offset
     d, good = disparities(image, pixels, d, s)
     return Observed(image, left, right, rows[good], np.column_stack([pixels, d])[good])
 
@@ -72,9 +73,9 @@ def disparities(image: Array, pixels: Array, guess: Array, settings: StereoSetti
     s, (left, right) = settings, image
     if not s.patch or not len(pixels):
         return guess, np.ones(len(pixels), dtype=bool)
-    start = pixels - guess[:, None] * [1, 0]
+    start = pixels - (guess - s.offset)[:, None] * [1, 0]
     place, score = align(right, cut(left, pixels, s.patch + 2), start, ALONG_ROW)
-    d = pixels[:, 0] - place[:, 0]
+    d = pixels[:, 0] - place[:, 0] + s.offset
     good = (score >= s.score) & (np.abs(d - guess) <= s.shift) & (d >= s.disparity[0]) & (d <= s.disparity[1])
     return d, good
 

@@ -80,3 +80,14 @@ def _squares(calibration: Calibration, mount: Array, old: Array, new: Array, pos
     e, _, _, S = _linear(calibration, mount, old, new, pose, old)
     squares: Array = (e * np.linalg.solve(S, e[..., None])[..., 0]).sum(-1)
     return squares
+
+
+def derivatives(calibration: Calibration, mount: Array, old: Array, new: Array, pose: Array) -> tuple[Array, Array]:
+    """How much the fitted pose (6,) moves with each old and each new measurement: (n, 6, 3) and (n, 6, 3).
+
+    To first order, as the covariance is: sum of G R G' over both is that of `fit`.
+    """
+    _, A, G, S = _linear(calibration, mount, old, new, pose, old)
+    weighted = A.swapaxes(-1, -2) @ np.linalg.inv(S)
+    by_new = np.linalg.inv((weighted @ A).sum(0)) @ weighted
+    return -by_new @ G, by_new

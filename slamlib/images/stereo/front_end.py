@@ -50,6 +50,9 @@ class StereoSearch:
         self.last = 0
         self.rests = Rests()
         self.found: dict[int, int] = {}  # rows of the present features, by the landmarks that they show
+        self.others = np.zeros(0, dtype=int)  # rows of the present features that are left to an odometry
+        self.begun: list[int] = []  # rows of the present features that began a landmark
+        self.frame = 0
 
     def check(self, scan: Scan) -> None:
         """Raise SlamlibError for a scan whose image is no pair of the calibration's size."""
@@ -65,7 +68,13 @@ class StereoSearch:
             and self.calibration.inside(look.value, s.border)
             and self.mine(look.value[None])[0]
         ]
-        return self.rests.awake(able)
+        self.frame += 1
+        self.found, self.begun = {}, []
+        return [look for look in self.rests.awake(able) if self.has_turn(look.landmark, self.frame)]
+
+    def has_turn(self, landmark: Any, frame: int) -> bool:
+        """Whether a landmark is measured in a frame, counted from 1."""
+        return bool((frame + landmark.id) % self.settings.turns == 0)
 
     def mine(self, values: Array) -> Array:
         """Mask (n,) of the measurements (n, .) in this front end's part of the picture."""
@@ -96,6 +105,7 @@ class StereoSearch:
         z = seen.values[None] - np.array([look.value for look in looks])[:, None]
         squares = (z * (z @ np.linalg.inv(Z))).sum(-1)
         allowed: Array = np.where(squares <= gate(self.settings.probability, 3), bits, np.inf)
+        allowed[:, self.others] = np.inf
         return allowed
 
     def measure(self, seen: Observed, views: list[View], values: Array) -> tuple[Array, Array]:
@@ -120,7 +130,7 @@ class StereoSearch:
             # What is hidden, and rests, leaves its place to what stands before it.
             present = sum(look.landmark.id not in self.rests for look in sight.looks)
             count = min(count, self.settings.enough - present)
-            rows = self.fresh(seen, expected, usable, count)
+            rows = self.begun = self.fresh(seen, expected, usable, count)
             return [(self.new_id(known), seen.values[i], Views((self.view(seen, seen.values[i]),))) for i in rows]
 
     def fresh(self, seen: Observed, expected: Array, usable: Callable[[Array], Array], count: int) -> list[int]:
@@ -128,6 +138,7 @@ class StereoSearch:
         if count <= 0 or not len(seen):
             return []
         good = usable(seen.values) & self.mine(seen.values)
+        good[self.others] = False
         taken, rows = list(expected[:, :2]), list[int]()
         for i in np.argsort(-seen.strengths, kind="stable").tolist():
             place = seen.values[i, :2]
@@ -161,13 +172,14 @@ class StereoSearch:
         return self.last
 
     def dump(self) -> Any:
-        """The last number given, and the landmarks that rest."""
-        return {"last": self.last, "rests": self.rests.dump()}
+        """The last number given, the landmarks that rest, and how many pairs it looked at."""
+        return {"last": self.last, "rests": self.rests.dump(), "frame": self.frame}
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave."""
         self.last = state["last"]
         self.rests.restore(state["rests"])
+        self.frame = state.get("frame", 0)
 
     def pack(self, signature: Any) -> Any:
         """A landmark's views as plain data."""

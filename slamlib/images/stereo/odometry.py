@@ -1,6 +1,7 @@
 """Motion between two pairs: the control of slamlib.motions.ODOMETRY, with its covariance. Chapter 21."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from slamlib.images.extras import opencv
 from slamlib.images.stereo.features import Eyes, Observed, followed, within
 from slamlib.images.stereo.fitting import Fit, fit
 from slamlib.images.stereo.geometry import ORIGIN, triangulate
+from slamlib.images.stereo.pairs import pack, unpack
 from slamlib.images.stereo.tracks import Tracks
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.observation import observe
@@ -78,12 +80,18 @@ def by_samples(calibration: Calibration, old: Array, new: Array) -> tuple[Array,
 
 def as_control(found: Fit) -> Control:
     """Displacement and rotation vector, both in the robot's old frame, of a pose with its covariance (6, 6)."""
-    turn, J = logarithm.jac(found.pose[3:])
-    _, by = plus.jac(found.pose[3:], np.zeros(3))
+    T = control_axes(found.pose)
+    P = T @ found.covariance @ T.T
+    return Control(np.concatenate([found.pose[:3], logarithm(found.pose[3:])]), (P + P.T) / 2)
+
+
+def control_axes(pose: Array) -> Array:
+    """How the control's numbers (6,) move with a small step (6,) of the pose (7,) that it belongs to: (6, 6)."""
+    _, J = logarithm.jac(pose[3:])
+    _, by = plus.jac(pose[3:], np.zeros(3))
     T = np.eye(6)
     T[3:, 3:] = J.q @ by.step  # the pose's last three numbers turn about its own axes
-    P = T @ found.covariance @ T.T
-    return Control(np.concatenate([found.pose[:3], turn]), (P + P.T) / 2)
+    return T
 
 
 class VisualOdometry:
@@ -131,6 +139,17 @@ class VisualOdometry:
         seen = observe(EUC_POINT, calibration, predicted, self.mount, points)
         expected = np.where(seen.visible[:, None], seen.value, np.nan)
         return within(expected, new.values, self.eyes.settings.region)
+
+    def dump(self) -> Any:
+        """The last pair, packed, the motion to it, and the tracks, as plain data."""
+        last = None if self.last is None else self.last.tolist()
+        return {"pair": None if self.old is None else pack(self.old.image), "last": last, "tracks": self.tracks.dump()}
+
+    def restore(self, state: Any) -> None:
+        """Go on from what `dump` gave: the next step is the same."""
+        self.old = None if state["pair"] is None else self.eyes.look(unpack(state["pair"]))
+        self.last = None if state["last"] is None else np.array(state["last"])
+        self.tracks.restore(state["tracks"])
 
     def _motion(self, old: Observed) -> Motion | None:
         if self.half is not None:

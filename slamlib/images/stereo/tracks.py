@@ -1,5 +1,7 @@
 """Identities of features: one number for each as long as it can be matched, without a filter."""
 
+from typing import Any
+
 import numpy as np
 
 from slamlib.spaces import Array
@@ -32,3 +34,12 @@ class Tracks:
         self.last += int(fresh.sum())
         self.ids, self.ages = ids, ages
         return seen
+
+    def dump(self) -> Any:
+        """Plain data."""
+        return {"last": self.last, "ids": self.ids.tolist(), "ages": self.ages.tolist()}
+
+    def restore(self, state: Any) -> None:
+        """Go on from what `dump` gave."""
+        self.last = state["last"]
+        self.ids, self.ages = (np.array(state[name], dtype=int) for name in ("ids", "ages"))

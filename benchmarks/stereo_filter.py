@@ -1,0 +1,168 @@
+"""The stereo filter on films: errors, consistency, and where its time goes; for benchmarks/stereo.py."""
+
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from slamlib.evaluation import chi2_quantile, nees
+from slamlib.geometry.pose import Pose
+from slamlib.images.stereo import MOVING, StereoSettings, joined, paired
+from slamlib.records import Frame
+from slamlib.rig import Rig
+from slamlib.simulation import rooms
+from slamlib.slam import Options, Slam
+from slamlib.spaces import Array
+from slamlib.tests.stereo import stereo_film
+
+FULL = 300  # landmarks
+
+
+@dataclass(frozen=True)
+class Case:
+    """What is run: a name of MOVING, standard deviations of (u, v, d) [px], settings and options."""
+
+    moving: str
+    std: tuple[float, float, float]
+    settings: StereoSettings
+    options: Options
+
+
+@dataclass
+class Run:
+    """Of one run, by frames after the first: errors (n, 6), NEES (n,), matches believed; NIS of all; seconds."""
+
+    errors: Array
+    nees: Array
+    believed: float
+    nis: float
+    landmarks: int
+    seconds: float
+
+
+def filtered(case: Case, rig: Rig, frames: list[tuple[Frame, Array]]) -> Run:
+    """The filter through frames with the true poses (7,) beside them, begun at the first of these."""
+    slam, moving = started(case, rig)
+    block = slam.robots[0].block
+    block.mean = np.concatenate([frames[0][1], block.mean[7:]])
+    errors, squares, nis, spent = [], [], list[list[float]](), dict[str, float]()
+    for i, (frame, true) in enumerate(frames):
+        step(slam, moving, frame, frame.dt if i else 0.0, spent)
+        errors.append(Pose.minus(true, slam.robots[0].pose))
+        squares.append(float(nees(errors[-1], slam.belief.covariance(block)[:6, :6])) if i else np.nan)
+        nis.append([look.nis for look in slam.looks[0] if look.inlier])
+    believed, every = np.mean([len(n) for n in nis]), np.concatenate([np.array(n) for n in nis])
+    return Run(np.array(errors)[1:], np.array(squares)[1:], float(believed), float(every.mean() / 3),
+               len(slam.landmarks), sum(spent.values()) / len(frames))  # fmt: skip
+
+
+def in_the_room(case: Case, path: str, frames: int, seed: int) -> tuple[Run, float]:
+    """Through the room of that seed; and the length of the path [m]."""
+    rig, film, _ = stereo_film(frames, path, seed, case.std)
+    run = filtered(case, rig, [(frame, truth.robots[0][:7]) for frame, truth in film])
+    true = np.array([truth.robots[0][:3] for _, truth in film])
+    return run, float(np.linalg.norm(np.diff(true, axis=0), axis=1).sum())
+
+
+def room(case: Case, path: str, frames: int, seeds: int) -> Iterator[str]:
+    """A row for each seed (textures and noise differ), and NEES over all of them, by quarters of the path."""
+    s, o = case.settings, case.options
+    yield f"path {path}, {frames} frames, {case.moving}, std {case.std} px, turns {s.turns}, window {o.window}:"
+    yield "seed  path    rms error  end error  turn     NIS/3  believed  map   ms/frame  NEES/6 by quarters"
+    runs = []
+    for seed in range(1, seeds + 1):
+        r, length = in_the_room(case, path, frames, seed)
+        away, quarters = np.linalg.norm(r.errors[:, :3], axis=1), np.array_split(r.nees / 6, 4)
+        runs.append(r.nees)
+        yield (
+            f"{seed:4} {length:5.2f} m {np.sqrt((away**2).mean()) / length:10.2%} {away[-1] / length:10.2%} "
+            f"{np.degrees(np.linalg.norm(r.errors[-1, 3:])):6.2f} deg {r.nis:5.2f} {r.believed:8.0f} "
+            f"{r.landmarks:5d} {1e3 * r.seconds:9.0f}  " + " ".join(f"{q.mean():.2f}" for q in quarters)
+        )
+    yield from consistency(np.mean(runs, axis=0) / 6, seeds)
+
+
+def consistency(mean: Array, runs: int) -> Iterator[str]:
+    """Averages of NEES / 6 over independent runs (steps,) beside the band of one step."""
+    low, high = (chi2_quantile(p, 6 * runs) / (6 * runs) for p in (0.025, 0.975))
+    shares = [f"{q.mean():.2f} ({np.mean((q > low) & (q < high)):.0%})" for q in np.array_split(mean, 4)]
+    first = mean[: len(mean) // 2]
+    yield (
+        f"NEES/6 over {runs} runs by quarters (share of steps in the band [{low:.2f}, {high:.2f}]): "
+        f"{', '.join(shares)}; first half {np.mean((first > low) & (first < high)):.0%}"
+    )
+
+
+def speed(case: Case, frames: int) -> Iterator[str]:
+    """640 x 480 pixels, 150 features, a map of 300: processor's milliseconds by part, when the map is full."""
+    way, lens = rooms.path("sideways"), {"intrinsics": (319.5, 239.5, 520.0, 520.0), "distortion": (0.0,)}
+    rig = rooms.hand_held(way, baseline=0.12, image=(640.0, 480.0), parameters=lens)
+    dt = way.duration / frames
+    film = rooms.film(rooms.default_room(), rig, way, frames=frames, dt=dt, rng=np.random.default_rng(1))
+    settings = replace(case.settings, cells=(12, 9), each=4, enough=100)
+    options = replace(case.options, updates=100, first=100, later=20, capacity=FULL, full="useless")
+    slam, moving = started(replace(case, settings=settings, options=options), joined(rig, case.std))
+    spent, counts, clock = split(moving), [], 0.0
+    for frame, _ in film:
+        image, full = paired(frame), len(slam.landmarks) == FULL
+        if not full:
+            spent.clear()
+        at = time.perf_counter()
+        step(slam, moving, image, dt, spent)
+        if full:
+            clock += time.perf_counter() - at
+            looks = slam.looks[0]
+            counts.append((len(moving.front_end.eyes.last), len(looks), sum(look.inlier for look in looks)))
+    if not counts:
+        yield f"the map has {len(slam.landmarks)} landmarks only: give more frames"
+        return
+    n, (features, looks, believed) = len(counts), np.mean(counts, axis=0)
+    yield (
+        f"{case.moving}, turns {settings.turns}, {n} frames with {FULL} landmarks: {features:.0f} features, "
+        f"{looks:.0f} landmarks expected, {believed:.0f} believed"
+    )
+    yield from (f"  {what:15} {1e3 * s / n:6.1f} ms" for what, s in spent.items())
+    total = sum(spent.values())
+    yield f"  {'together':15} {1e3 * total / n:6.1f} ms = {n / total:.1f} frames/s ({n / clock:.1f} by the clock)"
+
+
+def started(case: Case, rig: Rig) -> tuple[Slam, Any]:
+    """A filter of the rig, and what moves it."""
+    sensor = rig.sensors[0]
+    moving = MOVING[case.moving](sensor.calibration, sensor.mount, case.settings)
+    robots = (replace(rig.robots[0], motion=moving.motion),)
+    return Slam(replace(rig, robots=robots), case.options, front_ends=[moving.front_end]), moving
+
+
+def step(slam: Slam, moving: Any, frame: Frame, dt: float, spent: dict[str, float]) -> None:
+    """One pair, the control first; adds what is timed nowhere else to the "filter"."""
+
+    def both() -> None:
+        control = moving.control(frame.scans[0].image, frame.dt, slam)
+        slam.step(replace(frame, dt=dt, controls=(control,)))
+
+    timed(both, "filter", spent)()
+
+
+def split(moving: Any) -> dict[str, float]:
+    """From now on the parts of the front end add their processor's seconds up here."""
+    spent: dict[str, float] = {}
+    end = moving.front_end
+    parts = [(end.eyes, "look", "features"), (end, "match", "search"), (end, "detect", "new landmarks")]
+    for owner, name, what in [*parts, (moving, "control", "control")]:
+        setattr(owner, name, timed(getattr(owner, name), what, spent))
+    return spent
+
+
+def timed(call: Callable[..., Any], what: str, spent: dict[str, float]) -> Callable[..., Any]:
+    """The function, whose processor time is added up, without what is timed inside of it."""
+
+    def inner(*args: Any, **kwargs: Any) -> Any:
+        began, before = time.process_time(), sum(spent.values())
+        result = call(*args, **kwargs)
+        spent[what] = spent.get(what, 0.0) + time.process_time() - began - (sum(spent.values()) - before)
+        return result
+
+    return inner

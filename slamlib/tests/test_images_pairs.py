@@ -1,0 +1,227 @@
+"""Pairs of pictures and the calibrations of two cameras: formats, rectification against geometry, offset, checks."""
+
+import json
+
+import numpy as np
+import pytest
+
+from slamlib.errors import SlamlibError
+from slamlib.images.lens import Lens
+from slamlib.images.pictures import Picture
+from slamlib.images.sources import of_pictures
+from slamlib.images.stereo import StereoSettings
+from slamlib.images.stereo.features import observe
+from slamlib.images.stereo.opening import opened_pairs, reopened_pairs
+from slamlib.images.stereo.pair_calibrations import PairCalibration, read_pair
+from slamlib.images.stereo.pair_checks import check_pair, survey
+from slamlib.images.stereo.pair_sources import open_pairs
+from slamlib.images.stereo.rectification import Rectification, rectified_setup, why_not_rectified
+from slamlib.images.stereo.run import StereoRun
+from slamlib.rig import Rig, RobotSetup, SensorSetup
+from slamlib.tests.stereo import stereo_film
+
+cv2 = pytest.importorskip("cv2", reason="OpenCV reads, rectifies and searches the pictures")
+K = np.array([[400.0, 0, 310], [0, 405.0, 235], [0, 0, 1]])
+SIZE = (640, 480)
+TURN = cv2.Rodrigues(np.array([0.02, -0.03, 0.01]))[0]
+SHIFT = np.array([0.11, 0.004, -0.003])  # of the right camera, in the left one's frame
+CHAIN = """cam0:
+  camera_model: pinhole
+  distortion_coeffs: [-0.01, 0.02, -0.01, 0.003]
+  distortion_model: equidistant
+  intrinsics: [380.0, 381.0, 320.0, 240.0]
+  resolution: [640, 480]
+cam1:
+  T_cn_cnm1:
+  - [1.0, 0.0, 0.0, -0.11]
+  - [0.0, 1.0, 0.0, 0.0]
+  - [0.0, 0.0, 1.0, 0.0]
+  - [0.0, 0.0, 0.0, 1.0]
+  camera_model: pinhole
+  distortion_coeffs: []
+  distortion_model: none
+  intrinsics: [390.0, 391.0, 321.0, 241.0]
+  resolution: [640, 480]
+"""
+
+
+def place(turn=TURN, shift=SHIFT):
+    found = np.eye(4)
+    found[:3, :3], found[:3, 3] = turn, shift
+    return found
+
+
+def lens(distortion=(), matrix=K, model="radial-tangential"):
+    (a, _, u), (_, b, v), _ = matrix.tolist()
+    return Lens((u, v, a, b), SIZE, model, distortion)
+
+
+def written(folder, name, text):
+    (folder / name).write_text(text)
+    return str(folder / name)
+
+
+def test_kitti_and_the_coloured_pair(tmp_path):
+    rows = [f"P{i}: 700 0 600 {x} 0 700 180 {y} 0 0 1 0" for i, (x, y) in enumerate(((0, 0), (-375, 0), (45, 0.2)))]
+    path = written(tmp_path, "calib.txt", "\n".join([*rows, "P3: 700 0 600 -330 0 700 180 2.2 0 0 1 0"]))
+    assert read_pair([path]).place[0, 3] == pytest.approx(375 / 700)
+    colour = read_pair([path], (2, 3))
+    assert colour.place[0, 3] == pytest.approx(375 / 700)
+    assert why_not_rectified(colour) is None  # 2 px at 1 m: KITTI's own rows are so far apart
+    setup, offset = rectified_setup(colour, (1241, 376))
+    assert setup["parameters"] == {"intrinsics": (600, 180, 700, 700), "baseline": (pytest.approx(375 / 700),)}
+    assert offset == 0
+
+
+def test_slamlibs_own_and_plain_files(tmp_path):
+    text = {"intrinsics": [300, 200, 500, 501], "baseline": 0.2, "offset": 3.5, "std": [0.2, 0.2, 0.3]}
+    plain = read_pair([written(tmp_path, "a.json", json.dumps(text))])
+    setup, offset = rectified_setup(plain, (640, 400))
+    assert (offset, setup["std"], setup["parameters"]["baseline"]) == (3.5, (0.2, 0.2, 0.3), (0.2,))
+    stereo = SensorSetup(type="stereo", parameters={"intrinsics": (320, 240, 500, 500), "baseline": (0.3,)}, std=(0.4,))
+    rig = Rig((RobotSetup(),), (stereo,))
+    for name, data in (("b.json", rig.to_dict()), ("c.json", rig.to_dict()["sensors"][0])):
+        setup, offset = rectified_setup(read_pair([written(tmp_path, name, json.dumps(data))]), SIZE)
+        assert (setup["parameters"]["baseline"], tuple(setup["std"]), offset) == ((0.3,), (0.4,), 0)
+        assert SensorSetup(**setup).calibration.noise[0, 0] == pytest.approx(0.16)
+    two = Rig((RobotSetup(),), (SensorSetup("left"), SensorSetup("right", position=(0.0, -0.1, 0.0))))
+    found = read_pair([written(tmp_path, "d.json", json.dumps(two.to_dict()))])
+    np.testing.assert_allclose(found.place, place(np.eye(3), [0.1, 0, 0]), atol=1e-12)
+
+
+def test_kalibrs_and_opencvs_files_of_two_cameras(tmp_path):
+    found = read_pair([written(tmp_path, "camchain.yaml", CHAIN)])
+    assert (found.left.model, found.right.model) == ("equidistant", "radial-tangential")
+    np.testing.assert_allclose(found.place, place(np.eye(3), [0.11, 0, 0]), atol=1e-12)
+    storage = cv2.FileStorage(str(tmp_path / "stereo.yml"), cv2.FILE_STORAGE_WRITE)
+    moved = np.linalg.inv(place())
+    for name, value in (("M1", K), ("D1", np.zeros(5)), ("M2", K), ("D2", np.zeros(5)), ("R", moved[:3, :3])):
+        storage.write(name, value)
+    storage.write("T", moved[:3, 3:].copy())
+    storage.release()
+    np.testing.assert_allclose(read_pair([str(tmp_path / "stereo.yml")]).place, place(), atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        (lens((-0.1, 0.02, 0.001, -0.0005)), lens((-0.12, 0.03, 0.0, 0.001), K + 3 * np.eye(3))),
+        (lens((-0.01, 0.02, -0.01, 0.003), model="equidistant"), lens((-0.1, 0.02, 0.0, 0.0))),
+    ],
+)
+def test_rectified_pixels_are_those_of_a_stereo_sensor(left, right):
+    change = Rectification(PairCalibration(left, right, place()), SIZE)
+    sensor = SensorSetup(**change.setup).calibration
+    assert sensor.given["baseline"][0] == pytest.approx(np.linalg.norm(SHIFT))
+    rng = np.random.default_rng(1)
+    rays = np.column_stack([rng.uniform(-0.5, 0.5, (40, 1)), rng.uniform(-0.35, 0.35, (40, 1)), np.ones((40, 1))])
+    points = rays * rng.uniform(1, 6, (40, 1))  # in the left camera's frame
+    beside = (points - SHIFT) @ TURN
+    turned = new_axes() @ points.T
+    expected = sensor.project(np.column_stack([turned.T, np.ones(40)]))
+    for camera, (one, seen) in enumerate(((left, points), (right, beside))):
+        old = projected(one, seen)
+        u = expected[:, 0] - camera * expected[:, 2]
+        columns, rows = (
+            cv2.remap(m, as_map(u), as_map(expected[:, 1]), cv2.INTER_LINEAR) for m in change._maps[camera]
+        )
+        inside = sensor.inside(np.column_stack([u, expected[:, 1]]), 2)
+        assert inside.sum() > 10
+        np.testing.assert_allclose(columns[0][inside], old[inside, 0], atol=0.02)
+        np.testing.assert_allclose(rows[0][inside], old[inside, 1], atol=0.02)
+
+
+def new_axes():
+    """The rectified axes, in the left camera's frame, as rows: x along the baseline, z between the two old ones."""
+    x = SHIFT / np.linalg.norm(SHIFT)
+    y = np.cross([0, 0, 1] + TURN[:, 2], x)
+    y /= np.linalg.norm(y)
+    return np.array([x, y, np.cross(x, y)])
+
+
+def projected(one, points):
+    calls = {"radial-tangential": cv2.projectPoints, "equidistant": cv2.fisheye.projectPoints}
+    found = calls[one.model](points[:, None], np.zeros(3), np.zeros(3), one.matrix, np.array(one.distortion))[0]
+    return found.reshape(-1, 2)
+
+
+def as_map(values):
+    return values[None].astype(np.float32)
+
+
+def test_two_principal_points_are_an_offset_of_the_disparities():
+    _, film, _ = stereo_film(1)
+    image = film[0][0].scans[0].image
+    moved = np.stack([image[0], np.roll(image[1], 6, axis=1)])  # as if the right principal point were 6 px further
+    plain, shifted = observe(image, StereoSettings()), observe(moved, StereoSettings(offset=6.0))
+    one = {tuple(v[:2]): v[2] for v in plain.values}
+    both = [(v[2], one[tuple(v[:2])]) for v in shifted.values if tuple(v[:2]) in one]
+    assert len(both) > 0.8 * len(plain)
+    np.testing.assert_allclose(*np.array(both).T, atol=0.02)
+    coarse = StereoSettings(offset=6.0, patch=0)
+    assert np.median(observe(moved, coarse).values[:, 2]) == pytest.approx(np.median(plain.values[:, 2]), abs=1)
+
+
+def test_a_survey_of_pairs():
+    _, film, _ = stereo_film(1)
+    image = film[0][0].scans[0].image
+    good = survey(image)
+    assert (good.matches > 50, good.rows < 0.7, good.negative < 0.05) == (True, True, True)
+    with pytest.raises(SlamlibError, match="exchanged"):
+        check_pair(image[::-1], "this")
+    with pytest.raises(SlamlibError, match=r"this: the rows of a point .* differ by [45]\.\d px .* --rectify"):
+        check_pair(np.stack([image[0], np.roll(image[1], 5, axis=0)]), "this")
+    assert check_pair(np.zeros_like(image), "dark").matches == 0
+
+
+def sequence(times, told=True):
+    pictures = [Picture(f"{i}.png", t, np.full((4, 6), i, np.uint8)) for i, t in enumerate(times)]
+    source = of_pictures(pictures, 0.1)
+    object.__setattr__(source.whole, "told", told)
+    return source
+
+
+def test_pictures_belong_together_by_their_times():
+    pairs = open_pairs(sequence([0.0, 0.1, 0.2, 0.4]), sequence([0.1, 0.201, 0.3, 0.4]))
+    assert [p.time for p in pairs] == [0.1, 0.2, 0.4]
+    assert [p.image[:, 0, 0].tolist() for p in pairs.part(1)] == [[2, 1], [3, 3]]
+    with pytest.raises(SlamlibError, match="do not match"):
+        open_pairs(sequence([0.0, 0.1]), sequence([5.0, 5.1]))
+    with pytest.raises(SlamlibError, match="has 2 pictures, and memory has 3"):
+        open_pairs(sequence([0.0, 0.1], told=False), sequence([0.0, 0.1, 0.2], told=False))
+
+
+def folders(tmp_path, film):
+    """The pairs of a film in two folders, and a calibration."""
+    for i, (frame, _) in enumerate(film):
+        for side, image in zip(("left", "right"), frame.scans[0].image, strict=True):
+            (tmp_path / side).mkdir(exist_ok=True)
+            cv2.imwrite(str(tmp_path / side / f"{side}_{i}.png"), image)
+    text = {"intrinsics": [159.5, 119.5, 260.0, 260.0], "baseline": 0.12, "image": [320, 240]}
+    written(tmp_path, "pair.json", json.dumps(text))
+    return [str(tmp_path / name) for name in ("left", "right")], [str(tmp_path / "pair.json")]
+
+
+def test_a_run_from_python(tmp_path):
+    _, film, _ = stereo_film(4)
+    (left, right), calibration = folders(tmp_path, film)
+    source, camera, settings = opened_pairs(left=left, right=right, calibration=calibration, fps=30)
+    run = StereoRun(source, camera, moving="halves", settings=settings)
+    steps = iter(run)
+    assert [next(steps).picture.name for _ in range(2)] == ["left_0.png", "left_1.png"]
+    run.save(tmp_path / "run.npz")
+    again = StereoRun.load(tmp_path / "run.npz")
+    for _ in range(2):
+        np.testing.assert_array_equal(next(steps).row["nis"], next(iter(again)).row["nis"])
+    np.testing.assert_array_equal(run.slam.belief.matrix, again.slam.belief.matrix)
+    recipe = source.part(1, 2).recipe
+    assert [p.name for p in reopened_pairs(recipe)] == ["left_1.png", "left_3.png"]
+    assert len(reopened_pairs(recipe, 1)) == 1
+    (tmp_path / "left" / "left_3.png").unlink()
+    (tmp_path / "right" / "right_3.png").unlink()
+    with pytest.raises(SlamlibError, match="had more when the run was saved"):
+        reopened_pairs(recipe)
+    with pytest.raises(SlamlibError, match="did you mean 'halves'"):
+        StereoRun(source, camera, moving="halfs")
+    with pytest.raises(SlamlibError, match=r"left_0.png: the pair is 320x240, and the calibration of 100x80"):
+        list(StereoRun(source, {**camera, "image": (100.0, 80.0)}))
