@@ -99,13 +99,18 @@ def room(frames: int, path: str) -> Iterator[str]:
     yield from table(rig.sensors[0].calibration, rig.sensors[0].mount, images, poses)
 
 
+FRAMES = {"sideways": 340, "round": 900}  # of a film past the wall, and of one once round and a little more
+
+
 def main() -> None:
     """Print the tables."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--frames", type=int, default=340, help="of the filter's films (default 340; round: 900)")
+    parser.add_argument(
+        "--frames", type=int, help=f"of the filter's films (default {FRAMES['sideways']}; round: {FRAMES['round']})"
+    )
     parser.add_argument("--seeds", type=int, default=5, help="of the filter: textures and noise (default 5)")
     parser.add_argument("--std", type=float, nargs=3, default=ERRORS, help="of u, v and d for the filter [px]")
-    parser.add_argument("--path", default="sideways", help="through the room: sideways (default) or round")
+    parser.add_argument("--path", choices=list(FRAMES), default="sideways", help="through the room (default sideways)")
     parser.add_argument("--moving", choices=list(MOVING), default="correlated", help="what tells how it moves")
     parser.add_argument("--turns", type=int, default=10, help="a landmark corrects in one of so many frames (10)")
     parser.add_argument("--enough", type=int, default=30, help="landmarks in view (default 30)")
@@ -121,7 +126,7 @@ def main() -> None:
     tables: dict[str, Callable[[], Iterator[str]]] = {
         "street": street,
         "room": lambda: room(150, given.path),
-        "filter": lambda: filter_in_room(case, given.path, given.frames, given.seeds),
+        "filter": lambda: filter_in_room(case, given.path, given.frames or FRAMES[given.path], given.seeds),
         "speed": lambda: speed(case, 60),
     }
     for name, rows in tables.items():

@@ -54,6 +54,7 @@ def carry_out(run: Stepping, given: argparse.Namespace, command: str) -> int:
     if not run.history:
         raise SlamlibError(outcome.stopped or "nothing has been run")
     s: dict[str, Any] = {"source": run.source.where, "layout": run.source.layout, **summary(run.result())}
+    s["metric"] = run.metric
     s["stopped"], s["reference"] = outcome.stopped, None
     try:
         if reference is not None:

@@ -97,6 +97,7 @@ def table(s: dict[str, Any]) -> list[tuple[str, str]]:
     """The rows of a summary for people: what, and how much."""
     share = {name: "none" if s[name] is None else f"{s[name]:.1%}" for name in ("matched_share", "believed_share")}
     nis = "no match" if s["nis_per_dof"] is None else f"{s['nis_per_dof']:.2f} (1 is ideal; the gate cuts some off)"
+    unit = "m" if s.get("metric") else "of the run's own units"
     parts = ", ".join(f"{name} {spent:.1f}" for name, spent in s["milliseconds"].items())
     return [
         ("frames", f"{s['frames']}, {s['seconds']:.2f} s"),
@@ -109,6 +110,6 @@ def table(s: dict[str, Any]) -> list[tuple[str, str]]:
         ("NIS per degree of freedom", nis),
         ("landmarks", f"{s['landmarks']} in the map, {s['begun']} begun, {s['deleted']} deleted"),
         ("state", f"{s['state']} degrees of freedom"),
-        ("path", f"{s['path_length']:.3f} long, in the run's unit"),
+        ("path", f"{s['path_length']:.3f} {unit} long"),
         ("milliseconds a frame", f"{sum(s['milliseconds'].values()):.1f}: {parts} (medians)"),
     ]
