@@ -1,0 +1,197 @@
+"""Runs of slamlib's own stereo system in the rendered room, for chapter 22: where the motion comes from, and loops."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from slamlib.evaluation import band, nees, share_inside
+from slamlib.geometry.pose import Pose, compose
+from slamlib.images.stereo import MOVING, Eyes, StereoSettings, VisualOdometry, joined, paired
+from slamlib.images.stereo.moving import Halves, Moving
+from slamlib.progress import progress
+from slamlib.records import Frame, Truth
+from slamlib.rig import Rig, SensorSetup
+from slamlib.simulation import rooms
+from slamlib.slam import Options, Slam
+from slamlib.spaces import Array
+
+LENS = {"intrinsics": (159.5, 119.5, 260.0, 260.0), "distortion": (0.0,)}
+IMAGE, BASELINE, DT = (320.0, 240.0), 0.12, 1 / 30  # px, m, s
+STD = (0.06, 0.055, 0.05)  # px, of u, v and d, as measured in these rooms
+SEEDS, FRAMES, LIGHT = (1, 2, 3), 150, 10
+ROUND, ROUND_SEEDS, EVERY, WINDOW = 900, (1, 2), 15, 60  # frames
+OLD = 400  # frames: a landmark that was begun so long ago and is seen now closes the loop
+OPTIONS = Options(points="eucPnt", updates=60, first=30, later=5, reproject=False)
+
+
+class Twice(Halves):
+    """The report's way: all features give the control, and the same ones correct (E21)."""
+
+    odometry_half = landmark_half = None
+
+
+@dataclass(frozen=True)
+class Way:
+    """Where the motion comes from, and in one of how many frames a landmark is measured: its errors last."""
+
+    moving: Any
+    turns: int = 1
+
+    def make(self, sensor: SensorSetup) -> Moving:
+        """The motion and the front end of a sensor."""
+        settings = StereoSettings(turns=self.turns, enough=30)
+        made: Moving = self.moving(sensor.calibration, sensor.mount, settings)
+        return made
+
+
+WAYS = {
+    "twice": Way(Twice),
+    "velocity": Way(MOVING["velocity"]),
+    "halves": Way(MOVING["halves"]),
+    "correlated": Way(MOVING["correlated"]),
+    "in turns": Way(MOVING["correlated"], turns=10),
+}
+Step = tuple[Slam, Moving, Truth]
+
+
+def rig_of(path: str, motion: str) -> Rig:
+    """A robot carried by hand along the path, with one stereo sensor."""
+    way = rooms.path(path)
+    carried = rooms.hand_held(way, baseline=BASELINE, image=IMAGE, parameters=LENS, motion=motion)
+    return joined(carried, STD)
+
+
+def film(path: str, frames: int, seed: int) -> list[tuple[Frame, Truth]]:
+    """Pairs of pictures, and the truth beside them."""
+    rng, way = np.random.default_rng(seed), rooms.path(path)
+    carried = rooms.hand_held(way, baseline=BASELINE, image=IMAGE, parameters=LENS)
+    made = rooms.film(rooms.default_room(), carried, way, frames=frames, dt=DT, rng=rng)
+    return [(paired(frame), truth) for frame, truth in made]
+
+
+def steps(pairs: list[tuple[Frame, Truth]], path: str, name: str, options: Options = OPTIONS) -> Iterator[Step]:
+    """The filter after each pair; it begins where the first pair was taken."""
+    way = WAYS[name]
+    rig = rig_of(path, way.moving.motion)
+    moving = way.make(rig.sensors[0])
+    slam = Slam(rig, options, front_ends=[moving.front_end])
+    start = slam.robots[0].block.mean.copy()
+    start[:7] = pairs[0][1].robots[0][:7]
+    slam.robots[0].block.mean = start
+    for i, (frame, truth) in enumerate(pairs):
+        image = frame.scans[0].image
+        assert image is not None
+        dt = frame.dt if i else 0.0
+        slam.step(replace(frame, dt=dt, controls=(moving.control(image, frame.dt, slam),)))
+        yield slam, moving, truth
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """Of each pair after the first: error of the pose (n, 6), NEES (n,), places (n, 3) in truth and as found [m]."""
+
+    errors: Array
+    nees: Array
+    true: Array
+    found: Array
+    nis: float
+    landmarks: int
+    old: list[int]
+
+    @property
+    def path(self) -> float:
+        """Length of the true path [m]."""
+        return float(np.linalg.norm(np.diff(self.true, axis=0), axis=1).sum())
+
+    @property
+    def row(self) -> dict[str, float]:
+        """Errors of the position in per cent of the path, rms and at the end; attitude at the end [deg]."""
+        away = 100 * np.linalg.norm(self.errors[:, :3], axis=1) / self.path
+        return {
+            "path": round(self.path, 2),
+            "rms": round(float(np.sqrt((away**2).mean())), 4),
+            "end": round(float(away[-1]), 4),
+            "turn": round(float(np.degrees(np.linalg.norm(self.errors[-1, 3:]))), 3),
+            "nis": round(self.nis, 3),
+            "landmarks": self.landmarks,
+        }
+
+
+def run(pairs: list[tuple[Frame, Truth]], path: str, name: str, options: Options = OPTIONS) -> Run:
+    """One run through a film."""
+    rows, nis, old = [], [], []
+    for slam, _, truth in steps(pairs, path, name, options):
+        real, pose = truth.robots[0][:7], slam.robots[0].pose
+        error = Pose.minus(real, pose)
+        believed = [look for look in slam.looks[0] if look.inlier]
+        nis += [look.nis for look in believed]
+        old.append(sum(look.landmark.born < slam.number - OLD for look in believed))
+        if slam.number > pairs[0][0].number:
+            P = slam.belief.covariance(slam.robots[0].block)[:6, :6]
+            rows.append((error, float(nees(error, P)), real[:3].copy(), pose[:3].copy()))
+    errors, squares, true, found = (np.array(column) for column in zip(*rows, strict=True))
+    return Run(errors, squares, true, found, float(np.mean(nis)) / 3, len(slam.landmarks), old)
+
+
+def odometry(pairs: list[tuple[Frame, Truth]], path: str) -> dict[str, float]:
+    """The same film by visual odometry alone: the motions of all features, one after another, and nothing else."""
+    sensor = rig_of(path, "odometry").sensors[0]
+    moving, poses = VisualOdometry(Eyes(sensor.calibration), sensor.mount), [pairs[0][1].robots[0][:7]]
+    for i, (frame, _) in enumerate(pairs):
+        motion = moving.step(frame.scans[0].image)
+        if i:
+            poses.append(poses[-1] if motion is None else compose(poses[-1], motion.pose))
+    real, found = np.array([truth.robots[0][:7] for _, truth in pairs]), np.array(poses)
+    errors = np.array([Pose.minus(a, b) for a, b in zip(real, found, strict=True)])[1:]
+    return Run(errors, np.zeros(len(errors)), real[1:, :3], found[1:, :3], 0.0, 0, []).row
+
+
+def ways() -> dict[str, Any]:
+    """Past the wall, with each of the ways to use the matches, and with odometry alone."""
+    found: dict[str, Any] = {"frames": FRAMES, "seeds": len(SEEDS), "odometry": []}
+    squares: dict[str, list[Array]] = {name: [] for name in WAYS}
+    for seed in progress(SEEDS, len(SEEDS), "past the wall"):
+        pairs = film("sideways", FRAMES, seed)
+        found["odometry"].append(odometry(pairs, "sideways"))
+        for name in WAYS:
+            made = run(pairs, "sideways", name)
+            found.setdefault(name, {"runs": []})["runs"].append(made.row)
+            squares[name].append(made.nees)
+    limits = band(6, len(SEEDS))
+    for name, all_runs in squares.items():
+        average = np.mean(all_runs, axis=0)
+        half = len(average) // 2
+        shares = [round(share_inside(part, limits), 3) for part in (average[:half], average[half:])]
+        found[name] |= {"nees": np.round(average / 6, 3).tolist(), "inside": shares}
+    return found
+
+
+def light() -> dict[str, float]:
+    """The beginning of one run, which a test makes again."""
+    return run(film("sideways", LIGHT, SEEDS[0]), "sideways", "in turns").row
+
+
+def around() -> dict[str, Any]:
+    """Once round the room: with everything remembered, with a window, and with all matches in every frame."""
+    runs = {
+        "full": ("in turns", OPTIONS),
+        "windowed": ("in turns", replace(OPTIONS, window=WINDOW)),
+        "every frame": ("velocity", OPTIONS),
+    }
+    found: dict[str, Any] = {"frames": ROUND, "window": WINDOW, **{name: [] for name in runs}}
+    stored = slice(0, None, EVERY)
+    for seed in progress(ROUND_SEEDS, len(ROUND_SEEDS), "round the room"):
+        pairs = film("round", ROUND, seed)
+        for kind, (name, options) in runs.items():
+            made = run(pairs, "round", name, options)
+            places = {"place": made.found, "true": made.true}
+            found[kind].append({
+                **made.row,
+                "old": made.old[stored],
+                "nees": np.round(made.nees[stored] / 6, 2).tolist(),
+                "quarters": [round(float(q.mean()) / 6, 2) for q in np.array_split(made.nees, 4)],
+                **{what: np.round(values[stored], 5).tolist() for what, values in places.items()},
+            })  # fmt: skip
+    return found
