@@ -1,6 +1,7 @@
 """Where things are, and which pages the book has."""
 
 import hashlib
+import json
 import os
 from collections.abc import Iterable
 from pathlib import Path
@@ -45,6 +46,13 @@ def write_whole(file: Path, content: bytes) -> None:
     partial = file.with_name(f"{file.name}.{os.getpid()}.partial")
     partial.write_bytes(content)
     os.replace(partial, file)
+
+
+def store(file: Path, found: dict[str, Any]) -> None:
+    """Write named figures as JSON, a name to a line, whole or not at all, and say so."""
+    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(value)}" for name, value in found.items())
+    write_whole(file, f"{{{rows}}}\n".encode())
+    print(f"wrote {file.relative_to(ROOT)}: {len(rows) / 1024:.0f} kB")
 
 
 def package_files() -> list[Path]:

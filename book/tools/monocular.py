@@ -5,7 +5,7 @@ with a fifth of all matches wrong; and once round the room, with the paths thems
 the same runs with their times, which belong to a machine and are not stored.
 """
 
-import json
+import argparse
 from dataclasses import replace
 from typing import Any
 
@@ -73,6 +73,7 @@ def around(seed: int) -> dict[str, Any]:
 
 def main() -> None:
     """Run everything, and write the file when all of it is done."""
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
     names: list[str | None] = [None, *CONSENSUS]
     work = [(name, seed) for name in names for seed in SEEDS]
     plain: list[dict[str, float]] = []
@@ -90,9 +91,7 @@ def main() -> None:
         "wrong": wrong,
         "round": [around(seed) for seed in progress(SEEDS, len(SEEDS), "round the room")],
     }
-    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(value)}" for name, value in found.items())
-    layout.write_whole(FILE, f"{{{rows}}}\n".encode())
-    print(f"wrote {FILE.relative_to(layout.ROOT)}")
+    layout.store(FILE, found)
 
 
 if __name__ == "__main__":

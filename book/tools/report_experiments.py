@@ -162,9 +162,7 @@ def main() -> None:
     parts = {"light": light, **parts, "machine": partial(report_times.machine, rng)}
     found: dict[str, Any] = {"digest": digest(), "seed": SEED, "sizes": FULL, "bands": bands()}
     found |= {name: kept(name, run) for name, run in parts.items()}
-    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(value)}" for name, value in found.items())
-    layout.write_whole(FILE, f"{{{rows}}}\n".encode())
-    print(f"wrote {FILE.relative_to(layout.ROOT)}: {len(rows) / 1024:.0f} kB")
+    layout.store(FILE, found)
 
 
 if __name__ == "__main__":

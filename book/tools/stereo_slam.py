@@ -109,9 +109,7 @@ def main() -> None:
     made = {name: PARTS[name]() for name in given.only}
     found = json.loads(FILE.read_text("utf-8")) if FILE.is_file() else {}
     found |= {name: value for name, value in made.items() if value is not None}
-    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(value)}" for name, value in sorted(found.items()))
-    layout.write_whole(FILE, f"{{{rows}}}\n".encode())
-    print(f"wrote {FILE.relative_to(layout.ROOT)}: {', '.join(given.only)}")
+    layout.store(FILE, dict(sorted(found.items())))
 
 
 if __name__ == "__main__":

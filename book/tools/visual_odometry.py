@@ -5,6 +5,7 @@ forbids shipping it; without it the stored figures stay). Once round the room wi
 cost to keep every point that was seen on the way.
 """
 
+import argparse
 import json
 from typing import Any
 
@@ -166,6 +167,7 @@ class Library:
 
 def main() -> None:
     """Run everything, and write the file when all of it is done."""
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
     before = json.loads(FILE.read_text()) if FILE.exists() else {}
     found = {
         "frames": FRAMES,
@@ -174,9 +176,7 @@ def main() -> None:
         "every": EVERY,
         "round": [around(seed) for seed in progress(SEEDS, len(SEEDS), "round the room")],
     }
-    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(value)}" for name, value in found.items())
-    layout.write_whole(FILE, f"{{{rows}}}\n".encode())
-    print(f"wrote {FILE.relative_to(layout.ROOT)}")
+    layout.store(FILE, found)
 
 
 if __name__ == "__main__":
