@@ -127,7 +127,10 @@ def _of_pose(motion: Motion) -> Array:
 
 
 class Library:
-    """Every feature that was ever seen, with its descriptor and its true place: what matching against all costs."""
+    """Every feature that was ever seen, with its descriptor and its true place: what matching against all costs.
+
+    What is near a prediction is predicted from the true pose and the true place: the best that a filter could do.
+    """
 
     def __init__(self, sensor: Any, made: Any) -> None:
         self.sensor, self.made = sensor, made
