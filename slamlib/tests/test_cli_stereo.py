@@ -153,7 +153,7 @@ def raw(image, camera):
 
 def test_the_layout_of_euroc_is_rectified_and_matched_by_time(room, tmp_path, capsys):
     folder = euroc(room, tmp_path / "euroc", missing={(0, 2), (1, 4)})
-    assert main(words(folder, "--json", "--save", "run.npz")) == 0
+    assert main(words(folder, "--motion", "correlated", "--json", "--save", "run.npz")) == 0
     s = found(capsys)
     assert (s["layout"], s["frames"]) == ("EuRoC", 4)
     assert s["believed_share"] > 0.8
