@@ -10,6 +10,7 @@ import numpy as np
 from slamlib.evaluation import chi2_quantile, nees
 from slamlib.geometry.pose import Pose
 from slamlib.images.stereo import MOVING, StereoSettings, joined, paired
+from slamlib.images.stereo.moving import Moving
 from slamlib.records import Frame
 from slamlib.rig import Rig
 from slamlib.simulation import rooms
@@ -44,9 +45,8 @@ class Run:
 
 def filtered(case: Case, rig: Rig, frames: list[tuple[Frame, Array]]) -> Run:
     """The filter through frames with the true poses (7,) beside them, begun at the first of these."""
-    slam, moving = started(case, rig)
+    slam, moving = started(case, rig, frames[0][1])
     block = slam.robots[0].block
-    block.mean = np.concatenate([frames[0][1], block.mean[7:]])
     errors, squares, nis, spent = [], [], list[list[float]](), dict[str, float]()
     for i, (frame, true) in enumerate(frames):
         step(slam, moving, frame, frame.dt if i else 0.0, spent)
@@ -128,22 +128,33 @@ def speed(case: Case, frames: int) -> Iterator[str]:
     yield f"  {'together':15} {1e3 * total / n:6.1f} ms = {n / total:.1f} frames/s ({n / clock:.1f} by the clock)"
 
 
-def started(case: Case, rig: Rig) -> tuple[Slam, Any]:
+def started(case: Case, rig: Rig, pose: Array | None = None) -> tuple[Slam, Any]:
     """A filter of the rig, and what moves it."""
     sensor = rig.sensors[0]
     moving = MOVING[case.moving](sensor.calibration, sensor.mount, case.settings)
+    return moved_by(moving, rig, case.options, pose), moving
+
+
+def moved_by(moving: Moving, rig: Rig, options: Options, pose: Array | None = None) -> Slam:
+    """A filter of the rig, whose robot moves as it is told; pose (7,): where it begins, if not where the rig does."""
     robots = (replace(rig.robots[0], motion=moving.motion),)
-    return Slam(replace(rig, robots=robots), case.options, front_ends=[moving.front_end]), moving
+    slam = Slam(replace(rig, robots=robots), options, front_ends=[moving.front_end])
+    if pose is not None:
+        block = slam.robots[0].block
+        block.mean = np.concatenate([pose, block.mean[7:]])
+    return slam
+
+
+def advance(slam: Slam, moving: Moving, frame: Frame, dt: float) -> None:
+    """One pair, the control first."""
+    image = frame.scans[0].image
+    assert image is not None
+    slam.step(replace(frame, dt=dt, controls=(moving.control(image, frame.dt, slam),)))
 
 
 def step(slam: Slam, moving: Any, frame: Frame, dt: float, spent: dict[str, float]) -> None:
-    """One pair, the control first; adds what is timed nowhere else to the "filter"."""
-
-    def both() -> None:
-        control = moving.control(frame.scans[0].image, frame.dt, slam)
-        slam.step(replace(frame, dt=dt, controls=(control,)))
-
-    timed(both, "filter", spent)()
+    """One pair; adds what is timed nowhere else to the "filter"."""
+    timed(advance, "filter", spent)(slam, moving, frame, dt)
 
 
 def split(moving: Any) -> dict[str, float]:

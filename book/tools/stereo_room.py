@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from benchmarks.stereo_filter import advance, moved_by
 from slamlib.evaluation import band, nees, share_inside
 from slamlib.geometry.pose import Pose, compose
 from slamlib.images.stereo import MOVING, Eyes, StereoSettings, VisualOdometry, joined, paired
@@ -56,35 +57,30 @@ WAYS = {
 Step = tuple[Slam, Moving, Truth]
 
 
-def rig_of(path: str, motion: str) -> Rig:
-    """A robot carried by hand along the path, with one stereo sensor."""
-    way = rooms.path(path)
-    carried = rooms.hand_held(way, baseline=BASELINE, image=IMAGE, parameters=LENS, motion=motion)
-    return joined(carried, STD)
+def carried(path: str) -> Rig:
+    """A robot carried by hand along the path, with two cameras."""
+    return rooms.hand_held(rooms.path(path), baseline=BASELINE, image=IMAGE, parameters=LENS)
+
+
+def rig_of(path: str) -> Rig:
+    """The same with one stereo sensor."""
+    return joined(carried(path), STD)
 
 
 def film(path: str, frames: int, seed: int) -> list[tuple[Frame, Truth]]:
     """Pairs of pictures, and the truth beside them."""
     rng, way = np.random.default_rng(seed), rooms.path(path)
-    carried = rooms.hand_held(way, baseline=BASELINE, image=IMAGE, parameters=LENS)
-    made = rooms.film(rooms.default_room(), carried, way, frames=frames, dt=DT, rng=rng)
+    made = rooms.film(rooms.default_room(), carried(path), way, frames=frames, dt=DT, rng=rng)
     return [(paired(frame), truth) for frame, truth in made]
 
 
 def steps(pairs: list[tuple[Frame, Truth]], path: str, name: str, options: Options = OPTIONS) -> Iterator[Step]:
     """The filter after each pair; it begins where the first pair was taken."""
-    way = WAYS[name]
-    rig = rig_of(path, way.moving.motion)
-    moving = way.make(rig.sensors[0])
-    slam = Slam(rig, options, front_ends=[moving.front_end])
-    start = slam.robots[0].block.mean.copy()
-    start[:7] = pairs[0][1].robots[0][:7]
-    slam.robots[0].block.mean = start
+    rig = rig_of(path)
+    moving = WAYS[name].make(rig.sensors[0])
+    slam = moved_by(moving, rig, options, pairs[0][1].robots[0][:7])
     for i, (frame, truth) in enumerate(pairs):
-        image = frame.scans[0].image
-        assert image is not None
-        dt = frame.dt if i else 0.0
-        slam.step(replace(frame, dt=dt, controls=(moving.control(image, frame.dt, slam),)))
+        advance(slam, moving, frame, frame.dt if i else 0.0)
         yield slam, moving, truth
 
 
@@ -137,7 +133,7 @@ def run(pairs: list[tuple[Frame, Truth]], path: str, name: str, options: Options
 
 def odometry(pairs: list[tuple[Frame, Truth]], path: str) -> dict[str, float]:
     """The same film by visual odometry alone: the motions of all features, one after another, and nothing else."""
-    sensor = rig_of(path, "odometry").sensors[0]
+    sensor = rig_of(path).sensors[0]
     moving, poses = VisualOdometry(Eyes(sensor.calibration), sensor.mount), [pairs[0][1].robots[0][:7]]
     for i, (frame, _) in enumerate(pairs):
         motion = moving.step(frame.scans[0].image)

@@ -102,9 +102,9 @@ def _assignment(text: str, kind: Any, flag: str) -> tuple[str, Any]:
     words = {"true": True, "false": False, "none": None}
     if value.lower() in words:
         return name, words[value.lower()]
-    for text in (value, f"[{value}]") if "," in value else (value,):
+    for written in (value, f"[{value}]") if "," in value else (value,):
         try:
-            return name, tuples(json.loads(text))
+            return name, tuples(json.loads(written))
         except json.JSONDecodeError:
             continue
     return name, value

@@ -96,11 +96,6 @@ class ImageRun(Stepping):
         finally:
             self.slam.options = options
 
-    def _next(self, frame: Frame) -> Report:
-        if not self.slam.landmarks:
-            self.slam.frames_of[0] = 0  # as many landmarks are begun as in a first frame
-        return self.slam.step(frame)
-
     def _settings(self) -> dict[str, Any]:
         settings = getattr(self.slam.front_ends[0], "settings", None)
         return {"settings": None if settings is None else asdict(settings)}
@@ -123,12 +118,12 @@ class ImageRun(Stepping):
         calibration = Rig.from_dict(header["rig"]).sensors[0].calibration
         chosen, settings = Options.from_dict(header["options"]), saved["settings"]
         make = front_end or (lambda c: front_end_of(chosen, c, np.random.default_rng(0), Settings(**tuples(settings))))
-        if source is None and not saved["source"]:
-            raise SlamlibError(f"{path}: its pictures were in memory; give them as source=...")
+        if source is None:
+            source = cls._source(path, saved, lambda recipe: reopened(recipe, frames))
         run = cls.__new__(cls)
         slam = Slam.load(path, front_ends=[make(calibration)])
         run.target = None
-        run._go_on(reopened(saved["source"], frames) if source is None else source, slam, saved)
+        run._go_on(source, slam, saved)
         return run
 
 

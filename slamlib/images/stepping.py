@@ -3,7 +3,7 @@
 import os
 import time
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass, replace
 from typing import Any, ClassVar
 
@@ -106,6 +106,12 @@ class Stepping(ABC):
             self.slam.wait((share,), frame.dt / steps)
         return replace(frame, dt=frame.dt / steps, controls=(share,))
 
+    def _next(self, frame: Frame) -> Report:
+        """One frame of the filter; into an empty map as many landmarks are begun as in a first frame."""
+        if not self.slam.landmarks:
+            self.slam.frames_of[0] = 0
+        return self.slam.step(frame)
+
     def _counts(self, report: Report) -> dict[str, float]:
         return counts(self.slam, report)
 
@@ -160,6 +166,15 @@ class Stepping(ABC):
         if saved is None:
             raise SlamlibError(f"{path} holds no run on {what}: `slamlib run --resume` goes on with a simulated one")
         return header, saved
+
+    @classmethod
+    def _source(
+        cls, path: str | os.PathLike[str], saved: dict[str, Any], reopen: Callable[[dict[str, Any]], Source]
+    ) -> Source:
+        """The source of a saved run, opened again. Raises SlamlibError if it was in memory."""
+        if not saved["source"]:
+            raise SlamlibError(f"{path}: its {cls.of} were in memory; give them as source=...")
+        return reopen(saved["source"])
 
     def _go_on(self, source: Source, slam: Slam, saved: dict[str, Any]) -> None:
         """Be where the saved run was."""

@@ -15,15 +15,15 @@ from slamlib.belief import Belief, Observation
 from slamlib.blocks import Block
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import Pose, compose, from_frame
+from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.landmarks.linearity import WORLD
 from slamlib.records import Frame
 from slamlib.rig import ZERO, Rig
 from slamlib.slam.entities import POSE
 from slamlib.slam.filter import Report, Slam
 from slamlib.slam.options import Options
 from slamlib.spaces import Array, Euclidean, Product
-
-WORLD = np.array([0.0, 0, 0, 1, 0, 0, 0])
 
 
 def _space(points: int) -> Product:
@@ -88,9 +88,7 @@ class Atlas:
         if n:
             points, J = from_frame.jac(base, points)
             by_base[POSE:] = J.pose.reshape(-1, POSE)
-            for i, turned in enumerate(np.broadcast_to(J.point, (n, 3, 3))):
-                at = slice(POSE + 3 * i, POSE + 3 * i + 3)
-                by_map[at, at] = turned
+            by_map[POSE:, POSE:] = np.kron(np.eye(n), rotation(base[3:]))  # J.point: the same for all points
         given = self.blocks[-1:]
         jacobians = [np.pad(by_base, ((0, 0), (0, block.dof - POSE))) for block in given]
         own = by_map @ submap.covariance @ by_map.T
@@ -166,9 +164,8 @@ class ManyMaps:
         if most < 1:
             raise SlamlibError(f"ManyMaps: most is the number of landmarks of a map, 1 or more, got {most}")
         self.rig, self.options, self.most = rig, options or Options(), most
-        self.front_ends = front_ends or (lambda: None)  # type: ignore[return-value]
-        self.atlas = Atlas()
-        self.slam = Slam(rig, self.options, front_ends=self.front_ends())
+        self.front_ends, self.atlas = front_ends, Atlas()
+        self.slam = self._begun(rig)
 
     @property
     def pose(self) -> Array:
@@ -187,4 +184,7 @@ class ManyMaps:
         """Join the present map to the atlas, and begin the next where the robot is: in a frame in which it knows it."""
         self.atlas.join(Submap.of(self.slam))
         start = replace(self.rig.robots[0], position=ZERO, euler=ZERO, position_std=ZERO, attitude_std=ZERO)
-        self.slam = Slam(replace(self.rig, robots=(start,)), self.options, front_ends=self.front_ends())
+        self.slam = self._begun(replace(self.rig, robots=(start,)))
+
+    def _begun(self, rig: Rig) -> Slam:
+        return Slam(rig, self.options, front_ends=self.front_ends() if self.front_ends else None)

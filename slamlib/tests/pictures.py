@@ -9,6 +9,20 @@ import numpy as np
 import pytest
 
 CUBE = Path(__file__).resolve().parents[3] / "shared" / "data" / "mono_visp_cube" / "frames"
+# Two cameras in Kalibr's form, without their places.
+KALIBR = """cam0:
+  camera_model: pinhole
+  distortion_coeffs: [-0.01, 0.02, -0.01, 0.003]
+  distortion_model: equidistant
+  intrinsics: [380.0, 381.0, 320.0, 240.0]
+  resolution: [640, 480]
+cam1:
+  camera_model: pinhole
+  distortion_coeffs: []
+  distortion_model: none
+  intrinsics: [390.0, 391.0, 321.0, 241.0]
+  resolution: [640, 480]
+"""
 NAMES = ("camera", "coins", "gravel", "astronaut", "chelsea")
 
 
@@ -60,3 +74,11 @@ def interrupted_at(number):
             yield item
 
     return interrupted
+
+
+def windows(monkeypatch):
+    """Snapshots that are shown, in a list: no window opens."""
+    shown = []
+    window = type("Window", (), {"__init__": lambda self, s, show: None, "update": lambda self, s: shown.append(s)})
+    monkeypatch.setattr("slamlib.scene.Window", window)
+    return shown

@@ -10,7 +10,7 @@ import pytest
 from slamlib.cli import main, working
 from slamlib.images.run import ImageRun
 from slamlib.simulation import rooms
-from slamlib.tests.pictures import interrupted_at
+from slamlib.tests.pictures import interrupted_at, windows
 from slamlib.tests.reference import FOLDER
 from slamlib.trajectories import Trajectory, read_trajectory, write_tum
 
@@ -306,9 +306,7 @@ def test_a_window_that_cannot_be_opened_is_said_before_the_run(room, capsys, mon
 
 
 def test_a_window_shows_every_frame(room, monkeypatch):
-    shown = []
-    window = type("Window", (), {"__init__": lambda self, s, show: None, "update": lambda self, s: shown.append(s)})
-    monkeypatch.setattr("slamlib.scene.Window", window)
+    shown = windows(monkeypatch)
     assert main(words(room, "--frames", "3", "--live")) == 0
     assert [s.number for s in shown] == [1, 2, 3]
 

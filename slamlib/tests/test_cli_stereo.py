@@ -12,7 +12,7 @@ from slamlib.images.layouts import table
 from slamlib.images.stereo.odometry_run import load
 from slamlib.images.stereo.run import StereoRun
 from slamlib.simulation import rooms
-from slamlib.tests.pictures import interrupted_at
+from slamlib.tests.pictures import interrupted_at, windows
 from slamlib.tests.stereo import KITTI
 from slamlib.trajectories import read_trajectory
 
@@ -233,9 +233,7 @@ def test_a_film_shows_the_left_picture(room, tmp_path):
 
 
 def test_a_window_shows_every_frame(room, monkeypatch):
-    shown = []
-    window = type("Window", (), {"__init__": lambda self, s, show: None, "update": lambda self, s: shown.append(s)})
-    monkeypatch.setattr("slamlib.scene.Window", window)
+    shown = windows(monkeypatch)
     assert main(words(room, "--frames", "3", "--live")) == 0
     assert [s.number for s in shown] == [1, 2, 3]
     assert shown[0].sensors[0].scan.image.shape == (120, 160)

@@ -9,6 +9,7 @@ from slamlib.errors import SlamlibError
 from slamlib.images.calibrations import TUM, read_calibration, read_lens
 from slamlib.images.lens import Lens, Undistortion, fitted
 from slamlib.rig import Rig, RobotSetup, SensorSetup
+from slamlib.tests.pictures import KALIBR
 from slamlib.tests.reference import FOLDER
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads and undistorts")
@@ -28,19 +29,6 @@ camera_model: pinhole
 intrinsics: [458.654, 457.296, 367.215, 248.375] #fu, fv, cu, cv
 distortion_model: radial-tangential
 distortion_coefficients: [-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05]
-"""
-KALIBR = """cam0:
-  camera_model: pinhole
-  distortion_coeffs: [-0.01, 0.02, -0.01, 0.003]
-  distortion_model: equidistant
-  intrinsics: [380.0, 381.0, 320.0, 240.0]
-  resolution: [640, 480]
-cam1:
-  camera_model: pinhole
-  distortion_coeffs: []
-  distortion_model: none
-  intrinsics: [390.0, 391.0, 321.0, 241.0]
-  resolution: [640, 480]
 """
 KITTI = """P0: 7.188560e+02 0 6.071928e+02 0 0 7.188560e+02 1.852157e+02 0 0 0 1 0
 P1: 7.188560e+02 0 6.071928e+02 -3.861448e+02 0 7.188560e+02 1.852157e+02 0 0 0 1 0

@@ -18,6 +18,7 @@ from slamlib.images.stereo.pair_sources import open_pairs
 from slamlib.images.stereo.rectification import Rectification, rectified_setup, why_not_rectified
 from slamlib.images.stereo.run import StereoRun
 from slamlib.rig import Rig, RobotSetup, SensorSetup
+from slamlib.tests.pictures import KALIBR
 from slamlib.tests.stereo import stereo_film
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads, rectifies and searches the pictures")
@@ -25,24 +26,13 @@ K = np.array([[400.0, 0, 310], [0, 405.0, 235], [0, 0, 1]])
 SIZE = (640, 480)
 TURN = cv2.Rodrigues(np.array([0.02, -0.03, 0.01]))[0]
 SHIFT = np.array([0.11, 0.004, -0.003])  # of the right camera, in the left one's frame
-CHAIN = """cam0:
-  camera_model: pinhole
-  distortion_coeffs: [-0.01, 0.02, -0.01, 0.003]
-  distortion_model: equidistant
-  intrinsics: [380.0, 381.0, 320.0, 240.0]
-  resolution: [640, 480]
-cam1:
-  T_cn_cnm1:
+PLACE = """  T_cn_cnm1:
   - [1.0, 0.0, 0.0, -0.11]
   - [0.0, 1.0, 0.0, 0.0]
   - [0.0, 0.0, 1.0, 0.0]
   - [0.0, 0.0, 0.0, 1.0]
-  camera_model: pinhole
-  distortion_coeffs: []
-  distortion_model: none
-  intrinsics: [390.0, 391.0, 321.0, 241.0]
-  resolution: [640, 480]
-"""
+"""  # of the right camera, as Kalibr says it
+CHAIN = KALIBR.replace("cam1:\n", f"cam1:\n{PLACE}")
 
 
 def place(turn=TURN, shift=SHIFT):

@@ -50,13 +50,13 @@ def opened_pairs(
         fitted({**sized, "parameters": {"intrinsics": lens.intrinsics}}, size, pairs.where)
     if rectify or (pairs.layout in RAW and why_not_rectified(known)):
         pairs, setup = rectified(pairs, known, size)
-        offset = 0.0
+        first, offset = next(iter(pairs)), 0.0
     else:
         _check_rectified(known)
         setup, offset = rectified_setup(known, size)
     chosen = settings or StereoSettings()
     chosen = replace(chosen, offset=chosen.offset or offset)
-    check_pair(next(iter(pairs)).image, first.name, chosen)
+    check_pair(first.image, first.name, chosen)
     return pairs, setup, chosen
 
 

@@ -5,7 +5,6 @@ x, and its left camera is at its own origin. Where the prediction of each step c
 """
 
 import os
-import time
 from collections.abc import Callable
 from dataclasses import asdict, replace
 from typing import Any, ClassVar
@@ -23,6 +22,7 @@ from slamlib.images.stereo.moving import MOVING
 from slamlib.images.stereo.opening import reopened_pairs
 from slamlib.images.stereo.pairs import checked
 from slamlib.images.stereo.settings import StereoSettings
+from slamlib.images.stopwatch import Stopwatch
 from slamlib.records import Control, Features, Frame, Scan
 from slamlib.rig import Rig, SensorSetup, tuples
 from slamlib.slam import Options, Report, Slam
@@ -64,7 +64,7 @@ class StereoRun(Stepping):
         setup = SensorSetup(**{"std": NOISE, **tuples(camera)})
         self.moving = self._moving(moving, setup, settings)
         rig = hand_held({"std": NOISE, **camera}, motion=self.moving.motion, impulse=impulse, velocity=velocity)
-        self.name, self.seconds = moving, 0.0
+        self.name, self.seconds = moving, Stopwatch("odometry")
         slam = Slam(rig, options, front_ends=[self.moving.front_end])
         super().__init__(source, slam, patience, metric=True)
 
@@ -83,15 +83,12 @@ class StereoRun(Stepping):
         return Frame(len(self.history) + 1, dt, (None,), (Scan(Features.none(3), image=image),))
 
     def _advance(self, frame: Frame) -> Report:
-        began = time.perf_counter()
-        control = self.moving.control(frame.scans[0].image, frame.dt, self.slam)
-        self.seconds += time.perf_counter() - began
+        with self.seconds.timed("odometry"):
+            control = self.moving.control(frame.scans[0].image, frame.dt, self.slam)
         if not self._has_begun():  # nothing can move before something was seen
             frame, control = replace(frame, dt=0.0), Control(np.zeros(6), np.zeros((6, 6)))
         frame = self._impulses(frame) if control is None else replace(frame, controls=(control,))
-        if not self.slam.landmarks:
-            self.slam.frames_of[0] = 0  # as many landmarks are begun as in a first frame
-        return self.slam.step(frame)
+        return self._next(frame)
 
     def _impulses(self, frame: Frame) -> Frame:
         """The frame of a robot that nobody tells anything."""
@@ -112,7 +109,7 @@ class StereoRun(Stepping):
             )
 
     def _spent(self) -> dict[str, float]:
-        return {**super()._spent(), "odometry": self.seconds}
+        return {**super()._spent(), **self.seconds}
 
     def snapshot(self) -> Snapshot:
         """What may be shown of the filter now: of the pair, the left picture."""
@@ -136,15 +133,15 @@ class StereoRun(Stepping):
         source: in place of the one that it was begun with. frames: how many pairs in all, if not as many as before.
         """
         header, saved = cls._read(path, "stereo pairs")
-        if source is None and not saved["source"]:
-            raise SlamlibError(f"{path}: its pairs were in memory; give them as source=...")
+        if source is None:
+            source = cls._source(path, saved, lambda recipe: reopened_pairs(recipe, frames))
         run = cls.__new__(cls)
         settings = StereoSettings(**tuples(saved["settings"]))
         run.moving = cls._moving(saved["moving"], Rig.from_dict(header["rig"]).sensors[0], settings)
-        run.name, run.seconds = saved["moving"], 0.0
+        run.name, run.seconds = saved["moving"], Stopwatch("odometry")
         slam = Slam.load(path, front_ends=[run.moving.front_end])
         run.moving.restore(saved["state"])
-        run._go_on(reopened_pairs(saved["source"], frames) if source is None else source, slam, saved)
+        run._go_on(source, slam, saved)
         return run
 
 
