@@ -30,7 +30,7 @@ $(READY): requirements.txt
 	@echo "creating the environment in $(VENV) (once, about a minute)"
 	@$(PYTHON) -m venv $(VENV)
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.txt
-	@$(BIN)/python -c 'import pathlib, sysconfig; pathlib.Path(sysconfig.get_path("purelib"), "slamlib-source.pth").write_text("$(CURDIR)\n")'
+	@$(BIN)/python -c 'import pathlib, sysconfig; pathlib.Path(sysconfig.get_path("purelib"), "slamlib-source.pth").write_text("$(CURDIR)\n$(CURDIR)/book\n")'
 	@touch $@
 
 assets: environment  ## fetch what the site serves itself (MathJax, Python for the page), by version and checksum
@@ -67,10 +67,10 @@ generate: environment  ## write slamlib/generated from the models
 	@$(BIN)/python -m slamlib.codegen
 
 tangle: environment  ## write the formula modules from the chapters' cells
-	@$(BIN)/python -m slamlib.tangle
+	@$(BIN)/python -m slamlib.codegen.tangle
 
 untangle: environment  ## carry edited formula modules back into the chapters' cells
-	@$(BIN)/python -m slamlib.tangle --back
+	@$(BIN)/python -m slamlib.codegen.tangle --back
 
 notebooks: environment  ## run every notebook in place and store its text outputs
 	@$(BIN)/python -m book.tools.notebooks run

@@ -17,12 +17,12 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.association import Identity, gate
-from slamlib.presets import Preset, preset
+from slamlib.experiments.presets import Preset, preset
+from slamlib.manifolds import Array
 from slamlib.slam import Slam
-from slamlib.slam.compatibility import compatible
-from slamlib.slam.consensus import CONSENSUS, Consensus
-from slamlib.spaces import Array
+from slamlib.slam.data_association.consensus import CONSENSUS, Consensus
+from slamlib.slam.data_association.gates import Identity, gate
+from slamlib.slam.data_association.jcbb import compatible
 
 TURNS = 10.0  # times the standard deviation of the preset's turns
 

@@ -19,8 +19,8 @@ from unittest import mock
 
 import numpy as np
 
-from slamlib import linalg
 from slamlib.belief import Belief, Observation
+from slamlib.kalman import linalg
 
 SIZES = ((100, 10), (300, 20), (600, 20), (1200, 20))
 

@@ -23,13 +23,13 @@ import numpy as np
 
 from slamlib.geometry.pose import compose
 from slamlib.geometry.quaternion import exponential
-from slamlib.images.appearance import Appearance, predict
-from slamlib.images.corners import QUALITY, best_corner, strength
-from slamlib.images.grid import Grid
-from slamlib.images.patches import Patch, cut
-from slamlib.images.search import correlate, register, search
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
+from slamlib.vision.appearance import Appearance, predict
+from slamlib.vision.corners import QUALITY, best_corner, strength
+from slamlib.vision.grid import Grid
+from slamlib.vision.patches import Patch, cut
+from slamlib.vision.search import correlate, register, search
 
 COUNT, SIZE = 12, 11
 PARTS = {  # of a frame, and what they call
@@ -145,7 +145,7 @@ def profile(calls: int = 100) -> str:
         scene.detect()
     profiler.disable()
     table = pstats.Stats(profiler).stats  # type: ignore[attr-defined]
-    found = {key[2]: row[3] for key, row in table.items() if "slamlib/images" in key[0].replace(os.sep, "/")}
+    found = {key[2]: row[3] for key, row in table.items() if "slamlib/vision" in key[0].replace(os.sep, "/")}
     whole = sum(found[name] for name in PARTS)
     shares = {name: ", ".join(f"{n} {found[n] / whole:.0%}" for n in inner) for name, inner in PARTS.items()}
     return "; ".join(f"{name} {found[name] / whole:.0%} (of it {shares[name]})" for name in PARTS)

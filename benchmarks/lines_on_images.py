@@ -22,28 +22,28 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from slambook import rendering
 
-from slamlib.alignment import aligned
+from slamlib.data.records import Frame, Truth
+from slamlib.evaluation.alignment import aligned
+from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import rotation
-from slamlib.images.active_search import ActiveSearch, Settings
-from slamlib.images.both import Both
-from slamlib.images.edges import fitted
-from slamlib.images.segment_search import SegmentSearch, SegmentSettings
-from slamlib.images.segments import refined, segments_of
-from slamlib.images.strips import axes, strip
 from slamlib.landmarks import endpoints, hmg_point, segments
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.records import Frame, Truth
-from slamlib.simulation import rooms
+from slamlib.manifolds import Array
 from slamlib.slam import Options, Slam
-from slamlib.slam.segments import bent, rays_of, straight
-from slamlib.spaces import Array
-from slamlib.trajectories import Trajectory
+from slamlib.slam.line_residuals import bent, rays_of, straight
+from slamlib.vision.active_search import ActiveSearch, Settings
+from slamlib.vision.combined_front_end import Both
+from slamlib.vision.edge_profile import axes, strip
+from slamlib.vision.edges import fitted
+from slamlib.vision.line_search import SegmentSearch, SegmentSettings
+from slamlib.vision.segments import refined, segments_of
 
 DT, STD = 1 / 30, 0.1
 OPTIONS = Options(updates=12, first=12, later=3, keep_matched=0.5, inverse_distance=(0.4, 0.4))
-Film = tuple[rooms.Film, list[tuple[Frame, Truth]]]
+Film = tuple[rendering.Film, list[tuple[Frame, Truth]]]
 
 
 def camera_of(truth: Truth) -> Array:
@@ -52,7 +52,7 @@ def camera_of(truth: Truth) -> Array:
     return camera
 
 
-def true_line(film: rooms.Film, truth: Truth, segment: Array) -> Array | None:
+def true_line(film: rendering.Film, truth: Truth, segment: Array) -> Array | None:
     """The points (2, 3) of the room that a segment (4,) of an image shows; None where no single surface carries it.
 
     Of two surfaces beside an edge, the nearer one ends there.
@@ -73,9 +73,9 @@ def true_line(film: rooms.Film, truth: Truth, segment: Array) -> Array | None:
 
 def filmed(path: str, frames: int, seed: int, **rig: Any) -> Film:
     """A film and its frames."""
-    way = rooms.path(path)
-    made = rooms.film(
-        rooms.default_room("drawn"), rooms.hand_held(way, std=(STD,), **rig), way,
+    way = rendering.path(path)
+    made = rendering.film(
+        rendering.default_room("drawn"), rendering.hand_held(way, std=(STD,), **rig), way,
         frames=frames, dt=DT, rng=np.random.default_rng(seed),
     )  # fmt: skip
     return made, list(made)
@@ -174,14 +174,14 @@ def run(film: Film, options: Options, front_end: Any) -> Outcome:
                    [a for a in apart if np.isfinite(a)], space, seconds)  # fmt: skip
 
 
-def born(film: rooms.Film, truth: Truth, slam: Slam, landmark: Any) -> Array | None:
+def born(film: rendering.Film, truth: Truth, slam: Slam, landmark: Any) -> Array | None:
     """The true line (2, 3) of a line that has just been begun: where its two ends are seen."""
     h = endpoints.ends(landmark.kind, landmark.block.mean, landmark.abscissas)
     pixels = slam.sensors[0].calibration.project(hmg_point.to_frame(slam.sensors[0].camera, h))
     return true_line(film, truth, pixels.ravel())
 
 
-def in_image(film: rooms.Film, truth: Truth, slam: Slam, landmark: Any, points: Array) -> float:
+def in_image(film: rendering.Film, truth: Truth, slam: Slam, landmark: Any, points: Array) -> float:
     """How far [px] the true line's image, from the true camera, is from the estimated one's, from the estimated camera.
 
     The larger distance of the ends of what is seen of the true edge; nan if it is out of view. No gauge matters.
@@ -252,7 +252,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="Straight edges as landmarks, on images.")
     parser.add_argument("--frames", type=int, default=150)
     parser.add_argument("--seeds", type=int, default=3)
-    parser.add_argument("--path", default="sideways", choices=sorted(rooms.PATHS))
+    parser.add_argument("--path", default="sideways", choices=sorted(rendering.PATHS))
     given = parser.parse_args()
     repeatability(filmed(given.path, 120, 1))
     settings = SegmentSettings()

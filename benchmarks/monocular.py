@@ -18,17 +18,17 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from slambook import rendering
 
-from slamlib.alignment import aligned
-from slamlib.association import Sight
-from slamlib.evaluation import chi2_quantile
-from slamlib.images.active_search import ActiveSearch
-from slamlib.records import Frame
-from slamlib.simulation import rooms
+from slamlib.data.records import Frame
+from slamlib.evaluation.alignment import aligned
+from slamlib.evaluation.consistency import chi2_quantile
+from slamlib.evaluation.trajectory import Trajectory
+from slamlib.manifolds import Array
 from slamlib.slam import Options, Slam
+from slamlib.slam.data_association.gates import Sight
 from slamlib.slam.options import CONSENSUS
-from slamlib.spaces import Array
-from slamlib.trajectories import Trajectory
+from slamlib.vision.active_search import ActiveSearch
 
 DT, STD = 1 / 30, 0.035  # [s] between frames; [px] of a match: what the image's noise and the warp leave
 OPTIONS = Options(updates=12, first=12, later=3, keep_matched=0.5, inverse_distance=(0.4, 0.4))
@@ -63,9 +63,11 @@ class Outcome:
 
 def frames_of(texture: str, path: str, frames: int, seed: int) -> tuple[Any, list[Frame], Array]:
     """The rig of a film, its frames, and the true poses (n, 7), which are the camera's but for a fixed mount."""
-    way = rooms.path(path)
-    rig = rooms.hand_held(way, std=(STD,))
-    film = rooms.film(rooms.default_room(texture), rig, way, frames=frames, dt=DT, rng=np.random.default_rng(seed))
+    way = rendering.path(path)
+    rig = rendering.hand_held(way, std=(STD,))
+    film = rendering.film(
+        rendering.default_room(texture), rig, way, frames=frames, dt=DT, rng=np.random.default_rng(seed)
+    )
     steps = list(film)
     return rig, [frame for frame, _ in steps], np.array([truth.robots[0][:7] for _, truth in steps])
 
@@ -127,7 +129,7 @@ def main() -> None:
     parser.add_argument("--frames", type=int, default=300)
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--texture", default="drawn", choices=("drawn", "photographs"))
-    parser.add_argument("--path", default="sideways", choices=sorted(rooms.PATHS))
+    parser.add_argument("--path", default="sideways", choices=sorted(rendering.PATHS))
     parser.add_argument("--wrong", action="store_true", help="also with a fifth of all matches wrong")
     parser.add_argument("--profile", action="store_true", help="one run, by function")
     given = parser.parse_args()

@@ -24,7 +24,7 @@ import numpy as np
 from slamlib.geometry import quaternion
 from slamlib.geometry.pose import compose
 from slamlib.landmarks.ahm_point import AHM_POINT
-from slamlib.observation import observe
+from slamlib.observation.points import observe
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
 

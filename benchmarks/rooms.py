@@ -16,24 +16,24 @@ import time
 from collections.abc import Callable
 
 import numpy as np
+from slambook import rendering
+from slambook.rendering.hand import LENS
+from slambook.rendering.judging import patches, strong_corners, zncc
 
 from slamlib.geometry.pose import compose
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.simulation import rooms
-from slamlib.simulation.rooms.hand import LENS
-from slamlib.spaces import Array
-from slamlib.tests.rooms import patches, strong_corners, zncc
+from slamlib.manifolds import Array
 
 SIZES = (1, 2)  # times 320 x 240
 
 
-def film(textures: str, path: str, samples: int, scale: int, frames: int) -> rooms.Film:
+def film(textures: str, path: str, samples: int, scale: int, frames: int) -> rendering.Film:
     """A film whose camera has so many times 320 x 240 pixels."""
-    way = rooms.path(path)
+    way = rendering.path(path)
     parameters = {"intrinsics": tuple(scale * n for n in LENS["intrinsics"]), "distortion": LENS["distortion"]}
-    rig = rooms.hand_held(way, image=(320.0 * scale, 240.0 * scale), parameters=parameters)
-    room = rooms.default_room(textures)
-    return rooms.film(room, rig, way, frames=frames, rng=np.random.default_rng(1), samples=samples)
+    rig = rendering.hand_held(way, image=(320.0 * scale, 240.0 * scale), parameters=parameters)
+    room = rendering.default_room(textures)
+    return rendering.film(room, rig, way, frames=frames, rng=np.random.default_rng(1), samples=samples)
 
 
 def seconds(act: Callable[[], object]) -> float:
@@ -43,7 +43,7 @@ def seconds(act: Callable[[], object]) -> float:
     return time.process_time() - began
 
 
-def followed(made: rooms.Film, apart: int) -> Array:
+def followed(made: rendering.Film, apart: int) -> Array:
     """Correlations of strong corners' patches with their true places so many frames later, all ten frames."""
     calibration = made.rig.sensors[0].calibration
     found, kept = [], {}
@@ -62,15 +62,15 @@ def followed(made: rooms.Film, apart: int) -> Array:
 def report(frames: int, profile: bool) -> None:
     """Print the figures."""
     print(f"{'textures':12} {'path':9} {'image':8} samples  frames/s  first [s]")
-    for textures in rooms.LOOKS:
-        for path in rooms.PATHS:
+    for textures in rendering.LOOKS:
+        for path in rendering.PATHS:
             for scale in SIZES:
                 start = time.process_time()
                 made = film(textures, path, 2, scale, frames)
                 ready = time.process_time() - start
                 rate = frames / seconds(lambda made=made: list(made))  # type: ignore[misc]
                 print(f"{textures:12} {path:9} {320 * scale}x{240 * scale:<4} 2 x 2   {rate:8.1f}  {ready:8.2f}")
-    for textures in rooms.LOOKS:
+    for textures in rendering.LOOKS:
         for apart in (1, 5):
             share = np.mean(followed(film(textures, "round", 2, 1, 150), apart) > 0.9)
             print(f"{textures}: followed after {apart} frame(s): {100 * share:.1f} %")

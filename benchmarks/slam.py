@@ -25,9 +25,9 @@ import numpy as np
 
 from benchmarks.covariance_update import Problem
 from benchmarks.observation import YARDSTICK, quickest, yardstick
+from slamlib.data.records import Frame
+from slamlib.experiments.presets import Preset, preset
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.presets import Preset, preset
-from slamlib.records import Frame
 from slamlib.simulation.worlds import gallery_radius
 from slamlib.slam import Slam
 from slamlib.slam.entities import Landmark

@@ -16,15 +16,16 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from slambook.recorded import KITTI, kitti
+from slambook.rendering.stereo_film import stereo_film
 
 from benchmarks.stereo_filter import Case, speed
 from benchmarks.stereo_filter import room as filter_in_room
 from slamlib.geometry.pose import compose
-from slamlib.images.stereo import MOVING, Eyes, StereoSettings, VisualOdometry
+from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options
-from slamlib.spaces import Array
-from slamlib.tests.stereo import KITTI, kitti, stereo_film
+from slamlib.vision.stereo import MOVING, Eyes, StereoSettings, VisualOdometry
 
 ERRORS = (0.06, 0.055, 0.05)  # px: standard deviations of u, v and d as measured in the rooms, without their tails
 

@@ -6,17 +6,17 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from slambook import rendering
+from slambook.rendering.stereo_film import stereo_film
 
-from slamlib.evaluation import chi2_quantile, nees
+from slamlib.data.records import Frame
+from slamlib.data.setup import Rig
+from slamlib.evaluation.consistency import chi2_quantile, nees
 from slamlib.geometry.pose import Pose
-from slamlib.images.stereo import MOVING, StereoSettings, joined, paired
-from slamlib.images.stereo.moving import Moving
-from slamlib.records import Frame
-from slamlib.rig import Rig
-from slamlib.simulation import rooms
+from slamlib.manifolds import Array
 from slamlib.slam import Options, Slam
-from slamlib.spaces import Array
-from slamlib.tests.stereo import stereo_film
+from slamlib.vision.stereo import MOVING, StereoSettings, joined, paired
+from slamlib.vision.stereo.motion_source import Moving
 
 FULL = 300  # landmarks
 
@@ -97,10 +97,10 @@ def consistency(mean: Array, runs: int) -> Iterator[str]:
 
 def speed(case: Case, frames: int) -> Iterator[str]:
     """640 x 480 pixels, 150 features, a map of 300: processor's milliseconds by part, when the map is full."""
-    way, lens = rooms.path("sideways"), {"intrinsics": (319.5, 239.5, 520.0, 520.0), "distortion": (0.0,)}
-    rig = rooms.hand_held(way, baseline=0.12, image=(640.0, 480.0), parameters=lens)
+    way, lens = rendering.path("sideways"), {"intrinsics": (319.5, 239.5, 520.0, 520.0), "distortion": (0.0,)}
+    rig = rendering.hand_held(way, baseline=0.12, image=(640.0, 480.0), parameters=lens)
     dt = way.duration / frames
-    film = rooms.film(rooms.default_room(), rig, way, frames=frames, dt=dt, rng=np.random.default_rng(1))
+    film = rendering.film(rendering.default_room(), rig, way, frames=frames, dt=dt, rng=np.random.default_rng(1))
     settings = replace(case.settings, cells=(12, 9), each=4, enough=100)
     options = replace(case.options, updates=100, first=100, later=20, capacity=FULL, full="useless")
     slam, moving = started(replace(case, settings=settings, options=options), joined(rig, case.std))

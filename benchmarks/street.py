@@ -25,21 +25,21 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from slambook.recorded import KITTI
 
-from slamlib.alignment import aligned
 from slamlib.cli import comparing
+from slamlib.datasets.sources import Source, of_pictures
+from slamlib.evaluation.alignment import aligned
+from slamlib.evaluation.trajectory import Trajectory, read_trajectory
+from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import relative
 from slamlib.geometry.quaternion import exponential
-from slamlib.images.results import summary
-from slamlib.images.sources import Source, of_pictures
-from slamlib.images.stereo import MOVING, StereoSettings
-from slamlib.images.stereo.odometry_run import OdometryRun
-from slamlib.images.stereo.opening import opened_pairs
-from slamlib.images.stereo.run import IMPULSE, OPTIONS, StereoRun
-from slamlib.progress import progress
-from slamlib.spaces import Array
-from slamlib.tests.stereo import KITTI
-from slamlib.trajectories import Trajectory, read_trajectory
+from slamlib.manifolds import Array
+from slamlib.vision.results import summary
+from slamlib.vision.stereo import MOVING, StereoSettings
+from slamlib.vision.stereo.odometry_run import OdometryRun
+from slamlib.vision.stereo.open_pairs import opened_pairs
+from slamlib.vision.stereo.run import IMPULSE, OPTIONS, StereoRun
 
 OFFSETS = (-0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
 CHOSEN = 0.2

@@ -13,13 +13,13 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from slamlib import linalg
-from slamlib.blocks import BeliefSnapshot, Block, Layout, point_of
-from slamlib.correction import Correction, Observation, Stacked, compact, solve, stack
 from slamlib.errors import SlamlibError
-from slamlib.linalg import frozen
-from slamlib.series import Series
-from slamlib.spaces import Array, Space, as_space
+from slamlib.kalman import linalg
+from slamlib.kalman.linalg import frozen
+from slamlib.kalman.sequential_update import Series
+from slamlib.kalman.state import BeliefSnapshot, Block, Layout, point_of
+from slamlib.kalman.update import Correction, Observation, Stacked, compact, solve, stack
+from slamlib.manifolds import Array, Space, as_space
 
 __all__ = ["Belief", "BeliefSnapshot", "Block", "Correction", "Observation"]
 

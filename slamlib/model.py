@@ -18,10 +18,10 @@ from typing import Any
 
 import numpy as np
 
-from slamlib import digest
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, StaleCodeError
-from slamlib.kernel import Kernel
-from slamlib.spaces import Array, Space, as_space
+from slamlib.manifolds import Array, Space, as_space
+from slamlib.modeling import fingerprint
+from slamlib.modeling.kernel import Kernel
 
 _defining: ContextVar[bool] = ContextVar("_defining", default=False)
 # what a model does with its arguments when another model's definition calls it
@@ -147,9 +147,9 @@ class Model:
     def code(self) -> ModuleType:
         """The module that holds the generated functions; checked against the definition."""
         if self._whole is not None:
-            from slamlib import shortened
+            from slamlib.modeling import specialize
 
-            return shortened.code(self._whole, self)
+            return specialize.code(self._whole, self)
         if not self.is_packaged:
             from slamlib.codegen.compile import compile_in_memory
 
@@ -160,7 +160,7 @@ class Model:
             expected = code.DIGESTS[self.name]
         except (ModuleNotFoundError, KeyError) as error:
             raise StaleCodeError(f"no generated code for {self.module}.{self.name}: {command}") from error
-        if digest.of(self) not in (expected, None):
+        if fingerprint.of(self) not in (expected, None):
             raise StaleCodeError(f"{self.module}.{self.name} has changed since its code was generated: {command}")
         return code
 

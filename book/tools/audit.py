@@ -14,15 +14,15 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from slambook.report import SWITCHES
+from slambook.report.checks import CHECKS
+from slambook.report.findings import RUNS, SEED, Check, Figure, Row, ran
+from slambook.report.runs import DOF, Outcome
 
-from book.report import SWITCHES
-from book.report.checks import CHECKS
-from book.report.findings import RUNS, SEED, Check, Figure, Row, ran
-from book.report.runs import DOF, Outcome
 from book.tools import layout
 from slamlib.errors import UnknownNameError
-from slamlib.evaluation import band
-from slamlib.progress import progress
+from slamlib.evaluation.consistency import band
+from slamlib.experiments.progress import progress
 
 FILE = layout.BOOK / "chapters" / "data" / "audit.json"
 SHOWN = "gentle", "hard"  # scenes of the chapter's figure

@@ -49,12 +49,18 @@ def stages() -> list[Stage]:
         Stage("format", [*PYTHON, "ruff", "format", "--check"], r"(\d+) files? already formatted", "files"),
         Stage(
             "types",
-            [*PYTHON, "mypy", "slamlib", "book/tools", "book/live", "book/report", "benchmarks"],
+            [
+                *PYTHON,
+                "mypy",
+                *(f"-p{name}" for name in ("slamlib", "slambook", "book.tools", "book.live", "benchmarks")),
+            ],
             r"in (\d+) source files",
             "files",
         ),
         Stage("generated", [*PYTHON, "slamlib.codegen", "--check"], r"generated code: (\d+) models", "models, current"),
-        Stage("tangled", [*PYTHON, "slamlib.tangle", "--check"], r"tangled cells: (\d+)", "cells, as in slamlib"),
+        Stage(
+            "tangled", [*PYTHON, "slamlib.codegen.tangle", "--check"], r"tangled cells: (\d+)", "cells, as in slamlib"
+        ),
         Stage("stored", [*PYTHON, "book.tools.notebooks", "check"], r"notebooks: (\d+)", "notebooks, text only"),
         Stage("pytest", [*PYTHON, "pytest", "-q", "-rs", *parallel], r"(\d+) passed", "tests"),
         Stage("nbval", [*PYTHON, *nbval, *parallel, *notebooks], r"(\d+) passed", "cells as stored"),

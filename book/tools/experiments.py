@@ -15,11 +15,11 @@ from typing import Any
 import numpy as np
 
 from book.tools import layout
-from slamlib.evaluation import band, share_inside
-from slamlib.experiments import Experiment, monte_carlo
+from slamlib.data.setup import Rig, SensorSetup
+from slamlib.evaluation.consistency import band, share_inside
+from slamlib.experiments.monte_carlo import Experiment, monte_carlo
+from slamlib.experiments.presets import PRESETS, Preset, lines, points
 from slamlib.landmarks import LINES, POINTS
-from slamlib.presets import PRESETS, Preset, lines, points
-from slamlib.rig import Rig, SensorSetup
 
 FILE = layout.BOOK / "chapters" / "data" / "experiments.json"
 FOLDER = layout.BUILD / "experiments"

@@ -57,8 +57,8 @@ def store(file: Path, found: dict[str, Any]) -> None:
 
 def package_files() -> list[Path]:
     """What the result of a notebook depends on besides the notebook: slamlib, the lock, the data of the book."""
-    code = [f for end in ("py", "js") for f in (ROOT / "slamlib").rglob(f"*.{end}") if "tests" not in f.parts]
-    code += (BOOK / "report").rglob("*.py")
+    packages = (ROOT / "slamlib", BOOK / "slambook")
+    code = [f for top in packages for e in ("py", "js") for f in top.rglob(f"*.{e}") if "tests" not in f.parts]
     data = [f for f in BOOK.rglob("data/*") if f.is_file()]
     return [*code, *data, ROOT / "requirements.txt", BOOK / "tools" / "notebooks.py"]
 

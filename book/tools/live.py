@@ -48,7 +48,6 @@ def build(target: Path) -> None:
     shutil.copytree(packed, target, ignore=shutil.ignore_patterns("complete", "lock.json"))
     shutil.copytree(PAGE, target, dirs_exist_ok=True)
     shutil.copytree(layout.BOOK / "chapters" / "data", target / "data")
-    layout.write_whole(target / "book.zip", _zip(report()))
     made = wheel.build(target)
     files = {
         f.relative_to(target).as_posix(): {"bytes": f.stat().st_size}
@@ -59,7 +58,7 @@ def build(target: Path) -> None:
         "first": [*FIRST, made.name, "runner.py"],
         "wheel": made.name,
         "lock": json.loads((packed / "lock.json").read_text("utf-8")),
-        "later": {"sympy": "sympy.zip", "mpmath": "sympy.zip", "book": "book.zip"},
+        "later": {"sympy": "sympy.zip", "mpmath": "sympy.zip"},
         "data": [n for n in files if n.startswith("data/")],
         "files": files,
     }
@@ -67,12 +66,6 @@ def build(target: Path) -> None:
     weight = sum((target / name).stat().st_size for name in (*FIRST, made.name, "runner.py", "pyodide.js"))
     script = (target / "page.js").read_text("utf-8").replace("@MEGABYTES@", f"{weight / 1e6:.0f}")
     layout.write_whole(target / "page.js", script.encode())
-
-
-def report() -> dict[str, bytes]:
-    """The package book.report: in an archive of its own, so that neither slamlib's wheel nor other pages carry it."""
-    files = [layout.BOOK / "__init__.py", *(layout.BOOK / "report").rglob("*.py")]
-    return {f.relative_to(layout.ROOT).as_posix(): f.read_bytes() for f in files}
 
 
 def _interpreter(target: Path) -> None:

@@ -10,16 +10,16 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from slambook import rendering
 
 from benchmarks import monocular as bench
 from book.tools import layout
-from slamlib.alignment import aligned
-from slamlib.images.active_search import ActiveSearch
-from slamlib.progress import progress
-from slamlib.simulation import rooms
+from slamlib.evaluation.alignment import aligned
+from slamlib.evaluation.trajectory import Trajectory
+from slamlib.experiments.progress import progress
 from slamlib.slam import Slam
 from slamlib.slam.options import CONSENSUS
-from slamlib.trajectories import Trajectory
+from slamlib.vision.active_search import ActiveSearch
 
 FILE = layout.BOOK / "chapters" / "data" / "monocular.json"
 SEEDS, FRAMES = (1, 2, 3, 4, 5), 300
@@ -48,11 +48,11 @@ def row(outcome: bench.Outcome) -> dict[str, float]:
 
 def around(seed: int) -> dict[str, Any]:
     """Once round the room, and half a second more: every eighth place as estimated and in truth, and what was seen."""
-    way = rooms.path("round")
+    way = rendering.path("round")
     pushed = (0.03,) * 3 + (1.2,) * 3
-    rig = rooms.hand_held(way, std=(0.1,), control_std=pushed)
+    rig = rendering.hand_held(way, std=(0.1,), control_std=pushed)
     rng = np.random.default_rng(seed)
-    film = rooms.film(rooms.default_room("drawn"), rig, way, frames=ROUND, dt=ROUND_DT, rng=rng)
+    film = rendering.film(rendering.default_room("drawn"), rig, way, frames=ROUND, dt=ROUND_DT, rng=rng)
     search = ActiveSearch(rig.sensors[0].calibration, np.random.default_rng([seed, 1]))
     slam, poses, true, old = Slam(rig, bench.OPTIONS, front_ends=[search]), [], [], []
     for frame, truth in film:

@@ -39,7 +39,7 @@ check("5.2", average_nees)""",
 
 def of_the_map() -> None:
     """Run chapter 0's own cells up to its map, and save that map."""
-    chapter = layout.BOOK / "chapters" / "00_slam_in_five_minutes.ipynb"
+    chapter = layout.BOOK / "chapters" / "slam_in_five_minutes.ipynb"
     names: dict[str, Any] = {"__name__": "__main__"}
     os.chdir(chapter.parent)
     for cell in json.loads(chapter.read_text("utf-8"))["cells"]:
@@ -56,7 +56,7 @@ def of_the_exercise(executable: str) -> None:
     """Exercise 5.2 as it is found, with a wrong solution, and with a right one."""
     with browser.site_in_chromium(executable) as (base, chromium):
         page = chromium.new_page(viewport={"width": 820, "height": 1000})
-        page.goto(f"{base}/book/chapters/05_consistency.html")
+        page.goto(f"{base}/book/chapters/consistency.html")
         page.wait_for_function("() => window.Live && Live.page")
         cell = page.locator("div.cell.tag_exercise", has_text="average_nees")
         for name, text in STEPS.items():

@@ -25,15 +25,15 @@ from typing import Any
 import numpy as np
 
 from book.tools import layout
-from slamlib.alignment import Aligned, aligned
-from slamlib.images.active_search import ActiveSearch
-from slamlib.images.gaps import Lost
-from slamlib.images.hand_held import hand_held, options
-from slamlib.images.opening import opened
-from slamlib.images.results import ImageResult, summary
-from slamlib.images.run import ImageRun
-from slamlib.progress import progress
-from slamlib.trajectories import Trajectory, read_trajectory
+from slamlib.evaluation.alignment import Aligned, aligned
+from slamlib.evaluation.trajectory import Trajectory, read_trajectory
+from slamlib.experiments.progress import progress
+from slamlib.vision.active_search import ActiveSearch
+from slamlib.vision.hand_held import hand_held, options
+from slamlib.vision.open_sequence import opened
+from slamlib.vision.results import ImageResult, summary
+from slamlib.vision.run import ImageRun
+from slamlib.vision.tracking_loss import Lost
 
 PACKAGE, VERSION = "visp-images-data", "3.5.0-1"
 SHA256 = "8d78de2b5d0ff5536ae5c281b11a5011fd6e95cd717c2e0ebf38bacf57723a9d"

@@ -15,16 +15,18 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from slambook.report import correlations, memory, planar_runs, speed
 
-from book.report import correlations, memory, planar_runs, speed
 from book.tools import layout, report_times
 from book.tools.audit import number
-from slamlib.evaluation import band
+from slamlib.evaluation.consistency import band
 
 FILE = layout.BOOK / "chapters" / "data" / "report_experiments.json"
 FOLDER = layout.BUILD / "report_experiments"
 MODULES = "correlations", "fastslam", "filter", "memory", "planar", "planar_ekf", "planar_runs", "runs", "scenes"
-CODE = [layout.BOOK / "report" / f"{name}.py" for name in (*MODULES, "speed", "together", "update", "updates")]
+CODE = [
+    layout.BOOK / "slambook" / "report" / f"{name}.py" for name in (*MODULES, "speed", "together", "update", "updates")
+]
 SEED = 22
 FULL: dict[str, dict[str, Any]] = {
     "memory": {"runs": 100},

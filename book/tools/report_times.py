@@ -4,11 +4,11 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from slambook.report import mrpt, planar_runs, speed
+from slambook.report.updates import naive, problem
 
-from book.report import mrpt, planar_runs, speed
-from book.report.updates import naive, problem
 from book.tools.audit import number
-from slamlib.progress import progress
+from slamlib.experiments.progress import progress
 
 Rng = Callable[[], np.random.Generator]
 LANDMARKS = 8, 15, 31, 64, 98, 165, 231, 331  # states of 30 to 999 numbers

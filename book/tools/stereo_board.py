@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 
 from book.tools.layout import ROOT
+from slamlib.data.files import whole
+from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError
-from slamlib.files import whole
-from slamlib.images.extras import opencv
-from slamlib.spaces import Array
+from slamlib.manifolds import Array
 
 cv2: Any = opencv("to measure a chessboard")
 STORED = ROOT / "book" / "chapters" / "data" / "stereo_board.csv"

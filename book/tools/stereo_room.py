@@ -5,18 +5,18 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from slambook import rendering
 
 from benchmarks.stereo_filter import advance, moved_by
-from slamlib.evaluation import band, nees, share_inside
+from slamlib.data.records import Frame, Truth
+from slamlib.data.setup import Rig, SensorSetup
+from slamlib.evaluation.consistency import band, nees, share_inside
+from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import Pose, compose
-from slamlib.images.stereo import MOVING, Eyes, StereoSettings, VisualOdometry, joined, paired
-from slamlib.images.stereo.moving import Halves, Moving
-from slamlib.progress import progress
-from slamlib.records import Frame, Truth
-from slamlib.rig import Rig, SensorSetup
-from slamlib.simulation import rooms
+from slamlib.manifolds import Array
 from slamlib.slam import Options, Slam
-from slamlib.spaces import Array
+from slamlib.vision.stereo import MOVING, Eyes, StereoSettings, VisualOdometry, joined, paired
+from slamlib.vision.stereo.motion_source import Halves, Moving
 
 LENS = {"intrinsics": (159.5, 119.5, 260.0, 260.0), "distortion": (0.0,)}
 IMAGE, BASELINE, DT = (320.0, 240.0), 0.12, 1 / 30  # px, m, s
@@ -59,7 +59,7 @@ Step = tuple[Slam, Moving, Truth]
 
 def carried(path: str) -> Rig:
     """A robot carried by hand along the path, with two cameras."""
-    return rooms.hand_held(rooms.path(path), baseline=BASELINE, image=IMAGE, parameters=LENS)
+    return rendering.hand_held(rendering.path(path), baseline=BASELINE, image=IMAGE, parameters=LENS)
 
 
 def rig_of(path: str) -> Rig:
@@ -69,8 +69,8 @@ def rig_of(path: str) -> Rig:
 
 def film(path: str, frames: int, seed: int) -> list[tuple[Frame, Truth]]:
     """Pairs of pictures, and the truth beside them."""
-    rng, way = np.random.default_rng(seed), rooms.path(path)
-    made = rooms.film(rooms.default_room(), carried(path), way, frames=frames, dt=DT, rng=rng)
+    rng, way = np.random.default_rng(seed), rendering.path(path)
+    made = rendering.film(rendering.default_room(), carried(path), way, frames=frames, dt=DT, rng=rng)
     return [(paired(frame), truth) for frame, truth in made]
 
 

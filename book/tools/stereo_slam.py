@@ -1,9 +1,9 @@
 """`python -m book.tools.stereo_slam`: the longer runs of chapter 22, stored as one small file, part by part.
 
 The report's errors turned on together and repaired one after another, and the filter with wrong covariances
-(book/report); slamlib's own system in the rendered stereo room (book.tools.stereo_room), and on KITTI's street, where
-that is at hand (benchmarks.street). Times belong to a machine and are not stored. `--only NAME` makes one part again
-and keeps the others.
+(slambook.report); slamlib's own system in the rendered stereo room (book.tools.stereo_room), and on KITTI's street,
+where that is at hand (benchmarks.street). Times belong to a machine and are not stored. `--only NAME` makes one part
+again and keeps the others.
 """
 
 import argparse
@@ -13,15 +13,15 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from slambook.report.findings import RUNS, SEED, ran
+from slambook.report.runs import Outcome, monte_carlo
+from slambook.report.scenes import SCENES, Scene
+from slambook.report.switches import SWITCHES, Switch
 
 from benchmarks import street as bench
-from book.report.findings import RUNS, SEED, ran
-from book.report.runs import Outcome, monte_carlo
-from book.report.scenes import SCENES, Scene
-from book.report.switches import SWITCHES, Switch
 from book.tools import layout, stereo_room
-from slamlib.progress import progress
-from slamlib.spaces import Array
+from slamlib.experiments.progress import progress
+from slamlib.manifolds import Array
 
 FILE = layout.BOOK / "chapters" / "data" / "stereo_slam.json"
 # All errors that a program can have at once, in the order in which they are repaired.

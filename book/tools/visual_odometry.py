@@ -10,22 +10,23 @@ import json
 from typing import Any
 
 import numpy as np
+from slambook.recorded import KITTI, kitti
+from slambook.rendering.stereo_film import stereo_film
 
 from benchmarks import stereo as bench
 from book.tools import layout
+from slamlib.evaluation.path_errors import relative_errors
+from slamlib.evaluation.trajectory import Trajectory
+from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import compose
 from slamlib.geometry.quaternion import exponential, minus
-from slamlib.images.stereo import Eyes, Motion, Observed, StereoSettings, VisualOdometry, mutual
-from slamlib.images.stereo.features import within
-from slamlib.images.stereo.matching import distances
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.observation import observe
-from slamlib.path_errors import relative_errors
-from slamlib.progress import progress
+from slamlib.manifolds import Array
+from slamlib.observation.points import observe
 from slamlib.sensors.sensor import Calibration
-from slamlib.spaces import Array
-from slamlib.tests.stereo import KITTI, kitti, stereo_film
-from slamlib.trajectories import Trajectory
+from slamlib.vision.stereo import Eyes, Motion, Observed, StereoSettings, VisualOdometry, mutual
+from slamlib.vision.stereo.features import within
+from slamlib.vision.stereo.matching import distances
 
 FILE = layout.BOOK / "chapters" / "data" / "visual_odometry.json"
 SEEDS, FRAMES, ROUND, EVERY = (1, 2, 3), 120, 449, 8

@@ -6,10 +6,10 @@ from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
 
+from slamlib.data.setup import Rig, tuples
 from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.experiments.presets import PRESETS, Preset, preset
 from slamlib.landmarks import LINES, POINTS
-from slamlib.presets import PRESETS, Preset, preset
-from slamlib.rig import Rig, tuples
 from slamlib.slam import Options
 
 OPTION = "any option of `slamlib list options`, such as gate=0.999 or inverse_distance=1,0.5"

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from slamlib.cli import choices
-from slamlib.evaluation import share_inside
-from slamlib.experiments import Experiment, monte_carlo
+from slamlib.evaluation.consistency import share_inside
+from slamlib.experiments.monte_carlo import Experiment, monte_carlo
 from slamlib.landmarks import LINES
 
 DOF = 6

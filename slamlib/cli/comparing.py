@@ -4,11 +4,11 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.alignment import aligned
 from slamlib.errors import SlamlibError
-from slamlib.images.stepping import Stepping
-from slamlib.path_errors import KITTI_LENGTHS, relative_errors
-from slamlib.trajectories import Trajectory, associate, read_trajectory
+from slamlib.evaluation.alignment import aligned
+from slamlib.evaluation.path_errors import KITTI_LENGTHS, relative_errors
+from slamlib.evaluation.trajectory import Trajectory, associate, read_trajectory
+from slamlib.vision.sequence_run import Stepping
 
 KITTI_ROW = 12  # numbers
 

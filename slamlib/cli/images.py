@@ -7,17 +7,17 @@ from typing import Any
 import numpy as np
 
 from slamlib.cli import choices, reporting
+from slamlib.data.setup import SensorSetup, tuples
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.images.active_search import Settings
-from slamlib.images.both import front_end_of
-from slamlib.images.hand_held import IMPULSE, NOISE, OPTIONS, VELOCITY, hand_held, options
-from slamlib.images.opening import opened
-from slamlib.images.run import ImageRun
-from slamlib.images.target import Target
 from slamlib.landmarks import POINTS
 from slamlib.motions import MOTIONS
-from slamlib.rig import SensorSetup, tuples
 from slamlib.slam.options import CONSENSUS
+from slamlib.vision.active_search import Settings
+from slamlib.vision.combined_front_end import front_end_of
+from slamlib.vision.hand_held import IMPULSE, NOISE, OPTIONS, VELOCITY, hand_held, options
+from slamlib.vision.open_sequence import opened
+from slamlib.vision.run import ImageRun
+from slamlib.vision.target import Target
 
 ALIASES = {"constant-velocity": "constVel"}
 

@@ -4,9 +4,9 @@ import argparse
 from collections.abc import Callable, Mapping
 from dataclasses import fields
 
+from slamlib.experiments.presets import PRESETS
 from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS
-from slamlib.presets import PRESETS
 from slamlib.sensors import SENSORS
 from slamlib.simulation import WORLDS
 from slamlib.slam import Options

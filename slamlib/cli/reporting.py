@@ -8,8 +8,8 @@ from typing import Any
 
 from slamlib.cli import choices, comparing, working
 from slamlib.errors import SlamlibError
-from slamlib.images.results import summary, table
-from slamlib.images.stepping import Stepping
+from slamlib.vision.results import summary, table
+from slamlib.vision.sequence_run import Stepping
 
 JUDGED, ENOUGH = 30, 0.85  # frames, and the share of the matches that is believed in a run that goes well
 REVERSED = (

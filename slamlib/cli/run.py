@@ -10,9 +10,9 @@ import numpy as np
 
 from slamlib.cli import choices
 from slamlib.errors import SlamlibError
-from slamlib.evaluation import band, share_inside
-from slamlib.progress import progress
-from slamlib.runs import Result, Run
+from slamlib.evaluation.consistency import band, share_inside
+from slamlib.experiments.progress import progress
+from slamlib.experiments.runs import Result, Run
 
 DOF = 6
 
@@ -35,7 +35,7 @@ def execute(given: argparse.Namespace) -> int:
     """Run it; an interrupted run is saved, and can be gone on with."""
     run = _run(given)
     if given.video:
-        from slamlib.scene.video import ready
+        from slambook.scene.video import ready
 
         ready(given.video)
     film: list[Any] = []
@@ -74,7 +74,7 @@ def _run(given: argparse.Namespace) -> Run:
 
 
 def _film(path: str, film: list[Any], run: Run) -> None:
-    from slamlib.scene import animate
+    from slambook.scene import animate
 
     snapshots, truths = zip(*film, strict=True)
     animate(snapshots, path, world=run.preset.world, truths=truths)

@@ -6,12 +6,12 @@ from typing import Any
 
 from slamlib.cli import choices, reporting
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.images.stereo.moving import MOVING
-from slamlib.images.stereo.odometry_run import OdometryRun, load
-from slamlib.images.stereo.opening import opened_pairs
-from slamlib.images.stereo.run import IMPULSE, NOISE, OPTIONS, VELOCITY, StereoRun
-from slamlib.images.stereo.settings import StereoSettings
 from slamlib.landmarks import POINTS
+from slamlib.vision.stereo.motion_source import MOVING
+from slamlib.vision.stereo.odometry_run import OdometryRun, load
+from slamlib.vision.stereo.open_pairs import opened_pairs
+from slamlib.vision.stereo.run import IMPULSE, NOISE, OPTIONS, VELOCITY, StereoRun
+from slamlib.vision.stereo.settings import StereoSettings
 
 COMMAND = "run stereo-images"
 EXAMPLES = """examples:

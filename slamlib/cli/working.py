@@ -9,11 +9,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
-from slamlib.images.stepping import ImageStep, Stepping
-from slamlib.progress import progress
-from slamlib.snapshots import Snapshot
-from slamlib.trajectories import write_tum
+from slamlib.evaluation.trajectory import write_tum
+from slamlib.experiments.progress import progress
+from slamlib.vision.sequence_run import ImageStep, Stepping
 
 MISTAKE, INTERRUPTED = 2, 130
 
@@ -54,7 +54,7 @@ def _check_places(given: argparse.Namespace) -> None:
         if not Path(path).absolute().parent.is_dir() or Path(path).is_dir():
             raise SlamlibError(f"{path} cannot be written: its folder is not there, or it is a folder itself")
     if given.video:
-        from slamlib.scene.video import ready
+        from slambook.scene.video import ready
 
         ready(given.video)
 
@@ -113,7 +113,7 @@ def _interrupts() -> Iterator[list[int]]:
 
 
 def _window(run: Stepping) -> Any:
-    from slamlib.scene import Window
+    from slambook.scene import Window
 
     return Window(run.snapshot(), show=True)
 
@@ -123,6 +123,6 @@ def _consume(snapshots: Iterator[Snapshot | None], video: str | None, fps: float
         for _ in snapshots:
             pass
         return
-    from slamlib.scene import animate
+    from slambook.scene import animate
 
     animate((snapshot for snapshot in snapshots if snapshot is not None), video, fps=fps)

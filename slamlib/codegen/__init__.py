@@ -14,6 +14,6 @@ __all__ = ["Derivation", "assert_same", "check", "derive", "load_ipython_extensi
 
 def load_ipython_extension(shell: object) -> None:
     """`%load_ext slamlib.codegen` makes the cell magic %%tangle known."""
-    from slamlib.tangle import register
+    from slamlib.codegen.tangle import register
 
     register(shell)

@@ -12,10 +12,10 @@ import sympy
 from sympy.core.parameters import distribute
 from sympy.simplify.cse_opts import sub_post, sub_pre
 
-from slamlib import digest
 from slamlib.codegen.printer import Printer
 from slamlib.codegen.trace import Trace, trace
 from slamlib.model import Model
+from slamlib.modeling import fingerprint
 
 PRIME = 2**61 - 1
 _FUNCTIONS = ("arctan2", "arctan_ratio", "arctan_ratio_slope", "cos", "sin", "sqrt", "stumpff")
@@ -129,7 +129,7 @@ def module(models: list[Model], source: str) -> str:
     ]
     if used:
         head += [f"from slamlib.analytic import {', '.join(used)}", ""]
-    head += ["DIGESTS = {", *(f'    "{m.name}": "{digest.of(m)}",' for m in models), "}"]
+    head += ["DIGESTS = {", *(f'    "{m.name}": "{fingerprint.of(m)}",' for m in models), "}"]
     head += [
         "SHAPES = {",
         *(f'    "{m.name}": {t.value.shape!r},' for m, t in zip(models, traces, strict=True)),

@@ -4,8 +4,8 @@ import inspect
 from types import ModuleType
 from typing import Any
 
-from slamlib import digest
 from slamlib.model import Model
+from slamlib.modeling import fingerprint
 
 
 class Source:
@@ -26,7 +26,7 @@ def show(thing: Any, *, generated: bool = False) -> Source:
     if not isinstance(thing, Model):
         return Source(inspect.getsource(thing))
     if not generated:
-        return Source(digest.source(thing.function))
+        return Source(fingerprint.source(thing.function))
     return Source("\n\n".join(_functions(thing.code, thing.name)))
 
 

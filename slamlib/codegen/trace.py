@@ -10,8 +10,8 @@ import sympy
 
 from slamlib.codegen.rules import broken, check_rules
 from slamlib.errors import SlamlibError, WritingRuleError
+from slamlib.manifolds import Product
 from slamlib.model import Argument, Model, calling
-from slamlib.spaces import Product
 
 Symbols = Any  # object array of sympy symbols
 

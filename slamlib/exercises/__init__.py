@@ -1,9 +1,9 @@
 """Checks for the exercises: they test properties of the reader's own function and store no answers.
 
     from slamlib.exercises import check
-    check("2.3", my_function)
+    check("kalman_filter.3", my_function)
 
-Each chapter's checks are in a file of their own, ch02_kalman_filter.py for chapter 2, found by the number.
+Each chapter's checks are in a file of the chapter's name: kalman_filter.py holds kalman_filter.1, kalman_filter.2, ...
 """
 
 import importlib
@@ -35,7 +35,7 @@ def exercise(number: str, title: str) -> Callable[[Checker], Checker]:
 def load_all() -> dict[str, tuple[str, Checker]]:
     """Every registered exercise: number -> (title, check)."""
     for info in pkgutil.iter_modules(__path__):
-        if info.name.startswith("ch"):
+        if info.name != "properties":
             importlib.import_module(f"{__name__}.{info.name}")
     return dict(_known)
 
@@ -59,11 +59,9 @@ def check(number: str, candidate: Any) -> None:
 
     A function whose body is still `...` is not judged: the check says that it waits to be written.
     """
-    head = str(number).split(".")[0]
-    chapter = f"ch{int(head):02d}_" if head.isdigit() else "?"
-    for info in pkgutil.iter_modules(__path__):
-        if info.name.startswith(chapter):
-            importlib.import_module(f"{__name__}.{info.name}")
+    chapter = str(number).rpartition(".")[0]
+    if chapter in {info.name for info in pkgutil.iter_modules(__path__)}:
+        importlib.import_module(f"{__name__}.{chapter}")
     if number not in _known:
         raise UnknownNameError.of("exercise", number, load_all())
     title, function = _known[number]

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.spaces import Array
+from slamlib.manifolds import Array
 
 
 class Rejected(SlamlibError):

@@ -6,8 +6,8 @@ The six are a displacement in world axes and a rotation vector in the frame's ow
 import numpy as np
 
 from slamlib.geometry.quaternion import UnitQuaternion, conjugate, product, rotation
+from slamlib.manifolds import Euclidean, Product
 from slamlib.model import model
-from slamlib.spaces import Euclidean, Product
 
 Pose = Product("pose", Euclidean(3), UnitQuaternion)
 

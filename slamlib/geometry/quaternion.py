@@ -3,8 +3,8 @@
 import numpy as np
 
 from slamlib.analytic import arctan_ratio, sqrt, stumpff
+from slamlib.manifolds import Manifold
 from slamlib.model import model
-from slamlib.spaces import Manifold
 
 
 @model(q=4)

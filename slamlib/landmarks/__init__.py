@@ -5,7 +5,7 @@ from typing import Any
 from slamlib.errors import UnknownNameError
 from slamlib.landmarks.line import LineLandmark
 from slamlib.landmarks.point import PointLandmark
-from slamlib.registry import Registry
+from slamlib.modeling.registry import Registry
 
 __all__ = ["LINES", "POINTS", "LineLandmark", "PointLandmark", "landmark"]
 

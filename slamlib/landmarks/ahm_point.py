@@ -5,8 +5,8 @@ import numpy as np
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.point import PointLandmark
+from slamlib.manifolds import as_space
 from slamlib.model import model
-from slamlib.spaces import as_space
 
 
 @model(pose=Pose, landmark=7)

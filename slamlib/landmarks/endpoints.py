@@ -13,7 +13,7 @@ from slamlib.errors import SlamlibError
 from slamlib.geometry import plucker
 from slamlib.landmarks import hmg_point
 from slamlib.landmarks.line import LineLandmark
-from slamlib.spaces import Array
+from slamlib.manifolds import Array
 
 
 class Seen(NamedTuple):

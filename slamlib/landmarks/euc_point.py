@@ -6,8 +6,8 @@ from slamlib.geometry.pose import Pose
 from slamlib.geometry.pose import from_frame as into_world
 from slamlib.geometry.pose import to_frame as into_frame
 from slamlib.landmarks.point import PointLandmark
+from slamlib.manifolds import as_space
 from slamlib.model import model
-from slamlib.spaces import as_space
 
 
 @model(pose=Pose, landmark=3)

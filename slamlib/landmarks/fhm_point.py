@@ -5,8 +5,8 @@ import numpy as np
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.point import PointLandmark
+from slamlib.manifolds import Product, as_space
 from slamlib.model import model
-from slamlib.spaces import Product, as_space
 
 FramedPoint = Product("framed point", Pose, as_space(3))
 

@@ -6,8 +6,8 @@ from slamlib.geometry.plucker import join
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import hmg_point
 from slamlib.landmarks.line import LineLandmark
+from slamlib.manifolds import as_space
 from slamlib.model import model
-from slamlib.spaces import as_space
 
 
 @model(pose=Pose, landmark=8)

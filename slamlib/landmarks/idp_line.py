@@ -8,8 +8,8 @@ from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import idp_point
 from slamlib.landmarks.idp_point import angles_of, direction
 from slamlib.landmarks.line import LineLandmark
+from slamlib.manifolds import as_space
 from slamlib.model import model
-from slamlib.spaces import as_space
 
 
 @model(pose=Pose, landmark=9)

@@ -6,8 +6,8 @@ from slamlib.analytic import arctan2, cos, sin, sqrt
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.point import PointLandmark
+from slamlib.manifolds import as_space
 from slamlib.model import model
-from slamlib.spaces import as_space
 
 
 @model(angles=2)

@@ -10,7 +10,7 @@ import numpy as np
 
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.landmarks.point import PointLandmark
-from slamlib.spaces import Array
+from slamlib.manifolds import Array
 
 THRESHOLD = 0.1  # of the linearity index, below which a point may become Euclidean; the toolbox's linTestIdp
 WORLD = np.array([0.0, 0, 0, 1, 0, 0, 0])

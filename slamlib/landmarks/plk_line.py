@@ -3,8 +3,8 @@
 from slamlib.geometry import plucker
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks.line import LineLandmark
+from slamlib.manifolds import as_space
 from slamlib.model import model
-from slamlib.spaces import as_space
 
 
 @model(pose=Pose, landmark=6)

@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.linalg import finite
-from slamlib.spaces import Array
+from slamlib.kalman.linalg import finite
+from slamlib.manifolds import Array
 
 PIXELS = np.array([0.0, 0.0, 1.0, 1.0])  # the "intrinsics" of points that are pixels already
 

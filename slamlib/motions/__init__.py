@@ -1,9 +1,9 @@
 """How robots move: odometry, constant velocity, and the report's composition. Tangled from chapter 7."""
 
+from slamlib.modeling.registry import Registry
 from slamlib.motions.constant_velocity import CONSTANT_VELOCITY
 from slamlib.motions.motion import Motion
 from slamlib.motions.odometry import ODOMETRY
-from slamlib.registry import Registry
 
 __all__ = ["CONSTANT_VELOCITY", "MOTIONS", "ODOMETRY", "Motion", "motion"]
 

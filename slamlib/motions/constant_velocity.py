@@ -4,9 +4,9 @@ import numpy as np
 
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import plus
+from slamlib.manifolds import Euclidean, Product
 from slamlib.model import model
 from slamlib.motions.motion import Motion
-from slamlib.spaces import Euclidean, Product
 
 Moving = Product("pose and velocities", Pose, Euclidean(6))
 

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
+from slamlib.manifolds import Space
 from slamlib.model import Model
-from slamlib.spaces import Space
 
 
 @dataclass(frozen=True)

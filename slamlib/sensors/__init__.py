@@ -1,6 +1,6 @@
 """What measures: a file for each type of sensor. Tangled from chapters 8 to 10."""
 
-from slamlib.registry import Registry
+from slamlib.modeling.registry import Registry
 from slamlib.sensors.sensor import Calibration, Sensor
 
 __all__ = ["SENSORS", "Calibration", "Sensor", "sensor"]

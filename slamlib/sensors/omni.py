@@ -5,8 +5,8 @@ from numpy.polynomial import polynomial
 
 from slamlib.analytic import arctan_ratio, sqrt, stumpff
 from slamlib.errors import SingularPointError, SlamlibError
-from slamlib.implicit import Implicit
 from slamlib.model import model
+from slamlib.modeling.implicit import Implicit
 from slamlib.sensors.limits import check_limits
 from slamlib.sensors.sensor import Sensor
 from slamlib.sensors.stages import BackProjection

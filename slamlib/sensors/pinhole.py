@@ -6,8 +6,8 @@ import numpy as np
 
 from slamlib.analytic import sqrt
 from slamlib.errors import SingularPointError, SlamlibError
-from slamlib.implicit import Implicit
 from slamlib.model import model
+from slamlib.modeling.implicit import Implicit
 from slamlib.sensors.limits import check_limits
 from slamlib.sensors.sensor import Sensor
 from slamlib.sensors.stages import BackProjection

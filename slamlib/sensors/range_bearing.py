@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.analytic import arctan2, cos, sin, sqrt
+from slamlib.manifolds import Euclidean, Product
 from slamlib.model import model
 from slamlib.sensors.limits import check_limits
 from slamlib.sensors.sensor import Sensor
-from slamlib.spaces import Euclidean, Product
 
 
 @dataclass(frozen=True)

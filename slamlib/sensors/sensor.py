@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
-from slamlib.linalg import covariance, finite, frozen, numbers
+from slamlib.kalman.linalg import covariance, finite, frozen, numbers
+from slamlib.manifolds import Array, Space, as_space
 from slamlib.model import Model
-from slamlib.spaces import Array, Space, as_space
 
 
 def _nothing_to_check(calibration: "Calibration") -> None:

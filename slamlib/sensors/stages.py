@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import NonFiniteError, ShapeError
-from slamlib.implicit import Implicit
+from slamlib.manifolds import Array
 from slamlib.model import Argument, Model
-from slamlib.spaces import Array
+from slamlib.modeling.implicit import Implicit
 
 
 class BackProjection:

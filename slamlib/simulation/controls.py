@@ -6,8 +6,8 @@ Ways are put together by np.concatenate. They say what a robot is told; with noi
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.linalg import numbers
-from slamlib.spaces import Array
+from slamlib.kalman.linalg import numbers
+from slamlib.manifolds import Array
 
 
 def straight(steps: int, length: float) -> Array:

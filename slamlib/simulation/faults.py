@@ -5,8 +5,8 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from slamlib.errors import SingularPointError, SlamlibError
+from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
-from slamlib.spaces import Array
 
 TRIES = 1000
 

@@ -7,7 +7,7 @@ one stretch; the longest stretch that no shadow hides is what is seen of it.
 
 import numpy as np
 
-from slamlib.spaces import Array
+from slamlib.manifolds import Array
 
 CLEARANCE = (
     1e-6  # [m]: a shadow begins so far behind its triangle, and is so much wider, to close slits at common sides

@@ -4,10 +4,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from slamlib.data.records import Control, Features, Frame, Scan, Truth, World
+from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
-from slamlib.records import Control, Features, Frame, Scan, Truth, World
-from slamlib.rig import Rig
-from slamlib.spaces import Array
+from slamlib.manifolds import Array
 
 FAMILIES = ("points", "segments")
 Pairs = list[tuple[Frame, Truth | None]]

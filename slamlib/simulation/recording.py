@@ -27,12 +27,12 @@ from typing import Any
 
 import numpy as np
 
+from slamlib.data.files import whole
+from slamlib.data.records import Frame, Truth, World
+from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
-from slamlib.files import whole
-from slamlib.records import Frame, Truth, World
-from slamlib.rig import Rig
+from slamlib.manifolds import Array
 from slamlib.simulation.packing import packed, unpacked
-from slamlib.spaces import Array
 
 FORMAT, VERSION = "slamlib recording", 1
 

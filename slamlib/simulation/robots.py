@@ -5,12 +5,12 @@ from typing import Any
 
 import numpy as np
 
+from slamlib.data.records import Control
+from slamlib.data.setup import RobotSetup
 from slamlib.errors import ShapeError, SlamlibError
-from slamlib.linalg import finite, frozen, numbers
-from slamlib.records import Control
-from slamlib.rig import RobotSetup
+from slamlib.kalman.linalg import finite, frozen, numbers
+from slamlib.manifolds import Array, Space
 from slamlib.simulation.streams import Streams
-from slamlib.spaces import Array, Space
 
 # By name: the shares of the drawn noise in the truth, and in the control that the estimator is told.
 NOISE_IN = {"truth": (1.0, 0.0), "control": (0.0, 1.0)}

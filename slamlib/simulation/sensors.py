@@ -2,18 +2,18 @@
 
 import numpy as np
 
+from slamlib.data.records import Features, Scan, World
+from slamlib.data.setup import SensorSetup
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import Pose, compose
+from slamlib.kalman.linalg import frozen
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.segments import clip, frustum, length, trim
-from slamlib.linalg import frozen
-from slamlib.records import Features, Scan, World
-from slamlib.rig import SensorSetup
+from slamlib.manifolds import Array
 from slamlib.simulation.faults import Clutter, Faults, swapped
 from slamlib.simulation.occlusion import hidden, longest_seen
 from slamlib.simulation.robots import drawn, root
 from slamlib.simulation.streams import Streams
-from slamlib.spaces import Array
 
 
 class SimulatedSensor:

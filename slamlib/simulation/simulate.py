@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from slamlib.data.records import Frame, Truth, World
+from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.records import Frame, Truth, World
-from slamlib.rig import Rig
 from slamlib.simulation.faults import Faults
 from slamlib.simulation.robots import NOISE_IN, SimulatedRobot, plans
 from slamlib.simulation.sensors import SimulatedSensor

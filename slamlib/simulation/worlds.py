@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from slamlib.data.records import Features, World
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.linalg import numbers
-from slamlib.records import Features, World
-from slamlib.spaces import Array
+from slamlib.kalman.linalg import numbers
+from slamlib.manifolds import Array
 
 QUARTER = np.array([[0.0, 1.0], [-1.0, 0.0]])  # rows times this: a quarter turn to the left
 

@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
+from slamlib.data.files import whole
+from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
-from slamlib.files import whole
 from slamlib.landmarks import landmark as landmark_kind
-from slamlib.rig import Rig
 from slamlib.slam.entities import Landmark
 from slamlib.slam.options import Options
 

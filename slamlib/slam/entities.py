@@ -5,11 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.blocks import Block
 from slamlib.geometry.pose import compose
+from slamlib.kalman.state import Block
+from slamlib.manifolds import Array
 from slamlib.motions import Motion
 from slamlib.sensors.sensor import Calibration
-from slamlib.spaces import Array
 
 POSE = 6  # degrees of freedom of a pose, the first of every robot's state
 

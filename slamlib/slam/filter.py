@@ -7,18 +7,20 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.association import Identity, Sight
 from slamlib.belief import Belief
+from slamlib.data.records import Control, Frame, Scan
+from slamlib.data.setup import Rig
+from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import Pose
-from slamlib.records import Control, Frame, Scan
-from slamlib.rig import Rig
+from slamlib.manifolds import Array
 from slamlib.slam import checkpoint
-from slamlib.slam.consensus import CONSENSUS
+from slamlib.slam.data_association.consensus import CONSENSUS
+from slamlib.slam.data_association.gates import Identity, Sight
 from slamlib.slam.entities import Landmark, MountedSensor, Robot
-from slamlib.slam.forgetting import makes_room, out_of_window
 from slamlib.slam.lines import LineFamily
-from slamlib.slam.looking import (
+from slamlib.slam.map_management import makes_room, out_of_window
+from slamlib.slam.measurement_update import (
     Look,
     choose_and_match,
     correct_in_batch,
@@ -29,9 +31,7 @@ from slamlib.slam.looking import (
 )
 from slamlib.slam.options import Options
 from slamlib.slam.points import PointFamily
-from slamlib.slam.showing import snapshot_of
-from slamlib.snapshots import Snapshot
-from slamlib.spaces import Array
+from slamlib.slam.snapshot import snapshot_of
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class Slam:
     """The filter. It is built of a rig and options, takes frames one by one, and shows itself in snapshots."""
 
     def __init__(self, rig: Rig, options: Options | None = None, *, front_ends: Sequence[Any] | None = None) -> None:
-        """front_ends: one for each sensor, that finds its measurements (default: slamlib.association.Identity)."""
+        """front_ends: one for each sensor, that finds its measurements (default: data_association.gates.Identity)."""
         self.rig, self.options = rig, options or Options()
         self.belief = Belief()
         self.robots = [Robot(r.name, r.model, self.belief.add(r.model.space, r.state, r.covariance), r.noise)

@@ -5,18 +5,18 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.belief import Belief
+from slamlib.data.snapshots import MapView
+from slamlib.kalman.small_matrices import corners
 from slamlib.landmarks import LINES, endpoints, hmg_point, segments
 from slamlib.landmarks.line import LineLandmark
-from slamlib.line_observation import initialize_line
+from slamlib.manifolds import Array
+from slamlib.observation.lines import initialize_line
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.ends import settled
 from slamlib.slam.entities import Landmark, MountedSensor
-from slamlib.slam.expected import Expected, Innovation, by_columns, columns_of, means_of, place_of
+from slamlib.slam.line_endpoints import settled
+from slamlib.slam.line_residuals import READINGS, bent, rays_of
 from slamlib.slam.options import Options
-from slamlib.slam.segments import READINGS, bent, rays_of
-from slamlib.small import corners
-from slamlib.snapshots import MapView
-from slamlib.spaces import Array
+from slamlib.slam.predicted_measurement import Expected, Innovation, by_columns, columns_of, means_of, place_of
 
 
 @dataclass(frozen=True)

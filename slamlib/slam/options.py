@@ -4,10 +4,10 @@ import math
 from dataclasses import asdict, dataclass, field, fields
 from typing import Any
 
+from slamlib.data.setup import tuples
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.landmarks import LINES, POINTS
 from slamlib.landmarks.linearity import THRESHOLD
-from slamlib.rig import tuples
 
 INNOVATIONS = ("ortDst", "rhoThe", "angles")
 CHOICES = ("information", "order")

@@ -5,18 +5,18 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.belief import Belief
+from slamlib.data.snapshots import MapView
+from slamlib.kalman.small_matrices import corners
 from slamlib.landmarks import POINTS
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import beyond_infinity, should_convert, to_euclidean
 from slamlib.landmarks.point import PointLandmark
-from slamlib.observation import AHEAD, initialize, observe_from
+from slamlib.manifolds import Array
+from slamlib.observation.points import AHEAD, initialize, observe_from
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.entities import Landmark, MountedSensor
-from slamlib.slam.expected import Expected, Innovation, by_columns, columns_of, means_of, place_of
 from slamlib.slam.options import Options
-from slamlib.small import corners
-from slamlib.snapshots import MapView
-from slamlib.spaces import Array
+from slamlib.slam.predicted_measurement import Expected, Innovation, by_columns, columns_of, means_of, place_of
 
 
 @dataclass(frozen=True)

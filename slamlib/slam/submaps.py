@@ -12,18 +12,18 @@ from typing import Any
 import numpy as np
 
 from slamlib.belief import Belief, Observation
-from slamlib.blocks import Block
+from slamlib.data.records import Frame
+from slamlib.data.setup import ZERO, Rig
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import Pose, compose, from_frame
 from slamlib.geometry.quaternion import rotation
+from slamlib.kalman.state import Block
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import WORLD
-from slamlib.records import Frame
-from slamlib.rig import ZERO, Rig
+from slamlib.manifolds import Array, Euclidean, Product
 from slamlib.slam.entities import POSE
 from slamlib.slam.filter import Report, Slam
 from slamlib.slam.options import Options
-from slamlib.spaces import Array, Euclidean, Product
 
 
 def _space(points: int) -> Product:

@@ -65,7 +65,7 @@ def grid(height: int, width: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def interrupted_at(number):
-    """In place of slamlib.progress.progress: Ctrl-C is pressed while item `number` (from 0) is being worked on."""
+    """In place of progress.progress: Ctrl-C is pressed while item `number` (from 0) is being worked on."""
 
     def interrupted(items, total, label):
         for i, item in enumerate(items):
@@ -80,5 +80,5 @@ def windows(monkeypatch):
     """Snapshots that are shown, in a list: no window opens."""
     shown = []
     window = type("Window", (), {"__init__": lambda self, s, show: None, "update": lambda self, s: shown.append(s)})
-    monkeypatch.setattr("slamlib.scene.Window", window)
+    monkeypatch.setattr("slambook.scene.Window", window)
     return shown

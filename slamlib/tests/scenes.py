@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from slamlib.data.records import Features, Scan, Truth, World
+from slamlib.data.setup import SensorSetup
+from slamlib.data.snapshots import Looks, MapView, RobotView, SensorView, Snapshot
 from slamlib.geometry.quaternion import exponential
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.observation import observe
-from slamlib.records import Features, Scan, Truth, World
-from slamlib.rig import SensorSetup
-from slamlib.snapshots import Looks, MapView, RobotView, SensorView, Snapshot
+from slamlib.observation.points import observe
 
 NO_LOOKS = Looks(
     np.zeros(0, np.int64),

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slamlib.rig import Rig, RobotSetup, SensorSetup
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.simulation import world
 
 CLOISTER = world("thickCloister", n=7)

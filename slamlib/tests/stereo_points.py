@@ -2,15 +2,15 @@
 
 import numpy as np
 
+from slamlib.data.records import Control, Features, Frame, Scan
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.geometry.pose import Pose
-from slamlib.images.stereo import motion_between
-from slamlib.images.stereo.geometry import ORIGIN
-from slamlib.images.stereo.shared_noise import SharedNoise
 from slamlib.motions import ODOMETRY
-from slamlib.records import Control, Features, Frame, Scan
-from slamlib.rig import Rig, RobotSetup, SensorSetup
 from slamlib.slam import Options, Slam
+from slamlib.tests.shared_noise import SharedNoise
 from slamlib.tests.stereo import LENS, MOUNT, calibration, points_seen, seen_from
+from slamlib.vision.stereo import motion_between
+from slamlib.vision.stereo.geometry import ORIGIN
 
 STILL = Control(np.zeros(6), np.zeros((6, 6)))
 EVERYTHING = Options(points="eucPnt", updates=1000, first=1000, later=1000, reproject=False, gate=1.0, margin=0.0)

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from slamlib.association import CHOICES, Identity, Sight, gate, innovation_covariances, normalized
 from slamlib.belief import Belief
-from slamlib.evaluation import chi2_cdf
-from slamlib.records import Features, Scan
+from slamlib.data.records import Features, Scan
+from slamlib.evaluation.consistency import chi2_cdf
+from slamlib.slam.data_association.gates import CHOICES, Identity, Sight, gate, innovation_covariances, normalized
 
 
 @pytest.fixture

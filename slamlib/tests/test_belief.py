@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from benchmarks import covariance_update
-from slamlib import correction, linalg
 from slamlib.belief import Belief, Observation
-from slamlib.blocks import means_of
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnitError, UnknownNameError
 from slamlib.geometry.pose import Pose
+from slamlib.kalman import linalg, update
+from slamlib.kalman.state import means_of
 from slamlib.tests.beliefs import Circle, grown, random_covariance, state
 
 REFERENCE = Path(__file__).parents[3] / "shared" / "reference" / "ekf.json"
@@ -531,7 +531,7 @@ def test_large_states_take_the_path_of_blas(rng, monkeypatch):
 
 
 def test_the_methods_are_known_by_name():
-    assert set(correction._METHODS) == {"batch", "scalar"}
+    assert set(update._METHODS) == {"batch", "scalar"}
 
 
 def test_the_strategies_of_the_benchmark_agree():

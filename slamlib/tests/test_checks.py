@@ -5,15 +5,15 @@ import dataclasses
 import numpy as np
 import pytest
 
-from slamlib import line_observation
-from slamlib.checks import CheckError, check_landmark, check_pair, check_sensor, line_pairs
-from slamlib.checks.sensors import visible_points
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import LINES, POINTS
 from slamlib.model import model
+from slamlib.observation import lines
 from slamlib.sensors import SENSORS, Calibration
+from slamlib.testing import CheckError, check_landmark, check_pair, check_sensor, line_pairs
+from slamlib.testing.sensors import visible_points
 from slamlib.tests.test_every_type import example
 
 
@@ -158,7 +158,7 @@ def test_a_line_that_misses_its_segment_is_found(monkeypatch):
 
 def test_numbers_without_a_value_are_found_at_nasty_places(monkeypatch):
     def lost_at_the_centre(kind, calibration, robot, mount, landmark):
-        found = line_observation.observe_line(kind, calibration, robot, mount, landmark)
+        found = lines.observe_line(kind, calibration, robot, mount, landmark)
         through_centre = np.abs(found.value).max() < 1e-6
         return dataclasses.replace(found, value=found.value * (np.nan if through_centre else 1))
 

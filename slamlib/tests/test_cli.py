@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from slamlib.cli import main
-from slamlib.progress import progress
-from slamlib.runs import Run
+from slamlib.experiments.progress import progress
+from slamlib.experiments.runs import Run
 
 SHORT = ["--frames", "12"]
 

@@ -6,13 +6,13 @@ import shutil
 
 import numpy as np
 import pytest
+from slambook import rendering
 
 from slamlib.cli import main, working
-from slamlib.images.run import ImageRun
-from slamlib.simulation import rooms
+from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
 from slamlib.tests.pictures import interrupted_at, windows
 from slamlib.tests.reference import FOLDER
-from slamlib.trajectories import Trajectory, read_trajectory, write_tum
+from slamlib.vision.run import ImageRun
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads and writes the pictures")
 DATA = FOLDER.parent / "data"
@@ -23,9 +23,9 @@ COUNT, DT = 24, 1 / 30
 def room(tmp_path_factory):
     """A folder with left/0.png, ..., calibration.json and truth.txt of a rendered room."""
     folder = tmp_path_factory.mktemp("room")
-    path = rooms.path("sideways")
-    rig = rooms.hand_held(path)
-    film = rooms.film(rooms.default_room("drawn"), rig, path, frames=COUNT, dt=DT, rng=np.random.default_rng(1))
+    path = rendering.path("sideways")
+    rig = rendering.hand_held(path)
+    film = rendering.film(rendering.default_room("drawn"), rig, path, frames=COUNT, dt=DT, rng=np.random.default_rng(1))
     (folder / "left").mkdir()
     poses = []
     for i, (frame, truth) in enumerate(film):
@@ -257,9 +257,9 @@ def test_undistortion(room, tmp_path, capsys):
 
 
 def test_a_target(room, tmp_path, capsys):
-    path = rooms.path("sideways")
-    rig = rooms.hand_held(path)
-    film = rooms.film(rooms.default_room("drawn"), rig, path, frames=1, dt=DT, rng=np.random.default_rng(1))
+    path = rendering.path("sideways")
+    rig = rendering.hand_held(path)
+    film = rendering.film(rendering.default_room("drawn"), rig, path, frames=1, dt=DT, rng=np.random.default_rng(1))
     ((_, truth),) = film
     pixels = np.array([[60, 60], [250, 70], [240, 180], [80, 170], [160, 100], [120, 200.0]])
     points = film.truth_of(truth, pixels)
@@ -283,7 +283,7 @@ def test_a_film(room, tmp_path):
 
 def test_a_film_that_fails_does_not_lose_the_run(room, tmp_path, capsys, monkeypatch):
     pytest.importorskip("matplotlib", reason="films need matplotlib")
-    monkeypatch.setattr("slamlib.scene.window.Window.pixels", lambda window: 1 / 0)
+    monkeypatch.setattr("slambook.scene.window.Window.pixels", lambda window: 1 / 0)
     assert main(words(room, "--frames", "6", "--video", "film.gif", "--json")) == 2
     told = capsys.readouterr()
     assert "the film cannot be written: division by zero" in json.loads(told.out)["stopped"]
@@ -292,7 +292,7 @@ def test_a_film_that_fails_does_not_lose_the_run(room, tmp_path, capsys, monkeyp
     (tmp_path / "left").mkdir()
     (tmp_path / "left" / "0.png").write_bytes((room / "left" / "0.png").read_bytes())
     call = ["run", "images", "--source", str(tmp_path / "left"), "--calibration", str(room / "calibration.json")]
-    monkeypatch.setattr("slamlib.images.run.ImageRun._frame", lambda run, picture: run.source.part(9))
+    monkeypatch.setattr("slamlib.vision.run.ImageRun._frame", lambda run, picture: run.source.part(9))
     assert main([*call, "--video", "film.gif"]) == 2
     assert "none is left from number 9" in capsys.readouterr().err
 

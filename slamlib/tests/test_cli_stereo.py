@@ -6,15 +6,15 @@ import shutil
 
 import numpy as np
 import pytest
+from slambook import rendering
+from slambook.recorded import KITTI
 
 from slamlib.cli import comparing, main, working
-from slamlib.images.layouts import table
-from slamlib.images.stereo.odometry_run import load
-from slamlib.images.stereo.run import StereoRun
-from slamlib.simulation import rooms
+from slamlib.datasets.layouts import table
+from slamlib.evaluation.trajectory import read_trajectory
 from slamlib.tests.pictures import interrupted_at, windows
-from slamlib.tests.stereo import KITTI
-from slamlib.trajectories import read_trajectory
+from slamlib.vision.stereo.odometry_run import load
+from slamlib.vision.stereo.run import StereoRun
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads, rectifies and searches the pictures")
 COUNT, DT, BASELINE = 12, 1 / 15, 0.12
@@ -26,10 +26,10 @@ QUICK = ["--option", "updates=40", "--option", "first=40", "--option", "later=10
 def room(tmp_path_factory):
     """A stereo room in KITTI's layout: image_0, image_1, calibration.json, times.txt, groundtruth_0.txt."""
     folder = tmp_path_factory.mktemp("room") / "kitti"
-    way = rooms.path("sideways")
-    rig = rooms.hand_held(way, baseline=BASELINE, image=(160.0, 120.0), parameters=LENS)
-    film = rooms.film(rooms.default_room(), rig, way, frames=COUNT, dt=DT, rng=np.random.default_rng(1))
-    return rooms.save_film(folder, film)
+    way = rendering.path("sideways")
+    rig = rendering.hand_held(way, baseline=BASELINE, image=(160.0, 120.0), parameters=LENS)
+    film = rendering.film(rendering.default_room(), rig, way, frames=COUNT, dt=DT, rng=np.random.default_rng(1))
+    return rendering.save_film(folder, film)
 
 
 @pytest.fixture(autouse=True)

@@ -12,7 +12,6 @@ import pytest
 import sympy
 
 import slamlib
-from slamlib import digest
 from slamlib.analytic import arctan_ratio, arctan_ratio_slope, sin, sqrt, stumpff
 from slamlib.codegen import __main__ as command
 from slamlib.codegen import assert_same, check, derive, show
@@ -20,6 +19,7 @@ from slamlib.codegen.functions import ArctanRatio, ArctanRatioSlope, Stumpff, cl
 from slamlib.errors import ShapeError, UnknownNameError, WritingRuleError
 from slamlib.geometry import pose, quaternion
 from slamlib.model import model
+from slamlib.modeling import fingerprint
 
 ROOT = Path(slamlib.__file__).parent.parent
 
@@ -36,7 +36,7 @@ def squares(point):
 def test_lock_1_the_code_that_runs_is_the_committed_generated_file():
     file = Path(pose.compose.code.__file__)
     assert file == ROOT / "slamlib/generated/geometry/pose.py"
-    assert pose.compose.code.DIGESTS["compose"] == digest.of(pose.compose)
+    assert pose.compose.code.DIGESTS["compose"] == fingerprint.of(pose.compose)
 
 
 def test_lock_2_a_changed_definition_is_stale(tmp_path):
@@ -273,7 +273,7 @@ def test_show_prints_the_definition_and_the_generated_code():
     assert "def to_frame(pose, point):" in repr(show(pose.to_frame))
     assert "def to_frame_jac(pose, point):" in repr(show(pose.to_frame, generated=True))
     assert "def squares_jac(point):" in repr(show(squares, generated=True))
-    assert show(digest.of.__wrapped__)._repr_markdown_().startswith("```python\n")
+    assert show(fingerprint.of.__wrapped__)._repr_markdown_().startswith("```python\n")
     importlib.import_module("slamlib.codegen.show")
 
 

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from slamlib.association import gate
 from slamlib.errors import CovarianceError
-from slamlib.slam.compatibility import _Node, compatible
+from slamlib.slam.data_association.gates import gate
+from slamlib.slam.data_association.jcbb import _Node, compatible
 
 LIMIT = partial(gate, 0.99)
 

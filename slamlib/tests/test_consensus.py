@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from slamlib.association import Identity, Sight
+from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose
-from slamlib.presets import preset
 from slamlib.slam import Slam
-from slamlib.slam.consensus import CONSENSUS
-from slamlib.slam.looking import choose_and_match, correct_in_batch, expect_all
+from slamlib.slam.data_association.consensus import CONSENSUS
+from slamlib.slam.data_association.gates import Identity, Sight
+from slamlib.slam.data_association.joint_innovation import together, told_by_each
+from slamlib.slam.measurement_update import choose_and_match, correct_in_batch, expect_all
 from slamlib.slam.options import CONSENSUS as NAMES
-from slamlib.slam.together import together, told_by_each
 
 ROBUST = ("joint", "one-point")
 

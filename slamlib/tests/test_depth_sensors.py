@@ -16,7 +16,7 @@ from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks.ahm_point import AHM_POINT
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.observation import initialize, observe
+from slamlib.observation.points import initialize, observe
 from slamlib.sensors import depth, pinhole, range_bearing, relative_position, sensor, stereo
 from slamlib.sensors.sensor import Calibration
 

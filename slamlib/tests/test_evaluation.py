@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
-from slamlib.evaluation import Consistency, band, chi2_cdf, chi2_quantile, nees, nis, rmse, share_inside
+from slamlib.evaluation.consistency import Consistency, band, chi2_cdf, chi2_quantile, nees, nis, rmse, share_inside
 from slamlib.tests.beliefs import random_covariance
 
 stats = pytest.importorskip("scipy.stats")

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 import slamlib.sensors
-from slamlib.checks import check_landmark, check_pair, check_sensor
 from slamlib.errors import SlamlibError
 from slamlib.landmarks import LINES, POINTS
 from slamlib.sensors import SENSORS, Calibration
+from slamlib.testing import check_landmark, check_pair, check_sensor
 
 DEFAULTS = {  # by a parameter's name and by how many numbers its model takes
     ("intrinsics", 4): [320.0, 240.0, 400.0, 410.0],

@@ -3,19 +3,20 @@
 import numpy as np
 import pytest
 
-from slamlib import kernel, small
 from slamlib.belief import Belief
 from slamlib.errors import NonFiniteError, SingularPointError, UnitError
 from slamlib.geometry.pose import Pose, compose
+from slamlib.kalman import small_matrices
 from slamlib.landmarks.ahm_point import AHM_POINT
 from slamlib.landmarks.linearity import euclidean_index
 from slamlib.model import model
+from slamlib.modeling import kernel
 from slamlib.motions import motion
-from slamlib.observation import observe, observe_from
+from slamlib.observation.points import observe, observe_from
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.entities import MountedSensor, Robot
-from slamlib.slam.expected import by_columns, place_of
+from slamlib.slam.predicted_measurement import by_columns, place_of
 from slamlib.tests.beliefs import random_covariance
 
 AHEAD = np.array([0.0, 0, 0, 0.1, -0.2, 1, 0.2])  # an anchored point in the view of a camera near the origin
@@ -145,7 +146,7 @@ def test_an_index_by_other_coordinates_is_that_of_their_covariance(rng):
 def test_small_algebra_of_many_matrices(rng, d):
     matrices, z = np.array([random_covariance(rng, d) for _ in range(5)]), rng.standard_normal((5, d))
     expected = [x @ np.linalg.solve(Z, x) for x, Z in zip(z, matrices, strict=True)]
-    assert np.allclose(small.squares(z, matrices), expected, rtol=1e-9, atol=0)
-    assert np.allclose(small.log_determinants(matrices), np.linalg.slogdet(matrices)[1], rtol=0, atol=1e-10)
+    assert np.allclose(small_matrices.squares(z, matrices), expected, rtol=1e-9, atol=0)
+    assert np.allclose(small_matrices.log_determinants(matrices), np.linalg.slogdet(matrices)[1], rtol=0, atol=1e-10)
     whole, rows = random_covariance(rng, 9), rng.integers(0, 9, (5, d))
-    assert np.array_equal(small.corners(whole, rows), whole[rows[:, :, None], rows[:, None, :]])
+    assert np.array_equal(small_matrices.corners(whole, rows), whole[rows[:, :, None], rows[:, None, :]])

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
-from slamlib.evaluation import band
-from slamlib.experiments import NAMES, monte_carlo
-from slamlib.presets import preset
-from slamlib.rig import Rig
+from slamlib.evaluation.consistency import band
+from slamlib.experiments.monte_carlo import NAMES, monte_carlo
+from slamlib.experiments.presets import preset
 
 SHORT = replace(preset("points"), frames=8)
 SAME = [name for name in NAMES if name != "seconds"]
@@ -37,7 +37,7 @@ def test_finished_runs_are_kept_and_not_run_again(tmp_path, monkeypatch):
     assert len(list(tmp_path.iterdir())) == 3
     other = replace(SHORT, options=replace(SHORT.options, updates=3))
     assert not np.array_equal(monte_carlo(other, 2, folder=tmp_path).nees, first.nees)
-    monkeypatch.setattr("slamlib.experiments._row", None)  # whatever would be run again would fail
+    monkeypatch.setattr("slamlib.experiments.monte_carlo._row", None)  # whatever would be run again would fail
     assert equal(monte_carlo(SHORT, 3, folder=tmp_path), more)
 
 

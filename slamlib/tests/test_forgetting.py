@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from slamlib.errors import UnknownNameError
-from slamlib.presets import preset
+from slamlib.experiments.presets import preset
 from slamlib.slam import Options, Slam
 from slamlib.slam.entities import Landmark
-from slamlib.slam.forgetting import makes_room, out_of_window
+from slamlib.slam.map_management import makes_room, out_of_window
 
 FRAMES = 90
 

@@ -6,18 +6,18 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from slambook import rendering
 
-from slamlib.alignment import aligned
-from slamlib.association import Sight
+from slamlib.data.records import Features, Frame, Scan
+from slamlib.data.setup import SensorSetup
 from slamlib.errors import SlamlibError
+from slamlib.evaluation.alignment import aligned
+from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import compose
-from slamlib.images.active_search import ActiveSearch, Settings
-from slamlib.images.resting import Rest
-from slamlib.records import Features, Frame, Scan
-from slamlib.rig import SensorSetup
-from slamlib.simulation import rooms
 from slamlib.slam import Options, Slam
-from slamlib.trajectories import Trajectory
+from slamlib.slam.data_association.gates import Sight
+from slamlib.vision.active_search import ActiveSearch, Settings
+from slamlib.vision.search_backoff import Rest
 
 FRAMES, DT = 45, 1 / 30
 OPTIONS = Options(updates=12, first=12, later=3, keep_matched=0.5, inverse_distance=(0.4, 0.4))
@@ -25,9 +25,11 @@ OPTIONS = Options(updates=12, first=12, later=3, keep_matched=0.5, inverse_dista
 
 @pytest.fixture(scope="module")
 def film():
-    path = rooms.path("sideways")
-    rig = rooms.hand_held(path, std=(0.1,))
-    made = rooms.film(rooms.default_room("drawn"), rig, path, frames=FRAMES, dt=DT, rng=np.random.default_rng(5))
+    path = rendering.path("sideways")
+    rig = rendering.hand_held(path, std=(0.1,))
+    made = rendering.film(
+        rendering.default_room("drawn"), rig, path, frames=FRAMES, dt=DT, rng=np.random.default_rng(5)
+    )
     return SimpleNamespace(rig=rig, steps=list(made), truth_of=made.truth_of, renderer=made.renderers[0])
 
 

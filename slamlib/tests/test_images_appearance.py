@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
-from slamlib.images.appearance import LIMITS, Appearance, predict, recognizable
-from slamlib.images.patches import cut, zncc
-from slamlib.images.search import Match, search
-from slamlib.images.warping import in_camera
 from slamlib.tests.pictures import grid, photograph
 from slamlib.tests.test_images_warping import CAMERAS, FIRST, IDEAL, drawn, posed
+from slamlib.vision.appearance import LIMITS, Appearance, predict, recognizable
+from slamlib.vision.patches import cut, zncc
+from slamlib.vision.search import Match, search
+from slamlib.vision.warping import in_camera
 
 PLANE, SURE = np.array([0, 0, 0.5]), Match(np.zeros(2), 0.95, 0.1)
 

@@ -5,10 +5,10 @@ import json
 import numpy as np
 import pytest
 
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
+from slamlib.datasets.calibrations import TUM, read_calibration, read_lens
+from slamlib.datasets.lens import Lens, Undistortion, fitted
 from slamlib.errors import SlamlibError
-from slamlib.images.calibrations import TUM, read_calibration, read_lens
-from slamlib.images.lens import Lens, Undistortion, fitted
-from slamlib.rig import Rig, RobotSetup, SensorSetup
 from slamlib.tests.pictures import KALIBR
 from slamlib.tests.reference import FOLDER
 

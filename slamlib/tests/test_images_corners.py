@@ -6,7 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError
-from slamlib.images.corners import (
+from slamlib.tests.pictures import NAMES, cube, grid, photograph, smooth
+from slamlib.tests.reference import cases
+from slamlib.vision.corners import (
     QUALITY,
     SCALES,
     Scales,
@@ -16,11 +18,9 @@ from slamlib.images.corners import (
     strength,
     structure_tensor,
 )
-from slamlib.images.grid import Grid
-from slamlib.images.patches import Patch, cut
-from slamlib.images.search import register, search
-from slamlib.tests.pictures import NAMES, cube, grid, photograph, smooth
-from slamlib.tests.reference import cases
+from slamlib.vision.grid import Grid
+from slamlib.vision.patches import Patch, cut
+from slamlib.vision.search import register, search
 
 EVERYWHERE = (0, 0, 10**6, 10**6)
 

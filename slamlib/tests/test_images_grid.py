@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from slamlib.errors import ShapeError, SlamlibError
-from slamlib.images.grid import Grid
 from slamlib.tests.reference import cases
+from slamlib.vision.grid import Grid
 
 sizes = st.tuples(st.integers(20, 700), st.integers(20, 500))
 counts = st.tuples(st.integers(3, 12), st.integers(3, 9))

@@ -4,22 +4,22 @@ import json
 
 import numpy as np
 import pytest
+from slambook.rendering.stereo_film import stereo_film
 
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
+from slamlib.datasets.lens import Lens
+from slamlib.datasets.pair_calibrations import PairCalibration, read_pair
+from slamlib.datasets.pair_sources import open_pairs
+from slamlib.datasets.pictures import Picture
+from slamlib.datasets.rectification import Rectification, rectified_setup, why_not_rectified
+from slamlib.datasets.sources import of_pictures
 from slamlib.errors import SlamlibError
-from slamlib.images.lens import Lens
-from slamlib.images.pictures import Picture
-from slamlib.images.sources import of_pictures
-from slamlib.images.stereo import StereoSettings
-from slamlib.images.stereo.features import observe
-from slamlib.images.stereo.opening import opened_pairs, reopened_pairs
-from slamlib.images.stereo.pair_calibrations import PairCalibration, read_pair
-from slamlib.images.stereo.pair_checks import check_pair, survey
-from slamlib.images.stereo.pair_sources import open_pairs
-from slamlib.images.stereo.rectification import Rectification, rectified_setup, why_not_rectified
-from slamlib.images.stereo.run import StereoRun
-from slamlib.rig import Rig, RobotSetup, SensorSetup
 from slamlib.tests.pictures import KALIBR
-from slamlib.tests.stereo import stereo_film
+from slamlib.vision.stereo import StereoSettings
+from slamlib.vision.stereo.features import observe
+from slamlib.vision.stereo.open_pairs import opened_pairs, reopened_pairs
+from slamlib.vision.stereo.pair_checks import check_pair, survey
+from slamlib.vision.stereo.run import StereoRun
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads, rectifies and searches the pictures")
 K = np.array([[400.0, 0, 310], [0, 405.0, 235], [0, 0, 1]])

@@ -6,9 +6,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
-from slamlib.images.patches import Patch, census, cut, grey, sample, ssd, zncc
 from slamlib.tests.pictures import grid
 from slamlib.tests.reference import cases
+from slamlib.vision.patches import Patch, census, cut, grey, sample, ssd, zncc
 
 seeds, odd = st.integers(0, 2**32 - 1), st.sampled_from([9, 11, 13, 15])
 COMPARE = [zncc, ssd, census]

@@ -5,20 +5,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from slamlib.alignment import aligned
+from slamlib.data.setup import SensorSetup
+from slamlib.datasets.pictures import Picture
+from slamlib.datasets.sources import of_pictures
 from slamlib.errors import SlamlibError
+from slamlib.evaluation.alignment import aligned
+from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import compose, to_frame
 from slamlib.geometry.quaternion import exponential
-from slamlib.images.gaps import Lost
-from slamlib.images.hand_held import IMPULSE, OPTIONS, hand_held
-from slamlib.images.hand_held import options as images_options
-from slamlib.images.pictures import Picture
-from slamlib.images.results import COLUMNS, PARTS, summary, table
-from slamlib.images.run import ImageRun
-from slamlib.images.sources import of_pictures
-from slamlib.images.target import Target
-from slamlib.rig import SensorSetup
-from slamlib.trajectories import Trajectory
+from slamlib.vision.hand_held import IMPULSE, OPTIONS, hand_held
+from slamlib.vision.hand_held import options as images_options
+from slamlib.vision.results import COLUMNS, PARTS, summary, table
+from slamlib.vision.run import ImageRun
+from slamlib.vision.target import Target
+from slamlib.vision.tracking_loss import Lost
 
 CAMERA = {
     "image": (64, 48),

@@ -5,15 +5,15 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from slamlib.association import gate
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
-from slamlib.images.corners import best_corner
-from slamlib.images.grid import Grid
-from slamlib.images.patches import cut, zncc
-from slamlib.images.search import correlate, ellipse, register, score_map, search
-from slamlib.images.subpixel import parabola, top
+from slamlib.slam.data_association.gates import gate
 from slamlib.tests.pictures import NAMES, cube, grid, photograph, smooth
 from slamlib.tests.reference import cases
+from slamlib.vision.corners import best_corner
+from slamlib.vision.grid import Grid
+from slamlib.vision.patches import cut, zncc
+from slamlib.vision.search import correlate, ellipse, register, score_map, search
+from slamlib.vision.subpixel import parabola, top
 
 seeds = st.integers(0, 2**32 - 1)
 centres = st.tuples(st.floats(-20, 90), st.floats(-20, 70))

@@ -7,25 +7,25 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from slambook import rendering
 
-from slamlib.association import Sight
+from slamlib.data.records import Features, Frame, Scan
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError
-from slamlib.images.active_search import ActiveSearch
-from slamlib.images.both import Both, front_end_of
-from slamlib.images.edge_regions import across_covariances, lines_of
-from slamlib.images.edges import PROFILE, fitted
-from slamlib.images.segment_search import SegmentSearch, SegmentSettings
-from slamlib.images.segments import directed, refined, segments_of
-from slamlib.images.strips import Strip, axes, strip
 from slamlib.landmarks import endpoints, hmg_point
 from slamlib.landmarks.segments import length
-from slamlib.records import Features, Frame, Scan
-from slamlib.rig import Rig, RobotSetup, SensorSetup
-from slamlib.simulation import rooms
 from slamlib.slam import Options, Slam
-from slamlib.slam.segments import straight
+from slamlib.slam.data_association.gates import Sight
+from slamlib.slam.line_residuals import straight
 from slamlib.tests.pictures import cube
 from slamlib.tests.rooms import flat, pinhole, upright
+from slamlib.vision.active_search import ActiveSearch
+from slamlib.vision.combined_front_end import Both, front_end_of
+from slamlib.vision.edge_profile import Strip, axes, strip
+from slamlib.vision.edge_regions import across_covariances, lines_of
+from slamlib.vision.edges import PROFILE, fitted
+from slamlib.vision.line_search import SegmentSearch, SegmentSettings
+from slamlib.vision.segments import directed, refined, segments_of
 
 pytest.importorskip("cv2", reason="OpenCV, whose detector begins the segments, is not installed")
 WIDTH, HEIGHT = 160, 120
@@ -274,10 +274,10 @@ def film():
     """Plain boards before a plain wall, filmed by a robot that feels its own steps well, so that the scale is known."""
     boards = [(2.9, 0.6, 1.3, 0.8, 0.6, 60), (2.4, -0.5, 1.5, 0.5, 0.7, 230), (1.9, 0.1, 0.9, 0.6, 0.35, 100)]
     quads = [upright((x, y, z), w, h, flat(grey)) for x, y, z, w, h, grey in boards]
-    room = rooms.Room([upright((3.0, 0.0, 1.3), 8.0, 5.0, flat(160), outlined=False), *quads])
-    path = rooms.path("sideways")
-    rig = rooms.hand_held(path, motion="odometry", control_std=(0.0005,) * 3 + (0.02,) * 3, std=(0.1,))
-    made = rooms.film(room, rig, path, frames=30, dt=0.06, rng=np.random.default_rng(2))
+    room = rendering.Room([upright((3.0, 0.0, 1.3), 8.0, 5.0, flat(160), outlined=False), *quads])
+    path = rendering.path("sideways")
+    rig = rendering.hand_held(path, motion="odometry", control_std=(0.0005,) * 3 + (0.02,) * 3, std=(0.1,))
+    made = rendering.film(room, rig, path, frames=30, dt=0.06, rng=np.random.default_rng(2))
     return SimpleNamespace(rig=rig, steps=list(made), world=room.world.segments.values.reshape(-1, 2, 3))
 
 

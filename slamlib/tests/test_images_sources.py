@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
+from slambook import rendering
 
+from slamlib.datasets.pictures import Picture, read_image
+from slamlib.datasets.sources import of_film, of_pictures, open_source, reopen
 from slamlib.errors import SlamlibError
-from slamlib.images.pictures import Picture, read_image
-from slamlib.images.sources import of_film, of_pictures, open_source, reopen
-from slamlib.simulation import rooms
 from slamlib.tests.reference import FOLDER
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads the images")
@@ -185,9 +185,14 @@ def test_a_video_without_pictures_or_its_end(tmp_path):
 def test_pictures_in_memory_and_of_a_film():
     there = [Picture(str(i), 0.1 * i, shade(i)) for i in range(6)]
     assert numbers(of_pictures(there, 0.1).part(1, 2)) == [1, 3, 5]
-    path = rooms.path("sideways")
-    film = rooms.film(
-        rooms.default_room("drawn"), rooms.hand_held(path), path, frames=4, dt=0.05, rng=np.random.default_rng(1)
+    path = rendering.path("sideways")
+    film = rendering.film(
+        rendering.default_room("drawn"),
+        rendering.hand_held(path),
+        path,
+        frames=4,
+        dt=0.05,
+        rng=np.random.default_rng(1),
     )
     source = of_film(film)
     assert (len(source), source.interval) == (4, 0.05)

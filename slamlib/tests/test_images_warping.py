@@ -8,8 +8,12 @@ from hypothesis import strategies as st
 from slamlib.errors import ShapeError, SingularPointError, SlamlibError
 from slamlib.geometry.pose import relative
 from slamlib.geometry.quaternion import exponential, rotation
-from slamlib.images.patches import Patch, ssd, zncc
-from slamlib.images.warping import (
+from slamlib.sensors.omni import OMNI
+from slamlib.sensors.pinhole import PINHOLE
+from slamlib.sensors.sensor import Calibration
+from slamlib.tests.pictures import grid, smooth
+from slamlib.vision.patches import Patch, ssd, zncc
+from slamlib.vision.warping import (
     affine,
     facing_plane,
     gain_and_bias,
@@ -24,10 +28,6 @@ from slamlib.images.warping import (
     warp,
     zoom_and_roll,
 )
-from slamlib.sensors.omni import OMNI
-from slamlib.sensors.pinhole import PINHOLE
-from slamlib.sensors.sensor import Calibration
-from slamlib.tests.pictures import grid, smooth
 
 K = np.array([[260, 0, 159.5], [0, 250, 119.5], [0, 0, 1]])
 IDEAL = Calibration(PINHOLE, np.eye(2), image=(320, 240), intrinsics=[159.5, 119.5, 260, 250], distortion=[0])

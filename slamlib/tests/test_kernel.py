@@ -12,7 +12,7 @@ from slamlib.codegen.printer import Printer
 from slamlib.geometry.pose import Pose, compose
 from slamlib.landmarks.ahm_point import to_frame
 from slamlib.model import model
-from slamlib.observation import product
+from slamlib.observation.points import product
 from slamlib.sensors.pinhole import PINHOLE, pixel, project
 from slamlib.sensors.sensor import Calibration
 

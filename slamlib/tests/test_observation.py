@@ -6,15 +6,15 @@ import sys
 import numpy as np
 import pytest
 
-from slamlib.checks.sensors import difference, unmeasured, visible_points
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
 from slamlib.geometry.pose import Pose, compose
 from slamlib.landmarks import LINES, POINTS, PointLandmark, landmark
+from slamlib.manifolds import as_space
+from slamlib.modeling.registry import Registry
 from slamlib.motions import motion
-from slamlib.observation import initialize, observe
-from slamlib.registry import Registry
+from slamlib.observation.points import initialize, observe
 from slamlib.sensors import SENSORS, Calibration, sensor
-from slamlib.spaces import as_space
+from slamlib.testing.sensors import difference, unmeasured, visible_points
 from slamlib.tests.test_every_type import example
 
 PAIRS = list(itertools.product(POINTS, SENSORS))

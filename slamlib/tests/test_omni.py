@@ -8,7 +8,7 @@ from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, Slaml
 from slamlib.geometry.quaternion import pi_matrix
 from slamlib.landmarks.ahm_point import AHM_POINT
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.observation import initialize, observe
+from slamlib.observation.points import initialize, observe
 from slamlib.sensors import omni, scaramuzza, sensor
 from slamlib.sensors.sensor import Calibration
 from slamlib.tests.reference import cases

@@ -10,13 +10,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from slamlib import simulation
+from slamlib.data.records import World
+from slamlib.data.setup import Rig
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.geometry.pose import Pose, compose
 from slamlib.landmarks import LINES, POINTS, landmark
 from slamlib.motions import MOTIONS, odometry
-from slamlib.observation import observe
-from slamlib.records import World
-from slamlib.rig import Rig
+from slamlib.observation.points import observe
 from slamlib.sensors import SENSORS
 from slamlib.simulation import Faults, controls, join, simulate, world
 from slamlib.tests.simulated import ALL_SENSORS, CAMERA, CLOISTER, OMNI, RANGE, STEREO, WALKER, rig_of, same_runs
@@ -206,5 +206,5 @@ def test_the_simulator_knows_nothing_of_the_filter_and_names_no_type():
         tree = ast.walk(ast.parse(file.read_text("utf-8")))
         for node in tree:
             named = getattr(node, "module", None) or ""
-            assert not named.startswith(("slamlib.slam", "slamlib.belief", "slamlib.scene", "slamlib.drawing")), file
+            assert not named.startswith(("slamlib.slam", "slamlib.belief", "slambook.scene", "slambook.figures")), file
             assert not (isinstance(node, ast.Constant) and node.value in types), file

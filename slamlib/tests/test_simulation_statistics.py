@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
-from slamlib.evaluation import Consistency, chi2_quantile
+from slamlib.data.records import World
+from slamlib.data.setup import RobotSetup
+from slamlib.evaluation.consistency import Consistency, chi2_quantile
 from slamlib.geometry.pose import Pose, relative
 from slamlib.landmarks import landmark
 from slamlib.landmarks.segments import length
 from slamlib.motions import CONSTANT_VELOCITY
-from slamlib.observation import observe
-from slamlib.records import World
-from slamlib.rig import RobotSetup
+from slamlib.observation.points import observe
 from slamlib.simulation import Faults, controls, simulate, world
 from slamlib.tests.simulated import ALL_SENSORS, CAMERA, CLOISTER, LENS, WALKER, rig_of
 

@@ -7,13 +7,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from slamlib.data.records import Control, Features, Frame, Scan
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.evaluation import band, chi2_quantile
+from slamlib.evaluation.consistency import band, chi2_quantile
+from slamlib.experiments.presets import PRESETS, preset
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
-from slamlib.presets import PRESETS, preset
-from slamlib.records import Control, Features, Frame, Scan
-from slamlib.rig import Rig, RobotSetup, SensorSetup
 from slamlib.slam import Options, Slam
 from slamlib.slam.options import INNOVATIONS
 

@@ -4,10 +4,15 @@ import sys
 
 import numpy as np
 import pytest
+from slambook import rendering
+from slambook.rendering.stereo_film import stereo_film
 
+from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import compose
-from slamlib.images.stereo import (
+from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.tests.stereo import LENS, calibration, points_seen, seen_from
+from slamlib.vision.stereo import (
     Eyes,
     StereoSettings,
     Tracks,
@@ -17,15 +22,11 @@ from slamlib.images.stereo import (
     pair,
     triangulate,
 )
-from slamlib.images.stereo.detect import detect, spread
-from slamlib.images.stereo.features import followed
-from slamlib.images.stereo.geometry import pixel_noise
-from slamlib.images.stereo.matching import along_rows, distances
-from slamlib.images.stereo.refine import ALONG_ROW, align, align_shape, cut
-from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.rig import Rig
-from slamlib.simulation import rooms
-from slamlib.tests.stereo import LENS, calibration, points_seen, seen_from, stereo_film
+from slamlib.vision.stereo.detect import detect, spread
+from slamlib.vision.stereo.features import followed
+from slamlib.vision.stereo.geometry import pixel_noise
+from slamlib.vision.stereo.matching import along_rows, distances
+from slamlib.vision.stereo.refine import ALONG_ROW, align, align_shape, cut
 
 
 @pytest.fixture(scope="module")
@@ -50,14 +51,14 @@ def test_pairs_that_do_not_fit_are_refused():
 
 
 def test_cameras_that_are_no_rectified_pair_are_refused():
-    way = rooms.path("sideways")
+    way = rendering.path("sideways")
     with pytest.raises(SlamlibError, match="distort"):
-        joined(rooms.hand_held(way, baseline=0.12))
+        joined(rendering.hand_held(way, baseline=0.12))
     with pytest.raises(SlamlibError, match="left and a right"):
-        joined(rooms.hand_held(way))
-    left, right = rooms.hand_held(way, baseline=0.12, parameters=LENS).sensors
+        joined(rendering.hand_held(way))
+    left, right = rendering.hand_held(way, baseline=0.12, parameters=LENS).sensors
     with pytest.raises(SlamlibError, match="other way round"):
-        joined(Rig(rooms.hand_held(way).robots, (right, left)))
+        joined(Rig(rendering.hand_held(way).robots, (right, left)))
 
 
 def test_without_opencv_the_error_says_what_to_install(monkeypatch):

@@ -5,21 +5,22 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from slambook.rendering.stereo_film import stereo_film
 
-from slamlib.evaluation import chi2_quantile, nees
+from slamlib.data.records import Control
+from slamlib.data.setup import Rig
+from slamlib.evaluation.consistency import chi2_quantile, nees
 from slamlib.geometry.pose import Pose
-from slamlib.images.stereo import MOVING
-from slamlib.images.stereo.fitting import derivatives, fit
-from slamlib.images.stereo.geometry import ORIGIN
-from slamlib.images.stereo.moving import Correlated
-from slamlib.images.stereo.odometry import halves
-from slamlib.images.stereo.untold import SURPRISE, Steady
 from slamlib.motions import ODOMETRY
-from slamlib.records import Control
-from slamlib.rig import Rig
 from slamlib.slam import Options, Slam
-from slamlib.tests.stereo import MOUNT, calibration, points_seen, seen_from, stereo_film
+from slamlib.tests.stereo import MOUNT, calibration, points_seen, seen_from
 from slamlib.tests.stereo_points import run, simulate
+from slamlib.vision.stereo import MOVING
+from slamlib.vision.stereo.fitting import derivatives, fit
+from slamlib.vision.stereo.geometry import ORIGIN
+from slamlib.vision.stereo.motion_fallback import SURPRISE, Steady
+from slamlib.vision.stereo.motion_source import Correlated
+from slamlib.vision.stereo.odometry import halves
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 RUNS, STEPS, POINTS, STD = 100, 5, 48, 0.1

@@ -2,15 +2,16 @@
 
 import numpy as np
 import pytest
+from slambook.rendering.stereo_film import stereo_film
 
-from slamlib.evaluation import chi2_quantile, nees
+from slamlib.evaluation.consistency import chi2_quantile, nees
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import exponential
-from slamlib.images.stereo import Eyes, VisualOdometry, motion_between
-from slamlib.images.stereo.geometry import ORIGIN, pixel_noise
-from slamlib.images.stereo.odometry import halves
 from slamlib.motions import ODOMETRY
-from slamlib.tests.stereo import MOUNT, calibration, kitti, points_seen, seen_from, stereo_film
+from slamlib.tests.stereo import MOUNT, calibration, kitti, points_seen, seen_from
+from slamlib.vision.stereo import Eyes, VisualOdometry, motion_between
+from slamlib.vision.stereo.geometry import ORIGIN, pixel_noise
+from slamlib.vision.stereo.odometry import halves
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed")
 

@@ -4,18 +4,19 @@ import json
 
 import numpy as np
 import pytest
+from slambook.rendering.stereo_film import stereo_film
 
+from slamlib.data.records import Features, Frame, Scan
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import Pose, compose
-from slamlib.images.stereo import Eyes, StereoSearch, StereoSettings
-from slamlib.images.stereo.odometry import halves
-from slamlib.images.stereo.views import View, Views
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.records import Features, Frame, Scan
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam
-from slamlib.tests.stereo import calibration, stereo_film
+from slamlib.tests.stereo import calibration
+from slamlib.vision.stereo import Eyes, StereoSearch, StereoSettings
+from slamlib.vision.stereo.odometry import halves
+from slamlib.vision.stereo.views import View, Views
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 OPTIONS = Options(points="eucPnt", updates=40, first=40, later=5)

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from slamlib import presets
+from slamlib.data.setup import Rig, SensorSetup
 from slamlib.errors import SlamlibError
-from slamlib.evaluation import Consistency, band, nees
+from slamlib.evaluation.consistency import Consistency, band, nees
+from slamlib.experiments import presets
 from slamlib.geometry.pose import Pose, compose, from_frame
-from slamlib.rig import Rig, SensorSetup
 from slamlib.slam import Options
 from slamlib.slam.submaps import Atlas, ManyMaps, Submap
 

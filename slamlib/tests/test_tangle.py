@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from slamlib import tangle
+from slamlib.codegen import tangle
 from slamlib.errors import SlamlibError
 
 PATH = "slamlib/geometry/doubling.py"

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from slamlib.alignment import Similarity, align, aligned, straightness
 from slamlib.errors import SlamlibError
+from slamlib.evaluation.alignment import Similarity, align, aligned, straightness
+from slamlib.evaluation.path_errors import relative_errors
+from slamlib.evaluation.trajectory import Trajectory, associate, read_trajectory, write_tum
 from slamlib.geometry.pose import compose
 from slamlib.geometry.quaternion import exponential, rotation
-from slamlib.path_errors import relative_errors
 from slamlib.tests.reference import FOLDER
-from slamlib.trajectories import Trajectory, associate, read_trajectory, write_tum
 
 DATA = FOLDER.parent / "data"
 

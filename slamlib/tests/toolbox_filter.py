@@ -7,17 +7,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slamlib.association import Sight
 from slamlib.geometry.pose import compose
 from slamlib.landmarks import idp_point
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import to_euclidean
 from slamlib.slam import Slam
+from slamlib.slam.data_association.gates import Sight
 from slamlib.slam.entities import MountedSensor
-from slamlib.slam.expected import Expected, Innovation, columns_of, means_of
 from slamlib.slam.lines import LineFamily
-from slamlib.slam.looking import choose_and_match, correct_in_sequence, expect_all, follow
+from slamlib.slam.measurement_update import choose_and_match, correct_in_sequence, expect_all, follow
 from slamlib.slam.points import PointFamily
+from slamlib.slam.predicted_measurement import Expected, Innovation, columns_of, means_of
 
 SWITCHES = {
     "selection": "by det(E) of the expectation alone, not by det(Z) with the noise (errata E57)",

@@ -1,1 +1,0 @@
-"""The book: landing page, chapters, appendices, and the tools that build it."""

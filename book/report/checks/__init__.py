@@ -1,6 +1,0 @@
-"""The checks of E01 to E30, by the part of the report that they are about; importing this registers all of them."""
-
-from book.report.checks import landmarks, motion, observation, text, turning, update
-from book.report.findings import CHECKS
-
-__all__ = ["CHECKS", "landmarks", "motion", "observation", "text", "turning", "update"]

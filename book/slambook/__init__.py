@@ -1,0 +1,1 @@
+"""What the book needs and a filter does not: figures, scenes, rendered rooms, the report's filter."""

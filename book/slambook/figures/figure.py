@@ -1,0 +1,134 @@
+"""A figure: axes in rows and columns, with just the room between them that their words need."""
+
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from slambook.figures.axes import Axes
+from slambook.figures.canvas import Canvas
+from slambook.figures.colors import standing_alone
+from slambook.figures.paths import Box
+from slambook.figures.space import Space
+from slamlib.errors import SlamlibError, UnknownCallError, UnknownNameError
+
+KINDS = {None: Axes, "3d": Space}
+PAD, BETWEEN = 3.0, 8.0  # points around all, and between neighbours
+
+
+class Figure:
+    """Axes on a sheet of so many inches; shown by picture(fig, alt), or by itself as a cell's last value."""
+
+    def __init__(self, axes: Any, width: float, height: float) -> None:
+        self.grid, self.width, self.height = axes, 72 * width, 72 * height
+
+    @property
+    def axes(self) -> list[Any]:
+        """All axes, row by row."""
+        return list(self.grid.ravel())
+
+    def _boxes(self) -> list[Box]:
+        """Each axes' rectangle: as large as the words around them allow; they depend on it, so it is found in steps."""
+        rows, columns = self.grid.shape
+        rooms = np.full((rows, columns, 4), 20.0)
+        for _ in range(4):
+            left, top, right, bottom = rooms.transpose(2, 0, 1)
+            across = _shared(left.max(axis=0), right.max(axis=0), self.width)
+            down = _shared(top.max(axis=1), bottom.max(axis=1), self.height)
+            boxes = [(x0, y0, x1, y1) for y0, y1 in down for x0, x1 in across]
+            sheet = (self.width, self.height)
+            found = [ax.room(box, sheet) for ax, box in zip(self.axes, boxes, strict=True)]
+            before, rooms = rooms, np.array(found).reshape(rows, columns, 4)
+            if np.array_equal(before, rooms):
+                break
+        return boxes
+
+    def svg(self, alt: str) -> str:
+        """The figure as an SVG element that follows the page's theme; alt describes it."""
+        canvas = Canvas(self.width, self.height)
+        for ax, box in zip(self.axes, self._boxes(), strict=True):
+            ax.draw(canvas, box)
+        return canvas.finished(alt)
+
+    def save(self, path: Any, alt: str | None = None) -> None:
+        """Write an SVG file of its own, light, on white: whole or not at all."""
+        path = Path(path)
+        if path.suffix.lower() != ".svg":
+            raise SlamlibError(f"save: figures are SVG files, so the name should end in .svg: {path.name}")
+        svg = standing_alone(self.svg(self.described() if alt is None else alt))
+        size = f'width="{self.width:g}pt" height="{self.height:g}pt"'
+        svg = svg.replace("<svg ", f'<svg xmlns="http://www.w3.org/2000/svg" {size} ', 1)
+        svg = svg.replace("max-width:", "background:#ffffff;max-width:", 1)
+        partial = path.with_name(f".{path.name}.{os.getpid()}.partial")
+        try:
+            partial.write_text('<?xml version="1.0" encoding="utf-8"?>\n' + svg + "\n", "utf-8", newline="\n")
+            os.replace(partial, path)
+        finally:
+            partial.unlink(missing_ok=True)
+
+    def described(self) -> str:
+        """A description made of titles and labels, for a figure that was given none."""
+        said = [ax.described() for ax in self.axes]
+        return "A figure: " + "; ".join(filter(None, said)) if any(said) else "A figure without words."
+
+    def _repr_html_(self) -> str:
+        return f'<div class="picture">{self.svg(self.described())}</div>'
+
+    def _repr_svg_(self) -> str:
+        return self.svg(self.described()).replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" ', 1)
+
+    def __repr__(self) -> str:
+        return self.described()
+
+    def __getattr__(self, name: str) -> Any:
+        known = [n for n in dir(type(self)) if not n.startswith("_")]
+        raise UnknownCallError.of_object("a figure", name, known)
+
+
+def _shared(before: Any, after: Any, length: float) -> list[tuple[float, float]]:
+    """Equal stretches of a length, with so much room before and after each."""
+    free = length - float(np.sum(before) + np.sum(after)) - 2 * PAD - BETWEEN * (len(before) - 1)
+    size = max(free / len(before), 0.15 * length / len(before))
+    starts = (
+        PAD
+        + np.cumsum(before)
+        + np.concatenate([[0], np.cumsum(after)[:-1]])
+        + np.arange(len(before)) * (size + BETWEEN)
+    )
+    return [(float(s), float(s + size)) for s in starts]
+
+
+def figure(
+    rows: int = 1,
+    columns: int = 1,
+    *,
+    width: float = 5.8,
+    height: float = 3.5,
+    equal: bool = False,
+    projection: str | None = None,
+) -> Any:
+    """A figure and its axes (one, or an array of them) in the house style; sizes in inches, `equal` for maps.
+
+    Keep to 6.4 inches: on a phone a figure is shrunk to the column, and its words with it. projection: None or "3d".
+    """
+    if projection not in KINDS:
+        raise UnknownNameError.of("projection", projection, [str(k) for k in KINDS])
+    if rows < 1 or columns < 1 or not (width > 0 and height > 0):
+        raise SlamlibError(f"figure: rows, columns and sizes are positive, got {rows}, {columns}, {width} x {height}")
+    axes = np.empty((rows, columns), dtype=object)
+    for place in np.ndindex(rows, columns):
+        axes[place] = KINDS[projection](equal=equal)
+    fig = Figure(axes, width, height)
+    shaped = axes.squeeze()
+    return fig, shaped if shaped.ndim else shaped.item()
+
+
+def figure3d(*, width: float = 4.8, height: float = 4.2, elevation: float = 22.0, azimuth: float = -58.0) -> Any:
+    """A figure and its three-dimensional axes in the house style; sizes in inches, the view's angles in degrees.
+
+    The projection is parallel, and a metre is a metre on each axis.
+    """
+    fig, ax = figure(width=width, height=height, projection="3d")
+    ax.view_init(elev=elevation, azim=azimuth)
+    return fig, ax

@@ -1,0 +1,135 @@
+"""The shapes that mark single points; all marks of one style are one path."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from slambook.figures.canvas import Canvas
+from slambook.figures.colors import paint
+from slambook.figures.paths import dots, joined, number, settled
+from slamlib.manifolds import Array
+
+LEAST = 4.0  # points: size of a mark in a legend
+STRIP = 8.0  # points: marks are drawn strip by strip, so that the way from one to the next is short
+
+
+@dataclass(frozen=True)
+class Disc:
+    """A round mark; filled with its edge's colour it is a dot of a round pen."""
+
+    scale: float = 1.0
+
+    def draw(self, canvas: Canvas, points: Array, look: "Look") -> None:
+        """Draw it at points (2, N) on the sheet."""
+        size = self.scale * look.size
+        if look.face == look.edge:
+            style = f"stroke:{paint(look.edge)};stroke-width:{number(size + look.width)};stroke-linecap:round"
+            canvas.path(dots(points), style + (f";stroke-opacity:{number(look.alpha)}" if look.alpha < 1 else ""))
+            return
+        radius = number(size / 2)
+        arc = f"a{radius} {radius} 0 1 0 {number(size)} 0a{radius} {radius} 0 1 0 {number(-size)} 0z"
+        starts = _hundredths(points - [[size / 2], [0]])
+        canvas.path("".join(f"M{joined(start)}{arc}" for start in starts), look.css())
+
+
+@dataclass(frozen=True)
+class Outline:
+    """A mark made of lines, in units of its size; closed ones are filled."""
+
+    lines: tuple[tuple[tuple[float, float], ...], ...]
+    closed: bool = True
+    scale: float = 1.0
+
+    def draw(self, canvas: Canvas, points: Array, look: "Look") -> None:
+        """Draw it at points (2, N) on the sheet."""
+        shapes = [_hundredths(np.array(line).T * [[1], [-1]] * look.size * self.scale) for line in self.lines]
+        data = []
+        for x, y in _hundredths(points):
+            for (dx, dy), *rest in shapes:
+                steps = np.diff([(dx, dy), *rest], axis=0).ravel().tolist()
+                data.append(f"M{joined((x + dx, y + dy))}l{joined(steps)}{'z' * self.closed}")
+        canvas.path("".join(data), look.css() if self.closed else look.pen())
+
+
+@dataclass(frozen=True)
+class Look:
+    """Size of a mark and width of its edge in points, colours of both "#rrggbb" or "none", opacity."""
+
+    edge: str
+    face: str
+    size: float = 6.0
+    width: float = 1.0
+    alpha: float = 1.0
+
+    @property
+    def layers(self) -> int:
+        """Paths over one another: where translucent marks overlap, neighbours in different ones, they darken."""
+        return 1 if self.alpha == 1 else max(2, min(6, round(-3 / np.log(1 - self.alpha)))) if self.alpha else 1
+
+    def pen(self) -> str:
+        """The style of the edge."""
+        fade = f";stroke-opacity:{number(self.alpha)}" if self.alpha < 1 else ""
+        return f"stroke:{paint(self.edge)};stroke-width:{number(self.width)}{fade}"
+
+    def css(self) -> str:
+        """The style of edge and inside."""
+        fade = f";fill-opacity:{number(self.alpha)}" if self.alpha < 1 and self.face != "none" else ""
+        edge = "" if self.edge == "none" or not self.width else ";" + self.pen()
+        return f"fill:{paint(self.face)}{fade}{edge}"
+
+
+@dataclass(frozen=True)
+class Marker:
+    """A shape and its look."""
+
+    shape: Disc | Outline
+    look: Look
+
+    def scaled(self, factor: float) -> "Marker":
+        """The same mark in another size, large enough to be recognised."""
+        return replace(self, look=replace(self.look, size=max(factor * self.look.size, LEAST)))
+
+    def draw(self, canvas: Canvas, points: Array) -> None:
+        """Draw it at points (2, N) on the sheet; nan is left out."""
+        points = settled(points[:, np.all(np.isfinite(points), axis=0)])
+        if self.look.edge == self.look.face == "none" or not self.look.alpha:
+            return
+        points = points[:, np.lexsort((points[1], points[0], np.floor(points[1] / STRIP)))]
+        for layer in range(min(self.look.layers, points.shape[1])):
+            self.shape.draw(canvas, points[:, layer :: self.look.layers], self.look)
+
+
+def _hundredths(points: Array) -> Any:
+    return [tuple(p) for p in np.floor(np.round(points.T * 100, 4) + 0.5).astype(np.int64).tolist()]
+
+
+def _star(corners: int, inner: float) -> Outline:
+    """A star of unit height with its inner corners at a share of the radius."""
+    angles = np.pi / 2 + np.pi / corners * np.arange(2 * corners)
+    radius = 0.5 * np.where(np.arange(2 * corners) % 2, inner, 1.0)
+    return Outline((tuple(zip(radius * np.cos(angles), radius * np.sin(angles), strict=True)),))
+
+
+_H = 0.5
+_THICK_PLUS = tuple((x / 6, y / 6) for x, y in [(-1, 3), (1, 3), (1, 1), (3, 1), (3, -1), (1, -1)])
+_THICK_PLUS += tuple((-x, -y) for x, y in _THICK_PLUS)
+_THICK_X = tuple(((x - y) * 0.75, (x + y) * 0.75) for x, y in _THICK_PLUS)
+MARKERS: dict[str, Disc | Outline] = {
+    "o": Disc(),
+    ".": Disc(0.5),
+    "x": Outline((((-_H, -_H), (_H, _H)), ((-_H, _H), (_H, -_H))), closed=False),
+    "+": Outline((((-_H, 0), (_H, 0)), ((0, -_H), (0, _H))), closed=False),
+    "|": Outline((((0, -_H), (0, _H)),), closed=False),
+    "_": Outline((((-_H, 0), (_H, 0)),), closed=False),
+    "s": Outline((((-_H, -_H), (_H, -_H), (_H, _H), (-_H, _H)),)),
+    "D": Outline((((-0.707, 0), (0, -0.707), (0.707, 0), (0, 0.707)),)),
+    "d": Outline((((-0.42, 0), (0, -0.707), (0.42, 0), (0, 0.707)),)),
+    "^": Outline((((-_H, -_H), (_H, -_H), (0, _H)),)),
+    "v": Outline((((-_H, _H), (_H, _H), (0, -_H)),)),
+    "<": Outline((((_H, -_H), (_H, _H), (-_H, 0)),)),
+    ">": Outline((((-_H, -_H), (-_H, _H), (_H, 0)),)),
+    "*": _star(5, 0.381966),
+    "X": Outline((_THICK_X,)),
+    "P": Outline((_THICK_PLUS,)),
+}

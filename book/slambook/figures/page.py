@@ -1,0 +1,192 @@
+"""Pictures and sliders as HTML that needs neither a kernel nor the network.
+
+A sweep is written once and lives three times:
+
+    def wave(frequency):
+        fig, ax = figure()
+        ax.plot(t, np.sin(2 * np.pi * frequency * t))
+        ax.set(xlabel="t [s]", ylabel="x [m]", xlim=(0, 1), ylim=(-1, 1))
+        return fig, f"one turn in {1 / frequency:.2f} s"
+
+    sweep(wave, "frequency [Hz]", [1, 2, 4, 8], alt="A sine wave.")
+
+In a page and in a stored notebook it is a slider over pre-computed frames, one a value. A live interpreter (the book's
+own in the page, or a kernel) asks `frame(position)` for any place between them, `steps` places from value to value: see
+slambook.figures.widget for notebooks.
+"""
+
+import hashlib
+import html
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import numpy as np
+
+from slambook.figures.figure import Figure
+from slambook.figures.ticks import MINUS
+from slamlib.errors import SlamlibError
+
+STEPS = 8  # places from one value to the next in a live slider
+# The whole slider, without a script of its own: it works in a notebook, in the built page and in a saved copy of it.
+_MOVE = (
+    "(function(r){var f=r.closest('figure');f.querySelectorAll('[data-frame]').forEach(function(e)"
+    "{e.hidden=e.dataset.frame!==r.value});var c=f.querySelectorAll('[data-frame=\"'+r.value+'\"]')[0];"
+    "r.setAttribute('aria-valuetext',c.dataset.value);f.querySelector('output').textContent=c.dataset.value;"
+    "f.querySelector('.sweep-note').textContent=c.dataset.note||''})(this)"
+)
+
+
+class Picture:
+    """A figure as an inline SVG that follows the page's theme; its text is the description."""
+
+    def __init__(self, svg: str, alt: str) -> None:
+        self.svg, self.alt = svg, alt
+
+    def __repr__(self) -> str:
+        return f"Picture: {self.alt}"
+
+    def _repr_html_(self) -> str:
+        return f'<div class="picture">{self.svg}</div>'
+
+
+class Sweep:
+    """Figures under a slider: see sweep. Frames are drawn when they are asked for, and once."""
+
+    def __init__(self, draw: Callable[[Any], Any], label: str, values: list[Any], start: int, alt: str) -> None:
+        self.draw, self.label, self.values, self.start, self.alt = draw, label, values, start, alt
+        self._drawn: dict[int, tuple[str, str, str]] = {}
+
+    def __repr__(self) -> str:
+        return f"Sweep of {self.label} over {len(self.values)} values: {self.alt}"
+
+    @property
+    def steps(self) -> int:
+        """Places from one value to the next in a live slider: no more than there are whole numbers, for those."""
+        if not all(map(_is_number, self.values)):
+            return 1
+        if all(map(_is_whole, self.values)):
+            return int(min(STEPS, max(1, np.abs(np.diff(np.array(self.values, dtype=np.int64))).max())))
+        return STEPS
+
+    def value(self, position: float) -> Any:
+        """The value at a position 0 to n - 1, in proportion between two; whole numbers stay whole.
+
+        Raises SlamlibError beyond the ends, and between values that are not numbers.
+        """
+        last = len(self.values) - 1
+        position = _settled(position)
+        if not 0 <= position <= last:
+            raise SlamlibError(f"sweep: a position lies between 0 and {last}, got {position:g}")
+        if position.is_integer():
+            return self.values[int(position)]
+        low, high = self.values[int(position)], self.values[int(position) + 1]
+        if not (_is_number(low) and _is_number(high)):
+            raise SlamlibError(f"sweep: there is nothing between {low!r} and {high!r}: take a whole position")
+        between = float(low) + (position - int(position)) * (float(high) - float(low))
+        return round(between) if all(map(_is_whole, self.values)) else between
+
+    def frame(self, position: float) -> tuple[str, str, str]:
+        """What stands beside the slider at a position 0 to n - 1: the value as words, the figure as SVG, the note."""
+        position = _settled(position)
+        if position in self._drawn:
+            return self._drawn[int(position)]
+        value = self.value(position)
+        drawn = self.draw(value)
+        fig, note = drawn if isinstance(drawn, tuple) else (drawn, "")
+        shown = f"{value:.4g}".replace("-", MINUS) if _is_number(value) else str(value)
+        found = (shown, _figure("sweep", fig).svg(f"{self.alt} {self.label}: {shown}."), str(note))
+        if position.is_integer():
+            self._drawn[int(position)] = found
+        return found
+
+    @property
+    def frames(self) -> list[tuple[str, str, str]]:
+        """The frames of the values."""
+        return [self.frame(i) for i in range(len(self.values))]
+
+    def widget(self) -> Any:
+        """A live slider for a notebook with a kernel (needs ipywidgets)."""
+        from slambook.figures.widget import live_slider
+
+        return live_slider(self)
+
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> Any:
+        from slambook.figures.widget import offered
+
+        return {"text/plain": repr(self), **offered(self)}
+
+    def _repr_html_(self) -> str:
+        frames = self.frames
+        name = "sweep-" + hashlib.sha256(repr((self.label, frames, self.start)).encode()).hexdigest()[:8]
+        value, _, note = frames[self.start]
+        value = html.escape(value)
+        bar = (  # autocomplete: a browser that restores the slider's place after a reload would leave the frame behind
+            f'<label for="{name}">{html.escape(self.label)}</label><input type="range" id="{name}" min="0"'
+            f' max="{len(frames) - 1}" step="1" value="{self.start}" autocomplete="off"'
+            f' aria-valuetext="{value}" oninput="{html.escape(_MOVE)}"><output for="{name}">{value}</output>'
+        )
+        shown = "".join(self._frame(i, frame) for i, frame in enumerate(frames))
+        caption = f'<p class="sweep-note" aria-live="polite">{html.escape(note)}</p>'
+        return f'<figure class="sweep"><div class="sweep-bar">{bar}</div>{shown}{caption}</figure>'
+
+    def _frame(self, index: int, frame: tuple[str, str, str]) -> str:
+        value, note = html.escape(frame[0]), html.escape(frame[2])
+        said = f' data-note="{note}"' if note else ""
+        hidden = "" if index == self.start else " hidden"
+        return f'<div data-frame="{index}" data-value="{value}"{said}{hidden}>{frame[1]}</div>'
+
+
+def picture(fig: Figure, alt: str) -> Picture:
+    """A figure for the page, shown as the last value of a cell.
+
+    alt: a sentence that says what one sees, for those who cannot; it is also the output's text in the notebook.
+    """
+    _described("picture", alt)
+    return Picture(_figure("picture", fig).svg(alt), alt)
+
+
+def sweep(draw: Callable[[Any], Any], label: str, values: Iterable[Any], alt: str, start: int | None = None) -> Sweep:
+    """A slider over figures: draw(value) returns a figure, or (figure, note).
+
+    label: what the slider moves, with its unit; values: one a frame (9 to 15 make a smooth slider and a light page);
+    start: index of the first frame shown (default: the middle one). Fix the axes in `draw`: frames must not jump.
+    The first frame is drawn at once, so that a mistake in `draw` is an error here.
+    """
+    _described("sweep", alt)
+    values = list(values)
+    if len(values) < 2:
+        raise SlamlibError(f"sweep: a slider needs at least two values, got {len(values)}")
+    first = len(values) // 2 if start is None else start
+    if not 0 <= first < len(values):
+        raise SlamlibError(f"sweep: start is the index of a frame, 0 to {len(values) - 1}, got {start}")
+    made = Sweep(draw, label, values, first, alt)
+    made.frame(first)
+    return made
+
+
+def _figure(function: str, fig: Any) -> Figure:
+    if not isinstance(fig, Figure):
+        raise SlamlibError(
+            f"{function}: a figure made by slambook.figures.figure is wanted, not {type(fig).__name__}: "
+            "pass the figure, not its axes"
+        )
+    return fig
+
+
+def _described(function: str, alt: str) -> None:
+    if len(alt) < 20:
+        raise SlamlibError(f"{function}: alt should be a sentence that says what one sees, got {alt!r}")
+
+
+def _settled(position: float) -> float:
+    """A slider's position without the rounding of its steps."""
+    whole = round(position) if np.isfinite(position) else position
+    return float(whole if abs(position - whole) < 1e-9 else position)
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
+
+
+def _is_whole(value: Any) -> bool:
+    return _is_number(value) and isinstance(value, int | np.integer)

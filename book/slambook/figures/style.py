@@ -1,0 +1,177 @@
+"""What a call says about looks: matplotlib's names and short forms, checked, as strokes and fills."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from slambook.figures.colors import color_named, colors, paint
+from slambook.figures.markers import MARKERS, Look, Marker
+from slambook.figures.paths import number
+from slambook.figures.words import Lettering
+from slamlib.errors import SlamlibError, UnknownNameError
+
+SHORT = {
+    "c": "color",
+    "lw": "linewidth",
+    "linewidths": "linewidth",
+    "ls": "linestyle",
+    "ms": "markersize",
+    "mew": "markeredgewidth",
+    "mfc": "markerfacecolor",
+    "mec": "markeredgecolor",
+    "fc": "facecolor",
+    "ec": "edgecolor",
+    "edgecolors": "edgecolor",
+    "facecolors": "facecolor",
+    "size": "fontsize",
+    "horizontalalignment": "ha",
+    "verticalalignment": "va",
+}
+DASHES = {"-": (), "--": (3.7, 1.6), ":": (1.0, 1.65), "-.": (6.4, 1.6, 1.0, 1.6)}  # in line widths
+LINESTYLES = {**{d: d for d in DASHES}, "solid": "-", "dashed": "--", "dotted": ":", "dashdot": "-."}
+LINESTYLES |= {"": "", " ": "", "none": "", "None": ""}
+COMMON = ("alpha", "label", "zorder", "clip_on")
+STROKE = ("color", "linewidth", "linestyle")
+MARKER = ("marker", "markersize", "markeredgewidth", "markerfacecolor", "markeredgecolor")
+LETTERS = ("color", "fontsize", "ha", "va", "rotation", "zorder", "clip_on")
+SIDES = {"ha": ("left", "center", "right"), "va": ("top", "center", "bottom", "baseline")}
+TURNS = {"horizontal": 0.0, "vertical": 90.0}
+FILL = ("color", "facecolor", "edgecolor", "linewidth", "linestyle")
+
+
+def named(function: str, given: dict[str, Any], known: tuple[str, ...]) -> dict[str, Any]:
+    """The keywords under their long names; raises UnknownNameError for others, SlamlibError for one given twice."""
+    found: dict[str, Any] = {}
+    for name, value in given.items():
+        long = SHORT.get(name, name)
+        if long not in known:
+            short = [s for s, full in SHORT.items() if full in known]
+            raise UnknownNameError.of(f"keyword of {function}", name, [*known, *short])
+        if long in found:
+            raise SlamlibError(f"{function}: {long} is given twice, as {name} too")
+        found[long] = value
+    return found
+
+
+def format_of(text: str) -> dict[str, Any]:
+    """matplotlib's short form of line style, marker and color, as "o-" or "r--"; raises UnknownNameError."""
+    found: dict[str, Any] = {}
+    rest = text
+    while rest:
+        for name, known in (("linestyle", DASHES), ("marker", MARKERS), ("color", "bgrmykw")):
+            token = next((t for t in (rest[:2], rest[:1]) if t and t in known), "")
+            if token and name not in found:
+                found[name], rest = token, rest[len(token) :]
+                break
+        else:
+            raise UnknownNameError.of("part of a line format", rest, [*DASHES, *MARKERS, *"bgrmykw"])
+    return found if "linestyle" in found or "marker" not in found else {**found, "linestyle": ""}
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """How a line is drawn: colour "#rrggbb", width in points, dashes in widths."""
+
+    color: str
+    width: float = 1.8
+    dashes: tuple[float, ...] = ()
+    alpha: float = 1.0
+
+    def css(self) -> str:
+        """The style of a path."""
+        text = f"stroke:{paint(self.color)};stroke-width:{number(self.width)}"
+        if self.dashes:
+            text += ";stroke-dasharray:" + " ".join(number(d * self.width) for d in self.dashes)
+        return text + (f";stroke-opacity:{number(self.alpha)}" if self.alpha < 1 else "")
+
+    @property
+    def seen(self) -> bool:
+        """Whether it leaves anything on the paper."""
+        return self.color != "none" and self.width > 0 and self.alpha > 0
+
+
+@dataclass(frozen=True)
+class Fill:
+    """How an area is drawn: the colour inside, and the line around it, if any."""
+
+    color: str
+    alpha: float = 1.0
+    edge: Stroke | None = None
+
+    def css(self) -> str:
+        """The style of a path."""
+        text = f"fill:{paint(self.color)}" + (f";fill-opacity:{number(self.alpha)}" if self.alpha < 1 else "")
+        return text if self.edge is None or not self.edge.seen else f"{text};{self.edge.css()}"
+
+
+def stroke_of(style: dict[str, Any], color: str, width: float = 1.8) -> Stroke | None:
+    """The stroke that keywords (long names) ask for, or None for no line; `color` if they name none."""
+    dashes = dashes_of(style.get("linestyle", "-"))
+    if dashes is None:
+        return None
+    chosen = color_named(style.get("color") or color)
+    return Stroke(chosen, positive(style, "linewidth", width), dashes, alpha_of(style))
+
+
+def fill_of(style: dict[str, Any], color: str) -> Fill:
+    """The fill that keywords (long names) ask for; an edge only if it has a colour or a width."""
+    inside = color_named(style.get("facecolor") or style.get("color") or color)
+    alpha = alpha_of(style)
+    width, outline = style.get("linewidth"), style.get("edgecolor")
+    if outline is None and not width:
+        return Fill(inside, alpha)
+    edge = stroke_of({**style, "color": outline or inside}, inside, width=1.0)
+    return Fill(inside, alpha, edge)
+
+
+def dashes_of(linestyle: Any) -> tuple[float, ...] | None:
+    """The dashes of a line style, () for an unbroken line, None for no line; raises UnknownNameError."""
+    if linestyle is not None and (not isinstance(linestyle, str) or linestyle not in LINESTYLES):
+        raise UnknownNameError.of("linestyle", linestyle, [name for name in LINESTYLES if name.strip()])
+    name = LINESTYLES[linestyle or ""]
+    return DASHES[name] if name else None
+
+
+def alpha_of(style: dict[str, Any]) -> float:
+    """The opacity asked for, 0 to 1."""
+    given = style.get("alpha")
+    alpha = 1.0 if given is None else float(given)
+    if not 0 <= alpha <= 1:
+        raise SlamlibError(f"alpha is an opacity between 0 and 1, got {alpha:g}")
+    return alpha
+
+
+def positive(style: dict[str, Any], name: str, default: float) -> float:
+    """A size in points, at least zero."""
+    value = float(default if style.get(name) is None else style[name])
+    if not (np.isfinite(value) and value >= 0):
+        raise SlamlibError(f"{name} is a size in points, at least 0, got {value:g}")
+    return value
+
+
+def marker_of(style: dict[str, Any], color: str) -> Marker | None:
+    """The marker that keywords (long names) ask for, or None; raises UnknownNameError."""
+    name = style.get("marker")
+    if name in (None, "", " ", "none", "None"):
+        return None
+    if name not in MARKERS:
+        raise UnknownNameError.of("marker", name, MARKERS)
+    edge, face = (color_named(style.get(k) or color) for k in ("markeredgecolor", "markerfacecolor"))
+    size, width = positive(style, "markersize", 6.0), positive(style, "markeredgewidth", 1.0)
+    return Marker(MARKERS[name], Look(edge, face, size, width, alpha_of(style)))
+
+
+def lettering_of(style: dict[str, Any]) -> Lettering:
+    """The look of words that keywords (long names) ask for; raises UnknownNameError."""
+    for name, sides in SIDES.items():
+        if style.get(name, sides[0]) not in sides:
+            raise UnknownNameError.of(name, style[name], sides)
+    rotation = style.get("rotation") or 0.0
+    return Lettering(
+        positive(style, "fontsize", 11.0),
+        color_named(style.get("color") or colors.text),
+        style.get("ha", "left"),
+        style.get("va", "baseline"),
+        TURNS[rotation] if rotation in TURNS else float(rotation),
+    )

@@ -1,0 +1,160 @@
+"""A film: the frames, each with its images, of a rig that is carried through a room, and the truth beside them."""
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from slambook.rendering.effects import Chip, Effects
+from slambook.rendering.paths import Path
+from slambook.rendering.quads import Room
+from slambook.rendering.renderer import Renderer
+from slamlib.data.records import Control, Features, Frame, Scan, Truth
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
+from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.geometry.pose import Pose, compose, relative
+from slamlib.geometry.quaternion import logarithm
+from slamlib.kalman.linalg import frozen
+from slamlib.manifolds import Array
+from slamlib.simulation.robots import drawn, root
+from slamlib.simulation.streams import Streams, streams
+
+ASTRAY = 6.0  # standard deviations: the start of a path is at most so far from where its rig believes to start
+
+
+def _nothing(before: Array, after: Array, setup: RobotSetup, rng: np.random.Generator) -> Control | None:
+    """Nobody tells a camera in a hand how it moves."""
+    return None
+
+
+def _odometry(before: Array, after: Array, setup: RobotSetup, rng: np.random.Generator) -> Control | None:
+    """The step as the robot felt it, with its setup's noise."""
+    step = relative(before, after)
+    exact = np.concatenate([step[:3], logarithm(step[3:])])
+    return Control(exact + root(setup.noise) @ rng.standard_normal(6), setup.noise)
+
+
+# By the name of the robot's motion: what the filter is told of a step between two poses.
+TOLD: dict[str, Callable[..., Control | None]] = {"constVel": _nothing, "odometry": _odometry}
+
+
+class Film:
+    """Frames with images, and truths: iterate over it, as often as you like; each time it is the same film.
+
+    It is made as it is seen, a frame at a time. Frame 1 is one dt after the path's beginning.
+    """
+
+    def __init__(
+        self,
+        room: Room,
+        rig: Rig,
+        path: Path,
+        *,
+        frames: int,
+        dt: float,
+        rng: np.random.Generator,
+        effects: Effects,
+        samples: int,
+    ) -> None:
+        _check(rig, path, frames, dt, effects)
+        self.room, self.rig, self.path, self.effects = room, rig, path, effects
+        self.frames, self.dt, self.samples = int(frames), float(dt), samples
+        self._random = _seed(rng)
+        self.renderers = _renderers(room, rig, samples)
+
+    def __len__(self) -> int:
+        return self.frames
+
+    def __iter__(self) -> Iterator[tuple[Frame, Truth]]:
+        own, setup = self._streams(), self.rig.robots[0]
+        mounts = self._mounts(own[1:])
+        chips = [
+            Chip(self.effects, r.tiles.size, s["points"], s["faults"])
+            for r, s in zip(self.renderers, own[1:], strict=True)
+        ]
+        size = setup.model.space.size
+        for number in range(1, self.frames + 1):
+            before, after = (self.path.state((number - i) * self.dt) for i in (1, 0))
+            control = TOLD[setup.motion](before[:7], after[:7], setup, own[0]["control"])
+            light = (self._light(j, mount, number * self.dt) for j, mount in enumerate(mounts))
+            images = [chip.expose(seen, self.dt) for chip, seen in zip(chips, light, strict=True)]
+            scans = tuple(Scan(Features.none(2), image=image) for image in images)
+            yield Frame(number, self.dt, (control,), scans), Truth((frozen(after[:size]),), mounts)
+
+    def truth_of(self, truth: Truth, pixels: Array, sensor: int = 0) -> Array:
+        """The points (n, 3) [m] of the room that a sensor sees at pixels (n, 2) of a frame; nan where nothing is."""
+        camera = compose(truth.robots[0][:7], truth.mounts[sensor])
+        return self.renderers[sensor].seen(camera, pixels)
+
+    def _light(self, sensor: int, mount: Array, time: float) -> Array:
+        """What falls on the chip, the mean over the exposure, which is cut at the path's ends."""
+        moments = np.clip(time + self.effects.moments, 0, self.path.duration)
+        cameras = (compose(self.path.pose(moment), mount) for moment in moments)
+        return np.mean([self.renderers[sensor].render(camera).image for camera in cameras], axis=0)
+
+    def _streams(self) -> list[Streams]:
+        return streams(np.random.default_rng(self._random), 1 + len(self.rig.sensors))
+
+    def _mounts(self, own: list[Streams]) -> tuple[Array, ...]:
+        """Where the sensors sit in truth: drawn, where the filter does not know."""
+        sensors = zip(self.rig.sensors, own, strict=True)
+        return tuple(frozen(drawn(Pose, s.mount, s.covariance, stream["mount"])) for s, stream in sensors)
+
+
+def film(
+    room: Room,
+    rig: Rig,
+    path: Path,
+    *,
+    frames: int,
+    dt: float = 1 / 30,
+    rng: np.random.Generator,
+    effects: Effects = Effects(),  # noqa: B008 - frozen
+    samples: int = 2,
+) -> Film:
+    """So many frames of a rig with one robot, which goes along a path, each with an image (h, w), uint8, per sensor.
+
+    dt [s] between the frames. The rig's start is where the path begins: hand_held(path) makes such a rig. A robot with
+    constant velocity is told nothing (its controls are None), one with odometry its true steps and its setup's noise.
+    samples: s x s per pixel. The film depends on `rng` as it is at this call. Raises SlamlibError at the call.
+    """
+    return Film(room, rig, path, frames=frames, dt=dt, rng=rng, effects=effects, samples=samples)
+
+
+def _seed(rng: np.random.Generator) -> list[int]:
+    if not isinstance(rng, np.random.Generator):
+        raise SlamlibError(f"film: rng is a generator, such as np.random.default_rng(1), not {rng!r}")
+    return [int(n) for n in rng.integers(2**32, size=4)]
+
+
+def _renderers(room: Room, rig: Rig, samples: int) -> list[Renderer]:
+    """One per sensor; sensors with the same calibration share theirs."""
+    made: dict[str, Renderer] = {}
+    return [
+        made.get(key) or made.setdefault(key, Renderer(room, setup.calibration, samples))
+        for key, setup in ((_optics(s), s) for s in rig.sensors)
+    ]
+
+
+def _optics(setup: SensorSetup) -> str:
+    return repr((setup.type, setup.image, sorted(setup.parameters.items()), sorted(setup.limits.items())))
+
+
+def _check(rig: Rig, path: Path, frames: int, dt: float, effects: Effects) -> None:
+    """Raise SlamlibError for what cannot be filmed."""
+    if len(rig.robots) != 1:
+        raise SlamlibError(f"film: a rig with one robot is filmed at a time, got {len(rig.robots)}")
+    if not isinstance(frames, int | np.integer) or frames < 0:
+        raise SlamlibError(f"film: frames is a whole number, 0 or more, got {frames}")
+    if not 0 < dt < np.inf:
+        raise SlamlibError(f"film: dt is a time above zero [s], got {dt}")
+    if frames * dt > path.duration + 1e-9:
+        raise SlamlibError(f"film: {frames} frames take {frames * dt:g} s, and the path {path.duration:g} s")
+    setup = rig.robots[0]
+    if setup.motion not in TOLD:
+        raise UnknownNameError.of("motion to film", setup.motion, TOLD)
+    off = np.abs(Pose.minus(path.pose(0), setup.state[:7]))
+    if (off > ASTRAY * np.sqrt(np.diag(setup.covariance)[:6]) + 1e-6).any():
+        raise SlamlibError(
+            f"film: the rig believes to start at {setup.position} m, {setup.euler} degrees, and the path begins at "
+            f"{path.knots[0, :3].round(3).tolist()} m: use hand_held(path), or give the setup the path's start"
+        )

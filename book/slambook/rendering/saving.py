@@ -1,0 +1,64 @@
+"""Films on disk, as programs for real sequences read them.
+
+image_0/000001.png, ...    the pictures of camera 0, by the number of their frame; image_1 of camera 1, ...
+times.txt                  a row for each: time [s]
+calibration.json           the rig: robots and sensors, the fields of RobotSetup and SensorSetup
+groundtruth_0.txt, ...     poses of camera 0, ... in the room, "time x y z qx qy qz qw" (TUM RGB-D's format)
+"""
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from slambook.rendering.film import Film
+from slamlib.data.files import whole
+from slamlib.datasets.optional_imports import opencv
+from slamlib.errors import SlamlibError
+from slamlib.evaluation.trajectory import Trajectory, write_tum
+from slamlib.experiments.progress import progress
+from slamlib.geometry.pose import compose
+from slamlib.manifolds import Array
+
+
+def save_film(folder: str | os.PathLike[str], film: Film) -> Path:
+    """Write a film into a folder that is not there yet, or empty; the list of times comes last.
+
+    Each file is written whole or not at all. Raises SlamlibError if the folder holds something, for a film without
+    frames, and without OpenCV, which writes PNG.
+    """
+    cv2, root = opencv("to write pictures"), Path(folder)
+    if not len(film):
+        raise SlamlibError("save_film: the film has no frames")
+    if root.exists() and (not root.is_dir() or any(root.iterdir())):
+        raise SlamlibError(f"{root} is there and not empty: give a new folder, so that two films are not mixed")
+    count = len(film.rig.sensors)
+    for camera in range(count):
+        (root / f"image_{camera}").mkdir(parents=True)
+    poses: list[list[Array]] = [[] for _ in range(count)]
+    times: list[float] = []
+    for frame, truth in progress(film, len(film), "filming"):
+        times.append(frame.number * frame.dt)
+        for camera, scan in enumerate(frame.scans):
+            _picture(cv2, root / f"image_{camera}" / f"{frame.number:06d}.png", scan.image)
+            poses[camera].append(compose(truth.robots[0][:7], truth.mounts[camera]))
+    for camera, path in enumerate(poses):
+        write_tum(root / f"groundtruth_{camera}.txt", Trajectory(np.array(times), np.array(path)))
+    _text(root / "calibration.json", json.dumps(film.rig.to_dict(), indent=2) + "\n")
+    _text(root / "times.txt", "".join(f"{time:.9f}\n" for time in times))
+    return root
+
+
+def _picture(cv2: Any, path: Path, image: Array) -> None:
+    done, data = cv2.imencode(".png", image)
+    if not done:
+        raise SlamlibError(f"{path} cannot be written: OpenCV makes no PNG of {image.dtype}, {image.shape}")
+    with whole(path) as partial:
+        partial.write_bytes(data.tobytes())
+
+
+def _text(path: Path, text: str) -> None:
+    with whole(path) as partial:
+        partial.write_text(text, encoding="utf-8")

@@ -1,0 +1,153 @@
+"""Checks of new landmarks, memory and front end: 5.1.2, 5.2.2, 5.2.3, (5.34), (5.35), 5.4, 9.1."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from slambook.report import motion, scenes
+from slambook.report.angles import rotation
+from slambook.report.findings import RUNS, SEED, Finding, at_least, at_most, check, near, ours, ran, refused, statistics
+from slambook.report.runs import Outcome, monte_carlo, two_pictures
+from slamlib.evaluation.consistency import nees
+from slamlib.manifolds import Array
+
+
+@check("E18", "(5.34), last row", "J P_{m_L m_2}", "J P_{x m_2}: J times the pose's row")
+def cross_terms() -> Finding:
+    run, right = ran("gentle", "E18 dropped"), ran("gentle")
+    P = right.last.P
+    least = np.linalg.eigvalsh(P).min() / np.abs(P).max()
+    return Finding(
+        [
+            near("as printed, (3x6)(3x3): NumPy refuses", refused("E18"), 1, 0),
+            at_least("corrected: least eigenvalue of P over its largest entry", least, -1e-12, ">= 0"),
+            near("NEES/6 without cross terms, gentle", run.ratio, 1.71, 0.5),
+        ],
+        statistics(("gentle", run), ("right", right)),
+    )
+
+
+@check("E19", "5.1.2", "all covariances zero at the start", "zero for the pose alone; landmarks enter with (5.35)")
+def first_landmarks() -> Finding:
+    run, right = ran("gentle", "E19"), ran("gentle")
+    first = len(_seen_first())
+    frozen = np.abs(run.last.P[:, 6 : 6 + 3 * first]).max()
+    return Finding(
+        [
+            at_most("rows of the first landmarks in P after 60 steps", frozen, 0.0),
+            near("NEES/6, gentle", run.ratio, 3.35, 0.7),
+        ],
+        statistics(("gentle", run), ("right", right)),
+    )
+
+
+def _seen_first() -> Array:
+    scene = scenes.gentle()
+    relative = (scene.points - scene.start[:3]) @ rotation(scene.start[3:])
+    return np.flatnonzero(scene.sees(relative))
+
+
+@check("E20", "5.2.2", "the output of PnP 'is what we call the control'", "its inverse: R_u = R', t_u = -R't")
+def direction() -> Finding:
+    run, right = ran("gentle", "E20"), ran("gentle")
+    answer = motion.inverse(np.array([0.4, 0, 0, 0, 0, 0]))
+    figures = [
+        near("0.40 m forward is read as [m]", answer[0], -0.40, 1e-12),
+        at_least("NEES/6, gentle", run.ratio, 50, "backwards"),
+    ]
+    try:
+        figures.append(near("cv2.solvePnP, the same, depth read as [m]", _opencv(), -0.40, 1e-3))
+        source = "with OpenCV itself"
+    except ImportError:
+        source = "OpenCV is not installed: without its own row"
+    return Finding(figures, f"{statistics(('gentle', run), ('right', right))}; {source}")
+
+
+def _opencv() -> float:
+    """Depth of the translation that solvePnP answers for a camera that went 0.40 m along its axis."""
+    import cv2
+
+    points = np.random.default_rng(20).uniform((-2, -2, 4), (2, 2, 8), (12, 3))
+    K = np.array([[500.0, 0, 320], [0, 500, 240], [0, 0, 1]])
+    seen = (points - [0, 0, 0.4]) @ K.T
+    _, _, translation = cv2.solvePnP(points, seen[:, :2] / seen[:, 2:], K, None)
+    return float(translation[2, 0])
+
+
+@check(
+    "E21", "5.2.2-5.2.3", "the same matches give u and z, as if independent", "other matches, odometry, or no odometry"
+)
+def twice() -> Finding:
+    wrong, right = two_pictures("E21"), two_pictures()
+    return Finding(
+        [
+            near("NEES/6, the same matches", wrong.ratio, 1.93, 0.2),
+            near("NEES/6, other matches", right.ratio, 1.03, 0.1),
+            near("claimed deviation of the position [m]", _claimed(wrong).mean(), 0.0508, 0.003),
+            near("true error of the position [m]", wrong.position, 0.0694, 0.006),
+        ],
+        "1000 runs of two pictures with 12 points, one step, 6 dof",
+    )
+
+
+def _claimed(run: Outcome) -> Array:
+    """Root mean square deviation of the position that the filter claims at each step [m]."""
+    return np.sqrt(np.trace(run.claimed[..., :3, :3], axis1=-2, axis2=-1).mean(0))
+
+
+@check("E22", "5.4", "'at k+2 everything is reset except for the agent localisation'", "P_xx must be carried on")
+def reset() -> Finding:
+    run, kept, right = ran("gentle", "E22"), ran("gentle", "E22 kept"), ran("gentle")
+    again = monte_carlo(scenes.gentle(), "E22 kept", runs=RUNS, seed=SEED, again=True)
+    error = np.sqrt((run.errors[..., :3] ** 2).sum(-1).mean(0))
+    claimed = _claimed(run)
+    cautious = "too cautious: a picture ends one step and begins the next, and its noise cancels between them"
+    return Finding(
+        [
+            near("claimed deviation, step 60 over step 15", claimed[59] / claimed[14], 1.0, 0.1),
+            at_least("true error, step 60 over step 15", error[59] / error[14], 1.6, "2"),
+            at_least("NEES/6, second half", run.ratio, 8, "grows"),
+            at_least("error of the position, two pictures over full memory", run.position / right.position, 2),
+            ours("full memory: NEES/6", right.ratio, 1.0, 0.25),
+            ours("two pictures with P_xx carried on: NEES/6", kept.ratio, 0.3, 0.15, cautious),
+            ours("the same, map begun from a second look", again.ratio, 1.0, 0.25, "and the error is twice as large"),
+        ],
+        statistics(("two pictures", run), ("P_xx carried on", kept), ("second look", again), ("full memory", right)),
+    )
+
+
+@check(
+    "E26",
+    "9.1, 9.3",
+    "correlations are 'extremely complicated', best found by experiment",
+    "P holds them; here the experiment",
+)
+def correlations() -> Finding:
+    scene = scenes.around(scenes.gentle(), np.random.default_rng(7), 8)
+    scene = replace(scene, controls=scene.controls[:20])
+    run = monte_carlo(scene, runs=400, seed=SEED)
+    last, truth = run.last, scene.path()[-1]
+    errors = last.x - np.concatenate([truth, scene.points[last.names].ravel()])
+    errors[:, 3:6] = run.errors[:, -1, 3:]
+    found, claimed = (_normalised(P) for P in (np.cov(errors.T), last.P.mean(0)))
+    beside = ~np.eye(len(found), dtype=bool)
+    whole = nees(errors, (last.P + last.P.swapaxes(-1, -2)) / 2).mean() / errors.shape[1]
+    return Finding(
+        [
+            at_most(
+                "correlations, 400 runs minus the filter's, root mean square", _rms((found - claimed)[beside]), 0.06
+            ),
+            at_least("correlations, root mean square", _rms(claimed[beside]), 0.25, "high"),
+            near("NEES of pose and map together, over its dof", float(whole), 1.0, 0.06),
+        ],
+        f"400 runs of 20 steps, {len(last.names)} landmarks, {errors.shape[1]} dof; one correlation is known to 0.05",
+    )
+
+
+def _rms(values: Array) -> float:
+    return float(np.sqrt((values**2).mean()))
+
+
+def _normalised(P: Array) -> Array:
+    sigma = np.sqrt(np.diag(P))
+    return P / np.outer(sigma, sigma)

@@ -1,0 +1,165 @@
+"""Checks of the prediction: (3.15), (5.19) to (5.23)."""
+
+import numpy as np
+
+from slambook.report import motion, observation, scenes
+from slambook.report.angles import rotation
+from slambook.report.findings import Finding, at_least, at_most, check, instead, near, ours, ran, refused, statistics
+from slambook.report.runs import DOF
+from slamlib.manifolds import Array
+
+SMALL, LARGE = (0.08, 0.9), (0.5, 10.0)  # m and degrees of yaw a step: the least and the largest motion of the list
+
+
+def _control(length: float, yaw: float) -> Array:
+    return np.array([length, 0, 0, np.radians(yaw), 0, 0])
+
+
+def _change_of_H(length: float, yaw: float) -> float:
+    """Relative change of H from the old state to the predicted one, median over points 5 to 20 m ahead [percent]."""
+    points = np.random.default_rng(1).uniform((5, -10, -2), (20, 10, 2), (200, 3))
+    old = np.zeros(6)
+    H, wrong = (observation.by_pose(pose, points) for pose in (scenes.after(old, _control(length, yaw)), old))
+    sizes = np.linalg.norm(wrong - H, 2, axis=(-2, -1)) / np.linalg.norm(H, 2, axis=(-2, -1))
+    return float(100 * np.median(sizes))
+
+
+def _change_of_F(length: float, yaw: float) -> float:
+    """Relative change of F14 to F36 from the old state to the predicted one [percent]."""
+    old, u = np.zeros(6), _control(length, yaw)
+    F, wrong = (motion.by_angles(pose[3:], u[:3]) for pose in (old, scenes.after(old, u)))
+    return float(100 * np.linalg.norm(wrong - F, 2) / np.linalg.norm(F, 2))
+
+
+def _norm_minus_identity(block: Array) -> float:
+    return float(np.linalg.norm(block - np.eye(3), 2))
+
+
+def _at(yaw: float, pitch: float, roll: float) -> Array:
+    return np.radians([0.0, 0, 0, yaw, pitch, roll])
+
+
+@check("E01", "(3.15)", "H at the corrected state of the step before", "H at the predicted state")
+def place_of_H() -> Finding:
+    a, b, b_right = ran("gentle", "E01"), ran("hard", "E01"), ran("hard")
+    grows = "three seeds give 1.5 to 1.7, chapter 3 6.7 for 3.05: not mild where a step is large"
+    return Finding(
+        [
+            near("H off, 0.08 m and 0.9 degrees [%]", _change_of_H(*SMALL), 1.7, 0.3),
+            near("H off, 0.5 m and 10 degrees [%]", _change_of_H(*LARGE), 17, 2),
+            near("NEES/6, gentle", a.ratio, 1.08, 0.25),
+            instead("NEES/6, hard", b.ratio, 1.65, 0.3, "1.22", grows),
+        ],
+        statistics(("gentle", a), ("hard", b), ("right", b_right)),
+    )
+
+
+@check("E02", "5.2.4", "F at the predicted state", "F at the corrected state of the step before")
+def place_of_F() -> Finding:
+    a, b, b_right = ran("gentle", "E02"), ran("hard", "E02"), ran("hard")
+    share = "the list's motions are not recorded; relative to the block F14 to F36 it is the angle turned"
+    return Finding(
+        [
+            instead("F14 to F36 off, 0.08 m and 0.9 degrees [%]", _change_of_F(*SMALL), 1.57, 0.05, "0.6", share),
+            instead("F14 to F36 off, 0.5 m and 10 degrees [%]", _change_of_F(*LARGE), 17.4, 0.5, "12", share),
+            near("NEES/6, gentle", a.ratio, 1.06, 0.25),
+            near("NEES/6, hard", b.ratio, 2.31, 0.8),
+            at_least("the same over that of the right filter", b.ratio / b_right.ratio, 1.4, "1.9"),
+        ],
+        statistics(("gentle", a), ("hard", b), ("right", b_right)) + "; F and df/du at the predicted state",
+    )
+
+
+@check("E03", "1.2, (3.8), (3.15)", "u_k leads from k to k+1; u_k in (3.8); u_{k-1} in (3.15)", "x_k = f(x_{k-1}, u_k)")
+def index_of_u() -> Finding:
+    wrong, right = ran("uneven", "E03"), ran("uneven")
+    return Finding(
+        [
+            at_least("NEES/6, a robot that starts and stops", wrong.ratio, 2.0, "off by one"),
+            ours("the same with u_k", right.ratio, 1.0, 0.25),
+        ],
+        statistics(("uneven", wrong), ("right", right)) + "; read: all three conventions, where the table says",
+    )
+
+
+@check("E07", "(5.20), rows 4-6", "[0 I]", "the derivative of the composed angles by the old ones")
+def angle_rows() -> Finding:
+    def off(at: Array, *turn: float) -> float:
+        return _norm_minus_identity(motion.exact_by_pose(at, np.radians([0.0, 0, 0, *turn])))
+
+    norm = "spectral norm, 5 degrees of yaw; the list's are of other turns, and mix in largest entries"
+    pitch = "the largest entry for 5 degrees of pitch is 1.0, the list's figure"
+    run, right = ran("hard", "E07"), ran("hard")
+    return Finding(
+        [
+            near("|A - I|, level, yaw 5", off(_at(0, 0, 0), 5, 0, 0), 0.087, 0.001),
+            instead("|A - I|, 40/20/10, yaw 5", off(_at(40, 20, 10), 5, 0, 0), 0.103, 0.001, "0.11", norm),
+            instead("|A - I|, pitch 80, yaw 5", off(_at(0, 80, 0), 5, 0, 0), 3.27, 0.01, "1.0", norm),
+            ours("|A - I|, pitch 80, pitch 5", off(_at(0, 80, 0), 0, 5, 0), 1.41, 0.01, pitch),
+            at_most("F14 to F36 as printed minus differences", _printed_minus_differences(), 1e-8),
+            ours("NEES/6, hard", run.ratio, 1.6, 0.35),
+        ],
+        statistics(("hard", run), ("right", right)),
+    )
+
+
+def _printed_minus_differences() -> float:
+    rng, h = np.random.default_rng(20), 1e-6
+    attitude, u = rng.uniform(-1, 1, (100, 3)), rng.uniform(-1, 1, (100, 3))
+    columns = []
+    for axis in np.eye(3):
+        up, down = ((rotation(attitude + s * h * axis) @ u[..., None])[..., 0] for s in (1, -1))
+        columns.append((up - down) / (2 * h))
+    return float(np.abs(motion.by_angles(attitude, u) - np.stack(columns, -1)).max())
+
+
+@check("E08", "(5.21), angle block", "identity", "the derivative of the composed angles by the control's")
+def control_rows() -> Finding:
+    def off(pitch: float, roll: float) -> float:
+        return _norm_minus_identity(motion.exact_by_control(_at(0, pitch, roll), np.zeros(6)))
+
+    cp, sp, cr, sr = *(f(0.7) for f in (np.cos, np.sin)), *(f(0.3) for f in (np.cos, np.sin))
+    stated = np.array([[cr / cp, sr / cp, 0], [-sr, cr, 0], [cr * sp / cp, sr * sp / cp, 1]])
+    B = motion.exact_by_control(np.array([0, 0, 0, 0.2, 0.7, 0.3]), np.zeros(6))
+    a, b, both, right = ran("gentle", "E08"), ran("hard", "E08"), ran("hard", "E07", "E08"), ran("hard")
+    formula = "spectral norm, by the list's own formula"
+    alone = "the list's 34 is E07 and E08 together, the next row; E08 alone gives 9 to 13 with three seeds"
+    return Finding(
+        [
+            at_most("B minus the list's formula", np.abs(B - stated).max(), 1e-12),
+            near("|B - I|, pitch 5, roll 3", off(5, 3), 0.10, 0.005),
+            instead("|B - I|, pitch 20, roll 10", off(20, 10), 0.412, 0.001, "0.42", formula),
+            near("|B - I|, pitch 45, roll 10", off(45, 10), 1.10, 0.005),
+            instead("|B - I|, pitch 80, roll 0", off(80, 0), 7.40, 0.01, "8.2", formula),
+            near("NEES/6, gentle", a.ratio, 1.11, 0.25),
+            instead("NEES/6, hard", b.ratio, 12, 4, "34", alone),
+            near("NEES/6, hard, with E07", both.ratio, 34, 12),
+            near("error of the attitude, times the right one, with E07", both.rotation / right.rotation, 5, 1),
+        ],
+        statistics(("gentle", a), ("hard", b), ("with E07", both), ("right", right)),
+    )
+
+
+@check("E09", "(5.22)", "Q = f_u U f_u', added to F P F'; U is never given", "Q belongs to the pose's 6 by 6 block")
+def place_of_Q() -> Finding:
+    return Finding(
+        [near("Q 6 by 6 added to a state of 18: NumPy refuses", refused("E09"), 1, 0)],
+        "read: 5.2.4, 'U being a matrix with of established uncertainty from the beginning', and no number",
+    )
+
+
+@check("E10", "(5.23), first block", "f_x P_xx f_x'", "f_x P_xx f_x' + Q; the other blocks are right")
+def missing_Q() -> Finding:
+    wrong, right = ran("gentle", "E10"), ran("gentle")
+    size = np.abs(wrong.claimed).max()
+    return Finding(
+        [
+            at_most("P_xx after 60 steps, largest entry", size, 0.0),
+            near("error of the position [m]", wrong.position, 0.43, 0.1),
+            near("error of the attitude [deg]", wrong.rotation, 5.7, 0.6),
+            near("with Q: position [m]", right.position, 0.028, 0.004),
+            near("with Q: attitude [deg]", right.rotation, 0.37, 0.08),
+            at_least("NEES/6 (P is singular)", wrong.ratio, float(DOF) * 1e6, "infinite"),
+        ],
+        statistics(("gentle", wrong), ("right", right)),
+    )

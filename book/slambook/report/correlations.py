@@ -1,0 +1,118 @@
+"""Correlations between landmarks, and between landmarks and robot (section 9.3): by experiment, and by the filter.
+
+The experiment is the report's: map and path are known, a robot goes the same way many times, and what its estimates
+miss is compared, number by number. `odometry` is the one of 9.3 to the letter, without a correction: landmarks stand
+where the robot believed to be when it saw them first.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from slambook.report.filter import Memory
+from slambook.report.memory import ring
+from slambook.report.runs import DOF, Outcome, monte_carlo
+from slambook.report.scenes import Scene
+from slambook.report.together import Together
+from slamlib.manifolds import Array
+
+
+@dataclass
+class Odometry(Memory):
+    """A memory that never corrects: pose by odometry alone, landmarks where they were first seen from it."""
+
+    def correct(self, seen: Array, names: list[int], R: Array) -> None:
+        """Nothing."""
+
+
+WAYS = {"SLAM": Together, "odometry": Odometry}
+
+
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """Correlations (6 + 3L, 6 + 3L) at the end of the way: measured over the runs, and as the filter says.
+
+    nees: of pose and map together, averaged over the runs; its degrees of freedom are the size of the matrices.
+    """
+
+    name: str
+    runs: int
+    measured: Array
+    claimed: Array
+    nees: float
+
+    @property
+    def z(self) -> Array:
+        """Measured minus claimed in units of the sampling error: by Fisher's atanh, which makes it 1/sqrt(runs - 3).
+
+        Zero on the diagonal. Around 1 where nothing but the number of runs is to blame.
+        """
+        beside = 1 - np.eye(len(self.measured))
+        apart = np.arctanh(self.measured * beside) - np.arctanh(self.claimed * beside)
+        return apart * np.sqrt(self.runs - 3)
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of the table: which numbers with which, how many pairs, and root mean squares over them.
+
+    correlation: as the filter says; difference: measured minus said; sampling: what `difference` would be by the number
+    of runs alone; z: of `Compared.z`; largest: correlation, in size.
+    """
+
+    what: str
+    pairs: int
+    correlation: float
+    difference: float
+    sampling: float
+    z: float
+    largest: float
+
+
+def experiment(rng: np.random.Generator, runs: int = 1000, landmarks: int = 10, steps: int = 40) -> dict[str, Compared]:
+    """So many runs of the same way among the same landmarks, by SLAM and by odometry alone."""
+    scene, seed = ring(rng, steps, landmarks), int(rng.integers(2**31))
+    return {
+        name: compared(name, scene, monte_carlo(scene, runs=runs, seed=seed, make=make)) for name, make in WAYS.items()
+    }
+
+
+def compared(name: str, scene: Scene, outcome: Outcome) -> Compared:
+    """Errors of pose and map at the end, against the covariances that the runs claim."""
+    last, truth = outcome.last, scene.path()[-1]
+    errors = last.x - np.concatenate([truth, scene.points[last.names].ravel()])
+    errors[:, 3:6] = outcome.errors[:, -1, 3:]
+    P = (last.P + last.P.swapaxes(-1, -2)) / 2
+    squared = (errors * np.linalg.solve(P, errors[..., None])[..., 0]).sum(-1)
+    return Compared(name, len(errors), normalised(np.cov(errors.T)), normalised(P.mean(0)), float(squared.mean()))
+
+
+def normalised(P: Array) -> Array:
+    """Correlations (n, n) of a covariance (n, n)."""
+    sigma = np.sqrt(np.diag(P))
+    return P / np.outer(sigma, sigma)
+
+
+def table(found: Compared) -> list[Row]:
+    """Landmark with landmark, landmark with robot, and the robot's six numbers among themselves."""
+    owner = np.concatenate([np.full(DOF, -1), np.repeat(np.arange((len(found.claimed) - DOF) // 3), 3)])
+    first, second = np.triu_indices(len(owner), 1)
+    robot = (owner == -1).astype(int)
+    count, apart = robot[first] + robot[second], owner[first] != owner[second]
+    groups = {
+        "landmark, landmark": (count == 0) & apart,
+        "landmark, itself": (count == 0) & ~apart,
+        "landmark, robot": count == 1,
+        "robot, robot": count == 2,
+    }
+    return [_row(what, found, first[chosen], second[chosen]) for what, chosen in groups.items()]
+
+
+def _row(what: str, found: Compared, i: Array, j: Array) -> Row:
+    rho, difference, z = found.claimed[i, j], (found.measured - found.claimed)[i, j], found.z[i, j]
+    sampling = (1 - rho**2) / np.sqrt(found.runs)  # of a correlation over so many runs, to first order
+    return Row(what, len(i), _rms(rho), _rms(difference), _rms(sampling), _rms(z), float(np.abs(rho).max()))
+
+
+def _rms(values: Array) -> float:
+    return float(np.sqrt((values**2).mean()))

@@ -1,0 +1,129 @@
+"""FastSLAM 1.0 in the plane (Montemerlo et al. 2002): particles for the path, for each landmark a small Kalman filter.
+
+Given the path, what is known of one landmark says nothing of another. So a particle, which is one path, needs no joint
+covariance: 2 numbers and a 2 by 2 matrix for each landmark. Paths are drawn by the odometry and weighed by what is
+seen; when few particles hold most of the weight they are drawn again, and with a path that is not drawn dies its map.
+"""
+
+import numpy as np
+
+from slambook.report.planar import Data, Look, moved, placed, seen, seen_by_point, wrapped
+from slamlib.errors import SlamlibError
+from slamlib.manifolds import Array
+
+
+class FastSlam:
+    """N particles side by side: poses (N, 3), means (N, L, 2) and covariances (N, L, 2, 2) of landmarks, log weights.
+
+    known (L,): the landmarks seen so far, the same for every particle since names are known. parents: for each step
+    (N,), of which particle each descends; effective: number of particles that the weights are worth, for each step.
+    """
+
+    def __init__(self, data: Data, particles: int, rng: np.random.Generator, share: float = 0.5) -> None:
+        """share: particles are drawn again when the effective number falls below this share of them; 0: never."""
+        if particles < 1 or not 0 <= share <= 1:
+            raise SlamlibError(f"FastSlam: one particle or more, and a share of 0 to 1; got {particles} and {share}")
+        n, landmarks = particles, len(data.points)
+        self._rng, self._least = rng, share * n
+        self._motion_std, self._R = data.motion_std, np.diag(data.look_std**2)
+        self.poses = np.tile(data.truth[0], (n, 1))
+        self.means, self.covariances = np.zeros((n, landmarks, 2)), np.zeros((n, landmarks, 2, 2))
+        self.known = np.zeros(landmarks, dtype=bool)
+        self.log_weights = np.full(n, -np.log(n))
+        self.parents: list[Array] = []
+        self.effective: list[float] = []
+        self._begin(data.looks[0])
+
+    def step(self, u: Array, look: Look) -> None:
+        """Odometry u (3,), then what is seen; draws the particles again first if the last step left few of them."""
+        self._draw_again()
+        noise = self._motion_std * self._rng.standard_normal(self.poses.shape)
+        self.poses = moved(self.poses, u + noise)
+        old = self.known[look.names]
+        self._correct(look.names[old], look.z[old])
+        self._begin(Look(look.names[~old], look.z[~old]))
+        self.effective.append(float(1 / (self.weights**2).sum()))
+
+    @property
+    def weights(self) -> Array:
+        """Weights (N,), of sum 1."""
+        return np.exp(self.log_weights)
+
+    def _correct(self, names: Array, z: Array) -> None:
+        """Each particle's weight times the density of what is seen, and each landmark's Kalman filter."""
+        m, C = self.means[:, names], self.covariances[:, names]
+        H = seen_by_point(self.poses, m)
+        innovation = z - seen(self.poses, m)
+        innovation[..., 1] = wrapped(innovation[..., 1])
+        CH = C @ H.swapaxes(-1, -2)
+        S = H @ CH + self._R
+        inverse, determinant = _inverse(S)
+        white = (inverse @ innovation[..., None])[..., 0]
+        self.means[:, names] = m + (CH @ white[..., None])[..., 0]
+        self.covariances[:, names] = C - CH @ inverse @ CH.swapaxes(-1, -2)
+        density = -((innovation * white).sum(-1) + np.log(determinant)) / 2  # but for a constant
+        logs = self.log_weights + density.sum(-1)
+        logs -= logs.max()
+        self.log_weights = logs - np.log(np.exp(logs).sum())
+
+    def _begin(self, look: Look) -> None:
+        """New landmarks: every particle puts them where it sees them; the weights stay."""
+        m = placed(self.poses, look.z)
+        by_z, _ = _inverse(seen_by_point(self.poses, m))
+        self.means[:, look.names] = m
+        self.covariances[:, look.names] = by_z @ self._R @ by_z.swapaxes(-1, -2)
+        self.known[look.names] = True
+
+    def _draw_again(self) -> None:
+        parents = np.arange(len(self.poses))
+        if self.effective and self.effective[-1] < self._least:
+            parents = systematic(self.weights, self._rng)
+            self.poses, self.means = self.poses[parents], self.means[parents]
+            self.covariances = self.covariances[parents]
+            self.log_weights = np.full(len(parents), -np.log(len(parents)))
+        self.parents.append(parents)
+
+    def pose(self) -> tuple[Array, Array]:
+        """Mean (3,) and covariance (3, 3) of the particles' poses."""
+        away = self.poses - self.poses[np.argmax(self.log_weights)]
+        away[:, 2] = wrapped(away[:, 2])
+        mean, covariance = _moments(away, self.weights)
+        return self.poses[np.argmax(self.log_weights)] + mean, covariance
+
+    def map(self) -> dict[int, tuple[Array, Array]]:
+        """Mean (2,) and covariance (2, 2) of each landmark by its number: that of the mixture of all particles'."""
+        found = {}
+        for name in np.flatnonzero(self.known):
+            mean, spread = _moments(self.means[:, name], self.weights)
+            found[int(name)] = mean, spread + np.tensordot(self.weights, self.covariances[:, name], 1)
+        return found
+
+    def ancestors(self) -> Array:
+        """Of how many particles of each step (n,) today's particles descend: 1 where all have one memory."""
+        line, found = np.arange(len(self.poses)), []
+        for parents in reversed(self.parents):
+            found.append(len(np.unique(line)))
+            line = parents[line]
+        return np.array(found[::-1])
+
+
+def systematic(weights: Array, rng: np.random.Generator) -> Array:
+    """Numbers (N,) of the particles drawn: each floor or ceiling of N times its weight, by one random number."""
+    n = len(weights)
+    ends = np.cumsum(weights)
+    return np.minimum(np.searchsorted(ends / ends[-1], (np.arange(n) + rng.random()) / n, side="right"), n - 1)
+
+
+def _inverse(matrix: Array) -> tuple[Array, Array]:
+    """Inverses and determinants of matrices (..., 2, 2)."""
+    (a, b), (c, d) = np.moveaxis(matrix, (-2, -1), (0, 1))
+    determinant = a * d - b * c
+    rows = (d, -b), (-c, a)
+    return np.stack([np.stack(row, -1) for row in rows], -2) / determinant[..., None, None], determinant
+
+
+def _moments(values: Array, weights: Array) -> tuple[Array, Array]:
+    """Mean (k,) and covariance (k, k) of weighted values (N, k)."""
+    mean = weights @ values
+    away = values - mean
+    return mean, (weights * away.T) @ away

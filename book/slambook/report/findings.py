@@ -1,0 +1,151 @@
+"""What the audit finds for each number of the list of errata: figures with their tolerances, or what was read."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cache
+from math import inf
+
+import numpy as np
+
+from slambook.report.filter import Memory
+from slambook.report.runs import DOF, Outcome, monte_carlo
+from slambook.report.scenes import SCENES
+from slambook.report.switches import equations
+from slamlib.evaluation.consistency import band
+
+RUNS, SEED = 20, 0
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One number: what it is, as measured now, between which limits it must lie, and what the list says of it.
+
+    `corrected`: the list's figure is not what comes out; `remark` says why.
+    """
+
+    what: str
+    measured: float
+    low: float
+    high: float
+    listed: str = ""
+    remark: str = ""
+    corrected: bool = False
+
+    @property
+    def holds(self) -> bool:
+        """True if the figure lies within its limits."""
+        return self.low <= self.measured <= self.high
+
+    @property
+    def tolerance(self) -> str:
+        """The limits in words."""
+        if self.high == inf:
+            return "not judged" if self.low == -inf else f"at least {self.low:.4g}"
+        return f"at most {self.high:.2g}" if self.low == -inf else f"{self.low:.4g} to {self.high:.4g}"
+
+
+def near(what: str, measured: float, listed: float, tolerance: float, remark: str = "") -> Figure:
+    """A figure of the list, which must come out within the tolerance."""
+    return Figure(what, float(measured), listed - tolerance, listed + tolerance, f"{listed:.4g}", remark)
+
+
+def instead(what: str, measured: float, expected: float, tolerance: float, listed: str, remark: str) -> Figure:
+    """A figure of the list that is not right: what is expected in its place, within the tolerance, and why."""
+    return Figure(what, float(measured), expected - tolerance, expected + tolerance, listed, remark, True)
+
+
+def ours(what: str, measured: float, expected: float, tolerance: float, remark: str = "") -> Figure:
+    """A figure that the list does not have."""
+    return Figure(what, float(measured), expected - tolerance, expected + tolerance, "", remark)
+
+
+def at_least(what: str, measured: float, least: float, listed: str = "", remark: str = "") -> Figure:
+    """An effect that must be this large; `listed` is what the list says of it."""
+    return Figure(what, float(measured), least, inf, listed, remark)
+
+
+def at_most(what: str, measured: float, most: float, listed: str = "0") -> Figure:
+    """Something that must vanish, up to rounding."""
+    return Figure(what, float(measured), -inf, most, listed)
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What a check found. `note`: the statistics of its runs, or what was read and where."""
+
+    figures: list[Figure] = field(default_factory=list)
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Check:
+    """One number of the list: where the report says what, what is right, and the function that finds out."""
+
+    number: str
+    where: str
+    says: str
+    right: str
+    run: Callable[[], Finding]
+
+
+@dataclass(frozen=True)
+class Row:
+    """A check with its finding."""
+
+    check: Check
+    finding: Finding
+    seconds: float
+
+    @property
+    def holds(self) -> bool:
+        """True unless a figure is outside its limits."""
+        return all(f.holds for f in self.finding.figures)
+
+    @property
+    def verdict(self) -> str:
+        """FAILED, reading (no figures), corrected (the list was), or reproduced."""
+        if not self.holds:
+            return "FAILED"
+        if not self.finding.figures:
+            return "reading"
+        return "corrected" if any(f.corrected for f in self.finding.figures) else "reproduced"
+
+
+CHECKS: dict[str, Check] = {}
+
+
+def check(number: str, where: str, says: str, right: str) -> Callable[[Callable[[], Finding]], Callable[[], Finding]]:
+    """Put a function into the table of checks."""
+
+    def register(run: Callable[[], Finding]) -> Callable[[], Finding]:
+        CHECKS[number] = Check(number, where, says, right, run)
+        return run
+
+    return register
+
+
+@cache
+def ran(scene: str, *errors: str) -> Outcome:
+    """The runs of a scene by name with these errors, made once."""
+    return monte_carlo(SCENES[scene](), *errors, runs=RUNS, seed=SEED)
+
+
+def statistics(*outcomes: tuple[str, Outcome]) -> str:
+    """How runs were judged, and the share of their steps inside the band."""
+    low, high = band(DOF, RUNS)
+    shares = ", ".join(f"{name} {o.inside:.0%}" for name, o in outcomes)
+    return f"{RUNS} runs, {DOF} dof, 95 % band [{low:.2f}, {high:.2f}]; steps inside: {shares}"
+
+
+def refused(error: str) -> float:
+    """1.0 if the step cannot be computed as printed, because the shapes do not fit."""
+    filter = Memory(np.zeros((1, 6)), np.zeros((1, 6, 6)), use=equations(error))
+    seen = np.random.default_rng(9).uniform(1, 5, (1, 4, 3))
+    try:
+        filter.begin(seen, [0, 1, 2, 3], np.eye(3))
+        filter.predict(np.zeros((1, 6)), np.eye(6))
+        filter.correct(seen, [0, 1, 2, 3], np.eye(3))
+        filter.begin(seen[:, :1], [4], np.eye(3))
+    except ValueError:
+        return 1.0
+    return 0.0

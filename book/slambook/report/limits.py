@@ -1,0 +1,144 @@
+"""What becomes of a map that is looked at again and again, in the linear case: Dissanayake et al. (2001), in numbers.
+
+A robot on a line, whose heading nobody can doubt, sees where landmarks are relative to it. Everything is linear: the
+covariance depends on no measurement, one run is all runs, and the innovations may as well be zero.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from slamlib.belief import Belief
+from slamlib.errors import SlamlibError
+from slamlib.manifolds import Array
+
+SPACING = 4.0  # [m] between landmarks
+
+
+@dataclass(frozen=True, eq=False)
+class Looks:
+    """The map's covariance after each of n looks from `first` on, the first after which all L landmarks are known.
+
+    start: deviation of the robot's first place [m]; correlation (n, pairs): of any two landmarks; absolute (n, L):
+    deviations of landmarks [m]; relative (n, L - 1): deviations [m] of their places relative to the first landmark;
+    beside (n,): correlation of the last two of these; bound: what `absolute` tends to [m], if every look shows all.
+    """
+
+    start: float
+    first: int
+    correlation: Array
+    absolute: Array
+    relative: Array
+    beside: Array
+    bound: float
+
+
+def looking(
+    looks: int = 200,
+    landmarks: int = 5,
+    *,
+    start: float = 0.5,
+    motion: float = 0.1,
+    noise: float = 0.2,
+    reach: float = np.inf,
+) -> Looks:
+    """So many looks of a robot that goes to and fro, 1 m a step, along landmarks 4 m apart.
+
+    start, motion (each step), noise (each number): deviations [m]; reach: how far it sees [m].
+    """
+    if landmarks < 3 or looks < 1 or reach < SPACING:
+        raise SlamlibError("looking: three landmarks or more, one look or more, and a reach of 4 m or more")
+    maps = [P for P in _maps(looks, landmarks, start, motion, noise, reach) if len(P) == landmarks]
+    if not maps:
+        raise SlamlibError(f"looking: after {looks} looks not all {landmarks} landmarks were seen; look more often")
+    return _looks(np.array(maps), looks - len(maps), start, limit(start, motion, noise / np.sqrt(landmarks)))
+
+
+def _maps(looks: int, landmarks: int, start: float, motion: float, noise: float, reach: float) -> Iterator[Array]:
+    """The map's covariance after each look, of the landmarks seen so far."""
+    places, belief, known = SPACING * np.arange(landmarks), Belief(), 0
+    robot = belief.add(1, np.zeros(1), np.array([[start**2]]))
+    for look, where in enumerate(_way(int(places[-1]), looks)):
+        if look:
+            belief.predict(robot, robot.mean, np.eye(1), np.array([[motion**2]]))
+        seen = np.flatnonzero(np.abs(places - where) <= reach)
+        _correct(belief, 1 + seen[seen < known], noise)
+        for i in seen[seen >= known]:  # on the way out they are met in their order
+            belief.add(1, places[[i]], np.array([[noise**2]]), given=[robot], jacobians=[np.eye(1)])
+        known = max(known, seen[-1] + 1)
+        yield belief.matrix[1:, 1:].copy()
+
+
+def limit(start: float, motion: float, noise: float) -> float:
+    """What the deviation of every landmark tends to [m]; noise: of one look at all of them together [m].
+
+    In the end the landmarks' places relative to each other are known. Then a look is one number, where the map is
+    relative to the robot, and all looks together leave the variance p of where the map is relative to the start:
+    one look has the variance r, the others are the same problem one step later, so 1/p = 1/r + 1/(p + q). Nothing
+    tells where the start is, hence start^2 + p.
+    """
+    q, r = motion**2, noise**2
+    return float(np.sqrt(start**2 + (np.sqrt(q * q + 4 * q * r) - q) / 2))
+
+
+@dataclass(frozen=True)
+class Common:
+    """Largest correlation, in size, between two landmarks: of the map, and if someone told the robot where it was."""
+
+    map: float
+    given_last: float
+    given_path: float
+
+
+def common(
+    looks: int = 12, landmarks: int = 5, *, start: float = 0.5, motion: float = 0.1, noise: float = 0.2
+) -> Common:
+    """What landmarks have in common after so many looks, all of them of all landmarks: only where the robot was.
+
+    In the information matrix of all poses and landmarks, the sum of what odometry and looks tell, no entry stands
+    between two landmarks: given the path they are independent, which FastSLAM lives on.
+    """
+    if min(start, motion, noise) <= 0 or looks < 1 or landmarks < 2:
+        raise SlamlibError("common: deviations above zero, one look or more, and two landmarks or more")
+    n = looks + landmarks  # poses, then landmarks
+    rows = [np.eye(n)[0] / start]
+    rows += [(np.eye(n)[k + 1] - np.eye(n)[k]) / motion for k in range(looks - 1)]
+    rows += [(np.eye(n)[looks + i] - np.eye(n)[k]) / noise for k in range(looks) for i in range(landmarks)]
+    information = np.array(rows).T @ np.array(rows)
+    keep = np.r_[: looks - 1, looks:n]  # given a pose: its row and column go
+    P = np.linalg.inv(information)
+    last, path = np.linalg.inv(information[np.ix_(keep, keep)]), np.linalg.inv(information[looks:, looks:])
+    return Common(_largest(P[looks:, looks:]), _largest(last[looks - 1 :, looks - 1 :]), _largest(path))
+
+
+def _largest(P: Array) -> float:
+    """Largest correlation, in size, of a covariance (n, n)."""
+    sigma = np.sqrt(np.diag(P))
+    return float(np.abs(P / np.outer(sigma, sigma) - np.eye(len(P))).max())
+
+
+def _way(end: int, looks: int) -> Array:
+    """To the end and back, again and again, 1 m a step; of those who see everything from the start, too."""
+    steps = np.arange(looks) % (2 * end)
+    return np.minimum(steps, 2 * end - steps)
+
+
+def _correct(belief: Belief, rows: Array, noise: float) -> None:
+    """A look at the landmarks of these rows of the covariance: place minus that of the robot, which is row 0."""
+    if len(rows):
+        m = len(rows)
+        H = np.concatenate([-np.ones((m, 1)), np.eye(m)], axis=1)
+        belief.correct_rows(np.array([0, *rows]), H, np.zeros(m), noise**2 * np.eye(m))
+
+
+def _looks(P: Array, first: int, start: float, bound: float) -> Looks:
+    """From the map's covariances (n, L, L)."""
+    absolute = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))
+    i, j = np.triu_indices(P.shape[-1], 1)
+    between = P[:, 1:, 1:] - P[:, 1:, :1] - P[:, :1, 1:] + P[:, :1, :1]  # of the places relative to the first
+    relative = np.sqrt(np.diagonal(between, axis1=-2, axis2=-1))
+    with np.errstate(invalid="ignore"):
+        correlation = (P / absolute[:, :, None] / absolute[:, None, :])[:, i, j]
+        beside = between[:, -1, -2] / relative[:, -1] / relative[:, -2]
+    return Looks(start, first, correlation, absolute, relative, beside, bound)

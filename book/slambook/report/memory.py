@@ -1,0 +1,141 @@
+"""What is remembered from picture to picture (section 5.4): two pictures, a window of some, or all of them.
+
+A robot with a sensor that looks ahead drives round a ring of points and a part of it once more: whoever remembers the
+first of them corrects the error of the whole way when they come back into view.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+
+import numpy as np
+
+from slambook.report.runs import DOF, Outcome, monte_carlo
+from slambook.report.scenes import Scene, ahead, circle
+from slambook.report.together import Together
+from slamlib.errors import UnknownNameError
+from slamlib.evaluation.consistency import Consistency
+from slamlib.manifolds import Array
+
+ROUND = 60  # steps of the way round
+
+
+@dataclass
+class Window(Together):
+    """A memory that forgets a landmark when it has not been seen for `window` pictures; None: never.
+
+    window 1 keeps what is in the present picture: two pictures at a time, as in section 5.4, but nothing begins anew.
+    What is left keeps mean and covariance: rows and columns taken out of a Gaussian leave exactly its marginal.
+    """
+
+    window: int | None = None
+    sizes: list[int] = field(default_factory=list)  # landmarks in the map after each step
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self._seen: dict[int, int] = {}
+
+    def predict(self, answer: Array, U: Array) -> None:
+        """As Memory.predict; a new step begins."""
+        super().predict(answer, U)
+        self.step += 1
+
+    def correct(self, seen: Array, names: list[int], R: Array) -> None:
+        """As Together.correct; these landmarks have been seen now."""
+        super().correct(seen, names, R)
+        self._seen |= dict.fromkeys(names, self.step)
+
+    def begin(self, seen: Array, names: list[int], R: Array, first: bool = False) -> None:
+        """As Memory.begin; these landmarks have been seen now."""
+        super().begin(seen, names, R, first)
+        self._seen |= dict.fromkeys(names, self.step)
+        self.sizes.append(len(self.names))
+
+    def forget(self) -> None:
+        """Section 5.4: what the equations forget, and what was not seen for too long."""
+        super().forget()
+        if self.window is None:
+            return
+        stays = [self.step - self._seen[name] < self.window for name in self.names]
+        rows = np.flatnonzero([True] * 6 + [s for s in stays for _ in range(3)])
+        self.x, self.P = self.x[:, rows], self.P[:, rows[:, None], rows]
+        self.names = [name for name, s in zip(self.names, stays, strict=True) if s]
+
+
+@dataclass(frozen=True)
+class Way:
+    """A way to remember: errors of the list that it has, window, whether landmarks begin from a second look."""
+
+    errors: tuple[str, ...] = ()
+    window: int | None = None
+    again: bool = False
+
+
+WAYS = {
+    "two pictures, as printed": Way(("E22",)),
+    "two pictures, P kept": Way(("E22 kept",)),
+    "two pictures, P kept, second look": Way(("E22 kept",), again=True),
+    "window 1": Way(window=1),
+    "window 5": Way(window=5),
+    "window 20": Way(window=20),
+    "everything": Way(),
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Remembered:
+    """What came of one way to remember, at each of n steps (n,), over all runs.
+
+    position [m], rotation [degrees]: root mean square errors; claimed [m]: deviation of the position that the filter
+    claims; landmarks: in the map; consistency: NEES of the pose, 6 degrees of freedom.
+    """
+
+    name: str
+    position: Array
+    rotation: Array
+    claimed: Array
+    landmarks: Array
+    consistency: Consistency
+
+    @property
+    def ratio(self) -> float:
+        """NEES over its degrees of freedom, averaged over runs and the second half of the steps: 1 if consistent."""
+        average = self.consistency.average
+        return float(average[len(average) // 2 :].mean() / DOF)
+
+
+def ring(rng: np.random.Generator, steps: int = 75, points: int = 36) -> Scene:
+    """A robot, tilted a little, drives round in 60 steps (18 m), and on; points around its way, seen when ahead."""
+    control, std = np.array([0.3, 0, 0, 360 / ROUND, 0, 0]), np.array([0.02] * 3 + [0.5] * 3)
+    scene = replace(circle(3, 2, control, std, steps), sees=ahead(5.0, 0.8))
+    angle = 2 * np.pi * (np.arange(points) + rng.uniform(0, 1, points)) / points
+    far = rng.uniform(2, 5.5, points)  # from the middle of the way, whose radius is 2.9 m
+    around = np.stack([far * np.cos(angle), far * np.sin(angle), rng.uniform(-1, 1, points)], -1)
+    return replace(scene, points=around + scene.path()[:ROUND, :3].mean(0))
+
+
+def compare(
+    rng: np.random.Generator, runs: int = 20, steps: int = 75, names: Sequence[str] = tuple(WAYS)
+) -> list[Remembered]:
+    """The ways of these names on the same way, with the same noise. Raises UnknownNameError."""
+    scene, seed = ring(rng, steps), int(rng.integers(2**31))
+    return [_remembered(name, scene, runs, seed) for name in names]
+
+
+def _remembered(name: str, scene: Scene, runs: int, seed: int) -> Remembered:
+    if name not in WAYS:
+        raise UnknownNameError.of("way to remember", name, WAYS)
+    way = WAYS[name]
+    outcome = monte_carlo(
+        scene, *way.errors, runs=runs, seed=seed, again=way.again, make=partial(Window, window=way.window)
+    )
+    claimed = np.sqrt(np.trace(outcome.claimed[..., :3, :3], axis1=-2, axis2=-1).mean(0))
+    position = np.sqrt((outcome.errors[..., :3] ** 2).sum(-1).mean(0))
+    rotation = np.degrees(np.sqrt((outcome.turned**2).mean(0)))
+    return Remembered(name, position, rotation, claimed, _sizes(outcome), Consistency.of(outcome.nees, DOF))
+
+
+def _sizes(outcome: Outcome) -> Array:
+    last = outcome.last
+    assert isinstance(last, Window)
+    return np.array(last.sizes[1:])

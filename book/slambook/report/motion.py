@@ -1,0 +1,90 @@
+"""Prediction: (5.5) to (5.23), and where the report's section 5.2.2 takes its control from."""
+
+import numpy as np
+
+from slambook.report import angles
+from slambook.report.angles import rotation
+from slamlib.manifolds import Array
+from slamlib.motions.euler_composition import compose
+
+
+def by_angles(attitude: Array, u: Array) -> Array:
+    """F14 to F36 of (5.20), as printed: derivatives (..., 3, 3) of R u by yaw, pitch, roll."""
+    (cy, cp, cr), (sy, sp, sr) = np.moveaxis(np.cos(attitude), -1, 0), np.moveaxis(np.sin(attitude), -1, 0)
+    xu, yu, zu = np.moveaxis(u, -1, 0)
+    F14 = -sy * cp * xu + (-sy * sp * sr - cy * cr) * yu + (-sy * sp * cr + cy * sr) * zu
+    F15 = -cy * sp * xu + cy * cp * sr * yu + cy * cp * cr * zu
+    F16 = (cy * sp * cr + sy * sr) * yu + (-cy * sp * sr + sy * cr) * zu
+    F24 = cy * cp * xu + (cy * sp * sr - sy * cr) * yu + (cy * sp * cr + sy * sr) * zu
+    F25 = -sy * sp * xu + sy * cp * sr * yu + sy * cp * cr * zu
+    F26 = (sy * sp * cr - cy * sr) * yu + (-sy * sp * sr - cy * cr) * zu
+    F35 = -cp * xu - sp * sr * yu - sp * cr * zu
+    F36 = cp * cr * yu - cp * sr * zu
+    rows = (F14, F15, F16), (F24, F25, F26), (0 * F14, F35, F36)
+    return np.stack([np.stack(row, -1) for row in rows], -2)
+
+
+def inverse(motion: Array) -> Array:
+    """The control from PnP's answer, which maps old coordinates to new ones: R_u = R', t_u = -R't (section 5.2.2)."""
+    R = rotation(motion[..., 3:]).swapaxes(-1, -2)
+    return np.concatenate([-(R @ motion[..., :3, None])[..., 0], angles.extracted(R)], -1)
+
+
+def as_it_comes(motion: Array) -> Array:
+    """PnP's answer taken for the control: the motion backwards (E20)."""
+    return motion
+
+
+def this_one(index: int) -> int:
+    """The control of this step is u_k, as in (3.8)."""
+    return index
+
+
+def the_one_before(index: int) -> int:
+    """The control of this step is u_{k-1}, as printed in (3.15) (E03)."""
+    return max(index - 1, 0)
+
+
+def old_state(old: Array, new: Array) -> Array:
+    """F is taken at the state before the motion."""
+    return old
+
+
+def new_state(old: Array, new: Array) -> Array:
+    """F is taken at the predicted state, as section 5.2.4 prints (E02)."""
+    return new
+
+
+def exact_by_pose(pose: Array, u: Array) -> Array:
+    """Rows 4 to 6 of (5.20), corrected: derivative (..., 3, 3) of the new angles by the old ones."""
+    return compose.jac(pose, u)[1].pose[..., 3:, 3:]
+
+
+def exact_by_control(pose: Array, u: Array) -> Array:
+    """Last block of (5.21), corrected: derivative (..., 3, 3) of the new angles by those of the control."""
+    return compose.jac(pose, u)[1].control[..., 3:, 3:]
+
+
+def identity(pose: Array, u: Array) -> Array:
+    """Rows 4 to 6 of (5.20) and of (5.21), as printed (E07, E08)."""
+    return np.broadcast_to(np.eye(3), (*u.shape[:-1], 3, 3))
+
+
+def for_the_pose(Q: Array, size: int) -> Array:
+    """(5.22) belongs to the pose's rows and columns alone: (..., 6, 6)."""
+    return Q
+
+
+def for_everything(Q: Array, size: int) -> Array:
+    """(3.9) read literally: Q, 6 by 6, is added to F P F', of the whole state's size; NumPy refuses (E09)."""
+    return np.zeros((size, size)) + Q
+
+
+def with_noise(block: Array, Q: Array) -> Array:
+    """First block of (5.23), corrected."""
+    return block + Q
+
+
+def without_noise(block: Array, Q: Array) -> Array:
+    """First block of (5.23), as printed: Q is missing (E10)."""
+    return block

@@ -1,0 +1,97 @@
+"""SLAM in the plane, as small as it goes: a pose x, y, heading; odometry; range and bearing of points whose names show.
+
+The formulas take leading axes: one robot, or as many particles as there are. Angles in radians, lengths in metres.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from slamlib.manifolds import Array
+
+
+def moved(pose: Array, u: Array) -> Array:
+    """Poses (..., 3) after the motion u (..., 3) = (ahead, left, turn), which is told in the robot's own axes."""
+    c, s = np.cos(pose[..., 2]), np.sin(pose[..., 2])
+    ahead, left, turn = np.moveaxis(u, -1, 0)
+    x, y, heading = np.moveaxis(pose, -1, 0)
+    return np.stack([x + c * ahead - s * left, y + s * ahead + c * left, heading + turn], -1)
+
+
+def moved_by(pose: Array, u: Array) -> tuple[Array, Array]:
+    """Derivatives (3, 3) of `moved` by one pose (3,) and by its motion (3,)."""
+    c, s = np.cos(pose[2]), np.sin(pose[2])
+    F = np.array([[1, 0, -s * u[0] - c * u[1]], [0, 1, c * u[0] - s * u[1]], [0, 0, 1]])
+    return F, np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+
+
+def seen(pose: Array, points: Array) -> Array:
+    """Range and bearing (..., m, 2) of points (..., m, 2) from poses (..., 3)."""
+    dx, dy = np.moveaxis(points - pose[..., None, :2], -1, 0)
+    return np.stack([np.hypot(dx, dy), wrapped(np.arctan2(dy, dx) - pose[..., None, 2])], -1)
+
+
+def seen_by_point(pose: Array, points: Array) -> Array:
+    """Derivative (..., m, 2, 2) of `seen` by the points; by the position it is the same with the other sign."""
+    dx, dy = np.moveaxis(points - pose[..., None, :2], -1, 0)
+    r = np.hypot(dx, dy)
+    rows = (dx / r, dy / r), (-dy / r**2, dx / r**2)
+    return np.stack([np.stack(row, -1) for row in rows], -2)
+
+
+def placed(pose: Array, z: Array) -> Array:
+    """Points (..., m, 2) at range and bearing z (m, 2) from poses (..., 3)."""
+    angle = pose[..., None, 2] + z[:, 1]
+    return pose[..., None, :2] + z[:, :1] * np.stack([np.cos(angle), np.sin(angle)], -1)
+
+
+def wrapped(angle: Array) -> Array:
+    """The same angles between minus half a turn and half a turn."""
+    return (angle + np.pi) % (2 * np.pi) - np.pi
+
+
+@dataclass(frozen=True)
+class Look:
+    """What was seen in a step: numbers of the points (m,), and range and bearing of each (m, 2)."""
+
+    names: Array
+    z: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Data:
+    """One way through a world, as it was and as it was measured.
+
+    points (L, 2); truth (n + 1, 3); odometry (n, 3) with deviations motion_std (3,); looks: n + 1, the first from the
+    start, with deviations look_std (2,).
+    """
+
+    points: Array
+    truth: Array
+    odometry: Array
+    looks: list[Look]
+    motion_std: Array
+    look_std: Array
+
+
+MOTION = np.array([0.05, 0.02, np.radians(1.0)])  # [m, m, rad] in a step of 0.8 m
+LOOK = np.array([0.1, np.radians(1.5)])  # [m, rad]
+LAP = 60  # steps
+
+
+def drive(rng: np.random.Generator, steps: int = 120, landmarks: int = 20, reach: float = 6.0) -> Data:
+    """Round and round in a ring of points: 60 steps of 0.8 m a lap. The world is the same for all; the noise is not."""
+    angle = 2 * np.pi * np.arange(landmarks) / landmarks
+    radius = 48 / (2 * np.pi) + np.where(np.arange(landmarks) % 2, 2.5, -2.0)
+    points = radius[:, None] * np.stack([np.cos(angle), np.sin(angle)], -1)
+    u, truth = np.array([0.8, 0, 2 * np.pi / LAP]), [np.array([48 / (2 * np.pi), 0, np.pi / 2])]
+    for _ in range(steps):
+        truth.append(moved(truth[-1], u))
+    looks = [_look(pose, points, reach, rng) for pose in truth]
+    return Data(points, np.array(truth), u + MOTION * rng.standard_normal((steps, 3)), looks, MOTION, LOOK)
+
+
+def _look(pose: Array, points: Array, reach: float, rng: np.random.Generator) -> Look:
+    z = seen(pose, points)
+    names = np.flatnonzero(z[:, 0] < reach)
+    return Look(names, z[names] + LOOK * rng.standard_normal((len(names), 2)))

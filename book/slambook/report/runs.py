@@ -1,0 +1,137 @@
+"""Monte Carlo runs of the report's filter, side by side: does it know what it does not know?"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from slambook.report import angles, matches, motion, observation
+from slambook.report.filter import Memory
+from slambook.report.scenes import Scene
+from slambook.report.switches import Equations, equations
+from slamlib.evaluation.consistency import band, share_inside
+from slamlib.experiments.progress import progress
+from slamlib.manifolds import Array
+
+DOF = 6
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """Of each run and step: error of the pose (runs, steps, 6) and the covariance that the filter claims for it."""
+
+    errors: Array
+    claimed: Array
+    turned: Array
+    last: Memory
+
+    @property
+    def nees(self) -> Array:
+        """e' P^-1 e of the pose (runs, steps); infinite where P is singular, negative where it is no covariance."""
+        with np.errstate(all="ignore"):
+            singular = np.abs(np.linalg.det(self.claimed)) < 1e-60
+            P = np.where(singular[..., None, None], np.eye(6), self.claimed)
+            value = (self.errors * np.linalg.solve(P, self.errors[..., None])[..., 0]).sum(-1)
+        return np.where(singular | ~np.isfinite(value), np.inf, value)
+
+    @property
+    def ratio(self) -> float:
+        """NEES over its degrees of freedom, averaged over runs and the second half of the steps: 1 if consistent."""
+        return float(self.late(self.nees).mean() / DOF)
+
+    @property
+    def position(self) -> float:
+        """Root mean square error of the position [m], second half of the steps."""
+        return float(np.sqrt((self.late(self.errors)[..., :3] ** 2).sum(-1).mean()))
+
+    @property
+    def rotation(self) -> float:
+        """Root mean square error of the attitude [degrees], second half of the steps."""
+        return float(np.degrees(np.sqrt((self.late(self.turned) ** 2).mean())))
+
+    @property
+    def inside(self) -> float:
+        """Share of the steps whose average over the runs lies in its 95 % band."""
+        average = self.nees.mean(0)
+        return share_inside(np.where(np.isfinite(average), average, 1e9), band(DOF, len(self.nees)))
+
+    def late(self, values: Array) -> Array:
+        """The second half of the steps."""
+        return values[:, values.shape[1] // 2 :]
+
+
+def monte_carlo(
+    scene: Scene,
+    *errors: str,
+    runs: int = 20,
+    seed: int = 0,
+    again: bool = False,
+    make: Callable[..., Memory] = Memory,
+) -> Outcome:
+    """Runs of a scene with these errors turned on. The same seed gives the same noise whatever is turned on.
+
+    again: landmarks begin from a second look, with noise of its own, and not from the one that corrected.
+    make: another filter, made as a Memory is.
+    """
+    use, rng, truth = equations(*errors), np.random.default_rng(seed), scene.path()
+    filter = make(np.tile(scene.start, (runs, 1)), np.zeros((runs, 6, 6)), use=use)
+    controls = scene.controls + scene.control_std * rng.standard_normal((runs, *scene.controls.shape))
+    filter.begin(*look(filter, scene, truth[0], rng), first=True)
+    steps = len(scene.controls)
+    found, claimed = np.full((runs, steps, 6), np.inf), np.full((runs, steps, 6, 6), np.inf)
+    with np.errstate(all="ignore"):
+        for k in progress(range(steps), steps, f"{' + '.join(errors) or 'corrected'}, {runs} runs"):
+            filter.predict(motion.inverse(controls[:, use.which_control(k)]), scene.U)
+            picture = look(filter, scene, truth[k + 1], rng)
+            filter.correct(*part(filter, *picture, known=True))
+            if not np.isfinite(filter.x).all():  # nothing can be computed from here on
+                break
+            found[:, k], claimed[:, k] = filter.x[:, :6], filter.P[:, :6, :6]
+            filter.forget()
+            picture = look(filter, scene, truth[k + 1], rng) if again else picture
+            filter.begin(*part(filter, *picture, known=False))
+        return outcome(found, truth[1:], claimed, filter)
+
+
+def part(filter: Memory, seen: Array, names: list[int], R: Array, known: bool) -> tuple[Array, list[int], Array]:
+    """What is seen of landmarks that are in the map, or of those that are not."""
+    rows = [i for i, name in enumerate(names) if (name in filter.names) == known]
+    return seen[:, rows], [names[i] for i in rows], R[:, rows]
+
+
+def look(filter: Memory, scene: Scene, truth: Array, rng: np.random.Generator) -> tuple[Array, list[int], Array]:
+    """What the sensor sees from the true pose: points (runs, m, 3), their names, and R as the filter believes it."""
+    relative = observation.by_vectors(truth, scene.points)
+    names = np.flatnonzero(scene.sees(relative))
+    R = scene.covariance(Equations(), relative)
+    # noise for all points, seen or not, so that it does not depend on what is seen
+    noise = (np.linalg.cholesky(R) @ rng.standard_normal((len(filter.x), *relative.shape, 1)))[..., 0]
+    seen = (relative + noise)[:, names]
+    return seen, list(map(int, names)), scene.covariance(filter.use, seen)
+
+
+def outcome(found: Array, truth: Array, claimed: Array, last: Memory) -> Outcome:
+    """Errors of poses (runs, steps, 6) against the truth (steps, 6)."""
+    errors = found - truth
+    errors[..., 3:] = angles.wrapped(errors[..., 3:])
+    turned = angles.apart(found[..., 3:], np.broadcast_to(truth[..., 3:], found[..., 3:].shape))
+    known = np.isfinite(found).all(-1)
+    return Outcome(np.where(known[..., None], errors, np.inf), claimed, np.where(known, turned, np.inf), last)
+
+
+def two_pictures(*errors: str, runs: int = 1000, points: int = 12, sigma: float = 0.05, seed: int = 0) -> Outcome:
+    """Section 5.2.2: control from the matches of two pictures, correction by the same matches, or by others.
+
+    The robot stands still at the origin and is told nothing. One step; 12 points in a box before it.
+    """
+    use, rng = equations(*errors), np.random.default_rng(seed)
+    boxes = rng.uniform((2, -4, -2), (8, 4, 2), (2, points, 3))
+    own, other = (box + sigma * rng.standard_normal((2, runs, points, 3)) for box in boxes)
+    before, after = use.odometry(own, other)
+    u, U = matches.aligned(before, after, sigma)
+    names, R = list(range(points)), sigma**2 * np.eye(3)
+    filter = Memory(np.zeros((runs, 6)), np.zeros((runs, 6, 6)), use=use)
+    filter.begin(own[0], names, R, first=True)
+    filter.predict(motion.inverse(u), U)
+    filter.correct(own[1], names, R)
+    return outcome(filter.x[:, None, :6].copy(), np.zeros((1, 6)), filter.P[:, None, :6, :6].copy(), filter)

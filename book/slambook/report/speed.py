@@ -1,0 +1,179 @@
+"""The report's chapter 6: how long the ways of `updates` take, and how near their maps come to the truth.
+
+Times are medians of one machine; what is asserted anywhere are the results and the multiplications.
+"""
+
+import statistics
+import time
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from itertools import pairwise
+
+import numpy as np
+
+from slambook.report import updates
+from slambook.report.filter import Memory
+from slambook.report.observation import by_vectors
+from slambook.report.runs import monte_carlo
+from slambook.report.scenes import SCENES, Scene, gentle, within
+from slambook.report.together import Together
+from slambook.report.updates import WAYS, Problem, State, multiplications, problem
+from slamlib.manifolds import Array
+
+
+@dataclass(frozen=True)
+class Timing:
+    """A size of problem: landmarks, how many are seen, size of the state; by way: processor time [s], multiplications.
+
+    apart: largest difference between any way's result and the first one's, relative to what the correction changed.
+    """
+
+    landmarks: int
+    seen: int
+    size: int
+    seconds: dict[str, float]
+    multiplications: dict[str, int]
+    apart: float
+
+
+def timings(
+    rng: np.random.Generator,
+    sizes: Sequence[tuple[int, int]],
+    repeats: int = 5,
+    ways: Sequence[str] = tuple(WAYS),
+) -> Iterator[Timing]:
+    """For each (landmarks, seen): all ways on the same problem, turn by turn, so that a busy moment hits them alike."""
+    for landmarks, seen in sizes:
+        given = problem(rng, landmarks, seen)
+        taken: dict[str, list[float]] = {name: [] for name in ways}
+        found: dict[str, State] = {}
+        for _ in range(repeats):
+            for name in ways:
+                run = WAYS[name](given)
+                began = time.process_time()
+                found[name] = run()
+                taken[name].append(time.process_time() - began)
+        seconds = {name: statistics.median(times) for name, times in taken.items()}
+        counted = {name: multiplications(landmarks, seen)[name] for name in ways}
+        yield Timing(landmarks, seen, len(given.x), seconds, counted, _apart(given, list(found.values())))
+
+
+def _apart(given: Problem, found: list[State]) -> float:
+    x, P = found[0]
+    moved, shrunk = np.abs(x - given.x).max(), np.abs(P - given.P).max()
+    return max(max(np.abs(y - x).max() / moved, np.abs(Q - P).max() / shrunk) for y, Q in found)
+
+
+def crossing(rows: Sequence[Timing], one: str, other: str) -> list[float]:
+    """Sizes of the state at which the quicker of two ways changes, from rows of growing size; by interpolation.
+
+    Of logarithms, in which times are nearly straight lines. Empty: one of them is quicker everywhere.
+    """
+    found = []
+    for a, b in pairwise(rows):
+        left, right = (np.log(row.seconds[one] / row.seconds[other]) for row in (a, b))
+        if left * right < 0:
+            share = left / (left - right)
+            found.append(float(np.exp((1 - share) * np.log(a.size) + share * np.log(b.size))))
+    return found
+
+
+@dataclass
+class Measured(Memory):
+    """A memory that corrects by one of the ways, and notes how long that took; one run at a time."""
+
+    way: Callable[[Problem], Callable[[], State]] = updates.naive
+    seconds: list[float] = field(default_factory=list)
+    looks: list[tuple[int, int]] = field(default_factory=list)  # landmarks in the map, and seen
+
+    def correct(self, seen: Array, names: list[int], R: Array) -> None:
+        """As Memory.correct, of a single run, and with independent numbers."""
+        places = np.array([self.names.index(name) for name in names])
+        run = self.way(updates.look(self.x[0], self.P[0], places, seen[0], np.diagonal(R[0], axis1=-2, axis2=-1)))
+        began = time.process_time()
+        x, P = run()
+        self.seconds.append(time.process_time() - began)
+        self.looks.append((len(self.names), len(names)))
+        self.x, self.P = x[None].copy(), P[None].copy()
+
+
+@dataclass(frozen=True)
+class Mapping:
+    """A whole run by one way: landmarks in the map at the end, their mean distance from the truth [m], largest
+    difference of state or covariance from the first way's, median processor time [s] of a correction, and how many
+    multiplications all corrections need."""
+
+    way: str
+    mapped: int
+    error: float
+    apart: float
+    seconds: float
+    multiplications: int
+
+
+def hundred(rng: np.random.Generator, landmarks: int = 100, mapped: int = 92, steps: int = 60) -> Scene:
+    """`gentle`'s way among so many points; the sensor reaches just so far that so many of them are ever seen."""
+    scene = gentle()
+    scene = replace(scene, controls=scene.controls[:steps])
+    points = rng.uniform(-1, 1, (landmarks, 3)) * (8, 8, 2.5) + scene.path()[:, :3].mean(0)
+    nearest = np.sort(np.linalg.norm(by_vectors(scene.path(), points), axis=-1).min(0))
+    return replace(scene, points=points, sees=within(float(nearest[mapped - 1 : mapped + 1].mean())))
+
+
+def mapping(rng: np.random.Generator, steps: int = 60, ways: Sequence[str] = tuple(WAYS)) -> list[Mapping]:
+    """The run of chapter 6, 92 of 100 landmarks mapped: every way on the same measurements."""
+    scene, seed, found = hundred(rng, steps=steps), int(rng.integers(2**31)), []
+    for name in ways:
+        last = monte_carlo(scene, runs=1, seed=seed, make=partial(Measured, way=WAYS[name])).last
+        assert isinstance(last, Measured)
+        found.append(last)
+    first = found[0]
+    return [
+        Mapping(
+            name,
+            len(last.names),
+            float(np.linalg.norm(last.points[0] - scene.points[last.names], axis=-1).mean()),
+            float(max(np.abs(last.x - first.x).max(), np.abs(last.P - first.P).max())),
+            statistics.median(last.seconds),
+            sum(multiplications(L, m)[name] for L, m in last.looks),
+        )
+        for name, last in zip(ways, found, strict=True)
+    ]
+
+
+@dataclass
+class Again(Together):
+    """A memory that linearises anew for every landmark, at what those before it left of the state."""
+
+    def correct(self, seen: Array, names: list[int], R: Array) -> None:
+        """As Memory.correct, landmark by landmark."""
+        for i, name in enumerate(names):
+            super().correct(seen[..., [i], :], [name], R[..., [i], :, :])
+
+
+@dataclass(frozen=True, eq=False)
+class Accuracy:
+    """Mean distance [m] of the landmarks from the truth in each run (runs,), and NEES of the pose over its 6 degrees
+    of freedom: once with one linearisation for all landmarks of a picture, once with a new one for each."""
+
+    scene: str
+    together: Array
+    again: Array
+    together_ratio: float
+    again_ratio: float
+
+    @property
+    def gain(self) -> tuple[float, float]:
+        """By how much the new linearisation lowers the error, relative; and the standard error of that."""
+        apart, size = self.together - self.again, self.together.mean()
+        return float(apart.mean() / size), float(apart.std(ddof=1) / np.sqrt(len(apart)) / size)
+
+
+def accuracy(rng: np.random.Generator, runs: int = 20, scene: str = "gentle", steps: int = 60) -> Accuracy:
+    """Is the landmarks' error smaller number by number? Only through what is linearised anew (E25)."""
+    given, seed = SCENES[scene](), int(rng.integers(2**31))
+    given = replace(given, controls=given.controls[:steps])
+    outcomes = [monte_carlo(given, runs=runs, seed=seed, make=make) for make in (Together, Again)]
+    errors = [np.linalg.norm(o.last.points - given.points[o.last.names], axis=-1).mean(-1) for o in outcomes]
+    return Accuracy(scene, *errors, *(o.ratio for o in outcomes))

@@ -1,0 +1,149 @@
+"""The two figures on the page: NumPy alone draws them, as SVG."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from slambook.figures import Figure, figure
+from slambook.scene.image_scene import sensor_scene, sensor_view
+from slambook.scene.layers import Flat
+from slambook.scene.options import MapOptions, SensorOptions, chosen
+from slambook.scene.photographs import photograph
+from slambook.scene.roles import HALO, OUTLINE, ROLES, Role, over_image
+from slambook.scene.scene import bounds, map_scene
+from slambook.scene.view import NAMED, View
+from slamlib.data.records import Truth, World
+from slamlib.data.snapshots import Snapshot
+from slamlib.geometry.pose import from_frame
+from slamlib.manifolds import Array
+
+SHELL = 0.7  # width of the outlines of uncertainty, in that of the lines of their role
+WIDE = 320  # pixels: the widest image that a figure holds, if nobody asks for another
+CLOSER = 0.5  # how near the view that follows a robot is, in the distance from which all is seen
+
+
+def map_figure(
+    snapshot: Snapshot,
+    *,
+    world: World | None = None,
+    truth: Truth | None = None,
+    path: Sequence[Snapshot] = (),
+    true_path: Sequence[Truth] = (),
+    width: float = 5.8,
+    height: float = 4.0,
+    **options: Any,
+) -> Figure:
+    """The map of a snapshot as a figure of so many inches; the other keywords are those of MapOptions.
+
+    world, truth: what is known of reality, drawn in grey. path, true_path: the snapshots and the truths up to now.
+    """
+    look = chosen(MapOptions(), options)
+    corners = bounds(snapshot, world, truth, path, look)
+    shown: dict[str, Any] = {"world": world, "truth": truth, "path": path, "true_path": true_path}
+    layers = map_scene(snapshot, **shown, options=look, corners=corners)
+    view = view_of(look, snapshot, corners, width / height)
+    fig, ax = figure(width=width, height=height)
+    ax.axis("off")
+    ax.set(xlim=(-width / height, width / height), ylim=(-1, 1), aspect="equal")
+    draw(ax, view.flat(layers), ROLES["map"], look.legend)
+    return fig
+
+
+def view_of(options: MapOptions, snapshot: Snapshot, corners: Array, aspect: float) -> View:
+    """The view that the options ask for, after the orbit of so many frames as the snapshot has behind it."""
+    middle = tuple(float(v) for v in corners.mean(axis=0))
+    box = _turned(corners) if any(options.orbit) else np.stack(np.meshgrid(*corners.T), axis=-1).reshape(-1, 3)
+    if isinstance(options.view, str):
+        azimuth, elevation, follows = NAMED[options.view]
+        view = View(azimuth, elevation, target=middle, perspective=options.perspective).fitted(box, aspect)
+        view = following(view, snapshot.robots[0].pose) if follows else view
+    else:
+        azimuth, elevation, field, *distance = (float(v) for v in options.view)
+        view = View(azimuth, elevation, field, middle, perspective=options.perspective)
+        view = replace(view, distance=distance[0]) if distance else view.fitted(box, aspect)
+    return view.orbited(*(snapshot.number * np.asarray(options.orbit)))
+
+
+def _turned(corners: Array) -> Array:
+    """The edges (N, 3) of what a box passes through when it turns about the vertical: they fit from all sides."""
+    middle, half = corners.mean(axis=0), (corners[1] - corners[0]) / 2
+    turn = np.radians(np.arange(0, 360, 15))
+    ring = np.stack([np.cos(turn), np.sin(turn)], axis=1) * np.hypot(half[0], half[1])
+    return np.concatenate([np.column_stack([middle[:2] + ring, np.full(len(ring), z)]) for z in corners[:, 2]])
+
+
+def following(view: View, pose: Array) -> View:
+    """A view whose azimuth is counted from where a robot (7,) heads, nearer, and centred on it."""
+    x, y, _ = from_frame(pose, np.array([1.0, 0, 0])) - pose[:3]
+    target = tuple(float(v) for v in pose[:3])
+    azimuth = view.azimuth + float(np.degrees(np.arctan2(y, x)))
+    return replace(view, azimuth=azimuth, target=target, distance=CLOSER * view.distance)
+
+
+def sensor_figure(
+    snapshot: Snapshot, sensor: int | str = 0, *, width: float = 5.8, height: float = 4.3, **options: Any
+) -> Figure:
+    """What a sensor saw, as a figure of so many inches; the other keywords are those of SensorOptions."""
+    look = chosen(SensorOptions(), options)
+    view = sensor_view(snapshot, sensor)
+    layers = sensor_scene(snapshot, sensor, options=look)
+    fig, ax = figure(width=width, height=height)
+    names = look.names or tuple(f"measured number {n}" for n in look.numbers)
+    photo = None
+    if view.image is not None:
+        names = look.names or ("u [px]", "v [px]")
+        ax.set(xlim=(0, view.image[0]), ylim=(view.image[1], 0), aspect="equal")
+        photo = photograph(view, look.image_width or WIDE) if look.image else None
+    if photo is not None:
+        ax.imshow(photo.pixels, extent=photo.extent, vmin=0, vmax=255, interpolation="bilinear")
+    ax.set(xlabel=names[0], ylabel=names[1])
+    (draw if photo is None else draw_over)(ax, layers, ROLES["sensor"], look.legend)
+    return fig
+
+
+def draw(ax: Any, layers: Sequence[Flat], roles: dict[str, Role], legend: bool) -> None:
+    """Put layers into axes, in their order, each with its role's look."""
+    for layer in layers:
+        _put(ax, layer, roles[layer.role])
+    if legend:
+        ax.legend(loc="outside upper", ncols=4, fontsize=9)
+
+
+def draw_over(ax: Any, layers: Sequence[Flat], roles: dict[str, Role], legend: bool) -> None:
+    """The same over a photograph: bright, with dark outlines. The key beside it keeps the page's colours."""
+    for layer in layers:
+        role = replace(over_image(roles[layer.role]), label="")
+        dark = replace(role, color=OUTLINE, width=role.width + 2 * HALO, linestyle="-", hollow=True)
+        _put(ax, Flat(layer.role, lines=layer.lines, marks=layer.marks), dark, edge=1 + 2 * HALO)
+        _put(ax, Flat(layer.role, lines=layer.shells), replace(dark, width=SHELL * role.width + 2 * HALO))
+        for right, up in ((-HALO, 0), (HALO, 0), (0, -HALO), (0, HALO)):
+            _words(ax, layer, replace(role, color=OUTLINE), right, up)
+        _put(ax, layer, role)
+        # what has a label is nowhere, and in the page's colours
+        parts = {name: getattr(layer, name)[:1] * np.nan for name in ("lines", "shells", "marks")}
+        _put(ax, Flat(layer.role, **parts), roles[layer.role])
+    if legend:
+        ax.legend(loc="outside upper", ncols=4, fontsize=9)
+
+
+def _put(ax: Any, layer: Flat, role: Role, edge: float = 1.0) -> None:
+    """One layer; edge: width of the outlines of its marks [pt]."""
+    stroke = {"color": role.color, "ls": role.linestyle, "alpha": role.alpha}
+    marked, lined = len(layer.marks) > 0, len(layer.lines) > 0
+    if len(layer.shells):
+        ax.plot(*layer.shells.T, lw=SHELL * role.width, label="" if marked or lined else role.label, **stroke)
+    if lined:
+        ax.plot(*layer.lines.T, lw=role.width, label="" if marked else role.label, **stroke)
+    if marked:
+        face = "none" if role.hollow else role.color
+        look = {"ls": "", "marker": role.marker, "ms": role.size, "color": role.color, "mfc": face, "mew": edge}
+        ax.plot(*layer.marks.T, label=role.label, **look)
+    _words(ax, layer, role)
+
+
+def _words(ax: Any, layer: Flat, role: Role, right: float = 0.0, up: float = 0.0) -> None:
+    look = {"color": role.color, "fontsize": role.size, "ha": "center", "va": "center", "clip_on": True}
+    for place, word in zip(layer.places, layer.words, strict=True):
+        ax.annotate(word, place, (right, role.raised + up), textcoords="offset points", **look)

@@ -1,0 +1,167 @@
+"""What a sensor saw in one frame: what it delivered, what was expected of each landmark, and what became of it.
+
+Two numbers of each measurement are drawn: of a camera the pixel, of another sensor those that the reader chooses. A
+segment is four numbers, the pixels of its two ends.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from slambook.scene.layers import Flat, strung
+from slambook.scene.options import SensorOptions
+from slambook.scene.view import rings
+from slamlib.data.snapshots import Looks, SensorView, Snapshot
+from slamlib.errors import SlamlibError
+from slamlib.evaluation.consistency import chi2_quantile
+from slamlib.manifolds import Array
+
+AWAY = 8.0  # pixels from a segment to its label, along its normal
+RING = 0.022  # of the image's width: the least radius of a search region as it is drawn
+# What became of a look, by the role that shows it: not looked for, looked for in vain, believed, not believed.
+OUTCOMES: dict[str, Callable[[Looks], Array]] = {
+    "predicted": lambda looks: ~looks.chosen & ~looks.matched,
+    "missed": lambda looks: looks.chosen & ~looks.matched,
+    "updated": lambda looks: looks.matched & looks.inlier,
+    "rejected": lambda looks: looks.matched & ~looks.inlier,
+}
+
+
+def sensor_view(snapshot: Snapshot, sensor: int | str) -> SensorView:
+    """A sensor of a snapshot by its place or its name; raises SlamlibError."""
+    names = [view.name for view in snapshot.sensors]
+    place = names.index(sensor) if sensor in names else sensor
+    if not isinstance(place, int | np.integer) or not 0 <= place < len(names):
+        raise SlamlibError(f"there is no sensor {sensor!r}; there are {', '.join(names)}, counted from 0")
+    return snapshot.sensors[place]
+
+
+def sensor_scene(
+    snapshot: Snapshot, sensor: int | str = 0, *, options: SensorOptions | None = None
+) -> tuple[Flat, ...]:
+    """The layers of a sensor's figure in its own units, those that lie below first; raises SlamlibError."""
+    options = options or SensorOptions()
+    view = sensor_view(snapshot, sensor)
+    pair = list(options.numbers)
+    _check_numbers(view, pair)
+    expected, known = _means(view, pair, converged(snapshot))
+    return (
+        *([_raw(view, pair)] if options.raw else []),
+        *(_outcome(name, view, pair, options) for name in OUTCOMES),
+        Flat("new point", marks=expected[~known]),
+        Flat("point", marks=expected[known]),
+        _measured(view, pair),
+        *(_labels(view, pair) if options.labels else ()),
+        *([_scores(view, pair)] if options.scores else []),
+    )
+
+
+def converged(snapshot: Snapshot) -> set[int]:
+    """The numbers of the landmarks that have converged."""
+    both = (snapshot.points, snapshot.segments)
+    return {int(i) for view in both for i, c in zip(view.ids, view.converged, strict=True) if c}
+
+
+def _means(view: SensorView, pair: list[int], known: set[int]) -> tuple[Array, Array]:
+    """Places (n, 2) of the points expected and of the ends of segments in view, and the mask of those converged."""
+    ends = view.segments.ends.reshape(-1, 2)
+    marks = np.concatenate([_expected(view, pair), ends])
+    ids = [*view.points.ids, *np.repeat(view.segments.ids, 2)]
+    found = np.array([int(i) in known for i in ids], dtype=bool)
+    shown = np.isfinite(marks).all(axis=1)
+    return marks[shown], found[shown]
+
+
+def _expected(view: SensorView, pair: list[int]) -> Array:
+    """Two numbers (n, 2) of each point expected."""
+    return view.points.expected[:, pair] if len(view.points.ids) else np.zeros((0, 2))
+
+
+def _check_numbers(view: SensorView, pair: list[int]) -> None:
+    sizes = [view.points.expected.shape[1]] if len(view.points.ids) else []
+    sizes += [view.scan.points.values.shape[1]] if view.scan is not None and len(view.scan.points) else []
+    if sizes and max(pair) >= min(sizes):
+        raise SlamlibError(
+            f"{view.name} measures {min(sizes)} numbers, counted from 0: numbers {pair} are not all there"
+        )
+
+
+def _raw(view: SensorView, pair: list[int]) -> Flat:
+    if view.scan is None:
+        return Flat("raw")
+    points, segments = view.scan.points, view.scan.segments
+    marks = points.values[:, pair] if len(points) else np.zeros((0, 2))
+    return Flat("raw", lines=strung(segments.values.reshape(-1, 2, 2), 2), marks=marks)
+
+
+def _outcome(role: str, view: SensorView, pair: list[int], options: SensorOptions) -> Flat:
+    """Ellipses around the points expected and the ends of segments, and the segments expected, of one outcome."""
+    some, seen = OUTCOMES[role](view.points), OUTCOMES[role](view.segments)
+    found: list[Array] = []
+    if options.ellipses and some.any():
+        found += list(view.points.expected[some][:, None, pair] + rings(regions(view, pair, options)[some]))
+    if options.ellipses and seen.any():
+        ends, spreads = view.segments.ends[seen].reshape(-1, 2), view.segments.spreads[seen].reshape(-1, 2, 2)
+        shown = np.isfinite(ends).all(axis=1)
+        found += list(ends[shown, None] + np.sqrt(chi2_quantile(options.gate, 2)) * rings(spreads[shown]))
+    segments = view.segments.expected[seen].reshape(-1, 2, 2) if seen.any() else []
+    return Flat(role, lines=strung(segments, 2), shells=strung(found, 2))
+
+
+def regions(view: SensorView, pair: list[int], options: SensorOptions) -> Array:
+    """Where each point expected should be found, as a covariance (n, 2, 2) whose ellipse of one sigma bounds it.
+
+    In an image one that is smaller than the mark in its middle is a ring around that: what became of it is to be seen.
+    """
+    covariances = view.points.covariance[:, pair][:, :, pair]
+    shapes = chi2_quantile(options.gate, view.points.covariance.shape[-1]) * covariances
+    if view.image is not None:
+        least = (RING * float(view.image[0])) ** 2
+        shapes[np.linalg.eigvalsh(shapes)[:, -1] < least] = least * np.eye(2)
+    return shapes
+
+
+def _measured(view: SensorView, pair: list[int]) -> Flat:
+    """What was matched; from each point a line to what was expected, of each segment the two ends."""
+    points, segments = view.points, view.segments
+    found = points.matched
+    marks = points.measured[found][:, pair] if found.any() else np.zeros((0, 2))
+    expected = points.expected[found][:, pair] if found.any() else np.zeros((0, 2))
+    lines = strung(np.stack([expected, marks], axis=1), 2)
+    ends = segments.measured[segments.matched].reshape(-1, 2) if segments.matched.any() else np.zeros((0, 2))
+    return Flat("measured", lines=lines, marks=np.concatenate([marks, ends]))
+
+
+def _labels(view: SensorView, pair: list[int]) -> tuple[Flat, Flat]:
+    """Numbers of the landmarks: of points above what was expected, of segments beside their middles."""
+    ends = view.segments.expected.reshape(-1, 2, 2) if len(view.segments.ids) else np.zeros((0, 2, 2))
+    return (
+        Flat("label", places=_expected(view, pair), words=tuple(map(str, view.points.ids))),
+        Flat("line label", places=beside(ends), words=tuple(map(str, view.segments.ids))),
+    )
+
+
+def scores(view: SensorView, pair: list[int]) -> tuple[Array, tuple[str, ...]]:
+    """Where to write (n, 2) how well each look agreed, which is where it was found, or else expected; and the words."""
+    places, words = [np.zeros((0, 2))], []
+    for looks, columns in ((view.points, pair), (view.segments, [0, 1, 2, 3])):
+        known = np.isfinite(looks.scores)
+        if known.any():
+            found = np.where(looks.matched[:, None], looks.measured, looks.expected)[known][:, columns]
+            places.append(found.reshape(len(found), -1, 2).mean(axis=1))
+            words += [f"{score:.2f}" for score in looks.scores[known]]
+    return np.concatenate(places), tuple(words)
+
+
+def _scores(view: SensorView, pair: list[int]) -> Flat:
+    places, words = scores(view, pair)
+    return Flat("score", places=places, words=words)
+
+
+def beside(segments: Array) -> Array:
+    """Places (n, 2) a little away from the middles of segments (n, 2, 2), along their normals, on the upper side."""
+    along = segments[:, 1] - segments[:, 0]
+    length = np.linalg.norm(along, axis=1, keepdims=True)
+    normal = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.where(length > 0, length, 1)
+    upwards = np.where(normal[:, 1:] > 0, -1.0, 1.0)
+    return segments.mean(axis=1) + AWAY * upwards * normal

@@ -1,0 +1,102 @@
+"""What a sensor saw, frame by frame, as little data for the player: numbers, not outlines."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from slambook.scene.image_scene import OUTCOMES, beside, converged, regions, scores, sensor_view
+from slambook.scene.layers import lower
+from slambook.scene.options import SensorOptions
+from slambook.scene.photographs import Photograph, photograph
+from slamlib.data.snapshots import Looks, SensorView, Snapshot
+from slamlib.errors import SlamlibError
+from slamlib.evaluation.consistency import chi2_quantile
+from slamlib.manifolds import Array
+
+ROUND = 1  # decimals of a pixel
+WIDE = 200  # pixels: the widest images that are sent, if nobody asks for others
+ENOUGH = 4  # significant digits of a number that is no pixel
+
+
+class Sights:
+    """The looks of one sensor in the frames that are shown: two numbers of each measurement; if asked, its images."""
+
+    def __init__(
+        self, snapshots: Sequence[Snapshot], sensor: int | str, options: SensorOptions, images: bool = False
+    ) -> None:
+        self.sensor, self.options, self.pair, self.images = sensor, options, list(options.numbers), images
+        self.view = sensor_view(snapshots[-1], sensor)
+        self.limits = self._limits(snapshots)
+        span = min(abs(self.limits[1] - self.limits[0]), abs(self.limits[3] - self.limits[2]))
+        self.decimals = ROUND if self.view.image is not None else ENOUGH - int(np.floor(np.log10(span)))
+
+    def _limits(self, snapshots: Sequence[Snapshot]) -> list[float]:
+        """Left, right, low and high end of the picture: the image, or what was delivered and expected at all."""
+        if self.view.image is not None:
+            return [0.0, float(self.view.image[0]), float(self.view.image[1]), 0.0]
+        views = [sensor_view(s, self.sensor) for s in snapshots]
+        rows = [v.points.expected[:, self.pair] for v in views if len(v.points.ids)]
+        rows += [v.scan.points.values[:, self.pair] for v in views if v.scan is not None and len(v.scan.points)]
+        if not rows:
+            raise SlamlibError(f"player: {self.view.name} has seen nothing that could be shown")
+        low, high = np.concatenate(rows).min(axis=0), np.concatenate(rows).max(axis=0)
+        spare = 0.1 * np.maximum(high - low, 1e-6)
+        (left, bottom), (right, top) = low - spare, high + spare
+        return [float(left), float(right), float(bottom), float(top)]
+
+    def frame(self, snapshot: Snapshot) -> dict[str, Any]:
+        """One frame: what was delivered, and the looks at points and at segments, as rows of numbers."""
+        view = sensor_view(snapshot, self.sensor)
+        raw: dict[str, Any] = {"points": [], "segments": []}
+        if view.scan is not None and self.options.raw:
+            some = view.scan.points.values[:, self.pair] if len(view.scan.points) else np.zeros((0, 2))
+            raw = {"points": self._rounded(some), "segments": self._rounded(view.scan.segments.values)}
+        known, photo = converged(snapshot), self.photo(snapshot)
+        looks = {"raw": raw, "points": self._points(view, known), "segments": self._segments(view.segments, known)}
+        places, words = scores(view, self.pair) if self.options.scores else (np.zeros((0, 2)), ())
+        looks["scores"] = [[*place, word] for place, word in zip(self._rounded(places), words, strict=True)]
+        return {**looks, **({} if photo is None else {"image": photo.uri, "extent": photo.extent})}
+
+    def photo(self, snapshot: Snapshot) -> Photograph | None:
+        """The small image of a frame, if images are asked for and it has one."""
+        view = sensor_view(snapshot, self.sensor)
+        return photograph(view, self.options.image_width or WIDE) if self.images else None
+
+    def _rounded(self, values: Array) -> Any:
+        return np.round(np.asarray(values, dtype=float), self.decimals).tolist()
+
+    def _points(self, view: SensorView, known: set[int]) -> list[list[float]]:
+        """Of each look: number, outcome, whether converged, expectation, factor of the gate's ellipse, measurement."""
+        looks, rows = view.points, []
+        if not len(looks.ids):
+            return []
+        shapes = self.options.ellipses * regions(view, self.pair, self.options)
+        for i, outcome in enumerate(_outcomes(looks)):
+            factor = lower(shapes[i])
+            measured = self._rounded(looks.measured[i, self.pair]) if looks.matched[i] else []
+            numbers = [*self._rounded(looks.expected[i, self.pair]), *self._rounded(factor), *measured]
+            rows.append([int(looks.ids[i]), outcome, int(int(looks.ids[i]) in known), *numbers])
+        return rows
+
+    def _segments(self, looks: Looks, known: set[int]) -> list[list[Any]]:
+        """Of each look: number, outcome, whether converged, place of the label, two ends expected, ends, ends measured.
+
+        ends: of each that is in view where it is, and the factor of its ellipse.
+        """
+        if not len(looks.ids):
+            return []
+        places, rows = beside(looks.expected.reshape(-1, 2, 2)), []
+        radius = np.sqrt(chi2_quantile(self.options.gate, 2)) * self.options.ellipses
+        for i, outcome in enumerate(_outcomes(looks)):
+            measured = self._rounded(looks.measured[i]) if looks.matched[i] else []
+            seen = [(e, P) for e, P in zip(looks.ends[i], looks.spreads[i], strict=True) if np.isfinite(e).all()]
+            ends = [[*self._rounded(e), *self._rounded(radius * lower(P))] for e, P in seen]
+            number, where = int(looks.ids[i]), [*self._rounded(places[i]), *self._rounded(looks.expected[i])]
+            rows.append([number, outcome, int(number in known), *where, ends, *measured])
+        return rows
+
+
+def _outcomes(looks: Looks) -> list[int]:
+    """What became of each look, as a place in OUTCOMES."""
+    return np.argmax([holds(looks) for holds in OUTCOMES.values()], axis=0).tolist()

@@ -1,0 +1,164 @@
+"""A run as a video, an animated GIF, or a folder of numbered pictures: written whole or not at all.
+
+What writes a frame is chosen by the ending of the path's name; a name without one is a folder.
+"""
+
+import os
+import shutil
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
+from itertools import chain, islice, zip_longest
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from slambook.figures.images import png
+from slambook.scene.artists import extra
+from slambook.scene.options import MapOptions
+from slambook.scene.scene import bounds
+from slambook.scene.window import Window
+from slamlib.data.records import Truth, World
+from slamlib.data.snapshots import Snapshot
+from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.experiments.progress import progress
+from slamlib.manifolds import Array
+
+Writer = Callable[[Path, Iterable[Array], float], None]
+
+
+def animate(
+    snapshots: Iterable[Snapshot],
+    path: str | os.PathLike[str],
+    *,
+    world: World | None = None,
+    truths: Iterable[Truth] = (),
+    fps: float = 10.0,
+    every: int = 1,
+    overwrite: bool = False,
+    **options: Any,
+) -> Path:
+    """Write a run as a film: path ends in .mp4, .webm (for web pages) or .gif, or is a folder for 0001.png, ...
+
+    snapshots: a list, or an iterator, of which each is shown when it comes and none is kept: then no bar, and without a
+    world the map's limits grow. truths: one a snapshot, or none. every: only each so many-th snapshot. overwrite:
+    whether what is there may be replaced. The other keywords are those of Window and of MapOptions (view, orbit, ...).
+    A progress bar shows where stderr is a terminal. Raises SlamlibError, also for a missing package, which it names.
+    """
+    write = ready(path, overwrite=overwrite)
+    target = Path(path)
+    _check(snapshots, truths, fps, every)
+    shown = islice(_pairs(snapshots, truths), 0, None, every)
+    first = next(shown, None)
+    if first is None:
+        raise SlamlibError("animate: there is no snapshot to show")
+    known = snapshots if isinstance(snapshots, Sequence) else ()
+    corners = _corners(known, world, truths, options)
+    window = Window(first[0], world=world, corners=corners, coming=known, **options)
+    frames = _pictures(window, chain([first], shown))
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with _whole(target) as unfinished:
+        write(unfinished, progress(frames, -(-len(known) // every), "video") if known else frames, fps)
+    return target
+
+
+def _corners(known: Sequence[Snapshot], world: World | None, truths: Any, options: dict[str, Any]) -> Array | None:
+    """Limits of the map that hold in all frames, if the last one is known already."""
+    if not known:
+        return None
+    return bounds(known[-1], world, truths[-1] if truths else None, known, MapOptions(limits=options.get("limits")))
+
+
+def ready(path: str | os.PathLike[str], *, overwrite: bool = False) -> Writer:
+    """What will write a film to this path. Raises SlamlibError if nothing can: ask before a long run, not after it."""
+    target = Path(path)
+    ending = target.suffix.lower()
+    if ending not in WRITERS:
+        raise UnknownNameError.of("ending of a video's name", target.suffix, [n or "(a folder)" for n in WRITERS])
+    if target.exists() and not overwrite:
+        raise SlamlibError(f"{target} is there already: choose another name, or say overwrite=True")
+    for package in ("matplotlib", *PACKAGES[ending]):
+        extra(package, "a film")
+    return WRITERS[ending]
+
+
+def _check(snapshots: Iterable[Snapshot], truths: Iterable[Truth], fps: float, every: int) -> None:
+    if isinstance(snapshots, Sequence) and isinstance(truths, Sequence) and len(truths) not in (0, len(snapshots)):
+        raise SlamlibError(f"animate: one truth a snapshot is wanted, got {len(truths)} for {len(snapshots)}")
+    if not fps > 0 or every < 1:
+        raise SlamlibError(f"animate: fps is positive and every is at least 1, got {fps!r} and {every!r}")
+
+
+def _pairs(snapshots: Iterable[Snapshot], truths: Iterable[Truth]) -> Iterator[tuple[Snapshot, Truth | None]]:
+    """Each snapshot with its truth, or with None if there are none at all."""
+    for snapshot, truth in zip_longest(snapshots, truths):
+        if truths and (snapshot is None or truth is None):
+            raise SlamlibError("animate: one truth a snapshot is wanted, but one of the two ended before the other")
+        yield snapshot, truth
+
+
+def _pictures(window: Window, shown: Iterable[tuple[Snapshot, Truth | None]]) -> Iterator[Array]:
+    for snapshot, truth in shown:
+        window.update(snapshot, truth)
+        yield window.pixels()
+
+
+@contextmanager
+def _whole(target: Path) -> Iterator[Path]:
+    """A path to write to; it becomes the target only if all went well."""
+    unfinished = target.with_name(f".{target.stem}.{os.getpid()}.partial{target.suffix}")
+    try:
+        yield unfinished
+        if target.is_dir():
+            shutil.rmtree(target)
+        os.replace(unfinished, target)
+    finally:
+        if unfinished.is_dir():
+            shutil.rmtree(unfinished)
+        unfinished.unlink(missing_ok=True)
+
+
+def _write_folder(path: Path, frames: Iterable[Array], fps: float) -> None:
+    """Numbered PNG files."""
+    path.mkdir()
+    for i, frame in enumerate(frames, 1):
+        (path / f"{i:04d}.png").write_bytes(png(frame))
+
+
+def _write_gif(path: Path, frames: Iterable[Array], fps: float) -> None:
+    """One palette for each frame; it begins again at its end."""
+    image = extra("PIL.Image", "a GIF")
+    pictures = (image.fromarray(frame).quantize(128) for frame in frames)
+    first = next(iter(pictures))
+    first.save(path, save_all=True, append_images=pictures, duration=round(1000 / fps), loop=0)
+
+
+def _write_film(codec: str, path: Path, frames: Iterable[Array], fps: float) -> None:
+    """A film; OpenCV brings its own encoders, so that no outside program is needed."""
+    cv2 = extra("cv2", "a film")
+    film = None
+    try:
+        for frame in frames:
+            even = frame[: frame.shape[0] // 2 * 2, : frame.shape[1] // 2 * 2]  # as the codecs want it
+            if film is None:
+                size = even.shape[1], even.shape[0]
+                film = cv2.VideoWriter(str(path), cv2.VideoWriter_fourcc(*codec), float(fps), size)
+                if not film.isOpened():
+                    raise SlamlibError(
+                        f"OpenCV cannot write {path.suffix} here: choose a .gif, or a folder of pictures"
+                    )
+            film.write(np.ascontiguousarray(even[..., ::-1]))
+    finally:
+        if film is not None:
+            film.release()
+
+
+# MPEG-4 part 2 is quick and plays in every player; VP8 plays in web pages too, and takes ten times as long.
+WRITERS: dict[str, Writer] = {
+    "": _write_folder,
+    ".gif": _write_gif,
+    ".mp4": partial(_write_film, "mp4v"),
+    ".webm": partial(_write_film, "VP80"),
+}
+PACKAGES = {"": (), ".gif": ("PIL.Image",), ".mp4": ("cv2",), ".webm": ("cv2",)}

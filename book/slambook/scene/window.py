@@ -1,0 +1,190 @@
+"""The two figures in matplotlib: what is drawn is made once and changed afterwards, which is quicker by far.
+
+A `Window` shows a run while it goes on, step by step. matplotlib is imported when one is made: it is an extra.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from slambook.figures.colors import colors
+from slambook.scene.artists import Sheet, extra
+from slambook.scene.figures import view_of
+from slambook.scene.options import MapOptions, SensorOptions, chosen
+from slambook.scene.roles import MAP, themed
+from slambook.scene.scene import bounds, map_scene
+from slambook.scene.sensor_sheet import SensorSheet
+from slamlib.data.records import Truth, World
+from slamlib.data.snapshots import Snapshot
+from slamlib.errors import SlamlibError
+from slamlib.manifolds import Array
+
+# Left, bottom, width and height of the parts, in shares of the figure.
+PLACES = {"map": (0.01, 0.02, 0.58, 0.86), "alone": (0.01, 0.02, 0.98, 0.86), "sensors": (0.645, 0.02, 0.345, 0.86)}
+GAP = 0.025
+MAP_ARRAYS = ("ids", "geometry", "covariance", "converged")
+WINDOWLESS = ("agg", "cairo", "pdf", "pgf", "ps", "svg", "template")  # backends of matplotlib
+MOVES = {  # keys that move the viewer: degrees of azimuth and elevation, and the factor of the distance
+    "shift+left": (-5.0, 0.0, 1.0),
+    "shift+right": (5.0, 0.0, 1.0),
+    "shift+up": (0.0, 5.0, 1.0),
+    "shift+down": (0.0, -5.0, 1.0),
+    "+": (0.0, 0.0, 0.8),
+    "-": (0.0, 0.0, 1.25),
+}
+
+
+class Window:
+    """The map and the sensors of a run, as a window or as pictures for a video.
+
+    sensors: which are shown beside the map, by place or name; the first three if nothing is said. size [in]. show: open
+    a window, else pictures are made unseen. corners: limits as `slambook.scene.scene.bounds` gives them, to keep them;
+    without them and without a world the limits grow with the map. coming: the snapshots that will be shown, if they are
+    known: what they need has its room from the beginning.
+    Keys in the window: shift and an arrow turn the map, + and - zoom; matplotlib's own tools shift and magnify each
+    part. The other keywords are those of MapOptions; sensor_options is a SensorOptions. Raises SlamlibError if
+    matplotlib is missing, or cannot open a window that is asked for.
+    """
+
+    def __init__(
+        self,
+        snapshot: Snapshot,
+        *,
+        world: World | None = None,
+        sensors: Sequence[int | str] | None = None,
+        size: tuple[float, float] = (12.8, 7.2),
+        dpi: float = 100,
+        theme: str = "light",
+        show: bool = False,
+        sensor_options: SensorOptions | None = None,
+        corners: Array | None = None,
+        coming: Sequence[Snapshot] = (),
+        **options: Any,
+    ) -> None:
+        self.options = chosen(MapOptions(), options)
+        self.look = sensor_options or SensorOptions()
+        self.world, self.corners = world, corners
+        self.sensors = tuple(range(min(len(snapshot.sensors), 3)) if sensors is None else sensors)
+        self.path: list[Snapshot] = []
+        self.true_path: list[Truth] = []
+        self.moved = np.array([0.0, 0.0, 1.0])
+        self.largest: Array | None = None
+        self.figure = self._figure(size, dpi, show)
+        self.figure.set_facecolor(themed(colors.paper, theme))
+        self._make_axes(snapshot, theme)
+        for sheet in self.views:
+            sheet.room(coming)
+        self.empty: Any = None  # the canvas without what changes
+        self.figure.canvas.mpl_connect("draw_event", self._drawn)
+        self.figure.canvas.mpl_connect("key_press_event", self._key)
+        self.figure.canvas.draw()
+
+    def _figure(self, size: tuple[float, float], dpi: float, show: bool) -> Any:
+        if show:
+            plot = extra("matplotlib.pyplot", "a window")
+            if plot.get_backend().lower() in WINDOWLESS:
+                raise SlamlibError(
+                    f"matplotlib opens no window here (its backend is {plot.get_backend()}): choose another with "
+                    "matplotlib.use, or leave show out and save the pictures"
+                )
+            figure = plot.figure(figsize=size, dpi=dpi)
+            plot.show(block=False)
+            return figure
+        figure = extra("matplotlib.figure", "a picture").Figure(figsize=size, dpi=dpi)
+        extra("matplotlib.backends.backend_agg", "a picture").FigureCanvasAgg(figure)
+        return figure
+
+    def _make_axes(self, snapshot: Snapshot, theme: str) -> None:
+        left, bottom, width, height = PLACES["map"] if self.sensors else PLACES["alone"]
+        axes = self.figure.add_axes((left, bottom, width, height))
+        axes.set_axis_off()
+        self.map = Sheet(axes, MAP, theme, self.options.legend)
+        across, up = self.figure.get_size_inches() * (width, height)
+        self.aspect = float(across / up)
+        axes.set(xlim=(-self.aspect, self.aspect), ylim=(-1, 1))
+        self.views = [self._sensor_sheet(snapshot, i, theme) for i in range(len(self.sensors))]
+
+    def _sensor_sheet(self, snapshot: Snapshot, i: int, theme: str) -> SensorSheet:
+        left, bottom, width, height = PLACES["sensors"]
+        each = height / len(self.sensors)
+        place = left, bottom + height - (i + 1) * each + GAP, width, each - 2 * GAP
+        legend = self.look.legend and i == 0
+        return SensorSheet(self.figure, place, snapshot, self.sensors[i], self.look, theme, legend)
+
+    def update(self, snapshot: Snapshot, truth: Truth | None = None) -> None:
+        """Show the next snapshot, and if there is one the truth; the robots' paths grow by them."""
+        self.path[-1:] = [_thin(past) for past in self.path[-1:]]
+        self.path.append(snapshot)
+        self.true_path += [truth] if truth is not None else []
+        self._draw_map()
+        for sheet in self.views:
+            sheet.show(snapshot)
+            if sheet.stale:
+                self.empty = None
+        self._show()
+
+    def _show(self) -> None:
+        """Draw what has changed: the rest of the canvas is taken from the time before."""
+        canvas = self.figure.canvas
+        if self.empty is None:
+            canvas.draw()
+        else:
+            canvas.restore_region(self.empty)
+            self._draw_artists()
+        canvas.blit(self.figure.bbox)
+        canvas.flush_events()
+
+    def _drawn(self, event: Any) -> None:
+        """The canvas has been drawn without what changes: keep that, and add the rest."""
+        self.empty = self.figure.canvas.copy_from_bbox(self.figure.bbox)
+        self._draw_artists()
+
+    def _draw_artists(self) -> None:
+        for sheet in (self.map, *self.views):
+            sheet.draw()
+
+    def _draw_map(self) -> None:
+        snapshot, truth = self.path[-1], self.true_path[-1] if self.true_path else None
+        corners = self._grown(truth) if self.corners is None else self.corners
+        shown: dict[str, Any] = {"world": self.world, "truth": truth, "path": self.path, "true_path": self.true_path}
+        layers = map_scene(snapshot, **shown, options=self.options, corners=corners)
+        view = view_of(self.options, snapshot, corners, self.aspect).moved(*self.moved)
+        self.map.update(view.flat(layers))
+
+    def _grown(self, truth: Truth | None) -> Array:
+        """The limits of what there is; they never shrink, so that the picture of a map that grows stays calm."""
+        now = bounds(self.path[-1], self.world, truth, self.path, self.options)
+        before = now if self.largest is None else self.largest
+        self.largest = np.stack([np.minimum(now[0], before[0]), np.maximum(now[1], before[1])])
+        return self.largest
+
+    def _key(self, event: Any) -> None:
+        """Move the viewer."""
+        if event.key in MOVES and self.path:
+            azimuth, elevation, factor = MOVES[event.key]
+            self.moved = np.array([self.moved[0] + azimuth, self.moved[1] + elevation, self.moved[2] * factor])
+            self._draw_map()
+            self._show()
+
+    def wait(self) -> None:
+        """Until a key is pressed, or the mouse: to look at each step of a run in a window that is shown."""
+        self.figure.waitforbuttonpress(0)
+
+    def pixels(self) -> Array:
+        """The picture (rows, columns, 3) as it is now, 0 to 255."""
+        return np.asarray(self.figure.canvas.buffer_rgba())[..., :3].copy()
+
+    def save(self, path: Any) -> None:
+        """Write the picture as it is now; the ending of the name says how (png, pdf, svg)."""
+        self.figure.savefig(path, facecolor=self.figure.get_facecolor())
+
+
+def _thin(snapshot: Snapshot) -> Snapshot:
+    """What a path needs of a snapshot: the robots. A long run has more images than the memory holds."""
+    points, segments = (
+        replace(view, kinds=(), **{n: getattr(view, n)[:0].copy() for n in MAP_ARRAYS})
+        for view in (snapshot.points, snapshot.segments)
+    )
+    return replace(snapshot, sensors=(), points=points, segments=segments)

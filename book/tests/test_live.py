@@ -1,0 +1,343 @@
+"""The page's Python, as far as it can be tested without a page: its runner, its wheel, its archives."""
+
+import ast
+import importlib.util
+import io
+import json
+import re
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from slamlib.errors import SlamlibError
+
+ROOT = Path(__file__).parents[2]
+CHECK = re.compile(r"""^check\("([\d.]+)", (\w+)\)""", re.MULTILINE)
+pytestmark = pytest.mark.skipif(not (ROOT / "book").is_dir(), reason="the book is not beside the package")
+
+
+@pytest.fixture
+def page(monkeypatch):
+    """A runner and what it has sent."""
+    spec = importlib.util.spec_from_file_location("book_runner", ROOT / "book" / "live" / "runner.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    monkeypatch.setattr(sys, "meta_path", list(sys.meta_path))
+    monkeypatch.setattr(module, "LIMIT", 1000)
+    sent = []
+    runner = module.Runner(lambda kind, text: sent.append((kind, text)), lambda name: b"", {})
+    runner.sent = sent
+    return runner
+
+
+def said(page, kind):
+    return "".join(text for k, text in page.sent if k == kind)
+
+
+def failed(page):
+    return json.loads(said(page, "error"))
+
+
+def test_a_cell_prints_defines_and_shows_its_last_value(page):
+    assert page.run("a = 2\nprint('two')\na + 1", "cell 1")
+    assert said(page, "stdout") == "two\n"
+    assert json.loads(said(page, "value")) == {"text": "3"}
+    assert page.run("b = a * 10; b;", "cell 2")
+    assert page.user_ns["b"] == 20
+    assert len([k for k, _ in page.sent if k == "value"]) == 1
+
+
+def test_values_come_in_their_richest_form_and_as_text(page):
+    page.run("import sympy\nsympy.sqrt(2)", "cell 1")
+    shown = json.loads(said(page, "value"))
+    assert shown["text"] == "sqrt(2)"
+    assert r"\sqrt{2}" in shown["latex"]
+    page.run("class H:\n    def _repr_html_(self): return '<b>h</b>'\nH()", "cell 2")
+    assert json.loads(page.sent[-1][1])["html"] == "<b>h</b>"
+
+
+def test_an_error_points_to_the_line_of_the_reader(page):
+    assert not page.run("def f(x):\n    return 1 / x\n\nprint('before')\nf(0)\n", "cell 1")
+    assert said(page, "stdout") == "before\n"
+    found = failed(page)
+    assert (found["line"], found["name"]) == (2, "ZeroDivisionError")
+    assert 'File "cell 1", line 5' in found["text"]
+    assert "return 1 / x" in found["text"]
+    assert "runner" not in found["text"]
+
+
+def test_an_error_inside_a_library_points_to_the_call(page):
+    page.run("import numpy as np\nx = 3\nnp.linalg.inv(np.zeros((2, 3)))", "cell 1")
+    found = failed(page)
+    assert (found["line"], found["name"]) == (3, "LinAlgError")
+
+
+def test_a_function_of_another_cell_is_named(page):
+    page.run("def f():\n    raise ValueError('no')", "cell 1")
+    page.run("\n\nf()", "cell 2")
+    found = failed(page)
+    assert found["line"] == 3
+    assert 'File "cell 1", line 2' in found["text"]
+
+
+def test_code_that_cannot_be_read_is_an_error_with_its_line(page):
+    assert not page.run("x = 1\ny = (2\nz = 3", "cell 1")
+    assert failed(page)["name"] == "SyntaxError"
+    assert failed(page)["line"] == 2
+
+
+def test_leaving_python_is_an_error_like_any_other(page):
+    assert not page.run("raise SystemExit(3)", "cell 1")
+    assert failed(page)["name"] == "SystemExit"
+
+
+def test_endless_output_is_cut_and_says_so(page):
+    assert page.run("for i in range(1000): print(i, 'x' * 20)", "cell 1")
+    assert len(said(page, "stdout")) == 1000
+    assert "more characters were printed" in said(page, "stderr")
+
+
+def test_a_caller_who_wants_more_or_less_says_so(page):
+    assert page.run("print('x' * 5000)", "cell 1", 10_000)
+    assert len(said(page, "stdout")) == 5001
+    assert page.run("print('y' * 5000)", "cell 2", 10)
+    assert said(page, "stdout").count("y") == 10
+
+
+def test_a_rejected_exercise_speaks_for_itself(page):
+    text = "from slamlib.exercises import check\ndef gain(P, Q, R):\n    return P[0]\ncheck('2.3', gain)"
+    assert not page.run(text, "cell 1")
+    found = failed(page)
+    assert found["line"] == 3
+    assert found["text"].startswith("Rejected:")
+
+
+def test_an_exercise_that_is_not_written_is_not_judged(page):
+    text = "from slamlib.exercises import check\ndef gain(P, Q, R):\n    ...\ncheck('2.3', gain)"
+    assert page.run(text, "cell 1")
+    assert "write the function, then run the cell again" in said(page, "stdout")
+
+
+def test_extensions_and_their_magics_work_as_in_a_notebook(page):
+    assert page.run("%load_ext slamlib.codegen\n1", "cell 1")
+    text = (ROOT / "slamlib" / "geometry" / "pose.py").read_text("utf-8")
+    assert page.run("%%tangle slamlib/geometry/pose.py\n" + text, "cell 2")
+    assert "the same in slamlib" in said(page, "stdout")
+    assert page.run("compose", "cell 3")
+    assert not page.run("%unknown 3", "cell 4")
+
+
+def test_a_figure_with_a_slider_asks_for_frames(page):
+    page.run("class S:\n    label, values, start, steps = 'x', [1, 2], 0, 4\n"
+             "    def frame(self, p): return (str(p), '<svg/>', 'note')\nS()", "cell 1")  # fmt: skip
+    shown = json.loads(json.loads(said(page, "value"))["slider"])
+    assert (shown["key"], shown["last"], shown["steps"], shown["frame"]) == ("cell 1", 1, 4, ["0", "<svg/>", "note"])
+    assert json.loads(page.frame("cell 1", 0.25)) == ["0.25", "<svg/>", "note"]
+
+
+def test_a_package_is_fetched_when_it_is_first_imported(tmp_path, monkeypatch):
+    spec = importlib.util.spec_from_file_location("book_runner", ROOT / "book" / "live" / "runner.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        archive.writestr("late_one.py", "x = 3")
+        archive.writestr("late_two.py", "y = 4")
+    asked = []
+    later = module.Later(
+        lambda name: asked.append(name) or buffer.getvalue(), {"late_one": "a.zip", "late_two": "a.zip"}
+    )
+    monkeypatch.setattr(module, "PACKAGES", str(tmp_path))
+    monkeypatch.setattr(sys, "path", list(sys.path))
+    monkeypatch.setattr(sys, "meta_path", [*sys.meta_path, later])
+    assert importlib.import_module("late_one").x == 3
+    assert importlib.import_module("late_two").y == 4
+    assert asked == ["a.zip"]
+    with pytest.raises(ModuleNotFoundError):
+        importlib.import_module("never_heard_of")
+
+
+# -- numerical results where nothing raises ----------------------------------------------------------------------------
+
+
+def test_a_factorization_that_fails_silently_is_noticed(monkeypatch):
+    """In WebAssembly a Cholesky factor of what is not positive is NaN, and the inverse of a singular matrix too."""
+    from slamlib import belief
+    from slamlib.evaluation import consistency
+    from slamlib.kalman import linalg
+
+    real = np.linalg.cholesky
+
+    def silent(matrix):
+        try:
+            return real(matrix)
+        except np.linalg.LinAlgError:
+            return np.full_like(matrix, np.nan)
+
+    monkeypatch.setattr(np.linalg, "cholesky", silent)
+    monkeypatch.setattr(np.linalg, "inv", lambda m: np.full_like(m, np.nan))
+    monkeypatch.setattr(np.linalg, "solve", lambda a, b: np.full_like(b, np.nan))
+    bad = np.array([[1.0, 2.0], [2.0, 1.0]])
+    with pytest.raises(SlamlibError):
+        consistency.nees(np.ones(2), bad)
+    with pytest.raises(SlamlibError):
+        linalg.covariance(bad, 2, "test", "P")
+    filter_ = belief.Belief()
+    block = filter_.add(2, np.zeros(2), covariance=np.eye(2))
+    with pytest.raises(SlamlibError):
+        filter_.correct([block], [np.eye(2)], np.ones(2), bad)
+    np.testing.assert_array_equal(filter_.covariance(block), np.eye(2))
+
+
+# -- the wheel ---------------------------------------------------------------------------------------------------------
+
+
+def test_the_wheel_is_the_same_bytes_on_every_run_and_holds_the_package(tmp_path):
+    pytest.importorskip("setuptools", reason="the wheel is built with setuptools")
+    sys.path.insert(0, str(ROOT))
+    try:
+        from book.tools import wheel
+    finally:
+        sys.path.pop(0)
+    first, second = wheel.build(tmp_path / "a"), wheel.build(tmp_path / "b")
+    assert first.read_bytes() == second.read_bytes()
+    target = tmp_path / "installed"
+    command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--disable-pip-version-check"]
+    subprocess.run([*command, "--no-compile", "--target", str(target), str(first)], check=True)
+    with zipfile.ZipFile(first) as archive:
+        packed = {n: archive.read(n) for n in archive.namelist() if n.endswith(".py")}
+    source = {f.relative_to(ROOT).as_posix(): f.read_bytes() for f in (ROOT / "slamlib").rglob("*.py")}
+    source = {n: c for n, c in source.items() if not n.startswith("slamlib/tests/")}
+    assert packed == source
+    assert {n: (target / n).read_bytes() for n in packed} == packed
+
+
+# -- the report's filter -----------------------------------------------------------------------------------------------
+
+
+# -- the cells of the chapters -----------------------------------------------------------------------------------------
+
+
+def chapters():
+    return sorted((ROOT / "book" / "chapters").glob("[0-9]*.ipynb")) if (ROOT / "book").is_dir() else []
+
+
+def code_cells(chapter, tag):
+    cells = json.loads(chapter.read_text("utf-8"))["cells"]
+    return ["".join(c["source"]) for c in cells if tag in c["metadata"].get("tags", [])]
+
+
+def signature(source, name):
+    tree = ast.parse(source)
+    function = next(n for n in tree.body if isinstance(n, ast.FunctionDef) and n.name == name)
+    return [a.arg for a in function.args.args], len(function.body)
+
+
+@pytest.mark.parametrize("chapter", chapters(), ids=lambda c: c.stem)
+def test_every_checked_exercise_has_a_live_cell_with_its_signature_and_nothing_else(chapter):
+    stubs = {m[1]: (m[2], s) for s in code_cells(chapter, "exercise") for m in CHECK.finditer(s)}
+    solved = {m[1]: (m[2], s) for s in code_cells(chapter, "solution") for m in CHECK.finditer(s)}
+    assert len(stubs) >= 3
+    assert set(stubs) == set(solved)
+    for number, (name, source) in stubs.items():
+        arguments, statements = signature(source, name)
+        assert arguments == signature(solved[number][1], name)[0]
+        assert statements == 1
+        assert f"def {name}({', '.join(arguments)}):\n    ...\n" in source
+
+
+@pytest.mark.parametrize("chapter", chapters(), ids=lambda c: c.stem)
+def test_a_chapter_runs_in_the_page_but_for_what_is_tagged_otherwise(chapter):
+    cells = [c for c in json.loads(chapter.read_text("utf-8"))["cells"] if c["cell_type"] == "code"]
+    tags = [set(c["metadata"].get("tags", [])) for c in cells]
+    assert all(len(t & {"live", "not-live"}) == 1 for t in tags)
+    assert sum("not-live" in t for t in tags) <= 2
+
+
+# -- archives, the server, the ZIP -------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def tools(monkeypatch):
+    """The book's tools as modules."""
+    monkeypatch.syspath_prepend(str(ROOT))
+    from book.tools import assets, bundle, layout, live, parity, serve
+
+    return {"assets": assets, "bundle": bundle, "layout": layout, "live": live, "parity": parity, "serve": serve}
+
+
+def test_an_archive_with_another_checksum_is_refused_and_not_kept(tools, monkeypatch, tmp_path):
+    assets = tools["assets"]
+    monkeypatch.setattr(assets, "ASSETS", tmp_path)
+    monkeypatch.setattr(assets, "_npm", lambda package: b"something else")
+    with pytest.raises(assets.AssetError, match="the checksum is"):
+        assets.archive("axe")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_without_a_network_the_message_says_what_is_missing(tools, monkeypatch, tmp_path):
+    assets = tools["assets"]
+    monkeypatch.setattr(assets, "ASSETS", tmp_path)
+    monkeypatch.setattr(assets, "NPM", "http://127.0.0.1:9")
+    with pytest.raises(assets.AssetError, match=r"axe-core-4.* cannot be downloaded.*is the network there"):
+        assets.archive("axe")
+
+
+def test_the_server_compresses_text_and_nothing_else(tools, monkeypatch, tmp_path):
+    import gzip
+    import threading
+    import urllib.request
+
+    (tmp_path / "index.html").write_text("<p>words</p>" * 100, "utf-8")
+    (tmp_path / "numbers.bin").write_bytes(b"\x00" * 500)
+    monkeypatch.setattr(tools["layout"], "SITE", tmp_path)
+    http = tools["serve"].server()
+    threading.Thread(target=http.serve_forever, daemon=True).start()
+    base = f"http://127.0.0.1:{http.server_address[1]}"
+    try:
+        for path, encoding in (("/", "gzip"), ("/index.html?v=1", "gzip"), ("/numbers.bin", None)):
+            asked = urllib.request.Request(base + path, headers={"Accept-Encoding": "gzip"})
+            with urllib.request.urlopen(asked) as answer:
+                content = answer.read()
+                assert answer.headers["Content-Encoding"] == encoding
+            assert len(gzip.decompress(content) if encoding else content) in (1200, 500)
+        with urllib.request.urlopen(base + "/index.html") as plain:
+            assert len(plain.read()) == 1200
+    finally:
+        http.shutdown()
+        http.server_close()
+
+
+def test_the_book_to_take_away_holds_the_site_once_and_its_script(tools, tmp_path):
+    (tmp_path / "book").mkdir()
+    (tmp_path / "index.html").write_text("hello", "utf-8")
+    (tmp_path / "book" / "page.html").write_text("page", "utf-8")
+    first = tools["bundle"].pack(tmp_path).read_bytes()
+    again = tools["bundle"].pack(tmp_path)
+    assert again.read_bytes() == first
+    with zipfile.ZipFile(again) as archive:
+        names = sorted(archive.namelist())
+    inside = ["READ_ME.txt", "book/page.html", "index.html", "open_the_book.py"]
+    assert names == [f"{tools['bundle'].FOLDER}/{n}" for n in inside]
+
+
+def test_a_number_that_differs_is_found(tools):
+    parity = tools["parity"]
+    ours = {"numbers": {"a": [1.0, 2e6], "b": [1.0]}}
+    assert parity.compare(ours, {"numbers": {"a": [1.0, 2e6], "b": [1.0]}})[1] == []
+    assert "differs by" in parity.compare(ours, {"numbers": {"a": [1.0, 2e6 + 1e-4], "b": [1.0]}})[1][0]
+    assert "not all of them finite" in parity.compare(ours, {"numbers": {"a": [1.0, float("nan")], "b": [1.0]}})[1][0]
+    assert "one side only" in parity.compare(ours, {"numbers": {"a": [1.0, 2e6]}})[1][0]
+
+
+def test_the_table_of_the_book_is_about_every_model(tools):
+    from slamlib.codegen.__main__ import models
+
+    named = {row[0] for row in tools["parity"].stored()}
+    for path, own in models().items():
+        module = str(path).removesuffix(".py").replace("/", ".").removeprefix("slamlib.")
+        assert {f"{module}.{m.name}" for m in own} <= named

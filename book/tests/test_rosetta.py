@@ -1,0 +1,293 @@
+"""The appendix Rosetta says of every name of the toolbox where it lives, and what it says is true of the package."""
+
+import json
+import re
+from collections import Counter
+
+import numpy as np
+import pytest
+
+from book.tools import layout, rosetta
+from slamlib.errors import SlamlibError
+from slamlib.evaluation.consistency import chi2_cdf
+from slamlib.landmarks import LINES, POINTS
+from slamlib.motions import CONSTANT_VELOCITY, ODOMETRY
+from slamlib.observation.lines import initialize_line, observe_line
+from slamlib.sensors import SENSORS
+from slamlib.tests.test_every_type import example
+
+IDENTITY = np.array([0.0, 0, 0, 1, 0, 0, 0])
+
+ROWS = rosetta.rows()
+KINDS = {"function", "field", "option", "type", "structure", "section"}
+TYPES = {ODOMETRY.name: ODOMETRY, CONSTANT_VELOCITY.name: CONSTANT_VELOCITY, **SENSORS, **POINTS, **LINES}
+OWN = {"stereo", "relativePosition", "rangeBearing"}  # sensors that the toolbox does not have
+
+FRAME = ["x", "t", "q", "R", "Rt", "Pi", "Pc"]
+QUICK_START = ["1, download", "2, install", "3, rename", "4, path", "5, run", "6, edit userData", "7, step by step"]
+QUICK_START += ["8, help pages", "9, video", "10, guidelines", "11, points", "12, lines", "13, omnidirectional camera"]
+QUICK_START += ["14, several sensors", "15, several robots", "quick start of April 2009"]
+NAMES = {  # of the seeds, by the numbers of our list of what they describe
+    "A013": ["odometry"],
+    "A014": ["constVel"],
+    "A015": ["pinHole"],
+    "A016": ["omniCam"],
+    "A017": ["eucPnt"],
+    "A018": ["hmgPnt"],
+    "A019": ["ahmPnt"],
+    "A020": ["idpPnt"],
+    "A021": ["fhmPnt"],
+    "A022": ["plkLin"],
+    "A023": ["aplLin"],
+    "A024": ["hmgLin"],
+    "A025": ["ahmLin"],
+    "A026": ["idpLin"],
+    "A027": ["which pairs exist"],
+    "A028": [f"Rob.{f}" for f in ("rob", "id", "name", "type", "sensors", "motion")],
+    "A029": ["Rob.con.u", "Rob.con.uStd", "Rob.con.U"],
+    "A030": [f"Rob.frame.{f}" for f in [*FRAME, "P", "r"]],
+    "A031": ["Rob.vel.x", "Rob.vel.P", "Rob.vel.r"],
+    "A032": ["Rob.state.x", "Rob.state.P", "Rob.state.size", "Rob.state.r"],
+    "A033": [*(f"frame.{f}" for f in FRAME), "updateFrame"],
+    "A034": ["frame.it", "frame.iq"],
+    "A035": ["splitFrame"],
+    "A036": [f"Sen.{f}" for f in ("sen", "id", "name", "type", "robot")],
+    "A037": ["Sen.frameInMap"],
+    "A038": [f"Sen.frame.{f}" for f in [*FRAME, "P", "r"]],
+    "A039": [f"Sen.par.{f}" for f in ("k", "d", "c", "imSize", "pixErr", "pixCov")],
+    "A040": [f"Sen.state.{f}" for f in ("x", "P", "size", "r")],
+    "A041": [f"Sen.imGrid.{f}" for f in ("imSize", "numCells", "skipOuter", "usedCell", "xticks", "yticks")],
+    "A042": ["5, fact 4"],
+    "A043": ["Raw.type"],
+    "A044": ["Raw.data.points.coord", "Raw.data.points.app"],
+    "A045": ["Raw.data.segments.coord", "Raw.data.segments.app"],
+    "A046": ["Raw.data.img"],
+    "A047": [f"Lmk.{f}" for f in ("lmk", "id", "type", "sig", "used")],
+    "A048": [f"Lmk.state.{f}" for f in ("r", "x", "P", "size")],
+    "A049": ["Lmk.par.endp.t", "Lmk.par.endp.e"],
+    "A050": ["Lmk.nSearch", "Lmk.nMatch", "Lmk.nInlier"],
+    "A051": ["Lmk.nom.n", "Lmk.nom.N"],
+    "A052": ["Lmk.sig.patch", "Lmk.sig.pose0"],
+    "A053": ["Map.used", "Map.x", "Map.P"],
+    "A054": ["deleteLmk", "reparametrizeLmk"],
+    "A055": [f"Obs.{f}" for f in ("sen", "lmk", "sid", "lid", "stype", "ltype")],
+    "A056": ["Obs.meas.y", "Obs.meas.R"],
+    "A057": ["Obs.nom.n", "Obs.nom.N"],
+    "A058": ["Obs.exp.e", "Obs.exp.E", "Obs.exp.um"],
+    "A059": ["Obs.inn.z", "Obs.inn.Z", "Obs.inn.iZ", "Obs.inn.MD2"],
+    "A060": ["Obs.app.pred", "Obs.app.curr", "Obs.app.sc"],
+    "A061": ["Obs.par.endp.e", "Obs.par.endp.E"],
+    "A062": ["Obs.vis", "Obs.measured", "Obs.matched", "Obs.updated"],
+    "A063": [f"Obs.Jac.{a}_{b}" for a in "EZ" for b in "rsl"],
+    "A064": ["Tim.dt", "Tim.firstFrame", "Tim.lastFrame"],
+    "A065": ["Opt.map.numLmks", "Opt.map.lmkSize"],
+    "A066": ["Opt.correct.reprojectLmks"],
+    "A067": ["Opt.correct.reparametrize"],
+    "A068": ["Opt.correct.nUpdates"],
+    "A069": ["Opt.correct.MD2th"],
+    "A070": ["Opt.correct.linTestIdp"],
+    "A071": [f"Opt.correct.lines.{o}" for o in ("innType", "extPolicy", "extSwitch")],
+    "A072": ["Opt.correct.appScTh"],
+    "A073": ["Opt.init.nbrInits"],
+    "A074": ["Opt.init.initType"],
+    "A075": ["Opt.init.featQualityTh"],
+    "A076": [f"Opt.init.{t}.nonObs{m}" for t in ("idpPnt", "plkLin", "hmgPnt", "idpLin") for m in ("Mean", "Std")],
+    "A077": ["Opt.obs.lines.minLength"],
+    "A078": [f"SimRob.{f}" for f in ("rob", "id", "name", "type", "motion", "sensors")]
+    + [f"SimRob.frame.{f}" for f in FRAME]
+    + ["SimRob.vel.x", "SimRob.con.u", "SimRob.con.uStd", "SimRob.con.U"],
+    "A079": [f"SimSen.{f}" for f in ("sen", "id", "name", "type", "robot")]
+    + [f"SimSen.frame.{f}" for f in FRAME]
+    + [f"SimSen.par.{f}" for f in ("k", "d", "c", "imSize")],
+    "A080": [f"SimLmk.{a}.{b}" for a in ("points", "segments") for b in ("id", "coord")],
+    "A081": [f"SimLmk.lims.{a}{b}" for a in "xyz" for b in ("Min", "Max")]
+    + [f"SimLmk.dims.{a}" for a in "lwh"]
+    + [f"SimLmk.center.{a}Mean" for a in "xyz"],
+    "A082": [*(f"SimOpt.random.{f}" for f in ("newSeed", "fixedSeed", "seed")), "SimOpt.obs"],
+    "A083": ["SimObs"],
+    "A084": [f"MapFig.{f}" for f in ("fig", "axes", "ground", "Rob.patch", "Rob.ellipse", "Sen")]
+    + [f"MapFig.Lmk.{f}" for f in ("drawn", "mean", "ellipse", "label")]
+    + ["MapFig.simRob", "MapFig.simSen", "MapFig.simLmk"],
+    "A085": [f"SenFig.{f}" for f in ("fig", "axes", "raw.points", "raw.segments", "drawn", "measure", "mean")]
+    + ["SenFig.ellipse", "SenFig.label"],
+    "A086": ["FigOpt.renderer", "FigOpt.rendPeriod", "FigOpt.createVideo"],
+    "A087": [f"FigOpt.map.{f}" for f in ("proj", "view", "orbit", "size", "showSimLmk", "showEllip")],
+    "A088": [f"FigOpt.map.colors.{f}" for f in ("border", "axes", "bckgnd", "simLmk", "simu", "est", "ground", "label")]
+    + [f"FigOpt.map.colors.{a}.{b}" for a in ("defPnt", "othPnt", "defLin") for b in ("mean", "ellip")],
+    "A089": ["FigOpt.sensor.size", "FigOpt.sensor.showEllip"]
+    + [f"FigOpt.sensor.colors.{f}" for f in ("border", "axes", "bckgnd", "raw", "label")]
+    + [f"FigOpt.sensor.colors.{a}.{b}" for a in ("defPnt", "othPnt") for b in ("updated", "predicted")]
+    + [f"FigOpt.sensor.colors.{a}.{b}" for a in ("defLin", "othLin") for b in ("meas", "mean", "ellip")],
+    "A090": ["FigOpt.map.colors.defPnt.mean", "FigOpt.map.colors.othPnt.mean"],
+    "A091": ["slamtb", "universalSLAM"],
+    "A092": ["userData", "userDataPnt", "userDataLin"],
+    "A093": ["createSlamStructures"],
+    "A094": ["createSimStructures"],
+    "A095": ["createGraphicsStructures"],
+    "A096": ["motion", "correctKnownLmks", "initNewLmk"],
+    "A097": ["simMotion"],
+    "A098": ["simObservation", "motion", "correctKnownLmks", "observeKnownLmks", "initNewLmk"],
+    "A099": ["drawMapFig", "drawSenFig", "createMapFig", "createSenFig"],
+    "A100": ["reparametrizeLmk", "initLmkParams", "updateLmkParams", "matchFeature"],
+    "A101": ["correctKnownLmks", "smartDeleteLmk"],
+    "A102": [
+        *("DataManagement", "DetectionMatching", "EKF", "FrameTransforms", "Graphics", "Kinematics", "Lines"),
+        *("Math", "Observations", "Points", "Simulation", "Slam", "help DirectoryName"),
+    ],
+    "A103": [
+        *("frame", "quaternion", "updateFrame", "splitFrame", "q2R", "q2qc", "q2Pi", "pi2pc"),
+        *("toFrame", "fromFrame", "fromFrameIdp"),
+    ],
+    "A104": ["constVel", "odo3"],
+    "A105": [
+        *("project", "distort", "pixellise", "pinHole", "invPinHole", "pinHoleIdp", "invPinHoleIdp"),
+        *("projEucPntIntoPinHoleOnRob", "projIdpPntIntoPinHoleOnRob", "retroProjIdpPntFromPinHoleOnRob"),
+    ],
+    "A106": ["idp2euc", "py2vec", "hmg2euc"],
+    "A107": ["retroProjPlkEndPnts", "updatePlkLinEndPnts", "trimHmgLin", "normvec"],
+    "A108": [
+        *("drawEucPnt", "drawPnt", "drawEllipse", "drawLabel", "drawSeg", "drawObsPnt", "drawObsLin"),
+        *("cov2elli", "cov3elli", "drawGauss3dPnt", "drawEuclmk", "drawIdplmk", "drawHmglmk"),
+    ],
+    "A109": ["harris_strongest", "pix2patch", "zncc", "ssd", "census", "imresize2", "patchResize", "imtransform"],
+    "A110": ["EKF", "predictBlockEkf", "correctBlockEkf", "innovation"],
+    **{f"A{110 + i}": [name] for i, name in enumerate(QUICK_START, 1)},
+    **{f"A{126 + i}": [f"5, fact {i}"] for i in range(1, 7)},
+    "A133": ["5.1, lazy procedure", "Opt.init.initType"],
+    "A134": ["5.2, step 1"],
+    "A135": ["5.2, step 2"],
+    "A136": ["5.2, step 3", "simObservation"],
+    "A137": ["5.2, step 4", "initNewLmk"],
+    "A138": ["5.2, step 5", "correctKnownLmks"],
+    "A139": ["5.2, step 6", "createMapFig", "createSenFig"],
+    "A140": ["5.2, step 7", "drawMapFig", "drawSenFig"],
+    "A141": ["5.3, direct model", "toFrame", "projectToSensor", "observationModel"],
+    "A142": ["5.3.1, from scratch", "5.3.2, by adapting", "idp2euc"],
+    "A143": ["s, non-measurable depth"],
+    "A144": ["5.4, inverse model", "invObsModel", "retroProjectFromSensor", "fromFrame"]
+    + [f"IDP_{x}" for x in ("rf", "sf", "sk", "sc", "u", "n")],
+    "A145": ["5.5, reparametrization", "hmg2euc", "reparametrizeLmk"],
+    "A146": ["5.6, outside the map", "initLmkParams", "updateLmkParams"],
+    "A147": ["5.7.1, handles"],
+    "A148": ["5.7.2, create and draw"],
+    "A149": ["6, points and lines"],
+}
+BOTH = {"constVel", "pinHole", "omniCam"}  # names of a type and of a function: once as each
+
+
+def test_every_item_of_the_list_is_asked_for():
+    assert sorted(NAMES) == [f"A{i:03}" for i in range(13, 150)]
+
+
+@pytest.mark.parametrize("item", NAMES)
+def test_every_name_of_the_seeds_is_there_once(item):
+    count = Counter(r.name for r in ROWS)
+    assert {n: count[n] for n in NAMES[item]} == {n: 2 if n in BOTH else 1 for n in NAMES[item]}
+
+
+def test_nothing_is_said_twice():
+    assert [n for n, k in Counter((r.name, r.kind) for r in ROWS).items() if k > 1] == []
+    assert {r.name for r in ROWS if r.name in BOTH and r.kind == "type"} == BOTH
+    assert {r.kind for r in ROWS} == KINDS
+    groups = [r.group for r in ROWS]
+    assert len(set(groups)) == sum(a != b for a, b in zip(groups, ["", *groups], strict=False))
+
+
+@pytest.mark.parametrize(
+    "row", [r for r in ROWS if not r.target.startswith("not ")], ids=lambda r: f"{r.kind}-{r.name}"
+)
+def test_every_place_exists(row):
+    assert [p for p in row.places if not rosetta.exists(p)] == []
+
+
+def test_what_exists_is_not_called_not_yet(capsys):
+    waiting = [r for r in ROWS if r.target.startswith(rosetta.NOT_YET)]
+    with capsys.disabled():
+        print(f"\nRosetta: {len(waiting)} of {len(ROWS)} names of the toolbox are not yet in slamlib")
+        for place, count in Counter(r.target.removeprefix(rosetta.NOT_YET) for r in waiting).items():
+            print(f"  {place}: {', '.join(r.name for r in waiting if place in r.places)} ({count})")
+    assert {r.name: p for r in waiting for p in r.places if rosetta.exists(p)} == {}
+    assert [r.name for r in waiting if r.kind == "type" and r.name in TYPES] == []
+
+
+def test_a_type_leads_to_the_value_of_its_name():
+    rows = {r.name: r for r in ROWS if r.kind == "type" and r.name != "frame"}
+    assert set(TYPES) - OWN <= set(rows)
+    for name, row in rows.items():
+        if not row.target.startswith(rosetta.NOT_YET):
+            assert rosetta.find(row.target) is TYPES[name]
+
+
+def test_the_reasons_are_reasons():
+    for row in ROWS:
+        if row.target.startswith(rosetta.NOT_NEEDED):
+            assert len(row.target.removeprefix(rosetta.NOT_NEEDED).split()) > 1
+        else:
+            assert all(re.fullmatch(r"chapter \d+|slamlib(\.\w+)+", p) for p in row.places), row.target
+
+
+def test_the_page_follows_from_the_table():
+    assert rosetta.PAGE.read_text("utf-8") == rosetta.text(), "run python -m book.tools.rosetta"
+
+
+@pytest.mark.parametrize(
+    "path", ["slamlib.nothing", "slamlib.belief.Belief.nothing", "slamlib.belief.Belief.add.nothing"]
+)
+def test_what_is_not_there_is_not_found(path):
+    assert not rosetta.exists(path)
+    with pytest.raises(LookupError, match=re.escape(path)):
+        rosetta.find(path)
+
+
+PARTS = ["slamlib.", *(f"slamlib.{p}." for p in ("geometry", "belief", "landmarks", "sensors", "motions", "drawing"))]
+
+
+def tables():
+    """(chapter, names of the toolbox, dotted names of slamlib) of each row of the chapters' own tables."""
+    for file in sorted((layout.BOOK / "chapters").glob("*.ipynb")):
+        cells = json.loads(file.read_text("utf-8"))["cells"]
+        words = "".join(next((c["source"] for c in cells if c["metadata"].get("part") == "rosetta"), []))
+        for left, right in re.findall(r"^\| *(`.*?) \| (.*)$", words, flags=re.M):
+            names = [re.split(r"[ (=]", span)[0] for span in re.findall(r"`([^`]+)`", left)]
+            paths = [span.split("(")[0] for span in re.findall(r"`([^`]+)`", right)]
+            yield file.name, names, [p for p in paths if any(rosetta.exists(part + p) for part in PARTS)], right
+
+
+def test_the_chapters_do_not_contradict_the_table():
+    """A chapter's own table names one of the appendix's places, and none where the appendix says that none is."""
+    known, found, wrong = {r.name: r for r in ROWS}, 0, []
+    for file, names, paths, words in tables():
+        own = [known[n] for n in names if n in known]
+        ends = {part for row in own for place in row.places for part in place.split(".")}
+        found += bool(own)
+        if own and paths and not ends & {p.split(".")[-1] for p in paths}:
+            wrong.append(f"{file}: {', '.join(names)}: {words}; the appendix: {', '.join(r.target for r in own)}")
+        if re.match("not needed|no function|not there", words) and ends and not paths:
+            wrong.append(f"{file}: {', '.join(names)}: {words}; the appendix: {', '.join(r.target for r in own)}")
+    assert wrong == []
+    assert found > 30
+
+
+def test_the_shares_that_the_page_gives_for_the_toolbox_gate():
+    words, shares = rosetta.PAGE.read_text("utf-8"), [f"{100 * chi2_cdf(9, dof):.1f} %" for dof in (2, 3)]
+    assert f"holds {shares[0]} of two-dimensional innovations and {shares[1]} of three-dimensional ones" in words
+
+
+@pytest.mark.parametrize("name", list(SENSORS))
+def test_the_table_of_pairs_is_what_happens(name):
+    """A sensor measures lines, or refuses them by name, as the table says. (Points: test_observation.)"""
+    table = rosetta.text().split("## Which pairs exist\n")[1].split("\n## ")[0].splitlines()
+    head = next(line for line in table if line.startswith("| landmark")).split(" | ")
+    column = head.index(f"`{name}`") if f"`{name}`" in head else len(head) - 1
+    for kind in LINES.values():
+        cell = next(line for line in table if f"`{kind.name}`" in line).rstrip(" |").split(" | ")[column]
+        calibration = example(SENSORS[name])
+        if cell == "no":
+            with pytest.raises(SlamlibError, match=f"{name} .*{kind.name}"):
+                observe_line(kind, calibration, IDENTITY, IDENTITY, np.ones(kind.space.size))
+            with pytest.raises(SlamlibError, match=f"{name} .*{kind.name}"):
+                initialize_line(kind, calibration, IDENTITY, IDENTITY, np.ones(4), np.ones(2))
+            continue
+        rays = np.array([0.3, 0.0, 0.9, 0.0, 0.3, 0.9]) / np.sqrt(0.9)
+        landmark = kind.from_frame(IDENTITY, rays, np.array([0.2, 0.3]))
+        assert observe_line(kind, calibration, IDENTITY, IDENTITY, landmark).value.shape == (3,)

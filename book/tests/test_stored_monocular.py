@@ -1,0 +1,91 @@
+"""The figures of chapter 20 that are stored: of the rendered room, and of the real sequence where its images are."""
+
+import io
+import json
+import tarfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from book.tools import monocular, real_images
+from slamlib.vision.hand_held import options
+
+SHARED = Path(__file__).resolve().parents[3] / "shared" / "data" / "mono_visp_cube" / "frames"
+RENEW = "run `make {}` and `python -m book.tools.notebooks run book/chapters/monocular.ipynb`"
+
+
+def stored(file):
+    if not file.is_file():
+        pytest.skip(f"{file.name} has not been made yet")
+    return json.loads(file.read_text("utf-8"))
+
+
+def images():
+    found = real_images.folder() or (SHARED if SHARED.is_dir() else None)
+    if found is None:
+        pytest.skip("the real images are not here: `make real-images` fetches them")
+    return found
+
+
+def test_the_beginning_of_a_run_past_the_wall_comes_out_again():
+    (light,) = stored(monocular.FILE)["light"]
+    found = monocular.row(monocular.sideways(monocular.SEEDS[0], monocular.LIGHT))
+    assert found == pytest.approx(light, rel=1e-2, abs=2e-3), RENEW.format("monocular")
+
+
+def test_the_room_is_within_the_promised_bounds():
+    kept = stored(monocular.FILE)
+    assert kept["frames"] == 300
+    assert len(kept["sideways"]) == 5
+    assert max(run["off"] for run in kept["sideways"]) < 2
+    assert min(run["matched"] for run in kept["sideways"]) > 0.85
+    for robust in ("joint", "one-point"):
+        assert max(run["off"] for run in kept["wrong"][robust]) < 2
+
+
+def test_the_real_run_is_stored_with_what_it_was_told():
+    kept = stored(real_images.FILE)
+    assert kept["options"] == json.loads(json.dumps(options(1.0, **real_images.SAID).to_dict()))
+    assert set(kept["runs"]) == {"as told", *real_images.CHANGES}
+    assert len(kept["first"]["position"]) == real_images.COUNT
+
+
+def test_the_beginning_of_the_real_run_comes_out_again():
+    light = stored(real_images.FILE)["light"]
+    found = real_images.run(images(), frames=real_images.LIGHT).trajectory().positions[-1]
+    np.testing.assert_allclose(found, light, atol=2e-3, err_msg=RENEW.format("real-images"))
+
+
+def package(files):
+    """A Debian package: an ar archive of a version, and of a tar with files {name: content}."""
+    inner = io.BytesIO()
+    with tarfile.open(fileobj=inner, mode="w:xz") as packed:
+        for name, content in files.items():
+            entry = tarfile.TarInfo(name)
+            entry.size = len(content)
+            packed.addfile(entry, io.BytesIO(content))
+    parts = b"!<arch>\n"
+    for name, content in (("debian-binary", b"2.0\n"), ("data.tar.xz", inner.getvalue())):
+        parts += f"{name:16}{0:<12}{0:<6}{0:<6}{'100644':8}{len(content):<10}`\n".encode() + content
+        parts += b"\n" * (len(content) % 2)
+    return parts
+
+
+def test_the_images_are_taken_out_of_a_package(tmp_path):
+    files = {f"./{real_images.INSIDE}image.0000.pgm": b"one", "./usr/share/doc/copyright": b"no"}
+    assert real_images.unpack(package(files), tmp_path) == 1
+    assert [(p.name, p.read_bytes()) for p in tmp_path.iterdir()] == [("image.0000.pgm", b"one")]
+
+
+def test_what_is_no_package_is_refused(tmp_path):
+    with pytest.raises(real_images.RealImagesError, match="no Debian package"):
+        real_images.unpack(b"<html>not found</html>", tmp_path)
+
+
+def test_a_package_with_another_checksum_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr(real_images, "FOLDER", tmp_path / "cube")
+    monkeypatch.setattr(real_images, "_by_apt", lambda: b"something else")
+    with pytest.raises(real_images.RealImagesError, match="checksum"):
+        real_images.fetch()
+    assert real_images.folder() is None

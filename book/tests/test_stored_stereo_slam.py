@@ -1,0 +1,31 @@
+"""The stored figures of chapter 22 belong to the package as it is."""
+
+import json
+
+import pytest
+from slambook.report.findings import ran
+
+from book.tools import stereo_room, stereo_slam
+
+RENEW = "run `python -m book.tools.stereo_slam`, and the notebook of chapter 22"
+
+
+@pytest.fixture(scope="module")
+def stored():
+    return json.loads(stereo_slam.FILE.read_text("utf-8"))
+
+
+def test_every_part_is_there(stored):
+    assert sorted(stored) == sorted(stereo_slam.PARTS), RENEW
+
+
+def test_the_last_repairs_come_out_again(stored):
+    for row, errors in zip(stored["repairs"]["gentle"][-2:], (stereo_slam.ORDER[-1:], []), strict=True):
+        assert stereo_slam.summary(ran("gentle", *errors)) == pytest.approx(
+            {k: v for k, v in row.items() if k != "repaired"}, rel=0.02
+        ), RENEW
+
+
+def test_the_beginning_of_a_run_in_the_room_comes_out_again(stored):
+    pytest.importorskip("cv2")
+    assert stereo_room.light() == pytest.approx(stored["light"], rel=0.05, abs=0.02), RENEW

@@ -1,0 +1,178 @@
+"""The chapter is the source: a cell that begins with `%%tangle slamlib/...py` holds a formula module.
+
+In a notebook, the magic compares the cell with the package and gives the reader the module's names. On the command
+line, `python -m slamlib.codegen.tangle` writes the package's files from the chapters, `--back` carries an editor's
+change of a file into its chapter's cell, and `--check` compares.
+"""
+
+import argparse
+import difflib
+import importlib
+import json
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import slamlib
+from slamlib.errors import SlamlibError
+from slamlib.model import FORMULA_PARTS
+
+PACKAGE = Path(slamlib.__file__).parent
+MAGIC = "%%tangle "
+
+
+class DriftError(SlamlibError):
+    """A chapter's cell and the package's file differ."""
+
+
+def register(shell: Any) -> None:
+    """Make the magic known to an IPython shell, with the shell's own names to write into."""
+
+    def tangle(line: str, cell: str) -> None:
+        names, drift = run_cell(line.strip(), cell.rstrip("\n") + "\n")
+        shell.user_ns.update(names)
+        if drift is not None:
+            raise drift
+        print(f"{line.strip()}: {len(cell.splitlines())} lines, the same in slamlib")
+
+    shell.register_magic_function(tangle, "cell", "tangle")
+
+
+def run_cell(path: str, cell: str) -> tuple[dict[str, Any], DriftError | None]:
+    """The public names that the cell defines, and the drift if it is not the package's file.
+
+    A cell that is the same as the file is the package's own module; an edited one runs by itself, compiled in memory,
+    so that a reader can experiment.
+    """
+    file = PACKAGE.parent / path
+    committed = file.read_text("utf-8") if file.is_file() else ""
+    if committed == cell:
+        loaded = importlib.import_module(path.removesuffix(".py").replace("/", "."))
+        return _public(loaded), None
+    edited = ModuleType("edited")
+    exec(compile(_remembered(path, cell), f"<edited {path}>", "exec"), edited.__dict__)
+    text = "\n".join(
+        difflib.unified_diff(committed.splitlines(), cell.splitlines(), path, "this cell", lineterm="", n=1)
+    )
+    advice = (
+        "The edited cell has been run, and its names are yours to try. To keep it: `make tangle`, then `make generate`."
+    )
+    return _public(edited), DriftError(f"this cell is not {path}:\n{text}\n{advice}")
+
+
+def _remembered(path: str, text: str) -> str:
+    import linecache
+
+    linecache.cache[f"<edited {path}>"] = (
+        len(text),
+        None,
+        text.splitlines(keepends=True),
+        f"<edited {path}>",
+    )
+    return text
+
+
+def _public(loaded: ModuleType) -> dict[str, Any]:
+    return {k: v for k, v in vars(loaded).items() if not k.startswith("_")}
+
+
+def cells(book: Path) -> Iterator[tuple[Path, dict[str, Any], str, str]]:
+    """Every tangled cell of the book: notebook, cell, path of the module, its text."""
+    for notebook in sorted(book.rglob("*.ipynb")):
+        if any(part.startswith((".", "_")) for part in notebook.relative_to(book).parts):
+            continue
+        for cell in json.loads(notebook.read_text("utf-8"))["cells"]:
+            source = "".join(cell["source"])
+            if cell["cell_type"] == "code" and source.startswith(MAGIC):
+                first, _, text = source.partition("\n")
+                yield notebook, cell, first.removeprefix(MAGIC).strip(), text.rstrip("\n") + "\n"
+
+
+def formula_modules() -> set[str]:
+    """Files of the package that define a model, as 'slamlib/geometry/pose.py'."""
+    files = (f for part in FORMULA_PARTS for f in (PACKAGE / part).glob("*.py"))
+    return {f.relative_to(PACKAGE.parent).as_posix() for f in files if "\n@model(" in f.read_text("utf-8")}
+
+
+def check(book: Path) -> list[str]:
+    """What is missing, written twice or different between the chapters and the package."""
+    found: dict[str, str] = {}
+    problems = []
+    for notebook, _, path, text in cells(book):
+        if path in found:
+            problems.append(f"{path}: written twice, in {found[path]} and in {notebook.name}; keep one cell")
+        found[path] = notebook.name
+        file = PACKAGE.parent / path
+        if not file.is_file() or file.read_text("utf-8") != text:
+            problems.append(f"{path}: differs from its cell in {notebook.name}; run `make tangle` or `make untangle`")
+    problems += [
+        f"{path}: no chapter derives it; a formula module is tangled from one cell"
+        for path in formula_modules() - found.keys()
+    ]
+    return problems
+
+
+def write(book: Path) -> int:
+    """Write the package's files from the chapters; returns how many changed."""
+    changed = 0
+    for _, _, path, text in cells(book):
+        file = PACKAGE.parent / path
+        if not path.startswith("slamlib/") or ".." in path:
+            raise SlamlibError(f"%%tangle {path}: a cell may only write below slamlib/")
+        if not file.is_file() or file.read_text("utf-8") != text:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            _replace(file, text)
+            print(f"wrote {path}")
+            changed += 1
+    return changed
+
+
+def back(book: Path) -> int:
+    """Carry the package's files into the chapters' cells; returns how many changed."""
+    changed = 0
+    for notebook in sorted({n for n, *_ in cells(book)}):
+        content = json.loads(notebook.read_text("utf-8"))
+        before = json.dumps(content)
+        for cell in content["cells"]:
+            first, _, _ = "".join(cell["source"]).partition("\n")
+            if cell["cell_type"] == "code" and first.startswith(MAGIC):
+                text = (PACKAGE.parent / first.removeprefix(MAGIC).strip()).read_text("utf-8")
+                cell["source"] = (first + "\n" + text.rstrip("\n")).splitlines(keepends=True)
+        if json.dumps(content) != before:
+            _replace(notebook, json.dumps(content, indent=1, ensure_ascii=False) + "\n")
+            print(f"updated {notebook.name}")
+            changed += 1
+    return changed
+
+
+def _replace(file: Path, text: str) -> None:
+    partial = file.with_name(file.name + ".partial")
+    partial.write_text(text, encoding="utf-8", newline="\n")
+    os.replace(partial, file)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Exit status 0 if chapters and package agree afterwards."""
+    parser = argparse.ArgumentParser(prog="python -m slamlib.codegen.tangle", description=__doc__.split("\n")[0])
+    group = parser.add_mutually_exclusive_group()
+    group.add_argument(
+        "--check", action="store_true", help="write nothing; compare the chapters' cells with the package"
+    )
+    group.add_argument("--back", action="store_true", help="carry changed package files back into the chapters")
+    parser.add_argument("--book", type=Path, default=PACKAGE.parent / "book", help="folder of the notebooks")
+    options = parser.parse_args(arguments)
+    if options.back or not options.check:
+        print(f"{(back if options.back else write)(options.book)} files changed")
+    problems = check(options.book)
+    for problem in problems:
+        print(problem, file=sys.stderr)
+    count = sum(1 for _ in cells(options.book))
+    print(f"tangled cells: {count} in the book, {len(formula_modules())} formula modules, {len(problems)} problems")
+    return 1 if problems or not count else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

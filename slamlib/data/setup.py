@@ -1,0 +1,191 @@
+"""Robots and the sensors on them, as plain data that a reader copies and changes; simulator and filter are built of it.
+
+Angles of a setup are in degrees, since people write them; everything else in slamlib is in radians.
+"""
+
+from dataclasses import asdict, dataclass, field, fields
+from typing import Any
+
+import numpy as np
+
+from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.geometry.euler import to_quaternion
+from slamlib.kalman.linalg import finite
+from slamlib.manifolds import Array
+from slamlib.motions import Motion, motion
+from slamlib.sensors import sensor
+from slamlib.sensors.sensor import Calibration
+
+Numbers = tuple[float, ...]
+ZERO = (0.0, 0.0, 0.0)
+# The ordinary camera, for setups that say nothing else of a type of sensor that has an image, or no other parameters.
+IMAGE: Numbers = (640.0, 480.0)
+PARAMETERS: dict[str, Numbers] = {"intrinsics": (320.0, 240.0, 320.0, 320.0), "distortion": (0.0,)}
+NOT_SAID: Numbers = ()
+
+
+@dataclass(frozen=True)
+class RobotSetup:
+    """A robot: how it moves, where it starts, what it is told at each step, and how well it is known.
+
+    position [m]; euler: roll, pitch, yaw [deg]; velocity: (v [m/s] in world axes, w [deg/s] in the robot's), for
+    motions whose state has one. control: the first three numbers in metres (or m/s), the last three in degrees (or
+    deg/s); control_std the same, the standard deviation in one step. The other *_std belong to the start: the simulator
+    draws the true start with them, and the filter is told the mean; attitude_std [deg] is about the robot's own axes.
+    """
+
+    name: str = "robot"
+    motion: str = "odometry"
+    position: Numbers = ZERO
+    euler: Numbers = ZERO
+    velocity: Numbers = (0.0,) * 6
+    position_std: Numbers = ZERO
+    attitude_std: Numbers = ZERO
+    velocity_std: Numbers = (0.0,) * 6
+    control: Numbers = (0.0,) * 6
+    control_std: Numbers = (0.0,) * 6
+
+    @property
+    def model(self) -> Motion:
+        """The motion of that name."""
+        return motion(self.motion)
+
+    @property
+    def state(self) -> Array:
+        """The mean of the state at the start (size,)."""
+        pose = pose_of(self.position, self.euler, self.name)
+        return np.concatenate([pose, _mixed(self.velocity, self.name, "velocity")])[: self.model.space.size]
+
+    @property
+    def covariance(self) -> Array:
+        """The covariance of the state at the start (dof, dof)."""
+        std = [self.position_std, np.radians(self.attitude_std), _mixed(self.velocity_std, self.name, "velocity_std")]
+        variances = np.concatenate([np.broadcast_to(np.asarray(s, float), (3,)) for s in std[:2]] + [std[2]]) ** 2
+        return np.diag(variances[: self.model.space.dof])
+
+    @property
+    def nominal(self) -> Array:
+        """The control of one step (6,), in metres and radians."""
+        return _mixed(self.control, self.name, "control")
+
+    @property
+    def noise(self) -> Array:
+        """The covariance of the noise in one step's control (6, 6)."""
+        return np.diag(_mixed(self.control_std, self.name, "control_std") ** 2)
+
+
+@dataclass(frozen=True)
+class SensorSetup:
+    """A sensor: its type by name, the robot it sits on, where, and its calibration.
+
+    position [m] and euler [deg] in the robot's frame; a camera that looks ahead has euler (-90, 0, -90). With
+    estimated=True the mount is a part of the map, with position_std [m] and attitude_std [deg] at first, and the
+    simulator draws the true mount with them. std: of each number of a measurement, or one for all; noise: a
+    full covariance instead. image: (width, height) [px]; None: an image without a border. parameters and limits: those
+    of the sensor's type. What is not said of the image and the parameters is an ordinary camera's, if it fits the type.
+    """
+
+    name: str = "camera"
+    robot: int = 0
+    type: str = "pinHole"
+    position: Numbers = ZERO
+    euler: Numbers = (-90.0, 0.0, -90.0)
+    estimated: bool = False
+    position_std: Numbers = ZERO
+    attitude_std: Numbers = ZERO
+    std: Numbers = (1.0,)
+    noise: tuple[Numbers, ...] | None = None
+    image: Numbers | None = NOT_SAID
+    parameters: dict[str, Numbers] = field(default_factory=dict)
+    limits: dict[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        kind = sensor(self.type)
+        if self.image is NOT_SAID:
+            object.__setattr__(self, "image", IMAGE if kind.pixels else None)
+        if not self.parameters and set(kind.parameters) <= set(PARAMETERS):
+            object.__setattr__(self, "parameters", {name: PARAMETERS[name] for name in kind.parameters})
+
+    @property
+    def mount(self) -> Array:
+        """Its pose (7,) in the robot's frame, as it is believed at the start."""
+        return pose_of(self.position, self.euler, self.name)
+
+    @property
+    def covariance(self) -> Array:
+        """The covariance of the mount (6, 6) at the start; zero if it is not estimated."""
+        std = [np.broadcast_to(np.asarray(s, float), (3,)) for s in (self.position_std, np.radians(self.attitude_std))]
+        return np.diag(np.concatenate(std) ** 2) if self.estimated else np.zeros((6, 6))
+
+    @property
+    def calibration(self) -> Calibration:
+        """The calibrated sensor. Raises SlamlibError for what makes no sense."""
+        kind = sensor(self.type)
+        noise: Any = self.noise
+        if noise is None:
+            noise = np.broadcast_to(np.asarray(self.std, float), (kind.size,)) ** 2
+        return Calibration(kind, noise, image=self.image, limits=self.limits, **self.parameters)
+
+
+@dataclass(frozen=True)
+class Rig:
+    """Robots and sensors, in the order of the frames' controls and scans."""
+
+    robots: tuple[RobotSetup, ...]
+    sensors: tuple[SensorSetup, ...]
+
+    def __post_init__(self) -> None:
+        if not self.robots or not self.sensors:
+            raise SlamlibError("a rig needs at least one robot and one sensor")
+        for setups in (self.robots, self.sensors):
+            names = [s.name for s in setups]
+            if len(set(names)) != len(names):
+                raise SlamlibError(f"each robot and each sensor needs a name of its own, got {', '.join(names)}")
+        for s in self.sensors:
+            if not 0 <= s.robot < len(self.robots):
+                raise SlamlibError(f"{s.name} sits on robot {s.robot}; robots are counted 0 to {len(self.robots) - 1}")
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain data for JSON or TOML; what is None is left out."""
+        return {
+            "robots": [_plain(asdict(r)) for r in self.robots],
+            "sensors": [_plain(asdict(s)) for s in self.sensors],
+        }
+
+    @classmethod
+    def from_dict(cls, data: dict[str, Any]) -> "Rig":
+        """The rig of plain data; what is missing has its default, and a name that is not known is an error."""
+        robots = tuple(_setup(RobotSetup, r) for r in data.get("robots", ()))
+        return cls(robots, tuple(_setup(SensorSetup, s) for s in data.get("sensors", ())))
+
+
+def tuples(value: Any) -> Any:
+    """Plain data with its lists as tuples, as frozen data holds them."""
+    if isinstance(value, dict):
+        return {name: tuples(v) for name, v in value.items()}
+    return tuple(tuples(v) for v in value) if isinstance(value, list | tuple) else value
+
+
+def _plain(data: dict[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in data.items() if value is not None}
+
+
+def _setup(kind: Any, data: dict[str, Any]) -> Any:
+    known = [f.name for f in fields(kind)]
+    for name in data:
+        if name not in known:
+            raise UnknownNameError.of(f"field of a {kind.__name__}", name, known)
+    absent = {"image": None} if "image" in known and "image" not in data else {}
+    return kind(**tuples(data), **absent)
+
+
+def pose_of(position: Numbers, euler: Numbers, name: str) -> Array:
+    """Pose (7,) of a position [m] and roll, pitch, yaw [deg]."""
+    angles = np.radians(finite(euler, (3,), name, "euler"))
+    return np.concatenate([finite(position, (3,), name, "position"), to_quaternion(angles)])
+
+
+def _mixed(values: Numbers, name: str, what: str) -> Array:
+    """Six numbers whose last three are degrees, in radians."""
+    numbers = finite(values, (6,), name, what)
+    return np.concatenate([numbers[:3], np.radians(numbers[3:])])

@@ -1,0 +1,178 @@
+"""Where pictures come from: a folder, a glob, a video, or one of three public layouts, recognised by what is there.
+
+    layout      what is there                               times
+    TUM RGB-D   PATH/rgb.txt                                of rgb.txt
+    EuRoC       PATH/[mav0/]camN/data.csv, or PATH/data.csv of data.csv
+    KITTI       PATH/image_N/, best with PATH/times.txt     of times.txt, or 10 pictures a second
+    folder      PATH/*.png, *.jpg, *.pgm, ...               30 a second, if nothing else is said
+    video       one file that OpenCV can open               its number of pictures a second
+    glob        "PATH/left_*.png", or one image             30 a second, if nothing else is said
+
+Pictures are read one at a time, when they are asked for, in the order of their times, or of the numbers in their names.
+"""
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import accumulate
+from pathlib import Path
+from typing import Any
+
+from slamlib.datasets import layouts, video
+from slamlib.datasets.pictures import Picture
+from slamlib.errors import SlamlibError
+from slamlib.manifolds import Array
+
+
+@dataclass(frozen=True)
+class Layout:
+    """A way in which pictures are kept: is_there(path text), and open(path text, pictures a second or None, camera).
+
+    cameras(path text): which of them are there, by number, in layouts of several.
+    """
+
+    name: str
+    is_there: Callable[[str], bool]
+    open: Callable[[str, float | None, int], layouts.Sequence]
+    cameras: Callable[[str], Iterable[int]] | None = None
+
+
+LAYOUTS = (
+    Layout("TUM RGB-D", layouts.is_tum, layouts.tum),
+    Layout("EuRoC", layouts.is_euroc, layouts.euroc, layouts.euroc_cameras),
+    Layout("KITTI", layouts.is_kitti, layouts.kitti, layouts.kitti_cameras),
+    Layout("folder", layouts.is_folder, layouts.folder),
+    Layout("video", video.is_video, video.open_video),
+    Layout("glob", layouts.is_glob, layouts.matching),
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Source:
+    """A sized iterable of pictures, all of one size; each round reads them anew.
+
+    layout: its name; where: the absolute path; frames: the numbers of its pictures in the whole sequence;
+    whole: names and times of the whole, with the typical time between two neighbours; recipe: plain data to open the
+    same again.
+    Iterating raises SlamlibError, which names the picture, for one that cannot be read or has another size.
+    """
+
+    layout: str
+    where: str
+    frames: range
+    whole: layouts.Sequence
+    recipe: dict[str, Any]
+
+    def __len__(self) -> int:
+        return len(self.frames)
+
+    @property
+    def interval(self) -> float:
+        """Typical time [s] between two neighbours of the whole sequence."""
+        return self.whole.interval
+
+    def __iter__(self) -> Iterator[Picture]:
+        first: Picture | None = None
+        for picture in self.whole.read(self.frames):
+            first = first or picture
+            if picture.image.shape != first.image.shape:
+                raise SlamlibError(
+                    f"the pictures change their size: {first.name} is {_size(first.image)}, {picture.name} is "
+                    f"{_size(picture.image)}; pictures of one camera are wanted (are there two in {self.where}?)"
+                )
+            yield picture
+
+    def part(self, start: int = 0, every: int = 1, count: int | None = None) -> "Source":
+        """From picture number `start` on (0: the first), each so many-th, at most `count` of them."""
+        if start < 0 or every < 1 or (count is not None and count < 1):
+            raise SlamlibError(f"start is 0 or more, every and frames 1 or more, got {start}, {every}, {count}")
+        frames = self.frames[start::every][:count]
+        if not frames:
+            raise SlamlibError(f"{self.where} has {len(self)} pictures: none is left from number {start} on")
+        chosen = [frames.start, frames.stop, frames.step]
+        return replace(self, frames=frames, recipe={**self.recipe, "frames": chosen})
+
+    def again(self, recipe: dict[str, Any], count: int | None = None) -> "Source":
+        """Of the whole, the part of a recipe, or `count` pictures from its first one on. Raises SlamlibError."""
+        chosen = range(*recipe.get("frames", (len(self),)))
+        if chosen[-1] >= len(self):
+            raise SlamlibError(f"{self.where} has {len(self)} pictures, and had more when the run was saved")
+        if count is None and "frames" not in recipe:
+            return self
+        return self.part(chosen.start, chosen.step, len(chosen) if count is None else count)
+
+    def through(self, change: Callable[[Array], Array], recipe: dict[str, Any]) -> "Source":
+        """The same pictures, each changed, as by an undistortion; recipe: plain data that tells of the change too."""
+
+        def read(frames: layouts.Numbers) -> Iterator[Picture]:
+            return (replace(picture, image=change(picture.image)) for picture in self.whole.read(frames))
+
+        return replace(self, whole=replace(self.whole, read=read), recipe=recipe)
+
+
+def of_pictures(pictures: Sequence[Picture], interval: float) -> Source:
+    """A source of pictures that are in memory, `interval` [s] apart as a rule; it cannot be opened again."""
+    names, times = zip(*((p.name, p.time) for p in pictures), strict=True) if pictures else ((), ())
+    whole = layouts.Sequence(names, times, interval, lambda frames: (pictures[i] for i in frames))
+    return Source("memory", "memory", range(len(pictures)), whole, {})
+
+
+def of_film(film: Any, sensor: int = 0) -> Source:
+    """The images of one sensor of a rendered film (slambook.rendering), made anew each time they are read."""
+
+    def read(frames: layouts.Numbers) -> Iterator[Picture]:
+        for i, (frame, _) in zip(range(frames[-1] + 1), film, strict=False):
+            if i in frames:
+                yield Picture(names[i], times[i], frame.scans[sensor].image)
+
+    names, times = tuple(f"frame {n + 1}" for n in range(len(film))), tuple(accumulate([film.dt] * len(film)))
+    return Source("film", "a rendered film", range(len(film)), layouts.Sequence(names, times, film.dt, read), {})
+
+
+def open_source(text: str | os.PathLike[str], *, fps: float | None = None, camera: int = 0) -> Source:
+    """The pictures at a path or a glob; no picture is read yet, but of a video's header.
+
+    fps: pictures a second, where there are no times, or in place of a video's own. camera: its number, in layouts with
+    several (EuRoC, KITTI). Raises SlamlibError for nothing there, and for lists that make no sense.
+    """
+    if fps is not None and not fps > 0:
+        raise SlamlibError(f"fps is the number of pictures a second, above 0, got {fps}")
+    where = os.path.abspath(text)
+    layout = next((layout for layout in LAYOUTS if layout.is_there(where)), None)
+    if layout is None:
+        raise SlamlibError(f"{text}: {_why_not(where)}")
+    if camera and not layout.cameras:
+        raise SlamlibError(f"{text} is a {layout.name}, which has one camera: leave camera {camera} out")
+    whole = layout.open(where, fps, camera)
+    recipe = {"text": where, "fps": fps, "camera": camera}
+    return Source(layout.name, where, range(len(whole.times)), whole, recipe)
+
+
+def cameras_at(where: str | os.PathLike[str]) -> list[int]:
+    """Numbers of the cameras in a data set's folder; none for what is no layout of several."""
+    text = os.path.abspath(where)
+    layout = next((layout for layout in LAYOUTS if layout.is_there(text)), None)
+    return [] if layout is None or layout.cameras is None else sorted(layout.cameras(text))
+
+
+def reopen(recipe: dict[str, Any], count: int | None = None) -> Source:
+    """The source of a recipe; count: how many of its pictures, if not as many as before.
+
+    Raises SlamlibError if it is not there any more, or has become shorter.
+    """
+    source = open_source(recipe["text"], fps=recipe["fps"], camera=recipe["camera"])
+    return source.again(recipe, count)
+
+
+def _size(image: Array) -> str:
+    return f"{image.shape[-1]}x{image.shape[-2]}"
+
+
+def _why_not(where: str) -> str:
+    path = Path(where)
+    if not path.exists():
+        return "there is nothing: neither a file nor a folder has that name, nor one that matches it"
+    inside = ", ".join(sorted(p.name for p in path.iterdir() if p.is_dir())[:8]) if path.is_dir() else ""
+    return "there is no image in this folder" + (
+        f"; it holds the folders {inside}: is one of them meant?" if inside else ""
+    )

@@ -1,0 +1,1 @@
+"""Is an estimate consistent, and how far is it off: NEES, NIS and their bands; trajectories, aligned and compared."""

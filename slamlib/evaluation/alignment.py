@@ -1,0 +1,160 @@
+"""How an estimated trajectory is laid over its reference, and how far it is off then."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from slamlib.errors import ShapeError, SlamlibError
+from slamlib.evaluation.trajectory import Trajectory, angles
+from slamlib.geometry.quaternion import best_pivot, from_rotation, product, rotation
+from slamlib.kalman.linalg import finite
+from slamlib.manifolds import Array
+
+STRAIGHT = 0.05  # a path that is narrower than this share of its length says too little about the turn around it
+
+
+@dataclass(frozen=True, eq=False)
+class Similarity:
+    """x -> scale R x + translation: rotation R (3, 3), translation (3,) [m]."""
+
+    scale: float
+    rotation: Array
+    translation: Array
+
+    def __call__(self, points: Array) -> Array:
+        """Points (..., 3), moved."""
+        moved: Array = self.scale * points @ self.rotation.T + self.translation
+        return moved
+
+    def moved(self, trajectory: Trajectory) -> Trajectory:
+        """A trajectory, moved: attitudes turn, positions are scaled too."""
+        turn = from_rotation(self.rotation, best_pivot(self.rotation))
+        turned = product(turn, trajectory.poses[:, 3:])
+        return Trajectory(trajectory.times, np.concatenate([self(trajectory.positions), turned], axis=1))
+
+
+def align(points: Array, reference: Array, *, scale: bool = True) -> Similarity:
+    """The similarity (scale: False, the rigid motion) that brings points (n, 3) nearest to their references (n, 3).
+
+    It minimizes sum |y_i - (s R x_i + t)|^2 in closed form (Horn, 1987; here by singular values as in Umeyama, 1991,
+    eqs. 34 to 43). For any s and R the best t takes centroid to centroid, which leaves centred x_i, y_i, and
+    sum |y_i|^2 - 2 s tr(R' M) + s^2 sum |x_i|^2, with M = sum y_i x_i'. So R is the rotation with the largest tr(R' M).
+    Of M = U D V' this is the sum of D_k times the diagonal of the orthogonal matrix V' R' U, whose entries are at most
+    one: R = U S V', where S = diag(1, 1, det U det V) keeps R from being a reflection. And s = tr(R' M) / sum |x_i|^2.
+
+    Raises SlamlibError where the points do not determine it: fewer than three, or all on one line, around which every
+    turn fits as well; there use `aligned`, which takes the turn from the attitudes.
+    """
+    x, y = _pairs(points, reference)
+    (mean_x, x), (mean_y, y) = _centred(x), _centred(y)
+    M = y.T @ x
+    size = np.linalg.svd(M, compute_uv=False)
+    if size[1] <= 1e-10 * size[0] or not size[0] > 0:
+        raise SlamlibError(
+            "align: the points lie on one line (or in one place), and any turn around it fits as well as any other: "
+            "the attitudes have to say which, see slamlib.evaluation.alignment.aligned(..., by='attitudes')"
+        )
+    return _given_turn(_nearest_rotation(M), x, y, mean_x, mean_y, scale)
+
+
+def _nearest_rotation(M: Array) -> Array:
+    """The rotation R with the largest tr(R' M)."""
+    U, _, Vt = np.linalg.svd(M)
+    sign = np.linalg.det(U) * np.linalg.det(Vt)
+    turn: Array = U @ np.diag([1.0, 1.0, sign]) @ Vt
+    return turn
+
+
+def _given_turn(R: Array, x: Array, y: Array, mean_x: Array, mean_y: Array, scale: bool) -> Similarity:
+    """Best scale and translation for a rotation; x, y centred."""
+    spread = (x * x).sum()
+    if scale and not spread > 0:
+        raise SlamlibError("align: the estimate does not move, so that it has no scale: align with scale=False")
+    s = max(float((y * (x @ R.T)).sum() / spread), 0.0) if scale else 1.0
+    return Similarity(s, R, mean_y - s * R @ mean_x)
+
+
+def _pairs(points: Array, reference: Array) -> tuple[Array, Array]:
+    shape = np.shape(points)
+    if len(shape) != 2 or shape != np.shape(reference) or shape[1] != 3:
+        raise ShapeError(f"align: pairs of points (n, 3) are wanted, got {shape} and {np.shape(reference)}")
+    return finite(points, shape, "align", "points"), finite(reference, shape, "align", "reference")
+
+
+def _centred(points: Array) -> tuple[Array, Array]:
+    mean = points.mean(0)
+    return mean, points - mean
+
+
+def straightness(points: Array) -> float:
+    """How wide points (n, 3) lie across their main direction, in shares of how long: second by first singular value."""
+    size = np.linalg.svd(_centred(points)[1], compute_uv=False)
+    return float(size[1] / size[0]) if size[0] > 0 else 0.0
+
+
+def by_positions(estimate: Trajectory, reference: Trajectory, scale: bool) -> Similarity:
+    """All of it from the positions."""
+    return align(estimate.positions, reference.positions, scale=scale)
+
+
+def by_attitudes(estimate: Trajectory, reference: Trajectory, scale: bool) -> Similarity:
+    """The turn from the attitudes, scale and translation from the positions.
+
+    The turn R makes sum |Q_i - R P_i|^2 least, P_i and Q_i being rotation matrices of the two: as in `align`, with
+    M = sum Q_i P_i'. Both trajectories must be of the same body frame (two of one camera, say). The scale is 0 where
+    the estimate moves against its reference: no similarity makes it fit better than a single point would.
+    """
+    Q, P = rotation(reference.poses[:, 3:]), rotation(estimate.poses[:, 3:])
+    turn = _nearest_rotation((Q @ P.swapaxes(-1, -2)).sum(0))
+    x, y = _pairs(estimate.positions, reference.positions)
+    (mean_x, x), (mean_y, y) = _centred(x), _centred(y)
+    return _given_turn(turn, x, y, mean_x, mean_y, scale)
+
+
+WAYS = {"positions": by_positions, "attitudes": by_attitudes}
+
+
+@dataclass(frozen=True, eq=False)
+class Aligned:
+    """An estimate laid over its reference, pair by pair, and what remains.
+
+    position (n,): distances in the reference's unit; attitude (n,) [rad]; path: the reference's length; by: where the
+    turn was taken from; straightness: of the reference.
+    """
+
+    similarity: Similarity
+    estimate: Trajectory
+    position: Array
+    attitude: Array
+    path: float
+    by: str
+    straightness: float
+
+    @property
+    def rmse(self) -> float:
+        """Absolute trajectory error: root mean square of the distances (Sturm and others, 2012)."""
+        return float(np.sqrt((self.position**2).mean()))
+
+    @property
+    def relative(self) -> float:
+        """The same by the length of the path (0.01 is 1 %)."""
+        return self.rmse / self.path if self.path > 0 else np.nan
+
+
+def aligned(estimate: Trajectory, reference: Trajectory, *, scale: bool = True, by: str | None = None) -> Aligned:
+    """Lay an estimate over its reference (pairs, row by row) and measure what remains.
+
+    by: whether the "positions" or the "attitudes" say the turn; None: the positions, but for a path that is nearly
+    straight (STRAIGHT) the attitudes, since positions hardly tell the turn around it. Raises SlamlibError.
+    """
+    if by is not None and by not in WAYS:
+        raise SlamlibError(f"aligned: by is one of {', '.join(WAYS)}, or None, got {by!r}")
+    if len(estimate) != len(reference):
+        raise ShapeError(f"{len(estimate)} poses against {len(reference)}: pick pairs with associate first")
+    narrow = straightness(reference.positions)
+    chosen = by or ("positions" if narrow > STRAIGHT else "attitudes")
+    similarity = WAYS[chosen](estimate, reference, scale)
+    moved = similarity.moved(estimate)
+    distance = np.linalg.norm(moved.positions - reference.positions, axis=1)
+    off = product(reference.poses[:, 3:] * [1, -1, -1, -1], moved.poses[:, 3:])
+    return Aligned(similarity, moved, distance, angles(off), float(reference.distances[-1]), chosen, narrow)

@@ -1,0 +1,202 @@
+"""Does a filter know what it does not know? NEES, NIS, their chi-square bands, and errors.
+
+What may be concluded: at one step, the average over independent runs is inside its 95 % band in 95 % of all
+experiments, if the filter is consistent. What may not: steps of one run are correlated, so an average over time has no
+such band; and a statistic inside its band does not prove the model right, it fails to prove it wrong. Bar-Shalom, Li
+and Kirubarajan (2001), section 5.4.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
+from slamlib.kalman import linalg
+from slamlib.manifolds import Array
+
+
+def nees(error: Array, covariance: Array) -> Array:
+    """Normalized estimation error squared e' P^-1 e; error (..., n), covariance (..., n, n). Expected value n.
+
+    Raises CovarianceError where P is not positive definite, ShapeError, NonFiniteError.
+    """
+    return _squared(error, covariance, "nees", "covariance")
+
+
+def nis(innovation: Array, covariance: Array) -> Array:
+    """Normalized innovation squared z' Z^-1 z; innovation (..., m), covariance (..., m, m). Expected value m."""
+    return _squared(innovation, covariance, "nis", "covariance")
+
+
+def _squared(vector: Array, matrix: Array, function: str, argument: str) -> Array:
+    vector, matrix = linalg.numbers(vector, function, "vector"), linalg.numbers(matrix, function, argument)
+    n = vector.shape[-1] if vector.ndim else 0
+    if matrix.shape[-2:] != (n, n) or n == 0:
+        raise ShapeError(
+            f"{function}: a vector of shape {vector.shape} needs a matrix (..., {n}, {n}), got {matrix.shape}"
+        )
+    try:
+        np.broadcast_shapes(vector.shape[:-1], matrix.shape[:-2])
+    except ValueError:
+        raise ShapeError(
+            f"{function}: leading axes of the vector {vector.shape} and of the {argument} {matrix.shape} do not match"
+        ) from None
+    _finite(vector, function, "vector")
+    _finite(matrix, function, argument)
+    scale = np.abs(matrix).max((-2, -1), keepdims=True)
+    if (np.abs(matrix - matrix.swapaxes(-1, -2)) > 1e-9 * scale).any():
+        raise CovarianceError(f"{function}: the {argument} is not symmetric, as a covariance must be")
+    factor = linalg.cholesky(matrix, function, argument)
+    white = np.linalg.solve(factor, vector[..., None])[..., 0]
+    return (white * white).sum(-1)
+
+
+def _finite(array: Array, function: str, name: str) -> None:
+    if not np.isfinite(array).all():
+        raise NonFiniteError(f"{function}: nan or infinity in the {name}; leave out the steps that were not estimated")
+
+
+def rmse(errors: Array, axis: int | tuple[int, ...] | None = None) -> Array:
+    """Root mean square of the norm of errors (..., n), over `axis` of the leading axes (default: all).
+
+    It tells how large the errors are, not whether the filter knew (NEES does). Compare filters on the same runs.
+    """
+    errors = linalg.numbers(errors, "rmse", "errors")
+    if not errors.ndim or not errors.size:
+        raise ShapeError(f"rmse: errors should have shape (..., n) and not be empty, but have shape {errors.shape}")
+    _finite(errors, "rmse", "errors")
+    return np.sqrt((errors * errors).sum(-1).mean(axis))
+
+
+def chi2_cdf(x: float, dof: float) -> float:
+    """Probability that a chi-square variable with `dof` degrees of freedom is below x. Numbers, not arrays."""
+    _positive(dof, "chi2_cdf", "dof")
+    if math.isnan(x):
+        raise NonFiniteError("chi2_cdf: x is nan")
+    return 1.0 if x == math.inf else _gamma_p(dof / 2, x / 2) if x / 2 > 0 else 0.0
+
+
+def chi2_quantile(probability: float, dof: float) -> float:
+    """The x with chi2_cdf(x, dof) = probability, for 0 < probability < 1, to ten digits up to a million dof.
+
+    A gate that lets true measurements pass with probability p is chi2_quantile(p, dof of the innovation).
+    """
+    _positive(dof, "chi2_quantile", "dof")
+    if not 0 < probability < 1:
+        raise SlamlibError(f"chi2_quantile: probability should lie between 0 and 1, got {probability}")
+    a = dof / 2
+    # Without its factor exp(-x/2) the density is larger, so that its integral reaches the probability sooner.
+    low = 2 * math.exp((math.log(probability) + math.lgamma(a + 1)) / a) * (1 - 1e-9)
+    high = max(float(dof), 2 * low)
+    while chi2_cdf(high, dof) < probability:
+        low, high = high, 2 * high
+    x = _between(low, high)
+    for _ in range(200):
+        excess = chi2_cdf(x, dof) - probability
+        low, high = (low, x) if excess > 0 else (x, high)
+        slope = math.exp((a - 1) * math.log(x / 2) - x / 2 - math.lgamma(a)) / 2
+        newton = x - excess / slope if slope > 0 else low
+        following = newton if low < newton < high else _between(low, high)
+        if abs(following - x) <= 1e-15 * x:
+            break
+        x = following
+    return x
+
+
+def _between(low: float, high: float) -> float:
+    return math.sqrt(low) * math.sqrt(high) if high > 4 * low > 0 else (low + high) / 2
+
+
+def _gamma_p(a: float, x: float) -> float:
+    """Regularised lower incomplete gamma function: series below a + 1, continued fraction above (DLMF 8.9, 8.11)."""
+    front = math.exp(a * math.log(x) - x - math.lgamma(a))
+    if x < a + 1:
+        term = total = 1 / a
+        k = a
+        while abs(term) > 1e-17 * total:
+            k += 1
+            term *= x / k
+            total += term
+        return front * total
+    return 1 - front * _gamma_fraction(a, x)
+
+
+def _gamma_fraction(a: float, x: float) -> float:
+    """Lentz's evaluation of the continued fraction of the upper incomplete gamma function."""
+    b = x + 1 - a
+    c, d = 1e300, 1 / b
+    value = d
+    for i in range(1, 10000):
+        step = -i * (i - a)
+        b += 2
+        d = 1 / (step * d + b)
+        c = b + step / c
+        value *= d * c
+        if abs(d * c - 1) < 1e-16:
+            break
+    return value
+
+
+def _positive(value: float, function: str, name: str) -> None:
+    if not value > 0 or not math.isfinite(value):
+        raise SlamlibError(f"{function}: {name} should be positive and finite, got {value}")
+
+
+def band(dof: int, runs: int = 1, probability: float = 0.95) -> tuple[float, float]:
+    """Where the average over `runs` independent runs of a chi-square statistic with `dof` degrees of freedom lies.
+
+    For one step. Not for an average over the steps of a run: they are correlated, and its band is wider.
+    """
+    _positive(dof, "band", "dof")
+    _positive(runs, "band", "runs")
+    if not 0 < probability < 1:
+        raise SlamlibError(f"band: probability should lie between 0 and 1, got {probability}")
+    tail = (1 - probability) / 2
+    return chi2_quantile(tail, dof * runs) / runs, chi2_quantile(1 - tail, dof * runs) / runs
+
+
+def share_inside(series: Array, limits: tuple[float, float]) -> float:
+    """Share of the values that lie inside the limits; near the band's probability for a consistent filter.
+
+    How near cannot be told from one set of runs: the values at neighbouring steps are correlated.
+    """
+    series = linalg.numbers(series, "share_inside", "series")
+    if not series.size:
+        raise ShapeError("share_inside: the series is empty")
+    _finite(series, "share_inside", "series")
+    return float(np.mean((series >= limits[0]) & (series <= limits[1])))
+
+
+@dataclass(frozen=True, eq=False)
+class Consistency:
+    """A statistic averaged over independent runs at each step, beside its chi-square band."""
+
+    name: str
+    dof: int
+    runs: int
+    average: Array
+    limits: tuple[float, float]
+    probability: float = 0.95
+
+    @classmethod
+    def of(cls, statistic: Array, dof: int, *, name: str = "NEES", probability: float = 0.95) -> "Consistency":
+        """From the statistic of every run and step, shape (runs, steps)."""
+        statistic = linalg.numbers(statistic, "Consistency", "the statistic")
+        if statistic.ndim != 2 or not statistic.size:
+            raise ShapeError(f"Consistency: the statistic should have shape (runs, steps), but has {statistic.shape}")
+        _finite(statistic, "Consistency", "statistic")
+        runs = len(statistic)
+        return cls(name, dof, runs, statistic.mean(0), band(dof, runs, probability), probability)
+
+    @property
+    def inside(self) -> float:
+        """Share of the steps whose average lies inside the band."""
+        return share_inside(self.average, self.limits)
+
+    def __repr__(self) -> str:
+        low, high = self.limits
+        return (
+            f"{self.name}: {self.dof} degrees of freedom, {self.runs} runs, {self.probability:.0%} band "
+            f"[{low:.3f}, {high:.3f}], {self.inside:.1%} of {self.average.size} steps inside"
+        )

@@ -1,0 +1,153 @@
+"""Trajectories: times and poses; files that other tools read; pairs by time; errors against a reference.
+
+How an estimate is laid over its reference is in slamlib.evaluation.alignment, errors over parts of a path in
+slamlib.evaluation.path_errors.
+"""
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from slamlib.data.files import whole
+from slamlib.errors import ShapeError, SlamlibError
+from slamlib.geometry.pose import compose, relative
+from slamlib.geometry.quaternion import best_pivot, from_rotation
+from slamlib.kalman.linalg import finite, frozen, numbers
+from slamlib.manifolds import Array
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """times (n,) [s], which grow, and the poses (n, 7) of one frame, as a camera's, in the world; n is at least 1.
+
+    Quaternions are normalized. Raises SlamlibError for anything else.
+    """
+
+    times: Array
+    poses: Array
+
+    def __post_init__(self) -> None:
+        times = numbers(self.times, "Trajectory", "times")
+        times = finite(times, (times.size,), "Trajectory", "times")
+        poses = finite(self.poses, (len(times), 7), "Trajectory", "poses")
+        if not len(times):
+            raise ShapeError("Trajectory: there is no pose in it")
+        if not (np.diff(times) > 0).all():
+            place = int(np.argmin(np.diff(times) > 0))
+            raise SlamlibError(f"Trajectory: times must grow, got {times[place]} and then {times[place + 1]}")
+        length = np.linalg.norm(poses[:, 3:], axis=1, keepdims=True)
+        if (np.abs(length - 1) > 0.01).any():
+            raise SlamlibError("Trajectory: poses are (x, y, z, w, x, y, z), their last four numbers of length one")
+        object.__setattr__(self, "times", frozen(times))
+        object.__setattr__(self, "poses", frozen(np.concatenate([poses[:, :3], poses[:, 3:] / length], axis=1)))
+
+    def __len__(self) -> int:
+        return len(self.times)
+
+    def __getitem__(self, rows: Array) -> "Trajectory":
+        """Some of the poses, in the order of their times."""
+        return Trajectory(self.times[rows], self.poses[rows])
+
+    @property
+    def positions(self) -> Array:
+        """(n, 3) [m]."""
+        return self.poses[:, :3]
+
+    @property
+    def distances(self) -> Array:
+        """Length of the path (n,) [m] up to each pose; the last number is that of the whole."""
+        steps = np.linalg.norm(np.diff(self.positions, axis=0), axis=1)
+        return np.concatenate([[0.0], np.cumsum(steps)])
+
+    def from_start(self) -> "Trajectory":
+        """The same, as seen from its first pose."""
+        return Trajectory(self.times, relative(self.poses[0], self.poses))
+
+    def mounted(self, mount: Array) -> "Trajectory":
+        """Of what sits at `mount` (7,) in the moving frame: of a camera, where this is of the robot."""
+        return Trajectory(self.times, compose(self.poses, mount))
+
+
+def write_tum(path: str | os.PathLike[str], trajectory: Trajectory) -> None:
+    """Write rows of "time x y z qx qy qz qw", TUM RGB-D's format, which evo reads; whole or not at all."""
+    order = [0, 1, 2, 4, 5, 6, 3]
+    rows = (
+        " ".join([f"{time:.9f}", *(f"{value:.12g}" for value in pose[order])])
+        for time, pose in zip(trajectory.times, trajectory.poses, strict=True)
+    )
+    with whole(path) as partial:
+        partial.write_text("# time[s] x y z qx qy qz qw\n" + "\n".join(rows) + "\n", encoding="utf-8")
+
+
+def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) -> Trajectory:
+    """Read one: TUM rows of 8 numbers, KITTI rows of 12 (3 x 4, no times), EuRoC rows with commas (nanoseconds).
+
+    times (n,) [s]: of the rows, in place of those in the file; KITTI's has none. Raises SlamlibError.
+    """
+    try:
+        text = Path(path).read_text("utf-8")
+    except (OSError, ValueError) as error:
+        raise SlamlibError(f"{path} cannot be read: {error}") from None
+    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
+    with_commas = bool(lines) and "," in lines[0]
+    try:
+        rows = np.array([[float(w) for w in line.replace(",", " ").split()] for line in lines])
+    except ValueError as error:
+        raise SlamlibError(f"{path} is no trajectory: its rows are not numbers, as many in each: {error}") from None
+    width = rows.shape[1] if rows.ndim == 2 else 0
+    form = next((f for f in _FORMS if f.fits(width, with_commas)), None)
+    if form is None:
+        raise SlamlibError(f"{path} is no trajectory: rows of 8 (TUM) or 12 numbers (KITTI), or EuRoC's, are wanted")
+    own, poses = form.read(rows)
+    if own is None and times is None:
+        raise SlamlibError(f"{path} has poses, but no times (KITTI's form): give them, times=...")
+    return Trajectory(own if times is None else times, poses)
+
+
+@dataclass(frozen=True)
+class _Form:
+    """fits(numbers a row, whether there are commas); read(rows): times or None, and poses (n, 7)."""
+
+    fits: Callable[[int, bool], bool]
+    read: Callable[[Array], tuple[Array | None, Array]]
+
+
+def _poses(positions: Array, turns: Array) -> Array:
+    """Poses (n, 7) of positions (n, 3) and rotation matrices (n, 3, 3)."""
+    return np.concatenate([positions, from_rotation(turns, best_pivot(turns))], axis=1)
+
+
+_FORMS = (
+    _Form(lambda width, commas: commas and width >= 8, lambda rows: (1e-9 * rows[:, 0], rows[:, 1:8])),
+    _Form(lambda width, _: width == 8, lambda rows: (rows[:, 0], rows[:, [1, 2, 3, 7, 4, 5, 6]])),
+    _Form(lambda width, _: width == 12, lambda rows: (None, _poses(rows[:, 3::4], rows.reshape(-1, 3, 4)[..., :3]))),
+)
+
+
+def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tuple[Array, Array]:
+    """Rows of each that belong together: nearest in time, at most `tolerance` [s] apart, none used twice.
+
+    Raises SlamlibError if there is no pair.
+    """
+    after = np.searchsorted(other.times, one.times).clip(1, max(len(other) - 1, 1))
+    near = np.stack([after - 1, after.clip(max=len(other) - 1)])
+    gaps = np.abs(other.times[near] - one.times)
+    j, gap = near[gaps.argmin(0), np.arange(len(one))], gaps.min(0)
+    order = np.lexsort((gap, j))  # of those that want the same row, the nearest comes first
+    first = np.ones(len(j), dtype=bool)
+    first[1:] = np.diff(j[order]) > 0
+    rows = np.sort(order[first & (gap[order] <= tolerance)])
+    if not len(rows):
+        raise SlamlibError(
+            f"no two times are within {tolerance} s: one trajectory is of {one.times[0]:.3f} to {one.times[-1]:.3f} s, "
+            f"the other of {other.times[0]:.3f} to {other.times[-1]:.3f} s"
+        )
+    return rows, j[rows]
+
+
+def angles(quaternions: Array) -> Array:
+    """Angles (...) [rad], 0 to pi, of rotations (..., 4)."""
+    return 2 * np.arctan2(np.linalg.norm(quaternions[..., 1:], axis=-1), np.abs(quaternions[..., 0]))

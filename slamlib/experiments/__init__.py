@@ -1,0 +1,1 @@
+"""Experiments as plain data: presets, one run of them, many runs of them."""

@@ -1,0 +1,123 @@
+"""The same experiment many times, in parallel: does the filter know what it does not know?
+
+Every run has a random stream of its own, drawn from the experiment's seed by its number, so that the results are the
+same for any number of workers and in any order. With a folder, each finished run is a file there, and an interrupted
+experiment goes on where it was. Parallel runs are joblib's: whoever outgrows one machine runs the same call inside
+`joblib.parallel_config(backend="dask")` with a Dask client.
+"""
+
+import hashlib
+import json
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+
+import numpy as np
+
+from slamlib.data.files import whole
+from slamlib.errors import SlamlibError
+from slamlib.evaluation.consistency import Consistency
+from slamlib.experiments.presets import Preset
+from slamlib.experiments.progress import progress
+from slamlib.experiments.runs import Run
+from slamlib.manifolds import Array
+
+
+@dataclass(frozen=True, eq=False)
+class Experiment:
+    """Many runs of one preset: per run and frame (k, n), and for each of r robots.
+
+    nees (k, n, r), 6 degrees of freedom; errors, sigmas (k, n, r): distances [m], and what the filter says of them;
+    nis, nis_dof (k, n). landmarks, begun, deleted (k,); seconds (k,): processor time, median of a frame;
+    map_error (k,): median distance [m] of the map's landmarks from the truth.
+    """
+
+    preset: Preset
+    nees: Array
+    errors: Array
+    sigmas: Array
+    nis: Array
+    nis_dof: Array
+    landmarks: Array
+    begun: Array
+    deleted: Array
+    seconds: Array
+    map_error: Array
+
+    def consistency(self, robot: int = 0) -> Consistency:
+        """NEES of a robot's pose, averaged over the runs at each frame, beside its band."""
+        return Consistency.of(self.nees[:, :, robot], 6)
+
+
+NAMES = [f.name for f in fields(Experiment)[1:]]
+
+
+def monte_carlo(
+    preset: Preset, runs: int, *, seed: int = 0, jobs: int | None = 1, folder: str | os.PathLike[str] | None = None
+) -> Experiment:
+    """So many independent runs of a preset.
+
+    jobs: how many at once; None: as joblib is configured by the caller. folder: where finished runs are kept; it is
+    made, and holds one file per run, named by the preset's contents, so that no other experiment takes it for its own.
+    """
+    if runs < 1:
+        raise SlamlibError(f"monte_carlo: at least one run, got {runs}")
+    keep = None if folder is None else Path(folder)
+    if keep:
+        keep.mkdir(parents=True, exist_ok=True)
+    rows = progress(_each(preset, runs, seed, jobs, keep), runs, f"{preset.name}, {runs} runs")
+    columns = {name: np.array(column) for name, column in zip(NAMES, zip(*rows, strict=True), strict=True)}
+    return Experiment(preset, **columns)
+
+
+def _each(preset: Preset, runs: int, seed: int, jobs: int | None, folder: Path | None) -> Iterator[tuple[Array, ...]]:
+    """The rows of all runs, in their order, as they are finished."""
+    seeds = [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(seed).spawn(runs)]
+    if jobs == 1:
+        yield from (one(preset, s, folder) for s in seeds)
+        return
+    try:
+        from joblib import Parallel, delayed
+    except ImportError:
+        raise SlamlibError("several runs at once need joblib: pip install 'slamlib[experiments]', or jobs=1") from None
+    yield from Parallel(n_jobs=jobs, return_as="generator")(delayed(one)(preset, s, folder) for s in seeds)
+
+
+def one(preset: Preset, seed: int, folder: Path | None = None) -> tuple[Array, ...]:
+    """One run's row, from its file if there is one."""
+    path = None if folder is None else folder / f"{preset.name}-{_digest(preset)}-{seed}.npz"
+    if path and path.is_file():
+        with np.load(path) as file:
+            return tuple(file[name] for name in NAMES)
+    row = _row(preset, seed)
+    if path:
+        with whole(path) as partial, partial.open("wb") as stream:
+            np.savez_compressed(stream, **dict(zip(NAMES, row, strict=True)))
+    return row
+
+
+def _row(preset: Preset, seed: int) -> tuple[Array, ...]:
+    result = Run(preset, seed).finish()
+    away = np.concatenate([result.point_errors, result.segment_errors])
+    away = away[np.isfinite(away)]
+    return tuple(
+        np.asarray(value)
+        for value in (
+            result.nees,
+            np.linalg.norm(result.errors[:, :, :3], axis=-1),
+            np.linalg.norm(result.sigmas[:, :, :3], axis=-1),
+            result.nis,
+            result.nis_dof,
+            result.landmarks[-1],
+            result.begun,
+            result.deleted,
+            np.median(result.seconds),
+            np.median(away) if len(away) else np.nan,
+        )
+    )
+
+
+def _digest(preset: Preset) -> str:
+    plain = replace(preset, seed=0).to_dict()
+    return hashlib.sha256(json.dumps(plain, sort_keys=True).encode()).hexdigest()[:12]

@@ -1,0 +1,159 @@
+"""A preset, run: frame by frame, with what an evaluation wants to know; saved at any frame, and gone on with."""
+
+import os
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from slamlib.data.records import Frame, Truth, World
+from slamlib.data.snapshots import Snapshot
+from slamlib.errors import SlamlibError
+from slamlib.experiments.presets import Preset
+from slamlib.geometry.pose import Pose
+from slamlib.manifolds import Array
+from slamlib.slam import Report, Slam
+
+COLUMNS = ("errors", "sigmas", "nees", "nis", "nis_dof", "landmarks", "size", "seconds")
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """What a run was: per frame (n,), and for each of r robots.
+
+    errors (n, r, 6): true pose minus estimate, in the tangent space; sigmas (n, r, 6): what the filter says of them;
+    nees (n, r), 6 degrees of freedom. nis (n,) and its degrees of freedom nis_dof (n,): of all innovations believed.
+    landmarks, size, seconds (n,): of the map, of the state, and of the processor. begun, deleted: in the whole run.
+    point_errors, segment_errors: distances [m] of the landmarks in the final map from the truth.
+    """
+
+    preset: Preset
+    errors: Array
+    sigmas: Array
+    nees: Array
+    nis: Array
+    nis_dof: Array
+    landmarks: Array
+    size: Array
+    seconds: Array
+    begun: int
+    deleted: int
+    point_errors: Array
+    segment_errors: Array
+
+
+@dataclass(frozen=True)
+class Step:
+    """One frame of a run, as it has just been done."""
+
+    frame: Frame
+    truth: Truth
+    report: Report
+
+
+class Run:
+    """A run in progress. Iterate over it; `save` at any time, `Run.load` goes on exactly where it was."""
+
+    def __init__(self, preset: Preset, seed: int | None = None) -> None:
+        self.preset = preset if seed is None else replace(preset, seed=seed)
+        self.slam = self.preset.slam()
+        self._history: list[list[Any]] = []
+        self._begun = self._deleted = 0
+
+    def __len__(self) -> int:
+        """Frames still to do."""
+        return self.preset.frames - len(self._history)
+
+    def __iter__(self) -> Iterator[Step]:
+        """Do the frames that are still to do, one at a time."""
+        for frame, truth in self.preset.simulate():
+            if frame.number <= len(self._history):
+                continue
+            began = time.process_time()
+            report = self.slam.step(frame)
+            self._remember(truth, report, time.process_time() - began)
+            yield Step(frame, truth, report)
+
+    def finish(self) -> Result:
+        """Do all that is still to do."""
+        for _ in self:
+            pass
+        return self.result()
+
+    def _remember(self, truth: Truth, report: Report, seconds: float) -> None:
+        self._begun += len(report.begun)
+        self._deleted += len(report.deleted)
+        errors, sigmas, nees = [], [], []
+        for robot, state in zip(self.slam.robots, truth.robots, strict=True):
+            e = Pose.minus(state[:7], robot.pose)
+            P = self.slam.belief.covariance(robot.block)[:6, :6]
+            errors.append(e.tolist())
+            sigmas.append(np.sqrt(P.diagonal()).tolist())
+            nees.append(_nees(e, P))
+        believed = [look for looks in self.slam.looks for look in looks if look.inlier]
+        nis, dof = sum(look.nis for look in believed), sum(len(look.Z) for look in believed)
+        row = [errors, sigmas, nees, nis, dof, len(self.slam.landmarks), self.slam.belief.size, seconds]
+        self._history.append(row)
+
+    def result(self) -> Result:
+        """What has been done so far. Raises SlamlibError before the first frame."""
+        if not self._history:
+            raise SlamlibError("nothing has been run yet")
+        columns = {
+            name: np.array(column) for name, column in zip(COLUMNS, zip(*self._history, strict=True), strict=True)
+        }
+        snapshot, world = self.slam.snapshot(), self.preset.world
+        return Result(
+            preset=self.preset,
+            begun=self._begun,
+            deleted=self._deleted,
+            point_errors=point_errors(snapshot, world),
+            segment_errors=line_errors(snapshot, world),
+            **columns,
+        )
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write all of it to one file, whole or not at all."""
+        counts = {"begun": self._begun, "deleted": self._deleted}
+        self.slam.save(path, preset=self.preset.to_dict(), history=self._history, **counts)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> "Run":
+        """Go on with a saved run. Raises SlamlibError for a file that holds none."""
+        slam, extra = Slam.resume(path)
+        if "preset" not in extra:
+            raise SlamlibError(f"{path} holds a filter, but not the experiment that it belongs to: use Slam.load")
+        run = cls(Preset.from_dict(extra["preset"]))
+        run.slam, run._history = slam, extra["history"]
+        run._begun, run._deleted = extra["begun"], extra["deleted"]
+        return run
+
+
+def _nees(error: Array, covariance: Array) -> float:
+    """NEES of a pose; nan where the pose is known exactly, as at a start without uncertainty."""
+    try:
+        return float(error @ np.linalg.solve(covariance, error))
+    except np.linalg.LinAlgError:
+        return float("nan")
+
+
+def point_errors(snapshot: Snapshot, world: World) -> Array:
+    """Distances [m] (k,) of the estimated points from the world's points of the same ids."""
+    row = {int(number): i for i, number in enumerate(world.points.ids)}
+    pairs = [(i, row[int(n)]) for i, n in enumerate(snapshot.points.ids) if int(n) in row]
+    found = [np.linalg.norm(snapshot.points.geometry[i] - world.points.values[j]) for i, j in pairs]
+    return np.array(found)
+
+
+def line_errors(snapshot: Snapshot, world: World) -> Array:
+    """For each estimated line, the larger distance [m] (k,) of the true segment's two ends from it."""
+    row = {int(number): i for i, number in enumerate(world.segments.ids)}
+    found = []
+    for number, ends in zip(snapshot.segments.ids, snapshot.segments.geometry, strict=True):
+        if int(number) in row:
+            along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
+            away = world.segments.values[row[int(number)]].reshape(2, 3) - ends[0]
+            found.append(np.linalg.norm(away - np.outer(away @ along, along), axis=1).max())
+    return np.array(found)

@@ -1,0 +1,1 @@
+"""The algebra of the Kalman filter on blocks: state, measurement update, checked linear algebra."""

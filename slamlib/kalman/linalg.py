@@ -1,0 +1,189 @@
+"""Small linear algebra that checks its own results: in WebAssembly a failed factorization is NaN, not an exception.
+
+SciPy's BLAS is used where SciPy is installed and the problem is large enough to gain; it is loaded at first use.
+"""
+
+import functools
+import importlib
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
+from slamlib.kalman import small_matrices
+from slamlib.manifolds import Array
+
+quiet = np.errstate(over="ignore", invalid="ignore")  # results are checked: an overflow is an error, not a warning
+
+# Sizes from which the triangular product of BLAS repays its mirroring: benchmarks/covariance_update.py.
+_LARGE = 400
+_SMALL = 4  # numbers of a measurement up to which Python's floats are quicker than LAPACK
+_ROUNDING = 4 * float(np.finfo(float).eps)  # of each row, beside the variance
+
+
+def numbers(value: Array, function: str, argument: str) -> Array:
+    """`value` as an array of floats; raises SlamlibError for text, complex numbers and lists of unequal lengths."""
+    try:
+        array = np.asarray(value)
+        if array.dtype.kind in "cSUMm":
+            raise TypeError(f"it holds {array.dtype}")
+        return array.astype(float, copy=False)
+    except (TypeError, ValueError) as error:
+        raise SlamlibError(f"{function}: {argument} should be an array of real numbers: {error}") from None
+
+
+def finite(value: Array, shape: tuple[int, ...], function: str, argument: str) -> Array:
+    """`value` as an array of floats of exactly this shape; raises ShapeError, NonFiniteError."""
+    array = numbers(value, function, argument)
+    if array.shape != shape:
+        raise ShapeError(f"{function}: {argument} should have shape {shape}, but has shape {array.shape}")
+    if not np.isfinite(array).all():
+        where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
+        raise NonFiniteError(f"{function}: {argument} holds {array[where]} at index {where}; remove or mask it")
+    return array
+
+
+def frozen(array: Array) -> Array:
+    """A read-only copy, of floats."""
+    return sealed(np.array(array, dtype=float))
+
+
+def sealed(array: Array) -> Array:
+    """The array itself, from now on read-only: for those that nobody else holds."""
+    array.flags.writeable = False
+    return array
+
+
+def not_overflown(function: str, *results: Array) -> None:
+    """Raise NonFiniteError where finite arguments gave a covariance beyond the range of floating point."""
+    if not all(np.isfinite(result).all() for result in results):
+        raise NonFiniteError(f"{function}: the covariance overflows; choose units in which the numbers are smaller")
+
+
+def covariance(value: Array, size: int, function: str, argument: str) -> Array:
+    """A symmetric, positive semi-definite matrix (size, size); a number or a vector of variances is made a diagonal.
+
+    Asymmetry up to 1e-9, and negative eigenvalues down to -1e-9, of the largest entry are taken as rounding.
+    Raises CovarianceError, ShapeError, NonFiniteError.
+    """
+    array = numbers(value, function, argument)
+    if array.shape in ((), (size,)):
+        array = np.diag(np.broadcast_to(array, (size,)))
+    array = finite(array, (size, size), function, argument)
+    scale = np.abs(array).max(initial=0)
+    half = array / 2
+    if np.abs(half - half.T).max(initial=0) > 0.5e-9 * scale:
+        advice = "use (P + P.T) / 2 if only rounding is to blame"
+        raise CovarianceError(f"{function}: {argument} is not symmetric, as a covariance must be; {advice}")
+    array = half + half.T
+    least = 0.0 if _factor(array) is not None else np.linalg.eigvalsh(array)[0]
+    if not least >= -1e-9 * scale:
+        advice = "a covariance has none (were standard deviations passed, or a difference of covariances?)"
+        raise CovarianceError(f"{function}: {argument} has the negative eigenvalue {least:.3g}; {advice}")
+    return array
+
+
+def _factor(matrix: Array) -> Array | None:
+    """Lower Cholesky factors of (..., n, n), or None where there is none, or one by the grace of rounding alone."""
+    if matrix.ndim == 2 and 0 < len(matrix) <= _SMALL:
+        return small_matrices.factor(matrix, _ROUNDING)
+    try:
+        factor = np.linalg.cholesky(matrix)
+    except np.linalg.LinAlgError:
+        return None
+    # What earlier rows leave of each variance, beside that variance itself: so mixed units do no harm. NaN is not >.
+    own = np.diagonal(factor, axis1=-2, axis2=-1) ** 2
+    rounding = _ROUNDING * matrix.shape[-1] * np.diagonal(matrix, axis1=-2, axis2=-1)
+    return factor if (own > rounding).all() else None
+
+
+def cholesky(matrix: Array, function: str, argument: str) -> Array:
+    """Lower factors of positive definite matrices (..., n, n); raises CovarianceError, also where it is so nearly
+    singular that rounding decides."""
+    factor = _factor(matrix)
+    if factor is None:
+        least = np.linalg.eigvalsh(np.nan_to_num(matrix))[..., 0]
+        where = tuple(int(i) for i in np.unravel_index(np.argmin(least), least.shape))
+        place = f" at index {where}" if where else ""
+        raise CovarianceError(
+            f"{function}: {argument}{place} is not positive definite (smallest eigenvalue {least[where]:.3g})"
+        )
+    return factor
+
+
+def solve_lower(factor: Array, right: Array) -> Array:
+    """Solution X of `factor @ X = right` for a lower triangular factor (n, n) and right (n,) or (n, k).
+
+    Never through an inverse of the factor: that is quicker, and thirty times less accurate where S is near singular.
+    """
+    fast = _scipy("scipy.linalg.blas", "dtrsv" if right.ndim == 1 else "dtrsm") if right.size else None
+    if not fast:
+        return np.linalg.solve(factor, right)
+    # BLAS counts columns first: factor' is upper triangular, and X' = right' (factor')^-1.
+    return fast(factor.T, right, trans=1) if right.ndim == 1 else fast(1.0, factor.T, right.T, side=1).T
+
+
+def subtract_square(matrix: Array, rows: Array) -> None:
+    """matrix -= rows.T @ rows in place; a symmetric matrix stays exactly symmetric.
+
+    NumPy runs W'W as a symmetric product. BLAS can update one triangle where it lies, which is then mirrored; but only
+    a contiguous matrix: of a view into a larger array its wrapper silently updates a copy.
+    """
+    large = len(matrix) >= _LARGE and len(rows) and matrix.flags.c_contiguous
+    fast = _scipy("scipy.linalg.blas", "dsyrk") if large else None
+    if fast:
+        fast(-1.0, rows.T, 1.0, matrix.T, overwrite_c=1)
+        _mirror(matrix)
+    else:
+        matrix -= rows.T @ rows
+
+
+_WIDTH = 64  # of the blocks in which a matrix is mirrored: they fit the cache
+_BELOW = np.tri(_WIDTH, k=-1, dtype=bool)
+
+
+def _mirror(matrix: Array) -> None:
+    """Copy the lower triangle over the upper one, block by block."""
+    for start in range(0, len(matrix), _WIDTH):
+        stop = min(start + _WIDTH, len(matrix))
+        matrix[:start, start:stop] = matrix[start:stop, :start].T
+        corner, size = matrix[start:stop, start:stop], stop - start
+        np.copyto(corner.T, corner, where=_BELOW[:size, :size])
+
+
+def exchange(matrix: Array, old: slice, rows: Array, corner: Array) -> Array:
+    """A symmetric matrix with the rows and columns `old` taken out and others put there: `rows` (k, n), whose columns
+    `old` are not used, and `corner` (k, k)."""
+    head, tail = slice(0, old.start), slice(old.stop, len(matrix))
+    end = old.start + len(corner)
+    result = np.empty((len(matrix) - old.stop + end,) * 2)
+    result[head, head], result[head, end:] = matrix[head, head], matrix[head, tail]
+    result[end:, head], result[end:, end:] = matrix[tail, head], matrix[tail, tail]
+    result[old.start : end, head], result[old.start : end, end:] = rows[:, head], rows[:, tail]
+    result[head, old.start : end], result[end:, old.start : end] = rows[:, head].T, rows[:, tail].T
+    result[old.start : end, old.start : end] = corner / 2 + corner.T / 2
+    return result
+
+
+@functools.cache
+def _scipy(module: str, name: str) -> Callable[..., Any] | None:
+    """A SciPy function, loaded at first use, or None where SciPy is not installed."""
+    try:
+        return getattr(importlib.import_module(module), name)
+    except ModuleNotFoundError:
+        return None
+
+
+def joseph(P: Array, H: Array, R: Array, K: Array) -> Array:
+    """(I - K H) P (I - K H)' + K R K': the corrected covariance for any gain K, not only the optimal one.
+
+    P (n, n), H (m, n), R (m, m), K (n, m); single precision stays single. The belief does not use it: for the optimal
+    gain it equals P - W'W, and costs two dense products of size n where the touched rows need none.
+    """
+    P, H, R, K = (np.asarray(a) for a in (P, H, R, K))
+    m, n = H.shape if H.ndim == 2 else (1, len(np.atleast_1d(P)))
+    for name, array, shape in (("P", P, (n, n)), ("H", H, (m, n)), ("R", R, (m, m)), ("K", K, (n, m))):
+        finite(array, shape, "joseph", name)
+    rest = np.eye(n, dtype=P.dtype) - K @ H
+    return rest @ P @ rest.T + K @ R @ K.T

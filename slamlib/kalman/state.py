@@ -1,0 +1,109 @@
+"""Blocks of a belief, and what a belief was at one moment."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from itertools import accumulate, pairwise
+from typing import Any
+
+import numpy as np
+
+from slamlib.kalman import linalg
+from slamlib.manifolds import Array, Euclidean, Space
+
+
+class Block:
+    """A handle to one part of the belief; its mean is read-only, its covariance is belief.covariance(block)."""
+
+    def __init__(self, space: Space, mean: Array, start: int) -> None:
+        self.start = start
+        self.take(space, mean)
+
+    def take(self, space: Space, mean: Array) -> None:
+        """Become a point of another space; dof are its estimated degrees of freedom."""
+        self.space, self.dof = space, space.dof
+        self.layout: Layout | None
+        self._own, self.layout, self.place = mean, None, slice(0)
+
+    def lie(self, layout: "Layout", place: slice) -> None:
+        """From now on the mean is this piece of the layout's numbers, and changes with them."""
+        self.layout, self.place = layout, place
+
+    @property
+    def mean(self) -> Array:
+        """The present mean (size,): an array that never changes, for the next mean is another one."""
+        return self._own if self.layout is None else self.layout.flat[self.place]
+
+    @mean.setter
+    def mean(self, mean: Array) -> None:
+        if self.layout is None:
+            self._own = mean
+        else:
+            flat = self.layout.flat.copy()
+            flat[self.place] = mean
+            self.layout.flat = linalg.sealed(flat)
+
+    @property
+    def slice(self) -> slice:
+        """Its rows and columns of the joint covariance."""
+        return slice(self.start, self.start + self.dof)
+
+    def __repr__(self) -> str:
+        return f"<block {self.space!r} at {self.start}>"
+
+
+class Layout:
+    """How blocks lie among the rows of the covariance: vectors, which are moved in one sum, and points of manifolds.
+
+    flat: the vectors' means in one read-only array, one after the other; rows: of the covariance, of these numbers.
+    """
+
+    def __init__(self, blocks: Iterable[Block]) -> None:
+        blocks = list(blocks)
+        are_vectors = [type(block.space) is Euclidean for block in blocks]
+        vectors = [block for block, is_vector in zip(blocks, are_vectors, strict=True) if is_vector]
+        self.points = [block for block, is_vector in zip(blocks, are_vectors, strict=True) if not is_vector]
+        dofs = np.array([block.dof for block in blocks], dtype=int)
+        self.rows = np.flatnonzero(np.repeat(np.array(are_vectors, dtype=bool), dofs))
+        self.flat = linalg.sealed(np.concatenate([np.zeros(0), *(block.mean for block in vectors)]))
+        for block, place in zip(vectors, pairwise(accumulate((v.dof for v in vectors), initial=0)), strict=True):
+            block.lie(self, slice(*place))
+
+    def moved(self, step: Array) -> tuple[Array, list[Array]]:
+        """The vectors' means, and each point's, after a step (size of the covariance,); nothing is changed yet."""
+        points = [linalg.frozen(block.space.plus(block.mean, step[block.slice])) for block in self.points]
+        return linalg.sealed(self.flat + step.take(self.rows)), points
+
+    def move(self, flat: Array, points: Iterable[Array]) -> None:
+        """Take over what `moved` gave."""
+        self.flat = flat
+        for block, mean in zip(self.points, points, strict=True):
+            block.mean = mean
+
+
+def means_of(blocks: Sequence[Block]) -> Array:
+    """Means (n, size) of blocks of one space; of vectors that lie in one belief, all at once."""
+    layouts = {block.layout for block in blocks}
+    layout = layouts.pop()
+    if layouts or layout is None:
+        return np.array([block.mean for block in blocks])
+    places = np.array([block.place.start for block in blocks])[:, None] + np.arange(blocks[0].dof)
+    return layout.flat.take(places)
+
+
+@dataclass(frozen=True, eq=False)
+class BeliefSnapshot:
+    """Means and covariance at one moment, as read-only arrays of their own; Belief.restore goes back to it."""
+
+    means: tuple[Array, ...]
+    slices: tuple[slice, ...]
+    covariance: Array
+    spaces: tuple[Space, ...] = field(repr=False)
+    blocks: tuple[Block, ...] = field(repr=False)
+    belief: Any = field(repr=False)
+
+
+def point_of(space: Space, mean: Array, function: str) -> Array:
+    """A read-only copy of a mean that is checked to be a point of its space."""
+    mean = linalg.finite(mean, (space.size,), function, "mean")
+    space.check(mean, f"{function}: mean")
+    return linalg.frozen(mean)

@@ -1,0 +1,157 @@
+"""The algebra of one correction: from innovations and Jacobians to a step and the rows that P loses."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import accumulate, pairwise
+from typing import Any
+
+import numpy as np
+
+from slamlib.errors import CovarianceError, ShapeError, SlamlibError, UnknownNameError
+from slamlib.kalman import linalg
+from slamlib.manifolds import Array
+
+
+@dataclass(frozen=True)
+class Observation:
+    """What one measurement says: Jacobians (m, dof) by each block it depends on, innovation (m,), noise (m, m)."""
+
+    blocks: Sequence[Any]
+    jacobians: Sequence[Array]
+    innovation: Array
+    noise: Array
+
+
+@dataclass(frozen=True)
+class Correction:
+    """What a correction found: the innovation z, its covariance Z, and nis = z' Z^-1 z."""
+
+    innovation: Array
+    covariance: Array
+    nis: float
+
+
+@dataclass(frozen=True)
+class Stacked:
+    """Several observations as one: z (m,), R (m, m), and H (m, k) by the k touched degrees of freedom alone."""
+
+    z: Array
+    H: Array
+    R: Array
+    touched: Array
+
+    def innovation_covariance(self, HP: Array) -> Array:
+        """S = H P H' + R, exactly symmetric, from H P over all columns."""
+        half = HP.take(self.touched, axis=1) @ self.H.T / 2
+        return half + half.T + self.R
+
+
+def stack(observations: Sequence[Observation], function: str, own: Callable[..., None]) -> Stacked:
+    """All innovations in one vector, all Jacobians in one matrix, all noises in one block-diagonal matrix.
+
+    own: raises where a block is not one of the belief.
+    """
+    if not len(observations):
+        raise SlamlibError(f"{function}: no observation given; leave the call out when nothing was seen")
+    noises: dict[tuple[int, int], Array] = {}
+    parts = []
+    for i, observation in enumerate(observations):
+        own(observation.blocks)
+        parts.append(_checked(observation, function, f" of observation {i}" if len(observations) > 1 else "", noises))
+    ends = [0, *accumulate(len(z) for z, _, _ in parts)]
+    columns, touched = _columns(observations)
+    H, R = np.zeros((ends[-1], len(touched))), np.zeros((ends[-1],) * 2)
+    for observation, (_, jacobians, noise), (start, stop) in zip(observations, parts, pairwise(ends), strict=True):
+        R[start:stop, start:stop] = noise
+        for block, J in zip(observation.blocks, jacobians, strict=True):
+            H[start:stop, columns[block] : columns[block] + block.dof] += J
+    return Stacked(np.concatenate([z for z, _, _ in parts]), H, R, touched)
+
+
+def _checked(
+    observation: Observation, function: str, name: str, noises: dict[tuple[int, int], Array]
+) -> tuple[Array, list[Array], Array]:
+    """Innovation, Jacobians and noise of one observation; noises: those that were checked already."""
+    z = linalg.numbers(observation.innovation, function, f"innovation{name}")
+    if z.ndim != 1 or not z.size:
+        raise ShapeError(f"{function}: innovation{name} should have shape (m,), m at least 1, but has shape {z.shape}")
+    z = linalg.finite(z, z.shape, function, f"innovation{name}")
+    key = (id(observation.noise), len(z))  # landmarks mostly share one R
+    if key not in noises:
+        noises[key] = linalg.covariance(observation.noise, len(z), function, f"R{name}")
+    return z, compact(observation, len(z), function, name), noises[key]
+
+
+def _columns(observations: Sequence[Observation]) -> tuple[dict[Any, int], Array]:
+    """Where each touched block begins in the stacked Jacobian, and the covariance's rows that belong to its columns."""
+    columns: dict[Any, int] = {}
+    end = 0
+    for observation in observations:
+        for block in observation.blocks:
+            if block not in columns:
+                columns[block] = end
+                end += block.dof
+    return columns, np.concatenate([np.arange(b.start, b.start + b.dof) for b in columns])
+
+
+def compact(observation: Observation, rows: int, function: str, name: str = "") -> list[Array]:
+    """The Jacobians of an observation, one a block, each checked to be (rows, dof of its block) and finite."""
+    blocks, jacobians = observation.blocks, observation.jacobians
+    if not len(blocks) or len(blocks) != len(jacobians):
+        raise SlamlibError(
+            f"{function}: {len(blocks)} blocks but {len(jacobians)} Jacobians{name}; give one Jacobian for each block"
+        )
+    pairs = enumerate(zip(blocks, jacobians, strict=True))
+    return [linalg.finite(J, (rows, b.dof), function, f"Jacobian {i}{name}") for i, (b, J) in pairs]
+
+
+def blame(S: Array, observations: Sequence[Observation]) -> str:
+    """Which observation, and which of its numbers, is known for certain by prediction and measurement alike."""
+    row = int(np.argmax(np.abs(np.linalg.eigh(S)[1][:, 0])))
+    ends = np.cumsum([len(o.innovation) for o in observations])
+    i = int(np.searchsorted(ends, row, side="right"))
+    number = row - int(ends[i]) + len(observations[i].innovation)
+    return f"number {number} of observation {i} (of {', '.join(map(repr, observations[i].blocks))})"
+
+
+def _batch(HP: Array, H: Array, touched: Array, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
+    """Step, rows W with P - W'W the corrected covariance, and nis; from one Cholesky factor of S."""
+    factor = linalg.cholesky(S, "correct", "the innovation covariance")
+    W = linalg.solve_lower(factor, HP)
+    white = linalg.solve_lower(factor, z)
+    return white @ W, W, float(white @ white)
+
+
+def _scalar(HP: Array, H: Array, touched: Array, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
+    """The same, one number after another, after whitening by the factor of R."""
+    factor = linalg.cholesky(R, "correct", "R (which method='scalar' whitens by)")
+    H, HP, z = (linalg.solve_lower(factor, a) for a in (H, HP, z))
+    step, rows, nis = np.zeros(HP.shape[1]), np.zeros_like(HP), 0.0
+    for j, h in enumerate(H):
+        running = HP[j] - (h @ rows[:j, touched].T) @ rows[:j]  # h P, with the covariance of this moment
+        variance = running[touched] @ h + 1.0
+        left = z[j] - h @ step[touched]  # the innovation of this moment
+        rows[j] = running / np.sqrt(variance)
+        step += running * (left / variance)
+        nis += left * left / variance
+    return step, rows, float(nis)
+
+
+_METHODS: dict[str, Callable[..., tuple[Array, Array, float]]] = {"batch": _batch, "scalar": _scalar}
+
+
+def solve(
+    method: str, HP: Array, S: Array, stacked: Stacked, given: Sequence[Observation]
+) -> tuple[Array, Array, float]:
+    """Step, lost rows and nis by the method of this name: "batch" or "scalar"."""
+    if method not in _METHODS:
+        raise UnknownNameError.of("method", method, _METHODS)
+    linalg.not_overflown("correct", S)
+    try:
+        return _METHODS[method](HP, stacked.H, stacked.touched, S, stacked.R, stacked.z)
+    except CovarianceError as error:
+        singular = stacked.R if method == "scalar" else S
+        which = blame(singular, given) if given else "a measurement"
+        raise CovarianceError(
+            f"{error}: {which} is claimed to be known exactly; nothing was changed. Give R > 0."
+        ) from None

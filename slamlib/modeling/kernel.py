@@ -1,0 +1,146 @@
+"""Run a generated function: for one item on Python's floats, for a batch on arrays, and say what is singular.
+
+A generated function takes the stored numbers of each argument and returns a tuple of entries: those of the value, then
+those of each Jacobian, row by row. Entries that are constant are Python integers.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from functools import cache
+from itertools import pairwise
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from slamlib.errors import ShapeError, SingularPointError
+from slamlib.manifolds import Array
+
+Shape = tuple[int, ...]
+_FLOAT = np.dtype(float)
+_FEW = 10  # items up to which a loop over Python's floats is quicker than arrays
+
+
+class Kernel:
+    """A generated function with the shapes of its arguments and of the arrays that its entries fill."""
+
+    def __init__(self, function: Callable[..., Any], name: str, arguments: list[Any], shapes: list[Shape]) -> None:
+        self.function, self.name, self.arguments, self.shapes = function, name, arguments, shapes
+        ends = np.cumsum([0, *map(math.prod, shapes)]).tolist()
+        self.pieces = [slice(a, b) for a, b in pairwise(ends)]
+        self.single_shapes = [a.shape for a in arguments]
+        self.points = [(i, a.space, f"{name}: argument '{a.name}'") for i, a in enumerate(arguments) if a.is_manifold]
+        self.written: list[int] | None = None
+
+    def single(self, arguments: list[Array]) -> list[Array] | None:
+        """Value and Jacobians of one item of finite floats; None for all else, which is to be checked with care."""
+        numbers = []
+        for value, shape in zip(arguments, self.single_shapes, strict=True):
+            if value.shape != shape or value.dtype != _FLOAT:
+                return None
+            row = value.ravel().tolist()
+            if not isfinite(sum(row)):
+                return None
+            numbers.append(row)
+        for i, space, what in self.points:
+            space.check(arguments[i], what)
+        return self._one(numbers, _FLOAT)
+
+    def __call__(self, arguments: list[Array]) -> list[Array]:
+        """Value and Jacobians of arrays that have been checked."""
+        batches = [v.shape[: v.ndim - len(a.shape)] for a, v in zip(self.arguments, arguments, strict=True)]
+        dtype = np.result_type(*arguments)
+        dtype = dtype if dtype.kind in "fc" else np.dtype(float)
+        if not any(batches) and dtype.kind == "f":
+            return self._one([a.astype(float, copy=False).ravel().tolist() for a in arguments], dtype)
+        batch = self._common(batches)
+        if dtype == _FLOAT and 0 < math.prod(batch) <= _FEW:
+            return self._few(arguments, batches, batch)
+        return self._many(arguments, batches, batch, dtype)
+
+    def _one(self, numbers: list[list[float]], dtype: Any) -> list[Array]:
+        """One item: plain Python floats are several times quicker than arrays of length one."""
+        entries = self._entries(numbers)
+        if entries is None:
+            raise SingularPointError(f"{self.name} is not defined, or has no derivative, at {numbers}")
+        flat = np.array(entries, dtype=dtype)
+        return [flat[piece].reshape(shape) for piece, shape in zip(self.pieces, self.shapes, strict=True)]
+
+    def _few(self, arguments: list[Array], batches: list[Shape], batch: Shape) -> list[Array]:
+        """A small batch: item by item, each on Python's floats, until arrays are quicker."""
+        entries: list[float] = []
+        rows = [self._items(v, a, lead, batch) for a, v, lead in zip(self.arguments, arguments, batches, strict=True)]
+        for item, numbers in enumerate(zip(*rows, strict=True)):
+            found = self._entries(numbers)
+            if found is None:
+                raise self._singular(np.unravel_index(item, batch))
+            entries += found
+        flat = np.array(entries, dtype=float).reshape(*batch, -1)
+        return [flat[..., at].reshape(batch + shape) for at, shape in zip(self.pieces, self.shapes, strict=True)]
+
+    def _items(self, value: Array, argument: Any, lead: Shape, batch: Shape) -> list[list[float]]:
+        """An argument's numbers, item by item."""
+        count = math.prod(batch)
+        if not lead:
+            return [value.ravel().tolist()] * count
+        whole = value if lead == batch else np.broadcast_to(value, batch + argument.shape)
+        numbers: list[list[float]] = whole.reshape(count, argument.size).tolist()
+        return numbers
+
+    def _entries(self, numbers: Sequence[list[float]]) -> tuple[float, ...] | None:
+        """Value and Jacobians of one item as plain numbers; None if one of them is not finite."""
+        try:
+            entries: tuple[float, ...] = self.function(*numbers)
+        except (ZeroDivisionError, ValueError, OverflowError):
+            return None
+        # the sum is quick, and infinite also where finite entries overflow together
+        return entries if isfinite(sum(entries)) or all(map(isfinite, entries)) else None
+
+    def _singular(self, item: Any) -> SingularPointError:
+        place = tuple(map(int, item))
+        return SingularPointError(f"{self.name} is not defined, or has no derivative, at item {place} of the batch")
+
+    def _many(self, arguments: list[Array], batches: list[Shape], batch: Shape, dtype: Any) -> list[Array]:
+        """A batch: entries first, items last, so that each operation runs over contiguous memory."""
+        rows = [
+            self._rows(v, a.size, lead, dtype) for a, v, lead in zip(self.arguments, arguments, batches, strict=True)
+        ]
+        with np.errstate(all="ignore"):
+            block = self._gather(self.function(*rows), batch, dtype)
+            flat = block.ravel()
+            fine = np.isfinite(np.vdot(flat, flat))  # quick: nan and infinity show in the sum of the squares
+        if not fine and not (finite := np.isfinite(block)).all():
+            raise self._singular(np.argwhere(~finite)[0][1:])
+        return [block[piece].reshape(shape + batch).transpose(axes) for piece, shape, axes in self._layout(len(batch))]
+
+    @cache  # noqa: B019 - kernels live as long as their model
+    def _layout(self, batch: int) -> list[tuple[slice, Shape, Shape]]:
+        """For the value and each Jacobian: its entries, its shape, and the order of axes that puts the items first."""
+        return [
+            (piece, shape, (*range(len(shape), len(shape) + batch), *range(len(shape))))
+            for piece, shape in zip(self.pieces, self.shapes, strict=True)
+        ]
+
+    def _rows(self, value: Array, size: int, lead: Shape, dtype: Any) -> Array:
+        """The stored numbers of an argument, each over all items; plain scalars if the argument is not batched."""
+        flat = value.reshape((*lead, size)).astype(dtype, copy=False)
+        return np.ascontiguousarray(flat.transpose(len(lead), *range(len(lead)))) if lead else flat
+
+    def _gather(self, entries: tuple[Any, ...], batch: Shape, dtype: Any) -> Array:
+        """All entries in one array (entries, *batch); which of them are always zero is noted in the first call."""
+        if self.written is None:
+            self.written = [i for i, e in enumerate(entries) if type(e) is not int or e != 0]
+        block = np.zeros((len(entries), *batch), dtype=dtype)
+        for i in self.written:
+            block[i] = entries[i]
+        return block
+
+    def _common(self, batches: list[Shape]) -> Shape:
+        leads = {b for b in batches if b}
+        if len(leads) == 1:
+            return leads.pop()
+        try:
+            return np.broadcast_shapes(*leads)
+        except ValueError:
+            given = ", ".join(f"{a.name} {b}" for a, b in zip(self.arguments, batches, strict=True))
+            raise ShapeError(f"{self.name}: the leading axes do not broadcast together: {given}") from None

@@ -1,0 +1,1 @@
+"""The chain rule, written once: sensors on robots observe points and lines."""

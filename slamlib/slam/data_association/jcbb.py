@@ -1,0 +1,130 @@
+"""The largest set of innovations that fit together: joint compatibility, by branch and bound. Chapter 19.
+
+Neira and Tardos (2001) let a tree decide, one innovation after another, what it is paired with. Where each innovation
+has one pairing at most, the only choice is "in" or "out", and few are out: so the tree here begins with all of them and
+takes away. With the information matrix A = Z^-1 and a = A z of all, taking away the set B lowers the joint square by
+
+    drop(B) = a_B' A_BB^-1 a_B,        and leaves        A - A_:B A_BB^-1 A_B:,    a - A_:B A_BB^-1 a_B
+
+of the rest (that is marginalization): O(k^2) numbers a step for one innovation out of k.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from slamlib.kalman import linalg
+from slamlib.manifolds import Array
+
+Limit = Callable[[int], float]
+MOST = 15  # nodes of the tree, 60 to 100 us each; the greedy set is nearly always the best (benchmarks/consensus.py)
+
+
+class _Node:
+    """What is left of A (n, d, n, d) and a (n, d), and the drop of each innovation; those taken away have none."""
+
+    def __init__(self, A: Array, a: Array) -> None:
+        self.A, self.a, self.each = A, a, np.arange(len(a))
+        self.own = A[self.each, :, self.each]
+        self.drops = (a * np.linalg.solve(self.own, a[..., None])[..., 0]).sum(-1)
+
+    def without(self, i: int) -> "_Node":
+        """The node of the rest; i stays as an innovation of zero that nothing else depends on."""
+        n, d = self.a.shape
+        gain = np.linalg.solve(self.own[i], self.A[i].reshape(d, n * d))
+        A = self.A - (gain.T @ self.A[i].reshape(d, n * d)).reshape(n, d, n, d)
+        a = self.a - (self.a[i] @ gain).reshape(n, d)
+        A[i], A[:, :, i], a[i] = 0, 0, 0
+        A[i, :, i] = np.eye(d)
+        return _Node(A, a)
+
+    def tightness(self, count: int) -> float:
+        """A number t with drop(B) <= (sum of the drops in B) / t for every B of `count`; 0 where none is known.
+
+        With blocks scaled to A_ii = 1, Gershgorin's circles bound the eigenvalues of A_BB from below by one minus the
+        largest sum of norms beside the diagonal, of which B has count - 1 in a row.
+        """
+        if count == 1:
+            return 1.0
+        white = np.linalg.inv(np.linalg.cholesky(self.own))
+        scaled = white[:, None] @ self.A.transpose(0, 2, 1, 3) @ white.swapaxes(-1, -2)
+        norms = np.sqrt((scaled * scaled).sum((-2, -1)))
+        norms[self.each, self.each] = 0
+        beside = np.sort(norms, axis=1)[:, 1 - count :].sum(1)
+        return max(0.0, 1 - float(beside.max()))
+
+
+class _Search:
+    """The innovations (n, d) of which as few as possible go, and the best set to go that is known."""
+
+    def __init__(self, z: Array, Z: Array, dof: Array, limit: Limit, most: int) -> None:
+        n, d = z.shape
+        factor = linalg.cholesky(Z.reshape(n * d, n * d), "compatible", "the joint covariance of the innovations")
+        white = linalg.solve_lower(factor, np.eye(n * d))
+        A = white.T @ white
+        a = A @ z.ravel()
+        self.root = _Node(A.reshape(n, d, n, d), a.reshape(n, d))
+        self.square, self.dof, self.limit, self.left = float(z.ravel() @ a), dof, limit, most
+        self.total, self.least = int(dof.sum()), int(dof.min())
+        self.out: tuple[int, ...] = ()
+        self.drop = -np.inf
+
+    def wanted(self, dof: int) -> float:
+        """The drop to be exceeded when innovations of so many degrees of freedom go."""
+        rest = self.total - dof
+        return self.square - self.limit(rest) if rest > 0 else -np.inf
+
+    def greedy(self) -> tuple[tuple[int, ...], float]:
+        """Take away what lowers the square most, until the rest is compatible."""
+        out: list[int] = []
+        drop, node = 0.0, self.root
+        while len(out) < len(self.dof) and not drop > self.wanted(int(self.dof[out].sum())):
+            drops = node.drops.copy()
+            drops[out] = -1
+            i = int(drops.argmax())
+            out, drop, node = [*out, i], drop + float(drops[i]), node.without(i)
+        return tuple(out), drop
+
+    def branch(self, node: _Node, out: tuple[int, ...], drop: float, may: Array, count: int) -> None:
+        """Let `count` more go, of the innovations `may`, wherever that can be enough and better than the best."""
+        self.left -= 1
+        may = may[np.argsort(-node.drops[may], kind="stable")]
+        gone = int(self.dof[list(out)].sum())
+        if count == 1:
+            self._last(may, out, drop + node.drops[may], gone)
+            return
+        sums = np.concatenate([[0.0], np.cumsum(node.drops[may])])
+        tightness = node.tightness(count)
+        for first in range(len(may) - count + 1):
+            most = drop + (sums[first + count] - sums[first]) / tightness if tightness > 0 else np.inf
+            if self.left <= 0 or most <= max(self.drop, self.wanted(gone + count * self.least)):
+                return
+            i = int(may[first])
+            self.branch(node.without(i), (*out, i), drop + float(node.drops[i]), may[first + 1 :], count - 1)
+
+    def _last(self, may: Array, out: tuple[int, ...], drops: Array, gone: int) -> None:
+        for i, drop in zip(may.tolist(), drops.tolist(), strict=True):
+            if drop <= self.drop:
+                return
+            if drop > self.wanted(gone + int(self.dof[i])):
+                self.out, self.drop = (*out, i), drop
+
+
+def compatible(z: Array, Z: Array, dof: Array, limit: Limit, most: int = MOST) -> Array:
+    """Mask (n,) of the largest set of innovations whose joint square z' Z^-1 z is below limit(its degrees of freedom).
+
+    z (n, d), Z (n, d, n, d) positive definite, dof (n,). Of sets of one size the one with the smallest square. Exact,
+    unless more than `most` nodes of the tree are asked for: then the best set found by then, at worst the greedy one
+    (always take away what lowers the square most), which is compatible, and rarely another one. Raises CovarianceError.
+    """
+    search = _Search(z, Z, dof, limit, most)
+    greedy, drop = search.greedy()
+    for count in range(1, len(greedy) + 1):
+        if count == len(greedy):
+            search.out, search.drop = greedy, drop
+        search.branch(search.root, (), 0.0, np.arange(len(z)), count)
+        if search.out or search.left <= 0:
+            break
+    keep: Array = np.ones(len(z), dtype=bool)
+    keep[list(search.out or greedy)] = False
+    return keep

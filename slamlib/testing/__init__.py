@@ -1,0 +1,70 @@
+"""The package's own checks of a landmark or a sensor, for those in the package and for a reader's own.
+
+    from slamlib.testing import check_landmark, check_sensor
+    check_landmark(MY_POINT)
+
+Each prints a line for every property that holds, and raises CheckError with all that do not: which property, which
+definition, which argument, where, and by how much. Chapter 13 uses them; the package's tests run them on every type.
+"""
+
+from typing import Any
+
+from slamlib.errors import SlamlibError
+from slamlib.landmarks.line import LineLandmark
+from slamlib.landmarks.point import PointLandmark
+from slamlib.sensors.sensor import Calibration
+from slamlib.testing.judge import CheckError, Finding, Judge
+from slamlib.testing.line_pairs import DEFINED as SEGMENT
+from slamlib.testing.line_pairs import line_pair_properties
+from slamlib.testing.lines import line_properties
+from slamlib.testing.pairs import DEFINED as MEASURED
+from slamlib.testing.pairs import pair_properties
+from slamlib.testing.points import point_properties
+from slamlib.testing.sensors import sensor_properties
+
+__all__ = ["CheckError", "Finding", "check_landmark", "check_pair", "check_sensor"]
+
+
+def check_landmark(kind: Any, *, silent: bool = False, seed: int = 0) -> None:
+    """Judge a parametrization of points or of lines: prints what holds, raises CheckError with all that does not."""
+    judge = Judge(getattr(kind, "name", "?"), seed)
+    if isinstance(kind, PointLandmark):
+        point_properties(judge, kind)
+    elif isinstance(kind, LineLandmark):
+        line_properties(judge, kind)
+    else:
+        raise SlamlibError(f"check_landmark: give a PointLandmark or a LineLandmark, not {type(kind).__name__}")
+    judge.conclude(silent)
+
+
+def check_sensor(calibration: Calibration, *, silent: bool = False, seed: int = 0) -> None:
+    """Judge a type of sensor at one calibration of it: prints what holds, raises CheckError with all that does not."""
+    if not isinstance(calibration, Calibration):
+        raise SlamlibError(
+            "check_sensor: a sensor is judged with its calibration: give Calibration(SENSOR, noise, parameter=...), "
+            f"not {type(calibration).__name__}"
+        )
+    judge = Judge(calibration.sensor.name, seed)
+    sensor_properties(judge, calibration)
+    judge.conclude(silent)
+
+
+def check_pair(
+    kind: PointLandmark | LineLandmark, calibration: Calibration, *, silent: bool = False, seed: int = 0
+) -> bool:
+    """Judge a parametrization seen by a sensor on a robot: initialize, observe again, correct. As check_landmark.
+
+    False if the pair does not exist: a parametrization of points refuses every point that the sensor measures, or the
+    sensor has no images of lines.
+    """
+    judge = Judge(f"{kind.name} seen by {calibration.sensor.name}", seed)
+    if isinstance(kind, LineLandmark):
+        line_pair_properties(judge, kind, calibration)
+        return _concluded(judge, silent, SEGMENT)
+    pair_properties(judge, kind, calibration)
+    return _concluded(judge, silent, MEASURED)
+
+
+def _concluded(judge: Judge, silent: bool, exists: str) -> bool:
+    judge.conclude(silent)
+    return exists in judge.places

@@ -1,0 +1,65 @@
+"""Properties that every pair of a parametrization and a sensor must have, on a robot: initialize, observe, correct."""
+
+import numpy as np
+
+from slamlib.belief import Belief
+from slamlib.errors import SingularPointError
+from slamlib.geometry.pose import Pose
+from slamlib.landmarks.point import PointLandmark
+from slamlib.observation.points import initialize, observe
+from slamlib.sensors.sensor import Calibration
+from slamlib.testing.judge import Judge
+from slamlib.testing.sensors import difference, unmeasured, visible_points
+
+DEFINED = "a measurement makes a landmark"
+REFUSED = "a measurement that it cannot hold is refused, not turned round"
+AGAIN = "a landmark just initialized is seen again where it was measured"
+VISIBLE = "a landmark just initialized is visible"
+DERIVATIVES = "that holds whatever the robot, the mount and the parameters are: H G_y = 1, H_x + H G_x = 0, H G_u = 0"
+POSITIVE = "initialize and correct keep the covariance symmetric and positive"
+
+
+def pair_properties(judge: Judge, kind: PointLandmark, calibration: Calibration) -> None:
+    """From random robots and mounts, points in every direction that the sensor sees; refusing all is allowed, too."""
+    rng, sensor = judge.rng, calibration.sensor
+    name = f"{kind.name} x {sensor.name}"
+    for point in visible_points(calibration, rng, 12):
+        robot, mount, hidden = Pose.random(rng), Pose.random(rng), unmeasured(calibration, rng)
+        y = calibration.project(point)
+        where = {"robot": robot, "mount": mount, "measurement": y}
+        try:
+            landmark, G = initialize(kind, calibration, robot, mount, y, *hidden)
+            seen = observe(kind, calibration, robot, mount, landmark)
+        except SingularPointError:
+            judge.hold(REFUSED)
+            continue
+        judge.hold(DEFINED)
+        if not judge.require(VISIBLE, name, seen.visible, "it is not: it stands somewhere else", where):
+            continue
+        again = y + difference(sensor, seen.value, y)
+        if not judge.compare(AGAIN, name, again, y, where, tolerance=1e-7):
+            continue
+        H = seen.jacobians
+        for argument in G._fields:
+            found = H.landmark @ getattr(G, argument) + (getattr(H, argument) if argument in H._fields else 0)
+            wanted = np.eye(len(y)) if argument == "measurement" else np.zeros_like(found)
+            judge.compare(DERIVATIVES, name, found, wanted, where, argument=argument, tolerance=1e-6)
+        _filter(judge, kind, calibration, robot, landmark, G, H, name)
+
+
+def _filter(judge, kind, calibration, robot, landmark, G, H, name):  # type: ignore[no-untyped-def]
+    """One landmark into a belief beside the robot, and one correction by it."""
+    belief, rng, R = Belief(), judge.rng, calibration.noise
+    root = 0.01 * rng.standard_normal((6, 6))
+    at = belief.add(Pose, robot, root @ root.T + 1e-6 * np.eye(6))
+    own = G.measurement @ R @ G.measurement.T
+    if hasattr(G, "unmeasured"):
+        own = own + 0.04 * G.unmeasured @ G.unmeasured.T
+    block = belief.add(kind.space, landmark, (own + own.T) / 2, given=[at], jacobians=[G.robot])
+    innovation = np.linalg.cholesky(R) @ rng.standard_normal(len(R))
+    belief.correct([at, block], [H.robot, H.landmark], innovation, R)
+    P = belief.matrix
+    least = np.linalg.eigvalsh(P)[0]
+    symmetric = np.abs(P - P.T).max() <= 1e-12 * np.abs(P).max()
+    how = f"the smallest eigenvalue is {least:.3g} of {np.abs(P).max():.3g}, symmetric: {symmetric}"
+    judge.require(POSITIVE, name, symmetric and least >= -1e-12 * np.abs(P).max(), how, {"robot": robot})

@@ -1,0 +1,147 @@
+"""Properties that every parametrization of points must have."""
+
+import numpy as np
+
+from slamlib.errors import SingularPointError
+from slamlib.geometry import pose as frames
+from slamlib.geometry.pose import Pose
+from slamlib.landmarks.point import PointLandmark
+from slamlib.manifolds import Array
+from slamlib.testing.judge import Judge
+from slamlib.testing.models import DEFINED, model_properties, named
+
+INTERFACE = "the definitions take and return what they should"
+ROUND_TRIP = "from_frame, then to_frame gives the point back, as a ratio"
+FORWARD = "a point in front stays in front"
+EUCLIDEAN = "to_frame is the Euclidean route through to_point"
+ANCHORED = "from_frame puts the point where it is in the world"
+INFINITE = "a point at infinity is a direction, the same from everywhere"
+REFUSED = "to_point refuses a point at infinity"
+LIMITED = "has no place for points at infinity, and says so"
+
+IDENTITY = np.array([0.0, 0, 0, 1, 0, 0, 0])
+FORWARDS = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, -0.5])  # a camera that looks along the world's x axis
+
+
+def point_properties(judge: Judge, kind: PointLandmark) -> None:
+    """Interface first; then the models one by one; then how they fit together."""
+    shapes = {
+        "to_frame": [("pose", Pose.size), ("landmark", kind.space.size)],
+        "from_frame": [("pose", Pose.size), ("point", 4)],
+        "to_point": [("landmark", kind.space.size)],
+    }
+    if not interface(judge, kind, shapes):
+        return
+    rng = judge.rng
+    poses = [IDENTITY, FORWARDS, *(Pose.random(rng) for _ in range(6))]
+    points = [homogeneous(rng) for _ in poses]
+    axis = np.array([0, 0, 1, 0.3])
+    made = [*zip(poses, points, strict=True), (poses[2], axis), (poses[3], axis)]
+    nasty = [(pose, point) for pose in poses[:4] for point in nasty_points(rng)]
+    model_properties(judge, kind.from_frame, f"{kind.name}.from_frame", made, nasty)
+    if _undefined(judge, kind):
+        return
+    landmarks = [kind.from_frame(*place) for place in made]
+    moved = [kind.space.plus(x, 0.02 * rng.standard_normal(kind.space.dof)) for x in landmarks]
+    odd = [x for place in nasty if (x := _made(kind, *place)) is not None]
+    seen = [(Pose.random(rng), x) for x in moved]
+    awkward = [(pose, x) for pose, x in zip(poses, landmarks, strict=False)] + [(Pose.random(rng), x) for x in odd]
+    model_properties(judge, kind.to_frame, f"{kind.name}.to_frame", seen, awkward)
+    model_properties(judge, kind.to_point, f"{kind.name}.to_point", [(x,) for x in moved], [(x,) for x in odd])
+    if not _undefined(judge, kind):
+        _round_trip(judge, kind, made)
+        _euclidean(judge, kind, seen)
+        _infinity(judge, kind, poses)
+
+
+def interface(judge: Judge, kind: object, shapes: dict[str, list[tuple[str, int]]]) -> bool:
+    """The definitions have the arguments, with these names and sizes, in this order."""
+    for name, wanted in shapes.items():
+        model = getattr(kind, name)
+        found = [(a.name, a.size) for a in model.arguments]
+        how = f"takes {_listed(found)}, should take {_listed(wanted)}"
+        judge.require(INTERFACE, f"{kind.name}.{name}", found == wanted, how, {})  # type: ignore[attr-defined]
+    return not judge.findings
+
+
+def _listed(arguments: list[tuple[str, int]]) -> str:
+    return ", ".join(f"{name} ({size})" for name, size in arguments)
+
+
+def homogeneous(rng: np.random.Generator) -> Array:
+    """A point up to 60 degrees off the axis, 1 to 20 m away: unit ray and inverse distance."""
+    ray = np.array([*rng.uniform(-1.2, 1.2, 2), 1])
+    return np.array([*ray / np.linalg.norm(ray), rng.uniform(0.05, 1)])
+
+
+def nasty_points(rng: np.random.Generator) -> list[Array]:
+    """On the axis exactly, behind, to the side, at infinity, near it and beyond, not of unit length."""
+    x, y, z, w = homogeneous(rng)
+    rays = [[0, 0, 1, w], [0, 0, -1, w], [1, 0, 0, w], [0, 1, 0, w], [x, y, -z, w], [x, y, 1e-9, w]]
+    return [np.array(p, dtype=float) for p in [*rays, [x, y, z, 0], [0, 0, 1, 0], [x, y, z, 1e-9], [x, y, z, -0.01]]]
+
+
+def _undefined(judge: Judge, kind: PointLandmark) -> bool:
+    """Whether one of the definitions is the wrong shape or has no value at ordinary places."""
+    return any(what in (DEFINED, INTERFACE) for what, *_ in judge.findings)
+
+
+def _made(kind: PointLandmark, pose: Array, point: Array) -> Array | None:
+    try:
+        return kind.from_frame(pose, point)
+    except SingularPointError:
+        return None
+
+
+def unit(point: Array) -> Array:
+    """A homogeneous point scaled to length one: what is left is the ratio of its numbers, with their sign."""
+    return point / np.linalg.norm(point)
+
+
+def _round_trip(judge: Judge, kind: PointLandmark, made: list[tuple[Array, Array]]) -> None:
+    for pose, point in [*made, *((pose, 3 * point) for pose, point in made[:2])]:
+        where = {"pose": pose, "point": point}
+        back, wanted = unit(kind.to_frame(pose, kind.from_frame(pose, point))), unit(point)
+        sign = 1 if back @ wanted >= 0 else -1
+        judge.compare(ROUND_TRIP, f"{kind.name}.from_frame", sign * back, wanted, where, argument="point")
+        how = "the sign of the homogeneous point is turned: the sensor would see it behind"
+        judge.require(FORWARD, f"{kind.name}.to_frame", sign > 0, how, where)
+        world = frames.from_frame(pose, point[:3] / point[3])
+        found = kind.to_point(kind.from_frame(pose, point))
+        judge.compare(ANCHORED, f"{kind.name}.from_frame", found, world, where, argument="pose")
+
+
+def _euclidean(judge: Judge, kind: PointLandmark, seen: list[tuple[Array, Array]]) -> None:
+    for pose, landmark in seen:
+        h = kind.to_frame(pose, landmark)
+        wanted = frames.to_frame(pose, kind.to_point(landmark))
+        how = named(kind.to_frame, (pose, landmark))
+        with np.errstate(all="ignore"):
+            judge.compare(EUCLIDEAN, f"{kind.name}.to_frame", h[:3] / h[3], wanted, how)
+
+
+def _infinity(judge: Judge, kind: PointLandmark, poses: list[Array]) -> None:
+    """What becomes of inverse distance zero: kept as a direction, or refused; never nan."""
+    for pose in poses[2:]:
+        point = homogeneous(judge.rng)
+        point[3] = 0
+        where = {"pose": pose, "point": point}
+        landmark = _made(kind, pose, point)
+        if landmark is None:
+            judge.hold(LIMITED)
+            continue
+        other = Pose.random(judge.rng)
+        world = frames.from_frame(pose, point[:3]) - pose[:3]
+        wanted = np.append(frames.to_frame(other, world) - frames.to_frame(other, np.zeros(3)), 0)
+        try:
+            found, _ = kind.to_frame.jac(other, landmark)
+        except SingularPointError as error:
+            judge.fail(INFINITE, f"{kind.name}.to_frame", str(error).split(", at")[0], where, argument="landmark")
+            continue
+        judge.compare(INFINITE, f"{kind.name}.to_frame", unit(found), unit(wanted), where, argument="landmark")
+        try:
+            kind.to_point(landmark)
+        except SingularPointError:
+            judge.hold(REFUSED)
+        else:
+            judge.fail(REFUSED, f"{kind.name}.to_point", "a point at infinity has no Euclidean coordinates", where)

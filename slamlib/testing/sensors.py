@@ -1,0 +1,180 @@
+"""Properties that every sensor must have."""
+
+import itertools
+from typing import Any
+
+import numpy as np
+
+from slamlib.errors import SingularPointError
+from slamlib.manifolds import Array
+from slamlib.sensors.sensor import Calibration
+from slamlib.testing.judge import Judge
+from slamlib.testing.models import DEFINED, model_properties
+
+INTERFACE = "the models take and return what they should"
+SEES = "sees points in some direction"
+MEASURABLE = "what is visible can be measured"
+MASK = "visible is a mask of any batch, whatever the point"
+RATIO = "only the ratio of the homogeneous point matters"
+ROUND_TRIP = "back_project, then project gives the measurement back"
+UNIT = "a measured ray has length one, so that w is the inverse distance"
+INVERSE = "the Jacobians of the two models undo each other"
+COMPLETE = "the measurement and what it does not tell make a point together"
+LINE = "points of a line are seen on the line's image"
+SOUGHT = (4000, 16000, 64000, 256000)  # directions, until one is seen
+NARROWEST = 1e-6  # radians
+
+
+def sensor_properties(judge: Judge, calibration: Calibration) -> None:
+    """Interface; visibility; the two models one by one; then how they undo each other."""
+    sensor, rng = calibration.sensor, judge.rng
+    if not _interface(judge, calibration):
+        return
+    points = visible_points(calibration, rng, 10)
+    how = f"of {sum(SOUGHT)} directions all around none is visible and inside the image"
+    if not judge.require(SEES, f"{sensor.name}.visible", len(points) >= 10, how, {}):
+        return
+    _mask(judge, calibration)
+    parameters = [calibration.padded[n] for n in sensor.parameters]
+    axes = [np.array([*sign * e, w]) for e in np.eye(3) for sign in (1, -1) for w in (0.3, 0.0)]
+    far = [np.array([*p[:3], 0.0]) for p in points]
+    nasty = [p for p in [*axes, *far] if calibration.visible(p)]
+    ordinary = [(p, *parameters) for p in points]
+    model_properties(judge, sensor.project, f"{sensor.name}.project", ordinary, [(p, *parameters) for p in nasty])
+    for p in [*points, *nasty]:
+        _measurable(judge, calibration, p)
+    if any(what == DEFINED for what, *_ in judge.findings):
+        return
+    measured = [(sensor.project(*place), *unmeasured(calibration, rng), *parameters) for place in ordinary]
+    model_properties(judge, sensor.back_project, f"{sensor.name}.back_project", measured)
+    if not any(what == DEFINED for what, *_ in judge.findings):
+        _undo(judge, calibration, measured)
+    if sensor.project_line is not None:
+        _lines(judge, calibration, points)
+
+
+def visible_points(calibration: Calibration, rng: np.random.Generator, count: int) -> Array:
+    """Homogeneous points (count, 4) that the sensor can measure, from all its directions, 1 to 20 m away.
+
+    Of a narrow view few directions all around are any: then more are sought, ever closer to those that were found.
+    None if there are none.
+    """
+    found = _seen(calibration, rng.standard_normal((SOUGHT[0], 3)), rng)
+    for number in SOUGHT[1:]:
+        if len(found):
+            break
+        # Most lenses look along an axis, which chance does not hit.
+        rays = np.concatenate([np.eye(3), -np.eye(3), rng.standard_normal((number, 3))])
+        found = _seen(calibration, rays, rng)
+    spread = 1.0
+    while 0 < len(found) < count and spread > NARROWEST:
+        spread /= 2
+        rays = found[rng.integers(len(found), size=SOUGHT[0]), :3] + spread * rng.standard_normal((SOUGHT[0], 3))
+        found = np.concatenate([found, _seen(calibration, rays, rng)])
+    return found[:count]
+
+
+def _seen(calibration: Calibration, rays: Array, rng: np.random.Generator) -> Array:
+    """Points (n, 4) along those of the directions (k, 3) that the sensor can measure."""
+    rays = rays / np.linalg.norm(rays, axis=1, keepdims=True)
+    points = np.column_stack([rays, rng.uniform(0.05, 1, len(rays))])
+    points = points[calibration.visible(points)]
+    return points[calibration.inside(calibration.project(points))] if len(points) else points
+
+
+def unmeasured(calibration: Calibration, rng: np.random.Generator) -> tuple[Array, ...]:
+    """A value for what the measurement does not tell: an argument of back_project, or nothing."""
+    hidden = [a for a in calibration.sensor.back_project.arguments if a.name == "unmeasured"]
+    return tuple(rng.uniform(0.05, 0.5, a.size) for a in hidden)
+
+
+def _interface(judge: Judge, calibration: Calibration) -> bool:
+    sensor = calibration.sensor
+    for name, first in (("project", ["point"]), ("back_project", ["measurement", "unmeasured"])):
+        model = getattr(sensor, name)
+        found = [a.name for a in model.arguments]
+        wanted = [n for n in first if n != "unmeasured" or n in found] + list(sensor.parameters)
+        how = f"takes {', '.join(found)}; should take {', '.join(wanted)}"
+        judge.require(INTERFACE, f"{sensor.name}.{name}", found == wanted, how, {})
+    size = sensor.project.arguments[0].size
+    judge.require(INTERFACE, f"{sensor.name}.project", size == 4, f"point has {size} numbers, should have 4", {})
+    return not judge.findings
+
+
+def _mask(judge: Judge, calibration: Calibration) -> None:
+    rng, name = judge.rng, f"{calibration.sensor.name}.visible"
+    points = rng.standard_normal((3, 5, 4))
+    points[0, :, 3], points[1, 0], points[1, 1, :3], points[2, :, :2] = 0, 0, 0, 0
+    with np.errstate(all="raise"):
+        try:
+            found = np.asarray(calibration.visible(points))
+            single = np.array([[bool(calibration.visible(p)) for p in row] for row in points])
+        except (FloatingPointError, ValueError, TypeError) as error:
+            judge.fail(MASK, name, f"raised {type(error).__name__}: {error}", {}, argument="point")
+            return
+    if judge.require(MASK, name, found.dtype == bool, f"has dtype {found.dtype}, should have bool", {}):
+        judge.compare(MASK, name, found.astype(int), single.astype(int), {}, argument="point")
+
+
+def _measurable(judge: Judge, calibration: Calibration, point: Array) -> None:
+    name, where = f"{calibration.sensor.name}.visible", {"point": point}
+    try:
+        value = calibration.project(point)
+        scaled = calibration.project(3 * point)
+    except SingularPointError as error:
+        judge.fail(MEASURABLE, name, f"project refuses a visible point: {str(error).split(', at')[0]}", where)
+        return
+    judge.hold(MEASURABLE)
+    judge.compare(RATIO, f"{calibration.sensor.name}.project", scaled, value, where, argument="point")
+
+
+def difference(sensor: Any, a: Array, b: Array) -> Array:
+    """Measurement minus measurement, on the space of the measurement if that is not a vector."""
+    result = getattr(sensor.project, "result", None)
+    return result.space.minus(a, b) if result is not None and result.space is not None else a - b
+
+
+def _undo(judge: Judge, calibration: Calibration, measured: list[tuple[Array, ...]]) -> None:
+    """project(back_project(y, u, k), k) = y: its value, and its derivatives by y, u and every parameter k."""
+    sensor = calibration.sensor
+    name, hidden = f"{sensor.name}.back_project", len(measured[0]) - 1 - len(sensor.parameters)
+    points = [sensor.back_project(*place) for place in measured]
+    pairs = list(zip(points, measured, strict=True))
+    open_ray = hidden and all(np.allclose(point[3], place[1], rtol=1e-12, atol=0) for point, place in pairs)
+    for point, place in pairs:
+        where = dict(zip(sensor.back_project.parameters, place, strict=True))
+        y, parameters = place[0], place[1 + hidden :]
+        again, H = sensor.project.jac(point, *parameters)
+        _, G = sensor.back_project.jac(*place)
+        error = difference(sensor, again, y)
+        judge.compare(ROUND_TRIP, name, y + error, y, where, argument="measurement", tolerance=1e-8)
+        if open_ray:
+            judge.compare(UNIT, name, np.linalg.norm(point[:3]), 1.0, where)
+        for i, argument in enumerate(sensor.back_project.parameters):
+            found = H[0] @ G[i] + (H[i - hidden] if i > hidden else 0)
+            wanted = np.eye(len(y)) if i == 0 else np.zeros_like(found)
+            judge.compare(INVERSE, name, found, wanted, where, argument=argument, tolerance=1e-6)
+        columns = np.column_stack([*(np.asarray(g) / _size(g) for g in G[: 1 + hidden]), point])
+        least = np.linalg.svd(columns, compute_uv=False)
+        how = f"they reach {int((least > 1e-8 * least[0]).sum()) - 1} of the 3 dimensions of space"
+        judge.require(COMPLETE, name, least[3:] > 1e-8 * least[0] if len(least) > 3 else False, how, where)
+
+
+def _size(matrix: Array) -> Array:
+    """Lengths of the columns, so that pixels, metres and radians weigh the same."""
+    lengths = np.linalg.norm(matrix, axis=0)
+    return np.where(lengths > 0, lengths, 1)
+
+
+def _lines(judge: Judge, calibration: Calibration, points: Array) -> None:
+    """Two points and their line, with every parameter that project_line does not take (the distortion) at zero."""
+    sensor = calibration.sensor
+    taken = {a.name for a in sensor.project_line.arguments}  # type: ignore[union-attr]
+    parameters = {n: v if n in taken else 0 * v for n, v in calibration.padded.items()}
+    for p, q in itertools.pairwise(points):
+        line = np.concatenate([np.cross(p[:3], q[:3]), p[3] * q[:3] - q[3] * p[:3]])
+        image = sensor.project_line(line, **{n: v for n, v in parameters.items() if n in taken})  # type: ignore[misc]
+        image = image / np.linalg.norm(image[:2])
+        off = [image @ [*sensor.project(end, **parameters)[:2], 1] for end in (p, q)]
+        where = {"first": p, "second": q}
+        judge.compare(LINE, f"{sensor.name}.project_line", off, np.zeros(2), where, argument="line", tolerance=1e-7)

@@ -1,0 +1,206 @@
+"""Active search: a front end that looks for landmarks where the filter expects them, and for new ones elsewhere.
+
+Each function is one step of section 6.1.3 of the toolbox's manual. Chapter 19 walks through them.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from slamlib.data.records import Scan
+from slamlib.errors import SlamlibError
+from slamlib.manifolds import Array
+from slamlib.sensors.sensor import Calibration
+from slamlib.slam.data_association.gates import Sight, gate
+from slamlib.vision.appearance import Appearance, predict, recognizable
+from slamlib.vision.corners import QUALITY, Corner, best_corner
+from slamlib.vision.grid import Grid
+from slamlib.vision.patches import cut
+from slamlib.vision.search import Match, register, search
+from slamlib.vision.search_backoff import Rests
+from slamlib.vision.stopwatch import Stopwatch
+
+_WORLD = np.array([0.0, 0, 0, 1, 0, 0, 0])
+
+
+def _point(landmark: Any) -> Array:
+    """The homogeneous point (4,) of the world where a landmark is believed to be."""
+    point: Array = landmark.kind.to_frame(_WORLD, landmark.block.mean)
+    return point
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What active search may be told. The names in parentheses are those of the toolbox.
+
+    cells, skip_outer: of the grid in which new landmarks are sought (Sen.imGrid). patch: side of a template [px], odd.
+    quality: least quality of a new landmark's corner (Opt.init.featQualityTh). enough: with so many landmarks in view,
+    none is begun. threshold: least score of a match (Opt.correct.appScTh). rival: a match is ambiguous if another peak
+    of its region has more than this share of its score. probability: with which a region contains the truth, if the
+    filter is right. largest: half the side [px] of the largest region that is searched; of a larger one it is the
+    middle. longest: frames for which a landmark rests that was missed again and again.
+    """
+
+    cells: tuple[int, int] = (8, 6)
+    skip_outer: bool = True
+    patch: int = 11
+    quality: float = QUALITY
+    enough: int = 30
+    threshold: float = 0.85
+    rival: float = 0.95
+    probability: float = 0.99
+    largest: int = 40
+    longest: int = 16
+
+
+class ActiveSearch:
+    """A front end for one camera with an image. seconds: time spent so far in "search" and in "detection"."""
+
+    def __init__(self, calibration: Calibration, rng: np.random.Generator, settings: Settings | None = None) -> None:
+        """rng: draws the cells in which new landmarks are sought. Raises SlamlibError for a sensor without an image."""
+        if calibration.image is None:
+            raise SlamlibError(f"ActiveSearch: {calibration.sensor.name} has no image; give its calibration one")
+        self.calibration, self.rng, self.settings = calibration, rng, settings or Settings()
+        width, height = calibration.image.astype(int).tolist()
+        self.shape = (height, width)
+        self.grid = Grid((width, height), self.settings.cells, self.settings.skip_outer)
+        self.seconds = Stopwatch("search", "detection")
+        self.last = 0
+        self.found: dict[int, Match] = {}
+        self.rests = Rests()
+
+    def findable(self, sight: Sight) -> list[Any]:
+        """2a: the looks whose template would lie in the image, and look enough like what was seen of it before."""
+        values = np.array([look.value for look in sight.looks]).reshape(-1, 2)
+        points = np.array([_point(look.landmark) for look in sight.looks]).reshape(-1, 4)
+        looks_like = [look.landmark.signature for look in sight.looks]
+        mask = recognizable(looks_like, sight.sensor.camera, points)
+        mask &= self.calibration.inside(values, self.settings.patch // 2 + 1)
+        able = [look for look, is_able in zip(sight.looks, mask.tolist(), strict=True) if is_able]
+        return self.rests.awake(able)
+
+    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
+        """Pixels (n, 2) of what is looked for, nan where it is not found, and the mask (n,) of those found. 2c, 2h."""
+        measured = np.full((len(looks), 2), np.nan)
+        image = np.asarray(sight.scan.image)
+        self.found.clear()
+        with self.seconds.timed("search"):
+            self.predict_appearances(sight, looks)
+            for pixel, look in zip(measured, looks, strict=True):
+                found = None if look.predicted is None else self.scan(image, look)
+                if found is not None and self.accepted(found):
+                    self.found[look.landmark.id] = found
+                    pixel[:] = self.refined(image, look, found)
+        self.remember(looks)
+        return measured, np.isfinite(measured[:, 0])
+
+    def predict_appearances(self, sight: Sight, looks: list[Any]) -> None:
+        """2e: each template as it should look from here; None where it cannot be told."""
+        looks_like = [look.landmark.signature for look in looks]
+        points = np.array([_point(look.landmark) for look in looks]).reshape(-1, 4)
+        templates = predict(looks_like, sight.sensor.camera, self.calibration, points, self.settings.patch)
+        for look, template in zip(looks, templates, strict=True):
+            look.predicted = template
+
+    def scan(self, image: Array, look: Any) -> Match | None:
+        """2d and 2f: the place most like the template in the ellipse where the measurement should be."""
+        s = self.settings
+        reach = np.sqrt(gate(s.probability, 2) * look.Z.diagonal().max())
+        Z = look.Z * min(1.0, s.largest / reach) ** 2
+        found = search(image, look.predicted, look.value, Z, probability=s.probability)
+        if found is not None:
+            patch = cut(image, np.rint(found.pixel), s.patch)
+            look.score, look.found = found.score, None if patch is None else patch.pixels
+        return found
+
+    def accepted(self, found: Match) -> bool:
+        """2g: alike enough, and no other place of the region nearly as much."""
+        return found.score >= self.settings.threshold and found.second <= self.settings.rival * found.score
+
+    def refined(self, image: Array, look: Any, found: Match) -> Array:
+        """2h: the pixel to a small fraction, where the template fits best with a gain and an offset of its own."""
+        pixel = register(image, look.predicted, found.pixel)
+        return found.pixel if pixel is None else pixel
+
+    def remember(self, looks: list[Any]) -> None:
+        """Landmarks that were not found rest, the longer the more often in a row."""
+        self.rests.remember(looks, [look.landmark.id in self.found for look in looks], self.settings.longest)
+
+    def detect(
+        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
+    ) -> list[tuple[int, Array, Any]]:
+        """Up to `count` new landmarks (id, pixel, signature), each in a cell of its own without landmarks. 1a to 1h."""
+        image = np.asarray(sight.scan.image)
+        with self.seconds.timed("detection"):
+            self.renew(image, sight)
+            seen = np.array([look.value for look in sight.looks]).reshape(-1, 2)
+            corners = self.new_corners(image, seen, usable, count)
+            return [(self.new_id(known), c.pixel, self.signature(image, sight, c)) for c in corners]
+
+    def new_corners(self, image: Array, seen: Array, usable: Callable[[Array], Array], count: int) -> list[Corner]:
+        """1a to 1e: the best corners of cells without landmarks, drawn at random, if good enough; each cell once.
+
+        seen (n, 2): where landmarks are expected. A corner on the border of two cells belongs to both: what is nearer
+        to another one than a patch is not taken, lest the same thing be measured twice as if by chance.
+        """
+        s, taken, corners = self.settings, self.grid.occupied(seen), list[Corner]()  # 1a, 1b
+        while len(corners) < min(count, s.enough - len(seen)):
+            cell = self.grid.free(taken, self.rng)  # 1c
+            if cell is None:
+                break
+            taken[cell] = True
+            corner = best_corner(image, self.grid.rectangle(cell), quality=s.quality, border=s.patch)  # 1d, 1e
+            if corner is not None and usable(corner.pixel[None])[0]:
+                others = np.concatenate([seen, *(c.pixel[None] for c in corners)])
+                if (np.abs(others - corner.pixel).max(-1) >= s.patch).all():
+                    corners.append(corner)
+        return corners
+
+    def signature(self, image: Array, sight: Sight, corner: Corner) -> Appearance | None:
+        """1f: what the landmark looks like, and from where it was seen."""
+        return Appearance.taken(image, corner.pixel, sight.sensor.camera, self.settings.patch, corner.quality)
+
+    def renew(self, image: Array, sight: Sight) -> None:
+        """Landmarks that were found for sure, and look different by now, get a patch of this image."""
+        camera = sight.sensor.camera
+        for look in sight.looks:
+            landmark, found = look.landmark, self.found.get(look.landmark.id)
+            if look.inlier and found is not None and landmark.signature.due(found, camera, _point(landmark)):
+                landmark.signature = landmark.signature.renewed(image, found, look.predicted, camera)
+
+    def new_id(self, known: set[int]) -> int:
+        """1g: a number that no landmark has had."""
+        self.last = max(self.last, *known, 0) + 1
+        return self.last
+
+    def adopt(self, sight: Sight, family: str, values: Array) -> list[tuple[int, Array, Any] | None]:
+        """Landmarks at given pixels (n, 2), whatever is there; None where no patch can be cut."""
+        image = np.asarray(sight.scan.image)
+        signatures = [self.signature(image, sight, Corner(pixel, 0.0)) for pixel in values]
+        return [None if s is None else (self.new_id(set()), p, s) for p, s in zip(values, signatures, strict=True)]
+
+    def check(self, scan: Scan) -> None:
+        """Raise SlamlibError for a scan without an image, or with one of another size than the calibration's."""
+        image = scan.image
+        if image is None or np.shape(image) != self.shape:
+            found = "no image" if image is None else f"one of shape {np.shape(image)}"
+            raise SlamlibError(f"ActiveSearch: an image of (height, width) = {self.shape} is calibrated, got {found}")
+
+    def dump(self) -> Any:
+        """The state of the random numbers, the last id given, and the landmarks that rest."""
+        return {"rng": self.rng.bit_generator.state, "last": self.last, "rests": self.rests.dump()}
+
+    def restore(self, state: Any) -> None:
+        """Go on from what `dump` gave."""
+        self.rng.bit_generator.state, self.last = state["rng"], state["last"]
+        self.rests.restore(state["rests"])
+
+    def pack(self, signature: Any) -> Any:
+        """A landmark's appearance as plain data."""
+        return signature.pack()
+
+    def unpack(self, packed: Any) -> Any:
+        """The appearance that `pack` packed."""
+        return Appearance.unpack(packed)

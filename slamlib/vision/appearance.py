@@ -1,0 +1,214 @@
+"""What a landmark looks like: where it was seen, its surroundings there, and how that looks from elsewhere. Chapter 19.
+
+Steps 1f and 2e of active search. The patch is a small plane through the landmark that faces the camera which took it
+(Davison et al., 2007; Molton et al., 2004, estimate its normal): the better the less the view changes, whence a rule
+when to take another one.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from slamlib.errors import SlamlibError
+from slamlib.geometry.pose import relative
+from slamlib.kalman.linalg import finite, numbers
+from slamlib.manifolds import Array
+from slamlib.sensors.sensor import Calibration
+from slamlib.vision.patches import Patch, as_floats, cut, grey, half_size
+from slamlib.vision.search import Match, register
+from slamlib.vision.warping import angle, facing_plane, in_camera, stretch, through_camera, towards, warp
+
+_TYPES = {"uint8": np.uint8, "float": np.float64}
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Beyond what a prediction is worth nothing, and from where on another patch is taken.
+
+    oblique [rad]: largest angle between the plane's normal and the line of sight. zoom: how many times larger, or
+    smaller, it may be seen. turned [rad], grown: a match seen from a direction so different from all patches that there
+    are, or so many times larger or smaller, is a reason to take another one, if its score is at least `score` and its
+    second-best is below `rival` of that.
+    """
+
+    oblique: float = np.radians(60)
+    zoom: float = 2.0
+    turned: float = np.radians(25)
+    grown: float = 1.5
+    score: float = 0.9
+    rival: float = 0.8
+
+
+LIMITS = Limits()
+
+
+@dataclass(frozen=True, eq=False)
+class Appearance:
+    """A landmark's looks: `pixels` (h, w) of an image around its `pixel` (2,), the first of them the pixel `corner`.
+
+    camera: pose (7,) in the world that took it. size [px]: of the templates, of which the pixels hold about three, so
+    that zoom and rotation find what they need. quality: the corner's. elder: the appearance before it was renewed, or
+    None: no patch is forgotten, and the one seen most as now is used. So they do not drift where the camera returns.
+    """
+
+    pixels: Array
+    corner: tuple[int, int]
+    pixel: Array
+    camera: Array
+    size: int
+    quality: float = 0.0
+    elder: "Appearance | None" = None
+
+    @classmethod
+    def taken(
+        cls,
+        image: Array,
+        pixel: Array,
+        camera: Array,
+        size: int = 11,
+        quality: float = 0.0,
+        elder: "Appearance | None" = None,
+    ) -> "Appearance | None":
+        """From an image (h, w), as it is around a pixel (2,); None where a template of `size` px is not all in it.
+
+        camera: its pose (7,) in the world. Raises SlamlibError for even sizes, ShapeError for colour images.
+        """
+        array, half = grey(image, "Appearance"), half_size(size, "Appearance") + size
+        pixel, camera = finite(pixel, (2,), "Appearance", "pixel"), finite(camera, (7,), "Appearance", "camera")
+        if cut(array, pixel, size) is None:
+            return None
+        u, v = np.rint(pixel).astype(int).tolist()
+        corner = max(u - half, 0), max(v - half, 0)
+        piece = array[corner[1] : v + half + 1, corner[0] : u + half + 1]
+        piece = piece.copy() if piece.dtype == np.uint8 else as_floats(piece, "Appearance")
+        piece.flags.writeable = False
+        return cls(piece, corner, pixel, camera, size, float(quality), elder)
+
+    @property
+    def template(self) -> Patch:
+        """The patch as it was taken, of `size` px."""
+        patch = cut(self.pixels, self.pixel - self.corner, self.size)
+        assert patch is not None, "taken() has seen to it"
+        return patch
+
+    def predicted(
+        self, camera: Array, calibration: Calibration, point: Array, size: int | None = None, limits: Limits = LIMITS
+    ) -> Array | None:
+        """The template (size, size) that a camera, pose (7,), should see of it at a homogeneous world point (4,).
+
+        None where it is too oblique, too large or too small, out of sight, or beyond the pixels that are kept. Only
+        offsets between pixels are predicted, so an error of the point moves no template off the landmark.
+        """
+        point = finite(point, (4,), "Appearance", "point")
+        return predict([self], camera, calibration, point[None], self.size if size is None else size, limits)[0]
+
+    def turned(self, camera: Array, point: Array) -> float:
+        """Angle [rad] between the directions in which the two cameras, this pose (7,) and its own, see a point (4,)."""
+        return float(angle(*(towards(pose, point) for pose in (self.camera, camera))))
+
+    def grown(self, camera: Array, point: Array) -> float:
+        """How many times nearer this camera, pose (7,), is to a point (4,) than its own was."""
+        then, now = (np.linalg.norm(towards(pose, point)) for pose in (self.camera, camera))
+        return float(then / now)
+
+    def change(self, camera: Array, point: Array, limits: Limits = LIMITS) -> float:
+        """How much this camera, pose (7,), sees a point (4,) otherwise than its own did: 1 is a reason for another."""
+        return max(
+            self.turned(camera, point) / limits.turned, abs(np.log(self.grown(camera, point)) / np.log(limits.grown))
+        )
+
+    def nearest(self, camera: Array, point: Array, limits: Limits = LIMITS) -> "Appearance":
+        """Of this one and those before it, the one that saw a point (4,) most as a camera, pose (7,), sees it now."""
+        if self.elder is None:
+            return self
+        return min(self.all, key=lambda one: one.change(camera, point, limits))
+
+    @property
+    def all(self) -> list["Appearance"]:
+        """This one, and those before it."""
+        return [self] if self.elder is None else [self, *self.elder.all]
+
+    def due(self, found: Match, camera: Array, point: Array, limits: Limits = LIMITS) -> bool:
+        """Whether a match is so sure, and seen from a place (7,) so different from all, that it be a new patch."""
+        sure = found.score >= limits.score and found.ratio < limits.rival
+        return sure and self.nearest(camera, point, limits).change(camera, point, limits) > 1
+
+    def renewed(self, image: Array, found: Match, template: Array, camera: Array) -> "Appearance":
+        """The appearance in this image too, around where the template that was found fits best; itself where it cannot.
+
+        What that is off, the new patch stays off: hundredths of a pixel, tenths where the plane was guessed badly.
+        """
+        pixel = register(image, template, found.pixel)
+        if pixel is None:
+            return self
+        return Appearance.taken(image, pixel, camera, self.size, self.quality, self) or self
+
+    def pack(self) -> dict[str, Any]:
+        """Plain data, for JSON: nothing is lost."""
+        kind = "uint8" if self.pixels.dtype == np.uint8 else "float"
+        return {
+            "type": kind,
+            "pixels": self.pixels.tolist(),
+            "corner": list(self.corner),
+            "pixel": self.pixel.tolist(),
+            "camera": self.camera.tolist(),
+            "size": self.size,
+            "quality": self.quality,
+            "elder": None if self.elder is None else self.elder.pack(),
+        }
+
+    @classmethod
+    def unpack(cls, packed: dict[str, Any]) -> "Appearance":
+        """What `pack` packed; raises SlamlibError for anything else."""
+        try:
+            pixels = numbers(packed["pixels"], "Appearance", "pixels").astype(_TYPES[packed["type"]])
+            pixels.flags.writeable = False
+            u, v = packed["corner"]
+            pixel = finite(packed["pixel"], (2,), "Appearance", "pixel")
+            camera = finite(packed["camera"], (7,), "Appearance", "camera")
+            size, quality, elder = int(packed["size"]), float(packed["quality"]), packed["elder"]
+        except (KeyError, TypeError, ValueError) as error:
+            raise SlamlibError(f"Appearance: this is no packed appearance, {error!r}; pack() makes one") from None
+        return cls(
+            grey(pixels, "Appearance"), (int(u), int(v)), pixel, camera, size, quality, elder and cls.unpack(elder)
+        )
+
+
+def recognizable(appearances: Sequence[Appearance], camera: Array, points: Array, limits: Limits = LIMITS) -> Array:
+    """Mask (n,) of the landmarks at points (n, 4) that a camera, pose (7,), sees neither too obliquely nor too large
+    or too small, by the distances; in a fraction of the time of `predict`.
+    """
+    nearest = [a.nearest(camera, point, limits) for a, point in zip(appearances, points, strict=True)]
+    before = np.array([a.camera for a in nearest]).reshape(-1, 7)
+    then, now = towards(before, points), towards(camera, points)
+    grown = np.linalg.norm(then, axis=-1) / np.linalg.norm(now, axis=-1)
+    mask: Array = (angle(then, now) <= limits.oblique) & (grown <= limits.zoom) & (grown * limits.zoom >= 1)
+    return mask
+
+
+def predict(
+    appearances: Sequence[Appearance],
+    camera: Array,
+    calibration: Calibration,
+    points: Array,
+    size: int,
+    limits: Limits = LIMITS,
+) -> list[Array | None]:
+    """What `Appearance.predicted` tells of each of n landmarks, for points (n, 4) of the world, all at once."""
+    templates: list[Array | None] = [None] * len(appearances)
+    nearest = [a.nearest(camera, point, limits) for a, point in zip(appearances, points, strict=True)]
+    before = np.array([a.camera for a in nearest]).reshape(-1, 7)
+    then, now = in_camera(before, points), in_camera(camera, points)
+    oblique = angle(towards(before, points), towards(camera, points)) > limits.oblique
+    rows = np.flatnonzero(~oblique & calibration.visible(then) & calibration.visible(now))
+    if not len(rows):
+        return templates
+    seen = relative(camera, before[rows])
+    maps = through_camera(calibration, seen, facing_plane(then[rows]), calibration.project(now[rows]), size)
+    least, largest = stretch(maps)
+    for row in np.flatnonzero((largest <= limits.zoom) & (least * limits.zoom >= 1)):  # nan is neither
+        own = nearest[rows[row]]
+        templates[rows[row]] = warp(own.pixels, own.pixel - own.corner, maps[row], size)
+    return templates

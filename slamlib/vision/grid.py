@@ -1,0 +1,95 @@
+"""A grid over the image, so that landmarks spread over it: where none is expected, a new one may begin. Chapter 19.
+
+Steps 1a to 1c of active search, section 6.1.3 of the toolbox's manual; Davison (2003) asks for the same spread.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from slamlib.errors import ShapeError, SlamlibError
+from slamlib.kalman.linalg import numbers
+from slamlib.manifolds import Array
+
+Cell = tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Grid:
+    """An image (w, h) [px] in cells (columns, rows); skip_outer leaves the outermost ones free of new landmarks.
+
+    A cell is named (row, column). Raises SlamlibError for cells without pixels, and where no cell would be left.
+    """
+
+    image: tuple[int, int]
+    cells: tuple[int, int] = (8, 6)
+    skip_outer: bool = True
+
+    def __post_init__(self) -> None:
+        image, cells = _counts(self.image, "image"), _counts(self.cells, "cells")
+        if any(c > n for c, n in zip(cells, image, strict=True)):
+            raise SlamlibError(f"Grid: an image of {image} pixels cannot have {cells} cells; ask for fewer")
+        if self.skip_outer and min(cells) < 3:
+            raise SlamlibError(f"Grid: of {cells} cells none is left without the outer ones; use skip_outer=False")
+        object.__setattr__(self, "image", image)
+        object.__setattr__(self, "cells", cells)
+
+    @property
+    def usable(self) -> Array:
+        """Mask (rows, columns) of the cells in which a landmark may begin."""
+        mask = np.ones(self.cells[::-1], dtype=bool)
+        if self.skip_outer:
+            mask[[0, -1]] = mask[:, [0, -1]] = False
+        return mask
+
+    def occupied(self, pixels: Array) -> Array:
+        """Mask (rows, columns) of the cells that hold a pixel (n, 2); those outside the image, and nan, count nowhere.
+
+        Raises ShapeError.
+        """
+        pixels = numbers(pixels, "Grid.occupied", "pixels")
+        pixels = pixels.reshape(0, 2) if not pixels.size else pixels
+        if pixels.ndim != 2 or pixels.shape[1] != 2:
+            raise ShapeError(f"Grid.occupied: pixels should have shape (n, 2), but have shape {pixels.shape}")
+        mask = np.zeros(self.cells[::-1], dtype=bool)
+        columns, rows = (_place(pixels[:, i], self._bounds(i)) for i in (0, 1))
+        inside = (columns >= 0) & (rows >= 0)
+        mask[rows[inside], columns[inside]] = True
+        return mask
+
+    def free(self, occupied: Array, rng: np.random.Generator) -> Cell | None:
+        """One usable cell (row, column) that is not occupied, drawn at random, or None if there is none."""
+        occupied = np.asarray(occupied, dtype=bool)
+        if occupied.shape != self.cells[::-1]:
+            raise ShapeError(f"Grid.free: occupied should have shape {self.cells[::-1]}, got {occupied.shape}")
+        candidates = np.argwhere(self.usable & ~occupied)
+        if not len(candidates):
+            return None
+        row, column = candidates[rng.integers(len(candidates))].tolist()
+        return row, column
+
+    def rectangle(self, cell: Cell) -> tuple[int, int, int, int]:
+        """The cell's pixels (u0, v0, u1, v1): image[v0:v1, u0:u1] is the image of the cell (row, column)."""
+        row, column = cell
+        if not (0 <= row < self.cells[1] and 0 <= column < self.cells[0]):
+            raise SlamlibError(f"Grid.rectangle: there is no cell {cell}; (row, column) go up to {self.cells[::-1]}")
+        across, down = self._bounds(0), self._bounds(1)
+        return int(across[column]), int(down[row]), int(across[column + 1]), int(down[row + 1])
+
+    def _bounds(self, axis: int) -> Array:
+        """First pixel of each column or row, and one past the last."""
+        return np.rint(np.linspace(0, self.image[axis], self.cells[axis] + 1)).astype(int)
+
+
+def _place(values: Array, bounds: Array) -> Array:
+    """Between which bounds values (n,) lie, -1 where between none; a pixel reaches half a pixel to either side."""
+    found = np.searchsorted(bounds - 0.5, values, side="right") - 1
+    return np.where((values >= -0.5) & (values < bounds[-1] - 0.5), found, -1)
+
+
+def _counts(value: Any, what: str) -> tuple[int, int]:
+    array = numbers(value, "Grid", what)
+    if array.shape != (2,) or not (array >= 1).all() or not (array == np.rint(array)).all():
+        raise SlamlibError(f"Grid: {what} are two whole numbers above zero, (across, down), got {value!r}")
+    return int(array[0]), int(array[1])

@@ -1,0 +1,200 @@
+"""Active search for straight edges: where the filter expects them, across; and new ones from a detector. Chapter 20.
+
+An edge looks the same wherever one goes along it, so that two numbers are sought: how far the two ends of the expected
+segment are to be moved across. Their covariance follows from that of the innovation, and the region is an ellipse in
+the plane of these two numbers, as that of a point is one in the image.
+"""
+
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from slamlib.data.records import Scan
+from slamlib.errors import SlamlibError
+from slamlib.manifolds import Array
+from slamlib.sensors.sensor import Calibration
+from slamlib.slam.data_association.gates import Sight, gate
+from slamlib.slam.line_residuals import straight
+from slamlib.vision.edge_profile import STEP, strip
+from slamlib.vision.edge_regions import across_covariances, lines_of, side_by_side, steep_lines
+from slamlib.vision.edges import PROFILE, Edge, fitted
+from slamlib.vision.search_backoff import Rests
+from slamlib.vision.segments import refined, segments_of
+from slamlib.vision.stopwatch import Stopwatch
+
+SAME = 1.0  # [px]: two fits that are nearer are of one edge
+TWINS = 1.5  # [px]: two landmarks whose edges are nearer are of the same one
+
+
+@dataclass(frozen=True, eq=False)
+class EdgeLook:
+    """What an edge looks like: mean grey values across it (17,), half a pixel apart, and their growth in it [1/px]."""
+
+    profile: Array
+    slope: float
+
+
+@dataclass(frozen=True)
+class SegmentSettings:
+    """What the search for edges may be told.
+
+    minimum_length [px], and least slope [1/px], of a new edge. support: least share of an edge that is to be seen;
+    whole: the same of a new one. straightness: largest rms [px] of an edge's points about it. apart: a new edge is so
+    far [px] from every expected one. enough: with so many edges in view, none is begun. threshold: least ZNCC of the
+    grey values across. faint: least share of the slope that it had. rival: a match is ambiguous if another edge of the
+    region has more than this share of its ZNCC. probability: with which a region contains the truth, if the filter is
+    right. largest: half the width [px] of the widest region; most: lines that are tried in it. beyond [px]: how far an
+    edge is sought past its known ends. longest: frames for which an edge rests that was missed again and again.
+    """
+
+    minimum_length: float = 30.0
+    slope: float = 6.0
+    support: float = 0.5
+    whole: float = 0.8
+    straightness: float = 0.4
+    apart: float = 6.0
+    enough: int = 10
+    threshold: float = 0.9
+    faint: float = 0.5
+    rival: float = 0.95
+    probability: float = 0.99
+    largest: float = 40.0
+    most: int = 4000
+    beyond: float = 4.0
+    longest: int = 16
+
+
+class SegmentSearch:
+    """A front end for the segments of one camera with an image. seconds: spent so far in "search" and "detection"."""
+
+    def __init__(self, calibration: Calibration, settings: SegmentSettings | None = None) -> None:
+        """Raises SlamlibError for a sensor without an image, or one to which straight lines are not straight."""
+        if calibration.image is None or calibration.sensor.project_line is None:
+            raise SlamlibError(f"SegmentSearch: {calibration.sensor.name} has no image of straight lines")
+        self.calibration, self.settings = calibration, settings or SegmentSettings()
+        width, height = calibration.image.astype(int).tolist()
+        self.shape = (height, width)
+        self.seconds = Stopwatch("search", "detection")
+        self.last = 0
+        self.rests = Rests()
+
+    def check(self, scan: Scan) -> None:
+        """Raise SlamlibError for a scan without an image, or with one of another size than the calibration's."""
+        if scan.image is None or np.shape(scan.image) != self.shape:
+            found = "no image" if scan.image is None else f"one of shape {np.shape(scan.image)}"
+            raise SlamlibError(f"SegmentSearch: an image of (height, width) = {self.shape} is calibrated, got {found}")
+
+    def findable(self, sight: Sight) -> list[Any]:
+        """The looks whose region is not too wide to tell one edge from another, and that do not rest."""
+        s, limit = self.settings, gate(self.settings.probability, 2)
+        regions = across_covariances(sight.looks, sight.sensor)
+        half = np.sqrt(limit * np.diagonal(regions, axis1=1, axis2=2).max(-1, initial=0))
+        count = np.pi * limit * np.sqrt(np.linalg.det(regions)) / STEP**2
+        narrow = ((half <= s.largest) & (count <= s.most)).tolist()
+        looks = [look for look, is_narrow in zip(sight.looks, narrow, strict=True) if is_narrow]
+        return self.rests.awake(looks)
+
+    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
+        """Segments (n, 4) of what is looked for, nan where it is not found, and the mask (n,) of those found."""
+        measured, image = np.full((len(looks), 4), np.nan), np.asarray(sight.scan.image, dtype=float)
+        with self.seconds.timed("search"):
+            regions = across_covariances(looks, sight.sensor)
+            where = zip(looks, self.straight([look.value for look in looks]), regions, strict=True)
+            edges = [self.sought(image, look, ideal, region) for look, ideal, region in where]
+            for row in self.distinct(looks, edges):
+                measured[row] = edges[row].segment  # type: ignore[union-attr]
+        found = np.isfinite(measured[:, 0])
+        self.rests.remember(looks, found.tolist(), self.settings.longest)
+        return measured, found
+
+    def sought(self, image: Array, look: Any, ideal: Array, region: Array) -> Edge | None:
+        """The edge of the region that looks like the landmark; None: none does, or two do."""
+        s, limit = self.settings, gate(self.settings.probability, 2)
+        half = np.sqrt(limit * np.diag(region).max()) + PROFILE[-1] + 2
+        piece = strip(image, self.calibration, ideal, half, s.beyond)
+        near = steep_lines(piece, lines_of(region, limit))
+        edges = [e for offsets in near if (e := fitted(piece, self.calibration, offsets, 1.0)) is not None]
+        profile = look.landmark.signature.profile
+        likes = [(e.likeness(profile), i) for i, e in enumerate(edges) if self.accepted(e, look)]
+        if not likes:
+            return None
+        look.score, best = max(likes)
+        away = [np.abs(e.offsets - edges[best].offsets).mean() > SAME for e in edges]
+        rivals = [like for like, i in likes if away[i]]
+        return edges[best] if look.score >= max(s.threshold, max(rivals, default=0.0) / s.rival) else None
+
+    def accepted(self, edge: Edge, look: Any) -> bool:
+        """Whether enough of the edge is there, straight, and as steep as it was."""
+        s = self.settings
+        steep = edge.slope >= s.faint * look.landmark.signature.slope
+        return edge.support >= s.support and edge.rms <= s.straightness and steep
+
+    def distinct(self, looks: list[Any], edges: list[Edge | None]) -> list[int]:
+        """Rows of the edges that were found; of two landmarks in one place, the more alike one has it."""
+        rows = sorted((i for i, e in enumerate(edges) if e is not None), key=lambda i: -looks[i].score)
+        ideal = np.array([edges[i].ideal for i in rows]).reshape(-1, 4)  # type: ignore[union-attr]
+        kept: list[int] = []
+        for i, own in enumerate(ideal):
+            if not side_by_side(own, ideal[kept], TWINS).any():
+                kept.append(i)
+        return [rows[i] for i in kept]
+
+    def straight(self, segments: Any) -> Array:
+        """Segments (n, 4) as a lens without distortion would show them."""
+        return straight(self.calibration, np.reshape(segments, (-1, 4)))[0]
+
+    def detect(
+        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
+    ) -> list[tuple[int, Array, Any]]:
+        """Up to `count` new edges (id, segment, EdgeLook), the longest that no expected one explains."""
+        count = min(count, self.settings.enough - len(sight.looks))
+        if count <= 0:
+            return []
+        with self.seconds.timed("detection"):
+            taken, image = self.straight([look.value for look in sight.looks]), np.asarray(sight.scan.image)
+            edges = self.new_edges(image, taken, usable, count)
+            return [(self.new_id(known), e.segment, EdgeLook(e.profile, e.slope)) for e in edges]
+
+    def new_edges(self, image: Array, taken: Array, usable: Callable[[Array], Array], count: int) -> list[Edge]:
+        """Up to `count` edges of an image that are apart from ideal segments (n, 4), the longest first."""
+        s, found = self.settings, list[Edge]()
+        segments = segments_of(image, s.minimum_length)
+        for segment, ideal in zip(segments, self.straight(segments), strict=True):
+            if len(found) == count:
+                break
+            if side_by_side(ideal, taken, s.apart).any():
+                continue
+            edge = refined(image, self.calibration, segment)
+            if edge is not None and self.good(edge) and usable(edge.segment[None])[0]:
+                found.append(edge)
+                taken = np.concatenate([taken, ideal[None]])
+        return found
+
+    def good(self, edge: Edge) -> bool:
+        """Whether an edge is steep, straight and whole enough to begin a landmark."""
+        s = self.settings
+        return edge.slope >= s.slope and edge.rms <= s.straightness and edge.support >= s.whole
+
+    def new_id(self, known: set[int]) -> int:
+        """A number that no landmark has had."""
+        self.last = max(self.last, *known, 0) + 1
+        return self.last
+
+    def dump(self) -> Any:
+        """The last id given, and the landmarks that rest."""
+        return {"last": self.last, "rests": self.rests.dump()}
+
+    def restore(self, state: Any) -> None:
+        """Go on from what `dump` gave."""
+        self.last = state["last"]
+        self.rests.restore(state["rests"])
+
+    def pack(self, signature: Any) -> Any:
+        """A landmark's EdgeLook as plain data."""
+        return {name: np.asarray(value).tolist() for name, value in asdict(signature).items()}
+
+    def unpack(self, packed: Any) -> Any:
+        """The EdgeLook that `pack` packed."""
+        return EdgeLook(np.array(packed["profile"]), packed["slope"])

@@ -1,0 +1,165 @@
+"""Small pieces of images, and three ways to compare them: ZNCC, SSD, census. Chapter 19.
+
+The manual's pix2patch, zncc, ssd and census (section 6.1.2). All compare stacks of patches at once.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
+from slamlib.kalman.linalg import finite
+from slamlib.manifolds import Array
+
+ROUNDING = 1e-12  # share of the sum of squares that may be rounding: less variation than that is no texture
+
+
+def grey(image: Array, function: str) -> Array:
+    """The image (h, w) as an array of real numbers, not copied; raises ShapeError for colour, SlamlibError."""
+    array = np.asarray(image)
+    if array.ndim == 3 and array.shape[2] in (2, 3, 4):
+        advice = "average its channels, or read it as grey"
+        raise ShapeError(f"{function}: the image has {array.shape[2]} channels, shape {array.shape}; {advice}")
+    if array.ndim != 2 or not array.size:
+        raise ShapeError(f"{function}: a grey image has shape (h, w), got {array.shape}")
+    if array.dtype.kind not in "uif":
+        raise SlamlibError(f"{function}: an image holds numbers, uint8 or floats, got {array.dtype}")
+    return array
+
+
+def as_floats(piece: Array, function: str) -> Array:
+    """A piece of an image as floats; raises NonFiniteError."""
+    floats = piece.astype(float)
+    if piece.dtype.kind == "f" and not np.isfinite(floats).all():
+        raise NonFiniteError(f"{function}: the image holds nan or infinity where it is looked at; fill such pixels")
+    return floats
+
+
+@dataclass(frozen=True, eq=False)
+class Patch:
+    """A piece of an image, pixels (h, w), with its sums: what a correlation needs of it beside the products.
+
+    n: its number of pixels; SI, SII: the sums of the grey levels and of their squares. An array of it is its pixels.
+    """
+
+    pixels: Array
+
+    def __post_init__(self) -> None:
+        pixels = as_floats(grey(self.pixels, "Patch"), "Patch")
+        pixels.flags.writeable = False
+        object.__setattr__(self, "pixels", pixels)
+
+    def __array__(self, dtype: object = None, copy: bool | None = None) -> Array:
+        return np.array(self.pixels, dtype=dtype)  # type: ignore[call-overload]
+
+    @property
+    def n(self) -> int:
+        """Number of pixels."""
+        return int(self.pixels.size)
+
+    @cached_property
+    def SI(self) -> float:
+        """Sum of the grey levels."""
+        return float(self.pixels.sum())
+
+    @cached_property
+    def SII(self) -> float:
+        """Sum of their squares."""
+        return float((self.pixels**2).sum())
+
+    @cached_property
+    def centred(self) -> Array:
+        """The pixels less their mean, (h, w); zero where the patch has no texture but rounding."""
+        deviation = self.pixels - self.SI / self.n
+        textured = (deviation**2).sum() > ROUNDING * self.SII
+        return deviation if textured else np.zeros_like(deviation)
+
+
+def as_patch(value: Patch | Array) -> Patch:
+    """A patch, or the patch of an array (h, w)."""
+    return value if isinstance(value, Patch) else Patch(value)
+
+
+def cut(image: Array, pixel: Array, size: int) -> Patch | None:
+    """The size x size patch around a pixel (2,), bilinear between pixels; None where the image ends within it.
+
+    Raises SlamlibError for an even size, ShapeError for a colour image.
+    """
+    array, centre = grey(image, "cut"), finite(pixel, (2,), "cut", "pixel")
+    half = half_size(size, "cut")
+    (u, v), (a, b) = np.floor(centre).astype(int), centre - np.floor(centre)
+    last = np.ceil(centre).astype(int) + half
+    if u < half or v < half or last[0] >= array.shape[1] or last[1] >= array.shape[0]:
+        return None
+    piece = as_floats(array[v - half : last[1] + 1, u - half : last[0] + 1], "cut")
+    across = piece[:, :size] if a == 0 else (1 - a) * piece[:, :-1] + a * piece[:, 1:]
+    return Patch(across[:size] if b == 0 else (1 - b) * across[:-1] + b * across[1:])
+
+
+def sample(pixels: Array, places: Array) -> Array:
+    """Grey levels (...) at places (..., 2) of an image (h, w), bilinear between pixels, nan outside of it."""
+    array = as_floats(pixels, "sample")
+    last = np.array(array.shape[::-1]) - 1
+    inside = ((places >= 0) & (places <= last)).all(-1)
+    safe = np.where(inside[..., None], places, 0)
+    u, v = np.moveaxis(np.minimum(safe.astype(int), np.maximum(last - 1, 0)), -1, 0)
+    a, b = np.moveaxis(safe, -1, 0) - (u, v)
+    right, below = np.minimum(u + 1, last[0]), np.minimum(v + 1, last[1])
+    above = (1 - a) * array[v, u] + a * array[v, right]
+    value: Array = (1 - b) * above + b * ((1 - a) * array[below, u] + a * array[below, right])
+    return np.where(inside, value, np.nan)
+
+
+def half_size(size: int, function: str) -> int:
+    """Pixels to either side of a patch's centre; raises SlamlibError for sizes that are not odd, or below 3."""
+    if size != int(size) or size < 3 or size % 2 == 0:
+        raise SlamlibError(f"{function}: a patch has a pixel in its centre, so its size is odd, such as 11; got {size}")
+    return int(size) // 2
+
+
+def _pair(a: Array, b: Array, function: str) -> tuple[Array, Array]:
+    """Two patches, or stacks (..., h, w) whose leading axes agree, as floats."""
+    first, second = (np.asarray(x, dtype=float) for x in (a, b))
+    if first.ndim < 2 or first.shape[-2:] != second.shape[-2:]:
+        raise ShapeError(f"{function}: patches (..., h, w) of one size, got shapes {first.shape} and {second.shape}")
+    return first, second
+
+
+def _centred(patches: Array) -> tuple[Array, Array]:
+    """Pixels less their mean, and the sum of their squares (...), zero where that is rounding."""
+    deviation = patches - patches.mean((-2, -1), keepdims=True)
+    power = (deviation**2).sum((-2, -1))
+    return deviation, np.where(power > ROUNDING * (patches**2).sum((-2, -1)), power, 0)
+
+
+def zncc(a: Array, b: Array) -> Array:
+    """Zero-mean normalized cross-correlation (...) of patches (..., h, w): in [-1, 1], 0 where one has no texture.
+
+    The cosine between the two patches less their means: gain above zero and offset have no effect. Equal to
+    (n SIJ - SI SJ) / sqrt((n SII - SI^2) (n SJJ - SJ^2)), without its cancellation. Raises ShapeError.
+    """
+    (first, power_a), (second, power_b) = (_centred(x) for x in _pair(a, b, "zncc"))
+    product, power = (first * second).sum((-2, -1)), np.sqrt(power_a) * np.sqrt(power_b)
+    score: Array = np.clip(np.where(power > 0, product / np.where(power > 0, power, 1), 0), -1, 1)
+    return score
+
+
+def ssd(a: Array, b: Array) -> Array:
+    """Root of the mean squared difference (...) of patches (..., h, w), in grey levels: 0 for equal ones.
+
+    The name is that of the sum of squared differences, whose order it keeps; the toolbox's has the same scale.
+    """
+    first, second = _pair(a, b, "ssd")
+    return np.sqrt(((first - second) ** 2).mean((-2, -1)))
+
+
+def census(a: Array, b: Array) -> Array:
+    """Share (...) of the pixels of patches (..., h, w) that are brighter than the centre in both, or in none.
+
+    1 for equal patches; any growing change of the grey levels has no effect. Zabih and Woodfill (1994).
+    """
+    first, second = _pair(a, b, "census")
+    brighter = [x > x[..., x.shape[-2] // 2, None, x.shape[-1] // 2, None] for x in (first, second)]
+    share: Array = (brighter[0] == brighter[1]).mean((-2, -1))
+    return share

@@ -1,0 +1,115 @@
+"""What a run on images was: numbers by frame, and a summary of them."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from slamlib.evaluation.trajectory import Trajectory
+from slamlib.manifolds import Array
+from slamlib.slam import Report, Slam
+
+PARTS = ("filter", "search", "detection", "reading")
+COLUMNS = (
+    *("time", "searched", "matched", "believed", "nis", "nis_dof", "landmarks", "begun", "deleted"),
+    *PARTS,
+)
+
+
+@dataclass(frozen=True, eq=False)
+class ImageResult:
+    """Per frame, arrays (n,) by the names of COLUMNS; the camera's trajectory; size of the state in the end.
+
+    time [s] of the picture; searched, matched, believed: landmarks looked for, found, and believed; nis and its degrees
+    of freedom nis_dof: of all believed ones; landmarks: in the map; begun, deleted; PARTS, and perhaps more of them:
+    seconds spent.
+    """
+
+    columns: dict[str, Array]
+    trajectory: Trajectory
+    size: int
+
+    @classmethod
+    def of(
+        cls, history: list[list[float]], trajectory: Trajectory, size: int, columns: tuple[str, ...] = COLUMNS
+    ) -> "ImageResult":
+        """From a run's rows."""
+        rows = np.array(history, dtype=float)
+        return cls(dict(zip(columns, rows.T, strict=True)), trajectory, size)
+
+    def __getattr__(self, name: str) -> Array:
+        if name == "columns" or name not in self.columns:
+            raise AttributeError(name)
+        return self.columns[name]
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """Names of the columns of seconds."""
+        return tuple(name for name in self.columns if name not in COLUMNS or name in PARTS)
+
+    @property
+    def gaps(self) -> int:
+        """Frames without a believed match, but for the first."""
+        return int((self.columns["believed"][1:] == 0).sum())
+
+
+def counts(slam: Slam, report: Report) -> dict[str, float]:
+    """What a filter's last frame adds to the columns, but for its times."""
+    looks = slam.looks[0]
+    believed = [look for look in looks if look.inlier]
+    return {
+        "searched": sum(look.chosen for look in looks),
+        "matched": sum(look.matched for look in looks),
+        "believed": len(believed),
+        "nis": float(sum(look.nis for look in believed)),
+        "nis_dof": sum(len(look.Z) for look in believed),
+        "landmarks": len(slam.landmarks),
+        "begun": len(report.begun),
+        "deleted": len(report.deleted),
+    }
+
+
+def summary(result: ImageResult) -> dict[str, Any]:
+    """Plain data: lengths in the run's unit, times in milliseconds (medians over the frames)."""
+    c = result.columns
+    searched, matched, believed = (float(c[name].sum()) for name in ("searched", "matched", "believed"))
+    tracked = c["believed"][1:] if len(c["time"]) > 1 else c["believed"]
+    return {
+        "frames": len(c["time"]),
+        "seconds": float(c["time"][-1] - c["time"][0]),
+        "tracked_mean": float(tracked.mean()),
+        "tracked_least": int(tracked.min()),
+        "frames_without_match": result.gaps,
+        "searched": int(searched),
+        "matched_share": matched / searched if searched else None,
+        "believed_share": believed / matched if matched else None,
+        "nis_per_dof": float(c["nis"].sum() / c["nis_dof"].sum()) if believed else None,
+        "landmarks": int(c["landmarks"][-1]),
+        "begun": int(c["begun"].sum()),
+        "deleted": int(c["deleted"].sum()),
+        "state": result.size,
+        "path_length": float(result.trajectory.distances[-1]),
+        "milliseconds": {name: 1e3 * float(np.median(c[name])) for name in result.parts},
+    }
+
+
+def table(s: dict[str, Any]) -> list[tuple[str, str]]:
+    """The rows of a summary for people: what, and how much."""
+    share = {name: "none" if s[name] is None else f"{s[name]:.1%}" for name in ("matched_share", "believed_share")}
+    nis = "no match" if s["nis_per_dof"] is None else f"{s['nis_per_dof']:.2f} (1 is ideal; the gate cuts some off)"
+    unit = "m" if s.get("metric") else "of the run's own units"
+    parts = ", ".join(f"{name} {spent:.1f}" for name, spent in s["milliseconds"].items())
+    return [
+        ("frames", f"{s['frames']}, {s['seconds']:.2f} s"),
+        ("tracked features", f"{s['tracked_mean']:.1f} a frame, at least {s['tracked_least']}"),
+        ("frames without a match", f"{s['frames_without_match']} (predictions)"),
+        (
+            "matched",
+            f"{share['matched_share']} of {s['searched']} searched; {share['believed_share']} of them believed",
+        ),
+        ("NIS per degree of freedom", nis),
+        ("landmarks", f"{s['landmarks']} in the map, {s['begun']} begun, {s['deleted']} deleted"),
+        ("state", f"{s['state']} degrees of freedom"),
+        ("path", f"{s['path_length']:.3f} {unit} long"),
+        ("milliseconds a frame", f"{sum(s['milliseconds'].values()):.1f}: {parts} (medians)"),
+    ]

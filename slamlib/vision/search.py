@@ -1,0 +1,191 @@
+"""Search for a template in the ellipse where the filter expects it: every pixel at once. Chapter 19, steps 2d to 2g.
+
+The manual scans the rectangle of +-3 sigma. The ellipse z' Z^-1 z <= limit is what the filter would believe: where its
+two numbers have the correlation r, pi / 4 sqrt(1 - r^2) of the rectangle around it.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from slamlib.errors import CovarianceError, SlamlibError
+from slamlib.kalman.linalg import finite
+from slamlib.manifolds import Array
+from slamlib.slam.data_association.gates import gate
+from slamlib.vision.patches import ROUNDING, Patch, as_floats, as_patch, cut, grey
+from slamlib.vision.subpixel import top
+
+
+@dataclass(frozen=True, eq=False)
+class Match:
+    """Where a template was found: pixel (2,), its ZNCC there, and the best ZNCC elsewhere in the ellipse.
+
+    The score is that of the nearest whole pixel. second is -1 where there is nothing but the best one's neighbourhood.
+    """
+
+    pixel: Array
+    score: float
+    second: float
+
+    @property
+    def ratio(self) -> float:
+        """How nearly the second-best is as good, 0 to 1: near 1 the match is ambiguous."""
+        return max(self.second, 0.0) / self.score if self.score > 0 else 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Scores:
+    """ZNCC at the pixels of a rectangle, values (rows, columns), and the mask `inside` of those that may be chosen.
+
+    `corner` (u, v) is the pixel [0, 0]. The others surround them, so that a place between pixels is found.
+    """
+
+    corner: tuple[int, int]
+    values: Array
+    inside: Array
+
+    def best(self, neighbourhood: int) -> Match:
+        """The highest score inside, to a fraction of a pixel; second-best: beyond so many pixels around it."""
+        allowed, width = np.where(self.inside, self.values, -2.0), neighbourhood
+        row, column = divmod(int(allowed.argmax()), allowed.shape[1])
+        score = float(allowed[row, column])
+        allowed[max(row - width, 0) : row + width + 1, max(column - width, 0) : column + width + 1] = -2
+        pixel = np.array([column, row]) + self.corner + top(self._around(row, column))
+        return Match(pixel, score, max(float(allowed.max()), -1.0))
+
+    def _around(self, row: int, column: int) -> Array:
+        """The 3 x 3 scores around a pixel, nan beyond the rectangle, which is the image's border."""
+        around = np.full((3, 3), np.nan)
+        part = self.values[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2]
+        top_, left = int(row == 0), int(column == 0)
+        around[top_ : top_ + part.shape[0], left : left + part.shape[1]] = part
+        return around
+
+
+def search(
+    image: Array, template: Patch | Array, centre: Array, Z: Array, probability: float = 0.99, largest: float = np.inf
+) -> Match | None:
+    """The best match of a template (h, w), odd sizes, around `centre` (2,), expected with covariance Z (2, 2) [px^2].
+
+    Looked at: the pixels nearest to the places whose z' Z^-1 z is below the chi-square quantile of `probability`, with
+    their whole window in the image; None where there is none, and where the ellipse reaches farther than `largest`
+    [px], which says that the expectation is worth nothing. Raises ShapeError, CovarianceError, SlamlibError.
+    """
+    patch = as_patch(template)
+    scores = score_map(image, patch, centre, Z, probability, largest)
+    return None if scores is None else scores.best(max(patch.pixels.shape) // 2)
+
+
+def score_map(
+    image: Array, template: Patch | Array, centre: Array, Z: Array, probability: float = 0.99, largest: float = np.inf
+) -> Scores | None:
+    """All the scores that `search` chooses from."""
+    array, patch = grey(image, "search"), as_patch(template)
+    if patch.pixels.shape[0] % 2 == 0 or patch.pixels.shape[1] % 2 == 0:
+        raise SlamlibError(f"search: a template has a pixel in its centre, odd sizes; got {patch.pixels.shape}")
+    region = ellipse(array.shape, patch.pixels.shape, centre, Z, gate(probability, 2), largest)
+    if region is None:
+        return None
+    (u, v), mask = region
+    half_v, half_u = (n // 2 for n in patch.pixels.shape)
+    # One pixel more on every side, where the image has it: the best pixel needs its neighbours.
+    left, above = min(u - half_u, 1), min(v - half_v, 1)
+    right = min(array.shape[1] - u - mask.shape[1] - half_u, 1)
+    below = min(array.shape[0] - v - mask.shape[0] - half_v, 1)
+    inside = np.pad(mask, ((above, below), (left, right)))
+    u, v, (rows, columns) = u - left, v - above, inside.shape
+    piece = array[v - half_v : v + rows + half_v, u - half_u : u + columns + half_u]
+    return Scores((u, v), correlate(as_floats(piece, "search"), patch), inside)
+
+
+def register(image: Array, template: Patch | Array, start: Array, steps: int = 10) -> Array | None:
+    """Where (2,) a template, of odd size, fits best: Gauss-Newton steps from a match's pixel.
+
+    Least squares, gain * template(x + d) + bias = image(pixel + x): a correlation's paraboloid is 1.5 to 2 times as far
+    off (benchmarks/images.py). None where it would go more than a pixel from the start, or leave the image.
+    """
+    patch, start = as_patch(template), finite(start, (2,), "register", "start")
+    down, across = np.gradient(patch.pixels)
+    columns = [x.ravel() for x in (across, down, patch.centred, np.ones(patch.pixels.shape))]
+    inverse, pixel = np.linalg.pinv(np.stack(columns, axis=1)), start.copy()
+    for _ in range(steps):
+        seen = cut(image, pixel, len(patch.pixels))
+        if seen is None:
+            return None
+        u, v, gain, _ = inverse @ seen.pixels.ravel()
+        if gain <= 0:
+            return None
+        step = np.array([u, v]) / gain
+        pixel -= step
+        if np.abs(pixel - start).max() > 1:
+            return None
+        if np.abs(step).max() < 0.005:
+            break
+    return pixel
+
+
+def ellipse(
+    image: tuple[int, ...], size: tuple[int, ...], centre: Array, Z: Array, limit: float, largest: float
+) -> tuple[tuple[int, int], Array] | None:
+    """The pixels nearest to the places with z' Z^-1 z <= limit, if their window `size` (h, w) is in the image (h, w).
+
+    As the pixel (u, v) of the upper left corner, and a mask (rows, columns) from there; None where there is none, or
+    where it reaches farther than `largest` [px]. An ellipse between four pixels has pixels too: those nearest to it.
+    Raises CovarianceError where Z is not positive definite.
+    """
+    (x, y), Z, limit = finite(centre, (2,), "search", "centre"), finite(Z, (2, 2), "search", "Z"), min(limit, 1e18)
+    (a, b), (_, c) = Z.tolist()
+    if not (a * c - b * b > 0 and a > 0 and abs(b - Z[1, 0]) <= 1e-9 * np.sqrt(a * c)):
+        raise CovarianceError(f"search: Z should be symmetric and positive definite, got {Z.tolist()}")
+    across, down = np.sqrt(limit * a), np.sqrt(limit * c)
+    v0, v1 = _whole(y - down, y + down, size[0] // 2, image[0])
+    if max(across, down) > largest or v1 < v0:
+        return None
+    rows = np.arange(v0, v1 + 1) - y
+    # A row's pixels reach half a pixel up and down: it is there that the ellipse is widest, or as near as they reach.
+    widest, low, high = b * np.sqrt(limit / a), np.maximum(rows - 0.5, -down), np.minimum(rows + 0.5, down)
+    right = _end(np.clip(widest, low, high), b / c, limit, c, a - b * b / c)
+    left = -_end(-np.clip(-widest, low, high), b / c, limit, c, a - b * b / c)
+    first, last = _whole(x + left, x + right, size[1] // 2, image[1])
+    u0, u1 = int(first.min()), int(last.max())
+    columns = np.arange(u0, u1 + 1)
+    mask = (columns >= first[:, None]) & (columns <= last[:, None])
+    return ((u0, int(v0)), mask) if mask.any() else None
+
+
+def _end(y: Array, lean: float, limit: float, c: float, rest: float) -> Array:
+    """How far to the right the ellipse reaches at a height y: the conditional mean, and the rest of the limit."""
+    return lean * y + np.sqrt(np.maximum(limit - y * y / c, 0) * rest)
+
+
+def _whole(low: Array, high: Array, half: int, length: int) -> tuple[Any, Any]:
+    """First and last of the pixels nearest to places from low to high, `half` pixels from the ends of the image."""
+    first, last = np.maximum(np.ceil(low - 0.5), half), np.minimum(np.floor(high + 0.5), length - 1 - half)
+    return first.astype(int), last.astype(int)
+
+
+def correlate(piece: Array, patch: Patch) -> Array:
+    """ZNCC of a patch (h, w) with every window of a piece of an image (rows + h - 1, columns + w - 1).
+
+    One matrix product gives the products of each row of the patch with each row of each window; they are summed along
+    the patch's rows. The windows' sums come from the integral image. 0 where there is no texture.
+    """
+    piece = piece - np.rint(piece.mean())  # near zero nothing cancels; whole grey levels stay whole, their sums exact
+    (h, w), n = patch.pixels.shape, patch.n
+    rows, columns = piece.shape[0] - h + 1, piece.shape[1] - w + 1
+    strips = np.lib.stride_tricks.sliding_window_view(piece, w, axis=1).reshape(-1, w)
+    products = (patch.centred @ strips.T).reshape(h, len(piece), columns)
+    product = sum(products[k, k : k + rows] for k in range(h))
+    power = _sums(piece * piece, h, w) - _sums(piece, h, w) ** 2 / n
+    power = power * (power > ROUNDING * (piece * piece).sum()) * (patch.centred**2).sum()
+    score: Array = product / np.sqrt(np.where(power > 0, power, np.inf))
+    return np.clip(score, -1, 1)
+
+
+def _sums(piece: Array, h: int, w: int) -> Array:
+    """Sums over all windows (h, w), from the integral image."""
+    integral = np.zeros((piece.shape[0] + 1, piece.shape[1] + 1))
+    piece.cumsum(0).cumsum(1, out=integral[1:, 1:])
+    result: Array = integral[h:, w:] - integral[:-h, w:] - integral[h:, :-w] + integral[:-h, :-w]
+    return result

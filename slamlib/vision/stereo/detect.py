@@ -1,0 +1,117 @@
+"""Corners spread over a picture, with binary descriptors. Chapter 21.
+
+The descriptor is ORB's pattern of 256 comparisons, upright and of one scale: BRIEF (Calonder and others, 2010) with the
+pairs that ORB (Rublee and others, 2011) chose. The two cameras of a rig do not turn or zoom against each other, so that
+what ORB adds for that costs accuracy and gives nothing; `python -m benchmarks.stereo` measures it.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from slamlib.datasets.optional_imports import opencv
+from slamlib.errors import UnknownNameError
+from slamlib.manifolds import Array
+from slamlib.vision.stereo.settings import StereoSettings
+
+WINDOW = 5  # px, of the structure tensor: its least eigenvalue is the strength of a corner
+
+
+@dataclass(frozen=True, eq=False)
+class Keypoints:
+    """Pixels (n, 2), their strengths (n,), and descriptors (n, 32): 256 bits each."""
+
+    pixels: Array
+    strengths: Array
+    descriptors: Array
+
+    def __len__(self) -> int:
+        return len(self.pixels)
+
+
+def detect(image: Array, settings: StereoSettings | None = None) -> Keypoints:
+    """The strongest features of each cell of the grid, sub-pixel. Raises SlamlibError without OpenCV."""
+    s = settings or StereoSettings()
+    find = DETECTORS.get(s.detector)
+    if find is None:
+        raise UnknownNameError.of("detector", s.detector, DETECTORS)
+    return find(image, s)
+
+
+def spread(pixels: Array, strengths: Array, size: tuple[int, int], cells: tuple[int, int], each: int) -> Array:
+    """Rows of the `each` strongest pixels (n, 2) of each cell of a picture (w, h), strongest first."""
+    order = np.argsort(-strengths, kind="stable")
+    place = np.clip((pixels[order] * cells / size).astype(int), 0, np.subtract(cells, 1))
+    cell = place[:, 1] * cells[0] + place[:, 0]
+    together = np.argsort(cell, kind="stable")  # by cell, strongest first within each
+    start = np.searchsorted(cell[together], cell[together])
+    kept: Array = order[np.sort(together[np.arange(len(cell)) - start < each])]
+    return kept
+
+
+def _corners(image: Array, s: StereoSettings) -> Keypoints:
+    """Local maxima of the structure tensor's smaller eigenvalue, with an upright descriptor."""
+    cv2 = opencv("to find features")
+    # In OpenCV's scale the eigenvalue is four times the mean over the window; here it is the sum [grey^2/px^2].
+    strength = cv2.cornerMinEigenVal(image.astype(np.float32), WINDOW) * (WINDOW**2 / 4)
+    peak = (strength >= cv2.dilate(strength, np.ones((7, 7), np.uint8))) & (strength >= s.least)
+    peak[: s.border], peak[-s.border :], peak[:, : s.border], peak[:, -s.border :] = False, False, False, False
+    v, u = np.nonzero(peak)
+    rows = spread(np.stack([u, v], 1), strength[v, u], image.shape[::-1], s.cells, s.each)
+    u, v = u[rows], v[rows]
+    pixels = np.stack([u + _top(strength, v, u, 0, 1), v + _top(strength, v, u, 1, 0)], axis=1)
+    return _described(image, pixels, strength[v, u], np.zeros(len(u)), s)
+
+
+def _top(values: Array, v: Array, u: Array, down: int, right: int) -> Array:
+    """Where the parabola through three neighbours has its top, within half a pixel."""
+    before, middle, after = values[v - down, u - right], values[v, u], values[v + down, u + right]
+    bend = before - 2 * middle + after
+    return np.clip(np.where(bend < 0, (before - after) / np.where(bend < 0, 2 * bend, 1), 0), -0.5, 0.5)
+
+
+def _orb(levels: int) -> Callable[[Array, StereoSettings], Keypoints]:
+    """ORB's own detector (FAST), with its descriptors turned by its angles; spread over the grid likewise."""
+
+    def find(image: Array, s: StereoSettings) -> Keypoints:
+        cv2 = opencv("to find features")
+        orb = cv2.ORB_create(nfeatures=5000, nlevels=levels, edgeThreshold=s.border, fastThreshold=10)
+        found = orb.detect(image, None)
+        pixels = np.array([k.pt for k in found]).reshape(-1, 2)
+        strengths = np.array([k.response for k in found])
+        rows = spread(pixels, strengths, image.shape[::-1], s.cells, s.each)
+        chosen, descriptors = orb.compute(image, [found[i] for i in rows.tolist()])
+        return Keypoints(
+            np.array([k.pt for k in chosen], dtype=float).reshape(-1, 2),
+            np.array([k.response for k in chosen]),
+            np.zeros((0, 32), np.uint8) if descriptors is None else descriptors,
+        )
+
+    return find
+
+
+@lru_cache
+def _describer(border: int) -> Any:
+    return opencv("to describe features").ORB_create(nlevels=1, edgeThreshold=border)
+
+
+def _described(image: Array, pixels: Array, strengths: Array, degrees: Array, s: StereoSettings) -> Keypoints:
+    cv2 = opencv("to describe features")
+    points = [
+        cv2.KeyPoint(u, v, 31.0, angle, 0.0, 0, i)
+        for i, ((u, v), angle) in enumerate(zip(pixels.tolist(), degrees.tolist(), strict=True))
+    ]
+    kept, descriptors = _describer(s.border - 2).compute(image, points)
+    rows = np.array([k.class_id for k in kept], dtype=int)
+    bits = np.zeros((0, 32), np.uint8) if descriptors is None else descriptors
+    return Keypoints(pixels[rows], strengths[rows], bits)
+
+
+DETECTORS: dict[str, Callable[[Array, StereoSettings], Keypoints]] = {
+    "corners": _corners,
+    "orb": _orb(1),
+    "orb8": _orb(8),
+}

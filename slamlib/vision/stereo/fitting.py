@@ -1,0 +1,93 @@
+"""The motion that is most likely, given noise in both pairs: Gauss-Newton with the points eliminated."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from slamlib.geometry.pose import Pose
+from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.manifolds import Array
+from slamlib.observation.points import initialize, observe
+from slamlib.sensors.sensor import Calibration
+from slamlib.slam.data_association.gates import gate
+from slamlib.vision.stereo.geometry import ORIGIN
+
+BELIEVED = 0.999  # probability with which a true match passes
+ROUNDS = 10
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """The robot's new pose (7,) in its old frame, covariance (6, 6), mask (n,) of what agrees, and sum of z' S^-1 z."""
+
+    pose: Array
+    covariance: Array
+    inliers: Array
+    squares: float
+
+
+def fit(calibration: Calibration, mount: Array, old: Array, new: Array, start: Array, inliers: Array) -> Fit | None:
+    """The pose most likely for measurements (n, 3) with the calibration's noise in both pairs, from a first guess.
+
+    Twice: with the given inliers, and with all matches that the first result's gate lets pass. None if too few.
+    """
+    pose, keep = start, inliers
+    for _ in range(2):
+        if keep.sum() < 3:
+            return None
+        pose, covariance = _minimum(calibration, mount, old[keep], new[keep], pose)
+        squares = _squares(calibration, mount, old, new, pose)
+        chosen, keep = keep, keep & (squares < gate(BELIEVED, 3))
+    return Fit(pose, covariance, chosen, float(squares[chosen].sum()))
+
+
+def _minimum(calibration: Calibration, mount: Array, old: Array, new: Array, pose: Array) -> tuple[Array, Array]:
+    """Iterate; what an old point really measured, y, is estimated with the pose.
+
+    The cost is |old - y|^2 + |new - g(X, y)|^2, both in the metric of R. For a step of X by A dx and of y by G dy the
+    best dy is known, which leaves e = (new - g) - G (old - y) of covariance S = R + G R G' for the pose alone:
+    the same as if the points were parameters too (their Schur complement), at the cost of a 6 x 6 system.
+    """
+    R, y = calibration.noise, old
+    for _ in range(ROUNDS):
+        e, A, G, S = _linear(calibration, mount, old, new, pose, y)
+        W = np.linalg.inv(S)
+        weighted = A.swapaxes(-1, -2) @ W
+        information = (weighted @ A).sum(0)
+        step = np.linalg.solve(information, (weighted @ e[..., None]).sum(0)[:, 0])
+        rest = e - A @ step
+        y = old + (R @ G.swapaxes(-1, -2) @ W @ rest[..., None])[..., 0]
+        pose = Pose.plus(pose, step)
+        if np.abs(step).max() < 1e-8:
+            break
+    return pose, np.linalg.inv(information)
+
+
+def _linear(
+    calibration: Calibration, mount: Array, old: Array, new: Array, pose: Array, y: Array
+) -> tuple[Array, Array, Array, Array]:
+    """e (n, 3), A (n, 3, 6), G (n, 3, 3) and S (n, 3, 3) at a pose and at estimates y (n, 3) of the old values."""
+    points, back = initialize(EUC_POINT, calibration, ORIGIN, mount, y)
+    seen = observe(EUC_POINT, calibration, pose, mount, points)
+    A, G = seen.jacobians.robot, seen.jacobians.landmark @ back.measurement
+    e = new - seen.value - (G @ (old - y)[..., None])[..., 0]
+    R = calibration.noise
+    return e, A, G, R + G @ R @ G.swapaxes(-1, -2)
+
+
+def _squares(calibration: Calibration, mount: Array, old: Array, new: Array, pose: Array) -> Array:
+    """z' S^-1 z (n,) of all matches at a pose."""
+    e, _, _, S = _linear(calibration, mount, old, new, pose, old)
+    squares: Array = (e * np.linalg.solve(S, e[..., None])[..., 0]).sum(-1)
+    return squares
+
+
+def derivatives(calibration: Calibration, mount: Array, old: Array, new: Array, pose: Array) -> tuple[Array, Array]:
+    """How much the fitted pose (6,) moves with each old and each new measurement: (n, 6, 3) and (n, 6, 3).
+
+    To first order, as the covariance is: sum of G R G' over both is that of `fit`.
+    """
+    _, A, G, S = _linear(calibration, mount, old, new, pose, old)
+    weighted = A.swapaxes(-1, -2) @ np.linalg.inv(S)
+    by_new = np.linalg.inv((weighted @ A).sum(0)) @ weighted
+    return -by_new @ G, by_new

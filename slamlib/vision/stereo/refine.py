@@ -1,0 +1,107 @@
+"""Many small patches laid over a picture at once, to a fraction of a pixel: Gauss-Newton with a gain and an offset."""
+
+import numpy as np
+
+from slamlib.manifolds import Array
+
+BOTH = np.eye(2)
+ALONG_ROW = np.array([[1.0], [0.0]])
+MOST = 0.6  # a patch that changes its shape by more is another one
+
+
+def cut(image: Array, pixels: Array, size: int, shapes: Array | None = None) -> Array:
+    """Patches (n, size, size) round pixels (n, 2), bilinear; places outside the picture repeat its border.
+
+    shapes (n, 2, 2): what the steps (right, down) of the patch are in the picture; None: themselves.
+    """
+    steps = np.arange(size) - (size - 1) / 2
+    right, down = steps[None, None, :], steps[None, :, None]
+    if shapes is None:
+        return _bilinear(image, pixels[:, 0, None, None] + right, pixels[:, 1, None, None] + down)
+    u, v = (
+        pixels[:, i, None, None] + shapes[:, i, 0, None, None] * right + shapes[:, i, 1, None, None] * down
+        for i in (0, 1)
+    )
+    return _bilinear(image, u, v)
+
+
+def _bilinear(image: Array, u: Array, v: Array) -> Array:
+    """Grey values at places whose arrays broadcast."""
+    h, w = image.shape
+    i, j = np.floor(v).astype(np.intp), np.floor(u).astype(np.intp)
+    q, p = v - i, u - j
+    below, right = np.clip(i + 1, 0, h - 1), np.clip(j + 1, 0, w - 1)
+    i, j = np.clip(i, 0, h - 1), np.clip(j, 0, w - 1)
+    flat = image.reshape(-1)
+    upper = flat[i * w + j] * (1 - p) + flat[i * w + right] * p
+    lower = flat[below * w + j] * (1 - p) + flat[below * w + right] * p
+    values: Array = upper * (1 - q) + lower * q
+    return values
+
+
+def align(image: Array, templates: Array, pixels: Array, axes: Array = BOTH, rounds: int = 6) -> tuple[Array, Array]:
+    """Pixels (n, 2) near the given ones where templates (n, s + 2, s + 2) fit best, and correlations (n,) there.
+
+    Each template T, without its margin of one, and the patch I found are made free of mean and of scale; the step d
+    along the columns of `axes` (2, k) makes |I - T - grad T d|^2 least, and is taken back from the pixel (inverse
+    compositional, Baker and Matthews, 2004). A patch without structure stays where it was, with correlation 0.
+    """
+    size, n = templates.shape[1] - 2, len(templates)
+    T, G = _template(templates)
+    by = _inverse(T, G @ axes)
+    place = np.array(pixels, dtype=float)
+    for _ in range(rounds):
+        found, _ = _normal(cut(image, place, size).reshape(n, size**2))
+        step = (by @ (found - T)[:, :, None])[:, :, 0] @ axes.T
+        place = place - np.clip(step, -1, 1)
+    found, _ = _normal(cut(image, place, size).reshape(n, size**2))
+    return place, (found * T).sum(1)
+
+
+def align_shape(image: Array, templates: Array, pixels: Array, rounds: int = 5) -> tuple[Array, Array]:
+    """The same with the patch's shape free as well: any linear map, as another direction of view brings about.
+
+    A patch that keeps its shape is pulled aside where the one in the picture is turned, stretched or sheared, and the
+    error stays as long as the view does; with a free shape it does not. Begin near the place: use `align` before.
+    """
+    size, n = templates.shape[1] - 2, len(templates)
+    T, G = _template(templates)
+    steps = np.arange(size) - (size - 1) / 2
+    x, y = (a.ravel() for a in np.meshgrid(steps, steps))
+    by = _inverse(T, np.concatenate([G, G * x[:, None], G * y[:, None]], axis=2))
+    place, shape = np.array(pixels, dtype=float), np.tile(np.eye(2), (n, 1, 1))
+    for _ in range(rounds):
+        found, _ = _normal(cut(image, place, size, shape).reshape(n, size**2))
+        step = (by @ (found - T)[:, :, None])[:, :, 0]
+        change = np.eye(2) + np.clip(np.stack([step[:, 2:4], step[:, 4:]], axis=2), -0.2, 0.2)
+        shape = shape @ np.linalg.inv(change)
+        place = place - (shape @ np.clip(step[:, :2, None], -1, 1))[:, :, 0]
+    found, _ = _normal(cut(image, place, size, shape).reshape(n, size**2))
+    plausible = np.abs(shape - np.eye(2)).max((1, 2), initial=0) < MOST
+    return place, np.where(plausible, (found * T).sum(1), 0.0)
+
+
+def _template(templates: Array) -> tuple[Array, Array]:
+    """Templates without margin as rows (n, k), free of mean and scale, and their gradients (n, k, 2) likewise."""
+    n = len(templates)
+    down = (templates[:, 2:, 1:-1] - templates[:, :-2, 1:-1]) / 2
+    right = (templates[:, 1:-1, 2:] - templates[:, 1:-1, :-2]) / 2
+    T, length = _normal(templates[:, 1:-1, 1:-1].reshape(n, (templates.shape[1] - 2) ** 2))
+    return T, np.stack([right, down], axis=-1).reshape(*T.shape, 2) / length[:, None, None]
+
+
+def _inverse(T: Array, J: Array) -> Array:
+    """(J' J)^-1 J' (n, q, k), where J (n, k, q) has lost what looks like another offset or gain of T (n, k)."""
+    J = J - J.mean(1, keepdims=True)
+    J = J - T[:, :, None] * (T[:, None, :] @ J)
+    transposed = J.swapaxes(1, 2)
+    inverse: Array = np.linalg.inv(transposed @ J + 1e-9 * np.eye(J.shape[2])) @ transposed
+    return inverse
+
+
+def _normal(patches: Array) -> tuple[Array, Array]:
+    """Rows (n, k) without their means and of length one, and the lengths (n,); of flat ones, zeros."""
+    centred = patches - patches.mean(1, keepdims=True)
+    length = np.sqrt((centred * centred).sum(1))
+    safe = np.where(length > 1e-6, length, np.inf)
+    return centred / safe[:, None], np.where(length > 1e-6, length, 1.0)

@@ -1,0 +1,137 @@
+"""A known target in the first picture: it gives a monocular run its unit of length, and its frame of reference."""
+
+import json
+import os
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from slamlib.data.records import Scan
+from slamlib.data.setup import Rig
+from slamlib.datasets.optional_imports import opencv
+from slamlib.errors import SlamlibError
+from slamlib.evaluation.alignment import straightness
+from slamlib.geometry.euler import from_rotation
+from slamlib.geometry.pose import compose, inverse, to_frame
+from slamlib.geometry.quaternion import exponential, rotation
+from slamlib.kalman.linalg import finite
+from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.manifolds import Array
+from slamlib.sensors.sensor import Calibration
+from slamlib.slam.data_association.gates import Sight
+from slamlib.slam.entities import Landmark
+from slamlib.slam.filter import Slam
+from slamlib.slam.measurement_update import correct_in_batch, expect_all
+
+LEAST = 4  # points; three leave up to four poses to choose from
+LARGEST = 5.0  # px: rms of the pixels against the best pose; beyond it they are not of these points
+
+
+@dataclass(frozen=True, eq=False)
+class Target:
+    """Points (n, 3) of the world, n at least 4, their pixels (n, 2) in the first picture, and the points' std."""
+
+    points: Array
+    pixels: Array
+    std: float = 0.0
+
+    def __post_init__(self) -> None:
+        count = len(np.atleast_1d(self.points))
+        object.__setattr__(self, "points", finite(self.points, (count, 3), "Target", "points"))
+        object.__setattr__(self, "pixels", finite(self.pixels, (count, 2), "Target", "pixels"))
+        if count < LEAST:
+            raise SlamlibError(
+                f"a target has at least {LEAST} points, got {count}: fewer leave the camera's place open"
+            )
+        if straightness(self.points) < 1e-3:
+            raise SlamlibError("the target's points lie on one line: a camera may turn around it and see the same")
+        if not (np.isfinite(self.std) and self.std >= 0):
+            raise SlamlibError(f"the target's std is a length, 0 or more, got {self.std!r}")
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> "Target":
+        """Of JSON: {"points": [[x, y, z], ...], "pixels": [[u, v], ...], "std": s}. Raises SlamlibError."""
+        try:
+            data = json.loads(Path(path).read_text("utf-8"))
+            return cls(data["points"], data["pixels"], data.get("std", 0.0))
+        except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+            wanted = 'JSON with "points" (n, 3), "pixels" (n, 2) and perhaps "std"'
+            raise SlamlibError(f"{path} is no target: {wanted} is wanted ({type(error).__name__}: {error})") from None
+
+    def camera(self, calibration: Calibration) -> Array:
+        """Pose (7,) of the camera in the target's world that explains the pixels best; raises SlamlibError.
+
+        OpenCV finds it, of the pixels' rays, so that any calibrated camera will do that looks ahead.
+        """
+        cv2 = opencv("to find where the camera sees the target from")
+        rays, _ = calibration.back_project_jac(self.pixels, np.ones((len(self.pixels), 1)))
+        plane = np.ascontiguousarray(rays[:, :2] / rays[:, 2:3])[:, None]
+        points = np.ascontiguousarray(self.points)[:, None]
+        good, turn, shift = cv2.solvePnP(points, plane, np.eye(3), None, flags=cv2.SOLVEPNP_SQPNP)
+        if not good:
+            raise SlamlibError("no place of the camera explains the target's pixels")
+        turn, shift = cv2.solvePnPRefineLM(points, plane, np.eye(3), None, turn, shift)
+        pose: Array = inverse(np.concatenate([shift.ravel(), exponential(turn.ravel())]))
+        self._check(calibration, pose)
+        return pose
+
+    def distance(self, calibration: Calibration) -> float:
+        """Median of the points' distances from the camera [m]: the typical one of what is seen, as far as is known."""
+        return float(np.median(np.linalg.norm(self.points - self.camera(calibration)[:3], axis=1)))
+
+    def _check(self, calibration: Calibration, pose: Array) -> None:
+        seen = to_frame(pose, self.points)
+        seen = np.concatenate([seen, np.ones((len(seen), 1))], axis=1)
+        fits = calibration.visible(seen).all()
+        off = np.linalg.norm(calibration.project(seen) - self.pixels, axis=1) if fits else np.array([np.inf])
+        if not np.sqrt((off**2).mean()) <= LARGEST:
+            raise SlamlibError(
+                f"the target's pixels do not fit its points: they are {np.sqrt((off**2).mean()):.1f} px off (rms) seen "
+                "from the best place; are both in one order, pixels u to the right and v down, the calibration right?"
+            )
+
+    def placed(self, rig: Rig) -> Rig:
+        """The rig with its robot where the target is seen from. How well that is known the pixels will say: before,
+        place and attitude are as good as unknown."""
+        setup, sensor = rig.robots[0], rig.sensors[0]
+        camera = self.camera(sensor.calibration)
+        pose = compose(camera, inverse(sensor.mount))
+        distance = float(np.linalg.norm(self.points - camera[:3], axis=1).max())
+        start = replace(
+            setup,
+            position=tuple(pose[:3].tolist()),
+            euler=tuple(np.degrees(from_rotation(rotation(pose[3:]))).tolist()),
+            position_std=(distance,) * 3,
+            attitude_std=(60.0,) * 3,
+        )
+        return replace(rig, robots=(start, *rig.robots[1:]))
+
+    def put(self, slam: Slam, scan: Scan) -> None:
+        """Add the points to a filter, Euclidean, and correct it by their pixels once; `scan` holds the first picture.
+
+        The correction is one batch, linearized where the pixels are explained best. Raises SlamlibError if fewer than
+        four of the points can be followed.
+        """
+        sensor, front_end = slam.sensors[0], slam.front_ends[0]
+        if not hasattr(front_end, "adopt"):
+            raise SlamlibError(f"{type(front_end).__name__} cannot begin landmarks at given pixels: it has no `adopt`")
+        found = front_end.adopt(Sight(scan, sensor, []), "points", self.pixels)
+        rows = [i for i, one in enumerate(found) if one is not None]
+        if len(rows) < LEAST:
+            raise SlamlibError(
+                f"{len(found) - len(rows)} of the target's {len(found)} points lie too near the picture's border: "
+                f"at least {LEAST} must be left"
+            )
+        pixel_of: dict[Any, Array] = {}
+        for i in rows:
+            number, _, signature = found[i]
+            block = slam.belief.add(EUC_POINT.space, self.points[i], self.std**2 * np.eye(3))
+            landmark = Landmark(number, EUC_POINT, block, born=1, signature=signature)
+            slam.landmarks.append(landmark)
+            pixel_of[landmark] = self.pixels[i]
+        looks = expect_all(slam.belief, sensor, slam.families, slam.landmarks)
+        for look in looks:
+            look.measured, look.matched = pixel_of[look.landmark], True
+        correct_in_batch(slam.belief, sensor, looks, replace(slam.options, gate=1.0))
