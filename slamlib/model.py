@@ -119,7 +119,10 @@ class Model:
         return value, self._jacobians(*jacobians)
 
     def storage_jac(self, *args: Array, **kwargs: Array) -> tuple[Array, Any]:
-        """Value and plain derivatives with respect to the stored numbers: seven of a pose, four of a quaternion."""
+        """Value and plain derivatives with respect to the stored numbers: seven of a pose, four of a quaternion.
+
+        Their code is generated when they are first asked for, which needs sympy; raises SlamlibError without it.
+        """
         kind = "_storage_jac" if self.has_manifold else "_jac"
         value, *jacobians = self._evaluate(kind, self._bind(args, kwargs))
         return value, self._jacobians(*jacobians)
@@ -149,7 +152,7 @@ class Model:
         if self._whole is not None:
             from slamlib.modeling import specialize
 
-            return specialize.code(self._whole, self)
+            return specialize.code(self._whole, self, self._whole.code)
         if not self.is_packaged:
             from slamlib.codegen.compile import compile_in_memory
 
@@ -164,6 +167,17 @@ class Model:
             raise StaleCodeError(f"{self.module}.{self.name} has changed since its code was generated: {command}")
         return code
 
+    @functools.cached_property
+    def storage_code(self) -> ModuleType:
+        """The module of the derivatives by stored numbers, which no filter needs: generated when first asked for."""
+        if self._whole is not None:
+            from slamlib.modeling import specialize
+
+            return specialize.code(self._whole, self, self._whole.storage_code)
+        from slamlib.codegen.compile import compile_in_memory
+
+        return compile_in_memory(self, by_storage=True)
+
     def _evaluate(self, kind: str, arguments: list[Array]) -> list[Array]:
         kernel = self._kernel(kind)
         found = kernel.single(arguments)
@@ -176,9 +190,8 @@ class Model:
     @functools.cache  # noqa: B019 - models live as long as their module
     def _kernel(self, kind: str) -> Kernel:
         """The generated function of a kind, with the shapes of the arrays that its entries fill."""
-        code = self.code
-        shape = code.SHAPES[self.name]
-        function = getattr(code, self.name + kind)
+        shape = self.code.SHAPES[self.name]
+        function = getattr(self.storage_code if kind == "_storage_jac" else self.code, self.name + kind)
         if not kind:
             return Kernel(function, self.name, self.arguments, [shape])
         stored = kind == "_storage_jac" or not self.has_manifold
