@@ -5,19 +5,21 @@ there is one, travels beside it, to the evaluation alone.
 """
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
 from slamlib.kalman.linalg import covariance, finite, numbers
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 
 @dataclass(frozen=True, eq=False)
 class Features:
     """Identified things: ids (n,), integers that do not repeat, and one row of numbers for each, values (n, m)."""
 
-    ids: Array
+    ids: Indices
     values: Array
 
     def __post_init__(self) -> None:
@@ -64,7 +66,7 @@ class Scan:
 
     points: Features
     segments: Features = field(default_factory=lambda: Features.none(4))
-    image: Array | None = None
+    image: Any = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,7 +112,7 @@ class World:
             raise SlamlibError("World: a point and a segment share an id; number segments after the points")
 
 
-def _read_only(array: Array) -> Array:
+def _read_only(array: NDArray[Any]) -> NDArray[Any]:
     """A read-only copy that keeps its type."""
     array = np.array(array)
     array.flags.writeable = False

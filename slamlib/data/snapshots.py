@@ -6,7 +6,7 @@ import numpy as np
 
 from slamlib.data.records import Scan
 from slamlib.geometry.pose import compose
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Mask
 
 _LEFT_OUT: Array = np.zeros(0)
 
@@ -49,9 +49,9 @@ class Looks:
     expected: Array
     covariance: Array
     measured: Array
-    chosen: Array
-    matched: Array
-    inlier: Array
+    chosen: Mask
+    matched: Mask
+    inlier: Mask
     nis: Array
     ends: Array = field(default_factory=lambda: _LEFT_OUT)
     spreads: Array = field(default_factory=lambda: _LEFT_OUT)
@@ -79,7 +79,7 @@ class SensorView:
     robot: int
     mount: Array
     mount_covariance: Array
-    image: Array | None
+    image: Image | None
     scan: Scan | None
     points: Looks
     segments: Looks
@@ -98,7 +98,7 @@ class MapView:
     kinds: tuple[str, ...]
     geometry: Array
     covariance: Array
-    converged: Array
+    converged: Mask
 
 
 @dataclass(frozen=True, eq=False)

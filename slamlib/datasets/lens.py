@@ -12,7 +12,7 @@ import numpy as np
 
 from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 Numbers = tuple[float, ...]
 PURPOSE = "to undistort images"
@@ -78,7 +78,7 @@ class Undistortion:
         self.setup = ideal.setup()
         self._maps = maps(lens, _zoomed(lens, zoom), size)
 
-    def __call__(self, image: Array) -> Array:
+    def __call__(self, image: Image) -> Array:
         """The picture (h, w), undistorted, bilinear."""
         cv2 = opencv(PURPOSE)
         found: Array = cv2.remap(image, *self._maps, cv2.INTER_LINEAR)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 from slamlib.sensors.sensor import Calibration
 
 
@@ -38,7 +38,7 @@ def checked(image: Any, calibration: Calibration | None = None) -> Array:
     return array
 
 
-def pack(image: Array) -> list[Any]:
+def pack(image: Image) -> list[Any]:
     """A pair (2, h, w) as plain data, without loss: its shape, and text."""
     return [list(image.shape), base64.b64encode(zlib.compress(image.tobytes(), 1)).decode()]
 

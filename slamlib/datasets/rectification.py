@@ -14,7 +14,7 @@ from slamlib.datasets.lens import PURPOSE, Lens, inside, least_zoom, maps
 from slamlib.datasets.optional_imports import opencv
 from slamlib.datasets.pair_calibrations import PairCalibration
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 SLANT, ASIDE, UNLIKE = 0.002, 0.01, 0.002  # rad; share of the baseline; share of the focal length
 
@@ -75,7 +75,7 @@ class Rectification:
         beside = replace(pair, left=_ideal(focal, zoom, centre, size), place=_shifted(baseline))
         self.setup, _ = rectified_setup(beside, size)
 
-    def __call__(self, image: Array) -> Array:
+    def __call__(self, image: Image) -> Array:
         """The pair (2, h, w), rectified, bilinear."""
         cv2 = opencv(PURPOSE)
         both = zip(image, self._maps, strict=True)

@@ -21,7 +21,7 @@ from typing import Any
 from slamlib.datasets import layouts, video
 from slamlib.datasets.pictures import Picture
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 
 @dataclass(frozen=True)
@@ -164,7 +164,7 @@ def reopen(recipe: dict[str, Any], count: int | None = None) -> Source:
     return source.again(recipe, count)
 
 
-def _size(image: Array) -> str:
+def _size(image: Image) -> str:
     return f"{image.shape[-1]}x{image.shape[-2]}"
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.evaluation.trajectory import Trajectory, angles
 from slamlib.geometry.pose import compose, inverse, relative
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +47,7 @@ def relative_errors(
 
 
 def _parts(
-    estimate: Trajectory, reference: Trajectory, along: Array, starts: Array, length: float
+    estimate: Trajectory, reference: Trajectory, along: Array, starts: Indices, length: float
 ) -> tuple[int, float, float]:
     ends = np.searchsorted(along, along[starts] + length, side="right")
     i, j = starts[ends < len(along)], ends[ends < len(along)]

@@ -11,7 +11,7 @@ from slamlib.errors import NonFiniteError
 from slamlib.kalman import linalg
 from slamlib.kalman.state import Layout
 from slamlib.kalman.update import Correction
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 _ROWS = 32  # of W that there is room for at first
 
@@ -24,7 +24,7 @@ class Series:
         self._P, self._layout = covariance, layout
         self._store, self._count = np.empty((_ROWS, len(covariance))), 0  # W is its first rows
 
-    def correct(self, columns: Array, H: Array, innovation: Array, R: Array, gate: float = np.inf) -> Correction:
+    def correct(self, columns: Indices, H: Array, innovation: Array, R: Array, gate: float = np.inf) -> Correction:
         """As Belief.correct_rows, at the present means; changes nothing unless its nis is below the gate.
 
         columns (k,), H (d, k), innovation (d,), R (d, d). Raises CovarianceError, NonFiniteError.

@@ -5,7 +5,7 @@ import operator
 
 import numpy as np
 
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 
 def factor(matrix: Array, rounding: float) -> Array | None:
@@ -31,7 +31,7 @@ def _dot(a: list[float], b: list[float]) -> float:
     return sum(map(operator.mul, a, b))
 
 
-def corners(matrix: Array, rows: Array) -> Array:
+def corners(matrix: Array, rows: Indices) -> Array:
     """Blocks (n, k, k) of a matrix (s, s): of each row of `rows` (n, k) those rows and columns."""
     return matrix.ravel().take(rows[:, :, None] * len(matrix) + rows[:, None, :])
 

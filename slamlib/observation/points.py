@@ -14,7 +14,7 @@ import numpy as np
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import compose
 from slamlib.landmarks.point import PointLandmark
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
 
 AHEAD = np.array([0.25, 0.5, 1, 1])  # stands in for points that cannot be measured, so that their rows are finite
@@ -29,7 +29,7 @@ class Observation:
     """
 
     value: Array
-    visible: Array
+    visible: Mask
     jacobians: Any
 
 

@@ -9,7 +9,7 @@ from slamlib.geometry.pose import Pose, compose
 from slamlib.kalman.linalg import frozen
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.segments import clip, frustum, length, trim
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.simulation.faults import Clutter, Faults, swapped
 from slamlib.simulation.occlusion import hidden, longest_seen
 from slamlib.simulation.robots import drawn, root
@@ -70,7 +70,7 @@ class SimulatedSensor:
         pixels = np.clip(measured.pixels[found], 0, np.tile(self.calibration.image, 2))  # the cut's own rounding
         return self._faulty(segments.ids[seen][found], pixels, 2)
 
-    def _faulty(self, ids: Array, values: Array, parts: int) -> Features:
+    def _faulty(self, ids: Indices, values: Array, parts: int) -> Features:
         """The same features with faults; an outlier is made of so many parts (the two ends of a segment)."""
         rng, faults = self.streams["faults"], self.faults
         miss, replace = rng.random((2, len(ids)))

@@ -4,7 +4,7 @@ import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.landmarks import hmg_point
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.observation.points import AHEAD
 from slamlib.slam.entities import Landmark, MountedSensor
 from slamlib.slam.measurement_update import groups
@@ -44,7 +44,7 @@ def _of_one_kind(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark
     return np.where(seen, pixel, np.nan), np.where(seen[..., None], covariance, np.nan)
 
 
-def settled(geometry: Array, covariance: Array) -> Array:
+def settled(geometry: Array, covariance: Array) -> Mask:
     """Mask (n,) of the segments (n, 2, 3) whose ends, of covariance (n, 2, 3, 3), are known well beside their length.
 
     A new line is known in the plane of its first image alone: its ends may lie anywhere along their rays.

@@ -9,7 +9,7 @@ from slamlib.data.snapshots import MapView
 from slamlib.kalman.small_matrices import corners
 from slamlib.landmarks import LINES, endpoints, hmg_point, segments
 from slamlib.landmarks.line import LineLandmark
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.observation.lines import initialize_line
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.entities import Landmark, MountedSensor
@@ -36,7 +36,7 @@ class LineFamily:
         """Lines are for cameras that map them to straight lines, and have an image."""
         return sensor.calibration.sensor.project_line is not None and sensor.calibration.image is not None
 
-    def usable(self, sensor: MountedSensor, values: Array) -> Array:
+    def usable(self, sensor: MountedSensor, values: Array) -> Mask:
         """Mask of the segments (n, 4) that a landmark may begin with: long enough."""
         return segments.length(values) >= self.options.minimum_length
 

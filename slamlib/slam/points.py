@@ -11,7 +11,7 @@ from slamlib.landmarks import POINTS
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import beyond_infinity, should_convert, to_euclidean
 from slamlib.landmarks.point import PointLandmark
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.observation.points import AHEAD, initialize, observe_from
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.entities import Landmark, MountedSensor
@@ -36,7 +36,7 @@ class PointFamily:
         """Every sensor measures points."""
         return True
 
-    def usable(self, sensor: MountedSensor, values: Array) -> Array:
+    def usable(self, sensor: MountedSensor, values: Array) -> Mask:
         """Mask of the measurements (n, m) that a landmark may begin with: not too near the image's border."""
         image = sensor.calibration.image
         return sensor.calibration.inside(values, 0.0 if image is None else self.options.margin * image[0])

@@ -8,7 +8,7 @@ import numpy as np
 from slamlib.geometry.pose import compose
 from slamlib.kalman import state
 from slamlib.kalman.linalg import sealed
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.observation.points import product
 from slamlib.slam.entities import Landmark, MountedSensor
 
@@ -25,12 +25,12 @@ class Expected:
     value: Array
     inner: Array
     by: Array
-    columns: Array
+    columns: Indices
 
     def take(self, rows: list[int]) -> "Expected":
         """Some of the landmarks, in this order."""
-        arrays = (array.take(rows, axis=0) for array in (self.value, self.inner, self.by, self.columns))
-        return Expected([self.landmarks[i] for i in rows], *arrays)
+        value, inner, by = (array.take(rows, axis=0) for array in (self.value, self.inner, self.by))
+        return Expected([self.landmarks[i] for i in rows], value, inner, by, self.columns.take(rows, axis=0))
 
     @classmethod
     def nothing(cls, size: int) -> "Expected":
@@ -52,7 +52,7 @@ def means_of(landmarks: list[Landmark]) -> Array:
     return state.means_of([landmark.block for landmark in landmarks])
 
 
-def columns_of(sensor: MountedSensor, landmarks: list[Landmark]) -> Array:
+def columns_of(sensor: MountedSensor, landmarks: list[Landmark]) -> Indices:
     """Rows (n, k) of the joint covariance that a look at each of the landmarks, all of one kind, depends on."""
     starts = np.array([landmark.block.start for landmark in landmarks])
     shared, dof = sensor.columns, landmarks[0].block.dof

@@ -111,7 +111,9 @@ def test_storage_jacobian_is_the_plain_derivative(rng):
     assert value == pytest.approx(frames.to_frame(pose, point))
 
 
-@pytest.mark.parametrize(("by_storage", "what"), [(False, "it is not part of"), (True, "stored numbers are not kept in")])
+@pytest.mark.parametrize(
+    ("by_storage", "what"), [(False, "it is not part of"), (True, "stored numbers are not kept in")]
+)
 def test_what_is_generated_at_the_first_use_says_that_it_needs_sympy(monkeypatch, by_storage, what):
     monkeypatch.setitem(sys.modules, "slamlib.codegen.emit", None)
     with pytest.raises(SlamlibError, match=f"^to_frame: .*{what} slamlib .* needs sympy: pip install"):
