@@ -9,7 +9,7 @@ import time
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from book.tools import layout
+from book.tools import layout, notebooks
 
 PYTHON = [sys.executable, "-m"]
 SKIPPED = 77
@@ -41,9 +41,8 @@ class Result:
 
 def stages() -> list[Stage]:
     """The checks, quick ones first."""
-    nbval = ["pytest", "--nbval", "--nbval-current-env", "--nbval-sanitize-with", "book/tools/nbval.cfg", "-q"]
     parallel = ["-n", "2", "--dist", "loadscope"]
-    notebooks = [str(f.relative_to(layout.ROOT)) for f in layout.notebooks()]
+    files = [str(f.relative_to(layout.ROOT)) for f in layout.notebooks()]
     return [
         Stage("lint", [*PYTHON, "ruff", "check", "--output-format", "concise"], r"All checks (p)assed", "clean tree"),
         Stage("format", [*PYTHON, "ruff", "format", "--check"], r"(\d+) files? already formatted", "files"),
@@ -63,7 +62,7 @@ def stages() -> list[Stage]:
         ),
         Stage("stored", [*PYTHON, "book.tools.notebooks", "check"], r"notebooks: (\d+)", "notebooks, text only"),
         Stage("pytest", [*PYTHON, "pytest", "-q", "-rs", *parallel], r"(\d+) passed", "tests"),
-        Stage("nbval", [*PYTHON, *nbval, *parallel, *notebooks], r"(\d+) passed", "cells as stored"),
+        Stage("nbval", [*PYTHON, *notebooks.NBVAL, *parallel, *files], r"(\d+) passed", "cells as stored"),
         Stage("book", [*PYTHON, "book.tools.build"], r"running (\d+) notebooks", "notebooks in the book"),
         Stage("site", [*PYTHON, "book.tools.site"], r"site: (\d+) pages", "pages, links resolve"),
         Stage("browser", [*PYTHON, "book.tools.browser"], r"browser: (\d+) pages", "pages in Chromium"),
