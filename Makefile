@@ -46,7 +46,7 @@ assets: environment  ## fetch what the site serves itself (MathJax, Python for t
 	@$(BIN)/python -m book.tools.assets
 
 parity: book  ## compare the page's Python with this one, and store the appendix's table (needs Chromium)
-	@$(BIN)/python -m book.tools.live_check --store
+	@$(BIN)/python -m pytest -q book/tests/site -k two_pythons --store-parity
 
 experiments: environment  ## run the Monte Carlo experiments of chapter 17 and store their averages (long; resumable)
 	@$(BIN)/python -m book.tools.experiments
