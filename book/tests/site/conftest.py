@@ -24,6 +24,8 @@ def pytest_addoption(parser: Any) -> None:
 
 def pytest_configure(config: Any) -> None:
     """Without a browser or a site there is nothing to test."""
+    # pytest-playwright's own fixture, which pytest 9 warns of
+    config.addinivalue_line("filterwarnings", "ignore:Session-scoped fixtures defined as instance methods")
     if browser.browser_path() is None:
         needed = bool(os.environ.get("BOOK_BROWSER_NEEDED"))
         advice = "no Chromium found; install one (apt-get install chromium) or set BOOK_BROWSER"
