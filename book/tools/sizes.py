@@ -2,9 +2,9 @@
 
 A *unit* is a module at the root of slamlib or a folder of it, with all that lies below, and slambook as a whole; what
 is generated and what tests are no units, nor are slamlib's own `__init__` and `__main__`. An *arrow* leads from a unit
-to one that a module of it imports when it is loaded: what a function imports when it is called does not count. A *layer*
-is a step of the longest way along arrows; units that import each other count as one step. Blank lines, comments and
-docstrings are lines too.
+to one that a module of it imports when it is loaded: what a function imports when it is called does not count. A
+*layer* is a step of the longest way along arrows; units that import each other count as one step. Blank lines, comments
+and docstrings are lines too.
 """
 
 import ast
@@ -109,9 +109,7 @@ def figures(root: Path = layout.ROOT) -> tuple[dict[str, int], list[str]]:
     tools = sorted((root / "book" / "tools").rglob("*.py"))
     sizes = {file: lines([file]) for file in [*slamlib.values(), *slambook.values(), *tools]}
     long = [file for file, size in sizes.items() if size > LONGEST]
-    short = [
-        file for file, size in sizes.items() if size < SHORTEST and file.name not in ("__init__.py", "__main__.py")
-    ]
+    short = [file for file, size in sizes.items() if size < SHORTEST and not file.name.startswith("__")]
     notes = [f"  {sizes[file]:>5}  {file.relative_to(root).as_posix()}" for file in [*long, *short]]
     found = arrows(slamlib | slambook)
     numbers = {

@@ -9,11 +9,9 @@ from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets.calibrations import TUM, read_calibration, read_lens
 from slamlib.datasets.lens import Lens, Undistortion, fitted
 from slamlib.errors import SlamlibError
-from slamlib.tests.pictures import KALIBR
-from slamlib.tests.reference import FOLDER
+from slamlib.tests.pictures import DATA, KALIBR
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads and undistorts")
-DATA = FOLDER.parent / "data"
 EUROC = """# General sensor definitions.
 sensor_type: camera
 T_BS:

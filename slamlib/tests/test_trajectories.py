@@ -9,9 +9,7 @@ from slamlib.evaluation.path_errors import relative_errors
 from slamlib.evaluation.trajectory import Trajectory, associate, read_trajectory, write_tum
 from slamlib.geometry.pose import compose
 from slamlib.geometry.quaternion import exponential, rotation
-from slamlib.tests.reference import FOLDER
-
-DATA = FOLDER.parent / "data"
+from slamlib.tests.pictures import DATA
 
 
 def walk(rng, count=60):
