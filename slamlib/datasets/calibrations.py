@@ -12,14 +12,15 @@ import json
 import os
 import tomllib
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from slamlib.data.plain import checked
 from slamlib.data.setup import SensorSetup
 from slamlib.datasets import calibration_files as files
 from slamlib.datasets.lens import Lens
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError
 
 # Sturm and others, "File formats", on the pages of the TUM RGB-D benchmark: table of the colour cameras' intrinsics.
 TUM = {
@@ -91,11 +92,7 @@ def _own(path: str | os.PathLike[str], camera: int) -> dict[str, Any] | None:
     sensors = data.get("sensors", [data])
     if not 0 <= camera < len(sensors):
         raise SlamlibError(f"{path} has {len(sensors)} cameras, counted from 0: there is no camera {camera}")
-    known = [f.name for f in fields(SensorSetup)]
-    for name in sensors[camera]:
-        if name not in known:
-            raise UnknownNameError.of(f"field of a camera in {path}", name, known)
-    return dict(sensors[camera])
+    return checked(SensorSetup, sensors[camera], f"{path}: sensors[{camera}]" if "sensors" in data else f"{path}")
 
 
 def _lens_of(setup: dict[str, Any], path: str | os.PathLike[str]) -> Lens:

@@ -52,7 +52,7 @@ def test_slamlibs_own_files(tmp_path):
         read_lens(path, 2)
     toml = "image = [640, 480]\n[parameters]\nintrinsics = [320, 240, 500, 501]\ndistortion = [-0.3, 0.1]\n"
     path = write(tmp_path, toml, "camera.toml")
-    assert read_calibration(path)["parameters"]["distortion"] == [-0.3, 0.1]
+    assert read_calibration(path)["parameters"]["distortion"] == (-0.3, 0.1)
     assert read_lens(path) == Lens((320, 240, 500, 501), (640, 480), distortion=(-0.3, 0.1, 0.0, 0.0, 0.0))
     with pytest.raises(SlamlibError, match="did you mean 'parameters'"):
         read_calibration(write(tmp_path, '{"parameters": {}, "parametres": 1}', "a.json"))
