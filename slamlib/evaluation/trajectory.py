@@ -1,7 +1,6 @@
-"""Trajectories: times and poses; files that other tools read; pairs by time; errors against a reference.
+"""Trajectories: times and poses, the files that other tools read, and pairs by time.
 
-How an estimate is laid over its reference is in slamlib.evaluation.alignment, errors over parts of a path in
-slamlib.evaluation.path_errors.
+How an estimate is aligned with its reference, and the errors that remain, are in slamlib.evaluation.alignment.
 """
 
 import os
@@ -11,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from slamlib.data.files import whole
+from slamlib.data.files import write_whole
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.pose import compose, relative
 from slamlib.geometry.quaternion import best_pivot, from_rotation
@@ -78,8 +77,7 @@ def write_tum(path: str | os.PathLike[str], trajectory: Trajectory) -> None:
         " ".join([f"{time:.9f}", *(f"{value:.12g}" for value in pose[order])])
         for time, pose in zip(trajectory.times, trajectory.poses, strict=True)
     )
-    with whole(path) as partial:
-        partial.write_text("# time[s] x y z qx qy qz qw\n" + "\n".join(rows) + "\n", encoding="utf-8")
+    write_whole(path, "# time[s] x y z qx qy qz qw\n" + "\n".join(rows) + "\n")
 
 
 def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) -> Trajectory:

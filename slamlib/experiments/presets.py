@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import whole
+from slamlib.data.files import write_whole
 from slamlib.data.plain import read, written
 from slamlib.data.records import Frame, Truth, World
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
@@ -76,8 +76,7 @@ class Preset:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write it as JSON, whole or not at all."""
-        with whole(path) as partial:
-            partial.write_text(json.dumps(self.to_dict(), indent=2) + "\n", encoding="utf-8")
+        write_whole(path, json.dumps(self.to_dict(), indent=2) + "\n")
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> "Preset":
