@@ -130,19 +130,25 @@ def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tu
 
     Raises SlamlibError if there is no pair.
     """
-    after = np.searchsorted(other.times, one.times).clip(1, max(len(other) - 1, 1))
+    i, j = matched_times(one.times, other.times, tolerance)
+    if not len(i):
+        raise SlamlibError(
+            f"no two times are within {tolerance} s: one trajectory is of {one.times[0]:.3f} to {one.times[-1]:.3f} s, "
+            f"the other of {other.times[0]:.3f} to {other.times[-1]:.3f} s"
+        )
+    return i, j
+
+
+def matched_times(one: Array, other: Array, tolerance: float) -> tuple[Array, Array]:
+    """Rows (k,) of each of two lists of growing times [s] that belong together; see `associate`."""
+    after = np.searchsorted(other, one).clip(1, max(len(other) - 1, 1))
     near = np.stack([after - 1, after.clip(max=len(other) - 1)])
-    gaps = np.abs(other.times[near] - one.times)
+    gaps = np.abs(other[near] - one)
     j, gap = near[gaps.argmin(0), np.arange(len(one))], gaps.min(0)
     order = np.lexsort((gap, j))  # of those that want the same row, the nearest comes first
     first = np.ones(len(j), dtype=bool)
     first[1:] = np.diff(j[order]) > 0
     rows = np.sort(order[first & (gap[order] <= tolerance)])
-    if not len(rows):
-        raise SlamlibError(
-            f"no two times are within {tolerance} s: one trajectory is of {one.times[0]:.3f} to {one.times[-1]:.3f} s, "
-            f"the other of {other.times[0]:.3f} to {other.times[-1]:.3f} s"
-        )
     return rows, j[rows]
 
 

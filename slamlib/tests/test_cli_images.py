@@ -328,7 +328,7 @@ def test_a_window_shows_every_frame(room, monkeypatch):
         (["--search", "patch"], "--search takes NAME=VALUE"),
         (["--start", "24"], "none is left"),
         (["--scale", "nowhere.json"], "is no target"),
-        (["--camera", "1"], "has one camera"),
+        (["--camera", "1"], "no camera 1; it has 0"),
         (["--video", "film.avi"], "ending of a video"),
         (["--resume", "nowhere.npz"], "leave them out"),
         (["--trajectory", "nowhere/t.txt"], "its folder is not there"),
