@@ -12,6 +12,7 @@ import numpy as np
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnknownCallError
 from slamlib.kalman.linalg import covariance, finite, numbers
 from slamlib.manifolds import Array
+from slamlib.model import Model
 from slamlib.observation import FAMILIES
 
 
@@ -102,16 +103,38 @@ class Scan(ByFamily):
 
 
 @dataclass(frozen=True, eq=False)
+class RobotMeasurement:
+    """What a robot measures of itself in the world and no landmark has a part in: a position by GPS, a heading.
+
+    model(pose): the measurement (m,) expected at a pose (7,), a Model; a result in a space of its own (`returns`) is
+    subtracted there. value (m,), noise (m, m); robot: its number.
+    """
+
+    name: str
+    model: Model
+    value: Array
+    covariance: Array
+    robot: int = 0
+
+    def __post_init__(self) -> None:
+        value = numbers(self.value, self.name, "value")
+        object.__setattr__(self, "value", _read_only(finite(value, (value.size,), self.name, "value")))
+        object.__setattr__(self, "covariance", _read_only(covariance(self.covariance, value.size, self.name, "noise")))
+
+
+@dataclass(frozen=True, eq=False)
 class Frame:
     """One instant: its number, the time dt [s] since the one before, a control per robot, and a scan per sensor.
 
-    A robot without a control (None) is predicted with a control of zeros and the noise of its setup.
+    A robot without a control (None) is predicted with a control of zeros and the noise of its setup. absolute: what
+    robots measure of themselves, used before the scans.
     """
 
     number: int
     dt: float
     controls: tuple[Control | None, ...]
     scans: tuple[Scan, ...]
+    absolute: tuple[RobotMeasurement, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

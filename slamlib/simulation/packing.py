@@ -47,6 +47,8 @@ def _fits(pairs: Pairs, rig: Rig) -> None:
             )
         if any(scan.image is not None for scan in frame.scans):
             raise SlamlibError(f"frame {frame.number} holds an image, and recordings hold none: keep images in files")
+        if frame.absolute:
+            raise SlamlibError(f"frame {frame.number} holds measurements of a robot's own pose; recordings hold none")
     if len({truth is None for _, truth in pairs}) > 1:
         raise SlamlibError("the truth is known of some frames only: give it for all of them, or None for all")
 

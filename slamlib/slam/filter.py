@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.data.records import Control, Frame, Scan
+from slamlib.data.records import Control, Frame, RobotMeasurement, Scan
 from slamlib.data.setup import Rig
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SingularPointError, SlamlibError, UnknownNameError
@@ -31,6 +31,7 @@ from slamlib.slam.measurement_update import (
     groups,
 )
 from slamlib.slam.options import Options
+from slamlib.slam.robot_measurements import RobotUpdate, update_by_robot
 from slamlib.slam.snapshot import snapshot_of
 
 
@@ -69,6 +70,7 @@ class Slam:
         self.frames_of = [0] * len(self.sensors)
         self.scans: list[Scan | None] = [None] * len(self.sensors)
         self.looks: list[list[Look]] = [[] for _ in self.sensors]
+        self.absolute: list[RobotUpdate] = []
 
     def _mounted(self, setup: Any) -> MountedSensor:
         block = self.belief.add(Pose, setup.mount, setup.covariance) if setup.estimated else None
@@ -94,6 +96,7 @@ class Slam:
         self.number, self.time = frame.number, self.time + frame.dt
         for robot, control in zip(self.robots, frame.controls, strict=True):
             self._predict(robot, control, frame.dt)
+        self.absolute = [self._absolute(measurement) for measurement in frame.absolute]
         for i, scan in enumerate(frame.scans):
             self._correct(i, scan)
             self._delete(self.looks[i], events)
@@ -128,6 +131,9 @@ class Slam:
                     raise SlamlibError(
                         f"frame {frame.number}: {sensor.name} measures {size} numbers for each of {name}, got {given}"
                     )
+        for measurement in frame.absolute:
+            if not 0 <= measurement.robot < len(self.robots):
+                raise SlamlibError(f"frame {frame.number}: {measurement.name} is of robot {measurement.robot}, of none")
         for front_end, scan in zip(self.front_ends, frame.scans, strict=True):
             front_end.check(scan)
 
@@ -140,6 +146,10 @@ class Slam:
         self.belief.predict(robot.block, state, J.state, J.control @ noise @ J.control.T)
         if self.linearization is not None:
             self.linearization.predicted(robot.block)
+
+    def _absolute(self, measurement: RobotMeasurement) -> RobotUpdate:
+        robot = self.robots[measurement.robot]
+        return update_by_robot(self.belief, robot, measurement, self.options, self.linearization)
 
     def _correct(self, i: int, scan: Scan) -> None:
         sensor = self.sensors[i]

@@ -18,6 +18,3 @@ class Linearization:
 
     def predicted(self, block: Block) -> None:
         """A robot's block has been moved by its motion; later Jacobians may be taken where it is now."""
-
-    def replaced(self, block: Block) -> None:
-        """A block has been added, or holds another parametrization, and its mean is of another size."""

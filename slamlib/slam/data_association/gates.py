@@ -85,7 +85,8 @@ class Identity:
         features = _features(sight, family)
         row_of = {number: row for row, number in enumerate(features.ids.tolist())}
         rows = np.array([row_of.get(look.landmark.id, -1) for look in looks], dtype=int)
-        measured = np.full((len(looks), len(looks[0].value) if looks else 0), np.nan)
+        size = features.values.shape[1] if len(features) or not looks else len(looks[0].value)
+        measured = np.full((len(looks), size), np.nan)
         measured[rows >= 0] = features.values[rows[rows >= 0]]
         return measured, rows >= 0
 
