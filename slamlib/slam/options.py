@@ -7,17 +7,13 @@ from typing import Annotated, Any
 from slamlib.data.plain import OneOf, Range, check, read, written
 from slamlib.landmarks import LINES, POINTS
 from slamlib.landmarks.linearity import THRESHOLD
+from slamlib.observation import FAMILIES
+from slamlib.observation.lines import READINGS
+from slamlib.slam.data_association.consensus import CONSENSUS
+from slamlib.slam.data_association.gates import CHOICES
+from slamlib.slam.map_management import FULL
 
-INNOVATIONS = ("ortDst", "rhoThe", "angles")
-CHOICES = ("information", "order")
-CONSENSUS = ("each", "joint", "one-point")
-FULL = ("unseen", "useless")
-Count = Annotated[int, Range(ge=0)]
-NotNegative = Annotated[float, Range(ge=0)]
-Finite = Annotated[float, Range(gt=-inf, lt=inf)]
-Positive = Annotated[float, Range(gt=0, lt=inf)]
-Share = Annotated[float, Range(ge=0, le=1)]
-Prior = tuple[tuple[Finite, Finite], tuple[Positive, Positive]]
+Prior = tuple[tuple[float, float], tuple[float, float]]
 PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 
 
@@ -25,7 +21,8 @@ PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 class Options:
     """All options of the filter. The names in parentheses are those of the toolbox.
 
-    points, lines: parametrization of new landmarks, or None for none of them (init.initType).
+    points, lines: parametrization of new landmarks, or None for none of them (init.initType). others: the same for
+        other families of landmarks, by the family's name (slamlib.observation.FAMILIES).
     capacity: largest number of landmarks, or None for no limit (map.numLmks).
     full: what happens to new landmarks at the capacity: None refuses them; "unseen": the landmark that was not seen for
         longest makes room; "useless": the one that was looked for in vain the largest share of times does.
@@ -72,15 +69,44 @@ class Options:
     )
     innovation: Annotated[str, OneOf(INNOVATIONS)] = "ortDst"
     extend: bool = True
-    extend_switch: NotNegative = 10.0
-    minimum_length: Annotated[float, Range(ge=0, unit="px")] = 20.0
-    margin: Annotated[float, Range(ge=0, lt=0.5)] = 0.04
-    search_first: Count = 10
-    keep_matched: Share = 0.1
-    keep_inliers: Share = 0.5
+    extend_switch: float = 10.0
+    minimum_length: float = 20.0
+    margin: float = 0.04
+    search_first: int = 10
+    keep_matched: float = 0.1
+    keep_inliers: float = 0.5
+    others: dict[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        check(self)
+        _known("point landmark", self.points, POINTS, none=True)
+        _known("line landmark", self.lines, LINES, none=True)
+        _known("innovation", self.innovation, READINGS)
+        _known("choose", self.choose, CHOICES)
+        _known("consensus", self.consensus, CONSENSUS)
+        _known("rule for a full map", self.full, FULL, none=True)
+        for name in ("updates", "first", "later", "search_first"):
+            self._ask(name, "a whole number, 0 or more", lambda v: isinstance(v, int) and v >= 0)
+        for name in ("reproject", "convert", "extend"):
+            self._ask(name, "True or False", lambda v: isinstance(v, bool))
+        for name in ("capacity", "window"):
+            self._ask(name, "a whole number above 0, or None", lambda v: v is None or (isinstance(v, int) and v > 0))
+        self._ask("gate", "a probability above 0, up to 1", lambda v: 0 < v <= 1)
+        for name in ("keep_matched", "keep_inliers"):
+            self._ask(name, "a share between 0 and 1", lambda v: 0 <= v <= 1)
+        self._ask("margin", "a share below a half", lambda v: 0 <= v < 0.5)
+        for name in ("convert_below", "extend_switch", "minimum_length"):
+            self._ask(name, "a number, 0 or more", lambda v: v >= 0)
+        self._ask("inverse_distance", "(mean, std) with std > 0", lambda v: _numbers(v, 2) and v[1] > 0)
+        for name in self.line_priors:
+            _known("line landmark", name, LINES)
+        for name, kind in self.others.items():
+            _known("family of landmarks", name, FAMILIES)
+            _known(f"parametrization of {name}", kind, FAMILIES[name].parametrizations)
+        self._ask("line_priors", "((mean, mean), (std, std)) by name, std > 0", _are_priors)
+
+    def parametrization_of(self, family: str) -> str | None:
+        """The parametrization of new landmarks of a family, or None for none."""
+        return {"points": self.points, "segments": self.lines, **self.others}.get(family)
 
     def line_prior(self, name: str) -> Prior:
         """Means and standard deviations of what a segment does not tell about a line of this parametrization."""
@@ -89,8 +115,8 @@ class Options:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON or TOML; what is None is left out."""
-        plain: dict[str, Any] = written(self)
-        return plain
+        plain = {name: value for name, value in asdict(self).items() if value is not None}
+        return plain if self.others else {name: value for name, value in plain.items() if name != "others"}
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> "Options":
