@@ -19,6 +19,7 @@ import sympy
 import slamlib
 from slamlib.codegen.check import random_point
 from slamlib.codegen.emit import module
+from slamlib.data.files import write_whole
 from slamlib.errors import UnknownNameError
 from slamlib.model import FORMULA_PARTS, Model
 
@@ -66,9 +67,7 @@ def write(target: Path, only: Collection[str] = ()) -> int:
     for path, text in files.items():
         file = target / path
         file.parent.mkdir(parents=True, exist_ok=True)
-        partial = file.with_suffix(".partial")
-        partial.write_text(text, encoding="utf-8", newline="\n")
-        os.replace(partial, file)
+        write_whole(file, text)
     for left_over in set() if only else existing(target) - set(files):
         (target / left_over).unlink()
     return len(files)

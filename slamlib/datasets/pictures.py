@@ -60,6 +60,11 @@ def in_natural_order(paths: list[Path]) -> list[Path]:
     return sorted(paths, key=lambda path: _natural(str(path)))
 
 
+def images_in(folder: Path) -> list[Path]:
+    """The images of a folder in natural order; none where there is no folder."""
+    return in_natural_order([path for path in folder.iterdir() if is_image(path)]) if folder.is_dir() else []
+
+
 def is_image(path: Path) -> bool:
     """Whether a file's name ends as an image's does; hidden files are none."""
     return path.suffix.lower() in ENDINGS and not path.name.startswith(".") and path.is_file()

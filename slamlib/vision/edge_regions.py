@@ -6,7 +6,7 @@ import numpy as np
 
 from slamlib.landmarks.segments import length
 from slamlib.manifolds import Array, Mask
-from slamlib.slam.line_residuals import bent, straight
+from slamlib.observation.lines import bent, straight
 from slamlib.vision.edge_profile import STEP, Strip, axes, line
 
 NUDGE = 1e-3  # [px]: to ask how the innovation depends on a move of an end

@@ -10,8 +10,8 @@ from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError
 from slamlib.landmarks.segments import length
 from slamlib.manifolds import Array, Image
+from slamlib.observation.lines import straight
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.line_residuals import straight
 from slamlib.vision.edge_profile import strip
 from slamlib.vision.edges import PROFILE, Edge, fitted
 from slamlib.vision.patches import grey, sample

@@ -16,7 +16,7 @@ import numpy as np
 from slamlib.data.records import Control
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.predict_from_pose import looks_from
+from slamlib.slam.measurement_update import looks_from
 from slamlib.vision.stereo.features import Eyes, Observed
 from slamlib.vision.stereo.fitting import fit
 from slamlib.vision.stereo.front_end import StereoSearch
