@@ -41,8 +41,8 @@ class Expected(NamedTuple):
 
     def take(self, rows: list[int]) -> "Expected":
         """Some of the landmarks, in this order."""
-        arrays = (array.take(rows, axis=0) for array in (self.value, self.inner, self.by, self.columns))
-        return Expected([self.landmarks[i] for i in rows], *arrays, self.options)
+        value, inner, by, columns = (a.take(rows, axis=0) for a in (self.value, self.inner, self.by, self.columns))
+        return Expected([self.landmarks[i] for i in rows], value, inner, by, columns, self.options)
 
     @classmethod
     def nothing(cls, size: int) -> "Expected":
