@@ -15,10 +15,10 @@ import numpy as np
 from slamlib.data.records import Features, Scan
 from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.kalman import linalg
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices, Mask
 
 
-def innovation_covariances(covariance: Array, columns: Array, H: Array, R: Array) -> Array:
+def innovation_covariances(covariance: Array, columns: Indices, H: Array, R: Array) -> Array:
     """Z = H P H' + R (n, d, d) of n measurements, one by one; covariance (s, s), columns (n, k), H (n, d, k)."""
     half = H @ linalg.principal_blocks(covariance, columns) @ H.swapaxes(-1, -2) / 2
     Z: Array = half + half.swapaxes(-1, -2) + R
@@ -30,7 +30,7 @@ def normalized(z: Array, Z: Array) -> Array:
     return linalg.quadratic_forms(z, Z)
 
 
-def by_information(Z: Array, count: int) -> Array:
+def by_information(Z: Array, count: int) -> Indices:
     """The `count` rows whose innovation covariance (n, d, d) has the largest determinant, largest first.
 
     A measurement lowers the entropy of the state by log(det Z / det R) / 2: with one R for all, the most uncertain
@@ -39,7 +39,7 @@ def by_information(Z: Array, count: int) -> Array:
     return np.argsort(-linalg.log_determinants(Z), kind="stable")[:count]
 
 
-def by_order(Z: Array, count: int) -> Array:
+def by_order(Z: Array, count: int) -> Indices:
     """The first `count` rows."""
     return np.arange(len(Z))[:count]
 
@@ -80,7 +80,7 @@ class Identity:
         """The looks that it could find at all if the landmarks are there: of identified features, all."""
         return sight.looks
 
-    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
+    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
         """Measurements (n, m) of what is looked for, nan where there is none, and the mask of those found."""
         features = _features(sight, family)
         row_of = {number: row for row, number in enumerate(features.ids.tolist())}
@@ -91,7 +91,7 @@ class Identity:
         return measured, rows >= 0
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
+        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[tuple[int, Array, Any]]:
         """Up to `count` features to begin a landmark with, (id, value, signature): the lowest ids that are not known.
 
