@@ -8,10 +8,9 @@ from slamlib.datasets.opening import reopen
 from slamlib.datasets.pictures import Picture, read_image
 from slamlib.datasets.sources import of_film, of_pictures, open_source
 from slamlib.errors import SlamlibError
-from slamlib.tests.reference import FOLDER
+from slamlib.tests.pictures import DATA
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads the images")
-DATA = FOLDER.parent / "data"
 SIZE = (24, 32)
 
 
