@@ -119,7 +119,7 @@ def _compare_numbers(path: str, committed: ModuleType, fresh: ModuleType) -> str
     rng = np.random.default_rng(1)
     for model in models()[path]:
         arguments = [[float(x) for x in np.ravel(random_point(a, rng))] for a in model.arguments]
-        for name in (n for n in vars(fresh) if n in (model.name, f"{model.name}_jac", f"{model.name}_storage_jac")):
+        for name in (n for n in vars(fresh) if n in (model.name, f"{model.name}_jac")):
             a, b = (np.array(getattr(m, name)(*arguments)) for m in (committed, fresh))
             if a.shape != b.shape or np.max(np.abs(a - b)) > 1e-12 * max(1.0, np.max(np.abs(b))):
                 return f"{path}: {name} gives other numbers than the models; run `make generate`"

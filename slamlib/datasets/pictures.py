@@ -10,7 +10,7 @@ import numpy as np
 
 from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 ENDINGS = (".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp")
 
@@ -21,7 +21,7 @@ class Picture:
 
     name: str
     time: float
-    image: Array
+    image: Image
 
 
 def read_image(path: str | os.PathLike[str]) -> Array:

@@ -22,7 +22,7 @@ from slamlib.datasets.dataset import Dataset, Numbers, Sequence
 from slamlib.datasets.formats import DATASETS
 from slamlib.datasets.pictures import Picture
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,7 +139,7 @@ def _found(where: str) -> tuple[Dataset | None, Mapping[int, Path]]:
     return None, {}
 
 
-def _size(image: Array) -> str:
+def _size(image: Image) -> str:
     return f"{image.shape[-1]}x{image.shape[-2]}"
 
 

@@ -7,6 +7,7 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -46,7 +47,7 @@ class Trajectory:
     def __len__(self) -> int:
         return len(self.times)
 
-    def __getitem__(self, rows: Array) -> "Trajectory":
+    def __getitem__(self, rows: Any) -> "Trajectory":
         """Some of the poses, in the order of their times."""
         return Trajectory(self.times[rows], self.poses[rows])
 
@@ -100,9 +101,10 @@ def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) ->
     if form is None:
         raise SlamlibError(f"{path} is no trajectory: rows of 8 (TUM) or 12 numbers (KITTI), or EuRoC's, are wanted")
     own, poses = form.read(rows)
-    if own is None and times is None:
+    times = own if times is None else times
+    if times is None:
         raise SlamlibError(f"{path} has poses, but no times (KITTI's form): give them, times=...")
-    return Trajectory(own if times is None else times, poses)
+    return Trajectory(times, poses)
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ import numpy as np
 
 from slamlib.data.plain import Range, check
 from slamlib.errors import SingularPointError, SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.sensors.sensor import Calibration
 
 TRIES = 1000
@@ -71,7 +71,7 @@ def _box(calibration: Calibration, reach: float, count: int = 4096) -> tuple[Arr
     return low, high
 
 
-def swapped(ids: Array, rate: float, rng: np.random.Generator) -> Array:
+def swapped(ids: Indices, rate: float, rng: np.random.Generator) -> Indices:
     """The ids, of which each trades places with another with probability rate / 2: a share of about `rate` is wrong."""
     ids = ids.copy()
     chosen = np.flatnonzero(rng.random(len(ids)) < rate / 2)

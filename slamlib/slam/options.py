@@ -7,11 +7,12 @@ from typing import Annotated, Any
 from slamlib.data.plain import OneOf, Range, check, read, written
 from slamlib.landmarks import LINES, POINTS
 from slamlib.landmarks.linearity import THRESHOLD
+from slamlib.observation import FAMILIES
+from slamlib.observation.lines import READINGS
+from slamlib.slam.data_association.consensus import CONSENSUS
+from slamlib.slam.data_association.gates import CHOICES
+from slamlib.slam.map_management import FULL
 
-INNOVATIONS = ("ortDst", "rhoThe", "angles")
-CHOICES = ("information", "order")
-CONSENSUS = ("each", "joint", "one-point")
-FULL = ("unseen", "useless")
 Count = Annotated[int, Range(ge=0)]
 NotNegative = Annotated[float, Range(ge=0)]
 Finite = Annotated[float, Range(gt=-inf, lt=inf)]
@@ -25,7 +26,8 @@ PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 class Options:
     """All options of the filter. The names in parentheses are those of the toolbox.
 
-    points, lines: parametrization of new landmarks, or None for none of them (init.initType).
+    points, lines: parametrization of new landmarks, or None for none of them (init.initType). others: the same for
+        other families of landmarks, by the family's name (slamlib.observation.FAMILIES).
     capacity: largest number of landmarks, or None for no limit (map.numLmks).
     full: what happens to new landmarks at the capacity: None refuses them; "unseen": the landmark that was not seen for
         longest makes room; "useless": the one that was looked for in vain the largest share of times does.
@@ -70,7 +72,7 @@ class Options:
     line_priors: dict[Annotated[str, OneOf(LINES)], Prior] = field(
         default_factory=lambda: {"plkLin": PLUCKER, "aplLin": PLUCKER}
     )
-    innovation: Annotated[str, OneOf(INNOVATIONS)] = "ortDst"
+    innovation: Annotated[str, OneOf(READINGS)] = "ortDst"
     extend: bool = True
     extend_switch: NotNegative = 10.0
     minimum_length: Annotated[float, Range(ge=0, unit="px")] = 20.0
@@ -78,9 +80,16 @@ class Options:
     search_first: Count = 10
     keep_matched: Share = 0.1
     keep_inliers: Share = 0.5
+    others: dict[Annotated[str, OneOf(FAMILIES)], str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         check(self)
+        for family, kind in self.others.items():
+            OneOf(FAMILIES[family].parametrizations).check(kind, f"parametrization of {family}")
+
+    def parametrization_of(self, family: str) -> str | None:
+        """The parametrization of new landmarks of a family, or None for none."""
+        return {"points": self.points, "segments": self.lines, **self.others}.get(family)
 
     def line_prior(self, name: str) -> Prior:
         """Means and standard deviations of what a segment does not tell about a line of this parametrization."""
@@ -90,7 +99,7 @@ class Options:
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON or TOML; what is None is left out."""
         plain: dict[str, Any] = written(self)
-        return plain
+        return plain if self.others else {name: value for name, value in plain.items() if name != "others"}
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> "Options":

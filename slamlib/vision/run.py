@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Control, Features, Frame, Scan
+from slamlib.data.records import Control, Frame, Scan
 from slamlib.data.setup import Rig, tuples
 from slamlib.datasets.opening import reopen
 from slamlib.datasets.pictures import Picture
@@ -79,7 +79,7 @@ class ImageRun(Stepping):
         dt = picture.time - self.history[-1][_TIME] if seen else 0.0
         robot = self.slam.robots[0]
         control = Control(np.zeros(robot.motion.control), robot.noise * (dt / self.source.interval))
-        return Frame(len(self.history) + 1, dt, (control,), (Scan(Features.none(2), image=picture.image),))
+        return Frame(len(self.history) + 1, dt, (control,), (Scan(image=picture.image),))
 
     def _advance(self, frame: Frame) -> Report:
         return self._first(frame) if not self.history else self._next(self._wait(frame))

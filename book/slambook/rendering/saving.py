@@ -51,7 +51,7 @@ def save_film(folder: str | os.PathLike[str], film: Film) -> Path:
     return root
 
 
-def _picture(cv2: Any, path: Path, image: Array) -> None:
+def _picture(cv2: Any, path: Path, image: Any) -> None:
     done, data = cv2.imencode(".png", image)
     if not done:
         raise SlamlibError(f"{path} cannot be written: OpenCV makes no PNG of {image.dtype}, {image.shape}")

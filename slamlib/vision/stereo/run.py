@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from slamlib.data.records import Control, Features, Frame, Scan
+from slamlib.data.records import Control, Frame, Scan
 from slamlib.data.setup import Rig, SensorSetup, tuples
 from slamlib.data.snapshots import Snapshot
 from slamlib.datasets.opening import reopen
@@ -80,7 +80,7 @@ class StereoRun(Stepping):
         except SlamlibError as error:
             raise SlamlibError(f"{picture.name}: {error}") from None
         dt = picture.time - self.history[-1][TIME] if self.history else 0.0
-        return Frame(len(self.history) + 1, dt, (None,), (Scan(Features.none(3), image=image),))
+        return Frame(len(self.history) + 1, dt, (None,), (Scan(image=image),))
 
     def _advance(self, frame: Frame) -> Report:
         with self.seconds.timed("odometry"):
