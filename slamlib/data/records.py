@@ -78,7 +78,7 @@ class ByFamily:
     _ABSENT: ClassVar[Any] = None
 
     def __getattr__(self, family: str) -> Any:
-        if family.startswith("_") or family in self.__dataclass_fields__:  # type: ignore[attr-defined]
+        if family.startswith("_") or family in self.__dataclass_fields__:
             raise AttributeError(family)  # while it is copied
         held = getattr(self, self._FAMILIES)
         if family in held:
