@@ -22,7 +22,7 @@ ROOT = Path(__file__).parents[2]
 ALT = "A figure that is drawn by two libraries."
 rng = np.random.default_rng(7)
 T = np.linspace(0, 10, 200)
-GRID = np.meshgrid(np.linspace(-2, 2, 41), np.linspace(-2, 2, 41))
+GRID = np.meshgrid(np.linspace(-2, 2, 201), np.linspace(-2, 2, 201))
 CLOUD = rng.standard_normal((2, 60))
 
 
@@ -157,7 +157,8 @@ def test_contours_have_the_same_places_and_looks():
         boxes.append([(*p.min(axis=0), *p.max(axis=0)) for p in points])
     assert len(looks[0]) == 4
     assert looks[0] == looks[1]
-    np.testing.assert_allclose(*boxes, atol=0.5)
+    np.testing.assert_allclose(*boxes, atol=0.1)
+    assert all(len(p) > 20 for p in points)
     assert len({tuple(re.findall(r"<text[^>]*>([^<]*)", svg)) for svg in drawn}) == 1
 
 

@@ -13,11 +13,9 @@ from matplotlib.markers import MarkerStyle
 
 from slambook.figures.axes import Axes
 from slambook.figures.markers import MARKERS
-from slambook.figures.reading import CannotReplayError, base, color_of, must_be_data, place_of, strokes, turn
+from slambook.figures.reading import CannotReplayError, base, color_of, must_be_data, pieces_of, place_of, strokes, turn
 from slambook.figures.shapes import areas, image_pixels, patch, patch_style, polygons
 from slamlib.manifolds import Array
-
-GAP = np.full((2, 1), np.nan)
 
 
 def put_all(ax: Any, target: Axes) -> None:
@@ -79,11 +77,11 @@ def _line(line: Any, ax: Any, target: Axes) -> None:
 def _segments(artist: Any, ax: Any, target: Axes) -> None:
     """A LineCollection, or contour lines: what looks alike is one line with gaps."""
     must_be_data(artist.get_transform(), ax)
-    parts = [path.to_polygons(closed_only=False) for path in artist.get_paths()]
+    parts = [pieces_of(path, ax) for path in artist.get_paths()]
     groups: dict[tuple[Any, ...], list[Array]] = defaultdict(list)
     for level, (style, curves) in enumerate(zip(strokes(artist, len(parts)), parts, strict=True)):
         own = level if isinstance(artist, contour.ContourSet) else 0
-        groups[own, *style] += [piece for p in curves for piece in (np.asarray(p).T, GAP)]
+        groups[own, *style] += curves
     for (_, color, alpha, width, dashes), pieces in groups.items():
         line = np.concatenate([np.empty((2, 0)), *pieces], axis=1)
         target.plot(*line, color=color, alpha=alpha, lw=width, ls=dashes, **base(artist))

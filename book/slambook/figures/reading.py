@@ -7,6 +7,9 @@ from matplotlib.colors import to_hex, to_rgba
 
 from slambook.figures.style import DASHES
 from slamlib.errors import SlamlibError
+from slamlib.manifolds import Array
+
+GAP = np.full((2, 1), np.nan)  # between one line and the next
 
 
 class CannotReplayError(SlamlibError):
@@ -66,3 +69,22 @@ def strokes(artist: Any, count: int) -> list[tuple[Any, ...]]:
 def turn(values: Any, i: int) -> Any:
     """A collection's styles come round again."""
     return values[i % len(values)] if len(values) else (0, 0, 0, 0)
+
+
+def pieces_of(path: Any, ax: Any) -> list[Array]:
+    """The lines (2, N) of a path, each with a gap behind it; curves are divided as finely as one sees.
+
+    Not by to_polygons alone: in the units of the data that would leave out what is less than a pixel of a canvas.
+    """
+    codes = np.full(len(path.vertices), path.LINETO) if path.codes is None else np.asarray(path.codes)
+    if np.any((codes == path.CURVE3) | (codes == path.CURVE4)):
+        fine = type(path)(path.vertices, path.codes, readonly=False)
+        fine.should_simplify = False
+        rings = [ax.transData.inverted().transform(ring) for ring in fine.to_polygons(ax.transData, closed_only=False)]
+        return [np.concatenate([np.asarray(ring).T, GAP], axis=1) for ring in rings]
+    starts = np.flatnonzero(codes == path.MOVETO)
+    found = []
+    for part, kinds in zip(np.split(path.vertices, starts), np.split(codes, starts), strict=True):
+        line = np.where((kinds == path.CLOSEPOLY)[:, None], part[:1], part)
+        found += [np.concatenate([line.T, GAP], axis=1)] if len(line) else []
+    return found

@@ -10,10 +10,8 @@ from matplotlib.colors import Normalize
 
 from slambook.figures.axes import Axes
 from slambook.figures.images import COLORMAPS
-from slambook.figures.reading import CannotReplayError, base, color_of, must_be_data, place_of, turn
+from slambook.figures.reading import CannotReplayError, base, color_of, must_be_data, pieces_of, place_of, turn
 from slamlib.manifolds import Array
-
-GAP = np.full((2, 1), np.nan)  # parts one ring from the next
 
 
 def _fill_style(face: Any, edge: Any, width: float) -> dict[str, Any]:
@@ -29,17 +27,8 @@ def patch_style(patch: Any) -> dict[str, Any]:
 
 
 def _rings(paths: Iterable[Any], ax: Any) -> Array:
-    """Closed lines (2, N) with gaps between them; curves are divided as finely as one sees."""
-    found = []
-    for path in paths:
-        flat = path.codes is None or not np.any(np.isin(path.codes, (path.CURVE3, path.CURVE4)))
-        rings = (
-            path.to_polygons()
-            if flat
-            else [ax.transData.inverted().transform(r) for r in path.to_polygons(ax.transData)]
-        )
-        found += [piece for ring in rings for piece in (np.asarray(ring).T, GAP)]
-    return np.concatenate([np.empty((2, 0)), *found], axis=1)
+    """Closed lines (2, N) with gaps between them."""
+    return np.concatenate([np.empty((2, 0)), *(piece for path in paths for piece in pieces_of(path, ax))], axis=1)
 
 
 def areas(shapes: list[Any], ax: Any, target: Axes) -> None:
