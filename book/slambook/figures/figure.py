@@ -1,6 +1,5 @@
 """A figure: axes in rows and columns, with just the room between them that their words need."""
 
-import os
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +9,7 @@ from slambook.figures.axes import Axes
 from slambook.figures.canvas import Canvas
 from slambook.figures.colors import standing_alone
 from slambook.figures.paths import Box
+from slamlib.data.files import write_whole
 from slamlib.errors import SlamlibError, UnknownCallError
 
 PAD, BETWEEN = 3.0, 8.0  # points around all, and between neighbours
@@ -58,12 +58,7 @@ class Figure:
         size = f'width="{self.width:g}pt" height="{self.height:g}pt"'
         svg = svg.replace("<svg ", f'<svg xmlns="http://www.w3.org/2000/svg" {size} ', 1)
         svg = svg.replace("max-width:", "background:#ffffff;max-width:", 1)
-        partial = path.with_name(f".{path.name}.{os.getpid()}.partial")
-        try:
-            partial.write_text('<?xml version="1.0" encoding="utf-8"?>\n' + svg + "\n", "utf-8", newline="\n")
-            os.replace(partial, path)
-        finally:
-            partial.unlink(missing_ok=True)
+        write_whole(path, '<?xml version="1.0" encoding="utf-8"?>\n' + svg + "\n")
 
     def close(self) -> None:
         """Whoever shows open figures at the end of a cell is told here that this one has been shown."""
