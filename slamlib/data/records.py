@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnknownCallError
 from slamlib.kalman.linalg import covariance, finite, numbers

@@ -1,9 +1,10 @@
 """What a reader may choose about the filter: plain data, checked when it is made, written to and read from JSON."""
 
 from dataclasses import dataclass, field
+from math import inf
 from typing import Annotated, Any
 
-from slamlib.data.plain import OneOf, Range, read
+from slamlib.data.plain import OneOf, Range, check, read, written
 from slamlib.landmarks import LINES, POINTS
 from slamlib.landmarks.linearity import THRESHOLD
 from slamlib.observation import FAMILIES
