@@ -19,7 +19,7 @@ from slamlib.kalman import linalg
 from slamlib.kalman.linalg import frozen
 from slamlib.kalman.state import BeliefSnapshot, Block, Layout, Retraction, point_of
 from slamlib.kalman.update import Correction, Observation, Series, Stacked, compact, solve, stack
-from slamlib.manifolds import Array, Space, as_space
+from slamlib.manifolds import Array, Indices, Space, as_space
 
 __all__ = ["Belief", "BeliefSnapshot", "Block", "Correction", "Observation"]
 

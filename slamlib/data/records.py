@@ -8,11 +8,10 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnknownCallError
 from slamlib.kalman.linalg import covariance, finite, numbers
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.model import Model
 from slamlib.observation import FAMILIES
 

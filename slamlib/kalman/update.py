@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
 from slamlib.kalman import linalg
 from slamlib.kalman.state import Layout, Retraction
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 
 @dataclass(frozen=True)

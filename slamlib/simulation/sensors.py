@@ -6,7 +6,7 @@ from slamlib.data.records import Features, Scan, World
 from slamlib.data.setup import SensorSetup
 from slamlib.geometry.pose import Pose, compose
 from slamlib.kalman.linalg import frozen
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.observation import FAMILIES, Family
 from slamlib.simulation.faults import Clutter, Faults, swapped
 from slamlib.simulation.occlusion import hidden, longest_seen

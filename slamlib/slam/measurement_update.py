@@ -10,7 +10,7 @@ import numpy as np
 from slamlib.belief import Belief
 from slamlib.data.snapshots import Looks
 from slamlib.geometry.pose import compose
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.observation.family import Expected, Family, viewpoint
 from slamlib.slam.data_association.gates import CHOICES, Sight, gate, innovation_covariances, normalized
 from slamlib.slam.entities import Landmark, MountedSensor

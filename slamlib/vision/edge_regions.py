@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.landmarks.segments import length
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.observation.lines import bent, straight
 from slamlib.vision.edge_profile import STEP, Strip, axes, line
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from slamlib.data.records import Scan
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Mask
 from slamlib.observation.lines import straight
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.gates import Sight, gate

@@ -9,7 +9,7 @@ import numpy as np
 from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError
 from slamlib.landmarks.segments import length
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 from slamlib.observation.lines import straight
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.edge_profile import strip

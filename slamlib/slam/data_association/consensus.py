@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.observation.family import viewpoint
 from slamlib.slam.data_association.gates import gate, innovation_covariances, normalized
 from slamlib.slam.data_association.jcbb import compatible

@@ -15,7 +15,7 @@ import numpy as np
 from slamlib.data.records import Features, Scan
 from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.kalman import linalg
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices, Mask
 
 
 def innovation_covariances(covariance: Array, columns: Indices, H: Array, R: Array) -> Array:

@@ -8,7 +8,7 @@ import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.geometry.pose import Pose, compose
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.observation.family import Expected, means_of
 from slamlib.slam.entities import POSE, MountedSensor
 from slamlib.slam.measurement_update import Look
