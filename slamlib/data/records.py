@@ -99,7 +99,7 @@ class Scan(ByFamily):
     _FAMILIES = "features"
     _ABSENT = Features.none(0)
     features: dict[str, Features] = field(default_factory=dict)
-    image: Any = None
+    image: Any = None  # one picture (h, w), a pair (2, h, w), or None
 
 
 @dataclass(frozen=True, eq=False)

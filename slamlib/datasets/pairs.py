@@ -93,7 +93,7 @@ def open_pairs(left: Source, right: Source) -> Source:
     return Source(left.layout, _where(left, right), range(len(i)), sequence, recipe)
 
 
-def _by_time(left: Source, right: Source) -> tuple[Array, Array]:
+def _by_time(left: Source, right: Source) -> tuple[Indices, Indices]:
     """Rows of pictures of one time; what has no partner is left out."""
     one, other, tolerance = np.array(left.whole.times), np.array(right.whole.times), TOGETHER * left.interval
     i, j = matched_times(one, other, tolerance)

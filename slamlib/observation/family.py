@@ -42,8 +42,8 @@ class Expected(NamedTuple):
     def take(self, rows: list[int]) -> "Expected":
         """Some of the landmarks, in this order."""
         value, inner, by = (array.take(rows, axis=0) for array in (self.value, self.inner, self.by))
-        columns = self.columns.take(rows, axis=0)
-        return Expected([self.landmarks[i] for i in rows], value, inner, by, columns, self.options)
+        landmarks = [self.landmarks[i] for i in rows]
+        return Expected(landmarks, value, inner, by, self.columns.take(rows, axis=0), self.options)
 
     @classmethod
     def nothing(cls, size: int) -> "Expected":

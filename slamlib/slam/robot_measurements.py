@@ -36,7 +36,7 @@ def update_by_robot(
     if linearization is not None:
         J = measurement.model.jac(linearization.at(robot.block)[:7])[1]
     result = measurement.model.result
-    space = result.space if result is not None and result.space is not None else Euclidean(len(value))
+    space = (result.space if result else None) or Euclidean(len(value))
     z = space.minus(measurement.value, value)
     H = np.pad(J[0], ((0, 0), (0, robot.block.dof - POSE)))
     S = belief.innovation_covariance([robot.block], [H], measurement.covariance)

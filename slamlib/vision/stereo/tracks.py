@@ -23,7 +23,7 @@ class Tracks:
         """Go on to a pair with `count` features, `pairs` (k, 2) of old and new rows; the mask (n,) of the old ones.
 
         The mask is the report's of re-observation: which of the features of the pair before were matched again in both
-        pictures of this one (5.2, C41).
+        pictures of this one (5.2).
         """
         seen = np.zeros(len(self.ids), dtype=bool)
         seen[pairs[:, 0]] = True
