@@ -8,10 +8,9 @@ from slamlib.geometry.pose import Pose, compose
 from slamlib.kalman.linalg import frozen
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation import FAMILIES, Family
+from slamlib.simulation.draws import Streams, drawn, root
 from slamlib.simulation.faults import Clutter, Faults, swapped
 from slamlib.simulation.occlusion import hidden, longest_seen
-from slamlib.simulation.robots import drawn, root
-from slamlib.simulation.streams import Streams
 
 
 class SimulatedSensor:
