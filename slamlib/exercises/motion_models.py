@@ -1,5 +1,6 @@
 """Checks of the chapter: motion models."""
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from slamlib.exercises import exercise
 from slamlib.exercises.properties import array_of, covariance, differences, holds, pair, same
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import exponential, rotation
+from slamlib.manifolds import Array
 from slamlib.motions import Motion
 from slamlib.motions.odometry import step
 from slamlib.simulation import simulate
@@ -71,6 +73,12 @@ def straight_drive(candidate: Any) -> None:
         same(found[0, 1], expected[0, 1], "their covariance", given=given)
 
 
+def _moved(motion: Motion, state: Array, origin: Array, control: Array) -> Array:
+    """Tangent vector (6,) at `origin` of where a control leads in half a second."""
+    step: Array = Pose.minus(motion.step(state, control, 0.5), origin)
+    return step
+
+
 @exercise("motion_models.6", "a motion of your own: the unicycle")
 def unicycle(candidate: Any) -> None:
     """Against fine steps along the arc in the robot's own plane; smooth at zero; a robot of a rig drives by it."""
@@ -88,7 +96,7 @@ def unicycle(candidate: Any) -> None:
         same(moved[:3], place, "ends where fine steps along the arc end", tolerance=1e-8, given=given)
         turned = rotation(state[3:]) @ rotation(exponential(np.array([0, 0, yaw_rate * dt])))
         same(rotation(moved[3:]), turned, "turns about its own vertical axis", tolerance=1e-12, given=given)
-        by = differences(lambda u, x=state, y=moved: Pose.minus(candidate.step(x, u, 0.5), y), control)
+        by = differences(partial(_moved, candidate, state, moved), control)
         same(J.control, by, "the Jacobian by the control", tolerance=1e-5, given=given)
     rig = Rig((RobotSetup(motion=candidate, control=(1.0, 90.0)),), (SensorSetup(),))
     run = list(simulate(rig, World(), frames=40, dt=0.1, rng=rng))
