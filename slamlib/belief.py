@@ -12,22 +12,26 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import SlamlibError
 from slamlib.kalman import linalg
 from slamlib.kalman.linalg import frozen
-from slamlib.kalman.sequential_update import Series
-from slamlib.kalman.state import BeliefSnapshot, Block, Layout, point_of
-from slamlib.kalman.update import Correction, Observation, Stacked, compact, solve, stack
-from slamlib.manifolds import Array, Space, as_space
+from slamlib.kalman.state import BeliefSnapshot, Block, Layout, Retraction, point_of
+from slamlib.kalman.update import Correction, Observation, Series, Stacked, compact, solve, stack
+from slamlib.manifolds import Array, Indices, Space, as_space
 
 __all__ = ["Belief", "BeliefSnapshot", "Block", "Correction", "Observation"]
 
 
 class Belief:
-    """Means of blocks and their joint covariance."""
+    """Means of blocks and their joint covariance.
 
-    def __init__(self) -> None:
+    retraction: how a step moves all means at once; None: each block by its own plus. It may be assigned at any time.
+    """
+
+    def __init__(self, retraction: Retraction | None = None) -> None:
+        self.retraction = retraction
         self._set([], np.zeros((0, 0)))
 
     @property
@@ -85,11 +89,11 @@ class Belief:
     def add(
         self,
         space: int | Space,
-        mean: Array,
-        covariance: Array,
+        mean: ArrayLike,
+        covariance: ArrayLike,
         *,
         given: Sequence[Block] = (),
-        jacobians: Sequence[Array] = (),
+        jacobians: Sequence[ArrayLike] = (),
     ) -> Block:
         """A new block, independent, or a function of the blocks `given` plus noise of this covariance (dof, dof).
 
@@ -133,7 +137,7 @@ class Belief:
         return block
 
     @linalg.quiet
-    def predict(self, block: Block, mean: Array, F: Array, Q: Array) -> None:
+    def predict(self, block: Block, mean: ArrayLike, F: ArrayLike, Q: ArrayLike) -> None:
         """Move a block: its mean becomes `mean`, its rows F P, its corner F P F' + Q (Report eq. 5.23 with E10).
 
         mean (size of the space,), F (dof, dof) at the mean before the motion (E02), Q (dof, dof) semi-definite.
@@ -195,7 +199,7 @@ class Belief:
         return Correction(stacked.z, S, nis)
 
     @linalg.quiet
-    def correct_rows(self, columns: Array, H: Array, innovation: Array, R: Array) -> Correction:
+    def correct_rows(self, columns: Indices, H: Array, innovation: Array, R: Array) -> Correction:
         """As `correct`, for a Jacobian H (m, k) by the rows `columns` (k,) of the covariance: no block is looked up.
 
         The rows are those of `block.slice`; none may appear twice.
@@ -212,7 +216,7 @@ class Belief:
         with belief.series() as series: series.correct(...), as often as wanted. Means follow at once; the covariance at
         the end, also where an error ends it. Until then nothing else may be done with the belief.
         """
-        series = Series(self._P, self._layout)
+        series = Series(self._P, self._layout, self.retraction)
         try:
             with np.errstate(over="ignore", invalid="ignore"):  # one for all of them
                 yield series
@@ -221,7 +225,7 @@ class Belief:
 
     def _moved(self, step: Array) -> tuple[Array, list[Array]]:
         """Every mean plus its piece of the step; raises NonFiniteError where one overflows."""
-        flat, points = self._layout.moved(step)
+        flat, points = self._layout.moved(step, self.retraction)
         linalg.finite(flat, flat.shape, "correct", "the corrected means")
         for block, mean in zip(self._layout.points, points, strict=True):
             linalg.finite(mean, (block.space.size,), "correct", f"the corrected mean of {block!r}")

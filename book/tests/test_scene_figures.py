@@ -148,7 +148,7 @@ def test_landmarks_that_do_not_change_are_sent_once_and_those_that_go_are_named(
     first, second = scenes.snapshot(3), replace(scenes.snapshot(3), number=4)
     names = ("ids", "kinds", "geometry", "covariance", "converged")
     fewer = replace(second.points, **{n: getattr(second.points, n)[2:] for n in names})
-    data = data_of(player([first, second, replace(second, points=fewer)], alt=ALT))
+    data = data_of(player([first, second, replace(second, landmarks={**second.landmarks, "points": fewer})], alt=ALT))
     assert not data["frames"][1]["landmarks"]
     assert not data["frames"][1]["gone"]
     assert data["frames"][2]["gone"] == ["p1", "p2"]
@@ -207,7 +207,7 @@ def test_the_figure_is_operable_and_described():
         ({"truths": TRUTHS[:3]}, "one truth a snapshot is wanted, got 3 for 12"),
         ({"alt": "A map."}, "alt should be a sentence"),
         ({"fps": 0}, "fps should be a positive number"),
-        ({"speed": 2}, "unknown keyword of MapOptions 'speed'"),
+        ({"speed": 2}, "unknown key of MapOptions 'speed'"),
     ],
 )
 def test_wrong_arguments_of_the_player_are_named(arguments, said):

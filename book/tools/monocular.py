@@ -18,7 +18,7 @@ from slamlib.evaluation.alignment import aligned
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
 from slamlib.slam import Slam
-from slamlib.slam.options import CONSENSUS
+from slamlib.slam.data_association.consensus import CONSENSUS
 from slamlib.vision.active_search import ActiveSearch
 
 FILE = layout.BOOK / "chapters" / "data" / "monocular.json"
@@ -60,7 +60,7 @@ def around(seed: int) -> dict[str, Any]:
         poses.append(slam.robots[0].pose.copy())
         true.append(truth.robots[0][:7])
         old.append(sum(k.inlier and k.landmark.born < frame.number - OLD for k in slam.looks[0]))
-    estimate, reference = (Trajectory(ROUND_DT * np.arange(ROUND), np.array(p)) for p in (poses, true))
+    estimate, reference = (Trajectory(ROUND_DT * np.arange(ROUND, dtype=float), np.array(p)) for p in (poses, true))
     stored = slice(0, None, EVERY)
     return {
         "off": round(100 * aligned(estimate, reference).relative, 3),

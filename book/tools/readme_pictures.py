@@ -10,6 +10,8 @@ import os
 import sys
 from typing import Any
 
+from slambook.figures.replay import replayed
+
 from book.tools import browser, layout
 
 STATIC = layout.BOOK / "_static"
@@ -27,7 +29,7 @@ STEPS = {  # what is typed, and the picture of it
     return squared.sum(-1).mean(0)
 
 
-check("5.2", average_nees)""",
+check("consistency.2", average_nees)""",
     "live_3.png": HEAD
     + """    solved = np.linalg.solve(covariances, errors[..., None])[..., 0]
     return (errors * solved).sum(-1).mean(0)
@@ -49,7 +51,8 @@ def of_the_map() -> None:
                 exec(compile(source, "<chapter 0>", "exec"), names)
             if "def draw_state" in source:
                 break
-    names["draw_state"](len(names["history"]) - 1).save(STATIC / "readme.svg", "A robot's map after two laps.")
+    drawn = replayed(names["draw_state"](len(names["history"]) - 1))
+    drawn.savefig(STATIC / "readme.svg", alt="A robot's map after two laps.")
 
 
 def of_the_exercise(executable: str) -> None:
@@ -75,7 +78,8 @@ def main() -> int:
     """Write them."""
     executable = browser.browser_path()
     if executable is None:
-        return browser.without_browser("pictures")
+        print("no Chromium found; install one (apt-get install chromium) or set BOOK_BROWSER", file=sys.stderr)
+        return browser.SKIPPED
     of_the_exercise(executable)
     of_the_map()
     return 0

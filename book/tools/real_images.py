@@ -25,12 +25,12 @@ from typing import Any
 import numpy as np
 
 from book.tools import layout
+from slamlib.datasets.opening import opened
 from slamlib.evaluation.alignment import Aligned, aligned
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.experiments.progress import progress
 from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.hand_held import hand_held, options
-from slamlib.vision.open_sequence import opened
 from slamlib.vision.results import ImageResult, summary
 from slamlib.vision.run import ImageRun
 from slamlib.vision.tracking_loss import Lost

@@ -8,14 +8,14 @@ import numpy as np
 
 from slamlib.cli import choices, reporting
 from slamlib.data.setup import SensorSetup, tuples
+from slamlib.datasets.opening import opened
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.landmarks import POINTS
 from slamlib.motions import MOTIONS
-from slamlib.slam.options import CONSENSUS
+from slamlib.slam.data_association.consensus import CONSENSUS
 from slamlib.vision.active_search import Settings
 from slamlib.vision.combined_front_end import front_end_of
 from slamlib.vision.hand_held import IMPULSE, NOISE, OPTIONS, VELOCITY, hand_held, options
-from slamlib.vision.open_sequence import opened
 from slamlib.vision.run import ImageRun
 from slamlib.vision.target import Target
 

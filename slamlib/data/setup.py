@@ -3,12 +3,13 @@
 Angles of a setup are in degrees, since people write them; everything else in slamlib is in radians.
 """
 
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.data.plain import read, written
+from slamlib.errors import SlamlibError
 from slamlib.geometry.euler import to_quaternion
 from slamlib.kalman.linalg import finite
 from slamlib.manifolds import Array
@@ -29,9 +30,10 @@ class RobotSetup:
     """A robot: how it moves, where it starts, what it is told at each step, and how well it is known.
 
     position [m]; euler: roll, pitch, yaw [deg]; velocity: (v [m/s] in world axes, w [deg/s] in the robot's), for
-    motions whose state has one. control: the first three numbers in metres (or m/s), the last three in degrees (or
-    deg/s); control_std the same, the standard deviation in one step. The other *_std belong to the start: the simulator
-    draws the true start with them, and the filter is told the mean; attitude_std [deg] is about the robot's own axes.
+    motions whose state has one. control: as many numbers as the motion says, in metres (or m/s), its angles in degrees
+    (or deg/s), zeros where none is said; control_std the same, the standard deviation in one step. The other *_std
+    belong to the start: the simulator draws the true start with them, and the filter is told the mean; attitude_std
+    [deg] is about the robot's own axes.
     """
 
     name: str = "robot"
@@ -42,8 +44,8 @@ class RobotSetup:
     position_std: Numbers = ZERO
     attitude_std: Numbers = ZERO
     velocity_std: Numbers = (0.0,) * 6
-    control: Numbers = (0.0,) * 6
-    control_std: Numbers = (0.0,) * 6
+    control: Numbers = NOT_SAID
+    control_std: Numbers = NOT_SAID
 
     @property
     def model(self) -> Motion:
@@ -65,13 +67,20 @@ class RobotSetup:
 
     @property
     def nominal(self) -> Array:
-        """The control of one step (6,), in metres and radians."""
-        return _mixed(self.control, self.name, "control")
+        """The control of one step (c,), in metres and radians."""
+        return self._of_control(self.control, "control")
 
     @property
     def noise(self) -> Array:
-        """The covariance of the noise in one step's control (6, 6)."""
-        return np.diag(_mixed(self.control_std, self.name, "control_std") ** 2)
+        """The covariance of the noise in one step's control (c, c)."""
+        return np.diag(self._of_control(self.control_std, "control_std") ** 2)
+
+    def _of_control(self, values: Numbers, what: str) -> Array:
+        size = self.model.control
+        numbers = finite(values or (0.0,) * size, (size,), self.name, what).copy()
+        angles = [i for i in self.model.angles if i < size]
+        numbers[angles] = np.radians(numbers[angles])
+        return numbers
 
 
 @dataclass(frozen=True)
@@ -147,36 +156,16 @@ class Rig:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON or TOML; what is None is left out."""
-        return {
-            "robots": [_plain(asdict(r)) for r in self.robots],
-            "sensors": [_plain(asdict(s)) for s in self.sensors],
-        }
+        plain: dict[str, Any] = written(self)
+        return plain
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> "Rig":
-        """The rig of plain data; what is missing has its default, and a name that is not known is an error."""
-        robots = tuple(_setup(RobotSetup, r) for r in data.get("robots", ()))
-        return cls(robots, tuple(_setup(SensorSetup, s) for s in data.get("sensors", ())))
+        """The rig of plain data; what is missing has its default. Raises SlamlibError, naming the key."""
+        return read(cls, data)
 
 
-def tuples(value: Any) -> Any:
-    """Plain data with its lists as tuples, as frozen data holds them."""
-    if isinstance(value, dict):
-        return {name: tuples(v) for name, v in value.items()}
-    return tuple(tuples(v) for v in value) if isinstance(value, list | tuple) else value
-
-
-def _plain(data: dict[str, Any]) -> dict[str, Any]:
-    return {name: value for name, value in data.items() if value is not None}
-
-
-def _setup(kind: Any, data: dict[str, Any]) -> Any:
-    known = [f.name for f in fields(kind)]
-    for name in data:
-        if name not in known:
-            raise UnknownNameError.of(f"field of a {kind.__name__}", name, known)
-    absent = {"image": None} if "image" in known and "image" not in data else {}
-    return kind(**tuples(data), **absent)
+tuples = written
 
 
 def pose_of(position: Numbers, euler: Numbers, name: str) -> Array:

@@ -5,14 +5,16 @@ SciPy's BLAS is used where SciPy is installed and the problem is large enough to
 
 import functools
 import importlib
+import math
+import operator
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
-from slamlib.kalman import small_matrices
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 quiet = np.errstate(over="ignore", invalid="ignore")  # results are checked: an overflow is an error, not a warning
 
@@ -22,7 +24,7 @@ _SMALL = 4  # numbers of a measurement up to which Python's floats are quicker t
 _ROUNDING = 4 * float(np.finfo(float).eps)  # of each row, beside the variance
 
 
-def numbers(value: Array, function: str, argument: str) -> Array:
+def numbers(value: ArrayLike, function: str, argument: str) -> Array:
     """`value` as an array of floats; raises SlamlibError for text, complex numbers and lists of unequal lengths."""
     try:
         array = np.asarray(value)
@@ -33,7 +35,7 @@ def numbers(value: Array, function: str, argument: str) -> Array:
         raise SlamlibError(f"{function}: {argument} should be an array of real numbers: {error}") from None
 
 
-def finite(value: Array, shape: tuple[int, ...], function: str, argument: str) -> Array:
+def finite(value: ArrayLike, shape: tuple[int, ...], function: str, argument: str) -> Array:
     """`value` as an array of floats of exactly this shape; raises ShapeError, NonFiniteError."""
     array = numbers(value, function, argument)
     if array.shape != shape:
@@ -44,7 +46,7 @@ def finite(value: Array, shape: tuple[int, ...], function: str, argument: str) -
     return array
 
 
-def frozen(array: Array) -> Array:
+def frozen(array: ArrayLike) -> Array:
     """A read-only copy, of floats."""
     return sealed(np.array(array, dtype=float))
 
@@ -61,7 +63,7 @@ def not_overflown(function: str, *results: Array) -> None:
         raise NonFiniteError(f"{function}: the covariance overflows; choose units in which the numbers are smaller")
 
 
-def covariance(value: Array, size: int, function: str, argument: str) -> Array:
+def covariance(value: ArrayLike, size: int, function: str, argument: str) -> Array:
     """A symmetric, positive semi-definite matrix (size, size); a number or a vector of variances is made a diagonal.
 
     Asymmetry up to 1e-9, and negative eigenvalues down to -1e-9, of the largest entry are taken as rounding.
@@ -85,11 +87,11 @@ def covariance(value: Array, size: int, function: str, argument: str) -> Array:
 
 
 def _factor(matrix: Array) -> Array | None:
-    """Lower Cholesky factors of (..., n, n), or None where there is none, or one by the grace of rounding alone."""
+    """Lower Cholesky factors of (..., n, n), or None where there is none, or one that rounding alone decides."""
     if matrix.ndim == 2 and 0 < len(matrix) <= _SMALL:
-        return small_matrices.factor(matrix, _ROUNDING)
+        return small_cholesky(matrix, _ROUNDING)
     try:
-        factor = np.linalg.cholesky(matrix)
+        factor: Any = np.linalg.cholesky(matrix)
     except np.linalg.LinAlgError:
         return None
     # What earlier rows leave of each variance, beside that variance itself: so mixed units do no harm. NaN is not >.
@@ -119,7 +121,8 @@ def solve_lower(factor: Array, right: Array) -> Array:
     """
     fast = _scipy("scipy.linalg.blas", "dtrsv" if right.ndim == 1 else "dtrsm") if right.size else None
     if not fast:
-        return np.linalg.solve(factor, right)
+        solution: Any = np.linalg.solve(factor, right)
+        return solution
     # BLAS counts columns first: factor' is upper triangular, and X' = right' (factor')^-1.
     return fast(factor.T, right, trans=1) if right.ndim == 1 else fast(1.0, factor.T, right.T, side=1).T
 
@@ -187,3 +190,52 @@ def joseph(P: Array, H: Array, R: Array, K: Array) -> Array:
         finite(array, shape, "joseph", name)
     rest = np.eye(n, dtype=P.dtype) - K @ H
     return rest @ P @ rest.T + K @ R @ K.T
+
+
+# -- small matrices, one or many: closed forms and Python's floats, where a call of LAPACK would take longer -----------
+
+
+def small_cholesky(matrix: Array, rounding: float) -> Array | None:
+    """Lower Cholesky factor of one matrix (n, n), or None where there is none, or one that rounding alone decides.
+
+    Row by row on Python's floats, four times as quick as to prepare a call of LAPACK. l_ij = (a_ij - l_i . l_j) / l_jj
+    for j < i, and l_ii^2 = a_ii - l_i . l_i, over the columns before j and i. rounding: beside n and the variance.
+    """
+    rows: list[list[float]] = []
+    for i, row in enumerate(matrix.tolist()):
+        found: list[float] = []
+        for j in range(i):
+            found.append((row[j] - _dot(found, rows[j])) / rows[j][j])
+        own = row[i] - _dot(found, found)
+        if not own > rounding * len(matrix) * row[i]:
+            return None
+        rows.append([*found, math.sqrt(own), *[0.0] * (len(matrix) - i - 1)])
+    return np.array(rows)
+
+
+def _dot(a: list[float], b: list[float]) -> float:
+    """Sum of the products of two lists' numbers, as many as the shorter one has."""
+    return sum(map(operator.mul, a, b))
+
+
+def principal_blocks(matrix: Array, rows: Indices) -> Array:
+    """Blocks (n, k, k) of a matrix (s, s): of each row of `rows` (n, k) those rows and columns."""
+    return matrix.ravel().take(rows[:, :, None] * len(matrix) + rows[:, None, :])
+
+
+def log_determinants(matrices: Array) -> Array:
+    """Logarithms of the determinants (n,) of positive definite matrices (n, d, d); of 2 x 2, most pixels', directly."""
+    if matrices.shape[1:] != (2, 2):
+        return np.linalg.slogdet(matrices)[1]
+    a, b, c = matrices[:, 0, 0], matrices[:, 0, 1], matrices[:, 1, 1]
+    return np.log(a) + np.log(c - b * b / a)
+
+
+def quadratic_forms(z: Array, matrices: Array) -> Array:
+    """z' S^-1 z (n,) of vectors (n, d) and positive definite matrices (n, d, d); of 2 x 2 by their Cholesky factors."""
+    if matrices.shape[1:] != (2, 2):
+        squared: Array = (z * np.linalg.solve(matrices, z[..., None])[..., 0]).sum(-1)
+        return squared
+    a, b, c = matrices[:, 0, 0], matrices[:, 0, 1], matrices[:, 1, 1]
+    x, y, ratio = z[:, 0], z[:, 1], b / a
+    return x * x / a + (y - ratio * x) ** 2 / (c - ratio * b)

@@ -1,4 +1,10 @@
-"""The algebra of one correction: from innovations and Jacobians to a step and the rows that P loses."""
+"""The measurement update: from innovations and Jacobians to a step and the rows that P loses; at once, or in a series.
+
+A series takes each measurement at the means that those before it left, with one product with the covariance for all.
+After some of them the covariance is P - W'W, where W holds the rows that each of them took away (chapter 2). The next
+one needs a few rows of that, which are quickly computed of P and W; the whole of it is needed only at the end, and one
+product of many rows costs far less than many products of two rows.
+"""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -6,10 +12,12 @@ from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from slamlib.errors import CovarianceError, ShapeError, SlamlibError, UnknownNameError
+from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
 from slamlib.kalman import linalg
-from slamlib.manifolds import Array
+from slamlib.kalman.state import Layout, Retraction
+from slamlib.manifolds import Array, Indices
 
 
 @dataclass(frozen=True)
@@ -17,14 +25,14 @@ class Observation:
     """What one measurement says: Jacobians (m, dof) by each block it depends on, innovation (m,), noise (m, m)."""
 
     blocks: Sequence[Any]
-    jacobians: Sequence[Array]
+    jacobians: Sequence[ArrayLike]
     innovation: Array
     noise: Array
 
 
 @dataclass(frozen=True)
 class Correction:
-    """What a correction found: the innovation z, its covariance Z, and nis = z' Z^-1 z."""
+    """What a correction found: the innovation z, its covariance S, and nis = z' S^-1 z."""
 
     innovation: Array
     covariance: Array
@@ -38,7 +46,7 @@ class Stacked:
     z: Array
     H: Array
     R: Array
-    touched: Array
+    touched: Indices
 
     def innovation_covariance(self, HP: Array) -> Array:
         """S = H P H' + R, exactly symmetric, from H P over all columns."""
@@ -82,7 +90,7 @@ def _checked(
     return z, compact(observation, len(z), function, name), noises[key]
 
 
-def _columns(observations: Sequence[Observation]) -> tuple[dict[Any, int], Array]:
+def _columns(observations: Sequence[Observation]) -> tuple[dict[Any, int], Indices]:
     """Where each touched block begins in the stacked Jacobian, and the covariance's rows that belong to its columns."""
     columns: dict[Any, int] = {}
     end = 0
@@ -114,7 +122,7 @@ def blame(S: Array, observations: Sequence[Observation]) -> str:
     return f"number {number} of observation {i} (of {', '.join(map(repr, observations[i].blocks))})"
 
 
-def _batch(HP: Array, H: Array, touched: Array, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
+def _batch(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
     """Step, rows W with P - W'W the corrected covariance, and nis; from one Cholesky factor of S."""
     factor = linalg.cholesky(S, "correct", "the innovation covariance")
     W = linalg.solve_lower(factor, HP)
@@ -122,7 +130,7 @@ def _batch(HP: Array, H: Array, touched: Array, S: Array, R: Array, z: Array) ->
     return white @ W, W, float(white @ white)
 
 
-def _scalar(HP: Array, H: Array, touched: Array, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
+def _scalar(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
     """The same, one number after another, after whitening by the factor of R."""
     factor = linalg.cholesky(R, "correct", "R (which method='scalar' whitens by)")
     H, HP, z = (linalg.solve_lower(factor, a) for a in (H, HP, z))
@@ -155,3 +163,53 @@ def solve(
         raise CovarianceError(
             f"{error}: {which} is claimed to be known exactly; nothing was changed. Give R > 0."
         ) from None
+
+
+_ROWS = 32  # of W that there is room for at first
+
+
+class Series:
+    """Corrections in progress; made by Belief.series."""
+
+    def __init__(self, covariance: Array, layout: Layout, retraction: Retraction | None = None) -> None:
+        """covariance (n, n): corrected in place by `finish`."""
+        self._P, self._layout, self._retraction = covariance, layout, retraction
+        self._store, self._count = np.empty((_ROWS, len(covariance))), 0  # W is its first rows
+
+    def correct(self, columns: Indices, H: Array, innovation: Array, R: Array, gate: float = np.inf) -> Correction:
+        """As Belief.correct_rows, at the present means; changes nothing unless its nis is below the gate.
+
+        columns (k,), H (d, k), innovation (d,), R (d, d). Raises CovarianceError, NonFiniteError.
+        """
+        taken = self._store[: self._count]
+        HP = H @ self._P.take(columns, axis=0)
+        if self._count:
+            HP -= (H @ taken.take(columns, axis=1).T) @ taken
+        half = HP.take(columns, axis=1) @ H.T / 2
+        S = half + half.T + R
+        factor = linalg.cholesky(S, "correct", "the innovation covariance")
+        white = linalg.solve_lower(factor, np.concatenate([HP, innovation[:, None]], axis=1))
+        W, z = white[:, :-1], white[:, -1]
+        nis = float(z @ z)
+        if nis < gate:
+            self._move(z @ W)
+            self._take(W)
+        return Correction(innovation, S, nis)
+
+    def _take(self, rows: Array) -> None:
+        """More rows of W, in a store that doubles when it is full."""
+        end = self._count + len(rows)
+        while end > len(self._store):
+            self._store = np.concatenate([self._store, np.empty_like(self._store)])
+        self._store[self._count : end], self._count = rows, end
+
+    def _move(self, step: Array) -> None:
+        if not np.isfinite(step).all():
+            raise NonFiniteError("correct: the step overflows; choose units in which the numbers are smaller")
+        self._layout.move(*self._layout.moved(step, self._retraction))
+
+    def finish(self) -> None:
+        """The covariance becomes that of the present means, which stay as they are."""
+        if self._count:
+            linalg.subtract_square(self._P, self._store[: self._count])
+            self._count = 0

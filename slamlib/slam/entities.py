@@ -7,9 +7,10 @@ import numpy as np
 
 from slamlib.geometry.pose import compose
 from slamlib.kalman.state import Block
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.motions import Motion
 from slamlib.sensors.sensor import Calibration
+from slamlib.slam.linearization import Linearization
 
 POSE = 6  # degrees of freedom of a pose, the first of every robot's state
 
@@ -31,13 +32,17 @@ class Robot:
 
 @dataclass(eq=False)
 class MountedSensor:
-    """A sensor on a robot: its mount is given, or a block of the map that is estimated."""
+    """A sensor on a robot: its mount is given, or a block of the map that is estimated.
+
+    linearization: where Jacobians of its measurements are taken; None: at the present means.
+    """
 
     name: str
     robot: Robot
     calibration: Calibration
     given: Array
     block: Block | None = None
+    linearization: Linearization | None = None
 
     @property
     def mount(self) -> Array:
@@ -51,7 +56,7 @@ class MountedSensor:
         return pose
 
     @property
-    def columns(self) -> Array:
+    def columns(self) -> Indices:
         """Rows of the joint covariance of the robot's pose, and of the mount if it is estimated."""
         starts = [self.robot.block.start] + ([] if self.block is None else [self.block.start])
         return (np.array(starts)[:, None] + np.arange(POSE)).ravel()

@@ -1,19 +1,22 @@
 """One sensor looks at the map: choose, match, gate, correct. Chapter 16 reads it line by line."""
 
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.data.snapshots import Looks
-from slamlib.manifolds import Array
+from slamlib.geometry.pose import compose
+from slamlib.manifolds import Array, Indices
+from slamlib.observation.family import Expected, Family, viewpoint
 from slamlib.slam.data_association.gates import CHOICES, Sight, gate, innovation_covariances, normalized
 from slamlib.slam.entities import Landmark, MountedSensor
-from slamlib.slam.options import Options
-from slamlib.slam.predicted_measurement import Expected
+
+if TYPE_CHECKING:
+    from slamlib.slam.options import Options
 
 
 def groups(landmarks: Iterable[Landmark]) -> list[list[Landmark]]:
@@ -32,7 +35,7 @@ class Look:
     agrees, the patch that it looked for, and the one that it found, both grey images.
     """
 
-    family: Any
+    family: Family
     landmark: Landmark
     expected: Expected
     row: int
@@ -57,15 +60,25 @@ class Look:
         self.landmark.inliers += self.inlier
 
 
-def expect_all(belief: Belief, sensor: MountedSensor, families: Any, landmarks: list[Landmark]) -> list[Look]:
-    """Everything that the sensor should see, with the covariance of each innovation."""
+def expect_all(
+    belief: Belief,
+    sensor: MountedSensor,
+    families: Mapping[str, Family],
+    landmarks: list[Landmark],
+    options: "Options",
+    robot: Array | None = None,
+) -> list[Look]:
+    """Everything that the sensor should see, with the covariance of each innovation.
+
+    robot (7,): from another pose of its robot than the estimated one, with the covariance as it is.
+    """
     looks = []
-    kinds = groups(landmarks)
-    for family in families:
+    kinds, view = groups(landmarks), viewpoint(sensor, robot)
+    for family in families.values():
         for group in kinds if family.sees(sensor) else ():
             if not isinstance(group[0].kind, family.kinds):
                 continue
-            expected = family.expect(sensor, group)
+            expected = family.expect(view, group, options)
             if not expected.landmarks:
                 continue
             found = family.innovate(sensor, expected, expected.value)
@@ -75,7 +88,14 @@ def expect_all(belief: Belief, sensor: MountedSensor, families: Any, landmarks: 
     return looks
 
 
-def choose_and_match(sight: Sight, front_end: Any, options: Options) -> list[Look]:
+def looks_from(slam: Any, motion: Array, sensor: int = 0) -> list[Look]:
+    """What a sensor should see after its robot has moved by a pose (7,) in its frame; nothing of the filter changes."""
+    mounted = slam.sensors[sensor]
+    robot = compose(mounted.robot.pose, motion)
+    return expect_all(slam.belief, mounted, slam.families, slam.landmarks, slam.options, robot)
+
+
+def choose_and_match(sight: Sight, front_end: Any, options: "Options") -> list[Look]:
     """The looks that tell most and were matched, the one that tells most first; the landmarks' histories go on."""
     sizes: dict[int, list[Look]] = defaultdict(list)
     for look in front_end.findable(sight):
@@ -96,18 +116,18 @@ def choose_and_match(sight: Sight, front_end: Any, options: Options) -> list[Loo
     return [look for look in chosen if look.matched]
 
 
-def correct_in_sequence(belief: Belief, sensor: MountedSensor, looks: list[Look], options: Options) -> None:
+def correct_in_sequence(belief: Belief, sensor: MountedSensor, looks: list[Look], options: "Options") -> None:
     """One landmark after another, each expected anew at the mean of that moment."""
     with belief.series() as series:
         for look in looks:
-            found = look.family.innovation(sensor, look.landmark, look.measured)
+            found = look.family.innovation(viewpoint(sensor), look.landmark, look.measured, options)
             if found is not None:
                 limit = gate(options.gate, len(found.z))
                 columns = look.expected.columns[look.row]
                 look.judged(series.correct(columns, found.H, found.z, found.R, limit).nis, limit)
 
 
-def correct_in_batch(belief: Belief, sensor: MountedSensor, looks: list[Look], options: Options) -> None:
+def correct_in_batch(belief: Belief, sensor: MountedSensor, looks: list[Look], options: "Options") -> None:
     """All at once, with the expectations of the predicted mean."""
     parts = []
     for group in _by_kind(looks):
@@ -123,11 +143,11 @@ def correct_in_batch(belief: Belief, sensor: MountedSensor, looks: list[Look], o
         belief.correct_rows(*_stacked(parts))
 
 
-def follow(belief: Belief, sensor: MountedSensor, looks: list[Look]) -> None:
+def follow(belief: Belief, sensor: MountedSensor, looks: list[Look], options: "Options") -> None:
     """What each family does with the landmarks that were corrected: convert, constrain, move ends."""
     for group in _by_kind(look for look in looks if look.inlier):
         landmarks, measured = [look.landmark for look in group], np.array([look.measured for look in group])
-        group[0].family.corrected(belief, sensor, landmarks, measured)
+        group[0].family.corrected(belief, sensor, landmarks, measured, options)
 
 
 def _by_kind(looks: Iterable[Look]) -> list[list[Look]]:
@@ -137,7 +157,7 @@ def _by_kind(looks: Iterable[Look]) -> list[list[Look]]:
     return list(found.values())
 
 
-def _stacked(parts: list[tuple[Array, Array, Array, Array]]) -> tuple[Array, Array, Array, Array]:
+def _stacked(parts: list[tuple[Indices, Array, Array, Array]]) -> tuple[Indices, Array, Array, Array]:
     """Touched rows, and one Jacobian, innovation and noise of all parts."""
     touched = np.unique(np.concatenate([columns.ravel() for columns, _, _, _ in parts]))
     z = np.concatenate([part[2].ravel() for part in parts])
@@ -145,7 +165,7 @@ def _stacked(parts: list[tuple[Array, Array, Array, Array]]) -> tuple[Array, Arr
     start = 0
     for columns, J, innovation, noise in parts:
         rows = start + np.arange(innovation.size).reshape(innovation.shape)
-        at: Array = np.searchsorted(touched, columns)
+        at = np.searchsorted(touched, columns)
         H[rows[:, :, None], at[:, None, :]] = J
         R[rows[:, :, None], rows[:, None, :]] = noise
         start += innovation.size

@@ -10,12 +10,10 @@ from slambook import rendering
 
 from slamlib.cli import main, working
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
-from slamlib.tests.pictures import interrupted_at, windows
-from slamlib.tests.reference import FOLDER
+from slamlib.tests.pictures import DATA, interrupted_at, windows
 from slamlib.vision.run import ImageRun
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads and writes the pictures")
-DATA = FOLDER.parent / "data"
 COUNT, DT = 24, 1 / 30
 
 
@@ -321,14 +319,14 @@ def test_a_window_shows_every_frame(room, monkeypatch):
         (["--source", "{room}/left", "--calibration", "{room}/truth.txt"], "no calibration that slamlib knows"),
         (["--motion", "constant"], "did you mean 'constant-velocity'?"),
         (["--landmark", "plkLin"], "for lines there is --lines"),
-        (["--lines", "idpPnt"], "unknown line landmark 'idpPnt'"),
-        (["--option", "gat=1"], "unknown option 'gat'; did you mean 'gate'?"),
-        (["--option", "inverse_distance=1,a"], "inverse_distance should be (mean, std)"),
-        (["--search", "patsch=1"], "unknown search 'patsch'; did you mean 'patch'?"),
+        (["--lines", "idpPnt"], "unknown Options.lines 'idpPnt'"),
+        (["--option", "gat=1"], "unknown key of option 'gat'; did you mean 'gate'?"),
+        (["--option", "inverse_distance=1,a"], "inverse_distance should be 2 values"),
+        (["--search", "patsch=1"], "unknown key of search 'patsch'; did you mean 'patch'?"),
         (["--search", "patch"], "--search takes NAME=VALUE"),
         (["--start", "24"], "none is left"),
         (["--scale", "nowhere.json"], "is no target"),
-        (["--camera", "1"], "has one camera"),
+        (["--camera", "1"], "no camera 1; it has 0"),
         (["--video", "film.avi"], "ending of a video"),
         (["--resume", "nowhere.npz"], "leave them out"),
         (["--trajectory", "nowhere/t.txt"], "its folder is not there"),

@@ -10,7 +10,7 @@ from slambook import rendering
 from slambook.recorded import KITTI
 
 from slamlib.cli import comparing, main, working
-from slamlib.datasets.layouts import table
+from slamlib.datasets.dataset import table
 from slamlib.evaluation.trajectory import read_trajectory
 from slamlib.tests.pictures import interrupted_at, windows
 from slamlib.vision.stereo.odometry_run import load
@@ -265,12 +265,12 @@ def test_lengths_of_parts_fit_the_path():
         (["--left", "{room}/image_0"], "--source, or --left and --right, are wanted"),
         (["--source", "{room}", "--left", "{room}/image_0"], "leave --left and --right out"),
         (["--source", "{room}/image_0"], "has no pair of cameras"),
-        (["--source", "{room}", "--cameras", "2", "3"], "no image_2; its cameras are 0, 1"),
+        (["--source", "{room}", "--cameras", "2", "3"], "no camera 2; it has 0, 1"),
         (["--source", "{room}", "--calibration", "nowhere.txt"], "nowhere.txt cannot be read"),
         (["--left", "{room}/image_0", "--right", "{room}/image_1"], "--calibration is wanted"),
         (["--left", "{room}/image_0", "--right", "nowhere"], "there is nothing"),
         (["--source", "{room}", "--landmark", "idpPt"], "did you mean 'idpPnt'?"),
-        (["--source", "{room}", "--search", "zom=2"], "unknown search 'zom'; did you mean 'zoom'?"),
+        (["--source", "{room}", "--search", "zom=2"], "unknown key of search 'zom'; did you mean 'zoom'?"),
         (["--source", "{room}", "--option", "gat=1"], "did you mean 'gate'?"),
         (["--source", "{room}", "--noise", "1", "2"], "--noise takes one number above 0, or three"),
         (["--source", "{room}", "--odometry-only", "--live"], "with --odometry-only there is none"),
@@ -323,7 +323,7 @@ def test_times_that_do_not_match(room, tmp_path, capsys):
     folder = euroc(room, tmp_path / "euroc")
     listing = folder / "mav0" / "cam1" / "data.csv"
     rows = table(listing, 2, ",")
-    listing.write_text("\n".join(f"{int(time) + 10**12},{name}" for time, name in rows))
+    listing.write_text("\n".join(f"{int(time) + 10**12},{name}" for time, (name,) in rows))
     assert main(words(folder)) == 2
     assert "the times of the two cameras do not match" in capsys.readouterr().err
 

@@ -1,15 +1,17 @@
 """Pairs of pictures and the calibrations of two cameras: formats, rectification against geometry, offset, checks."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from slambook.rendering.stereo_film import stereo_film
 
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
-from slamlib.datasets.lens import Lens
-from slamlib.datasets.pair_calibrations import PairCalibration, read_pair
-from slamlib.datasets.pair_sources import open_pairs
+from slamlib.datasets.calibrations import read_pair
+from slamlib.datasets.lens import Lens, PairCalibration
+from slamlib.datasets.opening import reopen
+from slamlib.datasets.pairs import open_pairs
 from slamlib.datasets.pictures import Picture
 from slamlib.datasets.rectification import Rectification, rectified_setup, why_not_rectified
 from slamlib.datasets.sources import of_pictures
@@ -17,7 +19,7 @@ from slamlib.errors import SlamlibError
 from slamlib.tests.pictures import KALIBR
 from slamlib.vision.stereo import StereoSettings
 from slamlib.vision.stereo.features import observe
-from slamlib.vision.stereo.open_pairs import opened_pairs, reopened_pairs
+from slamlib.vision.stereo.open_pairs import opened_pairs
 from slamlib.vision.stereo.pair_checks import check_pair, survey
 from slamlib.vision.stereo.run import StereoRun
 
@@ -100,7 +102,7 @@ def test_kalibrs_and_opencvs_files_of_two_cameras(tmp_path):
     ],
 )
 def test_rectified_pixels_are_those_of_a_stereo_sensor(left, right):
-    change = Rectification(PairCalibration(left, right, place()), SIZE)
+    change = Rectification(PairCalibration(left, replace(right, place=tuple(place().ravel()))), SIZE)
     sensor = SensorSetup(**change.setup).calibration
     assert sensor.given["baseline"][0] == pytest.approx(np.linalg.norm(SHIFT))
     rng = np.random.default_rng(1)
@@ -205,12 +207,12 @@ def test_a_run_from_python(tmp_path):
         np.testing.assert_array_equal(next(steps).row["nis"], next(iter(again)).row["nis"])
     np.testing.assert_array_equal(run.slam.belief.matrix, again.slam.belief.matrix)
     recipe = source.part(1, 2).recipe
-    assert [p.name for p in reopened_pairs(recipe)] == ["left_1.png", "left_3.png"]
-    assert len(reopened_pairs(recipe, 1)) == 1
+    assert [p.name for p in reopen(recipe)] == ["left_1.png", "left_3.png"]
+    assert len(reopen(recipe, 1)) == 1
     (tmp_path / "left" / "left_3.png").unlink()
     (tmp_path / "right" / "right_3.png").unlink()
     with pytest.raises(SlamlibError, match="had more when the run was saved"):
-        reopened_pairs(recipe)
+        reopen(recipe)
     with pytest.raises(SlamlibError, match="did you mean 'halves'"):
         StereoRun(source, camera, moving="halfs")
     with pytest.raises(SlamlibError, match=r"left_0.png: the pair is 320x240, and the calibration of 100x80"):

@@ -14,8 +14,8 @@ from slamlib.evaluation.consistency import band, chi2_quantile
 from slamlib.experiments.presets import PRESETS, preset
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
+from slamlib.observation.lines import READINGS
 from slamlib.slam import Options, Slam
-from slamlib.slam.options import INNOVATIONS
 
 
 def error_of(slam, truth, robot=0):
@@ -69,7 +69,7 @@ def test_every_point_serves(kind):
 
 
 @pytest.mark.parametrize("kind", LINES)
-@pytest.mark.parametrize("innovation", INNOVATIONS)
+@pytest.mark.parametrize("innovation", READINGS)
 def test_every_line_serves_with_every_innovation(kind, innovation):
     p = preset("lines")
     options = replace(p.options, lines=kind, innovation=innovation, later=2)
@@ -94,7 +94,7 @@ def test_twenty_runs_are_consistent_at_first(reproject):
 def test_lines_see_the_same_with_every_innovation():
     """To first order the three readings say the same of a segment: after some frames the estimates agree."""
     p = replace(preset("lines"), frames=25)
-    poses = [run(replace(p, options=replace(p.options, innovation=i)))[0].robots[0].pose for i in INNOVATIONS]
+    poses = [run(replace(p, options=replace(p.options, innovation=i)))[0].robots[0].pose for i in READINGS]
     sigma = 0.02
     assert np.abs(poses[1] - poses[0]).max() < sigma / 3
     assert np.abs(poses[2] - poses[0]).max() < sigma / 3
@@ -208,7 +208,7 @@ def test_a_landmark_that_is_never_found_again_goes():
     for frame in frames[1:]:
         points = frame.scans[0].points
         keep = points.ids != gone
-        scan = Scan(Features(points.ids[keep], points.values[keep]))
+        scan = Scan({"points": Features(points.ids[keep], points.values[keep])})
         deleted += slam.step(Frame(frame.number, frame.dt, frame.controls, (scan,))).deleted
     assert gone in deleted
     assert gone not in [lm.id for lm in slam.landmarks]
@@ -227,7 +227,7 @@ def test_frames_that_do_not_fit_are_refused_and_nothing_is_changed():
         Frame(1, 0.1, (), frame.scans),
         Frame(1, 0.1, frame.controls, ()),
         Frame(1, 0.1, (Control(np.zeros(3), np.eye(3)),), frame.scans),
-        Frame(1, 0.1, frame.controls, (Scan(Features([1], [[1.0, 2, 3]])),)),
+        Frame(1, 0.1, frame.controls, (Scan({"points": Features([1], [[1.0, 2, 3]])}),)),
     ]
     for wrong in bad:
         with pytest.raises(SlamlibError, match="frame 1"):
@@ -310,7 +310,7 @@ def test_a_saved_run_goes_on_bit_for_bit(name, tmp_path):
 def test_files_that_are_no_filter(tmp_path):
     for name, content in (("text", b"hello"), ("empty", b"")):
         (tmp_path / name).write_bytes(content)
-        with pytest.raises(SlamlibError, match="no filter that slamlib saved"):
+        with pytest.raises(SlamlibError, match="no slamlib filter"):
             Slam.load(tmp_path / name)
     with pytest.raises(SlamlibError, match="no such file"):
         Slam.load(tmp_path / "absent")
@@ -320,7 +320,7 @@ def test_files_that_are_no_filter(tmp_path):
     (tmp_path / "cut.npz").write_bytes(data[: len(data) // 2])
     with pytest.raises(SlamlibError, match="damaged"):
         Slam.load(tmp_path / "cut.npz")
-    assert not list(tmp_path.glob(".*.partial*"))
+    assert not list(tmp_path.glob("*partial*"))
 
 
 def test_a_snapshot_does_not_change_later():

@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.patches import sample
 
@@ -84,7 +84,7 @@ def bent_pixels(calibration: Calibration, ideal: Array) -> Array:
     return calibration.project(np.concatenate([(ideal - centre) / scale, ahead], axis=-1))
 
 
-def strip(image: Array, calibration: Calibration, ideal: Array, half: float, beyond: float = 0.0) -> Strip:
+def strip(image: Image, calibration: Calibration, ideal: Array, half: float, beyond: float = 0.0) -> Strip:
     """The image `half` [px] to either side of a segment (4,) of ideal pixels, and `beyond` [px] longer at both ends."""
     if np.shape(ideal) != (4,) or not np.isfinite(ideal).all():
         raise SlamlibError(f"strip: a segment is four pixel coordinates (u, v, u, v), got {ideal}")
@@ -94,6 +94,6 @@ def strip(image: Array, calibration: Calibration, ideal: Array, half: float, bey
         raise SlamlibError("strip: both ends of the segment are the same pixel, so it has no direction")
     count = int(np.clip(round((length + 2 * beyond) / SPACING) + 1, LEAST, MOST))
     along, reach = np.linspace(-beyond, length + beyond, count), int(np.ceil(half / STEP)) + WIDE
-    across = np.arange(-reach, reach + 1) * STEP
+    across = np.arange(-reach, reach + 1, dtype=float) * STEP
     pixels = bent_pixels(calibration, places(ideal, *np.meshgrid(along, across)))
     return Strip(ideal, along, across, sample(image, pixels))

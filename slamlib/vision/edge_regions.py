@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 
 from slamlib.landmarks.segments import length
-from slamlib.manifolds import Array
-from slamlib.slam.line_residuals import bent, straight
+from slamlib.manifolds import Array, Mask
+from slamlib.observation.lines import bent, straight
 from slamlib.vision.edge_profile import STEP, Strip, axes, line
 
 NUDGE = 1e-3  # [px]: to ask how the innovation depends on a move of an end
@@ -32,7 +32,7 @@ def across_covariances(looks: list[Any], sensor: Any) -> Array:
     return found
 
 
-def side_by_side(one: Array, others: Array, apart: float) -> Array:
+def side_by_side(one: Array, others: Array, apart: float) -> Mask:
     """Mask (n,) of the ideal segments (n, 4) on the line of one (4,), less than `apart` [px] off, and not only before
     or behind it."""
     forward, right = axes(one)

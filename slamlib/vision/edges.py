@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.edge_profile import LEAST, STEP, Strip, bent_pixels, line, places
 from slamlib.vision.patches import zncc
@@ -78,7 +78,7 @@ def fitted(s: Strip, calibration: Calibration, near: Array, reach: float) -> Edg
     return _edge(s, calibration, offsets, keep, off) if keep.sum() >= LEAST // 2 else None
 
 
-def _longest(mask: Array) -> Array:
+def _longest(mask: Mask) -> Mask:
     """The longest part of a mask (n,) without a gap of more than GAP."""
     true = np.flatnonzero(mask)
     if not len(true):
@@ -89,7 +89,7 @@ def _longest(mask: Array) -> Array:
     return found
 
 
-def _edge(s: Strip, calibration: Calibration, offsets: Array, keep: Array, off: Array) -> Edge:
+def _edge(s: Strip, calibration: Calibration, offsets: Array, keep: Mask, off: Array) -> Edge:
     share, inside = s.share, np.isfinite(s.grey).all(0)
     own = inside & (share >= 0) & (share <= 1)
     ends, lie = np.flatnonzero(keep)[[0, -1]], line(offsets, share)

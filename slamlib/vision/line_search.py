@@ -13,10 +13,10 @@ import numpy as np
 
 from slamlib.data.records import Scan
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Mask
+from slamlib.observation.lines import straight
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.gates import Sight, gate
-from slamlib.slam.line_residuals import straight
 from slamlib.vision.edge_profile import STEP, strip
 from slamlib.vision.edge_regions import across_covariances, lines_of, side_by_side, steep_lines
 from slamlib.vision.edges import PROFILE, Edge, fitted
@@ -96,7 +96,7 @@ class SegmentSearch:
         looks = [look for look, is_narrow in zip(sight.looks, narrow, strict=True) if is_narrow]
         return self.rests.awake(looks)
 
-    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
+    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
         """Segments (n, 4) of what is looked for, nan where it is not found, and the mask (n,) of those found."""
         measured, image = np.full((len(looks), 4), np.nan), np.asarray(sight.scan.image, dtype=float)
         with self.seconds.timed("search"):
@@ -109,7 +109,7 @@ class SegmentSearch:
         self.rests.remember(looks, found.tolist(), self.settings.longest)
         return measured, found
 
-    def sought(self, image: Array, look: Any, ideal: Array, region: Array) -> Edge | None:
+    def sought(self, image: Image, look: Any, ideal: Array, region: Array) -> Edge | None:
         """The edge of the region that looks like the landmark; None: none does, or two do."""
         s, limit = self.settings, gate(self.settings.probability, 2)
         half = np.sqrt(limit * np.diag(region).max()) + PROFILE[-1] + 2
@@ -146,7 +146,7 @@ class SegmentSearch:
         return straight(self.calibration, np.reshape(segments, (-1, 4)))[0]
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
+        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[tuple[int, Array, Any]]:
         """Up to `count` new edges (id, segment, EdgeLook), the longest that no expected one explains."""
         count = min(count, self.settings.enough - len(sight.looks))
@@ -157,7 +157,7 @@ class SegmentSearch:
             edges = self.new_edges(image, taken, usable, count)
             return [(self.new_id(known), e.segment, EdgeLook(e.profile, e.slope)) for e in edges]
 
-    def new_edges(self, image: Array, taken: Array, usable: Callable[[Array], Array], count: int) -> list[Edge]:
+    def new_edges(self, image: Image, taken: Array, usable: Callable[[Array], Mask], count: int) -> list[Edge]:
         """Up to `count` edges of an image that are apart from ideal segments (n, 4), the longest first."""
         s, found = self.settings, list[Edge]()
         segments = segments_of(image, s.minimum_length)

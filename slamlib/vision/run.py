@@ -21,8 +21,9 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Control, Features, Frame, Scan
+from slamlib.data.records import Control, Frame, Scan
 from slamlib.data.setup import Rig, tuples
+from slamlib.datasets.opening import reopen
 from slamlib.datasets.pictures import Picture
 from slamlib.datasets.sources import Source
 from slamlib.errors import SlamlibError
@@ -31,7 +32,6 @@ from slamlib.slam import Options, Report, Slam
 from slamlib.vision.active_search import Settings
 from slamlib.vision.combined_front_end import front_end_of
 from slamlib.vision.hand_held import OPTIONS
-from slamlib.vision.open_sequence import reopened
 from slamlib.vision.results import COLUMNS
 from slamlib.vision.sequence_run import TIME, Stepping
 from slamlib.vision.target import Target
@@ -79,7 +79,7 @@ class ImageRun(Stepping):
         dt = picture.time - self.history[-1][_TIME] if seen else 0.0
         robot = self.slam.robots[0]
         control = Control(np.zeros(robot.motion.control), robot.noise * (dt / self.source.interval))
-        return Frame(len(self.history) + 1, dt, (control,), (Scan(Features.none(2), image=picture.image),))
+        return Frame(len(self.history) + 1, dt, (control,), (Scan(image=picture.image),))
 
     def _advance(self, frame: Frame) -> Report:
         return self._first(frame) if not self.history else self._next(self._wait(frame))
@@ -119,7 +119,7 @@ class ImageRun(Stepping):
         chosen, settings = Options.from_dict(header["options"]), saved["settings"]
         make = front_end or (lambda c: front_end_of(chosen, c, np.random.default_rng(0), Settings(**tuples(settings))))
         if source is None:
-            source = cls._source(path, saved, lambda recipe: reopened(recipe, frames))
+            source = cls._source(path, saved, lambda recipe: reopen(recipe, frames))
         run = cls.__new__(cls)
         slam = Slam.load(path, front_ends=[make(calibration)])
         run.target = None

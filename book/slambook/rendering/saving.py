@@ -51,8 +51,16 @@ def save_film(folder: str | os.PathLike[str], film: Film) -> Path:
     return root
 
 
+<<<<<<< HEAD
 def _png(cv2: Any, image: Array) -> bytes:
     done, data = cv2.imencode(".png", image)
     if not done:
         raise SlamlibError(f"OpenCV makes no PNG of {image.dtype}, {image.shape}")
     return bytes(data)
+=======
+def _picture(cv2: Any, path: Path, image: Any) -> None:
+    done, data = cv2.imencode(".png", image)
+    if not done:
+        raise SlamlibError(f"{path} cannot be written: OpenCV makes no PNG of {image.dtype}, {image.shape}")
+    write_whole(path, data.tobytes())
+>>>>>>> ecd843100c243d0a37f9d31bb57eb711958bbb6a

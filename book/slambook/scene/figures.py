@@ -122,7 +122,13 @@ def draw(
     if photo is not None:
         ax.imshow(photo.pixels, extent=photo.extent, cmap="gray", vmin=0, vmax=255, interpolation="bilinear")
     for layer in layers:
+<<<<<<< HEAD
         (_put if photo is None else _put_over)(ax, layer, roles[layer.role], words)
+=======
+        _put(ax, layer, roles[layer.role])
+    if legend:
+        ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=4, fontsize=9)
+>>>>>>> ecd843100c243d0a37f9d31bb57eb711958bbb6a
 
 
 def _put_over(ax: Any, layer: Flat, own: Role, words: Mapping[str, Any]) -> None:
@@ -136,7 +142,13 @@ def _put_over(ax: Any, layer: Flat, own: Role, words: Mapping[str, Any]) -> None
     _put(ax, layer, role, words)
     if own.label:  # what has the label is nowhere, and in the page's colours
         parts = {name: getattr(layer, name)[:1] * np.nan for name in ("lines", "shells", "marks")}
+<<<<<<< HEAD
         _put(ax, Flat(layer.role, **parts), own, words)
+=======
+        _put(ax, Flat(layer.role, **parts), roles[layer.role])
+    if legend:
+        ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=4, fontsize=9)
+>>>>>>> ecd843100c243d0a37f9d31bb57eb711958bbb6a
 
 
 def _put(ax: Any, layer: Flat, role: Role, words: Mapping[str, Any], edge: float = 1.0) -> None:

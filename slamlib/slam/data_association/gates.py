@@ -14,32 +14,32 @@ import numpy as np
 
 from slamlib.data.records import Features, Scan
 from slamlib.evaluation.consistency import chi2_quantile
-from slamlib.kalman import small_matrices
-from slamlib.manifolds import Array
+from slamlib.kalman import linalg
+from slamlib.manifolds import Array, Indices, Mask
 
 
-def innovation_covariances(covariance: Array, columns: Array, H: Array, R: Array) -> Array:
+def innovation_covariances(covariance: Array, columns: Indices, H: Array, R: Array) -> Array:
     """Z = H P H' + R (n, d, d) of n measurements, one by one; covariance (s, s), columns (n, k), H (n, d, k)."""
-    half = H @ small_matrices.corners(covariance, columns) @ H.swapaxes(-1, -2) / 2
+    half = H @ linalg.principal_blocks(covariance, columns) @ H.swapaxes(-1, -2) / 2
     Z: Array = half + half.swapaxes(-1, -2) + R
     return Z
 
 
 def normalized(z: Array, Z: Array) -> Array:
     """z' Z^-1 z (n,) of innovations (n, d) with covariances (n, d, d)."""
-    return small_matrices.squares(z, Z)
+    return linalg.quadratic_forms(z, Z)
 
 
-def by_information(Z: Array, count: int) -> Array:
+def by_information(Z: Array, count: int) -> Indices:
     """The `count` rows whose innovation covariance (n, d, d) has the largest determinant, largest first.
 
     A measurement lowers the entropy of the state by log(det Z / det R) / 2: with one R for all, the most uncertain
     expectation is the one to look at. Davison (2005); the toolbox leaves R out (errata E57). Ties: the earlier row.
     """
-    return np.argsort(-small_matrices.log_determinants(Z), kind="stable")[:count]
+    return np.argsort(-linalg.log_determinants(Z), kind="stable")[:count]
 
 
-def by_order(Z: Array, count: int) -> Array:
+def by_order(Z: Array, count: int) -> Indices:
     """The first `count` rows."""
     return np.arange(len(Z))[:count]
 
@@ -80,23 +80,24 @@ class Identity:
         """The looks that it could find at all if the landmarks are there: of identified features, all."""
         return sight.looks
 
-    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
+    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
         """Measurements (n, m) of what is looked for, nan where there is none, and the mask of those found."""
-        features: Features = getattr(sight.scan, family)
+        features = _features(sight, family)
         row_of = {number: row for row, number in enumerate(features.ids.tolist())}
         rows = np.array([row_of.get(look.landmark.id, -1) for look in looks], dtype=int)
-        measured = np.full((len(looks), features.values.shape[1]), np.nan)
+        size = features.values.shape[1] if len(features) or not looks else len(looks[0].value)
+        measured = np.full((len(looks), size), np.nan)
         measured[rows >= 0] = features.values[rows[rows >= 0]]
         return measured, rows >= 0
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
+        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[tuple[int, Array, Any]]:
         """Up to `count` features to begin a landmark with, (id, value, signature): the lowest ids that are not known.
 
         usable(values) is the mask of the values (n, m) that a landmark may begin with.
         """
-        features: Features = getattr(sight.scan, family)
+        features = _features(sight, family)
         fresh = sorted((number, row) for row, number in enumerate(features.ids.tolist()) if number not in known)
         if not fresh or not count:
             return []
@@ -115,3 +116,9 @@ class Identity:
 
     def unpack(self, packed: Any) -> Any:
         """The signature that `pack` packed."""
+
+
+def _features(sight: Sight, family: str) -> Features:
+    """The features of a family in the scan; none if it has none."""
+    found: Features | None = sight.scan.features.get(family)
+    return Features.none(0) if found is None else found

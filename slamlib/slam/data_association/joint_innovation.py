@@ -8,10 +8,10 @@ import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.geometry.pose import Pose, compose
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
+from slamlib.observation.family import Expected, means_of
 from slamlib.slam.entities import POSE, MountedSensor
 from slamlib.slam.measurement_update import Look
-from slamlib.slam.predicted_measurement import Expected, means_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,7 +28,7 @@ class Together:
     R: Array
     dof: Array
     gain: Array
-    touched: Array
+    touched: Indices
 
 
 def by_kind(looks: Iterable[Look]) -> list[list[int]]:
@@ -51,7 +51,7 @@ def together(belief: Belief, sensor: MountedSensor, looks: list[Look]) -> Togeth
         found = group[0].family.innovate(sensor, expected, np.array([look.measured for look in group]))
         size, rows = found.z.shape[1], np.array(at)[:, None]
         z[rows, np.arange(size)], dof[at] = found.z, size
-        columns: Array = np.searchsorted(touched, expected.columns)
+        columns = np.searchsorted(touched, expected.columns)
         H[rows[:, :, None], np.arange(size)[:, None], columns[:, None, :]] = found.H
         R[rows[:, :, None], np.arange(size)[:, None], np.arange(size)] = found.R
     flat = H.reshape(n * d, -1)
@@ -101,7 +101,8 @@ def _innovations(sensor: MountedSensor, looks: list[Look], in_frame: Array) -> A
     inner = family.inner(sensor.calibration, in_frame)
     h, n, q = inner.shape
     flat, columns = inner.reshape(h * n, q), np.zeros((h * n, 0), dtype=int)
-    expected = Expected([look.landmark for look in looks] * h, flat, flat, np.zeros((h * n, q, 0)), columns)
+    landmarks, options = [look.landmark for look in looks] * h, looks[0].expected.options
+    expected = Expected(landmarks, flat, flat, np.zeros((h * n, q, 0)), columns, options)
     measured = np.tile(np.array([look.measured for look in looks]), (h, 1))
     z: Array = family.innovate(sensor, expected, measured).z
     return z.reshape(h, n, -1)

@@ -14,9 +14,9 @@ from typing import Any, Protocol
 import numpy as np
 
 from slamlib.data.records import Control
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.predict_from_pose import looks_from
+from slamlib.slam.measurement_update import looks_from
 from slamlib.vision.stereo.features import Eyes, Observed
 from slamlib.vision.stereo.fitting import fit
 from slamlib.vision.stereo.front_end import StereoSearch
@@ -40,7 +40,7 @@ class Moving(Protocol):
     front_end: StereoSearch
     found: Motion | None
 
-    def control(self, image: Array, dt: float, slam: Any) -> Control | None:
+    def control(self, image: Image, dt: float, slam: Any) -> Control | None:
         """Of the step of dt [s] to this pair (2, h, w), to be asked once, before slam.step; None: the robot's own."""
 
     def dump(self) -> Any:
@@ -59,7 +59,7 @@ class Velocity:
     def __init__(self, calibration: Calibration, mount: Array, settings: StereoSettings | None = None) -> None:
         self.front_end = StereoSearch(calibration, settings)
 
-    def control(self, image: Array, dt: float, slam: Any) -> Control | None:
+    def control(self, image: Image, dt: float, slam: Any) -> Control | None:
         """None: what is not told is drawn with the noise of the robot's setup."""
         return None
 
@@ -84,7 +84,7 @@ class Halves:
         self.steady = Steady()
         self.found: Motion | None = None
 
-    def control(self, image: Array, dt: float, slam: Any) -> Control | None:
+    def control(self, image: Image, dt: float, slam: Any) -> Control | None:
         """The odometry's; zeros for the first pair; where none is found, the last one with a large covariance."""
         old = self.odometry.old
         self.found = self.odometry.step(image)
@@ -114,7 +114,7 @@ class Correlated(Halves):
 
     odometry_half = landmark_half = None
 
-    def control(self, image: Array, dt: float, slam: Any) -> Control | None:
+    def control(self, image: Image, dt: float, slam: Any) -> Control | None:
         """As of halves, of the strangers."""
         self.front_end.others = np.zeros(0, dtype=int)
         return super().control(image, dt, slam)
@@ -130,7 +130,7 @@ class Correlated(Halves):
         self.front_end.others = pairs[mine, 1]
         return as_control(own)
 
-    def strangers(self, new: Observed, found: Motion, slam: Any) -> Array:
+    def strangers(self, new: Observed, found: Motion, slam: Any) -> Mask:
         """Mask (k,) of the matches that show no landmark, and will begin none."""
         pairs, values = self.odometry.pairs, self.odometry.matched
         front_end = self.front_end

@@ -11,7 +11,7 @@ from slamlib.datasets.pairs import pack, unpack
 from slamlib.geometry.pose import compose, inverse
 from slamlib.geometry.quaternion import exponential, logarithm, plus
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Indices, Mask
 from slamlib.observation.points import observe
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.stereo.features import Eyes, Observed, followed, within
@@ -29,7 +29,7 @@ class Motion:
     of freedom, 1 if the noise of the calibration is that of the measurements."""
 
     control: Control
-    inliers: Array
+    inliers: Mask
     fit: float
 
     @property
@@ -57,7 +57,7 @@ def motion_between(calibration: Calibration, old: Array, new: Array, mount: Arra
     return Motion(as_control(found), found.inliers, found.squares / max(3 * found.inliers.sum() - 6, 1))
 
 
-def by_samples(calibration: Calibration, old: Array, new: Array) -> tuple[Array, Array] | None:
+def by_samples(calibration: Calibration, old: Array, new: Array) -> tuple[Array, Mask] | None:
     """The camera's new pose (7,) in its old frame, and the mask (n,) of the matches that agree: PnP with RANSAC.
 
     OpenCV's solution takes points of the *old* camera's frame to the new one's, p_new = R p_old + t. The motion of the
@@ -108,11 +108,11 @@ class VisualOdometry:
         self.eyes, self.mount, self.half = eyes, mount, half
         self.old: Observed | None = None
         self.last: Array | None = None
-        self.pairs = np.zeros((0, 2), dtype=int)
-        self.matched = np.zeros((0, 3))
+        self.pairs: Indices = np.zeros((0, 2), dtype=int)
+        self.matched: Array = np.zeros((0, 3))
         self.tracks, self.again = Tracks(), np.zeros(0, dtype=bool)
 
-    def step(self, image: Array, predicted: Array | None = None) -> Motion | None:
+    def step(self, image: Image, predicted: Array | None = None) -> Motion | None:
         """The motion to this pair (2, h, w) from the one before; None for the first, and where none can be told.
 
         predicted (7,): the robot's new pose in its old frame, for the regions of matches; the default is that of the
@@ -130,7 +130,7 @@ class VisualOdometry:
         self.last = None if found is None else found.pose
         return found
 
-    def regions(self, old: Observed, new: Observed, predicted: Array | None) -> Array | None:
+    def regions(self, old: Observed, new: Observed, predicted: Array | None) -> Mask | None:
         """Mask (n, m) of the features that may match if the robot has moved as predicted; None: all."""
         if predicted is None:
             return None

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Image
 from slamlib.vision.stereo.detect import detect
 from slamlib.vision.stereo.matching import distances, mutual
 from slamlib.vision.stereo.settings import StereoSettings
@@ -24,7 +24,7 @@ class Survey:
     negative: float
 
 
-def survey(image: Array, settings: StereoSettings | None = None) -> Survey:
+def survey(image: Image, settings: StereoSettings | None = None) -> Survey:
     """What the features of a pair (2, h, w) say of it."""
     s = replace(settings or StereoSettings(), ratio=0.75)
     left, right = (detect(picture, s) for picture in image)
@@ -38,7 +38,7 @@ def survey(image: Array, settings: StereoSettings | None = None) -> Survey:
     return Survey(len(found), float(np.median(np.abs(found[:, 1]))), float((found[:, 0] + s.offset <= 0).mean()))
 
 
-def check_pair(image: Array, name: str, settings: StereoSettings | None = None) -> Survey:
+def check_pair(image: Image, name: str, settings: StereoSettings | None = None) -> Survey:
     """Survey a pair. Raises SlamlibError if left and right are exchanged, or rows do not correspond.
 
     A pair with too few matches for a judgement passes: it may be dark.

@@ -11,9 +11,10 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from slamlib.data.records import Control, Features, Frame, Scan
+from slamlib.data.records import Control, Frame, Scan
 from slamlib.data.setup import Rig, SensorSetup, tuples
 from slamlib.data.snapshots import Snapshot
+from slamlib.datasets.opening import reopen
 from slamlib.datasets.pairs import checked
 from slamlib.datasets.pictures import Picture
 from slamlib.datasets.sources import Source
@@ -23,7 +24,6 @@ from slamlib.vision.hand_held import hand_held
 from slamlib.vision.results import COLUMNS
 from slamlib.vision.sequence_run import TIME, Stepping
 from slamlib.vision.stereo.motion_source import MOVING
-from slamlib.vision.stereo.open_pairs import reopened_pairs
 from slamlib.vision.stereo.settings import StereoSettings
 from slamlib.vision.stopwatch import Stopwatch
 from slamlib.vision.tracking_loss import Lost
@@ -80,7 +80,7 @@ class StereoRun(Stepping):
         except SlamlibError as error:
             raise SlamlibError(f"{picture.name}: {error}") from None
         dt = picture.time - self.history[-1][TIME] if self.history else 0.0
-        return Frame(len(self.history) + 1, dt, (None,), (Scan(Features.none(3), image=image),))
+        return Frame(len(self.history) + 1, dt, (None,), (Scan(image=image),))
 
     def _advance(self, frame: Frame) -> Report:
         with self.seconds.timed("odometry"):
@@ -134,7 +134,7 @@ class StereoRun(Stepping):
         """
         header, saved = cls._read(path, "stereo pairs")
         if source is None:
-            source = cls._source(path, saved, lambda recipe: reopened_pairs(recipe, frames))
+            source = cls._source(path, saved, lambda recipe: reopen(recipe, frames))
         run = cls.__new__(cls)
         settings = StereoSettings(**tuples(saved["settings"]))
         run.moving = cls._moving(saved["moving"], Rig.from_dict(header["rig"]).sensors[0], settings)

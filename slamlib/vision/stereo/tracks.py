@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 
 class Tracks:
@@ -19,7 +19,7 @@ class Tracks:
         self.ids = np.zeros(0, dtype=int)
         self.ages = np.zeros(0, dtype=int)
 
-    def step(self, count: int, pairs: Array) -> Array:
+    def step(self, count: int, pairs: Indices) -> Array:
         """Go on to a pair with `count` features, `pairs` (k, 2) of old and new rows; the mask (n,) of the old ones.
 
         The mask is the report's of re-observation: which of the features of the pair before were matched again in both

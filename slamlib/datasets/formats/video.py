@@ -1,0 +1,80 @@
+"""A video file as a sequence of pictures, read by OpenCV from its beginning on.
+
+Pictures that are not wanted are passed over one by one: jumping to a number is not exact in many files. Times are the
+number of the picture by the number of pictures a second: files with a varying rate are not worth trusting for less.
+"""
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from slamlib.datasets.dataset import FPS, Dataset, Numbers, Sequence
+from slamlib.datasets.optional_imports import opencv
+from slamlib.datasets.pictures import Picture, grey, is_image
+from slamlib.errors import SlamlibError
+
+SLACK = 0.02  # the length in a header is often an estimate: so much of it may be missing at the end
+
+
+def _cameras(where: Path) -> dict[int, Path]:
+    return {0: where} if where.is_file() and not is_image(where) else {}
+
+
+def _open(where: Path, fps: float | None) -> Sequence:
+    """The pictures of a video, at its own rate if no other is given. Raises SlamlibError."""
+    cv2 = opencv("to read videos")
+    with _opened(where) as film:
+        own, count = film.get(cv2.CAP_PROP_FPS), int(film.get(cv2.CAP_PROP_FRAME_COUNT))
+        if count <= 0:  # some containers do not say: then they are counted
+            count = sum(1 for _ in iter(film.grab, False))
+        elif not film.grab():
+            count = 0
+    if not count:
+        raise SlamlibError(f"{where} is a video without a single picture that can be read")
+    rate = fps or (own if math.isfinite(own) and own > 0 else FPS)
+    times = tuple(number / rate for number in range(count))
+    names = tuple(f"picture {number}" for number in range(count))
+
+    def read(numbers: Numbers) -> Iterator[Picture]:
+        with _opened(where) as film:
+            for number in range(numbers[-1] + 1):
+                if not film.grab():
+                    _check_end(where, number, count)
+                    return
+                if number in numbers:
+                    yield Picture(names[number], times[number], _picture(film, where, number))
+
+    return Sequence(names, times, 1 / rate, read)
+
+
+def _picture(film: Any, where: Path, number: int) -> Any:
+    good, pixels = film.retrieve()
+    if not good:
+        raise SlamlibError(f"{where}: picture {number} is damaged")
+    return grey(pixels, f"{where}, picture {number}")
+
+
+def _check_end(where: Path, number: int, count: int) -> None:
+    if count - number > max(2, SLACK * count):
+        raise SlamlibError(
+            f"{where} breaks off after {number} of {count} pictures: it is truncated or damaged; with --frames fewer "
+            "of them can be used"
+        )
+
+
+@contextmanager
+def _opened(where: Path) -> Iterator[Any]:
+    film = opencv("to read videos").VideoCapture(str(where))
+    try:
+        if not film.isOpened():
+            raise SlamlibError(
+                f"{where} is no image, and OpenCV cannot open it as a video: is it truncated or no video?"
+            )
+        yield film
+    finally:
+        film.release()
+
+
+VIDEO = Dataset("video", _cameras, _open, general=True)

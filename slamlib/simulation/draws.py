@@ -1,0 +1,38 @@
+"""Random numbers of a simulation: a stream of its own for each thing that is drawn, and Gaussians on manifolds."""
+
+import numpy as np
+
+from slamlib.errors import SlamlibError
+from slamlib.manifolds import Array, Space
+from slamlib.observation import FAMILIES
+
+KINDS = ("start", "control", "mount", "points", "segments", "faults")  # other families of landmarks come after these
+
+Streams = dict[str, np.random.Generator]
+
+
+def streams(rng: np.random.Generator, count: int) -> list[Streams]:
+    """For each of so many robots and sensors a generator of every kind; they depend on the state of `rng` alone.
+
+    What is drawn from one changes nothing in the others, and nobody else draws from them: a second sensor, a fault
+    more, or a filter that goes on with `rng` leaves all other numbers as they were. Raises SlamlibError.
+    """
+    if not isinstance(rng, np.random.Generator):
+        raise SlamlibError(f"simulate: rng is a generator, such as np.random.default_rng(1), not {rng!r}")
+    seed = rng.integers(2**32, size=4).tolist()
+    kinds = (*KINDS, *sorted(set(FAMILIES) - set(KINDS)))
+    return [
+        {kind: np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(i, k))) for k, kind in enumerate(kinds)}
+        for i in range(count)
+    ]
+
+
+def drawn(space: Space, mean: Array, covariance: Array, rng: np.random.Generator) -> Array:
+    """A point (size,) of a Gaussian in the space's tangent: mean (size,), covariance (dof, dof)."""
+    return space.plus(mean, root(covariance) @ rng.standard_normal(space.dof))
+
+
+def root(covariance: Array) -> Array:
+    """The symmetric square root of a covariance, which may be singular."""
+    values, vectors = np.linalg.eigh(covariance)
+    return (vectors * np.sqrt(np.maximum(values, 0))) @ vectors.T
