@@ -42,7 +42,7 @@ def save_film(folder: str | os.PathLike[str], film: Film) -> Path:
     for frame, truth in progress(film, len(film), "filming"):
         times.append(frame.number * frame.dt)
         for camera, scan in enumerate(frame.scans):
-            write_whole(root / f"image_{camera}" / f"{frame.number:06d}.png", _png(cv2, scan.image))
+            _picture(cv2, root / f"image_{camera}" / f"{frame.number:06d}.png", scan.image)
             poses[camera].append(compose(truth.robots[0][:7], truth.mounts[camera]))
     for camera, path in enumerate(poses):
         write_tum(root / f"groundtruth_{camera}.txt", Trajectory(np.array(times), np.array(path)))
@@ -51,16 +51,8 @@ def save_film(folder: str | os.PathLike[str], film: Film) -> Path:
     return root
 
 
-<<<<<<< HEAD
-def _png(cv2: Any, image: Array) -> bytes:
-    done, data = cv2.imencode(".png", image)
-    if not done:
-        raise SlamlibError(f"OpenCV makes no PNG of {image.dtype}, {image.shape}")
-    return bytes(data)
-=======
 def _picture(cv2: Any, path: Path, image: Any) -> None:
     done, data = cv2.imencode(".png", image)
     if not done:
         raise SlamlibError(f"{path} cannot be written: OpenCV makes no PNG of {image.dtype}, {image.shape}")
     write_whole(path, data.tobytes())
->>>>>>> ecd843100c243d0a37f9d31bb57eb711958bbb6a

@@ -21,7 +21,7 @@ from slamlib.manifolds import Array
 
 SHELL = 0.7  # width of the outlines of uncertainty, in that of the lines of their role
 WIDE = 320  # pixels: the widest image that a figure holds, if nobody asks for another
-KEY: dict[str, Any] = {"loc": "outside upper", "ncols": 4, "fontsize": 9}
+KEY: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0, 1), "ncols": 4, "fontsize": 9}
 CLIPPED: Mapping[str, Any] = {"clip_on": True}
 CLOSER = 0.5  # how near the view that follows a robot is, in the distance from which all is seen
 
@@ -122,13 +122,7 @@ def draw(
     if photo is not None:
         ax.imshow(photo.pixels, extent=photo.extent, cmap="gray", vmin=0, vmax=255, interpolation="bilinear")
     for layer in layers:
-<<<<<<< HEAD
         (_put if photo is None else _put_over)(ax, layer, roles[layer.role], words)
-=======
-        _put(ax, layer, roles[layer.role])
-    if legend:
-        ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=4, fontsize=9)
->>>>>>> ecd843100c243d0a37f9d31bb57eb711958bbb6a
 
 
 def _put_over(ax: Any, layer: Flat, own: Role, words: Mapping[str, Any]) -> None:
@@ -142,13 +136,7 @@ def _put_over(ax: Any, layer: Flat, own: Role, words: Mapping[str, Any]) -> None
     _put(ax, layer, role, words)
     if own.label:  # what has the label is nowhere, and in the page's colours
         parts = {name: getattr(layer, name)[:1] * np.nan for name in ("lines", "shells", "marks")}
-<<<<<<< HEAD
         _put(ax, Flat(layer.role, **parts), own, words)
-=======
-        _put(ax, Flat(layer.role, **parts), roles[layer.role])
-    if legend:
-        ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=4, fontsize=9)
->>>>>>> ecd843100c243d0a37f9d31bb57eb711958bbb6a
 
 
 def _put(ax: Any, layer: Flat, role: Role, words: Mapping[str, Any], edge: float = 1.0) -> None:
