@@ -100,12 +100,13 @@ def bars(plt):
 
 
 def fields(plt):
-    fig, (left, right) = plt.subplots(1, 2, figsize=(6, 3))
+    fig, (left, right, last) = plt.subplots(1, 3, figsize=(6, 3))
     left.imshow(np.arange(12.0).reshape(3, 4), cmap="viridis", vmin=0, vmax=15)
     left.plot([1], [1], "x", color=colors.red)
     left.set(xlim=(-0.5, 3.5), ylim=(2.5, -0.5), xticks=[0, 3], xticklabels=["a", "b"], yticks=[])
     right.imshow(CLOUD.reshape(12, 10), extent=(0, 10, 0, 12), origin="lower", interpolation="bilinear")
     right.axis("off")
+    last.imshow(np.abs(np.sin(np.arange(48.0))).reshape(3, 4, 4))
     return fig
 
 
