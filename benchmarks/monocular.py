@@ -26,7 +26,7 @@ from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.manifolds import Array
 from slamlib.slam import Options, Slam
-from slamlib.slam.data_association.gates import Sight
+from slamlib.slam.data_association.front_end import Sight
 from slamlib.slam.options import CONSENSUS
 from slamlib.vision.active_search import ActiveSearch
 

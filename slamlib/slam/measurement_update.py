@@ -10,7 +10,8 @@ import numpy as np
 from slamlib.belief import Belief
 from slamlib.data.snapshots import Looks
 from slamlib.manifolds import Array
-from slamlib.slam.data_association.gates import CHOICES, Sight, gate, innovation_covariances, normalized
+from slamlib.slam.data_association.front_end import FrontEnd, Sight
+from slamlib.slam.data_association.gates import CHOICES, gate, innovation_covariances, normalized
 from slamlib.slam.entities import Landmark, MountedSensor
 from slamlib.slam.options import Options
 from slamlib.slam.predicted_measurement import Expected
@@ -75,7 +76,7 @@ def expect_all(belief: Belief, sensor: MountedSensor, families: Any, landmarks: 
     return looks
 
 
-def choose_and_match(sight: Sight, front_end: Any, options: Options) -> list[Look]:
+def choose_and_match(sight: Sight, front_end: FrontEnd, options: Options) -> list[Look]:
     """The looks that tell most and were matched, the one that tells most first; the landmarks' histories go on."""
     sizes: dict[int, list[Look]] = defaultdict(list)
     for look in front_end.findable(sight):

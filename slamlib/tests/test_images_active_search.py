@@ -15,7 +15,7 @@ from slamlib.evaluation.alignment import aligned
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import compose
 from slamlib.slam import Options, Slam
-from slamlib.slam.data_association.gates import Sight
+from slamlib.slam.data_association.front_end import Sight
 from slamlib.vision.active_search import ActiveSearch, Settings
 from slamlib.vision.search_backoff import Rest
 

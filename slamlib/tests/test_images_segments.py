@@ -15,7 +15,7 @@ from slamlib.errors import SlamlibError
 from slamlib.landmarks import endpoints, hmg_point
 from slamlib.landmarks.segments import length
 from slamlib.slam import Options, Slam
-from slamlib.slam.data_association.gates import Sight
+from slamlib.slam.data_association.front_end import Sight
 from slamlib.slam.line_residuals import straight
 from slamlib.tests.pictures import cube
 from slamlib.tests.rooms import flat, pinhole, upright

@@ -12,7 +12,7 @@ from slamlib.landmarks import idp_point
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import to_euclidean
 from slamlib.slam import Slam
-from slamlib.slam.data_association.gates import Sight
+from slamlib.slam.data_association.front_end import Sight
 from slamlib.slam.entities import MountedSensor
 from slamlib.slam.lines import LineFamily
 from slamlib.slam.measurement_update import choose_and_match, correct_in_sequence, expect_all, follow

@@ -13,7 +13,8 @@ from slamlib.data.records import Scan
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.gates import Sight, gate
+from slamlib.slam.data_association.front_end import Sight
+from slamlib.slam.data_association.gates import gate
 from slamlib.vision.appearance import Appearance, predict, recognizable
 from slamlib.vision.corners import QUALITY, Corner, best_corner
 from slamlib.vision.grid import Grid

@@ -15,7 +15,8 @@ from slamlib.data.records import Scan
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.gates import Sight, gate
+from slamlib.slam.data_association.front_end import Sight
+from slamlib.slam.data_association.gates import gate
 from slamlib.slam.line_residuals import straight
 from slamlib.vision.edge_profile import STEP, strip
 from slamlib.vision.edge_regions import across_covariances, lines_of, side_by_side, steep_lines

@@ -10,7 +10,8 @@ from slamlib.datasets.pairs import checked
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.gates import Sight, gate
+from slamlib.slam.data_association.front_end import Sight
+from slamlib.slam.data_association.gates import gate
 from slamlib.vision.search_backoff import Rests
 from slamlib.vision.stereo.features import Eyes, Observed, remeasured
 from slamlib.vision.stereo.matching import distances, mutual
