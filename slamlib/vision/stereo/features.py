@@ -7,10 +7,9 @@ import numpy as np
 from slamlib.datasets.pairs import checked
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.stereo.detect import Keypoints, detect
+from slamlib.vision.stereo.detect import Keypoints, StereoSettings, detect
 from slamlib.vision.stereo.matching import along_rows, circular, distances, mutual
 from slamlib.vision.stereo.refine import ALONG_ROW, align, align_shape, cut
-from slamlib.vision.stereo.settings import StereoSettings
 
 
 @dataclass(frozen=True, eq=False)
