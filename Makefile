@@ -6,7 +6,7 @@ READY := $(VENV)/.ready
 export OPENBLAS_NUM_THREADS := 1
 export PYTHONDONTWRITEBYTECODE := 1
 
-.PHONY: help book serve test environment assets parity experiments audit monocular real-images visual-odometry stereo-slam report-experiments rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book serve test test-all quick chapter environment assets parity experiments audit monocular real-images visual-odometry stereo-slam report-experiments rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -19,6 +19,15 @@ serve: book  ## build the book and serve it on this machine only
 
 test: environment  ## run every check of .ci/run, with a summary line each
 	@$(BIN)/python -m book.tools.ci
+
+test-all: environment  ## every check, with all live cells of all pages; before a release, and every night
+	@$(BIN)/python -m book.tools.ci --all
+
+quick: environment  ## while you work: lint, tangled and stored cells, the core's tests (under a minute)
+	@$(BIN)/python -m book.tools.ci lint format tangled stored core
+
+chapter: environment  ## run one notebook, compare it with what it stores, and build its page: make chapter NAME=points
+	@$(BIN)/python -m book.tools.chapter $(NAME)
 
 environment: $(READY)  ## create .venv from requirements.txt (exact, with hashes)
 
@@ -37,7 +46,7 @@ assets: environment  ## fetch what the site serves itself (MathJax, Python for t
 	@$(BIN)/python -m book.tools.assets
 
 parity: book  ## compare the page's Python with this one, and store the appendix's table (needs Chromium)
-	@$(BIN)/python -m book.tools.live_check --store
+	@$(BIN)/python -m pytest -q book/tests/site -k two_pythons --store-parity
 
 experiments: environment  ## run the Monte Carlo experiments of chapter 17 and store their averages (long; resumable)
 	@$(BIN)/python -m book.tools.experiments

@@ -1,6 +1,7 @@
 """The chapters have all their parts, and the tools that build and check the book notice when something is wrong."""
 
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -135,13 +136,23 @@ def test_a_page_of_the_toc_that_does_not_exist_stops_everything(tmp_path, monkey
         layout.pages()
 
 
-def test_without_a_browser_the_stage_is_skipped_or_fails_where_it_is_needed(monkeypatch, capsys):
-    monkeypatch.setattr(browser, "browser_path", lambda: None)
-    monkeypatch.delenv("BOOK_BROWSER_NEEDED", raising=False)
-    assert browser.main() == ci.SKIPPED
-    assert "apt-get install chromium" in capsys.readouterr().out
-    monkeypatch.setenv("BOOK_BROWSER_NEEDED", "1")
-    assert browser.main() == 1
+def test_without_a_browser_the_stage_is_skipped_or_fails_where_it_is_needed():
+    for needed, status in (("", browser.SKIPPED), ("1", 1)):
+        environment = {**os.environ, "PATH": "/nowhere", "BOOK_BROWSER": "", "BOOK_BROWSER_NEEDED": needed}
+        command = [sys.executable, "-m", "pytest", "-q", "book/tests/site"]
+        run = subprocess.run(command, cwd=layout.ROOT, env=environment, capture_output=True, text=True)
+        assert run.returncode == status, run.stdout + run.stderr
+        assert "apt-get install chromium" in run.stdout + run.stderr
+
+
+def test_live_cells_run_where_a_change_reaches_and_everywhere_if_the_package_changed(monkeypatch):
+    everywhere = browser.live_pages()
+    monkeypatch.setattr(browser, "changed_files", lambda: {"book/chapters/points.ipynb", "README.md"})
+    assert {f.stem for f in browser.live_pages(every=False)} == {*browser.ALWAYS, "points"}
+    monkeypatch.setattr(browser, "changed_files", lambda: {"slamlib/belief.py"})
+    assert browser.live_pages(every=False) == everywhere
+    monkeypatch.setattr(browser, "changed_files", lambda: None)
+    assert browser.live_pages(every=False) == everywhere
 
 
 # -- the checks --------------------------------------------------------------------------------------------------------
@@ -155,13 +166,14 @@ def test_each_stage_counts_what_its_command_really_prints():
         "generated": "generated code: 25 models in 9 files, 0 out of date",
         "tangled": "tangled cells: 7 in the book, 7 formula modules, 0 problems",
         "stored": "notebooks: 11 in the book, 0 not in the stored form",
+        "core": "90 passed in 20.0s",
         "pytest": "320 passed, 2 skipped in 60.0s",
         "nbval": "200 passed in 50.0s",
         "book": "running 11 notebooks",
         "site": "site: 13 pages, 900 links and assets, 0 problems",
-        "browser": "browser: 13 pages in 3 views, 24 sliders driven, 0 faults",
-        "axe": "axe: 16 pages, in light and dark, 0 serious findings",
-        "live": "live: 190 cells run in 8 pages, 8 live sliders driven, 0 faults",
+        "browser": "39 passed in 200.0s",
+        "axe": "16 passed in 200.0s",
+        "live": "40 passed, 1 skipped in 400.0s",
     }
     assert [s.name for s in ci.stages()] == list(printed)
     for stage in ci.stages():

@@ -1,5 +1,6 @@
 """Build the book: run every notebook (or take it from the cache), then let Sphinx make HTML with warnings as errors."""
 
+import csv
 import shutil
 import subprocess
 import sys
@@ -10,6 +11,7 @@ from book.tools import assets, bundle, layout, live, notebooks
 
 SOURCE = layout.BUILD / "source"
 STAMP = layout.SITE / ".built-from"
+JUPYTER_BOOK = [str(Path(sys.executable).with_name("jupyter-book")), "build"]
 
 
 def main() -> int:
@@ -43,7 +45,7 @@ def stage(executed: dict[Path, tuple[Path, bool]]) -> None:
     """The source tree for Sphinx: the pages, with the executed copies of the notebooks in place of the stored ones,
     and the files that the site serves itself."""
     shutil.rmtree(SOURCE, ignore_errors=True)
-    skip = shutil.ignore_patterns("__pycache__", ".*", "tools", "live", "offline")
+    skip = shutil.ignore_patterns("__pycache__", ".*", "tools", "live", "offline", "slambook", "tests")
     shutil.copytree(layout.BOOK, SOURCE / "book", ignore=skip)
     for page, (copy, _) in executed.items():
         shutil.copy(copy, SOURCE / page.relative_to(layout.ROOT))
@@ -54,11 +56,23 @@ def stage(executed: dict[Path, tuple[Path, bool]]) -> None:
     live.build(SOURCE / "book" / "_static" / "live")
 
 
+def page(file: Path, executed: Path) -> Path | None:
+    """Build one page by itself, from its executed copy; where it is, or None. Its links to other pages lead nowhere."""
+    stage({file: (executed, True)})
+    name = file.relative_to(layout.ROOT).with_suffix("")
+    (SOURCE / "_toc.yml").write_text(f"format: jb-book\nroot: {name.as_posix()}\n", "utf-8")
+    print("building the page", flush=True)
+    target = layout.BUILD / "chapter"
+    if subprocess.run([*JUPYTER_BOOK, "-qq", str(SOURCE), "--path-output", str(target)]).returncode:
+        return None
+    return target / "_build" / "html" / f"{name}.html"
+
+
 def html() -> bool:
     """Run Jupyter Book; after a failure the next build starts afresh, since Sphinx repeats no warning."""
     print("building the pages", flush=True)
-    command = [str(Path(sys.executable).with_name("jupyter-book")), "build", "-W", "-n", "--keep-going", "-q"]
-    run = subprocess.run([*command, str(SOURCE), "--path-output", str(layout.BUILD / "sphinx")])
+    strict = ["-W", "-n", "--keep-going", "-q"]
+    run = subprocess.run([*JUPYTER_BOOK, *strict, str(SOURCE), "--path-output", str(layout.BUILD / "sphinx")])
     output = layout.BUILD / "sphinx" / "_build"
     if run.returncode:
         shutil.rmtree(output, ignore_errors=True)
@@ -67,8 +81,18 @@ def html() -> bool:
         return False
     shutil.rmtree(layout.SITE, ignore_errors=True)
     shutil.copytree(output / "html", layout.SITE, ignore=shutil.ignore_patterns(".buildinfo"))
+    redirect(layout.SITE)
     bundle.pack(layout.SITE)
     return True
+
+
+def redirect(site: Path) -> None:
+    """A page for each address of an earlier edition (book/moved.csv), which leads to where the page is now."""
+    with (layout.BOOK / "moved.csv").open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            old, new = site / f"{row['old page']}.html", f"{Path(row['new page']).name}.html"
+            text = f'<!doctype html><meta charset="utf-8"><meta http-equiv="refresh" content="0; url={new}">'
+            layout.write_whole(old, f'{text}<title>Moved</title><a href="{new}">This page has moved.</a>\n'.encode())
 
 
 if __name__ == "__main__":

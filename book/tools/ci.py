@@ -1,18 +1,17 @@
 """Run every check, one after the other, and say at the end how each went; a stage that runs nothing has failed."""
 
 import argparse
-import os
 import re
 import subprocess
 import sys
 import time
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
-from book.tools import layout
+from book.tools import layout, notebooks
+from book.tools.browser import SKIPPED
 
 PYTHON = [sys.executable, "-m"]
-SKIPPED = 77
 
 
 @dataclass(frozen=True)
@@ -23,7 +22,7 @@ class Stage:
     command: list[str]
     count: str
     unit: str
-    environment: dict[str, str] = field(default_factory=dict)
+    always: bool = True  # False: only where it is named
 
 
 @dataclass(frozen=True)
@@ -39,11 +38,12 @@ class Result:
         return f"{self.stage.name:<10} {self.status:<8} {self.number:>5} {self.stage.unit:<28} {self.seconds:6.1f} s"
 
 
-def stages() -> list[Stage]:
-    """The checks, quick ones first."""
-    nbval = ["pytest", "--nbval", "--nbval-current-env", "--nbval-sanitize-with", "book/tools/nbval.cfg", "-q"]
+def stages(every: bool = False) -> list[Stage]:
+    """The checks, quick ones first; every: of the live pages all, changed or not."""
     parallel = ["-n", "2", "--dist", "loadscope"]
-    notebooks = [str(f.relative_to(layout.ROOT)) for f in layout.notebooks()]
+    chromium = [*PYTHON, "pytest", "-q", "book/tests/site", "-n", "2", "--dist", "worksteal"]
+    pages = ["--every-page"] if every else []
+    files = [str(f.relative_to(layout.ROOT)) for f in layout.notebooks()]
     return [
         Stage("lint", [*PYTHON, "ruff", "check", "--output-format", "concise"], r"All checks (p)assed", "clean tree"),
         Stage("format", [*PYTHON, "ruff", "format", "--check"], r"(\d+) files? already formatted", "files"),
@@ -62,13 +62,14 @@ def stages() -> list[Stage]:
             "tangled", [*PYTHON, "slamlib.codegen.tangle", "--check"], r"tangled cells: (\d+)", "cells, as in slamlib"
         ),
         Stage("stored", [*PYTHON, "book.tools.notebooks", "check"], r"notebooks: (\d+)", "notebooks, text only"),
+        Stage("core", [*PYTHON, "pytest", "-q", "-m", "core", *parallel], r"(\d+) passed", "tests of the core", False),
         Stage("pytest", [*PYTHON, "pytest", "-q", "-rs", *parallel], r"(\d+) passed", "tests"),
-        Stage("nbval", [*PYTHON, *nbval, *parallel, *notebooks], r"(\d+) passed", "cells as stored"),
+        Stage("nbval", [*PYTHON, *notebooks.NBVAL, *parallel, *files], r"(\d+) passed", "cells as stored"),
         Stage("book", [*PYTHON, "book.tools.build"], r"running (\d+) notebooks", "notebooks in the book"),
         Stage("site", [*PYTHON, "book.tools.site"], r"site: (\d+) pages", "pages, links resolve"),
-        Stage("browser", [*PYTHON, "book.tools.browser"], r"browser: (\d+) pages", "pages in Chromium"),
-        Stage("axe", [*PYTHON, "book.tools.accessibility"], r"axe: (\d+) pages", "pages, nothing serious"),
-        Stage("live", [*PYTHON, "book.tools.live_check"], r"live: (\d+) cells", "cells run in the page"),
+        Stage("browser", [*chromium, "-k", "test_pages and not axe"], r"(\d+) passed", "views of pages"),
+        Stage("axe", [*chromium, "-k", "test_pages and axe"], r"(\d+) passed", "pages, nothing serious"),
+        Stage("live", [*chromium, "-k", "not test_pages", *pages], r"(\d+) passed", "live pages and readers' ways"),
     ]
 
 
@@ -80,7 +81,6 @@ def run(stage: Stage) -> Result:
     with subprocess.Popen(
         stage.command,
         cwd=layout.ROOT,
-        env={**os.environ, **stage.environment},
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         stdin=subprocess.DEVNULL,
@@ -120,14 +120,15 @@ def summary(results: Iterable[Result]) -> int:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run all stages, or those that are named, whatever happens to each."""
-    known = stages()
-    names = ", ".join(stage.name for stage in known)
+    names = ", ".join(stage.name for stage in stages())
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("stage", nargs="*", help=f"of {names} (default: all)")
-    wanted = parser.parse_args(arguments).stage
+    parser.add_argument("stage", nargs="*", help=f"of {names} (default: all but core, which is a part of pytest)")
+    parser.add_argument("--all", action="store_true", help="run the live cells of all pages, changed or not")
+    options = parser.parse_args(arguments)
+    known, wanted = stages(options.all), options.stage
     for name in set(wanted) - {stage.name for stage in known}:
         parser.error(f"no stage is called {name}: there are {names}")
-    return summary([run(stage) for stage in known if not wanted or stage.name in wanted])
+    return summary([run(stage) for stage in known if (stage.name in wanted if wanted else stage.always)])
 
 
 if __name__ == "__main__":

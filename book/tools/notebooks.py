@@ -22,6 +22,8 @@ from book.tools import layout
 
 EXECUTED = layout.BUILD / "executed"
 IMAGES = ("image/png", "image/jpeg", "image/svg+xml", "application/pdf", "application/vnd.jupyter.widget-view+json")
+NBVAL = ["pytest", "--nbval", "--nbval-current-env", "--nbval-sanitize-with", "book/tools/nbval.cfg", "-q"]
+NBVAL += ["-p", "book.tools.nbval_executed"]  # what it runs is kept for the build
 FIGURE = "nbval-ignore-output"  # cells whose output is a picture, or a time: shown in the book, not compared
 
 
@@ -46,7 +48,7 @@ def execute(file: Path) -> Any:
         raise BrokenNotebook(f"{file.name}: a cell failed\n{error}") from None
     for number, cell in enumerate(notebook.cells):
         if cell.cell_type == "code":
-            cell.outputs = _merged(cell.outputs)
+            cell.outputs = merged(cell.outputs)
         noise = [o["text"] for o in cell.get("outputs", []) if o.get("name") == "stderr"]
         if noise:
             raise BrokenNotebook(f"{file.name}: cell {number} wrote on stderr: {noise[0][:400]}")
@@ -69,11 +71,11 @@ def normalise(notebook: Any) -> Any:
             count += 1
             cell.execution_count = count
             tags = cell.metadata.get("tags", [])
-            cell.outputs = [_stored(o, count, FIGURE in tags) for o in _merged(cell.outputs)]
+            cell.outputs = [_stored(o, count, FIGURE in tags) for o in merged(cell.outputs)]
     return notebook
 
 
-def _merged(outputs: list[Any]) -> list[Any]:
+def merged(outputs: list[Any]) -> list[Any]:
     """Consecutive pieces of one stream as one piece."""
     merged: list[Any] = []
     for output in outputs:
@@ -106,19 +108,30 @@ def write(file: Path, content: str) -> None:
 
 def executed(file: Path, key: str) -> tuple[Path, bool]:
     """A copy of the notebook with all outputs, from the cache if notebook, package and lock are unchanged."""
+    cached = _cached(file, key)
+    if cached.is_file():
+        return cached, True
+    return keep(file, execute(file), key), False
+
+
+def keep(file: Path, executed: Any, key: str) -> Path:
+    """Write the executed copy of a notebook into the cache, in place of older ones; where it is."""
+    cached = _cached(file, key)
+    write(cached, nbformat.writes(executed))
+    for old in EXECUTED.glob(f"{file.stem}.*.ipynb"):
+        if old != cached:
+            old.unlink()
+    return cached
+
+
+def _cached(file: Path, key: str) -> Path:
+    """Where the executed copy is: named by the notebook without its outputs, and by what it runs on."""
     notebook = nbformat.read(file, as_version=4)
     for cell in notebook.cells:
         cell.pop("outputs", None)
         cell.pop("execution_count", None)
     own = hashlib.sha256(json.dumps(notebook, sort_keys=True).encode()).hexdigest()[:20]
-    cached = EXECUTED / f"{file.stem}.{own}.{key}.ipynb"
-    if cached.is_file():
-        return cached, True
-    write(cached, nbformat.writes(execute(file)))
-    for old in EXECUTED.glob(f"{file.stem}.*.ipynb"):
-        if old != cached:
-            old.unlink()
-    return cached, False
+    return EXECUTED / f"{file.stem}.{own}.{key}.ipynb"
 
 
 def each(files: list[Path], action: Any) -> list[tuple[Path, Any]]:

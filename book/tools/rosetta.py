@@ -10,6 +10,7 @@ import importlib.util
 import inspect
 import re
 from itertools import groupby
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from book.tools import layout
@@ -26,7 +27,7 @@ PAIRS = (
     "camera knows `ahmPnt` and `eucPnt` only, and nothing measures an `fhmPnt`. A cell says how many numbers are "
     "measured, and how many are left to a prior; *no* is refused with an error. Generated from the types."
 )
-CHAPTER = re.compile(r"chapter (\d+)")
+CHAPTER = re.compile(r"chapter (\w+)")
 
 
 class Row(NamedTuple):
@@ -75,9 +76,9 @@ def _member(owner: Any, name: str, path: str) -> Any:
 
 
 def exists(place: str) -> bool:
-    """True if a place, "chapter N" or a dotted path, is there."""
+    """True if a place, "chapter NAME" or a dotted path, is there."""
     if match := CHAPTER.fullmatch(place):
-        return chapter(int(match[1])) is not None
+        return chapter(match[1]).is_file()
     try:
         find(place)
     except LookupError:
@@ -85,9 +86,9 @@ def exists(place: str) -> bool:
     return True
 
 
-def chapter(number: int) -> str | None:
-    """File name of a chapter, without its ending."""
-    return next((f.stem for f in (layout.BOOK / "chapters").glob(f"{number:02d}_*.ipynb")), None)
+def chapter(name: str) -> Path:
+    """File of the chapter of a name."""
+    return layout.BOOK / "chapters" / f"{name}.ipynb"
 
 
 def text() -> str:
@@ -136,8 +137,7 @@ def _place(place: str) -> str:
     match = CHAPTER.fullmatch(place)
     if not match:
         return f"`{place.removeprefix('slamlib.')}`"
-    file = chapter(int(match[1]))
-    return f"{{doc}}`{place} <../chapters/{file}>`" if file else place
+    return f"{{doc}}`../chapters/{match[1]}`"
 
 
 def main() -> int:

@@ -9,12 +9,14 @@ import tempfile
 import time
 import zipfile
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import Any
 
+import pytest
+
+from book.tests.site.live_page import PATIENCE, address, answers, open_page, run_one, write
+from book.tools import browser as pages
 from book.tools import bundle, layout, serve
-from book.tools.live_page import PATIENCE, address, answers, open_page, run_one, write
 
 
 def typed_text_is_kept(page: Any) -> bool:
@@ -201,25 +203,31 @@ def on_a_phone(chromium: Any, base: str, file: Path) -> bool:
     return bool(ran and wide <= 0 and min(sizes) >= 24)
 
 
-def manners(chromium: Any, context: Any, base: str, file: Path) -> tuple[list[str], list[str]]:
-    """How it goes with the things that readers do, and with browsers that lack something: a line each; the faults."""
-    lines, faults = list[str](), list[str]()
-    page = open_page(context, base, file, [])
-    checks: dict[str, Callable[[], bool]] = {r.__name__.replace("_", " "): partial(r, page) for r in READERS}
-    checks |= {name: partial(without, context, base, file, *how) for name, how in HANDICAPS.items()}
-    checks["no storage"] = partial(without_storage, context, base, file)
-    checks["a lost connection"] = partial(a_lost_connection, context, base, file)
-    checks["a host that serves it below a path"] = partial(under_a_prefix, chromium, file)
-    checks["the ZIP, unpacked and served by its script"] = partial(from_the_zip, chromium, file)
-    checks["opened as a file"] = partial(opened_as_a_file, chromium, file)
-    checks["a phone in the dark"] = partial(on_a_phone, chromium, base, file)
-    for name, action in checks.items():
-        try:
-            good = action()
-        except Exception as error:
-            good, name = False, f"{name} ({type(error).__name__}: {str(error)[:300]})"
-        lines.append(f"  {name:<60} {'ok' if good else 'FAILED'}")
-        if not good:
-            faults.append(name)
-    page.close()
-    return lines, faults
+@pytest.fixture(scope="module")
+def first() -> Path:
+    """The page that all this is done to."""
+    return pages.live_pages()[0]
+
+
+@pytest.mark.parametrize("action", READERS, ids=lambda f: f.__name__)
+def test_what_readers_do(action, context, site, first):
+    assert action(open_page(context, site, first, []))
+
+
+@pytest.mark.parametrize("lacking", HANDICAPS)
+def test_a_browser_that_lacks_something_says_so(lacking, context, site, first):
+    assert without(context, site, first, *HANDICAPS[lacking])
+
+
+@pytest.mark.parametrize("action", [without_storage, a_lost_connection], ids=lambda f: f.__name__)
+def test_what_happens_to_readers(action, context, site, first):
+    assert action(context, site, first)
+
+
+@pytest.mark.parametrize("action", [under_a_prefix, from_the_zip, opened_as_a_file], ids=lambda f: f.__name__)
+def test_where_readers_have_the_book_from(action, browser, first):
+    assert action(browser, first)
+
+
+def test_a_phone_in_the_dark(browser, site, first):
+    assert on_a_phone(browser, site, first)

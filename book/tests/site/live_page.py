@@ -3,11 +3,26 @@
 from pathlib import Path
 from typing import Any
 
+import nbformat
+
 from book.tools import layout
 
 SAID = """(i) => [...Live.page.cells[i].output.querySelectorAll('[data-kind]')]
   .filter(e => e.dataset.kind !== 'hint').map(e => e.dataset.text ?? e.textContent).join('')"""
 PATIENCE = 240_000  # milliseconds for a cell, on a machine that runs a second page and does other things too
+
+
+def live_cells(file: Path) -> list[Any]:
+    """The notebook's cells that run in the page."""
+    return [c for c in nbformat.read(file, as_version=4).cells if "live" in c.metadata.get("tags", [])]
+
+
+def stored_text(cell: Any) -> str:
+    """What the notebook has stored as the text output of a cell."""
+    parts = []
+    for output in cell.outputs:
+        parts.append(output.text if output.output_type == "stream" else output.data.get("text/plain", "") + "\n")
+    return "".join(parts)
 
 
 def address(file: Path) -> str:

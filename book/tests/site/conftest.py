@@ -1,0 +1,71 @@
+"""The built site in headless Chromium, shut off from the world: for the tests of its pages.
+
+They run by themselves, `pytest book/tests/site` after `make book`, and not with the others (`norecursedirs`); `-k` and
+`--lf` choose among them, `-n 2` runs two pages at a time. BOOK_BROWSER names a browser; where there is none they are
+skipped, or fail if BOOK_BROWSER_NEEDED is set.
+"""
+
+import os
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from book.tests.site.live_page import live_cells
+from book.tools import browser, layout, serve
+
+
+def pytest_addoption(parser: Any) -> None:
+    """Options of the live pages."""
+    group = parser.getgroup("site")
+    group.addoption("--every-page", action="store_true", help="run the live cells of all pages, changed or not")
+    group.addoption("--store-parity", action="store_true", help="write the appendix's table of the two Pythons")
+
+
+def pytest_configure(config: Any) -> None:
+    """Without a browser or a site there is nothing to test."""
+    # pytest-playwright's own fixture, which pytest 9 warns of
+    config.addinivalue_line("filterwarnings", "ignore:Session-scoped fixtures defined as instance methods")
+    if browser.browser_path() is None:
+        needed = bool(os.environ.get("BOOK_BROWSER_NEEDED"))
+        advice = "no Chromium found; install one (apt-get install chromium) or set BOOK_BROWSER"
+        pytest.exit(advice, returncode=1 if needed else browser.SKIPPED)
+    if not (layout.SITE / "index.html").is_file():
+        pytest.exit("the site is not built: run `make book`", returncode=1)
+
+
+def pytest_generate_tests(metafunc: Any) -> None:
+    """The live pages, long ones first, so that no worker is left alone with one at the end."""
+    if "notebook" in metafunc.fixturenames:
+        files = sorted(browser.live_pages(metafunc.config.getoption("every_page")), key=lambda f: -len(live_cells(f)))
+        metafunc.parametrize("notebook", files, ids=[f.stem for f in files])
+
+
+@pytest.fixture(scope="session")
+def browser_type_launch_args() -> dict[str, Any]:
+    """The browser of this machine instead of one that Playwright would fetch."""
+    return {"executable_path": browser.browser_path(), "args": browser.FLAGS}
+
+
+@pytest.fixture(scope="session")
+def site() -> Iterator[str]:
+    """The URL of the served site."""
+    with serve.running(serve.server()) as base:
+        yield base
+
+
+@pytest.fixture
+def outside(context: Any, site: str) -> Iterator[list[str]]:
+    """What the context asks for elsewhere; it reaches nothing but the site, and a test fails if it tried."""
+    asked: list[str] = []
+
+    def inside_only(route: Any) -> None:
+        if route.request.url.startswith((site, "data:", "blob:")):
+            route.continue_()
+        else:
+            asked.append(route.request.url)
+            route.abort()
+
+    context.route("**/*", inside_only)
+    yield asked
+    assert not asked, "the page asks for things outside the site"

@@ -1,0 +1,73 @@
+"""Every live cell prints in the page's own Python what it prints in the notebook; and the two Pythons agree."""
+
+import json
+from typing import Any
+
+import pytest
+
+from book.tests.site.live_page import PATIENCE, SAID, live_cells, open_page, panel, stored_text
+from book.tools import browser, notebooks, parity
+
+RUN = "(i) => { const cell = Live.page.cells[i]; return [cell.element.dataset.ran, cell.ok]; }"
+UNFOLD = """(cell) => { for (let e = cell; e; e = e.parentElement) {
+  if (e.tagName === 'DETAILS') e.open = true;
+  if (e.classList.contains('toggle-hidden')) e.querySelector('.toggle-button').click(); } }"""
+FOLLOWED = "([i, v]) => document.querySelectorAll('figure.sweep.live')[i].dataset.position === v"
+COMPUTE = """async (code) => { let out = ''; let errors = '';
+  const done = await Live.page.python.run('cell parity', code, (kind, text) => {
+    if (kind === 'stdout') out += text; else errors += text; }, 1e8);
+  return done.ok ? out : 'failed: ' + errors; }"""
+
+
+def test_the_cells_print_what_the_notebook_has_stored_and_the_sliders_answer(notebook, context, site, outside):
+    faults: list[str] = []
+    page = open_page(context, site, notebook, faults)
+    for i, cell in enumerate(live_cells(notebook)):
+        run_cell(page, i)
+        status, ok = page.evaluate(RUN, i)
+        assert ok, f"cell {i + 1} {status}: {page.evaluate(SAID, i)[-600:]}"
+        if notebooks.FIGURE not in cell.metadata.get("tags", []):
+            assert page.evaluate(SAID, i).strip() == stored_text(cell).strip(), f"cell {i + 1}"
+    figures = page.locator("figure.sweep.live")
+    for i in range(figures.count()):
+        drive(page, figures.nth(i), i)
+    assert faults == []
+
+
+def run_cell(page: Any, i: int) -> None:
+    """Run a live cell by keyboard."""
+    box = page.locator("div.cell.tag_live").nth(i)
+    box.evaluate(UNFOLD)
+    area, figure = box.locator("textarea"), box.locator("figure.sweep, .picture").count()
+    if figure or not area.is_visible():
+        box.locator(".live-bar button").first.press("Enter")
+    else:
+        area.press("Shift+Enter")
+    try:
+        page.wait_for_function("(i) => Live.page.cells[i].element.dataset.ran", arg=i, timeout=PATIENCE)
+    except Exception:
+        pytest.fail(f"cell {i + 1} gave no answer in {PATIENCE / 1000:.0f} s; the panel says: {panel(page)}")
+
+
+def drive(page: Any, figure: Any, i: int) -> None:
+    """Move a live slider to both ends by keyboard: it answers, and draws something new."""
+    slider = figure.locator("input")
+    for key in ("Home", "End"):
+        before, started = figure.locator("svg").evaluate("e => e.outerHTML"), slider.input_value()
+        slider.press(key)
+        place = slider.input_value()
+        if place == started:
+            continue  # it stands at that end already
+        page.wait_for_function(FOLLOWED, arg=[i, place])
+        assert figure.locator("svg").evaluate("e => e.outerHTML") != before, f"live slider {i + 1}, key {key}"
+
+
+def test_the_two_pythons_agree_number_by_number(context, site, outside, request):
+    page = open_page(context, site, browser.live_pages()[0], [])
+    answer = page.evaluate(COMPUTE, parity.PROGRAM.read_text("utf-8"))
+    assert not answer.startswith("failed"), answer
+    rows, faults = parity.compare(parity.here(), json.loads(answer))
+    assert faults == []
+    if request.config.getoption("store_parity"):
+        parity.store(rows)
+    assert not parity.stale(rows), "book/appendices/parity.csv is about other models: run `make parity`"
