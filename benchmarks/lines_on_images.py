@@ -32,8 +32,9 @@ from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import endpoints, hmg_point, segments
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array
+from slamlib.observation.family import viewpoint
+from slamlib.observation.lines import bent, rays_of, straight
 from slamlib.slam import Options, Slam
-from slamlib.slam.line_residuals import bent, rays_of, straight
 from slamlib.vision.active_search import ActiveSearch, Settings
 from slamlib.vision.combined_front_end import Both
 from slamlib.vision.edges import axes, fitted, strip
@@ -191,7 +192,7 @@ def in_image(film: rendering.Film, truth: Truth, slam: Slam, landmark: Any, poin
     if not seen.seen:
         return np.nan
     measured = bent(calibration, seen.pixels)
-    z = slam.families[1].innovation(slam.sensors[0], landmark, measured).z
+    z = slam.families["segments"].innovation(viewpoint(slam.sensors[0]), landmark, measured, slam.options).z
     return float(np.abs(z).max())
 
 

@@ -26,8 +26,8 @@ from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.manifolds import Array
 from slamlib.slam import Options, Slam
+from slamlib.slam.data_association.consensus import CONSENSUS
 from slamlib.slam.data_association.front_end import Sight
-from slamlib.slam.options import CONSENSUS
 from slamlib.vision.active_search import ActiveSearch
 
 DT, STD = 1 / 30, 0.035  # [s] between frames; [px] of a match: what the image's noise and the warp leave

@@ -16,18 +16,21 @@ import numpy as np
 from slamlib.errors import SlamlibError
 from slamlib.kalman import linalg
 from slamlib.kalman.linalg import frozen
-from slamlib.kalman.sequential_update import Series
-from slamlib.kalman.state import BeliefSnapshot, Block, Layout, point_of
-from slamlib.kalman.update import Correction, Observation, Stacked, compact, solve, stack
+from slamlib.kalman.state import BeliefSnapshot, Block, Layout, Retraction, point_of
+from slamlib.kalman.update import Correction, Observation, Series, Stacked, compact, solve, stack
 from slamlib.manifolds import Array, Space, as_space
 
 __all__ = ["Belief", "BeliefSnapshot", "Block", "Correction", "Observation"]
 
 
 class Belief:
-    """Means of blocks and their joint covariance."""
+    """Means of blocks and their joint covariance.
 
-    def __init__(self) -> None:
+    retraction: how a step moves all means at once; None: each block by its own plus. It may be assigned at any time.
+    """
+
+    def __init__(self, retraction: Retraction | None = None) -> None:
+        self.retraction = retraction
         self._set([], np.zeros((0, 0)))
 
     @property
@@ -212,7 +215,7 @@ class Belief:
         with belief.series() as series: series.correct(...), as often as wanted. Means follow at once; the covariance at
         the end, also where an error ends it. Until then nothing else may be done with the belief.
         """
-        series = Series(self._P, self._layout)
+        series = Series(self._P, self._layout, self.retraction)
         try:
             with np.errstate(over="ignore", invalid="ignore"):  # one for all of them
                 yield series
@@ -221,7 +224,7 @@ class Belief:
 
     def _moved(self, step: Array) -> tuple[Array, list[Array]]:
         """Every mean plus its piece of the step; raises NonFiniteError where one overflows."""
-        flat, points = self._layout.moved(step)
+        flat, points = self._layout.moved(step, self.retraction)
         linalg.finite(flat, flat.shape, "correct", "the corrected means")
         for block, mean in zip(self._layout.points, points, strict=True):
             linalg.finite(mean, (block.space.size,), "correct", f"the corrected mean of {block!r}")

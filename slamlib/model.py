@@ -26,7 +26,7 @@ from slamlib.modeling.kernel import Kernel
 _defining: ContextVar[bool] = ContextVar("_defining", default=False)
 # what a model does with its arguments when another model's definition calls it
 calling: ContextVar[Callable[..., list[Array]]] = ContextVar("calling", default=lambda model, arguments: arguments)
-FORMULA_PARTS = ("geometry", "landmarks", "motions", "sensors")
+FORMULA_PARTS = ("geometry", "landmarks", "motions", "observation", "sensors")
 
 
 class Argument:

@@ -156,7 +156,10 @@ def test_landmarks_at_infinity_are_left_out_and_do_not_move_the_limits():
     shown = scenes.snapshot()
     geometry, covariance = shown.points.geometry.copy(), shown.points.covariance.copy()
     geometry[5], covariance[5] = np.nan, np.nan
-    shown = replace(shown, points=replace(shown.points, geometry=geometry, covariance=covariance))
+    shown = replace(
+        shown,
+        landmarks={**shown.landmarks, "points": replace(shown.points, geometry=geometry, covariance=covariance)},
+    )
     corners = bounds(shown, None, None, (), MapOptions())
     assert np.isfinite(corners).all()
     assert (np.abs(corners) < 8).all()  # nor does the point that is known as a direction only, 80 m away
@@ -229,7 +232,7 @@ def test_a_region_smaller_than_a_mark_is_a_ring_around_it():
     view = shown.sensors[0]
     tiny = view.points.covariance.copy()
     tiny[0], tiny[1] = 0.01 * np.eye(2), np.diag([900.0, 0.01])  # the second is long and thin: it stays as it is
-    view = replace(view, points=replace(view.points, covariance=tiny))
+    view = replace(view, looks={**view.looks, "points": replace(view.points, covariance=tiny)})
     shapes = regions(view, [0, 1], SensorOptions())
     assert shapes[0] == pytest.approx((RING * 640) ** 2 * np.eye(2))
     assert shapes[1:] == pytest.approx(chi2_quantile(0.99, 2) * tiny[1:])
@@ -264,8 +267,8 @@ def test_an_empty_frame_has_empty_layers():
     shown = scenes.snapshot()
     none = MapView(np.zeros(0, int), (), np.zeros((0, 3)), np.zeros((0, 3, 3)), np.zeros(0, bool))
     lines = MapView(np.zeros(0, int), (), np.zeros((0, 2, 3)), np.zeros((0, 2, 3, 3)), np.zeros(0, bool))
-    view = replace(shown.sensors[0], scan=None, points=scenes.NO_LOOKS)
-    shown = replace(shown, points=none, segments=lines, sensors=(view,))
+    view = replace(shown.sensors[0], scan=None, looks={**shown.sensors[0].looks, "points": scenes.NO_LOOKS})
+    shown = replace(shown, landmarks={"points": none, "segments": lines}, sensors=(view,))
     assert all(not len(layer.marks) and not len(layer.words) for layer in sensor_scene(shown))
     flat = View(distance=20.0).flat(map_scene(shown))
     assert not any(len(layer.words) for layer in flat)

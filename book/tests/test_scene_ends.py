@@ -11,9 +11,10 @@ from slamlib.data.snapshots import Looks
 from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.experiments.presets import preset
 from slamlib.landmarks import LINES
+from slamlib.observation.segments import SETTLED, settled
 from slamlib.slam import line_endpoints as ends_module
 from slamlib.slam import snapshot
-from slamlib.slam.line_endpoints import SETTLED, ends_in_image, settled
+from slamlib.slam.line_endpoints import ends_in_image
 from slamlib.tests import scenes
 
 
@@ -168,7 +169,9 @@ def test_lines_are_new_when_they_begin_and_are_drawn_so(kind):
 
 def test_ellipses_stand_at_the_ends_and_hold_the_share_of_the_gate():
     shown = scenes.with_segments(scenes.snapshot())
-    only = replace(shown, sensors=(replace(shown.sensors[0], points=scenes.NO_LOOKS),))
+    only = replace(
+        shown, sensors=(replace(shown.sensors[0], looks={**shown.sensors[0].looks, "points": scenes.NO_LOOKS}),)
+    )
     layers = {layer.role: layer for layer in sensor_scene(only, options=SensorOptions(gate=0.9))}
     looks = only.sensors[0].segments
     rings = layers["updated"].shells.reshape(-1)

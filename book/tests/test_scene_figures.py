@@ -148,7 +148,7 @@ def test_landmarks_that_do_not_change_are_sent_once_and_those_that_go_are_named(
     first, second = scenes.snapshot(3), replace(scenes.snapshot(3), number=4)
     names = ("ids", "kinds", "geometry", "covariance", "converged")
     fewer = replace(second.points, **{n: getattr(second.points, n)[2:] for n in names})
-    data = data_of(player([first, second, replace(second, points=fewer)], alt=ALT))
+    data = data_of(player([first, second, replace(second, landmarks={**second.landmarks, "points": fewer})], alt=ALT))
     assert not data["frames"][1]["landmarks"]
     assert not data["frames"][1]["gone"]
     assert data["frames"][2]["gone"] == ["p1", "p2"]

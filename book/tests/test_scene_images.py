@@ -133,7 +133,9 @@ def test_scores_are_written_where_they_are_known():
     assert layer.places == pytest.approx(wanted)
     assert not {layer.role: layer for layer in sensor_scene(PLAIN[0])}["score"].words
     assert "score" not in {layer.role for layer in sensor_scene(SEEN[0], options=SensorOptions(scores=False))}
-    lines = replace(view, segments=replace(view.segments, scores=np.array([0.5, np.nan, 0.25])))
+    lines = replace(
+        view, looks={**view.looks, "segments": replace(view.segments, scores=np.array([0.5, np.nan, 0.25]))}
+    )
     words = {layer.role: layer for layer in sensor_scene(replace(SEEN[0], sensors=(lines,)))}["score"]
     assert words.words[-2:] == ("0.50", "0.25")
     assert words.places[-1] == pytest.approx(view.segments.measured[2].reshape(2, 2).mean(axis=0))
@@ -259,7 +261,10 @@ def shown_in(window, view):
 def test_the_image_lies_below_and_is_made_once(matplotlib):
     bare = SensorOptions(ellipses=False, labels=False, raw=False, scores=False, patches=False, legend=False)
     run = [with_image(shown, scenes.photograph(i)) for i, shown in enumerate(scenes.run(3)[0])]
-    run = [replace(s, sensors=(replace(s.sensors[0], points=scenes.NO_LOOKS),)) for s in run]
+    run = [
+        replace(s, sensors=(replace(s.sensors[0], looks={**s.sensors[0].looks, "points": scenes.NO_LOOKS}),))
+        for s in run
+    ]
     window = Window(run[0], sensor_options=bare)
     made = window.views[0].photo
     for shown in run:
@@ -375,11 +380,14 @@ def real(number):
     shown = with_image(scenes.snapshot(number), scenes.photograph(number))
     if number == 0:
         points, segments = (emptied(view) for view in (shown.points, shown.segments))
-        view = replace(shown.sensors[0], points=scenes.NO_LOOKS)
-        return replace(shown, points=points, segments=segments, sensors=(view,))
+        view = replace(shown.sensors[0], looks={**shown.sensors[0].looks, "points": scenes.NO_LOOKS})
+        return replace(shown, landmarks={"points": points, "segments": segments}, sensors=(view,))
     geometry, covariance = shown.points.geometry.copy(), shown.points.covariance.copy()
     geometry[7], covariance[7] = [900.0, 0, 0], np.eye(3)
-    return replace(shown, points=replace(shown.points, geometry=geometry, covariance=covariance))
+    return replace(
+        shown,
+        landmarks={**shown.landmarks, "points": replace(shown.points, geometry=geometry, covariance=covariance)},
+    )
 
 
 @pytest.mark.parametrize("name", ["a.gif", "folder"])

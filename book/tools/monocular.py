@@ -18,7 +18,7 @@ from slamlib.evaluation.alignment import aligned
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
 from slamlib.slam import Slam
-from slamlib.slam.options import CONSENSUS
+from slamlib.slam.data_association.consensus import CONSENSUS
 from slamlib.vision.active_search import ActiveSearch
 
 FILE = layout.BOOK / "chapters" / "data" / "monocular.json"

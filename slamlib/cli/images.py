@@ -13,7 +13,7 @@ from slamlib.data.setup import SensorSetup, tuples
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.landmarks import POINTS
 from slamlib.motions import MOTIONS
-from slamlib.slam.options import CONSENSUS
+from slamlib.slam.data_association.consensus import CONSENSUS
 from slamlib.vision.active_search import Settings
 from slamlib.vision.combined_front_end import front_end_of
 from slamlib.vision.open_sequence import open_images, open_stereo

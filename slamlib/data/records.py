@@ -5,12 +5,22 @@ there is one, travels beside it, to the evaluation alone.
 """
 
 from dataclasses import dataclass, field
+from typing import Any, ClassVar
 
 import numpy as np
 
-from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
+from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnknownCallError
 from slamlib.kalman.linalg import covariance, finite, numbers
 from slamlib.manifolds import Array
+from slamlib.model import Model
+from slamlib.observation import FAMILIES
+
+
+def _read_only(array: Array) -> Array:
+    """A read-only copy that keeps its type."""
+    array = np.array(array)
+    array.flags.writeable = False
+    return array
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,26 +68,73 @@ class Control:
         object.__setattr__(self, "covariance", _read_only(covariance(self.covariance, value.size, "Control", "noise")))
 
 
-@dataclass(frozen=True, eq=False)
-class Scan:
-    """What one sensor delivered in one frame: points (n, m), segments (k, 4) [px], and an image if it has one."""
+class ByFamily:
+    """Holds something for each family of landmarks in a dict of the name _FAMILIES; scan.points is features["points"].
 
-    points: Features
-    segments: Features = field(default_factory=lambda: Features.none(4))
+    A family of which it holds nothing is ABSENT, or an AttributeError where that is None.
+    """
+
+    _FAMILIES: ClassVar[str]
+    _ABSENT: ClassVar[Any] = None
+
+    def __getattr__(self, family: str) -> Any:
+        if family.startswith("_") or family in self.__dataclass_fields__:  # type: ignore[attr-defined]
+            raise AttributeError(family)  # while it is copied
+        held = getattr(self, self._FAMILIES)
+        if family in held:
+            return held[family]
+        if self._ABSENT is None or family not in FAMILIES:
+            raise UnknownCallError.of_object(f"a {type(self).__name__}", family, sorted({*FAMILIES, *held}))
+        return self._ABSENT
+
+
+@dataclass(frozen=True, eq=False)
+class Scan(ByFamily):
+    """What one sensor delivered in one frame: features by the name of their family, and an image if it has one.
+
+    Families are those of slamlib.observation.FAMILIES: "points" (n, m), "segments" (k, 4) [px], ...; scan.points is
+    scan.features["points"], and empty if there are none.
+    """
+
+    _FAMILIES = "features"
+    _ABSENT = Features.none(0)
+    features: dict[str, Features] = field(default_factory=dict)
     image: Array | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class RobotMeasurement:
+    """What a robot measures of itself in the world and no landmark has a part in: a position by GPS, a heading.
+
+    model(pose): the measurement (m,) expected at a pose (7,), a Model; a result in a space of its own (`returns`) is
+    subtracted there. value (m,), noise (m, m); robot: its number.
+    """
+
+    name: str
+    model: Model
+    value: Array
+    covariance: Array
+    robot: int = 0
+
+    def __post_init__(self) -> None:
+        value = numbers(self.value, self.name, "value")
+        object.__setattr__(self, "value", _read_only(finite(value, (value.size,), self.name, "value")))
+        object.__setattr__(self, "covariance", _read_only(covariance(self.covariance, value.size, self.name, "noise")))
 
 
 @dataclass(frozen=True, eq=False)
 class Frame:
     """One instant: its number, the time dt [s] since the one before, a control per robot, and a scan per sensor.
 
-    A robot without a control (None) is predicted with a control of zeros and the noise of its setup.
+    A robot without a control (None) is predicted with a control of zeros and the noise of its setup. absolute: what
+    robots measure of themselves, used before the scans.
     """
 
     number: int
     dt: float
     controls: tuple[Control | None, ...]
     scans: tuple[Scan, ...]
+    absolute: tuple[RobotMeasurement, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,29 +146,27 @@ class Truth:
 
 
 @dataclass(frozen=True, eq=False)
-class World:
-    """What there is to see: points (n, 3), segments (k, 6), two ends each, and opaque triangles (f, 3, 3) [m].
+class World(ByFamily):
+    """What there is to see: features by the name of their family, and opaque triangles (f, 3, 3) [m].
 
-    No id is used twice. Triangles hide what lies behind them, for simulators that ask for it.
+    Families are those of slamlib.observation.FAMILIES: "points" (n, 3), "segments" (k, 6), two ends each, ... in the
+    world [m]; world.points is world.features["points"]. No id is used twice. Triangles hide what lies behind them, for
+    simulators that ask for it.
     """
 
-    points: Features = field(default_factory=lambda: Features.none(3))
-    segments: Features = field(default_factory=lambda: Features.none(6))
+    _FAMILIES = "features"
+    features: dict[str, Features] = field(default_factory=dict)
     faces: Array = field(default_factory=lambda: np.zeros((0, 3, 3)))
 
     def __post_init__(self) -> None:
-        for name, size in (("points", 3), ("segments", 6)):
-            values = getattr(self, name).values
-            if values.shape[1] != size:
-                raise ShapeError(f"World: {name} have {size} numbers each, got {values.shape[1]}")
+        absent = {family.name: Features.none(family.world_size) for family in FAMILIES.values()}
+        object.__setattr__(self, "features", {**absent, **self.features})
+        for name, features in self.features.items():
+            size, given = FAMILIES[name].world_size, features.values.shape[1]
+            if given != size:
+                raise ShapeError(f"World: {name} have {size} numbers each, got {given}")
         faces = numbers(self.faces, "World", "faces")
         object.__setattr__(self, "faces", _read_only(finite(faces, (len(faces), 3, 3), "World", "faces")))
-        if set(self.points.ids.tolist()) & set(self.segments.ids.tolist()):
-            raise SlamlibError("World: a point and a segment share an id; number segments after the points")
-
-
-def _read_only(array: Array) -> Array:
-    """A read-only copy that keeps its type."""
-    array = np.array(array)
-    array.flags.writeable = False
-    return array
+        ids = np.concatenate([features.ids for features in self.features.values()])
+        if len(np.unique(ids)) != len(ids):
+            raise SlamlibError("World: things of two families share an id; number segments after the points")

@@ -29,9 +29,10 @@ class RobotSetup:
     """A robot: how it moves, where it starts, what it is told at each step, and how well it is known.
 
     position [m]; euler: roll, pitch, yaw [deg]; velocity: (v [m/s] in world axes, w [deg/s] in the robot's), for
-    motions whose state has one. control: the first three numbers in metres (or m/s), the last three in degrees (or
-    deg/s); control_std the same, the standard deviation in one step. The other *_std belong to the start: the simulator
-    draws the true start with them, and the filter is told the mean; attitude_std [deg] is about the robot's own axes.
+    motions whose state has one. control: as many numbers as the motion says, in metres (or m/s), its angles in degrees
+    (or deg/s), zeros where none is said; control_std the same, the standard deviation in one step. The other *_std
+    belong to the start: the simulator draws the true start with them, and the filter is told the mean; attitude_std
+    [deg] is about the robot's own axes.
     """
 
     name: str = "robot"
@@ -42,8 +43,8 @@ class RobotSetup:
     position_std: Numbers = ZERO
     attitude_std: Numbers = ZERO
     velocity_std: Numbers = (0.0,) * 6
-    control: Numbers = (0.0,) * 6
-    control_std: Numbers = (0.0,) * 6
+    control: Numbers = NOT_SAID
+    control_std: Numbers = NOT_SAID
 
     @property
     def model(self) -> Motion:
@@ -65,13 +66,20 @@ class RobotSetup:
 
     @property
     def nominal(self) -> Array:
-        """The control of one step (6,), in metres and radians."""
-        return _mixed(self.control, self.name, "control")
+        """The control of one step (c,), in metres and radians."""
+        return self._of_control(self.control, "control")
 
     @property
     def noise(self) -> Array:
-        """The covariance of the noise in one step's control (6, 6)."""
-        return np.diag(_mixed(self.control_std, self.name, "control_std") ** 2)
+        """The covariance of the noise in one step's control (c, c)."""
+        return np.diag(self._of_control(self.control_std, "control_std") ** 2)
+
+    def _of_control(self, values: Numbers, what: str) -> Array:
+        size = self.model.control
+        numbers = finite(values or (0.0,) * size, (size,), self.name, what).copy()
+        angles = [i for i in self.model.angles if i < size]
+        numbers[angles] = np.radians(numbers[angles])
+        return numbers
 
 
 @dataclass(frozen=True)

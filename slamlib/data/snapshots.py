@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from slamlib.data.records import Scan
+from slamlib.data.records import ByFamily, Scan
 from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array
 
@@ -32,7 +32,7 @@ class RobotView:
 
 @dataclass(frozen=True, eq=False)
 class Looks:
-    """How a sensor looked at the landmarks of one family (points, or segments) in one frame.
+    """How a sensor looked at the landmarks of one family (points, segments, ...) in one frame.
 
     One row for each landmark that it expected to see: ids (n,), kinds, what it expected (n, m) (of a segment: its two
     ends in the image) with the covariance (n, d, d) of the innovation, what it measured (n, m) (nan where nothing was
@@ -69,20 +69,21 @@ class Looks:
 
 
 @dataclass(frozen=True, eq=False)
-class SensorView:
+class SensorView(ByFamily):
     """A sensor as it is estimated, what it delivered, and what it looked at.
 
-    mount (7,) on robot number `robot`, with covariance (6, 6), zero where it is given; image (width, height) or None.
+    mount (7,) on robot number `robot`, with covariance (6, 6), zero where it is given; image (width, height) or None;
+    looks: by the family's name; view.points is view.looks["points"].
     """
 
+    _FAMILIES = "looks"
     name: str
     robot: int
     mount: Array
     mount_covariance: Array
     image: Array | None
     scan: Scan | None
-    points: Looks
-    segments: Looks
+    looks: dict[str, Looks]
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,18 +103,19 @@ class MapView:
 
 
 @dataclass(frozen=True, eq=False)
-class Snapshot:
+class Snapshot(ByFamily):
     """Everything that a picture or an evaluation needs of the filter after one frame; nothing of it changes later.
 
-    time [s] since the start; size: degrees of freedom of the whole state.
+    time [s] since the start; landmarks: by the family's name, snapshot.points is snapshot.landmarks["points"]; size:
+    degrees of freedom of the whole state.
     """
 
+    _FAMILIES = "landmarks"
     number: int
     time: float
     robots: tuple[RobotView, ...]
     sensors: tuple[SensorView, ...]
-    points: MapView
-    segments: MapView
+    landmarks: dict[str, MapView]
     size: int
 
     def camera(self, sensor: int) -> Array:

@@ -1,6 +1,6 @@
 """Blocks of a belief, and what a belief was at one moment."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import accumulate, pairwise
 from typing import Any
@@ -51,6 +51,10 @@ class Block:
         return f"<block {self.space!r} at {self.start}>"
 
 
+# How a step (size of the covariance,) moves all means at once: from the blocks and the step to each block's new mean.
+Retraction = Callable[[Sequence[Block], Array], Sequence[Array]]
+
+
 class Layout:
     """How blocks lie among the rows of the covariance: vectors, which are moved in one sum, and points of manifolds.
 
@@ -58,7 +62,7 @@ class Layout:
     """
 
     def __init__(self, blocks: Iterable[Block]) -> None:
-        blocks = list(blocks)
+        self.blocks = blocks = list(blocks)
         are_vectors = [type(block.space) is Euclidean for block in blocks]
         vectors = [block for block, is_vector in zip(blocks, are_vectors, strict=True) if is_vector]
         self.points = [block for block, is_vector in zip(blocks, are_vectors, strict=True) if not is_vector]
@@ -68,8 +72,16 @@ class Layout:
         for block, place in zip(vectors, pairwise(accumulate((v.dof for v in vectors), initial=0)), strict=True):
             block.lie(self, slice(*place))
 
-    def moved(self, step: Array) -> tuple[Array, list[Array]]:
-        """The vectors' means, and each point's, after a step (size of the covariance,); nothing is changed yet."""
+    def moved(self, step: Array, retraction: Retraction | None = None) -> tuple[Array, list[Array]]:
+        """The vectors' means, and each point's, after a step (size of the covariance,); nothing is changed yet.
+
+        retraction: None moves each block by its own plus.
+        """
+        if retraction is not None:
+            means = dict(zip(self.blocks, retraction(self.blocks, step), strict=True))
+            vectors = [np.asarray(mean) for block, mean in means.items() if block.layout is self]
+            flat = np.concatenate([np.zeros(0), *vectors])
+            return linalg.sealed(flat), [linalg.frozen(means[block]) for block in self.points]
         points = [linalg.frozen(block.space.plus(block.mean, step[block.slice])) for block in self.points]
         return linalg.sealed(self.flat + step.take(self.rows)), points
 

@@ -8,9 +8,13 @@ from slamlib.model import Model
 
 @dataclass(frozen=True)
 class Motion:
-    """A motion: name, space of the robot's state, size of the control, and the model step(state, control, dt)."""
+    """A motion: name, space of the robot's state, size of the control, and the model step(state, control, dt).
+
+    angles: which numbers of the control are angles; a setup gives those in degrees. Default: of six the last three.
+    """
 
     name: str
     space: Space
     control: int
     step: Model
+    angles: tuple[int, ...] = (3, 4, 5)

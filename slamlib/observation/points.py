@@ -3,19 +3,28 @@
 landmark --to_frame--> homogeneous point in the sensor's frame --project--> measurement, and back.
 """
 
-import math
 from collections import namedtuple
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import compose
+from slamlib.kalman.linalg import principal_blocks
+from slamlib.landmarks import POINTS
+from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.landmarks.linearity import WORLD, beyond_infinity, should_convert, to_euclidean
 from slamlib.landmarks.point import PointLandmark
 from slamlib.manifolds import Array
+from slamlib.observation.family import Family, columns_of, means_of, product, rows_of, viewpoint
 from slamlib.sensors.sensor import Calibration
+
+if TYPE_CHECKING:
+    from slamlib.belief import Belief
+    from slamlib.slam.entities import Landmark, MountedSensor
+    from slamlib.slam.options import Options
 
 AHEAD = np.array([0.25, 0.5, 1, 1])  # stands in for points that cannot be measured, so that their rows are finite
 
@@ -114,18 +123,6 @@ def _seen_again(kind: PointLandmark, camera: Array, point: Array, landmark: Arra
         )
 
 
-def product(left: Array, right: Array) -> Array:
-    """left @ right for Jacobians (..., m, k), (..., k, n): quick where each entry lies in memory over all items."""
-    lead = left.ndim - 2
-    if left.ndim == right.ndim == 2:
-        return left @ right
-    if right.ndim == 2:  # one matrix for all items: (n, k) @ (m, k, items), a product of large matrices
-        entries = left.transpose(lead, lead + 1, *range(lead))
-        whole = right.T @ entries.reshape(*entries.shape[:2], math.prod(left.shape[:-2]))
-        return whole.reshape(len(entries), right.shape[1], *left.shape[:-2]).transpose(*range(2, lead + 2), 0, 1)
-    return np.einsum("...ij,...jk->...ik", left, right)
-
-
 def _through(by_camera: Any, by_pose: Array) -> dict[str, Array]:
     """Jacobians by the robot and by the mount of something, from its Jacobian by the camera's pose."""
     both = product(by_pose, np.concatenate([by_camera.outer, by_camera.inner], axis=-1))
@@ -140,3 +137,104 @@ def named(parts: dict[str, Array]) -> Any:
 @lru_cache
 def _fields(names: tuple[str, ...]) -> Any:
     return namedtuple("Jacobians", names)
+
+
+class PointFamily(Family):
+    """Points: every sensor measures them."""
+
+    name = "points"
+    kinds = PointLandmark
+    parametrizations = POINTS
+    exact = EUC_POINT
+
+    def sees(self, sensor: "MountedSensor") -> bool:
+        """Every sensor measures points."""
+        return True
+
+    def usable(self, sensor: "MountedSensor", values: Array, options: "Options") -> Array:
+        """Mask of the measurements (n, m) that a landmark may begin with: not too near the image's border."""
+        image = sensor.calibration.image
+        return sensor.calibration.inside(values, 0.0 if image is None else options.margin * image[0])
+
+    def observe(
+        self, kind: PointLandmark, calibration: Calibration, camera: Array, means: Array
+    ) -> tuple[Array, Array, Any]:
+        """As `observe_from`."""
+        found = observe_from(kind, calibration, camera, means)
+        return found.value, found.visible, found.jacobians
+
+    def inner(self, calibration: Calibration, in_frame: Array) -> Array:
+        """Measurements expected of homogeneous points (..., 4) in the sensor's frame; nan where it cannot see them."""
+        seen = calibration.visible(in_frame)[..., None]
+        return np.where(seen, calibration.project(np.where(seen, in_frame, AHEAD)), np.nan)
+
+    def begin(
+        self, sensor: "MountedSensor", kind: PointLandmark, value: Array, options: "Options"
+    ) -> tuple[Array, Array, list[Array]]:
+        """Mean, own noise and Jacobians by robot and mount of a point that is seen for the first time. Chapter 15."""
+        mean, std = options.inverse_distance
+        calibration = sensor.calibration
+        asks = len(calibration.sensor.back_project.arguments) - 1 - len(calibration.sensor.parameters)
+        prior = [np.array([mean])] * asks
+        x, J = initialize(kind, calibration, sensor.robot.pose, sensor.mount, value, *prior)
+        own = J.measurement @ calibration.noise @ J.measurement.T
+        if asks:
+            own = own + J.unmeasured @ J.unmeasured.T * std**2
+        return x, own, [J.robot, J.mount]
+
+    def corrected(
+        self,
+        belief: "Belief",
+        sensor: "MountedSensor",
+        landmarks: list["Landmark"],
+        measured: Array,
+        options: "Options",
+    ) -> None:
+        """After a measurement update: points that are known well enough become Euclidean. Chapter 11."""
+        kind = landmarks[0].kind
+        if not options.convert or kind is EUC_POINT:
+            return
+        view = viewpoint(sensor)
+        columns, dof = columns_of(sensor, landmarks), landmarks[0].block.dof
+        T = np.zeros((dof + 6, columns.shape[1]))  # from (robot, mount, landmark) to (landmark, camera)
+        T[:dof, -dof:], T[dof:, :-dof] = np.eye(dof), view.by
+        means, P = means_of(landmarks), principal_blocks(belief.matrix, columns)
+        ripe = should_convert(kind, means, P, view.pose, options.convert_below, T)
+        for landmark, is_ripe in zip(landmarks, ripe.tolist(), strict=True):
+            if is_ripe:
+                belief.replace(landmark.block, EUC_POINT.space, *to_euclidean(kind, landmark.block.mean))
+                landmark.kind = EUC_POINT
+
+    def lost(self, belief: "Belief", landmarks: list["Landmark"]) -> set["Landmark"]:
+        """The landmarks, of one kind, that lie beyond infinity: no point is there. Chapter 11."""
+        kind = landmarks[0].kind
+        if kind is EUC_POINT:
+            return set()
+        means = means_of(landmarks)
+        if (kind.to_frame(WORLD, means)[:, 3] >= 0).all():
+            return set()  # as mostly: quick, without Jacobians
+        beyond = beyond_infinity(kind, means, principal_blocks(belief.matrix, rows_of(landmarks)))
+        return {landmarks[i] for i in np.flatnonzero(beyond)}
+
+    def geometry(self, belief: "Belief", landmarks: list["Landmark"]) -> tuple[Array, Array, Array]:
+        """Points (n, 3) in the world and their covariances (n, 3, 3); nan for those at infinity."""
+        geometry, covariance = np.full((len(landmarks), 3), np.nan), np.full((len(landmarks), 3, 3), np.nan)
+        for i, landmark in enumerate(landmarks):
+            h, J = landmark.kind.to_frame.jac(WORLD, landmark.block.mean)
+            if h[3] > 0:
+                by = (J.landmark[:3] - np.outer(h[:3], J.landmark[3]) / h[3]) / h[3]
+                geometry[i], covariance[i] = h[:3] / h[3], by @ belief.covariance(landmark.block) @ by.T
+        converged = np.array([landmark.kind is EUC_POINT for landmark in landmarks], dtype=bool)
+        return geometry, covariance, converged
+
+    def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Array, Array]:
+        """Points in view that nothing hides, with their noise, as long as they are still in the image with it."""
+        calibration = sensor.calibration
+        inside = EUC_POINT.to_frame(camera, places)
+        seen = np.flatnonzero(calibration.visible(inside) & ~sensor.hidden(places, camera))
+        values = calibration.sensor.space.plus(calibration.project(inside[seen]), noise[seen])
+        delivered = calibration.inside(values)
+        return seen[delivered], values[delivered]
+
+
+POINT_FAMILY = PointFamily()

@@ -8,8 +8,8 @@ from slamlib.data.records import Control, Features, Frame, Scan, Truth, World
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
+from slamlib.observation import FAMILIES
 
-FAMILIES = ("points", "segments")
 Pairs = list[tuple[Frame, Truth | None]]
 
 
@@ -22,16 +22,17 @@ def packed(pairs: Pairs, rig: Rig, world: World) -> dict[str, Array]:
         "number": np.array([f.number for f in frames], np.int64),
         "dt": np.array([f.dt for f in frames], float),
         "world.faces": world.faces,
-        **{f"world.{x}.ids": getattr(world, x).ids for x in FAMILIES},
-        **{f"world.{x}.values": getattr(world, x).values for x in FAMILIES},
+        **{f"world.{x}.ids": features.ids for x, features in world.features.items()},
+        **{f"world.{x}.values": features.values for x, features in world.features.items()},
     }
     for i, setup in enumerate(rig.robots):
         arrays |= _controls(f"robot{i}", [f.controls[i] for f in frames], setup.model.control)
         if truths:
             arrays[f"truth.robot{i}"] = np.array([t.robots[i] for t in truths])
     for j, sensor in enumerate(rig.sensors):
-        for x, size in zip(FAMILIES, (sensor.calibration.sensor.size, 4), strict=True):
-            arrays |= _features(f"sensor{j}.{x}", [getattr(f.scans[j], x) for f in frames], size)
+        for x, family in FAMILIES.items():
+            none = Features.none(family.size(sensor.calibration))
+            arrays |= _features(f"sensor{j}.{x}", [f.scans[j].features.get(x, none) for f in frames], none)
         if truths:
             arrays[f"truth.mount{j}"] = np.array([t.mounts[j] for t in truths])
     return arrays
@@ -46,6 +47,8 @@ def _fits(pairs: Pairs, rig: Rig) -> None:
             )
         if any(scan.image is not None for scan in frame.scans):
             raise SlamlibError(f"frame {frame.number} holds an image, and recordings hold none: keep images in files")
+        if frame.absolute:
+            raise SlamlibError(f"frame {frame.number} holds measurements of a robot's own pose; recordings hold none")
     if len({truth is None for _, truth in pairs}) > 1:
         raise SlamlibError("the truth is known of some frames only: give it for all of them, or None for all")
 
@@ -58,8 +61,8 @@ def _controls(name: str, controls: list[Control | None], size: int) -> dict[str,
     return {f"{name}.control": value, f"{name}.noise": noise}
 
 
-def _features(name: str, features: list[Features], size: int) -> dict[str, Array]:
-    parts = [Features.none(size), *features]
+def _features(name: str, features: list[Features], none: Features) -> dict[str, Array]:
+    parts = [none, *features]
     return {
         f"{name}.first": np.cumsum([0, *(len(f) for f in features)], dtype=np.int64),
         f"{name}.ids": np.concatenate([f.ids for f in parts]),
@@ -69,19 +72,20 @@ def _features(name: str, features: list[Features], size: int) -> dict[str, Array
 
 def unpacked(arrays: dict[str, Array], rig: Rig, truth: bool) -> tuple[World, list[Frame], list[Truth | None]]:
     """World, frames and truths of a run's arrays. Raises KeyError, ValueError or SlamlibError if they are no run's."""
-    seen = [Features(arrays[f"world.{x}.ids"], arrays[f"world.{x}.values"]) for x in FAMILIES]
+    names = [x for x in FAMILIES if f"world.{x}.ids" in arrays]  # all families that there were when it was written
+    seen = {x: Features(arrays[f"world.{x}.ids"], arrays[f"world.{x}.values"]) for x in names}
     controls = [_each_control(arrays, f"robot{i}") for i in range(len(rig.robots))]
-    scans = [[_each_features(arrays, f"sensor{j}.{x}") for x in FAMILIES] for j in range(len(rig.sensors))]
+    scans = [{x: _each_features(arrays, f"sensor{j}.{x}") for x in names} for j in range(len(rig.sensors))]
     frames = [
         Frame(
             int(number),
             float(dt),
             tuple(robot[row] for robot in controls),
-            tuple(Scan(points[row], segments[row]) for points, segments in scans),
+            tuple(Scan({x: features[row] for x, features in scan.items()}) for scan in scans),
         )
         for row, (number, dt) in enumerate(zip(arrays["number"], arrays["dt"], strict=True))
     ]
-    return World(seen[0], seen[1], arrays["world.faces"]), frames, _truths(arrays, rig, len(frames), truth)
+    return World(seen, arrays["world.faces"]), frames, _truths(arrays, rig, len(frames), truth)
 
 
 def _each_control(arrays: dict[str, Array], name: str) -> list[Control | None]:

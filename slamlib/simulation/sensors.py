@@ -4,12 +4,10 @@ import numpy as np
 
 from slamlib.data.records import Features, Scan, World
 from slamlib.data.setup import SensorSetup
-from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import Pose, compose
 from slamlib.kalman.linalg import frozen
-from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.landmarks.segments import clip, frustum, length, trim
 from slamlib.manifolds import Array
+from slamlib.observation import FAMILIES, Family
 from slamlib.simulation.faults import Clutter, Faults, swapped
 from slamlib.simulation.occlusion import hidden, longest_seen
 from slamlib.simulation.robots import drawn, root
@@ -30,45 +28,31 @@ class SimulatedSensor:
         self.space = self.calibration.sensor.space
         self.root = root(self.calibration.noise)
         self.clutter = Clutter(self.calibration, _reach(world)) if faults.outlier else None
-        self.planes = self._frustum(setup.name)
+        for name, family in FAMILIES.items():
+            if len(world.features[name]):
+                family.check(setup.name, self.calibration)
 
     def scan(self, robot: Array) -> Scan:
         """What it delivers when its robot is at a pose (7,)."""
         camera = compose(robot, self.mount)
-        return Scan(self._points(camera), self._segments(camera))
+        return Scan({name: self._features(family, camera) for name, family in FAMILIES.items()})
 
-    def _points(self, camera: Array) -> Features:
-        points, size = self.world.points, len(self.root)
-        noise = self.streams["points"].standard_normal((len(points), size)) @ self.root
-        if not len(points):
-            return Features.none(size)
-        inside = EUC_POINT.to_frame(camera, points.values)
-        seen = self.calibration.visible(inside) & ~hidden(points.values, self.world.faces, camera[:3])
-        values = self.space.plus(self.calibration.project(inside[seen]), noise[seen])
-        delivered = self.calibration.inside(values)
-        return self._faulty(points.ids[seen][delivered], values[delivered], 1)
+    def _features(self, family: Family, camera: Array) -> Features:
+        things, size = self.world.features[family.name], len(self.root)
+        if not len(things) or not family.sees(self):  # type: ignore[arg-type]  # both have a calibration
+            return Features.none(family.size(self.calibration))
+        shape = (len(things), size) if family.parts == 1 else (len(things), family.parts, size)
+        noise = self.streams[family.name].standard_normal(shape) @ self.root
+        rows, values = family.simulate(self, camera, things.values, noise)
+        return self._faulty(things.ids[rows], values, family.parts)
 
-    def _segments(self, camera: Array) -> Features:
-        """Cut at the image's border in the ideal image; then the lens, then noise at the ends that are left.
+    def hidden(self, points: Array, camera: Array) -> Array:
+        """Mask (n,) of the points (n, 3) that the world's faces hide from a pose (7,)."""
+        return hidden(points, self.world.faces, camera[:3])
 
-        The toolbox adds the noise before it cuts, at ends that may lie far outside: what is left of it at the border is
-        a mean of the two ends' noise, which is smaller than the filter is told. The last cut here moves an end by the
-        noise only, along its own segment, which leaves its distance from the line as it was to the first order.
-        """
-        segments, size = self.world.segments, len(self.root)
-        if self.planes is None or not len(segments):
-            return Features.none(4)
-        noise = self.streams["segments"].standard_normal((len(segments), 2, size)) @ self.root
-        ends, seen = longest_seen(segments.values.reshape(-1, 2, 3), self.world.faces, camera[:3])
-        inside = EUC_POINT.to_frame(camera, ends)
-        *cut, within = clip(inside[:, 0], inside[:, 1], self.planes)
-        points = np.concatenate([np.stack(cut, 1), np.ones((len(ends), 2, 1))], -1)
-        seen = seen & within & self.calibration.visible(points).all(-1)
-        exact = self.calibration.project(points[seen]).reshape(-1, 4)
-        measured = trim(exact + noise[seen].reshape(-1, 4), tuple(self.calibration.image), minimum_length=0)
-        found = measured.seen & (length(exact) >= self.shortest)
-        pixels = np.clip(measured.pixels[found], 0, np.tile(self.calibration.image, 2))  # the cut's own rounding
-        return self._faulty(segments.ids[seen][found], pixels, 2)
+    def longest_seen(self, segments: Array, camera: Array) -> tuple[Array, Array]:
+        """The longest stretch (k, 2, 3) of each segment that no face hides, and the mask (k,) of those seen at all."""
+        return longest_seen(segments, self.world.faces, camera[:3])
 
     def _faulty(self, ids: Array, values: Array, parts: int) -> Features:
         """The same features with faults; an outlier is made of so many parts (the two ends of a segment)."""
@@ -81,17 +65,9 @@ class SimulatedSensor:
         found = miss >= faults.miss
         return Features(swapped(ids[found], faults.swap, rng), values[found])
 
-    def _frustum(self, name: str) -> Array | None:
-        """The planes that bound what it sees of segments, or None if it sees none."""
-        calibration = self.calibration
-        if calibration.sensor.project_line is None:
-            return None
-        if calibration.image is None and len(self.world.segments):
-            raise SlamlibError(f"{name}: segments are cut at the border of the image; give the setup an image")
-        return None if calibration.image is None else frustum(calibration.given["intrinsics"], calibration.image)
-
 
 def _reach(world: World) -> float:
     """The size of the world [m], from corner to corner, at least 1."""
-    places = np.concatenate([world.points.values, world.segments.values.reshape(-1, 3)])
+    each = [(FAMILIES[name].parts, features.values) for name, features in world.features.items()]
+    places = np.concatenate([values[:, : 3 * parts].reshape(-1, 3) for parts, values in each])
     return max(1.0, float(np.linalg.norm(np.ptp(places, axis=0)))) if len(places) else 1.0

@@ -49,7 +49,7 @@ def simulate(
         raise SlamlibError(f"simulate: dt is a time above zero [s], got {dt}")
     if noise_in not in NOISE_IN:
         raise UnknownNameError.of("noise_in", noise_in, NOISE_IN)
-    count, seen = len(rig.robots), world if occlusion else World(world.points, world.segments)
+    count, seen = len(rig.robots), world if occlusion else World(world.features)
     own = streams(rng, count + len(rig.sensors))
     planned = zip(rig.robots, plans(controls, rig.robots, frames), own[:count], strict=True)
     robots = [SimulatedRobot(setup, plan, NOISE_IN[noise_in], stream) for setup, plan, stream in planned]

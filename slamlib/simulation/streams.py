@@ -3,9 +3,9 @@
 import numpy as np
 
 from slamlib.errors import SlamlibError
+from slamlib.observation import FAMILIES
 
-KINDS = ("start", "control", "mount", "points", "segments", "faults")
-
+KINDS = ("start", "control", "mount", "points", "segments", "faults")  # other families of landmarks come after these
 
 Streams = dict[str, np.random.Generator]
 
@@ -19,7 +19,8 @@ def streams(rng: np.random.Generator, count: int) -> list[Streams]:
     if not isinstance(rng, np.random.Generator):
         raise SlamlibError(f"simulate: rng is a generator, such as np.random.default_rng(1), not {rng!r}")
     seed = rng.integers(2**32, size=4).tolist()
+    kinds = (*KINDS, *sorted(set(FAMILIES) - set(KINDS)))
     return [
-        {kind: np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(i, k))) for k, kind in enumerate(KINDS)}
+        {kind: np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(i, k))) for k, kind in enumerate(kinds)}
         for i in range(count)
     ]

@@ -21,7 +21,8 @@ def numbered(points: Array = (), segments: Array = (), faces: Array = ()) -> Wor
     """A world of points (n, 3), segments (k, 6) and faces (f, 3, 3) [m]: points are 1 to n, segments n + 1 and on."""
     points, segments, faces = _rows(points, 3), _rows(segments, 6), _rows(faces, 3, 3)
     ids = 1 + np.arange(len(points) + len(segments))
-    return World(Features(ids[: len(points)], points), Features(ids[len(points) :], segments), faces)
+    features = {"points": Features(ids[: len(points)], points), "segments": Features(ids[len(points) :], segments)}
+    return World(features, faces)
 
 
 def _rows(values: Array, *shape: int) -> Array:
@@ -31,8 +32,12 @@ def _rows(values: Array, *shape: int) -> Array:
 
 def join(*worlds: World) -> World:
     """All worlds in one, with new numbers: points 1 to N, segments N + 1 and on, each in the order of the worlds."""
-    parts = [(w.points.values, w.segments.values, w.faces) for w in (World(), *worlds)]
-    return numbered(*(np.concatenate(part) for part in zip(*parts, strict=True)))
+    features, end = {}, 1
+    for name, nothing in World().features.items():
+        values = np.concatenate([w.features[name].values for w in worlds] or [nothing.values])
+        features[name] = Features(end + np.arange(len(values)), values)
+        end += len(values)
+    return World(features, np.concatenate([w.faces for w in (World(), *worlds)]))
 
 
 def cloister(x: float = -6, X: float = 6, y: float = -6, Y: float = 6, n: int = 9) -> World:

@@ -13,11 +13,12 @@ import numpy as np
 from slamlib.data.files import whole
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
-from slamlib.landmarks import landmark as landmark_kind
+from slamlib.observation import parametrization
 from slamlib.slam.entities import Landmark
 from slamlib.slam.options import Options
 
-FORMAT, VERSION = "slamlib filter", 1
+FORMAT, VERSION = "slamlib filter", 2
+HISTORY = ("id", "born", "searched", "matched", "inliers", "sensor", "seen")  # of a landmark, as it is kept
 
 
 def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
@@ -36,11 +37,15 @@ def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
         "sensors": [None if s.block is None else order[id(s.block)] for s in slam.sensors],
         "sizes": [len(block.mean) for block in slam.belief.blocks],
         "landmarks": [
-            [lm.id, lm.kind.name, order[id(lm.block)], lm.born, lm.searched, lm.matched, lm.inliers, lm.sensor, lm.seen]
+            {
+                **{name: getattr(lm, name) for name in HISTORY},
+                "kind": lm.kind.name,
+                "block": order[id(lm.block)],
+                "signature": slam.front_ends[lm.sensor].pack(lm.signature),
+            }
             for lm in landmarks
         ],
         "front_ends": [front_end.dump() for front_end in slam.front_ends],
-        "signatures": [slam.front_ends[lm.sensor].pack(lm.signature) for lm in landmarks],
         "extra": extra,
     }
     none = np.full(2, np.nan)
@@ -66,7 +71,8 @@ def read(path: str | os.PathLike[str]) -> tuple[dict[str, Any], dict[str, Any]]:
         raise SlamlibError(f"{path} is no filter that slamlib saved, or is damaged: {error}") from None
     if header.get("format") != FORMAT or header.get("version") != VERSION:
         found = f"{header.get('format')!r} version {header.get('version')}"
-        raise SlamlibError(f"{path} holds {found}; this slamlib reads {FORMAT!r} version {VERSION}")
+        old = "; it was written before rows had names: run it anew and save it" if header.get("version") == 1 else ""
+        raise SlamlibError(f"{path} holds {found}; this slamlib reads {FORMAT!r} version {VERSION}{old}")
     return header, arrays
 
 
@@ -78,20 +84,15 @@ def load(path: str | os.PathLike[str], front_ends: Any, make: Any) -> tuple[Any,
     means = np.split(arrays["means"], ends[:-1])
     own = {i: r.block for i, r in zip(header["robots"], slam.robots, strict=True)}
     own |= {i: s.block for i, s in zip(header["sensors"], slam.sensors, strict=True) if i is not None}
-    kinds = {row[2]: landmark_kind(row[1]) for row in header["landmarks"]}
+    kinds = {row["block"]: parametrization(row["kind"]) for row in header["landmarks"]}
     blocks = {i: slam.belief.add(kinds[i].space, means[i], np.eye(kinds[i].space.dof)) for i in sorted(kinds)}
     slam.belief.overwrite({**own, **blocks}, dict(enumerate(means)), arrays["P"])
-    # Files of before landmarks knew when they were seen last: all of them just now, so that none goes for that.
-    for row, abscissas, packed in zip(header["landmarks"], arrays["abscissas"], header["signatures"], strict=True):
-        number, _, block, born, searched, matched, inliers, sensor, *seen = row
-        known = None if np.isnan(abscissas).any() else abscissas
-        signature = slam.front_ends[sensor].unpack(packed)
-        counts = (born, searched, matched, inliers)
-        slam.landmarks.append(
-            Landmark(
-                number, kinds[block], blocks[block], *counts, known, sensor, signature, *(seen or [header["number"]])
-            )
-        )
+    for row, abscissas in zip(header["landmarks"], arrays["abscissas"], strict=True):
+        block, known = row["block"], None if np.isnan(abscissas).any() else abscissas
+        signature = slam.front_ends[row["sensor"]].unpack(row["signature"])
+        history = {name: row[name] for name in HISTORY}
+        landmark = Landmark(kind=kinds[block], block=blocks[block], abscissas=known, signature=signature, **history)
+        slam.landmarks.append(landmark)
     for front_end, state in zip(slam.front_ends, header["front_ends"], strict=True):
         front_end.restore(state)
     slam.number, slam.time, slam.frames_of = header["number"], header["time"], header["frames_of"]

@@ -10,6 +10,7 @@ from slamlib.kalman.state import Block
 from slamlib.manifolds import Array
 from slamlib.motions import Motion
 from slamlib.sensors.sensor import Calibration
+from slamlib.slam.linearization import Linearization
 
 POSE = 6  # degrees of freedom of a pose, the first of every robot's state
 
@@ -31,13 +32,17 @@ class Robot:
 
 @dataclass(eq=False)
 class MountedSensor:
-    """A sensor on a robot: its mount is given, or a block of the map that is estimated."""
+    """A sensor on a robot: its mount is given, or a block of the map that is estimated.
+
+    linearization: where Jacobians of its measurements are taken; None: at the present means.
+    """
 
     name: str
     robot: Robot
     calibration: Calibration
     given: Array
     block: Block | None = None
+    linearization: Linearization | None = None
 
     @property
     def mount(self) -> Array:

@@ -9,18 +9,19 @@ from typing import Any
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.data.records import Control, Frame, Scan
+from slamlib.data.records import Control, Frame, RobotMeasurement, Scan
 from slamlib.data.setup import Rig
 from slamlib.data.snapshots import Snapshot
-from slamlib.errors import SingularPointError, SlamlibError
+from slamlib.errors import SingularPointError, SlamlibError, UnknownNameError
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
+from slamlib.observation import FAMILIES, Family
 from slamlib.slam import checkpoint
 from slamlib.slam.data_association.consensus import CONSENSUS
 from slamlib.slam.data_association.front_end import FrontEnd, Identity, Sight
 from slamlib.slam.entities import Landmark, MountedSensor, Robot
-from slamlib.slam.lines import LineFamily
-from slamlib.slam.map_management import makes_room, out_of_window
+from slamlib.slam.linearization import Linearization
+from slamlib.slam.map_management import is_bad, makes_room, out_of_window
 from slamlib.slam.measurement_update import (
     Look,
     choose_and_match,
@@ -31,7 +32,7 @@ from slamlib.slam.measurement_update import (
     groups,
 )
 from slamlib.slam.options import Options
-from slamlib.slam.points import PointFamily
+from slamlib.slam.robot_measurements import RobotUpdate, update_by_robot
 from slamlib.slam.snapshot import snapshot_of
 
 
@@ -66,16 +67,27 @@ class Slam:
         self.front_ends: list[FrontEnd] = list(front_ends or [Identity()] * len(self.sensors))
         if len(self.front_ends) != len(self.sensors):
             raise SlamlibError(f"Slam: {len(self.sensors)} sensors need as many front ends, got {len(self.front_ends)}")
-        self.families = (PointFamily(self.options), LineFamily(self.options))
+        self.families: dict[str, Family] = dict(FAMILIES)
         self.landmarks: list[Landmark] = []
         self.number, self.time = 0, 0.0
         self.frames_of = [0] * len(self.sensors)
         self.scans: list[Scan | None] = [None] * len(self.sensors)
         self.looks: list[list[Look]] = [[] for _ in self.sensors]
+        self.absolute: list[RobotUpdate] = []
 
     def _mounted(self, setup: Any) -> MountedSensor:
         block = self.belief.add(Pose, setup.mount, setup.covariance) if setup.estimated else None
         return MountedSensor(setup.name, self.robots[setup.robot], setup.calibration, setup.mount, block)
+
+    @property
+    def linearization(self) -> Linearization | None:
+        """Where Jacobians are taken; None: at the present means."""
+        return self.sensors[0].linearization
+
+    @linearization.setter
+    def linearization(self, linearization: Linearization | None) -> None:
+        for sensor in self.sensors:
+            sensor.linearization = linearization
 
     def step(self, frame: Frame, *, update: bool = True, first: bool = False) -> Report:
         """One frame: all robots move; then each sensor corrects what is known, and begins what is new.
@@ -89,11 +101,12 @@ class Slam:
         self.number, self.time = frame.number, self.time + frame.dt
         for robot, control in zip(self.robots, frame.controls, strict=True):
             self._predict(robot, control, frame.dt)
+        self.absolute = [self._absolute(measurement) for measurement in frame.absolute]
         for i, scan in enumerate(frame.scans):
             if update:
                 self._correct(i, scan)
             else:
-                looks = expect_all(self.belief, self.sensors[i], self.families, self.landmarks)
+                looks = expect_all(self.belief, self.sensors[i], self.families, self.landmarks, self.options)
                 self.scans[i], self.looks[i] = scan, looks
             self._delete(self.looks[i], events)
             self._begin(i, scan, events, self.options.first if first or not self.frames_of[i] else self.options.later)
@@ -119,12 +132,17 @@ class Slam:
                     f"got {control.value.size}"
                 )
         for sensor, scan in zip(self.sensors, frame.scans, strict=True):
-            size = sensor.calibration.sensor.size
-            if scan.points.values.shape[1] != size and len(scan.points):
-                raise SlamlibError(
-                    f"frame {frame.number}: {sensor.name} measures {size} numbers a point, got "
-                    f"{scan.points.values.shape[1]}"
-                )
+            for name, features in scan.features.items():
+                if name not in self.families:
+                    raise UnknownNameError.of("family of features", name, self.families)
+                size, given = self.families[name].size(sensor.calibration), features.values.shape[1]
+                if given != size and len(features):
+                    raise SlamlibError(
+                        f"frame {frame.number}: {sensor.name} measures {size} numbers for each of {name}, got {given}"
+                    )
+        for measurement in frame.absolute:
+            if not 0 <= measurement.robot < len(self.robots):
+                raise SlamlibError(f"frame {frame.number}: {measurement.name} is of robot {measurement.robot}, of none")
         for front_end, scan in zip(self.front_ends, frame.scans, strict=True):
             front_end.check(scan)
 
@@ -132,36 +150,40 @@ class Slam:
         value = np.zeros(robot.motion.control) if control is None else control.value
         noise = robot.noise if control is None else control.covariance
         state, J = robot.motion.step.jac(robot.block.mean, value, dt)
+        if self.linearization is not None:
+            J = robot.motion.step.jac(self.linearization.at(robot.block), value, dt)[1]
         self.belief.predict(robot.block, state, J.state, J.control @ noise @ J.control.T)
+        if self.linearization is not None:
+            self.linearization.predicted(robot.block)
+
+    def _absolute(self, measurement: RobotMeasurement) -> RobotUpdate:
+        robot = self.robots[measurement.robot]
+        return update_by_robot(self.belief, robot, measurement, self.options, self.linearization)
 
     def _correct(self, i: int, scan: Scan) -> None:
         sensor = self.sensors[i]
-        looks = expect_all(self.belief, sensor, self.families, self.landmarks)
+        looks = expect_all(self.belief, sensor, self.families, self.landmarks, self.options)
         matched = choose_and_match(Sight(scan, sensor, looks), self.front_ends[i], self.options)
         correct = correct_in_sequence if self.options.reproject else correct_in_batch
         for group in CONSENSUS[self.options.consensus](self.belief, sensor, matched, self.options):
             correct(self.belief, sensor, group, self.options)
-        follow(self.belief, sensor, matched)
+        for look in matched:
+            if look.inlier:
+                look.landmark.seen = self.number
+        follow(self.belief, sensor, matched, self.options)
         self.scans[i], self.looks[i] = scan, looks
 
     def _delete(self, looks: list[Look], events: _Events) -> None:
         """Landmarks that are not found where they should be, or found to be wrong, and points beyond infinity, go."""
-        bad = {look.landmark for look in looks if look.chosen and self._is_bad(look.landmark)}
-        bad |= out_of_window(self.landmarks, looks, self.number, self.options)
+        bad = {look.landmark for look in looks if look.chosen and is_bad(look.landmark, self.options)}
+        bad |= out_of_window(self.landmarks, self.number, self.options)
         for group in groups(self.landmarks):
-            for family in self.families:
+            for family in self.families.values():
                 if isinstance(group[0].kind, family.kinds):
                     bad |= family.lost(self.belief, group)
         for landmark in [lm for lm in self.landmarks if lm in bad] if bad else ():
             self.forget(landmark)
             events.deleted.append(landmark.id)
-
-    def _is_bad(self, landmark: Landmark) -> bool:
-        o = self.options
-        return landmark.searched >= o.search_first and (
-            landmark.matched < o.keep_matched * landmark.searched
-            or landmark.inliers < o.keep_inliers * landmark.matched
-        )
 
     def snapshot(self) -> Snapshot:
         """What may be shown of the filter now; nothing of it changes later."""
@@ -192,12 +214,13 @@ class Slam:
         sensor = self.sensors[i]
         sight = Sight(scan, sensor, self.looks[i])
         self.frames_of[i] += 1
-        for family in self.families:
-            kind = family.new
+        for family in self.families.values():
+            kind = family.new(self.options)
             if kind is None or not family.sees(sensor):
                 continue
             known = {landmark.id for landmark in self.landmarks}
-            found = self.front_ends[i].detect(sight, family.name, known, partial(family.usable, sensor), count)
+            usable = partial(family.usable, sensor, options=self.options)
+            found = self.front_ends[i].detect(sight, family.name, known, usable, count)
             for number, value, signature in found:
                 self._begin_one(family, i, kind, number, value, signature, events)
 
@@ -213,11 +236,11 @@ class Slam:
         return True
 
     def _begin_one(
-        self, family: Any, i: int, kind: Any, number: int, value: Array, signature: Any, events: _Events
+        self, family: Family, i: int, kind: Any, number: int, value: Array, signature: Any, events: _Events
     ) -> None:
         sensor = self.sensors[i]
         try:
-            x, noise, jacobians = family.begin(sensor, kind, value)
+            x, noise, jacobians = family.begin(sensor, kind, value, self.options)
         except SingularPointError:
             return  # this parametrization cannot hold what is there; it may from the next place
         if not self._has_room(events):

@@ -5,12 +5,10 @@ import numpy as np
 from slamlib.belief import Belief
 from slamlib.landmarks import hmg_point
 from slamlib.manifolds import Array
+from slamlib.observation.family import by_columns, columns_of, means_of, viewpoint
 from slamlib.observation.points import AHEAD
 from slamlib.slam.entities import Landmark, MountedSensor
 from slamlib.slam.measurement_update import groups
-from slamlib.slam.predicted_measurement import by_columns, columns_of, means_of, place_of
-
-SETTLED = 0.1  # of a segment's length: the largest standard deviation of an end of a line that has converged
 
 
 def ends_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
@@ -31,27 +29,14 @@ def ends_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[Landmar
 
 def _of_one_kind(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
     kind, abscissas = landmarks[0].kind, np.array([landmark.abscissas for landmark in landmarks])
-    place = place_of(sensor)
+    view = viewpoint(sensor)
     h, by_line = kind.point_at.jac(means_of(landmarks)[:, None, :], abscissas)
-    point, F = hmg_point.to_frame.jac(place.pose, h)
+    point, F = hmg_point.to_frame.jac(view.pose, h)
     ahead = sensor.calibration.visible(point)
     pixel, by_sensor = sensor.calibration.project_jac(np.where(ahead[..., None], point, AHEAD))
-    by = by_columns(place, F.pose, F.landmark @ by_line.landmark)
+    by = by_columns(view, F.pose, F.landmark @ by_line.landmark)
     H, columns = by_sensor.point @ by, columns_of(sensor, landmarks)
     P = belief.matrix[columns[:, :, None], columns[:, None, :]]
     seen = (ahead & sensor.calibration.inside(pixel))[..., None]
     covariance = H @ P[:, None] @ H.swapaxes(-1, -2)
     return np.where(seen, pixel, np.nan), np.where(seen[..., None], covariance, np.nan)
-
-
-def settled(geometry: Array, covariance: Array) -> Array:
-    """Mask (n,) of the segments (n, 2, 3) whose ends, of covariance (n, 2, 3, 3), are known well beside their length.
-
-    A new line is known in the plane of its first image alone: its ends may lie anywhere along their rays.
-    """
-    found = np.zeros(len(geometry), dtype=bool)
-    known = np.isfinite(geometry).all((-2, -1))
-    worst = np.linalg.eigvalsh(covariance[known])[..., -1].max(-1)
-    length = np.linalg.norm(geometry[known, 1] - geometry[known, 0], axis=-1)
-    found[known] = np.sqrt(worst.clip(0)) < SETTLED * length
-    return found

@@ -1,20 +1,23 @@
 """One sensor looks at the map: choose, match, gate, correct. Chapter 16 reads it line by line."""
 
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.data.snapshots import Looks
+from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array
+from slamlib.observation.family import Expected, Family, viewpoint
 from slamlib.slam.data_association.front_end import FrontEnd, Sight
 from slamlib.slam.data_association.gates import CHOICES, gate, innovation_covariances, normalized
 from slamlib.slam.entities import Landmark, MountedSensor
-from slamlib.slam.options import Options
-from slamlib.slam.predicted_measurement import Expected
+
+if TYPE_CHECKING:
+    from slamlib.slam.options import Options
 
 
 def groups(landmarks: Iterable[Landmark]) -> list[list[Landmark]]:
@@ -33,7 +36,7 @@ class Look:
     agrees, the patch that it looked for, and the one that it found, both grey images.
     """
 
-    family: Any
+    family: Family
     landmark: Landmark
     expected: Expected
     row: int
@@ -58,15 +61,25 @@ class Look:
         self.landmark.inliers += self.inlier
 
 
-def expect_all(belief: Belief, sensor: MountedSensor, families: Any, landmarks: list[Landmark]) -> list[Look]:
-    """Everything that the sensor should see, with the covariance of each innovation."""
+def expect_all(
+    belief: Belief,
+    sensor: MountedSensor,
+    families: Mapping[str, Family],
+    landmarks: list[Landmark],
+    options: "Options",
+    robot: Array | None = None,
+) -> list[Look]:
+    """Everything that the sensor should see, with the covariance of each innovation.
+
+    robot (7,): from another pose of its robot than the estimated one, with the covariance as it is.
+    """
     looks = []
-    kinds = groups(landmarks)
-    for family in families:
+    kinds, view = groups(landmarks), viewpoint(sensor, robot)
+    for family in families.values():
         for group in kinds if family.sees(sensor) else ():
             if not isinstance(group[0].kind, family.kinds):
                 continue
-            expected = family.expect(sensor, group)
+            expected = family.expect(view, group, options)
             if not expected.landmarks:
                 continue
             found = family.innovate(sensor, expected, expected.value)
@@ -76,7 +89,14 @@ def expect_all(belief: Belief, sensor: MountedSensor, families: Any, landmarks: 
     return looks
 
 
-def choose_and_match(sight: Sight, front_end: FrontEnd, options: Options) -> list[Look]:
+def looks_from(slam: Any, motion: Array, sensor: int = 0) -> list[Look]:
+    """What a sensor should see after its robot has moved by a pose (7,) in its frame; nothing of the filter changes."""
+    mounted = slam.sensors[sensor]
+    robot = compose(mounted.robot.pose, motion)
+    return expect_all(slam.belief, mounted, slam.families, slam.landmarks, slam.options, robot)
+
+
+def choose_and_match(sight: Sight, front_end: FrontEnd, options: "Options") -> list[Look]:
     """The looks that tell most and were matched, the one that tells most first; the landmarks' histories go on."""
     sizes: dict[int, list[Look]] = defaultdict(list)
     for look in front_end.findable(sight):
@@ -97,18 +117,18 @@ def choose_and_match(sight: Sight, front_end: FrontEnd, options: Options) -> lis
     return [look for look in chosen if look.matched]
 
 
-def correct_in_sequence(belief: Belief, sensor: MountedSensor, looks: list[Look], options: Options) -> None:
+def correct_in_sequence(belief: Belief, sensor: MountedSensor, looks: list[Look], options: "Options") -> None:
     """One landmark after another, each expected anew at the mean of that moment."""
     with belief.series() as series:
         for look in looks:
-            found = look.family.innovation(sensor, look.landmark, look.measured)
+            found = look.family.innovation(viewpoint(sensor), look.landmark, look.measured, options)
             if found is not None:
                 limit = gate(options.gate, len(found.z))
                 columns = look.expected.columns[look.row]
                 look.judged(series.correct(columns, found.H, found.z, found.R, limit).nis, limit)
 
 
-def correct_in_batch(belief: Belief, sensor: MountedSensor, looks: list[Look], options: Options) -> None:
+def correct_in_batch(belief: Belief, sensor: MountedSensor, looks: list[Look], options: "Options") -> None:
     """All at once, with the expectations of the predicted mean."""
     parts = []
     for group in _by_kind(looks):
@@ -124,11 +144,11 @@ def correct_in_batch(belief: Belief, sensor: MountedSensor, looks: list[Look], o
         belief.correct_rows(*_stacked(parts))
 
 
-def follow(belief: Belief, sensor: MountedSensor, looks: list[Look]) -> None:
+def follow(belief: Belief, sensor: MountedSensor, looks: list[Look], options: "Options") -> None:
     """What each family does with the landmarks that were corrected: convert, constrain, move ends."""
     for group in _by_kind(look for look in looks if look.inlier):
         landmarks, measured = [look.landmark for look in group], np.array([look.measured for look in group])
-        group[0].family.corrected(belief, sensor, landmarks, measured)
+        group[0].family.corrected(belief, sensor, landmarks, measured, options)
 
 
 def _by_kind(looks: Iterable[Look]) -> list[list[Look]]:

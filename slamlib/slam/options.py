@@ -8,11 +8,12 @@ from slamlib.data.setup import tuples
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.landmarks import LINES, POINTS
 from slamlib.landmarks.linearity import THRESHOLD
+from slamlib.observation import FAMILIES
+from slamlib.observation.lines import READINGS
+from slamlib.slam.data_association.consensus import CONSENSUS
+from slamlib.slam.data_association.gates import CHOICES
+from slamlib.slam.map_management import FULL
 
-INNOVATIONS = ("ortDst", "rhoThe", "angles")
-CHOICES = ("information", "order")
-CONSENSUS = ("each", "joint", "one-point")
-FULL = ("unseen", "useless")
 Prior = tuple[tuple[float, float], tuple[float, float]]
 PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 
@@ -21,7 +22,8 @@ PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 class Options:
     """All options of the filter. The names in parentheses are those of the toolbox.
 
-    points, lines: parametrization of new landmarks, or None for none of them (init.initType).
+    points, lines: parametrization of new landmarks, or None for none of them (init.initType). others: the same for
+        other families of landmarks, by the family's name (slamlib.observation.FAMILIES).
     capacity: largest number of landmarks, or None for no limit (map.numLmks).
     full: what happens to new landmarks at the capacity: None refuses them; "unseen": the landmark that was not seen for
         longest makes room; "useless": the one that was looked for in vain the largest share of times does.
@@ -72,11 +74,12 @@ class Options:
     search_first: int = 10
     keep_matched: float = 0.1
     keep_inliers: float = 0.5
+    others: dict[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         _known("point landmark", self.points, POINTS, none=True)
         _known("line landmark", self.lines, LINES, none=True)
-        _known("innovation", self.innovation, INNOVATIONS)
+        _known("innovation", self.innovation, READINGS)
         _known("choose", self.choose, CHOICES)
         _known("consensus", self.consensus, CONSENSUS)
         _known("rule for a full map", self.full, FULL, none=True)
@@ -95,7 +98,14 @@ class Options:
         self._ask("inverse_distance", "(mean, std) with std > 0", lambda v: _numbers(v, 2) and v[1] > 0)
         for name in self.line_priors:
             _known("line landmark", name, LINES)
+        for name, kind in self.others.items():
+            _known("family of landmarks", name, FAMILIES)
+            _known(f"parametrization of {name}", kind, FAMILIES[name].parametrizations)
         self._ask("line_priors", "((mean, mean), (std, std)) by name, std > 0", _are_priors)
+
+    def parametrization_of(self, family: str) -> str | None:
+        """The parametrization of new landmarks of a family, or None for none."""
+        return {"points": self.points, "segments": self.lines, **self.others}.get(family)
 
     def line_prior(self, name: str) -> Prior:
         """Means and standard deviations of what a segment does not tell about a line of this parametrization."""
@@ -113,7 +123,8 @@ class Options:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON or TOML; what is None is left out."""
-        return {name: value for name, value in asdict(self).items() if value is not None}
+        plain = {name: value for name, value in asdict(self).items() if value is not None}
+        return plain if self.others else {name: value for name, value in plain.items() if name != "others"}
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> "Options":

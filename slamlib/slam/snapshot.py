@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.data.snapshots import Looks, MapView, RobotView, SensorView, Snapshot
+from slamlib.observation import Family
 from slamlib.slam.entities import POSE, MountedSensor
 from slamlib.slam.line_endpoints import ends_in_image
 from slamlib.slam.measurement_update import looks_of
@@ -15,17 +16,16 @@ def snapshot_of(slam: Any) -> Snapshot:
     """Everything that may be shown of a filter, after the frame that it saw last."""
     robots = tuple(RobotView(r.name, r.block.mean.copy(), slam.belief.covariance(r.block)) for r in slam.robots)
     sensors = tuple(_sensor_view(slam, i, sensor) for i, sensor in enumerate(slam.sensors))
-    points, segments = (_map_view(slam, family) for family in slam.families)
-    return Snapshot(slam.number, slam.time, robots, sensors, points, segments, slam.belief.size)
+    landmarks = {family.name: _map_view(slam, family) for family in slam.families.values()}
+    return Snapshot(slam.number, slam.time, robots, sensors, landmarks, slam.belief.size)
 
 
 def _sensor_view(slam: Any, i: int, sensor: MountedSensor) -> SensorView:
     covariance = np.zeros((POSE, POSE)) if sensor.block is None else slam.belief.covariance(sensor.block)
-    sizes = sensor.calibration.sensor.size, 4
-    looks = [_looks(slam, i, f.name, n) for f, n in zip(slam.families, sizes, strict=True)]
+    looks = {f.name: _looks(slam, i, f.name, f.size(sensor.calibration)) for f in slam.families.values()}
     robot = slam.robots.index(sensor.robot)
     image = sensor.calibration.image
-    return SensorView(sensor.name, robot, sensor.mount.copy(), covariance, image, slam.scans[i], *looks)
+    return SensorView(sensor.name, robot, sensor.mount.copy(), covariance, image, slam.scans[i], looks)
 
 
 def _looks(slam: Any, i: int, family: str, size: int) -> Looks:
@@ -34,6 +34,7 @@ def _looks(slam: Any, i: int, family: str, size: int) -> Looks:
     return replace(looks_of(slam.looks[i], family, size), ends=ends, spreads=spreads)
 
 
-def _map_view(slam: Any, family: Any) -> MapView:
-    view: MapView = family.view(slam.belief, [lm for lm in slam.landmarks if isinstance(lm.kind, family.kinds)])
-    return view
+def _map_view(slam: Any, family: Family) -> MapView:
+    own = [lm for lm in slam.landmarks if isinstance(lm.kind, family.kinds)]
+    kinds = tuple(landmark.kind.name for landmark in own)
+    return MapView(np.array([lm.id for lm in own], dtype=int), kinds, *family.geometry(slam.belief, own))

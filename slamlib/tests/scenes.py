@@ -32,8 +32,10 @@ def world(segments: bool = True) -> World:
     lines += [[*a, 0.0, *a, 2.0] for a in corners]
     ids = np.arange(1, len(points) + 1)
     if not segments:
-        return World(Features(ids, points))
-    return World(Features(ids, points), Features(len(ids) + 1 + np.arange(len(lines)), np.array(lines)))
+        return World({"points": Features(ids, points)})
+    return World(
+        {"points": Features(ids, points), "segments": Features(len(ids) + 1 + np.arange(len(lines)), np.array(lines))}
+    )
 
 
 def truth(number: int, setup: SensorSetup | None = None) -> Truth:
@@ -70,10 +72,12 @@ def snapshot(number: int = 40, seed: int = 1, setup: SensorSetup | None = None) 
     seen = observe(EUC_POINT, sensor, pose, setup.mount, means)
     some = np.flatnonzero(seen.visible)
     looks = _looks(rng, points, some, seen.value[some], 60.0 if setup.image else 0.01)
-    scan = Scan(Features(looks.ids[looks.matched], looks.measured[looks.matched]))
+    scan = Scan({"points": Features(looks.ids[looks.matched], looks.measured[looks.matched])})
     image = None if setup.image is None else np.array(setup.image)
-    view = SensorView(setup.name, 0, setup.mount, np.zeros((6, 6)), image, scan, looks, NO_LOOKS)
-    return Snapshot(number, 0.1 * number, (robot,), (view,), points, lines, 6 + 3 * count)
+    view = SensorView(
+        setup.name, 0, setup.mount, np.zeros((6, 6)), image, scan, {"points": looks, "segments": NO_LOOKS}
+    )
+    return Snapshot(number, 0.1 * number, (robot,), (view,), {"points": points, "segments": lines}, 6 + 3 * count)
 
 
 def _looks(rng: np.random.Generator, points: MapView, some: np.ndarray, expected: np.ndarray, variance: float) -> Looks:
@@ -103,8 +107,8 @@ def with_segments(shown: Snapshot) -> Snapshot:
         number, ("y",) * 3, expected, np.ones((3, 2, 2)), measured, chosen, matched, inlier, inlier, ends, spreads
     )
     view = shown.sensors[0]
-    scan = Scan(view.scan.points, Features(number[1:], measured[1:]))
-    return replace(shown, sensors=(replace(view, segments=looks, scan=scan),))
+    scan = Scan({**view.scan.features, "segments": Features(number[1:], measured[1:])})
+    return replace(shown, sensors=(replace(view, looks={**view.looks, "segments": looks}, scan=scan),))
 
 
 def photograph(number: int = 0, width: int = 640, height: int = 480) -> np.ndarray:
@@ -127,8 +131,8 @@ def with_photograph(shown: Snapshot) -> Snapshot:
     patches = [rng.uniform(0, 255, (11, 11)).round() if m else None for m in looks.matched]
     found = [None if p is None else (0.5 * p + 40).astype(np.uint8) for p in patches]
     seen = replace(looks, chosen=chosen, scores=scores, predicted=tuple(patches), found=tuple(found))
-    scan = Scan(view.scan.points, view.scan.segments, image)
-    return replace(shown, sensors=(replace(view, points=seen, scan=scan),))
+    scan = Scan(view.scan.features, image)
+    return replace(shown, sensors=(replace(view, looks={**view.looks, "points": seen}, scan=scan),))
 
 
 def run(frames: int) -> tuple[list[Snapshot], list[Truth]]:

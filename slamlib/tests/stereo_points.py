@@ -58,7 +58,7 @@ def filtered(data, std, control, mapped=lambda ids: ids > 0, **robot):
     for k, (ids, values) in enumerate(data):
         moved = control(k, data[k - 1], data[k]) if k else (None if robot else STILL)
         keep = mapped(ids)
-        scan = Scan(Features(ids[keep], values[keep]))
+        scan = Scan({"points": Features(ids[keep], values[keep])})
         slam.step(Frame(k + 1, float(k > 0), (moved,), (scan,)))
         yield slam.robots[0].pose.copy(), slam.belief.covariance(slam.robots[0].block)[:6, :6]
 

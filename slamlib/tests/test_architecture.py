@@ -69,6 +69,54 @@ def test_a_new_type_is_one_written_and_one_generated_file(tag, tmp_path):
     assert passed >= 4  # itself, and each pair that it is in
 
 
+# A run with planes, in the scratch copy: records, simulation, filter, snapshot, recording and checkpoint know them.
+WITH_PLANES = """
+import numpy as np
+from slamlib.data.records import Features, World
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
+from slamlib.observation import FAMILIES
+from slamlib.simulation import load, save, simulate
+from slamlib.slam import Options, Slam
+
+assert set(FAMILIES) == {"planes", "points", "segments"}
+feet = np.array([[3.0, 0, 0], [0, 4, 0], [0, 0, -2], [-5, 1, 0]])
+world = World({"planes": Features(np.arange(4), feet), "points": Features(np.arange(4, 8), feet + 0.5)})
+robot = RobotSetup(control=(0.05, 0, 0, 0, 0, 1.0), control_std=(0.01,) * 3 + (0.2,) * 3)
+rig = Rig((robot,), (SensorSetup(type="relativePosition", euler=(0.0, 0.0, 0.0), std=(0.02,)),))
+slam, rng = Slam(rig, Options(points="eucPnt", others={"planes": "footPln"})), np.random.default_rng(1)
+run = list(simulate(rig, world, frames=60, dt=0.1, rng=rng))
+nis = []
+for frame, truth in run:
+    slam.step(frame)
+    nis += [look.nis for look in slam.looks[0] if look.inlier and look.family.name == "planes"]
+shown = slam.snapshot()
+assert len(shown.points.ids) == len(shown.planes.ids) == 4
+error = shown.planes.geometry - feet[shown.planes.ids]
+assert np.abs(error).max() < 0.3 and 2.5 < np.mean(nis) < 3.5, (error, np.mean(nis))
+assert np.linalg.norm(slam.robots[0].pose[:3] - truth.robots[0][:3]) < 0.2
+slam.save("slam.npz")
+again = Slam.load("slam.npz")
+assert np.array_equal(again.belief.matrix, slam.belief.matrix)
+save("run.npz", run, rig=rig, world=world)
+assert np.array_equal(load("run.npz").frames[7].scans[0].planes.values, run[7][0].scans[0].planes.values)
+print("planes", len(nis))
+"""
+
+
+def test_a_new_family_is_one_written_and_one_generated_file(tmp_path):
+    path, copy = "observation/planes.py", tmp_path / "slamlib"
+    shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__", ".*_cache"))
+    before = contents(copy)
+    shutil.copyfile(PACKAGE / "tests" / "planes.py", copy / path)
+    python(tmp_path, "-m", "slamlib.codegen", path)
+    after = contents(copy)
+    assert {f for f in after | before if after.get(f) != before.get(f)} - {"generated/observation/__init__.py"} == {
+        path,
+        f"generated/{path}",
+    }
+    assert python(tmp_path, "-c", WITH_PLANES).startswith("planes")
+
+
 def test_only_the_named_modules_are_generated_and_nothing_is_removed(tmp_path):
     (tmp_path / "left_over.py").write_text("")
     assert command.write(tmp_path, ["geometry/polar.py"]) == 3

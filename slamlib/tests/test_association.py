@@ -78,7 +78,7 @@ def test_nine_is_another_probability_for_each_size():
 
 
 def test_identity_matches_by_id_and_begins_with_the_lowest():
-    scan = Scan(Features([7, 3, 9, 5], [[7.0, 0], [3, 0], [9, 0], [5, 0]]))
+    scan = Scan({"points": Features([7, 3, 9, 5], [[7.0, 0], [3, 0], [9, 0], [5, 0]])})
 
     class Wanted:
         def __init__(self, number):
@@ -90,7 +90,4 @@ def test_identity_matches_by_id_and_begins_with_the_lowest():
     assert np.isnan(measured[1]).all()
     fresh = Identity().detect(Sight(scan, None, []), "points", {3}, lambda values: values[:, 0] != 5, 2)
     assert [number for number, _, _ in fresh] == [7, 9]
-    assert (
-        Identity().detect(Sight(Scan(Features.none(2)), None, []), "points", set(), lambda v: np.ones(len(v), bool), 3)
-        == []
-    )
+    assert Identity().detect(Sight(Scan(), None, []), "points", set(), lambda v: np.ones(len(v), bool), 3) == []

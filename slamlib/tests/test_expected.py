@@ -6,17 +6,17 @@ import pytest
 from slamlib.belief import Belief
 from slamlib.errors import NonFiniteError, SingularPointError, UnitError
 from slamlib.geometry.pose import Pose, compose
-from slamlib.kalman import small_matrices
+from slamlib.kalman import linalg
 from slamlib.landmarks.ahm_point import AHM_POINT
 from slamlib.landmarks.linearity import euclidean_index
 from slamlib.model import model
 from slamlib.modeling import kernel
 from slamlib.motions import motion
+from slamlib.observation.family import by_columns, viewpoint
 from slamlib.observation.points import observe, observe_from
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.entities import MountedSensor, Robot
-from slamlib.slam.predicted_measurement import by_columns, place_of
 from slamlib.tests.beliefs import random_covariance
 
 AHEAD = np.array([0.0, 0, 0, 0.1, -0.2, 1, 0.2])  # an anchored point in the view of a camera near the origin
@@ -44,7 +44,7 @@ def mounted(rng, *, estimated):
 
 
 @pytest.mark.parametrize("estimated", [False, True])
-def test_the_place_of_a_sensor_follows_every_change(rng, estimated):
+def test_the_viewpoint_a_sensor_follows_every_change(rng, estimated):
     belief, sensor = mounted(rng, estimated=estimated)
     blocks = sensor.blocks
     for _ in range(3):
@@ -53,15 +53,15 @@ def test_the_place_of_a_sensor_follows_every_change(rng, estimated):
             belief.predict(block, moved, np.eye(6), np.eye(6))
             pose, J = compose.jac(sensor.robot.pose, sensor.mount)
             for _ in range(2):
-                assert np.array_equal(place_of(sensor).pose, pose)
-                assert np.array_equal(place_of(sensor).by, np.concatenate(list(J)[: len(blocks)], axis=1))
+                assert np.array_equal(viewpoint(sensor).pose, pose)
+                assert np.array_equal(viewpoint(sensor).by, np.concatenate(list(J)[: len(blocks)], axis=1))
     sensor.given = Pose.random(rng)
-    assert np.array_equal(place_of(sensor).pose, sensor.camera)
-    before, place = belief.snapshot(), place_of(sensor)
+    assert np.array_equal(viewpoint(sensor).pose, sensor.camera)
+    before, place = belief.snapshot(), viewpoint(sensor)
     belief.correct(blocks[:1], [np.eye(6)], np.full(6, 0.1), np.eye(6))
-    assert not np.array_equal(place_of(sensor).pose, place.pose)
+    assert not np.array_equal(viewpoint(sensor).pose, place.pose)
     belief.restore(before)
-    assert np.array_equal(place_of(sensor).pose, place.pose)
+    assert np.array_equal(viewpoint(sensor).pose, place.pose)
     with pytest.raises(ValueError, match="read-only"):
         place.pose[0] = 0
 
@@ -72,7 +72,7 @@ def test_jacobians_by_the_place_are_those_by_robot_and_mount(rng, estimated, lea
     _, sensor = mounted(rng, estimated=estimated)
     points = AHEAD + 0.01 * rng.standard_normal((*lead, 7))
     whole = observe(AHM_POINT, sensor.calibration, sensor.robot.pose, sensor.mount, points)
-    place = place_of(sensor)
+    place = viewpoint(sensor)
     found = observe_from(AHM_POINT, sensor.calibration, place.pose, points)
     J = whole.jacobians
     expected = np.concatenate([J.robot, J.mount, J.landmark] if estimated else [J.robot, J.landmark], axis=-1)
@@ -146,7 +146,7 @@ def test_an_index_by_other_coordinates_is_that_of_their_covariance(rng):
 def test_small_algebra_of_many_matrices(rng, d):
     matrices, z = np.array([random_covariance(rng, d) for _ in range(5)]), rng.standard_normal((5, d))
     expected = [x @ np.linalg.solve(Z, x) for x, Z in zip(z, matrices, strict=True)]
-    assert np.allclose(small_matrices.squares(z, matrices), expected, rtol=1e-9, atol=0)
-    assert np.allclose(small_matrices.log_determinants(matrices), np.linalg.slogdet(matrices)[1], rtol=0, atol=1e-10)
+    assert np.allclose(linalg.quadratic_forms(z, matrices), expected, rtol=1e-9, atol=0)
+    assert np.allclose(linalg.log_determinants(matrices), np.linalg.slogdet(matrices)[1], rtol=0, atol=1e-10)
     whole, rows = random_covariance(rng, 9), rng.integers(0, 9, (5, d))
-    assert np.array_equal(small_matrices.corners(whole, rows), whole[rows[:, :, None], rows[:, None, :]])
+    assert np.array_equal(linalg.principal_blocks(whole, rows), whole[rows[:, :, None], rows[:, None, :]])

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from slambook import rendering
 
-from slamlib.data.records import Features, Frame, Scan
+from slamlib.data.records import Frame, Scan
 from slamlib.data.setup import SensorSetup
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.alignment import aligned
@@ -108,7 +108,7 @@ def test_dark_frames_are_predictions(film):
     for frame, _ in film.steps[:8]:
         slam.step(frame)
     known, spread = len(slam.landmarks), np.trace(slam.belief.covariance(slam.robots[0].block)[:3, :3])
-    dark = Scan(Features.none(2), image=np.zeros((240, 320), np.uint8))
+    dark = Scan(image=np.zeros((240, 320), np.uint8))
     for number in range(9, 12):
         report = slam.step(Frame(number, DT, (None,), (dark,)))
         assert not report.begun
@@ -169,7 +169,7 @@ def test_the_image_must_be_the_calibrated_one(film):
     slam = filter_of(film)
     for image, said in ((None, "no image"), (np.zeros((100, 100), np.uint8), r"shape \(100, 100\)")):
         with pytest.raises(SlamlibError, match=said):
-            slam.step(Frame(1, DT, (None,), (Scan(Features.none(2), image=image),)))
+            slam.step(Frame(1, DT, (None,), (Scan(image=image),)))
         assert slam.number == 0  # nothing has been changed
     blind = replace(SensorSetup(), image=None).calibration
     with pytest.raises(SlamlibError, match="has no image"):

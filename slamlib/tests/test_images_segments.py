@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 from slambook import rendering
 
-from slamlib.data.records import Features, Frame, Scan
+from slamlib.data.records import Frame, Scan
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError
 from slamlib.landmarks import endpoints, hmg_point
 from slamlib.landmarks.segments import length
+from slamlib.observation.lines import straight
 from slamlib.slam import Options, Slam
 from slamlib.slam.data_association.front_end import Sight
-from slamlib.slam.line_residuals import straight
 from slamlib.tests.pictures import cube
 from slamlib.tests.rooms import flat, pinhole, upright
 from slamlib.vision.active_search import ActiveSearch
@@ -148,7 +148,7 @@ def rig_of(translation=0.01, rotation=0.1, distortion=(0.0,)):
 
 
 def frame_of(number, image):
-    return Frame(number, 1.0, (None,), (Scan(Features.none(2), image=image),))
+    return Frame(number, 1.0, (None,), (Scan(image=image),))
 
 
 def seen(first, second, rig=None, options=OPTIONS, **settings):
@@ -295,7 +295,7 @@ def done(film):
 
 def settled(slam):
     """The lines whose two ends are known, by the filter's own account, to a tenth of their length."""
-    found = slam.families[1].view(slam.belief, slam.landmarks).converged
+    found = slam.families["segments"].geometry(slam.belief, slam.landmarks)[2]
     return [k for k, is_settled in zip(slam.landmarks, found, strict=True) if is_settled]
 
 
@@ -324,7 +324,7 @@ def test_lines_lie_on_the_true_edges_of_the_room(film, done):
     upright_ones = np.array([np.abs(axes(in_image(slam, k))[0][1]) > 0.9 for k in well])
     assert upright_ones.sum() >= 3  # across the camera's way, and so well known
     assert distances[upright_ones].max() < 0.03
-    spreads = slam.families[1].view(slam.belief, well).covariance
+    spreads = slam.families["segments"].geometry(slam.belief, well)[1]
     std = np.sqrt(np.trace(spreads, axis1=-2, axis2=-1)).max(-1)
     assert (distances < 3 * std).all()
     assert np.mean([look.matched for look in looks]) > 0.9
@@ -373,7 +373,7 @@ def test_both_ask_the_front_end_of_the_family(film):
     adopted = front_end.adopt(Sight(film.steps[0][0].scans[0], slam.sensors[0], []), "points", np.array([[160.0, 120]]))
     assert adopted[0][0] > max(k.id for k in slam.landmarks)
     with pytest.raises(SlamlibError, match="no image"):
-        front_end.check(Scan(Features.none(2)))
+        front_end.check(Scan())
 
 
 def test_the_front_end_is_the_one_that_the_options_need():
@@ -399,9 +399,9 @@ def test_wrong_inputs_say_so():
                                   image=(160, 120), limits={"angle": 1.2}).calibration)  # fmt: skip
     search = SegmentSearch(IDEAL)
     with pytest.raises(SlamlibError, match="no image"):
-        search.check(Scan(Features.none(2)))
+        search.check(Scan())
     with pytest.raises(SlamlibError, match="shape"):
-        search.check(Scan(Features.none(2), image=np.zeros((3, 4))))
+        search.check(Scan(image=np.zeros((3, 4))))
 
 
 def test_a_strip_that_leaves_the_image_is_unknown_there():

@@ -46,11 +46,11 @@ class Difference:
 
 def frame_of(recorded, noise):
     raw = recorded["raw"][0]
-    features = [
-        Features(np.atleast_1d(np.ravel(raw[f"{name}_ids"])).astype(int), np.asarray(raw[f"{name}_coord"]).T)
-        for name in ("pnt", "seg")
-    ]
-    return Frame(recorded["frame"], 0.1, (Control(np.ravel(recorded["u"]), noise),), (Scan(*features),))
+    features = {
+        family: Features(np.atleast_1d(np.ravel(raw[f"{name}_ids"])).astype(int), np.asarray(raw[f"{name}_coord"]).T)
+        for family, name in (("points", "pnt"), ("segments", "seg"))
+    }
+    return Frame(recorded["frame"], 0.1, (Control(np.ravel(recorded["u"]), noise),), (Scan(features),))
 
 
 def to_tangent(q):

@@ -115,7 +115,7 @@ def test_what_cannot_be_saved_is_named_and_leaves_the_file_as_it_was(tmp_path):
     save(path, pairs, rig=RIG, world=WORLD)
     before = path.read_bytes()
     frame, truth = pairs[0]
-    with_image = replace(frame, scans=(Scan(frame.scans[0].points, image=np.zeros((2, 2))), frame.scans[1]))
+    with_image = replace(frame, scans=(Scan(frame.scans[0].features, image=np.zeros((2, 2))), frame.scans[1]))
     for wrong, message in (
         ([(replace(frame, controls=()), truth)], "has 0 controls and 2 scans, but the rig has 2 robots and 2 sensors"),
         ([(with_image, truth)], "holds an image"),

@@ -51,7 +51,9 @@ def test_every_segment_of_a_house_lies_on_one_of_its_faces():
 
 
 def test_joined_worlds_are_numbered_anew_and_keep_their_faces():
-    own = World(Features(np.array([7, 3]), np.eye(3)[:2]), Features(np.array([99]), np.ones((1, 6))))
+    own = World(
+        {"points": Features(np.array([7, 3]), np.eye(3)[:2]), "segments": Features(np.array([99]), np.ones((1, 6)))}
+    )
     both = join(own, world("house"), world("thickCloister", n=7))
     assert both.points.ids.tolist() == list(range(1, 75))
     assert both.segments.ids.tolist() == list(range(75, 99))

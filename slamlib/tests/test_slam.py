@@ -14,8 +14,8 @@ from slamlib.evaluation.consistency import band, chi2_quantile
 from slamlib.experiments.presets import PRESETS, preset
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
+from slamlib.observation.lines import READINGS
 from slamlib.slam import Options, Slam
-from slamlib.slam.options import INNOVATIONS
 
 
 def error_of(slam, truth, robot=0):
@@ -69,7 +69,7 @@ def test_every_point_serves(kind):
 
 
 @pytest.mark.parametrize("kind", LINES)
-@pytest.mark.parametrize("innovation", INNOVATIONS)
+@pytest.mark.parametrize("innovation", READINGS)
 def test_every_line_serves_with_every_innovation(kind, innovation):
     p = preset("lines")
     options = replace(p.options, lines=kind, innovation=innovation, later=2)
@@ -94,7 +94,7 @@ def test_twenty_runs_are_consistent_at_first(reproject):
 def test_lines_see_the_same_with_every_innovation():
     """To first order the three readings say the same of a segment: after some frames the estimates agree."""
     p = replace(preset("lines"), frames=25)
-    poses = [run(replace(p, options=replace(p.options, innovation=i)))[0].robots[0].pose for i in INNOVATIONS]
+    poses = [run(replace(p, options=replace(p.options, innovation=i)))[0].robots[0].pose for i in READINGS]
     sigma = 0.02
     assert np.abs(poses[1] - poses[0]).max() < sigma / 3
     assert np.abs(poses[2] - poses[0]).max() < sigma / 3
@@ -208,7 +208,7 @@ def test_a_landmark_that_is_never_found_again_goes():
     for frame in frames[1:]:
         points = frame.scans[0].points
         keep = points.ids != gone
-        scan = Scan(Features(points.ids[keep], points.values[keep]))
+        scan = Scan({"points": Features(points.ids[keep], points.values[keep])})
         deleted += slam.step(Frame(frame.number, frame.dt, frame.controls, (scan,))).deleted
     assert gone in deleted
     assert gone not in [lm.id for lm in slam.landmarks]
@@ -227,7 +227,7 @@ def test_frames_that_do_not_fit_are_refused_and_nothing_is_changed():
         Frame(1, 0.1, (), frame.scans),
         Frame(1, 0.1, frame.controls, ()),
         Frame(1, 0.1, (Control(np.zeros(3), np.eye(3)),), frame.scans),
-        Frame(1, 0.1, frame.controls, (Scan(Features([1], [[1.0, 2, 3]])),)),
+        Frame(1, 0.1, frame.controls, (Scan({"points": Features([1], [[1.0, 2, 3]])}),)),
     ]
     for wrong in bad:
         with pytest.raises(SlamlibError, match="frame 1"):

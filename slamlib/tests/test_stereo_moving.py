@@ -12,6 +12,7 @@ from slamlib.data.setup import Rig
 from slamlib.evaluation.consistency import chi2_quantile, nees
 from slamlib.geometry.pose import Pose
 from slamlib.motions import ODOMETRY
+from slamlib.observation.family import viewpoint
 from slamlib.slam import Options, Slam
 from slamlib.tests.stereo import MOUNT, calibration, points_seen, seen_from
 from slamlib.tests.stereo_points import run, simulate
@@ -187,7 +188,7 @@ def test_a_stranger_is_no_landmark(film):
 
 def seen(slam, landmark):
     """Where a landmark that was just begun is in the picture (3,)."""
-    return slam.families[0].expect(slam.sensors[0], [landmark]).value[0]
+    return slam.families["points"].expect(viewpoint(slam.sensors[0]), [landmark], slam.options).value[0]
 
 
 def test_a_black_picture_is_a_motion_that_nobody_could_tell(film):

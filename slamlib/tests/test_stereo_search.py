@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from slambook.rendering.stereo_film import stereo_film
 
-from slamlib.data.records import Features, Frame, Scan
+from slamlib.data.records import Frame, Scan
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import Pose, compose
 from slamlib.landmarks.euc_point import EUC_POINT
@@ -42,7 +42,7 @@ def run(slam, frames):
 def dark(frame):
     """The same frame with nothing to see in it."""
     image = np.zeros_like(frame.scans[0].image)
-    return Frame(frame.number, frame.dt, frame.controls, (Scan(Features.none(3), image=image),))
+    return Frame(frame.number, frame.dt, frame.controls, (Scan(image=image),))
 
 
 def test_the_camera_is_where_the_filter_says(film):
@@ -154,7 +154,7 @@ def test_scans_without_a_pair_change_nothing(film):
     before = slam.belief.matrix.copy()
     for image in (None, np.zeros((240, 320), np.uint8), np.zeros((2, 240, 300), np.uint8)):
         with pytest.raises(SlamlibError, match="pair"):
-            slam.step(Frame(3, 0.03, (None,), (Scan(Features.none(3), image=image),)))
+            slam.step(Frame(3, 0.03, (None,), (Scan(image=image),)))
     np.testing.assert_array_equal(slam.belief.matrix, before)
 
 

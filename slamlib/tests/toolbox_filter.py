@@ -11,13 +11,13 @@ from slamlib.geometry.pose import compose
 from slamlib.landmarks import idp_point
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import to_euclidean
+from slamlib.observation.family import Expected, Innovation, columns_of, means_of
+from slamlib.observation.points import PointFamily
+from slamlib.observation.segments import LineFamily, line_innovation
 from slamlib.slam import Slam
 from slamlib.slam.data_association.front_end import Sight
 from slamlib.slam.entities import MountedSensor
-from slamlib.slam.lines import LineFamily
 from slamlib.slam.measurement_update import choose_and_match, correct_in_sequence, expect_all, follow
-from slamlib.slam.points import PointFamily
-from slamlib.slam.predicted_measurement import Expected, Innovation, columns_of, means_of
 
 SWITCHES = {
     "selection": "by det(E) of the expectation alone, not by det(Z) with the noise (errata E57)",
@@ -67,37 +67,35 @@ class Points(PointFamily):
         by = np.concatenate([S.point @ F.pose @ by_robot, S.point @ F.landmark], axis=-1)
         return value, seen & sensor.calibration.inside(value), by
 
-    def expect(self, sensor, landmarks):
-        value, seen, by = self._observe(sensor, landmarks[0].kind, means_of(landmarks))
+    def expect(self, view, landmarks, options):
+        value, seen, by = self._observe(view.sensor, landmarks[0].kind, means_of(landmarks))
         looked = [lm for lm, is_seen in zip(landmarks, seen, strict=True) if is_seen]
-        return Expected(looked, value[seen], value[seen], by[seen], columns_of(sensor, landmarks)[seen])
+        return Expected(looked, value[seen], value[seen], by[seen], columns_of(view.sensor, landmarks)[seen], options)
 
-    def innovation(self, sensor, landmark, measured):
+    def innovation(self, view, landmark, measured, options):
+        sensor = view.sensor
         value, _, by = self._observe(sensor, landmark.kind, landmark.block.mean)
         return Innovation(measured - value, by, sensor.calibration.noise)
 
-    def begin(self, sensor, kind, value):
-        x, own, jacobians = super().begin(sensor, kind, value)
+    def begin(self, sensor, kind, value, options):
+        x, own, jacobians = super().begin(sensor, kind, value, options)
         if isinstance(sensor, SevenSensor):
             camera, by_robot = camera_of(sensor)
-            ray, _ = sensor.calibration.back_project_jac(value, np.array([self.options.inverse_distance[0]]))
+            ray, _ = sensor.calibration.back_project_jac(value, np.array([options.inverse_distance[0]]))
             jacobians = [kind.from_frame.storage_jac(camera, ray)[1].pose @ by_robot]
         return x, own, jacobians
 
-    def corrected(self, belief, sensor, landmarks, measured):
+    def corrected(self, belief, sensor, landmarks, measured, options):
         if "reset" in self.switches:
             for landmark in landmarks:
                 reset(belief, landmark, [5])
         if "index" not in self.switches:
             if not isinstance(sensor, SevenSensor):
-                super().corrected(belief, sensor, landmarks, measured)
+                super().corrected(belief, sensor, landmarks, measured, options)
             return
         camera = camera_of(sensor)[0]
         for landmark in landmarks:
-            if (
-                landmark.kind is not EUC_POINT
-                and self._index(belief, landmark, camera[:3]) < self.options.convert_below
-            ):
+            if landmark.kind is not EUC_POINT and self._index(belief, landmark, camera[:3]) < options.convert_below:
                 belief.replace(landmark.block, 3, *to_euclidean(landmark.kind, landmark.block.mean))
                 landmark.kind = EUC_POINT
 
@@ -125,32 +123,32 @@ class Lines(LineFamily):
 
     switches: frozenset = frozenset()
 
-    def expect(self, sensor, landmarks):
-        found = super().expect(sensor, landmarks)
+    def expect(self, view, landmarks, options):
+        found, sensor = super().expect(view, landmarks, options), view.sensor
         if not found.landmarks or not isinstance(sensor, SevenSensor):
             return found
         rows = [self._line(sensor, lm) for lm in found.landmarks]
         by = np.array([row[1] for row in rows])
-        return Expected(found.landmarks, found.value, found.inner, by, columns_of(sensor, found.landmarks))
+        return Expected(found.landmarks, found.value, found.inner, by, columns_of(sensor, found.landmarks), options)
 
     def _line(self, sensor, landmark):
         camera, by_robot = camera_of(sensor)
         line, J = jac(sensor, landmark.kind.to_frame, camera, landmark.block.mean)
         return line, np.concatenate([J.pose @ by_robot, J.landmark], axis=-1)
 
-    def innovation(self, sensor, landmark, measured):
-        return self._innovation(sensor, *self._line(sensor, landmark), measured)
+    def innovation(self, view, landmark, measured, options):
+        return line_innovation(view.sensor, *self._line(view.sensor, landmark), measured, options)
 
-    def begin(self, sensor, kind, value):
-        x, own, jacobians = super().begin(sensor, kind, value)
+    def begin(self, sensor, kind, value, options):
+        x, own, jacobians = super().begin(sensor, kind, value, options)
         if isinstance(sensor, SevenSensor):
             camera, by_robot = camera_of(sensor)
             rays = sensor.calibration.back_project_jac(value.reshape(2, 2), np.ones((2, 1)))[0][:, :3].ravel()
-            prior = np.array(self.options.line_prior(kind.name)[0])
+            prior = np.array(options.line_prior(kind.name)[0])
             jacobians = [kind.from_frame.storage_jac(camera, rays, prior)[1].pose @ by_robot]
         return x, own, jacobians
 
-    def corrected(self, belief, sensor, landmarks, measured):
+    def corrected(self, belief, sensor, landmarks, measured, options):
         if "reset" in self.switches:
             for landmark in landmarks:
                 reset(belief, landmark, [5, 8])
@@ -189,7 +187,7 @@ class ToolboxFilter(Slam):
     def __init__(self, rig, options, switches=()):
         super().__init__(rig, options)
         self.switches = frozenset(switches)
-        self.families = (Points(options, switches=self.switches), Lines(options, switches=self.switches))
+        self.families = {"points": Points(self.switches), "segments": Lines(self.switches)}
         if "seven" in self.switches:
             robot = self.robots[0]
             self.belief.replace(robot.block, 7, robot.pose, np.zeros((7, 6)))  # the start is known exactly
@@ -213,7 +211,7 @@ class ToolboxFilter(Slam):
     def _correct(self, i, scan):
         sensor = self.sensors[i]
         self._normalise()
-        looks = expect_all(self.belief, sensor, self.families, self.landmarks)
+        looks = expect_all(self.belief, sensor, self.families, self.landmarks, self.options)
         if "selection" in self.switches:
             for look in looks:
                 look.Z = look.family.certainty(self.belief, sensor, look.landmark)
@@ -223,7 +221,7 @@ class ToolboxFilter(Slam):
                 self._one(sensor, look)
         else:
             correct_in_sequence(self.belief, sensor, matched, self.options)
-            follow(self.belief, sensor, matched)
+            follow(self.belief, sensor, matched, self.options)
         self.scans[i], self.looks[i] = scan, looks
         self._normalise()
 
@@ -232,4 +230,4 @@ class ToolboxFilter(Slam):
         look.expected.columns[look.row] = columns_of(sensor, [look.landmark])[0]
         correct_in_sequence(self.belief, sensor, [look], self.options)
         self._normalise()
-        follow(self.belief, sensor, [look])
+        follow(self.belief, sensor, [look], self.options)

@@ -14,10 +14,10 @@ import numpy as np
 from slamlib.errors import SlamlibError
 from slamlib.landmarks.segments import length
 from slamlib.manifolds import Array
+from slamlib.observation.lines import bent, straight
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import Sight
 from slamlib.slam.data_association.gates import gate
-from slamlib.slam.line_residuals import bent, straight
 from slamlib.vision.edges import PROFILE, STEP, Edge, Strip, axes, fitted, line, strip
 from slamlib.vision.front_end import PictureFrontEnd
 from slamlib.vision.segments import refined, segments_of

@@ -10,8 +10,8 @@ from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError
 from slamlib.landmarks.segments import length
 from slamlib.manifolds import Array
+from slamlib.observation.lines import straight
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.line_residuals import straight
 from slamlib.vision.edges import PROFILE, Edge, fitted, strip
 from slamlib.vision.patches import grey, sample
 

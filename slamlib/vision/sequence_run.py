@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Control, Features, Frame, Scan
+from slamlib.data.records import Control, Frame, Scan
 from slamlib.data.snapshots import Snapshot
 from slamlib.datasets.pictures import Picture
 from slamlib.datasets.sources import Source
@@ -136,7 +136,7 @@ class SequenceRun:
     def _frame(self, picture: Picture) -> Frame:
         """A picture with a control of zeros. Raises SlamlibError for one that does not fit; nothing is changed."""
         calibration, robot = self.slam.sensors[0].calibration, self.slam.robots[0]
-        scan = Scan(Features.none(calibration.sensor.size), image=self.kind.checked(picture, calibration))
+        scan = Scan(image=self.kind.checked(picture, calibration))
         dt = picture.time - self.history[-1][TIME] if self._can_move() else 0.0
         control = Control(np.zeros(robot.motion.control), robot.noise * (dt / self.source.interval))
         return Frame(len(self.history) + 1, dt, (control,), (scan,))

@@ -131,7 +131,7 @@ class Target:
             landmark = Landmark(number, EUC_POINT, block, born=1, signature=signature)
             slam.landmarks.append(landmark)
             pixel_of[landmark] = self.pixels[i]
-        looks = expect_all(slam.belief, sensor, slam.families, slam.landmarks)
+        looks = expect_all(slam.belief, sensor, slam.families, slam.landmarks, slam.options)
         for look in looks:
             look.measured, look.matched = pixel_of[look.landmark], True
         correct_in_batch(slam.belief, sensor, looks, replace(slam.options, gate=1.0))

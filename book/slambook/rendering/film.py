@@ -8,7 +8,7 @@ from slambook.rendering.effects import Chip, Effects
 from slambook.rendering.paths import Path
 from slambook.rendering.quads import Room
 from slambook.rendering.renderer import Renderer
-from slamlib.data.records import Control, Features, Frame, Scan, Truth
+from slamlib.data.records import Control, Frame, Scan, Truth
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.geometry.pose import Pose, compose, relative
@@ -77,7 +77,7 @@ class Film:
             control = TOLD[setup.motion](before[:7], after[:7], setup, own[0]["control"])
             light = (self._light(j, mount, number * self.dt) for j, mount in enumerate(mounts))
             images = [chip.expose(seen, self.dt) for chip, seen in zip(chips, light, strict=True)]
-            scans = tuple(Scan(Features.none(2), image=image) for image in images)
+            scans = tuple(Scan(image=image) for image in images)
             yield Frame(number, self.dt, (control,), scans), Truth((frozen(after[:size]),), mounts)
 
     def truth_of(self, truth: Truth, pixels: Array, sensor: int = 0) -> Array:

@@ -187,4 +187,4 @@ def _thin(snapshot: Snapshot) -> Snapshot:
         replace(view, kinds=(), **{n: getattr(view, n)[:0].copy() for n in MAP_ARRAYS})
         for view in (snapshot.points, snapshot.segments)
     )
-    return replace(snapshot, sensors=(), points=points, segments=segments)
+    return replace(snapshot, sensors=(), landmarks={"points": points, "segments": segments})

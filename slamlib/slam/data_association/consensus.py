@@ -8,19 +8,23 @@ if the gate had refused it, with the nis by which it was.
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.manifolds import Array
+from slamlib.observation.family import viewpoint
 from slamlib.slam.data_association.gates import gate, innovation_covariances, normalized
 from slamlib.slam.data_association.jcbb import compatible
 from slamlib.slam.data_association.joint_innovation import Together, by_kind, together, told_by_each
 from slamlib.slam.entities import MountedSensor
 from slamlib.slam.measurement_update import Look
-from slamlib.slam.options import Options
 
-Consensus = Callable[[Belief, MountedSensor, list[Look], Options], Iterator[list[Look]]]
+if TYPE_CHECKING:
+    from slamlib.slam.options import Options
+
+Consensus = Callable[[Belief, MountedSensor, list[Look], "Options"], Iterator[list[Look]]]
 
 # Standard deviations of the measurement's noise: a match within this of what a hypothesis expects supports it. Low on
 # purpose (Civera et al. 2010): 86 % of the true matches of two numbers without other errors, and few wrong ones.
@@ -29,12 +33,12 @@ LOW_INNOVATION = 2.0
 SUPPORT = 3
 
 
-def each(belief: Belief, sensor: MountedSensor, looks: list[Look], options: Options) -> Iterator[list[Look]]:
+def each(belief: Belief, sensor: MountedSensor, looks: list[Look], options: "Options") -> Iterator[list[Look]]:
     """All of them: the gate judges each alone."""
     yield looks
 
 
-def joint(belief: Belief, sensor: MountedSensor, looks: list[Look], options: Options) -> Iterator[list[Look]]:
+def joint(belief: Belief, sensor: MountedSensor, looks: list[Look], options: "Options") -> Iterator[list[Look]]:
     """The largest set that is compatible as a whole: z' Z^-1 z of all passes the gate for all degrees of freedom.
 
     Neira and Tardos (2001). What fails the gate by itself is out before. The nis of a refused look is what it would add
@@ -51,7 +55,7 @@ def joint(belief: Belief, sensor: MountedSensor, looks: list[Look], options: Opt
     yield _those(looks, keep)
 
 
-def _jointly(found: Together, may: Array, options: Options) -> Array:
+def _jointly(found: Together, may: Array, options: "Options") -> Array:
     """Mask of the largest jointly compatible set of the innovations that may."""
     rows, keep = np.flatnonzero(may), np.zeros(len(may), dtype=bool)
     if len(rows):
@@ -60,7 +64,7 @@ def _jointly(found: Together, may: Array, options: Options) -> Array:
     return keep
 
 
-def one_point(belief: Belief, sensor: MountedSensor, looks: list[Look], options: Options) -> Iterator[list[Look]]:
+def one_point(belief: Belief, sensor: MountedSensor, looks: list[Look], options: "Options") -> Iterator[list[Look]]:
     """Those that agree with what one of them says of the pose and the map; then, of the rest, what passes the gate.
 
     Civera, Grasa, Davison and Montiel (2010): a filter has a prior, so that a single match makes a hypothesis. Each of
@@ -94,13 +98,13 @@ def _largest_support(sensor: MountedSensor, looks: list[Look], found: Together, 
     return best
 
 
-def _rescued(belief: Belief, sensor: MountedSensor, looks: list[Look], options: Options) -> Iterator[list[Look]]:
+def _rescued(belief: Belief, sensor: MountedSensor, looks: list[Look], options: "Options") -> Iterator[list[Look]]:
     """Those of the looks that pass the gate where the belief is now; they are corrected by what is expected there."""
     inside: list[tuple[Look, Look]] = []
     for at in by_kind(looks):
         group = {looks[i].landmark: looks[i] for i in at}
         family = looks[at[0]].family
-        expected = family.expect(sensor, list(group))
+        expected = family.expect(viewpoint(sensor), list(group), options)
         if not expected.landmarks:
             continue
         seen = [group[landmark] for landmark in expected.landmarks]
@@ -122,7 +126,7 @@ def _alone(found: Together) -> Array:
     return normalized(found.z, found.Z[rows, :, rows])
 
 
-def _limits(found: Together, options: Options) -> Array:
+def _limits(found: Together, options: "Options") -> Array:
     return np.array([gate(options.gate, size) for size in found.dof.tolist()])
 
 

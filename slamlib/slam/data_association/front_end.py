@@ -78,10 +78,11 @@ class Identity:
 
     def match(self, sight: Sight, family: str, looks: list[Look]) -> tuple[Array, Array]:
         """The features with the ids of the landmarks."""
-        features: Features = getattr(sight.scan, family)
+        features = _features(sight, family)
         row_of = {number: row for row, number in enumerate(features.ids.tolist())}
         rows = np.array([row_of.get(look.landmark.id, -1) for look in looks], dtype=int)
-        measured = np.full((len(looks), features.values.shape[1]), np.nan)
+        size = features.values.shape[1] if len(features) or not looks else len(looks[0].value)
+        measured = np.full((len(looks), size), np.nan)
         measured[rows >= 0] = features.values[rows[rows >= 0]]
         return measured, rows >= 0
 
@@ -89,7 +90,7 @@ class Identity:
         self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
     ) -> list[Detected]:
         """The features with the lowest ids that are not known."""
-        features: Features = getattr(sight.scan, family)
+        features = _features(sight, family)
         fresh = sorted((number, row) for row, number in enumerate(features.ids.tolist()) if number not in known)
         if not fresh or not count:
             return []
@@ -108,3 +109,9 @@ class Identity:
 
     def unpack(self, packed: Any) -> Any:
         """It gives no signatures."""
+
+
+def _features(sight: Sight, family: str) -> Features:
+    """The features of a family in the scan; none if it has none."""
+    found: Features | None = sight.scan.features.get(family)
+    return Features.none(0) if found is None else found

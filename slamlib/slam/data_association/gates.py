@@ -10,20 +10,20 @@ from functools import lru_cache
 import numpy as np
 
 from slamlib.evaluation.consistency import chi2_quantile
-from slamlib.kalman import small_matrices
+from slamlib.kalman import linalg
 from slamlib.manifolds import Array
 
 
 def innovation_covariances(covariance: Array, columns: Array, H: Array, R: Array) -> Array:
     """Z = H P H' + R (n, d, d) of n measurements, one by one; covariance (s, s), columns (n, k), H (n, d, k)."""
-    half = H @ small_matrices.corners(covariance, columns) @ H.swapaxes(-1, -2) / 2
+    half = H @ linalg.principal_blocks(covariance, columns) @ H.swapaxes(-1, -2) / 2
     Z: Array = half + half.swapaxes(-1, -2) + R
     return Z
 
 
 def normalized(z: Array, Z: Array) -> Array:
     """z' Z^-1 z (n,) of innovations (n, d) with covariances (n, d, d)."""
-    return small_matrices.squares(z, Z)
+    return linalg.quadratic_forms(z, Z)
 
 
 def by_information(Z: Array, count: int) -> Array:
@@ -32,7 +32,7 @@ def by_information(Z: Array, count: int) -> Array:
     A measurement lowers the entropy of the state by log(det Z / det R) / 2: with one R for all, the most uncertain
     expectation is the one to look at. Davison (2005); the toolbox leaves R out (errata E57). Ties: the earlier row.
     """
-    return np.argsort(-small_matrices.log_determinants(Z), kind="stable")[:count]
+    return np.argsort(-linalg.log_determinants(Z), kind="stable")[:count]
 
 
 def by_order(Z: Array, count: int) -> Array:

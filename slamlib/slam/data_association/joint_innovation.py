@@ -9,9 +9,9 @@ import numpy as np
 from slamlib.belief import Belief
 from slamlib.geometry.pose import Pose, compose
 from slamlib.manifolds import Array
+from slamlib.observation.family import Expected, means_of
 from slamlib.slam.entities import POSE, MountedSensor
 from slamlib.slam.measurement_update import Look
-from slamlib.slam.predicted_measurement import Expected, means_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,7 +101,8 @@ def _innovations(sensor: MountedSensor, looks: list[Look], in_frame: Array) -> A
     inner = family.inner(sensor.calibration, in_frame)
     h, n, q = inner.shape
     flat, columns = inner.reshape(h * n, q), np.zeros((h * n, 0), dtype=int)
-    expected = Expected([look.landmark for look in looks] * h, flat, flat, np.zeros((h * n, q, 0)), columns)
+    landmarks, options = [look.landmark for look in looks] * h, looks[0].expected.options
+    expected = Expected(landmarks, flat, flat, np.zeros((h * n, q, 0)), columns, options)
     measured = np.tile(np.array([look.measured for look in looks]), (h, 1))
     z: Array = family.innovate(sensor, expected, measured).z
     return z.reshape(h, n, -1)

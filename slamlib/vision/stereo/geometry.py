@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from slamlib.data.records import Features, Frame, Scan
+from slamlib.data.records import Frame, Scan
 from slamlib.data.setup import Rig, SensorSetup
 from slamlib.datasets.pairs import pair
 from slamlib.errors import SlamlibError
@@ -80,4 +80,4 @@ def paired(frame: Frame) -> Frame:
     left, right = (scan.image for scan in frame.scans)
     if left is None or right is None:
         raise SlamlibError(f"frame {frame.number}: one of the two pictures is missing")
-    return replace(frame, scans=(Scan(Features.none(3), image=pair(left, right)),))
+    return replace(frame, scans=(Scan(image=pair(left, right)),))

@@ -16,7 +16,7 @@ import numpy as np
 from slamlib.data.records import Control
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.predict_from_pose import looks_from
+from slamlib.slam.measurement_update import looks_from
 from slamlib.vision.front_end import Stopwatch
 from slamlib.vision.motion_source import MotionSource, OwnMotion
 from slamlib.vision.stereo.detect import StereoSettings

@@ -1,0 +1,251 @@
+"""What a family of landmarks (points, lines, ...) must offer to the filter and to the simulator.
+
+A family is one value in a module of this folder, found by a walk (observation.FAMILIES): whoever adds planes or tags
+writes one file. The methods here are those of a family whose measurements are numbers in the sensor's frame, one row
+for each landmark; what it must say itself raises NotImplementedError.
+"""
+
+import math
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from slamlib.geometry.pose import compose
+from slamlib.kalman import state
+from slamlib.kalman.linalg import sealed
+from slamlib.manifolds import Array
+from slamlib.sensors.sensor import Calibration
+
+if TYPE_CHECKING:  # the filter is above this folder; only the checker of types looks up
+    from slamlib.belief import Belief
+    from slamlib.slam.entities import Landmark, MountedSensor
+    from slamlib.slam.linearization import Linearization
+    from slamlib.slam.options import Options
+
+
+class Expected(NamedTuple):
+    """n landmarks of one kind in view of one sensor.
+
+    value (n, m): their measurements; inner (n, q): what the innovation is computed from, with its Jacobian
+    by (n, q, k) by the rows `columns` (n, k) of the joint covariance; options: those it was predicted with.
+    """
+
+    landmarks: list["Landmark"]
+    value: Array
+    inner: Array
+    by: Array
+    columns: Array
+    options: "Options | None" = None
+
+    def take(self, rows: list[int]) -> "Expected":
+        """Some of the landmarks, in this order."""
+        arrays = (array.take(rows, axis=0) for array in (self.value, self.inner, self.by, self.columns))
+        return Expected([self.landmarks[i] for i in rows], *arrays, self.options)
+
+    @classmethod
+    def nothing(cls, size: int) -> "Expected":
+        """No landmark in view, of those whose measurements have `size` numbers."""
+        return cls([], np.zeros((0, size)), np.zeros((0, size)), np.zeros((0, size, 0)), np.zeros((0, 0), dtype=int))
+
+
+class Innovation(NamedTuple):
+    """z (n, d), its Jacobian H (n, d, k) of the expectation, and its noise R (n, d, d); of a single one without n."""
+
+    z: Array
+    H: Array
+    R: Array
+
+
+class Viewpoint(NamedTuple):
+    """From where a sensor looks: its pose (7,) in the world, and what Jacobians need.
+
+    at (7,): its pose at the point of linearization, `pose` itself in an ordinary EKF; by (6, k): the Jacobian of that
+    by the rows `columns` of the joint covariance.
+    """
+
+    sensor: "MountedSensor"
+    pose: Array
+    at: Array
+    by: Array
+    linearization: "Linearization | None"
+
+    def linearized(self, landmarks: list["Landmark"]) -> Array:
+        """Means (n, size) of landmarks of one kind at which their Jacobians are taken."""
+        if self.linearization is None:
+            return means_of(landmarks)
+        return np.array([self.linearization.at(landmark.block) for landmark in landmarks])
+
+
+def viewpoint(sensor: "MountedSensor", robot: Array | None = None) -> Viewpoint:
+    """Where the sensor is, by its robot's pose and its own mount; robot (7,): another pose of its robot."""
+    linearization, pose = sensor.linearization, sensor.robot.pose if robot is None else robot
+    is_estimated = sensor.block is not None
+    now, by = _composed(_bytes(pose), _bytes(sensor.mount), is_estimated)
+    if linearization is None:
+        return Viewpoint(sensor, now, now, by, None)
+    mount = sensor.given if sensor.block is None else linearization.at(sensor.block)
+    at, by = _composed(_bytes(linearization.at(sensor.robot.block)[:7]), _bytes(mount), is_estimated)
+    return Viewpoint(sensor, now, at, by, linearization)
+
+
+def _bytes(pose: Array) -> bytes:
+    numbers: bytes = np.asarray(pose, dtype=float).tobytes()
+    return numbers
+
+
+@lru_cache(maxsize=8)  # by the numbers themselves: one frame asks several times between two measurement updates
+def _composed(robot: bytes, mount: bytes, is_estimated: bool) -> tuple[Array, Array]:
+    pose, J = compose.jac(np.frombuffer(robot), np.frombuffer(mount))
+    return sealed(pose), sealed(np.concatenate(J, axis=1) if is_estimated else J.outer)
+
+
+def means_of(landmarks: list["Landmark"]) -> Array:
+    """Means (n, size) of landmarks of one kind."""
+    return state.means_of([landmark.block for landmark in landmarks])
+
+
+def rows_of(landmarks: list["Landmark"]) -> Array:
+    """Rows (n, dof) of the joint covariance of landmarks of one kind."""
+    starts: Array = np.array([landmark.block.start for landmark in landmarks])
+    return starts[:, None] + np.arange(landmarks[0].block.dof)
+
+
+def columns_of(sensor: "MountedSensor", landmarks: list["Landmark"]) -> Array:
+    """Rows (n, k) of the joint covariance that a measurement of each landmark, all of one kind, depends on."""
+    shared, own = sensor.columns, rows_of(landmarks)
+    columns = np.empty((len(own), len(shared) + own.shape[1]), dtype=int)
+    columns[:, : len(shared)], columns[:, len(shared) :] = shared, own
+    return columns
+
+
+def by_columns(view: Viewpoint, camera: Array, landmark: Array) -> Array:
+    """Jacobians by the sensor's pose (..., q, 6) and by the landmark (..., q, dof) as one by its rows (..., q, k)."""
+    return np.concatenate([product(camera, view.by), landmark], axis=-1)
+
+
+def product(left: Array, right: Array) -> Array:
+    """left @ right for Jacobians (..., m, k), (..., k, n): quick where each entry lies in memory over all items."""
+    lead = left.ndim - 2
+    if left.ndim == right.ndim == 2:
+        return left @ right
+    if right.ndim == 2:  # one matrix for all items: (n, k) @ (m, k, items), a product of large matrices
+        entries = left.transpose(lead, lead + 1, *range(lead))
+        whole = right.T @ entries.reshape(*entries.shape[:2], math.prod(left.shape[:-2]))
+        return whole.reshape(len(entries), right.shape[1], *left.shape[:-2]).transpose(*range(2, lead + 2), 0, 1)
+    return np.einsum("...ij,...jk->...ik", left, right)
+
+
+class Family:
+    """A family of landmarks: its name, the class of its parametrizations, those that there are by name.
+
+    world_size: numbers that say where one is in the world, for the simulator (points: 3); exact: the parametrization
+    whose state these numbers are; parts: measurements of the sensor that one of its own is made of (a segment: 2).
+    """
+
+    name: str
+    kinds: type
+    parametrizations: Mapping[str, Any]
+    world_size: int = 3
+    exact: Any = None
+    parts: int = 1
+
+    def new(self, options: "Options") -> Any:
+        """The parametrization of new landmarks, or None for none."""
+        name = options.parametrization_of(self.name)
+        return self.parametrizations[name] if name else None
+
+    def size(self, calibration: Calibration) -> int:
+        """Numbers in a measurement of one landmark."""
+        return calibration.sensor.size
+
+    def sees(self, sensor: "MountedSensor") -> bool:
+        """Whether a sensor measures landmarks of this family; it has `calibration`."""
+        raise NotImplementedError
+
+    def usable(self, sensor: "MountedSensor", values: Array, options: "Options") -> Array:
+        """Mask of the measurements (n, m) that a landmark may begin with."""
+        return np.ones(len(values), dtype=bool)
+
+    def observe(self, kind: Any, calibration: Calibration, camera: Array, means: Array) -> tuple[Array, Array, Any]:
+        """Measurements (n, m) of landmarks from a sensor's pose (7,), the mask of those in view, and the Jacobians
+        (n, m, 6) by the pose and (n, m, dof) by the landmark, as `jacobians.camera` and `jacobians.landmark`."""
+        raise NotImplementedError
+
+    def expect(self, view: Viewpoint, landmarks: list["Landmark"], options: "Options") -> Expected:
+        """What the sensor should measure of landmarks of one kind; those out of view are left out."""
+        kind, calibration, means = landmarks[0].kind, view.sensor.calibration, means_of(landmarks)
+        value, visible, J = self.observe(kind, calibration, view.pose, means)
+        if view.linearization is not None:
+            J = self.observe(kind, calibration, view.at, view.linearized(landmarks))[2]
+        seen = np.flatnonzero(visible)
+        if not len(seen):
+            return Expected.nothing(self.size(calibration))
+        looked, value = [landmarks[i] for i in seen.tolist()], value.take(seen, axis=0)
+        by = by_columns(view, J.camera.take(seen, axis=0), J.landmark.take(seen, axis=0))
+        return Expected(looked, value, value, by, columns_of(view.sensor, looked), options)
+
+    def innovate(self, sensor: "MountedSensor", expected: Expected, measured: Array) -> Innovation:
+        """Measured minus expected (n, m), in the space of the measurement."""
+        z = sensor.calibration.sensor.space.minus(measured, expected.value)
+        noise = sensor.calibration.noise
+        return Innovation(z, expected.by, noise[None].repeat(len(z), axis=0))
+
+    def innovation(
+        self, view: Viewpoint, landmark: "Landmark", measured: Array, options: "Options"
+    ) -> Innovation | None:
+        """The innovation of one landmark at the present means; None if it should not be seen from there."""
+        kind, calibration = landmark.kind, view.sensor.calibration
+        value, visible, J = self.observe(kind, calibration, view.pose, landmark.block.mean)
+        if not visible:
+            return None
+        if view.linearization is not None:
+            J = self.observe(kind, calibration, view.at, view.linearization.at(landmark.block))[2]
+        z = calibration.sensor.space.minus(measured, value)
+        return Innovation(z, by_columns(view, J.camera, J.landmark), calibration.noise)
+
+    def inner(self, calibration: Calibration, in_frame: Array) -> Array:
+        """What the innovation is computed from, of landmarks in the sensor's frame (..., q), as kind.to_frame has it;
+        nan where it cannot see them."""
+        return in_frame
+
+    def begin(
+        self, sensor: "MountedSensor", kind: Any, value: Array, options: "Options"
+    ) -> tuple[Array, Array, list[Array]]:
+        """Mean (size,), own noise (dof, dof) and Jacobians (dof, 6) by robot and mount of a new landmark."""
+        raise NotImplementedError
+
+    def abscissas(self, kind: Any) -> Array | None:
+        """Where the two ends of a new landmark are, of a family that has ends."""
+        return None
+
+    def corrected(
+        self,
+        belief: "Belief",
+        sensor: "MountedSensor",
+        landmarks: list["Landmark"],
+        measured: Array,
+        options: "Options",
+    ) -> None:
+        """What happens to landmarks of one kind after a measurement update: nothing."""
+
+    def lost(self, belief: "Belief", landmarks: list["Landmark"]) -> set["Landmark"]:
+        """The landmarks, of one kind, that cannot be where they are estimated: none."""
+        return set()
+
+    def geometry(self, belief: "Belief", landmarks: list["Landmark"]) -> tuple[Array, Array, Array]:
+        """For pictures: where they are in the world (n, ...), covariances (n, ...), and the mask of those converged."""
+        raise NotImplementedError
+
+    def check(self, name: str, calibration: Calibration) -> None:
+        """Raise SlamlibError if a sensor of this name cannot be simulated where there is something of the family."""
+
+    def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Array, Array]:
+        """What a simulated sensor at a pose (7,) measures of what is there: rows (k,) of the landmarks, values (k, m).
+
+        places (n, world_size); noise (n, m), or (n, parts, m): of each, seen or not.
+        """
+        value, visible, _ = self.observe(self.exact, sensor.calibration, camera, places)
+        rows = np.flatnonzero(visible)
+        return rows, sensor.calibration.sensor.space.plus(value[rows], noise[rows])
