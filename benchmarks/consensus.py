@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.experiments.presets import Preset, preset
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.slam import Slam
 from slamlib.slam.data_association.consensus import CONSENSUS, Consensus
 from slamlib.slam.data_association.front_end import Identity
@@ -34,7 +34,7 @@ class Wrong(Identity):
     def __init__(self, rate: float, rng: np.random.Generator) -> None:
         self.rate, self.rng = rate, rng
 
-    def match(self, sight: Any, family: str, looks: list[Any]) -> tuple[Array, Array]:
+    def match(self, sight: Any, family: str, looks: list[Any]) -> tuple[Array, Mask]:
         """As Identity.match, and then wrong."""
         measured, found = super().match(sight, family, looks)
         measured = measured.copy()

@@ -126,7 +126,7 @@ def beside_opencv(seconds: float) -> str:
     import cv2
 
     image = texture()
-    patch, piece = cut(image, (150, 120), SIZE), image[105:146, 135:176].astype(float)
+    patch, piece = cut(image, np.array([150, 120]), SIZE), image[105:146, 135:176].astype(float)
     assert patch is not None
     single = piece.astype(np.float32), patch.pixels.astype(np.float32)
     theirs = partial(cv2.matchTemplate, *single, cv2.TM_CCOEFF_NORMED)

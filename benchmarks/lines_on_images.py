@@ -110,9 +110,10 @@ def repeatability(film: Film, gaps: tuple[int, ...] = (0, 1, 5, 20)) -> None:
     )
     for gap in gaps:
         z = np.array(off[gap])
+        correlation = np.asarray(np.corrcoef(z.T))[0, 1]
         print(
             f"after {gap:2d} frames: {len(z)} ends' pairs, mean {z.mean():+.3f}, std {z.std():.3f}, MAD "
-            f"{1.4826 * np.median(np.abs(z)):.3f} px, correlation of the two ends {np.corrcoef(z.T)[0, 1]:+.2f}, "
+            f"{1.4826 * np.median(np.abs(z)):.3f} px, correlation of the two ends {correlation:+.2f}, "
             f"lost {np.mean(lost[gap]):.0%}"
         )
 
@@ -163,12 +164,13 @@ def run(film: Film, options: Options, front_end: Any) -> Outcome:
             k.id: born(made, truth, slam, k) for k in slam.landmarks if k.id in report.begun and k.abscissas is not None
         }
     spent = time.perf_counter() - began
-    times, real = DT * np.arange(len(poses)), np.array([t.robots[0][:7] for _, t in steps])
+    times, real = DT * np.arange(len(poses), dtype=float), np.array([t.robots[0][:7] for _, t in steps])
     found = aligned(Trajectory(times, np.array(poses)), Trajectory(times, real))
     seconds = {"all": spent, **front_end.seconds}
-    known = [k for k in slam.landmarks if truths.get(k.id) is not None and k.matched >= 20]
-    apart = [in_image(made, steps[-1][1], slam, k, truths[k.id]) for k in known]
-    space = [in_space(slam, k, truths[k.id]) for k in known]
+    born_as = {k: truth for k, truth in truths.items() if truth is not None}
+    known = [k for k in slam.landmarks if k.id in born_as and k.matched >= 20]
+    apart = [in_image(made, steps[-1][1], slam, k, born_as[k.id]) for k in known]
+    space = [in_space(slam, k, born_as[k.id]) for k in known]
     turned = np.degrees(np.linalg.norm([Pose.minus(a, b)[3:] for a, b in zip(poses, real, strict=True)], axis=1))
     return Outcome(100 * found.relative, float(turned.max()), counts,
                    [a for a in apart if np.isfinite(a)], space, seconds)  # fmt: skip

@@ -24,7 +24,7 @@ from slamlib.data.records import Frame
 from slamlib.evaluation.alignment import aligned
 from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.evaluation.trajectory import Trajectory
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.slam import Options, Slam
 from slamlib.slam.data_association.consensus import CONSENSUS
 from slamlib.slam.data_association.front_end import Sight
@@ -39,7 +39,7 @@ class WithWrongMatches(ActiveSearch):
 
     share, least = 0.2, 4.0  # of the matches; [px] half the side of the smallest region
 
-    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
+    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
         """As active search, but for a share of the matches."""
         measured, found = super().match(sight, family, looks)
         for i in np.flatnonzero(found & (self.rng.random(len(looks)) < self.share)):
@@ -55,7 +55,7 @@ class Outcome:
     relative: float
     scale: float
     searched: Array
-    matched: Array
+    matched: Mask
     nis: Array
     dof: Array
     seconds: dict[str, float]
@@ -85,7 +85,7 @@ def run(rig: Any, frames: list[Frame], truth: Array, seed: int, options: Options
         rows.append([*counts, sum(look.nis for look in inliers), 2 * len(inliers)])
         poses.append(slam.robots[0].pose.copy())
     spent = time.perf_counter() - began
-    times = DT * np.arange(len(frames))
+    times = DT * np.arange(len(frames), dtype=float)
     found = aligned(Trajectory(times, np.array(poses)), Trajectory(times, truth))
     searched, matched, nis, dof = np.array(rows, dtype=float).T
     seconds = {"all": spent, **front_end.seconds}

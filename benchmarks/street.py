@@ -34,9 +34,8 @@ from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import relative
 from slamlib.geometry.quaternion import exponential
 from slamlib.manifolds import Array
-from slamlib.vision.open_sequence import open_stereo
 from slamlib.vision.results import parts, summary
-from slamlib.vision.run import PAIRS, stereo_run
+from slamlib.vision.run import PAIRS, opened_stereo, stereo_run
 from slamlib.vision.sequence_run import SequenceRun
 from slamlib.vision.stereo import MOVING, StereoSettings
 
@@ -63,7 +62,7 @@ ALONE = "odometry alone"
 def street() -> tuple[Source, dict[str, Any], Trajectory]:
     """The pairs, in memory, their camera, and the true path."""
     left, right, calibration, poses = (str(KITTI / n) for n in ("image_l", "image_r", "calib.txt", "poses.txt"))
-    source, camera, _ = open_stereo(left=left, right=right, calibration=[calibration], fps=10)
+    source, camera, _ = opened_stereo(left=left, right=right, calibration=[calibration], fps=10)
     pairs = list(progress(source, len(source), "reading"))
     truth = read_trajectory(poses, times=np.array(source.whole.times))
     return of_pictures(pairs, source.interval), camera, truth

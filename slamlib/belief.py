@@ -12,13 +12,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import SlamlibError
 from slamlib.kalman import linalg
 from slamlib.kalman.linalg import frozen
 from slamlib.kalman.state import BeliefSnapshot, Block, Layout, Retraction, point_of
 from slamlib.kalman.update import Correction, Observation, Series, Stacked, compact, solve, stack
-from slamlib.manifolds import Array, Space, as_space
+from slamlib.manifolds import Array, Indices, Space, as_space
 
 __all__ = ["Belief", "BeliefSnapshot", "Block", "Correction", "Observation"]
 
@@ -88,11 +89,11 @@ class Belief:
     def add(
         self,
         space: int | Space,
-        mean: Array,
-        covariance: Array,
+        mean: ArrayLike,
+        covariance: ArrayLike,
         *,
         given: Sequence[Block] = (),
-        jacobians: Sequence[Array] = (),
+        jacobians: Sequence[ArrayLike] = (),
     ) -> Block:
         """A new block, independent, or a function of the blocks `given` plus noise of this covariance (dof, dof).
 
@@ -136,7 +137,7 @@ class Belief:
         return block
 
     @linalg.quiet
-    def predict(self, block: Block, mean: Array, F: Array, Q: Array) -> None:
+    def predict(self, block: Block, mean: ArrayLike, F: ArrayLike, Q: ArrayLike) -> None:
         """Move a block: its mean becomes `mean`, its rows F P, its corner F P F' + Q (Report eq. 5.23 with E10).
 
         mean (size of the space,), F (dof, dof) at the mean before the motion (E02), Q (dof, dof) semi-definite.
@@ -198,7 +199,7 @@ class Belief:
         return Correction(stacked.z, S, nis)
 
     @linalg.quiet
-    def correct_rows(self, columns: Array, H: Array, innovation: Array, R: Array) -> Correction:
+    def correct_rows(self, columns: Indices, H: Array, innovation: Array, R: Array) -> Correction:
         """As `correct`, for a Jacobian H (m, k) by the rows `columns` (k,) of the covariance: no block is looked up.
 
         The rows are those of `block.slice`; none may appear twice.

@@ -6,10 +6,14 @@ from itertools import accumulate
 from typing import Any, Protocol, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from slamlib.errors import ShapeError, SlamlibError, UnitError
 
-Array: TypeAlias = Any  # numpy arrays of floats, or of sympy symbols while a model is traced
+Array: TypeAlias = NDArray[np.float64]
+Mask: TypeAlias = NDArray[np.bool_]
+Indices: TypeAlias = NDArray[np.integer[Any]]
+Image: TypeAlias = NDArray[Any]  # grey values, as bytes or as floats
 
 
 class Space(Protocol):

@@ -17,6 +17,7 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, StaleCodeError
 from slamlib.manifolds import Array, Space, as_space
@@ -95,7 +96,7 @@ class Model:
     def __repr__(self) -> str:
         return f"<model {self.name}({', '.join(map(repr, self.arguments))})>"
 
-    def definition(self, *arguments: Array) -> Array:
+    def definition(self, *arguments: Any) -> Any:
         """The formula as it is written, on floats, complex numbers or symbols; one item, no broadcasting."""
         token = _defining.set(True)
         try:
@@ -103,7 +104,7 @@ class Model:
         finally:
             _defining.reset(token)
 
-    def __call__(self, *args: Array, **kwargs: Array) -> Array:
+    def __call__(self, *args: ArrayLike, **kwargs: ArrayLike) -> Array:
         """Value; arguments (..., shape) broadcast over their leading axes.
 
         Raises ShapeError, NonFiniteError, UnitError for bad arguments, SingularPointError where no value exists.
@@ -113,18 +114,21 @@ class Model:
             return self.definition(*calling.get()(self, arguments))
         return self._evaluate("", arguments)[0]
 
-    def jac(self, *args: Array, **kwargs: Array) -> tuple[Array, Any]:
+    def jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Any]:
         """Value and Jacobians (..., result, argument), on the tangent space of each argument or result that has one."""
         value, *jacobians = self._evaluate("_jac", self._bind(args, kwargs))
         return value, self._jacobians(*jacobians)
 
-    def storage_jac(self, *args: Array, **kwargs: Array) -> tuple[Array, Any]:
-        """Value and plain derivatives with respect to the stored numbers: seven of a pose, four of a quaternion."""
+    def storage_jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Any]:
+        """Value and plain derivatives with respect to the stored numbers: seven of a pose, four of a quaternion.
+
+        Their code is generated when they are first asked for, which needs sympy; raises SlamlibError without it.
+        """
         kind = "_storage_jac" if self.has_manifold else "_jac"
         value, *jacobians = self._evaluate(kind, self._bind(args, kwargs))
         return value, self._jacobians(*jacobians)
 
-    def _bind(self, args: tuple[Array, ...], kwargs: dict[str, Array]) -> list[Array]:
+    def _bind(self, args: tuple[ArrayLike, ...], kwargs: dict[str, ArrayLike]) -> list[Array]:
         names = self.parameters
         if len(args) + len(kwargs) != len(names) or (kwargs and not kwargs.keys() <= set(names[len(args) :])):
             raise SlamlibError(
@@ -149,7 +153,7 @@ class Model:
         if self._whole is not None:
             from slamlib.modeling import specialize
 
-            return specialize.code(self._whole, self)
+            return specialize.code(self._whole, self, self._whole.code)
         if not self.is_packaged:
             from slamlib.codegen.compile import compile_in_memory
 
@@ -164,6 +168,17 @@ class Model:
             raise StaleCodeError(f"{self.module}.{self.name} has changed since its code was generated: {command}")
         return code
 
+    @functools.cached_property
+    def storage_code(self) -> ModuleType:
+        """The module of the derivatives by stored numbers, which no filter needs: generated when first asked for."""
+        if self._whole is not None:
+            from slamlib.modeling import specialize
+
+            return specialize.code(self._whole, self, self._whole.storage_code)
+        from slamlib.codegen.compile import compile_in_memory
+
+        return compile_in_memory(self, by_storage=True)
+
     def _evaluate(self, kind: str, arguments: list[Array]) -> list[Array]:
         kernel = self._kernel(kind)
         found = kernel.single(arguments)
@@ -176,9 +191,8 @@ class Model:
     @functools.cache  # noqa: B019 - models live as long as their module
     def _kernel(self, kind: str) -> Kernel:
         """The generated function of a kind, with the shapes of the arrays that its entries fill."""
-        code = self.code
-        shape = code.SHAPES[self.name]
-        function = getattr(code, self.name + kind)
+        shape = self.code.SHAPES[self.name]
+        function = getattr(self.storage_code if kind == "_storage_jac" else self.code, self.name + kind)
         if not kind:
             return Kernel(function, self.name, self.arguments, [shape])
         stored = kind == "_storage_jac" or not self.has_manifold

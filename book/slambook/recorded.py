@@ -26,5 +26,5 @@ def kitti(count: int = 51) -> tuple[Calibration, list[Array], Trajectory]:
     made = Calibration(STEREO, 0.2**2 * np.eye(3), image=(1226, 370), intrinsics=[u, v, f, f], baseline=[b])
     names = [f"{i:06d}.png" for i in range(count)]
     pairs = [pair(read_image(KITTI / "image_l" / n), read_image(KITTI / "image_r" / n)) for n in names]
-    truth = read_trajectory(KITTI / "poses.txt", times=0.1 * np.arange(51))
+    truth = read_trajectory(KITTI / "poses.txt", times=0.1 * np.arange(51.0))
     return made, pairs, truth[np.arange(count)]

@@ -207,7 +207,7 @@ def test_the_figure_is_operable_and_described():
         ({"truths": TRUTHS[:3]}, "one truth a snapshot is wanted, got 3 for 12"),
         ({"alt": "A map."}, "alt should be a sentence"),
         ({"fps": 0}, "fps should be a positive number"),
-        ({"speed": 2}, "unknown keyword of MapOptions 'speed'"),
+        ({"speed": 2}, "unknown key of MapOptions 'speed'"),
     ],
 )
 def test_wrong_arguments_of_the_player_are_named(arguments, said):

@@ -143,7 +143,7 @@ def test_scores_are_written_where_they_are_known():
 
 @pytest.mark.parametrize("wrong", [0, -5, 2.5])
 def test_a_wrong_width_is_named(wrong):
-    with pytest.raises(SlamlibError, match="image_width is a number of pixels"):
+    with pytest.raises(SlamlibError, match="image_width should be"):
         SensorOptions(image_width=wrong)
 
 

@@ -1,10 +1,10 @@
 """Pack the built site into one ZIP that can be read, and run, without a network."""
 
-import os
 import zipfile
 from pathlib import Path
 
 from book.tools import layout
+from slamlib.data.files import whole
 
 NAME = "ekf-slam-book.zip"
 FOLDER = "ekf-slam-book"
@@ -15,13 +15,11 @@ PACKED = {".zip", ".whl", ".bin", ".woff", ".woff2", ".png"}  # what does not be
 def pack(site: Path) -> Path:
     """Write the ZIP into the site itself, whole or not at all; the same bytes for the same site."""
     target = site / NAME
-    partial = target.with_suffix(".partial")
-    with zipfile.ZipFile(partial, "w") as archive:
+    with whole(target) as partial, zipfile.ZipFile(partial, "w") as archive:
         for file in sorted(f for f in site.rglob("*") if f.is_file() and f not in (target, partial)):
             _add(archive, file, file.relative_to(site).as_posix())
         for file in sorted((layout.BOOK / "offline").iterdir()):
             _add(archive, file, file.name)
-    os.replace(partial, target)
     return target
 
 

@@ -2,12 +2,13 @@
 
 import hashlib
 import json
-import os
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 import yaml
+
+from slamlib.data import files
 
 ROOT = Path(__file__).resolve().parents[2]
 BOOK = ROOT / "book"
@@ -43,9 +44,7 @@ def digest(files: Iterable[Path]) -> str:
 def write_whole(file: Path, content: bytes) -> None:
     """Write a file whole or not at all, with the folders that lead to it."""
     file.parent.mkdir(parents=True, exist_ok=True)
-    partial = file.with_name(f"{file.name}.{os.getpid()}.partial")
-    partial.write_bytes(content)
-    os.replace(partial, file)
+    files.write_whole(file, content)
 
 
 def store(file: Path, found: dict[str, Any]) -> None:

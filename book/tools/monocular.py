@@ -60,7 +60,7 @@ def around(seed: int) -> dict[str, Any]:
         poses.append(slam.robots[0].pose.copy())
         true.append(truth.robots[0][:7])
         old.append(sum(k.inlier and k.landmark.born < frame.number - OLD for k in slam.looks[0]))
-    estimate, reference = (Trajectory(ROUND_DT * np.arange(ROUND), np.array(p)) for p in (poses, true))
+    estimate, reference = (Trajectory(ROUND_DT * np.arange(ROUND, dtype=float), np.array(p)) for p in (poses, true))
     stored = slice(0, None, EVERY)
     return {
         "off": round(100 * aligned(estimate, reference).relative, 3),

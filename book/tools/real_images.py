@@ -25,11 +25,11 @@ from typing import Any
 import numpy as np
 
 from book.tools import layout
+from slamlib.datasets.opening import opened
 from slamlib.evaluation.alignment import Aligned, aligned
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.experiments.progress import progress
 from slamlib.vision.active_search import ActiveSearch
-from slamlib.vision.open_sequence import open_images
 from slamlib.vision.results import ImageResult, summary
 from slamlib.vision.run import carried, image_run, options_for
 from slamlib.vision.sequence_run import SequenceRun
@@ -148,7 +148,7 @@ def run(
     **said: Any,
 ) -> SequenceRun:
     """The filter on the sequence, a free scale; seed: of where landmarks are begun; said: options of the filter."""
-    source, camera = open_images(str(images), str(CALIBRATION), fps=FPS)
+    source, camera = opened(str(images), str(CALIBRATION), fps=FPS)
     rig = carried({**camera, "std": (noise,)}, impulse=impulse)
     search = ActiveSearch(rig.sensors[0].calibration, np.random.default_rng(seed))
     work = image_run(source.part(0, 1, frames), rig, options_for(1.0, **{**SAID, **said}), search)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from book.tools.layout import ROOT
-from slamlib.data.files import whole
+from slamlib.data.files import write_whole
 from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
@@ -94,8 +94,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(error, file=sys.stderr)
         return 2
     if given.store:
-        with whole(STORED) as partial:
-            partial.write_text(text, encoding="utf-8")
+        write_whole(STORED, text)
         return 0
     new, old = (np.loadtxt(t.splitlines(), delimiter=",", skiprows=2) for t in (text, STORED.read_text("utf-8")))
     print(f"{len(new)} corners, at most {np.abs(new - old).max():.2f} px from the stored ones")

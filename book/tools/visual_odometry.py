@@ -15,7 +15,7 @@ from slambook.rendering.stereo_film import stereo_film
 
 from benchmarks import stereo as bench
 from book.tools import layout
-from slamlib.evaluation.path_errors import relative_errors
+from slamlib.evaluation.alignment import relative_errors
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import compose

@@ -2,11 +2,12 @@
 
 import argparse
 import json
-from dataclasses import fields, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from slamlib.data.setup import Rig, tuples
+from slamlib.data.plain import checked
+from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.experiments.presets import PRESETS, Preset, preset
 from slamlib.landmarks import LINES, POINTS
@@ -88,23 +89,20 @@ def _calibrated(rig: Rig) -> Rig:
 
 def assignments(texts: list[str], kind: type = Options, flag: str = "--option") -> dict[str, Any]:
     """Values by name, of "NAME=VALUE" each: fields of the options, or of another dataclass. Raises SlamlibError."""
-    return dict(_assignment(text, kind, flag) for text in texts)
+    return checked(kind, dict(_assignment(text, flag) for text in texts), flag.strip("-"))
 
 
-def _assignment(text: str, kind: Any, flag: str) -> tuple[str, Any]:
+def _assignment(text: str, flag: str) -> tuple[str, Any]:
     """NAME=VALUE, the value in JSON, or a word, or several numbers with commas."""
     name, equals, value = text.partition("=")
-    known = [f.name for f in fields(kind)]
     if not equals:
         raise SlamlibError(f"{flag} takes NAME=VALUE, got {text!r}")
-    if name not in known:
-        raise UnknownNameError.of(flag.strip("-"), name, known)
     words = {"true": True, "false": False, "none": None}
     if value.lower() in words:
         return name, words[value.lower()]
     for written in (value, f"[{value}]") if "," in value else (value,):
         try:
-            return name, tuples(json.loads(written))
+            return name, json.loads(written)
         except json.JSONDecodeError:
             continue
     return name, value

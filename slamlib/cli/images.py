@@ -10,14 +10,14 @@ import numpy as np
 from slamlib.cli import runner
 from slamlib.cli.arguments import OPTION, assignments, count, from_zero
 from slamlib.data.setup import SensorSetup, tuples
+from slamlib.datasets import opening
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.landmarks import POINTS
 from slamlib.motions import MOTIONS
 from slamlib.slam.data_association.consensus import CONSENSUS
 from slamlib.vision.active_search import Settings
 from slamlib.vision.combined_front_end import front_end_of
-from slamlib.vision.open_sequence import open_images, open_stereo
-from slamlib.vision.run import IMAGES, PAIRS, carried, image_run, load, options_for, stereo_run
+from slamlib.vision.run import IMAGES, PAIRS, carried, image_run, load, opened_stereo, options_for, stereo_run
 from slamlib.vision.sequence_run import SequenceKind, SequenceRun
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.motion_source import MOVING
@@ -146,7 +146,7 @@ def _begun_images(given: argparse.Namespace) -> SequenceRun:
     if motion not in MOTIONS:
         raise UnknownNameError.of("motion", given.motion, [*ALIASES, *MOTIONS])
     opened = {"camera": given.camera, "fps": given.fps, "undistort": given.undistort}
-    source, camera = open_images(given.source, given.calibration, **opened)
+    source, camera = opening.opened(given.source, given.calibration, **opened)
     if given.noise is not None:
         camera["std"] = (given.noise,)
     target = None if given.scale == "free" else Target.load(given.scale)
@@ -207,7 +207,7 @@ def _begun_pairs(given: argparse.Namespace) -> SequenceRun:
     said = _said(given, "point landmark", "window", "capacity", "updates")
     options = replace(PAIRS.options, **{**full, **said})
     cameras = tuple(given.cameras) if given.cameras else None
-    source, camera, settings = open_stereo(
+    source, camera, settings = opened_stereo(
         given.source, given.left, given.right, given.calibration,
         cameras=cameras, fps=given.fps, rectify=given.rectify, settings=settings,
     )  # fmt: skip

@@ -19,6 +19,7 @@ import sympy
 import slamlib
 from slamlib.codegen.check import random_point
 from slamlib.codegen.emit import module
+from slamlib.data.files import write_whole
 from slamlib.errors import UnknownNameError
 from slamlib.model import FORMULA_PARTS, Model
 
@@ -66,9 +67,7 @@ def write(target: Path, only: Collection[str] = ()) -> int:
     for path, text in files.items():
         file = target / path
         file.parent.mkdir(parents=True, exist_ok=True)
-        partial = file.with_suffix(".partial")
-        partial.write_text(text, encoding="utf-8", newline="\n")
-        os.replace(partial, file)
+        write_whole(file, text)
     for left_over in set() if only else existing(target) - set(files):
         (target / left_over).unlink()
     return len(files)
@@ -120,7 +119,7 @@ def _compare_numbers(path: str, committed: ModuleType, fresh: ModuleType) -> str
     rng = np.random.default_rng(1)
     for model in models()[path]:
         arguments = [[float(x) for x in np.ravel(random_point(a, rng))] for a in model.arguments]
-        for name in (n for n in vars(fresh) if n in (model.name, f"{model.name}_jac", f"{model.name}_storage_jac")):
+        for name in (n for n in vars(fresh) if n in (model.name, f"{model.name}_jac")):
             a, b = (np.array(getattr(m, name)(*arguments)) for m in (committed, fresh))
             if a.shape != b.shape or np.max(np.abs(a - b)) > 1e-12 * max(1.0, np.max(np.abs(b))):
                 return f"{path}: {name} gives other numbers than the models; run `make generate`"

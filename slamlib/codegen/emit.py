@@ -21,15 +21,19 @@ PRIME = 2**61 - 1
 _FUNCTIONS = ("arctan2", "arctan_ratio", "arctan_ratio_slope", "cos", "sin", "sqrt", "stumpff")
 
 
-def functions(model: Model, traced: Trace) -> str:
-    """The generated functions of one model: value, value with Jacobians, and with storage Jacobians if they differ."""
+def functions(model: Model, traced: Trace, *, by_storage: bool = False) -> str:
+    """The generated functions of one model: value, and value with Jacobians; by_storage: with storage Jacobians."""
     flat = list(traced.value.ravel())
-    parts = [_function(model, traced, "", "value", flat)]
-    parts.append(_function(model, traced, "_jac", "value and Jacobians", flat + [e for j in traced.tangent for e in j]))
-    if model.has_manifold:
+    if by_storage:
         entries = flat + [e for j in traced.stored for e in j]
-        parts.append(_function(model, traced, "_storage_jac", "value and derivatives by stored numbers", entries))
-    return "\n\n".join(parts)
+        return _function(model, traced, "_storage_jac", "value and derivatives by stored numbers", entries)
+    with_jacobians = flat + [e for j in traced.tangent for e in j]
+    return "\n\n".join(
+        [
+            _function(model, traced, "", "value", flat),
+            _function(model, traced, "_jac", "value and Jacobians", with_jacobians),
+        ]
+    )
 
 
 def _function(model: Model, traced: Trace, suffix: str, what: str, entries: list[Any]) -> str:
@@ -118,10 +122,10 @@ def _residue(expression: Any, known: dict[Any, int]) -> int:
     return known[expression]
 
 
-def module(models: list[Model], source: str) -> str:
-    """The text of a generated module for the models of one source file."""
+def module(models: list[Model], source: str, *, by_storage: bool = False) -> str:
+    """The text of a generated module for the models of one source file; by_storage: of their storage Jacobians."""
     traces = [trace(m, staged=True) for m in models]
-    code = "\n\n".join(functions(m, t) for m, t in zip(models, traces, strict=True))
+    code = "\n\n".join(functions(m, t, by_storage=by_storage) for m, t in zip(models, traces, strict=True))
     used = sorted(n for n in _FUNCTIONS if re.search(rf"\b{n}\(", code))
     head = [
         f'"""Generated from {source} by `make generate` (sympy {sympy.__version__}); never edited by hand."""',

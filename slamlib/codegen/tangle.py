@@ -9,7 +9,6 @@ import argparse
 import difflib
 import importlib
 import json
-import os
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,6 +16,7 @@ from types import ModuleType
 from typing import Any
 
 import slamlib
+from slamlib.data.files import write_whole
 from slamlib.errors import SlamlibError
 from slamlib.model import FORMULA_PARTS
 
@@ -124,7 +124,7 @@ def write(book: Path) -> int:
             raise SlamlibError(f"%%tangle {path}: a cell may only write below slamlib/")
         if not file.is_file() or file.read_text("utf-8") != text:
             file.parent.mkdir(parents=True, exist_ok=True)
-            _replace(file, text)
+            write_whole(file, text)
             print(f"wrote {path}")
             changed += 1
     return changed
@@ -142,16 +142,10 @@ def back(book: Path) -> int:
                 text = (PACKAGE.parent / first.removeprefix(MAGIC).strip()).read_text("utf-8")
                 cell["source"] = (first + "\n" + text.rstrip("\n")).splitlines(keepends=True)
         if json.dumps(content) != before:
-            _replace(notebook, json.dumps(content, indent=1, ensure_ascii=False) + "\n")
+            write_whole(notebook, json.dumps(content, indent=1, ensure_ascii=False) + "\n")
             print(f"updated {notebook.name}")
             changed += 1
     return changed
-
-
-def _replace(file: Path, text: str) -> None:
-    partial = file.with_name(file.name + ".partial")
-    partial.write_text(text, encoding="utf-8", newline="\n")
-    os.replace(partial, file)
 
 
 def main(arguments: list[str] | None = None) -> int:

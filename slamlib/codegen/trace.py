@@ -2,6 +2,7 @@
 
 import traceback
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import count
 from typing import Any
 
@@ -23,11 +24,27 @@ class Trace:
     They may hold the symbols of `stages`, each of which stands for an expression, in the order of their making.
     """
 
+    model: Model
     symbols: list[Symbols]
     value: Symbols
-    stored: list[sympy.Matrix]
-    tangent: list[sympy.Matrix]
     stages: dict[Any, Any]
+
+    @cached_property
+    def stored(self) -> list[sympy.Matrix]:
+        """Derivatives by the stored numbers of each argument."""
+        flat = sympy.Matrix(self.value.ravel().tolist())
+        return [_jacobian(flat, self.stages, list(s.ravel())) for s in self.symbols]
+
+    @cached_property
+    def tangent(self) -> list[sympy.Matrix]:
+        """Jacobians on the tangent space of each argument, and of the result if it has one."""
+        result = self.model.result
+        left = local(result.space, self.value) if result is not None and result.is_manifold else None
+        found = []
+        for argument, symbol, jacobian in zip(self.model.arguments, self.symbols, self.stored, strict=True):
+            right = jacobian * lift(argument.space, symbol) if argument.is_manifold else jacobian
+            found.append(left * right if left is not None else right)
+        return found
 
 
 class Stages:
@@ -78,19 +95,12 @@ def trace(model: Model, *, staged: bool = False) -> Trace:
         if token:
             calling.reset(token)
     inner = {symbol: expression for expression, symbol in stages.symbols.items()}
-    flat = sympy.Matrix(value.ravel().tolist())
-    stored = [_jacobian(flat, inner, list(s.ravel())) for s in symbols]
     result = model.result
     if result is not None and result.shape != value.shape:
         raise SlamlibError(
             f"{model.name} declares returns={result.space!r} of shape {result.shape} but returns shape {value.shape}"
         )
-    left = local(result.space, value) if result is not None and result.is_manifold else None
-    tangent = []
-    for argument, symbol, jacobian in zip(model.arguments, symbols, stored, strict=True):
-        right = jacobian * lift(argument.space, symbol) if argument.is_manifold else jacobian
-        tangent.append(left * right if left is not None else right)
-    return Trace(symbols, value, stored, tangent, inner)
+    return Trace(model, symbols, value, inner)
 
 
 def _jacobian(value: sympy.Matrix, stages: dict[Any, Any], symbols: list[Any]) -> sympy.Matrix:

@@ -11,7 +11,7 @@ import numpy as np
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnknownCallError
 from slamlib.kalman.linalg import covariance, finite, numbers
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.model import Model
 from slamlib.observation import FAMILIES
 
@@ -27,7 +27,7 @@ def _read_only(array: Array) -> Array:
 class Features:
     """Identified things: ids (n,), integers that do not repeat, and one row of numbers for each, values (n, m)."""
 
-    ids: Array
+    ids: Indices
     values: Array
 
     def __post_init__(self) -> None:

@@ -3,12 +3,13 @@
 Angles of a setup are in degrees, since people write them; everything else in slamlib is in radians.
 """
 
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.data.plain import read, written
+from slamlib.errors import SlamlibError
 from slamlib.geometry.euler import to_quaternion
 from slamlib.kalman.linalg import finite
 from slamlib.manifolds import Array
@@ -155,36 +156,16 @@ class Rig:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON or TOML; what is None is left out."""
-        return {
-            "robots": [_plain(asdict(r)) for r in self.robots],
-            "sensors": [_plain(asdict(s)) for s in self.sensors],
-        }
+        plain: dict[str, Any] = written(self)
+        return plain
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> "Rig":
-        """The rig of plain data; what is missing has its default, and a name that is not known is an error."""
-        robots = tuple(_setup(RobotSetup, r) for r in data.get("robots", ()))
-        return cls(robots, tuple(_setup(SensorSetup, s) for s in data.get("sensors", ())))
+        """The rig of plain data; what is missing has its default. Raises SlamlibError, naming the key."""
+        return read(cls, data)
 
 
-def tuples(value: Any) -> Any:
-    """Plain data with its lists as tuples, as frozen data holds them."""
-    if isinstance(value, dict):
-        return {name: tuples(v) for name, v in value.items()}
-    return tuple(tuples(v) for v in value) if isinstance(value, list | tuple) else value
-
-
-def _plain(data: dict[str, Any]) -> dict[str, Any]:
-    return {name: value for name, value in data.items() if value is not None}
-
-
-def _setup(kind: Any, data: dict[str, Any]) -> Any:
-    known = [f.name for f in fields(kind)]
-    for name in data:
-        if name not in known:
-            raise UnknownNameError.of(f"field of a {kind.__name__}", name, known)
-    absent = {"image": None} if "image" in known and "image" not in data else {}
-    return kind(**tuples(data), **absent)
+tuples = written
 
 
 def pose_of(position: Numbers, euler: Numbers, name: str) -> Array:

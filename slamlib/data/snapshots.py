@@ -6,7 +6,7 @@ import numpy as np
 
 from slamlib.data.records import ByFamily, Scan
 from slamlib.geometry.pose import compose
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Mask
 
 _LEFT_OUT: Array = np.zeros(0)
 
@@ -49,9 +49,9 @@ class Looks:
     expected: Array
     covariance: Array
     measured: Array
-    chosen: Array
-    matched: Array
-    inlier: Array
+    chosen: Mask
+    matched: Mask
+    inlier: Mask
     nis: Array
     ends: Array = field(default_factory=lambda: _LEFT_OUT)
     spreads: Array = field(default_factory=lambda: _LEFT_OUT)
@@ -81,7 +81,7 @@ class SensorView(ByFamily):
     robot: int
     mount: Array
     mount_covariance: Array
-    image: Array | None
+    image: Image | None
     scan: Scan | None
     looks: dict[str, Looks]
 
@@ -99,7 +99,7 @@ class MapView:
     kinds: tuple[str, ...]
     geometry: Array
     covariance: Array
-    converged: Array
+    converged: Mask
 
 
 @dataclass(frozen=True, eq=False)

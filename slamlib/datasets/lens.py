@@ -1,4 +1,4 @@
-"""Lenses as calibration files describe them, and how pictures are freed of what slamlib's pin-hole cannot hold.
+"""Lenses as calibration files describe them, of one camera or of a pair, and their models of distortion.
 
 slamlib's pin-hole has radial distortion only: the factor 1 + d1 r^2 + d2 r^4 + ... on points of the plane z = 1
 (chapter 8), which is OpenCV's k1, k2, k3 with its p1 = p2 = 0. In both, pixel (0, 0) is the upper left pixel's centre.
@@ -16,7 +16,6 @@ from slamlib.manifolds import Array
 
 Numbers = tuple[float, ...]
 PURPOSE = "to undistort images"
-ZOOMS = 0.1, 10.0
 
 
 @dataclass(frozen=True)
@@ -62,67 +61,17 @@ class Lens:
         return np.array([[a, 0, u], [0, b, v], [0, 0, 1.0]])
 
 
-class Undistortion:
-    """Makes pictures of a lens, all of one size, those of a pin-hole without distortion; OpenCV does it.
+@dataclass(frozen=True)
+class PairCalibration:
+    """The lenses of the left and the right camera; place (4, 4): of the right one in the frame of the left one.
 
-    Focal lengths become shorter or longer, both by one factor, so that the new picture is as wide as it can be without
-    a place that the lens did not see; the principal point stays. setup: plain data of the SensorSetup that results.
+    said: more fields of the SensorSetup, as its std.
     """
 
-    def __init__(self, lens: Lens, size: tuple[int, int]) -> None:
-        """size: (width, height) of the pictures. Raises SlamlibError for a lens that makes no sense."""
-        self.lens = lens
-        u, v, a, b = lens.intrinsics
-        zoom = _zoom(lens, size)
-        ideal = Lens((u, v, zoom * a, zoom * b), (float(size[0]), float(size[1])))
-        self.setup = ideal.setup()
-        self._maps = maps(lens, _zoomed(lens, zoom), size)
-
-    def __call__(self, image: Array) -> Array:
-        """The picture (h, w), undistorted, bilinear."""
-        cv2 = opencv(PURPOSE)
-        found: Array = cv2.remap(image, *self._maps, cv2.INTER_LINEAR)
-        return found
-
-
-def maps(lens: Lens, new: Array, size: tuple[int, int], turn: Array | None = None) -> Any:
-    """Where in the old picture each pixel of the new one comes from: columns and rows, (h, w) each.
-
-    new: its camera matrix (3, 3). turn (3, 3): takes rays of the old camera to those of the new one; None: the same.
-    """
-    model = MODELS[lens.model]
-    distortion = np.pad(np.array(lens.distortion, dtype=float), (0, model.most - len(lens.distortion)))
-    return model.maps(lens.matrix, distortion, np.eye(3) if turn is None else turn, new, size)
-
-
-def _zoomed(lens: Lens, zoom: float) -> Array:
-    found: Array = lens.matrix * [[zoom, 1, 1], [1, zoom, 1], [1, 1, 1]]
-    return found
-
-
-def _zoom(lens: Lens, size: tuple[int, int]) -> float:
-    """The least factor of the focal lengths with which each new pixel comes from within the old picture; bisected."""
-    found = least_zoom(lambda zoom: inside(maps(lens, _zoomed(lens, zoom), size), size))
-    if found is None:
-        raise SlamlibError(f"{lens} does not describe pictures of {size[0]}x{size[1]} pixels")
-    return found
-
-
-def least_zoom(fits: Callable[[float], bool]) -> float | None:
-    """The least factor of ZOOMS that fits, where all larger ones do, bisected; None if the largest does not."""
-    low, high = ZOOMS
-    if not fits(high):
-        return None
-    while high / low > 1 + 1e-4:
-        middle = float(np.sqrt(low * high))
-        low, high = (low, middle) if fits(middle) else (middle, high)
-    return high
-
-
-def inside(places: Any, size: tuple[int, int]) -> bool:
-    """Whether maps (columns and rows) stay within pictures of a size (width, height)."""
-    columns, rows = places
-    return bool(columns.min() >= 0 and rows.min() >= 0 and columns.max() <= size[0] - 1 and rows.max() <= size[1] - 1)
+    left: Lens
+    right: Lens
+    place: Array
+    said: dict[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

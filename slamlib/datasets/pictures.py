@@ -10,7 +10,7 @@ import numpy as np
 
 from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 ENDINGS = (".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp")
 
@@ -21,7 +21,7 @@ class Picture:
 
     name: str
     time: float
-    image: Array
+    image: Image
 
 
 def read_image(path: str | os.PathLike[str]) -> Array:
@@ -58,6 +58,11 @@ def grey(pixels: Array, name: str) -> Array:
 def in_natural_order(paths: list[Path]) -> list[Path]:
     """Sorted by name, numbers in it by their value: 2.png comes before 10.png."""
     return sorted(paths, key=lambda path: _natural(str(path)))
+
+
+def images_in(folder: Path) -> list[Path]:
+    """The images of a folder in natural order; none where there is no folder."""
+    return in_natural_order([path for path in folder.iterdir() if is_image(path)]) if folder.is_dir() else []
 
 
 def is_image(path: Path) -> bool:

@@ -1,21 +1,22 @@
-"""Pictures of two cameras as those of a rectified pair: rows correspond, and the right camera is to the right alone.
+"""Pictures without the distortion of their lens, and pairs as rectified ones: OpenCV reads them through maps.
 
-Both cameras are turned where they are: the new x axis is the baseline, the new z axis as near as can be to where both
-looked. Fusiello, Trucco and Verri (2000). One pin-hole for both, as wide as it can be without a place that one of the
-lenses did not see. Maps are computed once; OpenCV reads the pictures through them.
+In a rectified pair rows correspond, and the right camera is to the right alone: both cameras are turned where they
+are. The new x axis is the baseline, the new z axis as near as can be to where both looked: Fusiello, Trucco and Verri
+(2000). One pin-hole for both, as wide as it can be without a place that one of the lenses did not see.
 """
 
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from slamlib.datasets.lens import PURPOSE, Lens, inside, least_zoom, maps
+from slamlib.datasets.lens import MODELS, PURPOSE, Lens, PairCalibration
 from slamlib.datasets.optional_imports import opencv
-from slamlib.datasets.pair_calibrations import PairCalibration
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
 
+ZOOMS = 0.1, 10.0  # of focal lengths
 SLANT, ASIDE, UNLIKE = 0.002, 0.01, 0.002  # rad; share of the baseline; share of the focal length
 
 
@@ -54,7 +55,50 @@ def rectified_setup(pair: PairCalibration, size: tuple[int, int]) -> tuple[dict[
     return {**setup, **pair.said}, pair.right.intrinsics[0] - pair.left.intrinsics[0]
 
 
-class Rectification:
+class _Remapping:
+    """Makes pictures (h, w) of one lens, or pairs (2, h, w) of two, those of one pin-hole without distortion.
+
+    ideal(zoom): that pin-hole, by a factor of its focal lengths; the least one is taken with which no pixel comes from
+    a place that a lens did not see.
+    """
+
+    def __init__(
+        self, lenses: Sequence[Lens], turns: Sequence[Array], ideal: Callable[[float], Lens], size: tuple[int, int]
+    ) -> None:
+        def places(zoom: float) -> list[Any]:
+            new = ideal(zoom).matrix
+            return [_maps(lens, new, size, turn) for lens, turn in zip(lenses, turns, strict=True)]
+
+        zoom = _least_zoom(lambda zoom: all(_inside(place, size) for place in places(zoom)))
+        if zoom is None:
+            seen = "does not describe" if len(lenses) == 1 else "see nothing in common in"
+            raise SlamlibError(f"{' and '.join(map(str, lenses))} {seen} pictures of {size[0]}x{size[1]} pixels")
+        self.lens, self._maps = ideal(zoom), places(zoom)
+
+    def __call__(self, image: Array) -> Array:
+        """The picture (h, w) or the pair (2, h, w), bilinear."""
+        cv2 = opencv(PURPOSE)
+        pictures = image if image.ndim == 3 else image[None]
+        each = zip(pictures, self._maps, strict=True)
+        found = np.stack([cv2.remap(picture, *places, cv2.INTER_LINEAR) for picture, places in each])
+        return found if image.ndim == 3 else found[0]
+
+
+class Undistortion(_Remapping):
+    """Makes pictures of a lens those of a pin-hole; setup: plain data of its SensorSetup.
+
+    Focal lengths become shorter or longer, both by one factor; the principal point stays.
+    """
+
+    def __init__(self, lens: Lens, size: tuple[int, int]) -> None:
+        """size: (width, height) of the pictures. Raises SlamlibError for a lens that makes no sense."""
+        u, v, a, b = lens.intrinsics
+        image = float(size[0]), float(size[1])
+        super().__init__([lens], [np.eye(3)], lambda zoom: Lens((u, v, zoom * a, zoom * b), image), size)
+        self.setup = self.lens.setup()
+
+
+class Rectification(_Remapping):
     """Makes pairs (2, h, w) of two lenses those of a rectified pair; setup: plain data of the SensorSetup of those."""
 
     def __init__(self, pair: PairCalibration, size: tuple[int, int]) -> None:
@@ -63,23 +107,10 @@ class Rectification:
         lenses = pair.left, pair.right
         centre = np.mean([_centre(lens, turn) for lens, turn in zip(lenses, turns, strict=True)], axis=0)
         focal = float(np.mean([lens.intrinsics[2:] for lens in lenses]))
-
-        def places(zoom: float) -> list[Any]:
-            new = _ideal(focal, zoom, centre, size)
-            return [maps(lens, new.matrix, size, turn) for lens, turn in zip(lenses, turns, strict=True)]
-
-        zoom = least_zoom(lambda zoom: all(inside(place, size) for place in places(zoom)))
-        if zoom is None:
-            raise SlamlibError(f"the two cameras see nothing in common: {np.round(pair.place, 3).tolist()}")
-        self._maps = places(zoom)
-        beside = replace(pair, left=_ideal(focal, zoom, centre, size), place=_shifted(baseline))
-        self.setup, _ = rectified_setup(beside, size)
-
-    def __call__(self, image: Array) -> Array:
-        """The pair (2, h, w), rectified, bilinear."""
-        cv2 = opencv(PURPOSE)
-        both = zip(image, self._maps, strict=True)
-        return np.stack([cv2.remap(picture, *places, cv2.INTER_LINEAR) for picture, places in both])
+        super().__init__(lenses, turns, lambda zoom: _ideal(focal, zoom, centre, size), size)
+        place = np.eye(4)
+        place[0, 3] = baseline
+        self.setup, _ = rectified_setup(replace(pair, left=self.lens, place=place), size)
 
 
 def _turns(place: Array) -> tuple[list[Array], float]:
@@ -105,7 +136,28 @@ def _ideal(focal: float, zoom: float, centre: Array, size: tuple[int, int]) -> L
     return Lens((u, v, f, f), (float(size[0]), float(size[1])))
 
 
-def _shifted(baseline: float) -> Array:
-    place = np.eye(4)
-    place[0, 3] = baseline
-    return place
+def _maps(lens: Lens, new: Array, size: tuple[int, int], turn: Array) -> Any:
+    """Where in the old picture each pixel of the new one comes from: columns and rows, (h, w) each.
+
+    new: its camera matrix (3, 3). turn (3, 3): takes rays of the old camera to those of the new one.
+    """
+    model = MODELS[lens.model]
+    distortion = np.pad(np.array(lens.distortion, dtype=float), (0, model.most - len(lens.distortion)))
+    return model.maps(lens.matrix, distortion, turn, new, size)
+
+
+def _least_zoom(fits: Callable[[float], bool]) -> float | None:
+    """The least factor of ZOOMS that fits, where all larger ones do, bisected; None if the largest does not."""
+    low, high = ZOOMS
+    if not fits(high):
+        return None
+    while high / low > 1 + 1e-4:
+        middle = float(np.sqrt(low * high))
+        low, high = (low, middle) if fits(middle) else (middle, high)
+    return high
+
+
+def _inside(places: Any, size: tuple[int, int]) -> bool:
+    """Whether maps (columns and rows) stay within pictures of a size (width, height)."""
+    columns, rows = places
+    return bool(columns.min() >= 0 and rows.min() >= 0 and columns.max() <= size[0] - 1 and rows.max() <= size[1] - 1)

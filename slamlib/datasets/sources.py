@@ -1,4 +1,4 @@
-"""Where pictures come from: a folder, a glob, a video, or one of three public layouts, recognised by what is there.
+"""Where pictures come from: a folder, a glob, a video, or a public layout (slamlib.datasets.formats).
 
     layout      what is there                               times
     TUM RGB-D   PATH/rgb.txt                                of rgb.txt
@@ -12,39 +12,17 @@ Pictures are read one at a time, when they are asked for, in the order of their 
 """
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import accumulate
 from pathlib import Path
 from typing import Any
 
-from slamlib.datasets import layouts, video
+from slamlib.datasets.dataset import Dataset, Numbers, Sequence
+from slamlib.datasets.formats import DATASETS
 from slamlib.datasets.pictures import Picture
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
-
-
-@dataclass(frozen=True)
-class Layout:
-    """A way in which pictures are kept: is_there(path text), and open(path text, pictures a second or None, camera).
-
-    cameras(path text): which of them are there, by number, in layouts of several.
-    """
-
-    name: str
-    is_there: Callable[[str], bool]
-    open: Callable[[str, float | None, int], layouts.Sequence]
-    cameras: Callable[[str], Iterable[int]] | None = None
-
-
-LAYOUTS = (
-    Layout("TUM RGB-D", layouts.is_tum, layouts.tum),
-    Layout("EuRoC", layouts.is_euroc, layouts.euroc, layouts.euroc_cameras),
-    Layout("KITTI", layouts.is_kitti, layouts.kitti, layouts.kitti_cameras),
-    Layout("folder", layouts.is_folder, layouts.folder),
-    Layout("video", video.is_video, video.open_video),
-    Layout("glob", layouts.is_glob, layouts.matching),
-)
+from slamlib.manifolds import Array, Image
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +38,7 @@ class Source:
     layout: str
     where: str
     frames: range
-    whole: layouts.Sequence
+    whole: Sequence
     recipe: dict[str, Any]
 
     def __len__(self) -> int:
@@ -104,29 +82,29 @@ class Source:
     def through(self, change: Callable[[Array], Array], recipe: dict[str, Any]) -> "Source":
         """The same pictures, each changed, as by an undistortion; recipe: plain data that tells of the change too."""
 
-        def read(frames: layouts.Numbers) -> Iterator[Picture]:
+        def read(frames: Numbers) -> Iterator[Picture]:
             return (replace(picture, image=change(picture.image)) for picture in self.whole.read(frames))
 
         return replace(self, whole=replace(self.whole, read=read), recipe=recipe)
 
 
-def of_pictures(pictures: Sequence[Picture], interval: float) -> Source:
+def of_pictures(pictures: list[Picture], interval: float) -> Source:
     """A source of pictures that are in memory, `interval` [s] apart as a rule; it cannot be opened again."""
     names, times = zip(*((p.name, p.time) for p in pictures), strict=True) if pictures else ((), ())
-    whole = layouts.Sequence(names, times, interval, lambda frames: (pictures[i] for i in frames))
+    whole = Sequence(names, times, interval, lambda frames: (pictures[i] for i in frames))
     return Source("memory", "memory", range(len(pictures)), whole, {})
 
 
 def of_film(film: Any, sensor: int = 0) -> Source:
     """The images of one sensor of a rendered film (slambook.rendering), made anew each time they are read."""
 
-    def read(frames: layouts.Numbers) -> Iterator[Picture]:
+    def read(frames: Numbers) -> Iterator[Picture]:
         for i, (frame, _) in zip(range(frames[-1] + 1), film, strict=False):
             if i in frames:
                 yield Picture(names[i], times[i], frame.scans[sensor].image)
 
     names, times = tuple(f"frame {n + 1}" for n in range(len(film))), tuple(accumulate([film.dt] * len(film)))
-    return Source("film", "a rendered film", range(len(film)), layouts.Sequence(names, times, film.dt, read), {})
+    return Source("film", "a rendered film", range(len(film)), Sequence(names, times, film.dt, read), {})
 
 
 def open_source(text: str | os.PathLike[str], *, fps: float | None = None, camera: int = 0) -> Source:
@@ -138,33 +116,30 @@ def open_source(text: str | os.PathLike[str], *, fps: float | None = None, camer
     if fps is not None and not fps > 0:
         raise SlamlibError(f"fps is the number of pictures a second, above 0, got {fps}")
     where = os.path.abspath(text)
-    layout = next((layout for layout in LAYOUTS if layout.is_there(where)), None)
-    if layout is None:
+    dataset, cameras = _found(where)
+    if dataset is None:
         raise SlamlibError(f"{text}: {_why_not(where)}")
-    if camera and not layout.cameras:
-        raise SlamlibError(f"{text} is a {layout.name}, which has one camera: leave camera {camera} out")
-    whole = layout.open(where, fps, camera)
+    if camera not in cameras:
+        raise SlamlibError(f"{text} ({dataset.name}) has no camera {camera}; it has {', '.join(map(str, cameras))}")
+    whole = dataset.open(cameras[camera], fps)
     recipe = {"text": where, "fps": fps, "camera": camera}
-    return Source(layout.name, where, range(len(whole.times)), whole, recipe)
+    return Source(dataset.name, where, range(len(whole.times)), whole, recipe)
 
 
 def cameras_at(where: str | os.PathLike[str]) -> list[int]:
-    """Numbers of the cameras in a data set's folder; none for what is no layout of several."""
-    text = os.path.abspath(where)
-    layout = next((layout for layout in LAYOUTS if layout.is_there(text)), None)
-    return [] if layout is None or layout.cameras is None else sorted(layout.cameras(text))
+    """Numbers of the cameras whose pictures are there."""
+    return sorted(_found(os.path.abspath(where))[1])
 
 
-def reopen(recipe: dict[str, Any], count: int | None = None) -> Source:
-    """The source of a recipe; count: how many of its pictures, if not as many as before.
+def _found(where: str) -> tuple[Dataset | None, Mapping[int, Path]]:
+    """The layout of what is at a path, and its cameras; layouts of special files come first."""
+    for dataset in sorted(DATASETS.values(), key=lambda dataset: dataset.general):
+        if cameras := dataset.cameras(Path(where)):
+            return dataset, cameras
+    return None, {}
 
-    Raises SlamlibError if it is not there any more, or has become shorter.
-    """
-    source = open_source(recipe["text"], fps=recipe["fps"], camera=recipe["camera"])
-    return source.again(recipe, count)
 
-
-def _size(image: Array) -> str:
+def _size(image: Image) -> str:
     return f"{image.shape[-1]}x{image.shape[-2]}"
 
 

@@ -1,17 +1,17 @@
-"""Trajectories: times and poses; files that other tools read; pairs by time; errors against a reference.
+"""Trajectories: times and poses, the files that other tools read, and pairs by time.
 
-How an estimate is laid over its reference is in slamlib.evaluation.alignment, errors over parts of a path in
-slamlib.evaluation.path_errors.
+How an estimate is aligned with its reference, and the errors that remain, are in slamlib.evaluation.alignment.
 """
 
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import whole
+from slamlib.data.files import write_whole
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.pose import compose, relative
 from slamlib.geometry.quaternion import best_pivot, from_rotation
@@ -47,7 +47,7 @@ class Trajectory:
     def __len__(self) -> int:
         return len(self.times)
 
-    def __getitem__(self, rows: Array) -> "Trajectory":
+    def __getitem__(self, rows: Any) -> "Trajectory":
         """Some of the poses, in the order of their times."""
         return Trajectory(self.times[rows], self.poses[rows])
 
@@ -78,8 +78,7 @@ def write_tum(path: str | os.PathLike[str], trajectory: Trajectory) -> None:
         " ".join([f"{time:.9f}", *(f"{value:.12g}" for value in pose[order])])
         for time, pose in zip(trajectory.times, trajectory.poses, strict=True)
     )
-    with whole(path) as partial:
-        partial.write_text("# time[s] x y z qx qy qz qw\n" + "\n".join(rows) + "\n", encoding="utf-8")
+    write_whole(path, "# time[s] x y z qx qy qz qw\n" + "\n".join(rows) + "\n")
 
 
 def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) -> Trajectory:
@@ -102,9 +101,10 @@ def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) ->
     if form is None:
         raise SlamlibError(f"{path} is no trajectory: rows of 8 (TUM) or 12 numbers (KITTI), or EuRoC's, are wanted")
     own, poses = form.read(rows)
-    if own is None and times is None:
+    times = own if times is None else times
+    if times is None:
         raise SlamlibError(f"{path} has poses, but no times (KITTI's form): give them, times=...")
-    return Trajectory(own if times is None else times, poses)
+    return Trajectory(times, poses)
 
 
 @dataclass(frozen=True)
@@ -132,19 +132,25 @@ def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tu
 
     Raises SlamlibError if there is no pair.
     """
-    after = np.searchsorted(other.times, one.times).clip(1, max(len(other) - 1, 1))
+    i, j = matched_times(one.times, other.times, tolerance)
+    if not len(i):
+        raise SlamlibError(
+            f"no two times are within {tolerance} s: one trajectory is of {one.times[0]:.3f} to {one.times[-1]:.3f} s, "
+            f"the other of {other.times[0]:.3f} to {other.times[-1]:.3f} s"
+        )
+    return i, j
+
+
+def matched_times(one: Array, other: Array, tolerance: float) -> tuple[Array, Array]:
+    """Rows (k,) of each of two lists of growing times [s] that belong together; see `associate`."""
+    after = np.searchsorted(other, one).clip(1, max(len(other) - 1, 1))
     near = np.stack([after - 1, after.clip(max=len(other) - 1)])
-    gaps = np.abs(other.times[near] - one.times)
+    gaps = np.abs(other[near] - one)
     j, gap = near[gaps.argmin(0), np.arange(len(one))], gaps.min(0)
     order = np.lexsort((gap, j))  # of those that want the same row, the nearest comes first
     first = np.ones(len(j), dtype=bool)
     first[1:] = np.diff(j[order]) > 0
     rows = np.sort(order[first & (gap[order] <= tolerance)])
-    if not len(rows):
-        raise SlamlibError(
-            f"no two times are within {tolerance} s: one trajectory is of {one.times[0]:.3f} to {one.times[-1]:.3f} s, "
-            f"the other of {other.times[0]:.3f} to {other.times[-1]:.3f} s"
-        )
     return rows, j[rows]
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from slamlib.evaluation.consistency import band
 from slamlib.exercises import exercise
 from slamlib.exercises.properties import array_of, holds, inside_band, same
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Mask
 
 Region = tuple[Array, Array, Array]
 
@@ -45,7 +45,7 @@ def _expectation(rng: np.random.Generator, narrow: bool) -> Region:
     return np.array([58.3, 43.8]), axes @ np.diag([a, b]) ** 2 @ axes.T, np.diag([6.0, 4.0])
 
 
-def _mask(candidate: Any, centre: Array, E: Array, R: Array, share: float, size: tuple[int, int], what: str) -> Array:
+def _mask(candidate: Any, centre: Array, E: Array, R: Array, share: float, size: tuple[int, int], what: str) -> Mask:
     width, height = size
     found = np.asarray(candidate(centre, E, R, share, size))
     shape = (height, width)
@@ -160,8 +160,8 @@ def correlation(candidate: Any) -> None:
         _bytes(score, rng, shape, I)
 
 
-def _scores(candidate: Any) -> Callable[[Array, Array], float]:
-    def score(I: Array, J: Array) -> float:  # noqa: E741
+def _scores(candidate: Any) -> Callable[[Image, Image], float]:
+    def score(I: Image, J: Image) -> float:  # noqa: E741
         value = float(array_of(candidate(I, J), (), "the score"))
         holds(abs(value) <= 1 + 1e-12, "the score lies between -1 and 1", f"found {value:.6g}")
         return value
@@ -169,7 +169,7 @@ def _scores(candidate: Any) -> Callable[[Array, Array], float]:
     return score
 
 
-def _bytes(score: Callable[[Array, Array], float], rng: np.random.Generator, shape: tuple[int, int], I: Array) -> None:  # noqa: E741
+def _bytes(score: Callable[[Image, Image], float], rng: np.random.Generator, shape: tuple[int, int], I: Array) -> None:  # noqa: E741
     """Images as they come from files: bytes; and in single precision, faint on a bright ground."""
     a = rng.integers(0, 256, shape).astype(np.uint8)
     b = (a // 2 + rng.integers(0, 60, shape)).astype(np.uint8)

@@ -12,6 +12,7 @@ import os
 from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -93,7 +94,8 @@ def one(preset: Preset, seed: int, folder: Path | None = None) -> tuple[Array, .
     row = _row(preset, seed)
     if path:
         with whole(path) as partial, partial.open("wb") as stream:
-            np.savez_compressed(stream, **dict(zip(NAMES, row, strict=True)))
+            arrays: dict[str, Any] = dict(zip(NAMES, row, strict=True))
+            np.savez_compressed(stream, **arrays)
     return row
 
 

@@ -6,15 +6,16 @@ Numbers are those of the toolbox's userData files and of its quick start, except
 import json
 import os
 from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import whole
+from slamlib.data.files import write_whole
+from slamlib.data.plain import read, written
 from slamlib.data.records import Frame, Truth, World
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup, tuples
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.sensors.scaramuzza import polynomials
 from slamlib.simulation import Faults, join, simulate, world
@@ -65,29 +66,17 @@ class Preset:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON or TOML."""
-        plain = {f.name: getattr(self, f.name) for f in fields(self)}
-        worlds = [[name, dict(arguments)] for name, arguments in self.worlds]
-        structured = {"rig": self.rig.to_dict(), "options": self.options.to_dict(), "faults": asdict(self.faults)}
-        return {**plain, **structured, "worlds": worlds}
+        plain: dict[str, Any] = written(self)
+        return plain
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> "Preset":
-        """The preset of plain data; a name that is not known is an error."""
-        known = [f.name for f in fields(cls)]
-        for name in data:
-            if name not in known:
-                raise UnknownNameError.of("field of a preset", name, known)
-        made: dict[str, Callable[[Any], Any]] = {
-            "rig": Rig.from_dict,
-            "options": Options.from_dict,
-            "faults": lambda d: Faults(**d),
-        }
-        return cls(**{n: made.get(n, tuples)(v) for n, v in data.items()})
+        """The preset of plain data. Raises SlamlibError for an unknown, missing or wrong key, named by its path."""
+        return read(cls, data, "preset")
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write it as JSON, whole or not at all."""
-        with whole(path) as partial:
-            partial.write_text(json.dumps(self.to_dict(), indent=2) + "\n", encoding="utf-8")
+        write_whole(path, json.dumps(self.to_dict(), indent=2) + "\n")
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> "Preset":

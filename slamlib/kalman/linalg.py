@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
 from slamlib.manifolds import Array
@@ -23,7 +24,7 @@ _SMALL = 4  # numbers of a measurement up to which Python's floats are quicker t
 _ROUNDING = 4 * float(np.finfo(float).eps)  # of each row, beside the variance
 
 
-def numbers(value: Array, function: str, argument: str) -> Array:
+def numbers(value: ArrayLike, function: str, argument: str) -> Array:
     """`value` as an array of floats; raises SlamlibError for text, complex numbers and lists of unequal lengths."""
     try:
         array = np.asarray(value)
@@ -34,7 +35,7 @@ def numbers(value: Array, function: str, argument: str) -> Array:
         raise SlamlibError(f"{function}: {argument} should be an array of real numbers: {error}") from None
 
 
-def finite(value: Array, shape: tuple[int, ...], function: str, argument: str) -> Array:
+def finite(value: ArrayLike, shape: tuple[int, ...], function: str, argument: str) -> Array:
     """`value` as an array of floats of exactly this shape; raises ShapeError, NonFiniteError."""
     array = numbers(value, function, argument)
     if array.shape != shape:
@@ -45,7 +46,7 @@ def finite(value: Array, shape: tuple[int, ...], function: str, argument: str) -
     return array
 
 
-def frozen(array: Array) -> Array:
+def frozen(array: ArrayLike) -> Array:
     """A read-only copy, of floats."""
     return sealed(np.array(array, dtype=float))
 
@@ -62,7 +63,7 @@ def not_overflown(function: str, *results: Array) -> None:
         raise NonFiniteError(f"{function}: the covariance overflows; choose units in which the numbers are smaller")
 
 
-def covariance(value: Array, size: int, function: str, argument: str) -> Array:
+def covariance(value: ArrayLike, size: int, function: str, argument: str) -> Array:
     """A symmetric, positive semi-definite matrix (size, size); a number or a vector of variances is made a diagonal.
 
     Asymmetry up to 1e-9, and negative eigenvalues down to -1e-9, of the largest entry are taken as rounding.
@@ -90,7 +91,7 @@ def _factor(matrix: Array) -> Array | None:
     if matrix.ndim == 2 and 0 < len(matrix) <= _SMALL:
         return small_cholesky(matrix, _ROUNDING)
     try:
-        factor = np.linalg.cholesky(matrix)
+        factor: Any = np.linalg.cholesky(matrix)
     except np.linalg.LinAlgError:
         return None
     # What earlier rows leave of each variance, beside that variance itself: so mixed units do no harm. NaN is not >.
@@ -120,7 +121,8 @@ def solve_lower(factor: Array, right: Array) -> Array:
     """
     fast = _scipy("scipy.linalg.blas", "dtrsv" if right.ndim == 1 else "dtrsm") if right.size else None
     if not fast:
-        return np.linalg.solve(factor, right)
+        solution: Any = np.linalg.solve(factor, right)
+        return solution
     # BLAS counts columns first: factor' is upper triangular, and X' = right' (factor')^-1.
     return fast(factor.T, right, trans=1) if right.ndim == 1 else fast(1.0, factor.T, right.T, side=1).T
 

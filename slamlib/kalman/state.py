@@ -6,6 +6,7 @@ from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.kalman import linalg
 from slamlib.manifolds import Array, Euclidean, Space
@@ -114,8 +115,8 @@ class BeliefSnapshot:
     belief: Any = field(repr=False)
 
 
-def point_of(space: Space, mean: Array, function: str) -> Array:
+def point_of(space: Space, mean: ArrayLike, function: str) -> Array:
     """A read-only copy of a mean that is checked to be a point of its space."""
-    mean = linalg.finite(mean, (space.size,), function, "mean")
-    space.check(mean, f"{function}: mean")
-    return linalg.frozen(mean)
+    point = linalg.finite(mean, (space.size,), function, "mean")
+    space.check(point, f"{function}: mean")
+    return linalg.frozen(point)

@@ -12,11 +12,12 @@ from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
 from slamlib.kalman import linalg
 from slamlib.kalman.state import Layout, Retraction
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 
 @dataclass(frozen=True)
@@ -24,7 +25,7 @@ class Observation:
     """What one measurement says: Jacobians (m, dof) by each block it depends on, innovation (m,), noise (m, m)."""
 
     blocks: Sequence[Any]
-    jacobians: Sequence[Array]
+    jacobians: Sequence[ArrayLike]
     innovation: Array
     noise: Array
 
@@ -45,7 +46,7 @@ class Stacked:
     z: Array
     H: Array
     R: Array
-    touched: Array
+    touched: Indices
 
     def innovation_covariance(self, HP: Array) -> Array:
         """S = H P H' + R, exactly symmetric, from H P over all columns."""
@@ -89,7 +90,7 @@ def _checked(
     return z, compact(observation, len(z), function, name), noises[key]
 
 
-def _columns(observations: Sequence[Observation]) -> tuple[dict[Any, int], Array]:
+def _columns(observations: Sequence[Observation]) -> tuple[dict[Any, int], Indices]:
     """Where each touched block begins in the stacked Jacobian, and the covariance's rows that belong to its columns."""
     columns: dict[Any, int] = {}
     end = 0
@@ -121,7 +122,7 @@ def blame(S: Array, observations: Sequence[Observation]) -> str:
     return f"number {number} of observation {i} (of {', '.join(map(repr, observations[i].blocks))})"
 
 
-def _batch(HP: Array, H: Array, touched: Array, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
+def _batch(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
     """Step, rows W with P - W'W the corrected covariance, and nis; from one Cholesky factor of S."""
     factor = linalg.cholesky(S, "correct", "the innovation covariance")
     W = linalg.solve_lower(factor, HP)
@@ -129,7 +130,7 @@ def _batch(HP: Array, H: Array, touched: Array, S: Array, R: Array, z: Array) ->
     return white @ W, W, float(white @ white)
 
 
-def _scalar(HP: Array, H: Array, touched: Array, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
+def _scalar(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
     """The same, one number after another, after whitening by the factor of R."""
     factor = linalg.cholesky(R, "correct", "R (which method='scalar' whitens by)")
     H, HP, z = (linalg.solve_lower(factor, a) for a in (H, HP, z))

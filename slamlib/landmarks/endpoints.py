@@ -13,14 +13,14 @@ from slamlib.errors import SlamlibError
 from slamlib.geometry import plucker
 from slamlib.landmarks import hmg_point
 from slamlib.landmarks.line import LineLandmark
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 
 
 class Seen(NamedTuple):
     """Abscissas (..., 2) of a measured segment's ends, in ascending order, and the mask (...) of those to be used."""
 
     abscissas: Array
-    usable: Array
+    usable: Mask
 
 
 @dataclass(frozen=True)

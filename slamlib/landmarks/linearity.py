@@ -10,7 +10,7 @@ import numpy as np
 
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.landmarks.point import PointLandmark
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 
 THRESHOLD = 0.1  # of the linearity index, below which a point may become Euclidean; the toolbox's linTestIdp
 WORLD = np.array([0.0, 0, 0, 1, 0, 0, 0])
@@ -58,7 +58,7 @@ def should_convert(
     camera: Array,
     threshold: float = THRESHOLD,
     by: Array | None = None,
-) -> Array:
+) -> Mask:
     """Mask (...) of the points that may become Euclidean: those whose index is below the threshold afterwards."""
     return euclidean_index(kind, mean, covariance, camera, by) < threshold
 
@@ -72,7 +72,7 @@ def to_euclidean(kind: PointLandmark, mean: Array) -> tuple[Array, Array]:
     return point, J.landmark
 
 
-def beyond_infinity(kind: PointLandmark, mean: Array, covariance: Array, sigmas: float = 3.0) -> Array:
+def beyond_infinity(kind: PointLandmark, mean: Array, covariance: Array, sigmas: float = 3.0) -> Mask:
     """Mask (...) of the points whose w is negative by more than `sigmas` standard deviations: delete those.
 
     A smaller negative w is what an unbiased estimate of a far point looks like half of the time: it is kept as it is.

@@ -8,10 +8,11 @@ the depth needs no case for endpoints behind the camera, nor for endpoints at in
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import SlamlibError
 from slamlib.kalman.linalg import finite
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 
 PIXELS = np.array([0.0, 0.0, 1.0, 1.0])  # the "intrinsics" of points that are pixels already
 
@@ -20,10 +21,10 @@ class Segment(NamedTuple):
     """Pixels (..., 4) of both ends, (u, v, u, v), and the mask (...) of those that are seen; the others are nan."""
 
     pixels: Array
-    seen: Array
+    seen: Mask
 
 
-def frustum(intrinsics: Array, image: tuple[float, float], margin: float = 0.0) -> Array:
+def frustum(intrinsics: Array, image: ArrayLike, margin: float = 0.0) -> Array:
     """The four planes (4, 3) of the eye and the image's sides, moved inwards by `margin` [px]. Eq. (li-frustum)."""
     u, v, fu, fv = finite(np.asarray(intrinsics, dtype=float), (4,), "frustum", "intrinsics")
     width, height = finite(np.asarray(image, dtype=float), (2,), "frustum", "image")
@@ -33,7 +34,7 @@ def frustum(intrinsics: Array, image: tuple[float, float], margin: float = 0.0) 
     return np.array([[fu, 0, u - left], [-fu, 0, right - u], [0, fv, v - top], [0, -fv, low - v]])
 
 
-def clip(first: Array, second: Array, planes: Array) -> tuple[Array, Array, Array]:
+def clip(first: Array, second: Array, planes: Array) -> tuple[Array, Array, Mask]:
     """Ends (..., 3) of what lies inside all planes (k, 3) of the segments between homogeneous points, and the mask.
 
     first, second: (..., 4) with w >= 0, in the camera's frame; w = 0 makes a half-line. Eq. (li-clip).
@@ -53,7 +54,7 @@ def visible(
     first: Array,
     second: Array,
     intrinsics: Array,
-    image: tuple[float, float],
+    image: ArrayLike,
     *,
     minimum_length: float = 1.0,
     margin: float = 0.0,
@@ -71,20 +72,20 @@ def visible(
     return Segment(np.where(seen[..., None], pixels, np.nan), seen)
 
 
-def trim(segment: Array, image: tuple[float, float], *, minimum_length: float = 1.0, margin: float = 0.0) -> Segment:
+def trim(segment: Array, image: ArrayLike, *, minimum_length: float = 1.0, margin: float = 0.0) -> Segment:
     """The part inside the image of segments (..., 4) that are pixels already."""
     ends = _pixel(np.asarray(segment)[..., :2]), _pixel(np.asarray(segment)[..., 2:])
     return visible(*ends, PIXELS, image, minimum_length=minimum_length, margin=margin)
 
 
-def span(line: Array, image: tuple[float, float]) -> Segment:
+def span(line: Array, image: ArrayLike) -> Segment:
     """The part inside the image of infinite image lines (..., 3)."""
     line, centre = np.asarray(line, dtype=float), np.asarray(image) / 2
     norm = np.linalg.norm(line[..., :2], axis=-1, keepdims=True)
     normal = line[..., :2] / np.where(norm == 0, 1, norm)
     offset = (line[..., :2] @ centre + line[..., 2])[..., None] / np.where(norm == 0, 1, norm)
     foot = centre - offset * normal
-    reach = np.hypot(*image) * np.stack([normal[..., 1], -normal[..., 0]], -1)
+    reach = np.hypot(*np.asarray(image)) * np.stack([normal[..., 1], -normal[..., 0]], -1)
     found = trim(np.concatenate([foot - reach, foot + reach], -1), image, minimum_length=0)
     seen = found.seen & (norm[..., 0] > 0)
     return Segment(np.where(seen[..., None], found.pixels, np.nan), seen)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError
 from slamlib.manifolds import Array
@@ -36,11 +37,11 @@ class Implicit:
         self.parameters = [a.name for a in self.arguments]
         self._jacobians = namedtuple(f"{name}_jacobians", self.parameters)  # type: ignore[misc]
 
-    def __call__(self, *args: Array, **kwargs: Array) -> Array:
+    def __call__(self, *args: ArrayLike, **kwargs: ArrayLike) -> Array:
         """The solution (..., n) for a value (..., n); all arguments broadcast over their leading axes."""
         return self._solve(*self._bind(args, kwargs))
 
-    def jac(self, *args: Array, **kwargs: Array) -> tuple[Array, Any]:
+    def jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Any]:
         """The solution, and its Jacobians by the value and by the model's other arguments.
 
         Raises SingularPointError also where there is a solution without a derivative.
@@ -54,7 +55,7 @@ class Implicit:
         by_others = [_times(-inverse, getattr(jacobians, a.name), a) for a in self.others]
         return x, self._jacobians(inverse, *by_others)
 
-    def _bind(self, args: tuple[Array, ...], kwargs: dict[str, Array]) -> list[Array]:
+    def _bind(self, args: tuple[ArrayLike, ...], kwargs: dict[str, ArrayLike]) -> list[Array]:
         names, own = self.parameters, f"{self.name} takes ({', '.join(self.parameters)})"
         if len(args) + len(kwargs) != len(names) or any(k not in names[len(args) :] for k in kwargs):
             raise SlamlibError(f"{own}; got {len(args)} by position and {sorted(kwargs)} by name")
@@ -129,7 +130,7 @@ def _newton(matrix: Array, residual: Array) -> Array:
 def _inverse(matrix: Array) -> Array | None:
     """The inverses of (..., n, n), or None if one has none."""
     try:
-        found = np.linalg.inv(matrix)
+        found: Any = np.linalg.inv(matrix)
     except np.linalg.LinAlgError:
         return None
     return found if np.isfinite(found).all() else None

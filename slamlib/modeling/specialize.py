@@ -12,24 +12,25 @@ from types import SimpleNamespace
 from typing import Any
 
 
-def code(whole: Any, short: Any) -> Any:
-    """The generated functions of the model `short`, whose lists are shorter than those of the model `whole`."""
+def code(whole: Any, short: Any, generated: Any) -> Any:
+    """The functions in `generated`, made for the model `whole`, for the model `short`, whose lists are shorter."""
     pairs = list(zip(whole.arguments, short.arguments, strict=True))
     lengths = {b.name: b.size for b in short.arguments}
     zeros = {f"{a.name}{i}" for a, b in pairs for i in range(b.size, a.size)}
-    shape = whole.code.SHAPES[whole.name]
-    functions = {whole.name: _without(getattr(whole.code, whole.name), lengths, zeros, list(range(math.prod(shape))))}
-    for kind, stored in (("_jac", not whole.has_manifold), ("_storage_jac", True)):
+    shape = generated.SHAPES[whole.name]
+    functions = {}
+    for kind, stored in (("", False), ("_jac", not whole.has_manifold), ("_storage_jac", True)):
+        if (function := getattr(generated, whole.name + kind, None)) is None:
+            continue
         rows = math.prod(shape if stored or whole.result is None else whole.result.tangent)
         kept, start = list(range(math.prod(shape))), math.prod(shape)
-        for a, b in pairs:
+        for a, b in pairs if kind else ():
             size = math.prod(a.shape if stored else a.tangent)
             left = size if a.shape == b.shape else b.size
             kept += [start + size * row + column for row in range(rows) for column in range(left)]
             start += size * rows
-        if hasattr(whole.code, whole.name + kind):
-            functions[whole.name + kind] = _without(getattr(whole.code, whole.name + kind), lengths, zeros, kept)
-    return SimpleNamespace(SHAPES=whole.code.SHAPES, **functions)
+        functions[whole.name + kind] = _without(function, lengths, zeros, kept)
+    return SimpleNamespace(SHAPES=generated.SHAPES, **functions)
 
 
 def _without(

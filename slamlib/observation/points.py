@@ -17,7 +17,7 @@ from slamlib.landmarks import POINTS
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import WORLD, beyond_infinity, should_convert, to_euclidean
 from slamlib.landmarks.point import PointLandmark
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.observation.family import Family, columns_of, means_of, product, rows_of, viewpoint
 from slamlib.sensors.sensor import Calibration
 
@@ -38,7 +38,7 @@ class Observation:
     """
 
     value: Array
-    visible: Array
+    visible: Mask
     jacobians: Any
 
 

@@ -6,10 +6,11 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.kalman.linalg import covariance, finite, frozen, numbers
-from slamlib.manifolds import Array, Space, as_space
+from slamlib.manifolds import Array, Mask, Space, as_space
 from slamlib.model import Model
 
 
@@ -35,7 +36,7 @@ class Sensor:
     project: Model | Any
     back_project: Model | Any
     parameters: tuple[str, ...]
-    visible: Callable[[Array, "Calibration"], Array]
+    visible: Callable[[Array, "Calibration"], Mask]
     check: Callable[["Calibration"], None] = _nothing_to_check
     project_line: Model | None = None
     pixels: bool = False
@@ -63,7 +64,7 @@ class Calibration:
 
     sensor: Sensor
     limits: dict[str, float]
-    image: Array
+    image: Any  # (width, height) of the image (2,), or None
     noise: Array
     given: dict[str, Array]
     padded: dict[str, Array]
@@ -71,11 +72,11 @@ class Calibration:
     def __init__(
         self,
         sensor: Sensor,
-        noise: Array,
+        noise: ArrayLike,
         *,
-        image: tuple[float, ...] | None = None,
+        image: Any = None,
         limits: dict[str, float] | None = None,
-        **parameters: Array,
+        **parameters: ArrayLike,
     ) -> None:
         for name in parameters:
             if name not in sensor.parameters:
@@ -136,19 +137,21 @@ class Calibration:
         value, jacobians = model.jac(*arguments, **self.padded)
         return value, jacobians._replace(**{n: getattr(jacobians, n)[..., : len(v)] for n, v in self.given.items()})
 
-    def visible(self, point: Array) -> Array:
+    def visible(self, point: Array) -> Mask:
         """Mask (...) of the homogeneous points (..., 4) that the sensor can measure, before the image is looked at."""
         return self.sensor.visible(np.asarray(point), self)
 
-    def inside(self, measurement: Array, margin: float = 0.0) -> Array:
+    def inside(self, measurement: ArrayLike, margin: float = 0.0) -> Mask:
         """Mask of the measurements whose first two numbers lie in the image, `margin` [px] from its border."""
         if self.image is None:
             return np.ones(np.shape(measurement)[:-1], dtype=bool)
         pixel = np.asarray(measurement)[..., :2]
         if pixel.ndim == 1:  # a single one, quickly
             (u, v), (width, height) = pixel.tolist(), self.image.tolist()
-            return np.bool_(margin <= u <= width - margin and margin <= v <= height - margin)
-        return ((pixel >= margin) & (pixel <= self.image - margin)).all(-1)
+            one: Any = np.bool_(margin <= u <= width - margin and margin <= v <= height - margin)
+            return one
+        inside: Any = ((pixel >= margin) & (pixel <= self.image - margin)).all(-1)
+        return inside
 
 
 def _shortened(project: Model | Any, given: dict[str, Array]) -> Model | None:
@@ -165,7 +168,7 @@ def _limit(sensor: str, name: str, value: float) -> float:
     return float(number)
 
 
-def _given(sensor: str, name: str, value: Array, largest: int) -> Array:
+def _given(sensor: str, name: str, value: ArrayLike, largest: int) -> Array:
     """A parameter's numbers as they were given, a read-only copy."""
     array = np.atleast_1d(numbers(value, sensor, name))
     if array.ndim != 1 or len(array) > largest:

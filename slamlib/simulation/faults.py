@@ -1,14 +1,17 @@
 """What goes wrong with real sensors, at given rates: features are missed, replaced by nonsense, or taken for others."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 
+from slamlib.data.plain import Range, check
 from slamlib.errors import SingularPointError, SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.sensors.sensor import Calibration
 
 TRIES = 1000
+Share = Annotated[float, Range(ge=0, le=1)]
 
 
 @dataclass(frozen=True)
@@ -19,15 +22,12 @@ class Faults:
     image (of sensors without one, in all that they can measure). swap: delivered with the id of another one in view.
     """
 
-    miss: float = 0.0
-    outlier: float = 0.0
-    swap: float = 0.0
+    miss: Share = 0.0
+    outlier: Share = 0.0
+    swap: Share = 0.0
 
     def __post_init__(self) -> None:
-        for rate in fields(self):
-            value = getattr(self, rate.name)
-            if not 0 <= value <= 1:
-                raise SlamlibError(f"Faults: {rate.name} is a share between 0 and 1, got {value}")
+        check(self)
 
 
 class Clutter:
@@ -71,7 +71,7 @@ def _box(calibration: Calibration, reach: float, count: int = 4096) -> tuple[Arr
     return low, high
 
 
-def swapped(ids: Array, rate: float, rng: np.random.Generator) -> Array:
+def swapped(ids: Indices, rate: float, rng: np.random.Generator) -> Indices:
     """The ids, of which each trades places with another with probability rate / 2: a share of about `rate` is wrong."""
     ids = ids.copy()
     chosen = np.flatnonzero(rng.random(len(ids)) < rate / 2)

@@ -7,7 +7,7 @@ one stretch; the longest stretch that no shadow hides is what is seen of it.
 
 import numpy as np
 
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 
 CLEARANCE = (
     1e-6  # [m]: a shadow begins so far behind its triangle, and is so much wider, to close slits at common sides
@@ -34,14 +34,14 @@ def _toward(normals: Array, points: Array) -> Array:
     return side * normals / np.where(length > 0, length, 1)
 
 
-def hidden(points: Array, faces: Array, eye: Array) -> Array:
+def hidden(points: Array, faces: Array, eye: Array) -> Mask:
     """Mask (n,) of the points (n, 3) that are not seen from the eye (3,) because of opaque triangles (f, 3, 3)."""
     if not len(faces):
         return np.zeros(len(points), bool)
-    return (_heights(points, shadows(faces, eye)) > 0).all(0).any(-1)
+    return np.any((_heights(points, shadows(faces, eye)) > 0).all(0), axis=-1)
 
 
-def longest_seen(segments: Array, faces: Array, eye: Array) -> tuple[Array, Array]:
+def longest_seen(segments: Array, faces: Array, eye: Array) -> tuple[Array, Mask]:
     """Ends (k, 2, 3) of the longest stretch seen of each segment (k, 2, 3), and the mask (k,) of those seen at all."""
     if not len(faces):
         return segments, np.ones(len(segments), bool)

@@ -1,8 +1,10 @@
 """A run as named arrays, and back; the names are explained in recording.py."""
 
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from slamlib.data.records import Control, Features, Frame, Scan, Truth, World
 from slamlib.data.setup import Rig
@@ -13,7 +15,7 @@ from slamlib.observation import FAMILIES
 Pairs = list[tuple[Frame, Truth | None]]
 
 
-def packed(pairs: Pairs, rig: Rig, world: World) -> dict[str, Array]:
+def packed(pairs: Pairs, rig: Rig, world: World) -> dict[str, NDArray[Any]]:
     """The arrays of a run. Raises SlamlibError where frames and rig do not match."""
     _fits(pairs, rig)
     frames = [frame for frame, _ in pairs]
@@ -53,7 +55,7 @@ def _fits(pairs: Pairs, rig: Rig) -> None:
         raise SlamlibError("the truth is known of some frames only: give it for all of them, or None for all")
 
 
-def _controls(name: str, controls: list[Control | None], size: int) -> dict[str, Array]:
+def _controls(name: str, controls: list[Control | None], size: int) -> dict[str, NDArray[Any]]:
     value, noise = np.full((len(controls), size), np.nan), np.zeros((len(controls), size, size))
     for row, control in enumerate(controls):
         if control is not None:
@@ -70,7 +72,7 @@ def _features(name: str, features: list[Features], none: Features) -> dict[str, 
     }
 
 
-def unpacked(arrays: dict[str, Array], rig: Rig, truth: bool) -> tuple[World, list[Frame], list[Truth | None]]:
+def unpacked(arrays: dict[str, NDArray[Any]], rig: Rig, truth: bool) -> tuple[World, list[Frame], list[Truth | None]]:
     """World, frames and truths of a run's arrays. Raises KeyError, ValueError or SlamlibError if they are no run's."""
     names = [x for x in FAMILIES if f"world.{x}.ids" in arrays]  # all families that there were when it was written
     seen = {x: Features(arrays[f"world.{x}.ids"], arrays[f"world.{x}.values"]) for x in names}
@@ -88,17 +90,17 @@ def unpacked(arrays: dict[str, Array], rig: Rig, truth: bool) -> tuple[World, li
     return World(seen, arrays["world.faces"]), frames, _truths(arrays, rig, len(frames), truth)
 
 
-def _each_control(arrays: dict[str, Array], name: str) -> list[Control | None]:
+def _each_control(arrays: dict[str, NDArray[Any]], name: str) -> list[Control | None]:
     rows = zip(arrays[f"{name}.control"], arrays[f"{name}.noise"], strict=True)
     return [None if np.isnan(value).all() else Control(value, noise) for value, noise in rows]
 
 
-def _each_features(arrays: dict[str, Array], name: str) -> list[Features]:
+def _each_features(arrays: dict[str, NDArray[Any]], name: str) -> list[Features]:
     first, ids, values = (arrays[f"{name}.{part}"] for part in ("first", "ids", "values"))
     return [Features(ids[a:b], values[a:b]) for a, b in pairwise(first)]
 
 
-def _truths(arrays: dict[str, Array], rig: Rig, count: int, known: bool) -> list[Truth | None]:
+def _truths(arrays: dict[str, NDArray[Any]], rig: Rig, count: int, known: bool) -> list[Truth | None]:
     if not known:
         return [None] * count
     names = [f"truth.robot{i}" for i in range(len(rig.robots))], [f"truth.mount{j}" for j in range(len(rig.sensors))]

@@ -32,7 +32,6 @@ from slamlib.data.files import whole
 from slamlib.data.records import Frame, Truth, World
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
 from slamlib.simulation.packing import packed, unpacked
 
 FORMAT, VERSION = "slamlib recording", 1
@@ -62,7 +61,7 @@ def save(path: str | Path, frames: Iterable[tuple[Frame, Truth | None]], *, rig:
     pairs = list(frames)
     known = any(truth is not None for _, truth in pairs)
     header = {"format": FORMAT, "version": VERSION, "rig": rig.to_dict(), "truth": known}
-    arrays = {"header": np.array(json.dumps(header, default=_plain)), **packed(pairs, rig, world)}
+    arrays: dict[str, Any] = {"header": np.array(json.dumps(header, default=_plain)), **packed(pairs, rig, world)}
     with whole(path) as partial, partial.open("wb") as file:
         np.savez_compressed(file, **arrays)
 
@@ -80,7 +79,7 @@ def load(path: str | Path) -> Recording:
     return Recording(rig, world, tuple(frames), tuple(truths))
 
 
-def _arrays(path: Path) -> dict[str, Array]:
+def _arrays(path: Path) -> dict[str, Any]:
     """All arrays of the file; nothing in it is run."""
     try:
         with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
@@ -91,7 +90,7 @@ def _arrays(path: Path) -> dict[str, Array]:
         raise SlamlibError(f"{path.name} cannot be read ({error}): it is damaged, or no recording at all") from error
 
 
-def _header(path: Path, arrays: dict[str, Array]) -> dict[str, Any]:
+def _header(path: Path, arrays: dict[str, Any]) -> dict[str, Any]:
     try:
         header = json.loads(str(arrays["header"]))
         form, version = header["format"], header["version"]

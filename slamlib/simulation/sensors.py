@@ -6,7 +6,7 @@ from slamlib.data.records import Features, Scan, World
 from slamlib.data.setup import SensorSetup
 from slamlib.geometry.pose import Pose, compose
 from slamlib.kalman.linalg import frozen
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.observation import FAMILIES, Family
 from slamlib.simulation.faults import Clutter, Faults, swapped
 from slamlib.simulation.occlusion import hidden, longest_seen
@@ -54,7 +54,7 @@ class SimulatedSensor:
         """The longest stretch (k, 2, 3) of each segment that no face hides, and the mask (k,) of those seen at all."""
         return longest_seen(segments, self.world.faces, camera[:3])
 
-    def _faulty(self, ids: Array, values: Array, parts: int) -> Features:
+    def _faulty(self, ids: Indices, values: Array, parts: int) -> Features:
         """The same features with faults; an outlier is made of so many parts (the two ends of a segment)."""
         rng, faults = self.streams["faults"], self.faults
         miss, replace = rng.random((2, len(ids)))

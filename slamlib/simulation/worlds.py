@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.data.records import Features, World
 from slamlib.errors import SlamlibError, UnknownNameError
@@ -17,7 +18,7 @@ from slamlib.manifolds import Array
 QUARTER = np.array([[0.0, 1.0], [-1.0, 0.0]])  # rows times this: a quarter turn to the left
 
 
-def numbered(points: Array = (), segments: Array = (), faces: Array = ()) -> World:
+def numbered(points: ArrayLike = (), segments: ArrayLike = (), faces: ArrayLike = ()) -> World:
     """A world of points (n, 3), segments (k, 6) and faces (f, 3, 3) [m]: points are 1 to n, segments n + 1 and on."""
     points, segments, faces = _rows(points, 3), _rows(segments, 6), _rows(faces, 3, 3)
     ids = 1 + np.arange(len(points) + len(segments))
@@ -25,9 +26,9 @@ def numbered(points: Array = (), segments: Array = (), faces: Array = ()) -> Wor
     return World(features, faces)
 
 
-def _rows(values: Array, *shape: int) -> Array:
-    values = numbers(values, "world", "values")
-    return values if values.size else np.zeros((0, *shape))
+def _rows(values: ArrayLike, *shape: int) -> Array:
+    rows = numbers(values, "world", "values")
+    return rows if rows.size else np.zeros((0, *shape))
 
 
 def join(*worlds: World) -> World:

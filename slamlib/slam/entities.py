@@ -7,7 +7,7 @@ import numpy as np
 
 from slamlib.geometry.pose import compose
 from slamlib.kalman.state import Block
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.motions import Motion
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.linearization import Linearization
@@ -56,7 +56,7 @@ class MountedSensor:
         return pose
 
     @property
-    def columns(self) -> Array:
+    def columns(self) -> Indices:
         """Rows of the joint covariance of the robot's pose, and of the mount if it is estimated."""
         starts = [self.robot.block.start] + ([] if self.block is None else [self.block.start])
         return (np.array(starts)[:, None] + np.arange(POSE)).ravel()

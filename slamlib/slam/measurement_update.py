@@ -10,7 +10,7 @@ import numpy as np
 from slamlib.belief import Belief
 from slamlib.data.snapshots import Looks
 from slamlib.geometry.pose import compose
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.observation.family import Expected, Family, viewpoint
 from slamlib.slam.data_association.front_end import FrontEnd, Sight
 from slamlib.slam.data_association.gates import CHOICES, gate, innovation_covariances, normalized
@@ -158,7 +158,7 @@ def _by_kind(looks: Iterable[Look]) -> list[list[Look]]:
     return list(found.values())
 
 
-def _stacked(parts: list[tuple[Array, Array, Array, Array]]) -> tuple[Array, Array, Array, Array]:
+def _stacked(parts: list[tuple[Indices, Array, Array, Array]]) -> tuple[Indices, Array, Array, Array]:
     """Touched rows, and one Jacobian, innovation and noise of all parts."""
     touched = np.unique(np.concatenate([columns.ravel() for columns, _, _, _ in parts]))
     z = np.concatenate([part[2].ravel() for part in parts])
@@ -166,7 +166,7 @@ def _stacked(parts: list[tuple[Array, Array, Array, Array]]) -> tuple[Array, Arr
     start = 0
     for columns, J, innovation, noise in parts:
         rows = start + np.arange(innovation.size).reshape(innovation.shape)
-        at: Array = np.searchsorted(touched, columns)
+        at = np.searchsorted(touched, columns)
         H[rows[:, :, None], at[:, None, :]] = J
         R[rows[:, :, None], rows[:, None, :]] = noise
         start += innovation.size

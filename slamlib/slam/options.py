@@ -1,11 +1,10 @@
 """What a reader may choose about the filter: plain data, checked when it is made, written to and read from JSON."""
 
-import math
-from dataclasses import asdict, dataclass, field, fields
-from typing import Any
+from dataclasses import dataclass, field
+from math import inf
+from typing import Annotated, Any
 
-from slamlib.data.setup import tuples
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.data.plain import OneOf, Range, check, read, written
 from slamlib.landmarks import LINES, POINTS
 from slamlib.landmarks.linearity import THRESHOLD
 from slamlib.observation import FAMILIES
@@ -14,7 +13,12 @@ from slamlib.slam.data_association.consensus import CONSENSUS
 from slamlib.slam.data_association.gates import CHOICES
 from slamlib.slam.map_management import FULL
 
-Prior = tuple[tuple[float, float], tuple[float, float]]
+Count = Annotated[int, Range(ge=0)]
+NotNegative = Annotated[float, Range(ge=0)]
+Finite = Annotated[float, Range(gt=-inf, lt=inf)]
+Positive = Annotated[float, Range(gt=0, lt=inf)]
+Share = Annotated[float, Range(ge=0, le=1)]
+Prior = tuple[tuple[Finite, Finite], tuple[Positive, Positive]]
 PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 
 
@@ -50,58 +54,38 @@ class Options:
         was found in less than `keep_matched` of them, or if fewer than `keep_inliers` of those passed the gate.
     """
 
-    points: str | None = "idpPnt"
-    lines: str | None = None
-    capacity: int | None = None
-    full: str | None = None
-    window: int | None = None
-    updates: int = 10
-    choose: str = "information"
+    points: Annotated[str, OneOf(POINTS)] | None = "idpPnt"
+    lines: Annotated[str, OneOf(LINES)] | None = None
+    capacity: Annotated[int, Range(gt=0)] | None = None
+    full: Annotated[str, OneOf(FULL)] | None = None
+    window: Annotated[int, Range(gt=0)] | None = None
+    updates: Count = 10
+    choose: Annotated[str, OneOf(CHOICES)] = "information"
     reproject: bool = True
-    gate: float = 0.99
-    consensus: str = "each"
+    gate: Annotated[float, Range(gt=0, le=1)] = 0.99
+    consensus: Annotated[str, OneOf(CONSENSUS)] = "each"
     convert: bool = True
-    convert_below: float = THRESHOLD
-    first: int = 10
-    later: int = 1
-    inverse_distance: tuple[float, float] = (0.01, 0.5)
-    line_priors: dict[str, Prior] = field(default_factory=lambda: {"plkLin": PLUCKER, "aplLin": PLUCKER})
-    innovation: str = "ortDst"
+    convert_below: NotNegative = THRESHOLD
+    first: Count = 10
+    later: Count = 1
+    inverse_distance: tuple[Finite, Positive] = (0.01, 0.5)
+    line_priors: dict[Annotated[str, OneOf(LINES)], Prior] = field(
+        default_factory=lambda: {"plkLin": PLUCKER, "aplLin": PLUCKER}
+    )
+    innovation: Annotated[str, OneOf(READINGS)] = "ortDst"
     extend: bool = True
-    extend_switch: float = 10.0
-    minimum_length: float = 20.0
-    margin: float = 0.04
-    search_first: int = 10
-    keep_matched: float = 0.1
-    keep_inliers: float = 0.5
-    others: dict[str, str] = field(default_factory=dict)
+    extend_switch: NotNegative = 10.0
+    minimum_length: Annotated[float, Range(ge=0, unit="px")] = 20.0
+    margin: Annotated[float, Range(ge=0, lt=0.5)] = 0.04
+    search_first: Count = 10
+    keep_matched: Share = 0.1
+    keep_inliers: Share = 0.5
+    others: dict[Annotated[str, OneOf(FAMILIES)], str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        _known("point landmark", self.points, POINTS, none=True)
-        _known("line landmark", self.lines, LINES, none=True)
-        _known("innovation", self.innovation, READINGS)
-        _known("choose", self.choose, CHOICES)
-        _known("consensus", self.consensus, CONSENSUS)
-        _known("rule for a full map", self.full, FULL, none=True)
-        for name in ("updates", "first", "later", "search_first"):
-            self._ask(name, "a whole number, 0 or more", lambda v: isinstance(v, int) and v >= 0)
-        for name in ("reproject", "convert", "extend"):
-            self._ask(name, "True or False", lambda v: isinstance(v, bool))
-        for name in ("capacity", "window"):
-            self._ask(name, "a whole number above 0, or None", lambda v: v is None or (isinstance(v, int) and v > 0))
-        self._ask("gate", "a probability above 0, up to 1", lambda v: 0 < v <= 1)
-        for name in ("keep_matched", "keep_inliers"):
-            self._ask(name, "a share between 0 and 1", lambda v: 0 <= v <= 1)
-        self._ask("margin", "a share below a half", lambda v: 0 <= v < 0.5)
-        for name in ("convert_below", "extend_switch", "minimum_length"):
-            self._ask(name, "a number, 0 or more", lambda v: v >= 0)
-        self._ask("inverse_distance", "(mean, std) with std > 0", lambda v: _numbers(v, 2) and v[1] > 0)
-        for name in self.line_priors:
-            _known("line landmark", name, LINES)
-        for name, kind in self.others.items():
-            _known("family of landmarks", name, FAMILIES)
-            _known(f"parametrization of {name}", kind, FAMILIES[name].parametrizations)
-        self._ask("line_priors", "((mean, mean), (std, std)) by name, std > 0", _are_priors)
+        check(self)
+        for family, kind in self.others.items():
+            OneOf(FAMILIES[family].parametrizations).check(kind, f"parametrization of {family}")
 
     def parametrization_of(self, family: str) -> str | None:
         """The parametrization of new landmarks of a family, or None for none."""
@@ -112,39 +96,12 @@ class Options:
         mean, std = self.inverse_distance
         return self.line_priors.get(name, ((mean, mean), (std, std)))
 
-    def _ask(self, name: str, wanted: str, holds: Any) -> None:
-        value = getattr(self, name)
-        try:
-            fine = bool(holds(value))
-        except (TypeError, ValueError):
-            fine = False
-        if not fine:
-            raise SlamlibError(f"Options: {name} should be {wanted}, got {value!r}")
-
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON or TOML; what is None is left out."""
-        plain = {name: value for name, value in asdict(self).items() if value is not None}
+        plain: dict[str, Any] = written(self)
         return plain if self.others else {name: value for name, value in plain.items() if name != "others"}
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> "Options":
-        """The options of plain data; lists become tuples, and what is missing is None or its default."""
-        names = [f.name for f in fields(cls)]
-        for name in data:
-            if name not in names:
-                raise UnknownNameError.of("option", name, names)
-        absent: dict[str, Any] = {n: None for n in ("points", "lines", "capacity") if n not in data}
-        return cls(**tuples(data), **absent)
-
-
-def _known(what: str, name: str | None, known: Any, none: bool = False) -> None:
-    if not (none and name is None) and name not in known:
-        raise UnknownNameError.of(what, name, known)
-
-
-def _numbers(value: Any, count: int) -> bool:
-    return len(value) == count and all(math.isfinite(v) for v in value)
-
-
-def _are_priors(priors: dict[str, Any]) -> bool:
-    return all(_numbers(means, 2) and _numbers(stds, 2) and min(stds) > 0 for means, stds in priors.values())
+        """The options of plain data; what is missing is None or its default. Raises SlamlibError, naming the key."""
+        return read(cls, data, "options")

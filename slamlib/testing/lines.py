@@ -82,7 +82,7 @@ def _seen_along_rays(judge: Judge, kind: LineLandmark, made: list[tuple[Array, A
             line = kind.to_frame(pose, kind.from_frame(pose, rays, prior))
         except SingularPointError:
             continue  # a nasty place that the models refuse
-        n, v = line[:3] / np.linalg.norm(line[:3]), line[3:] / max(np.linalg.norm(line[3:]), 1e-300)
+        n, v = line[:3] / np.linalg.norm(line[:3]), line[3:] / max(float(np.linalg.norm(line[3:])), 1e-300)
         judge.compare(CONSTRAINT, f"{kind.name}.to_frame", n @ v, 0.0, where, argument="landmark")
         off = [n @ rays[:3], n @ rays[3:]]
         judge.compare(SEEN, f"{kind.name}.from_frame", off, np.zeros(2), where, argument="rays")
@@ -99,7 +99,7 @@ def _points_on_line(judge: Judge, kind: LineLandmark, seen: list[tuple[Array, Ar
             places.append(here)
             where = {"pose": pose, "landmark": landmark, "abscissa": np.array(s)}
             scale = np.linalg.norm(here) * np.linalg.norm(v)
-            off = (np.cross(here, v) - n) / max(scale, 1e-300)
+            off = (np.cross(here, v) - n) / max(float(scale), 1e-300)
             judge.compare(INCIDENT, f"{kind.name}.point_at", off, np.zeros(3), where, argument="landmark")
         apart = np.linalg.norm(places[0] - places[1])
         judge.require(DISTINCT, f"{kind.name}.abscissas", apart > 1e-9, "they are the same point", {})

@@ -78,7 +78,7 @@ def central_difference(model: Any, place: Place, index: int, step: float = 1e-6)
     return _columns(model.arguments[index], slope)
 
 
-def _moved(argument: Any, place: Place, index: int, direction: Array) -> list[Array]:
+def _moved(argument: Any, place: Place, index: int, direction: Any) -> list[Array]:
     moved = list(place)
     moved[index] = argument.space.plus(place[index], direction) if argument.space else place[index] + direction
     return moved

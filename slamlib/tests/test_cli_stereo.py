@@ -10,7 +10,7 @@ from slambook import rendering
 from slambook.recorded import KITTI
 
 from slamlib.cli import main, runner
-from slamlib.datasets.layouts import table
+from slamlib.datasets.dataset import table
 from slamlib.evaluation.trajectory import read_trajectory
 from slamlib.tests.pictures import interrupted_at, windows
 from slamlib.vision.results import lengths_of

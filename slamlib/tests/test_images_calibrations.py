@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
-from slamlib.datasets.calibrations import TUM, read_calibration, read_lens
-from slamlib.datasets.lens import Lens, Undistortion, fitted
+from slamlib.datasets.calibrations import read_calibration, read_lens
+from slamlib.datasets.formats.tum import LENSES as TUM
+from slamlib.datasets.lens import Lens, fitted
+from slamlib.datasets.rectification import Undistortion
 from slamlib.errors import SlamlibError
 from slamlib.tests.pictures import KALIBR
 from slamlib.tests.reference import FOLDER
@@ -52,7 +54,7 @@ def test_slamlibs_own_files(tmp_path):
         read_lens(path, 2)
     toml = "image = [640, 480]\n[parameters]\nintrinsics = [320, 240, 500, 501]\ndistortion = [-0.3, 0.1]\n"
     path = write(tmp_path, toml, "camera.toml")
-    assert read_calibration(path)["parameters"]["distortion"] == [-0.3, 0.1]
+    assert read_calibration(path)["parameters"]["distortion"] == (-0.3, 0.1)
     assert read_lens(path) == Lens((320, 240, 500, 501), (640, 480), distortion=(-0.3, 0.1, 0.0, 0.0, 0.0))
     with pytest.raises(SlamlibError, match="did you mean 'parameters'"):
         read_calibration(write(tmp_path, '{"parameters": {}, "parametres": 1}', "a.json"))
@@ -114,7 +116,7 @@ def test_opencvs_two_cameras(tmp_path):
         storage.write(f"D{i}", np.zeros((1, 5)))
     storage.release()
     assert [read_lens(path, i).intrinsics[2] for i in (0, 1)] == [501, 502]
-    with pytest.raises(SlamlibError, match="no camera matrix of camera 2; it holds M1"):
+    with pytest.raises(SlamlibError, match="no camera 2, but 0, 1"):
         read_lens(path, 2)
 
 

@@ -8,6 +8,7 @@ from slambook.rendering.stereo_film import stereo_film
 
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets.lens import Lens
+from slamlib.datasets.opening import reopen
 from slamlib.datasets.pair_calibrations import PairCalibration, read_pair
 from slamlib.datasets.pair_sources import open_pairs
 from slamlib.datasets.pictures import Picture
@@ -15,8 +16,7 @@ from slamlib.datasets.rectification import Rectification, rectified_setup, why_n
 from slamlib.datasets.sources import of_pictures
 from slamlib.errors import SlamlibError
 from slamlib.tests.pictures import KALIBR
-from slamlib.vision.open_sequence import open_stereo, reopened
-from slamlib.vision.run import PAIRS, load, stereo_run
+from slamlib.vision.run import PAIRS, load, opened_stereo, stereo_run
 from slamlib.vision.stereo import StereoSettings
 from slamlib.vision.stereo.features import observe
 from slamlib.vision.stereo.matching import check_pair, survey
@@ -195,7 +195,7 @@ def folders(tmp_path, film):
 def test_a_run_from_python(tmp_path):
     _, film, _ = stereo_film(4)
     (left, right), calibration = folders(tmp_path, film)
-    source, camera, settings = open_stereo(left=left, right=right, calibration=calibration, fps=30)
+    source, camera, settings = opened_stereo(left=left, right=right, calibration=calibration, fps=30)
     run = stereo_run(source, camera, moving="halves", settings=settings)
     steps = iter(run)
     assert [next(steps).picture.name for _ in range(2)] == ["left_0.png", "left_1.png"]
@@ -205,12 +205,12 @@ def test_a_run_from_python(tmp_path):
         np.testing.assert_array_equal(next(steps).row["nis"], next(iter(again)).row["nis"])
     np.testing.assert_array_equal(run.slam.belief.matrix, again.slam.belief.matrix)
     recipe = source.part(1, 2).recipe
-    assert [p.name for p in reopened(recipe)] == ["left_1.png", "left_3.png"]
-    assert len(reopened(recipe, 1)) == 1
+    assert [p.name for p in reopen(recipe)] == ["left_1.png", "left_3.png"]
+    assert len(reopen(recipe, 1)) == 1
     (tmp_path / "left" / "left_3.png").unlink()
     (tmp_path / "right" / "right_3.png").unlink()
     with pytest.raises(SlamlibError, match="had more when the run was saved"):
-        reopened(recipe)
+        reopen(recipe)
     with pytest.raises(SlamlibError, match="did you mean 'halves'"):
         stereo_run(source, camera, moving="halfs")
     with pytest.raises(SlamlibError, match=r"left_0.png: the pair is 320x240, and the calibration of 100x80"):

@@ -1,14 +1,21 @@
 """Models: values, Jacobians, broadcasting, precision, and what misuse is told."""
 
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+import slamlib
 from slamlib.analytic import cos, sin
 from slamlib.codegen.check import central_difference, check, complex_step
+from slamlib.codegen.compile import compile_in_memory
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError, UnitError
 from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import Pose
 from slamlib.model import model
+
+GENERATED = Path(slamlib.__file__).parent / "generated"
 
 
 @model(robot=3, control=2, dt=())
@@ -102,6 +109,20 @@ def test_storage_jacobian_is_the_plain_derivative(rng):
         moved[k] += 1e-30j
         assert stored.pose[:, k] == pytest.approx(frames.to_frame.definition(moved, point).imag / 1e-30, abs=1e-13)
     assert value == pytest.approx(frames.to_frame(pose, point))
+
+
+@pytest.mark.parametrize(
+    ("by_storage", "what"), [(False, "it is not part of"), (True, "stored numbers are not kept in")]
+)
+def test_what_is_generated_at_the_first_use_says_that_it_needs_sympy(monkeypatch, by_storage, what):
+    monkeypatch.setitem(sys.modules, "slamlib.codegen.emit", None)
+    with pytest.raises(SlamlibError, match=f"^to_frame: .*{what} slamlib .* needs sympy: pip install"):
+        compile_in_memory(frames.to_frame, by_storage=by_storage)
+
+
+def test_derivatives_by_stored_numbers_are_not_in_the_package(rng):
+    assert not [f for f in GENERATED.rglob("*.py") if "_storage_jac" in f.read_text("utf-8")]
+    assert "def to_frame_storage_jac(pose, point):" in frames.to_frame.storage_code.TEXT
 
 
 def test_wrong_shape_names_the_argument_the_shape_wanted_and_the_shape_given(rng):

@@ -195,7 +195,7 @@ def test_faults_befall_segments_too():
 
 def test_faults_are_shares():
     for wrong in ({"miss": -0.1}, {"outlier": 1.1}, {"swap": float("nan")}):
-        with pytest.raises(SlamlibError, match=f"{next(iter(wrong))} is a share between 0 and 1"):
+        with pytest.raises(SlamlibError, match=f"{next(iter(wrong))} should be 0 or more and up to 1"):
             Faults(**wrong)
 
 

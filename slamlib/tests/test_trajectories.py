@@ -4,14 +4,18 @@ import numpy as np
 import pytest
 
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.alignment import Similarity, align, aligned, straightness
-from slamlib.evaluation.path_errors import relative_errors
+from slamlib.evaluation.alignment import Similarity, align, aligned, relative_errors, straightness
 from slamlib.evaluation.trajectory import Trajectory, associate, read_trajectory, write_tum
 from slamlib.geometry.pose import compose
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.tests.reference import FOLDER
 
 DATA = FOLDER.parent / "data"
+STORED = (
+    0.10119560862569917,
+    0.03304008342344318,
+    2.1918313445196143,
+)  # of evo: scale, root mean square of the distances [m], largest angle [deg]
 
 
 def walk(rng, count=60):
@@ -198,3 +202,31 @@ def test_the_two_references_of_a_real_sequence_agree():
     assert found.by == "attitudes"
     assert found.relative < 0.04  # the two were found to agree to 2 % of the path
     assert np.degrees(np.median(found.attitude)) < 1.2
+
+
+def test_what_evo_finds():
+    """The same two paths in evo 1.38 (pip install evo), whose figures stand here for whoever has none."""
+    rng = np.random.default_rng(21)
+    there = walk(rng, 200)
+    noise = np.concatenate([rng.normal(0, 0.02, (200, 3)), exponential(rng.normal(0, 0.01, (200, 3)))], axis=1)
+    estimate = anyhow(rng).moved(Trajectory(there.times, compose(there.poses, noise)))
+    found = aligned(estimate, there, by="positions")
+    same = found.similarity.scale, found.rmse, np.degrees(found.attitude.max())
+    np.testing.assert_allclose(same, STORED, rtol=1e-9)
+    geometry = pytest.importorskip("evo.core.geometry", reason="evo is not installed: its stored figures were compared")
+    metrics, paths = pytest.importorskip("evo.core.metrics"), pytest.importorskip("evo.core.trajectory")
+    turn, shift, scale = geometry.umeyama_alignment(estimate.positions.T, there.positions.T, with_scale=True)
+    np.testing.assert_allclose(found.similarity.rotation, turn, atol=1e-10)
+    np.testing.assert_allclose(found.similarity.translation, shift, atol=1e-9)
+    two = [paths.PoseTrajectory3D(t.positions, t.poses[:, 3:], t.times) for t in (there, estimate)]
+    two[1].align(two[0], correct_scale=True)
+    kinds = (
+        (metrics.PoseRelation.translation_part, metrics.StatisticsType.rmse),
+        (metrics.PoseRelation.rotation_angle_deg, metrics.StatisticsType.max),
+    )
+    of_evo = [scale]
+    for relation, statistic in kinds:
+        error = metrics.APE(relation)
+        error.process_data(tuple(two))
+        of_evo.append(error.get_statistic(statistic))
+    np.testing.assert_allclose(same, of_evo, rtol=1e-9)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import Sight
 from slamlib.slam.data_association.gates import gate
@@ -76,7 +76,7 @@ class ActiveSearch(PictureFrontEnd):
         able = [look for look, is_able in zip(sight.looks, mask.tolist(), strict=True) if is_able]
         return self.awake(able)
 
-    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
+    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
         """Pixels (n, 2) of what is looked for, nan where it is not found, and the mask (n,) of those found. 2c, 2h."""
         measured = np.full((len(looks), 2), np.nan)
         image = np.asarray(sight.scan.image)
@@ -99,7 +99,7 @@ class ActiveSearch(PictureFrontEnd):
         for look, template in zip(looks, templates, strict=True):
             look.predicted = template
 
-    def scan(self, image: Array, look: Any) -> Match | None:
+    def scan(self, image: Image, look: Any) -> Match | None:
         """2d and 2f: the place most like the template in the ellipse where the measurement should be."""
         s = self.settings
         reach = np.sqrt(gate(s.probability, 2) * look.Z.diagonal().max())
@@ -114,13 +114,13 @@ class ActiveSearch(PictureFrontEnd):
         """2g: alike enough, and no other place of the region nearly as much."""
         return found.score >= self.settings.threshold and found.second <= self.settings.rival * found.score
 
-    def refined(self, image: Array, look: Any, found: Match) -> Array:
+    def refined(self, image: Image, look: Any, found: Match) -> Array:
         """2h: the pixel to a small fraction, where the template fits best with a gain and an offset of its own."""
         pixel = register(image, look.predicted, found.pixel)
         return found.pixel if pixel is None else pixel
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
+        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[tuple[int, Array, Any]]:
         """Up to `count` new landmarks (id, pixel, signature), each in a cell of its own without landmarks. 1a to 1h."""
         image = np.asarray(sight.scan.image)
@@ -130,7 +130,7 @@ class ActiveSearch(PictureFrontEnd):
             corners = self.new_corners(image, seen, usable, count)
             return [(self.new_id(known), c.pixel, self.signature(image, sight, c)) for c in corners]
 
-    def new_corners(self, image: Array, seen: Array, usable: Callable[[Array], Array], count: int) -> list[Corner]:
+    def new_corners(self, image: Image, seen: Array, usable: Callable[[Array], Mask], count: int) -> list[Corner]:
         """1a to 1e: the best corners of cells without landmarks, drawn at random, if good enough; each cell once.
 
         seen (n, 2): where landmarks are expected. A corner on the border of two cells belongs to both: what is nearer
@@ -149,11 +149,11 @@ class ActiveSearch(PictureFrontEnd):
                     corners.append(corner)
         return corners
 
-    def signature(self, image: Array, sight: Sight, corner: Corner) -> Appearance | None:
+    def signature(self, image: Image, sight: Sight, corner: Corner) -> Appearance | None:
         """1f: what the landmark looks like, and from where it was seen."""
         return Appearance.taken(image, corner.pixel, sight.sensor.camera, self.settings.patch, corner.quality)
 
-    def renew(self, image: Array, sight: Sight) -> None:
+    def renew(self, image: Image, sight: Sight) -> None:
         """Landmarks that were found for sure, and look different by now, get a patch of this image."""
         camera = sight.sensor.camera
         for look in sight.looks:

@@ -14,7 +14,7 @@ import numpy as np
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import relative
 from slamlib.kalman.linalg import finite, numbers
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.patches import Patch, as_floats, cut, grey, half_size
 from slamlib.vision.search import Match, register
@@ -64,7 +64,7 @@ class Appearance:
     @classmethod
     def taken(
         cls,
-        image: Array,
+        image: Image,
         pixel: Array,
         camera: Array,
         size: int = 11,
@@ -135,7 +135,7 @@ class Appearance:
         sure = found.score >= limits.score and found.ratio < limits.rival
         return sure and self.nearest(camera, point, limits).change(camera, point, limits) > 1
 
-    def renewed(self, image: Array, found: Match, template: Array, camera: Array) -> "Appearance":
+    def renewed(self, image: Image, found: Match, template: Image, camera: Array) -> "Appearance":
         """The appearance in this image too, around where the template that was found fits best; itself where it cannot.
 
         What that is off, the new patch stays off: hundredths of a pixel, tenths where the plane was guessed badly.
@@ -176,7 +176,7 @@ class Appearance:
         )
 
 
-def recognizable(appearances: Sequence[Appearance], camera: Array, points: Array, limits: Limits = LIMITS) -> Array:
+def recognizable(appearances: Sequence[Appearance], camera: Array, points: Array, limits: Limits = LIMITS) -> Mask:
     """Mask (n,) of the landmarks at points (n, 4) that a camera, pose (7,), sees neither too obliquely nor too large
     or too small, by the distances; in a fraction of the time of `predict`.
     """
@@ -184,7 +184,7 @@ def recognizable(appearances: Sequence[Appearance], camera: Array, points: Array
     before = np.array([a.camera for a in nearest]).reshape(-1, 7)
     then, now = towards(before, points), towards(camera, points)
     grown = np.linalg.norm(then, axis=-1) / np.linalg.norm(now, axis=-1)
-    mask: Array = (angle(then, now) <= limits.oblique) & (grown <= limits.zoom) & (grown * limits.zoom >= 1)
+    mask: Mask = (angle(then, now) <= limits.oblique) & (grown <= limits.zoom) & (grown * limits.zoom >= 1)
     return mask
 
 

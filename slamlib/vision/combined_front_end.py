@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.data.records import Scan
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import Sight
 from slamlib.slam.options import Options
@@ -44,13 +44,13 @@ class Both:
         """The looks that their front ends could find."""
         return [look for name, f in self.of.items() for look in f.findable(_own(sight, name))]
 
-    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
+    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
         """What the family's front end finds of them."""
-        found: tuple[Array, Array] = self.of[family].match(_own(sight, family), family, looks)
+        found: tuple[Array, Mask] = self.of[family].match(_own(sight, family), family, looks)
         return found
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
+        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[tuple[int, Array, Any]]:
         """What the family's front end begins, with numbers that neither of them has given before."""
         self._count_together()

@@ -11,7 +11,7 @@ from functools import lru_cache
 import numpy as np
 
 from slamlib.errors import ShapeError, SingularPointError, SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Indices
 from slamlib.vision.patches import Patch, as_floats, as_patch, grey, top
 
 # With noise of two grey levels in both images a match of this quality has a deviation of 0.1 px in its worst direction,
@@ -54,7 +54,7 @@ class Corner:
     quality: float
 
 
-def structure_tensor(image: Array, scales: Scales = SCALES) -> Array:
+def structure_tensor(image: Image, scales: Scales = SCALES) -> Array:
     """Sums (3, h - 2 support, w - 2 support) of gu gu, gu gv, gv gv around the pixels whose support is in the image.
 
     In (grey level / px)^2, of gradients g of the smoothed image (h, w). Raises ShapeError, SlamlibError.
@@ -77,14 +77,14 @@ def eigenvalues(tensor: Array) -> tuple[Array, Array]:
     return np.maximum(middle - radius, 0), middle + radius
 
 
-def strength(image: Array, scales: Scales = SCALES) -> Array:
+def strength(image: Image, scales: Scales = SCALES) -> Array:
     """Quality (h, w) of every pixel of an image: the smaller eigenvalue, 0 where the image ends within its support."""
     smaller, _ = eigenvalues(structure_tensor(image, scales))
     return np.pad(smaller, scales.support)
 
 
 def best_corner(
-    image: Array,
+    image: Image,
     rectangle: tuple[int, int, int, int],
     quality: float = QUALITY,
     edge: float = EDGE,
@@ -156,5 +156,5 @@ def _weights(sigma: float, reach: float) -> Array:
     return np.exp(-(x**2) / (2 * sigma**2))
 
 
-def _offsets(weights: Array) -> Array:
+def _offsets(weights: Array) -> Indices:
     return np.arange(len(weights)) - len(weights) // 2

@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.patches import sample, zncc
 
@@ -90,7 +90,7 @@ def bent_pixels(calibration: Calibration, ideal: Array) -> Array:
     return calibration.project(np.concatenate([(ideal - centre) / scale, ahead], axis=-1))
 
 
-def strip(image: Array, calibration: Calibration, ideal: Array, half: float, beyond: float = 0.0) -> Strip:
+def strip(image: Image, calibration: Calibration, ideal: Array, half: float, beyond: float = 0.0) -> Strip:
     """The image `half` [px] to either side of a segment (4,) of ideal pixels, and `beyond` [px] longer at both ends."""
     if np.shape(ideal) != (4,) or not np.isfinite(ideal).all():
         raise SlamlibError(f"strip: a segment is four pixel coordinates (u, v, u, v), got {ideal}")
@@ -100,7 +100,7 @@ def strip(image: Array, calibration: Calibration, ideal: Array, half: float, bey
         raise SlamlibError("strip: both ends of the segment are the same pixel, so it has no direction")
     count = int(np.clip(round((length + 2 * beyond) / SPACING) + 1, LEAST, MOST))
     along, reach = np.linspace(-beyond, length + beyond, count), int(np.ceil(half / STEP)) + WIDE
-    across = np.arange(-reach, reach + 1) * STEP
+    across = np.arange(-reach, reach + 1, dtype=float) * STEP
     pixels = bent_pixels(calibration, places(ideal, *np.meshgrid(along, across)))
     return Strip(ideal, along, across, sample(image, pixels))
 
@@ -166,7 +166,7 @@ def fitted(s: Strip, calibration: Calibration, near: Array, reach: float) -> Edg
     return _edge(s, calibration, offsets, keep, off) if keep.sum() >= LEAST // 2 else None
 
 
-def _longest(mask: Array) -> Array:
+def _longest(mask: Mask) -> Mask:
     """The longest part of a mask (n,) without a gap of more than GAP."""
     true = np.flatnonzero(mask)
     if not len(true):
@@ -177,7 +177,7 @@ def _longest(mask: Array) -> Array:
     return found
 
 
-def _edge(s: Strip, calibration: Calibration, offsets: Array, keep: Array, off: Array) -> Edge:
+def _edge(s: Strip, calibration: Calibration, offsets: Array, keep: Mask, off: Array) -> Edge:
     share, inside = s.share, np.isfinite(s.grey).all(0)
     own = inside & (share >= 0) & (share <= 1)
     ends, lie = np.flatnonzero(keep)[[0, -1]], line(offsets, share)

@@ -10,7 +10,7 @@ import numpy as np
 
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.kalman.linalg import numbers
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 
 Cell = tuple[int, int]
 
@@ -36,14 +36,14 @@ class Grid:
         object.__setattr__(self, "cells", cells)
 
     @property
-    def usable(self) -> Array:
+    def usable(self) -> Mask:
         """Mask (rows, columns) of the cells in which a landmark may begin."""
         mask = np.ones(self.cells[::-1], dtype=bool)
         if self.skip_outer:
             mask[[0, -1]] = mask[:, [0, -1]] = False
         return mask
 
-    def occupied(self, pixels: Array) -> Array:
+    def occupied(self, pixels: Array) -> Mask:
         """Mask (rows, columns) of the cells that hold a pixel (n, 2); those outside the image, and nan, count nowhere.
 
         Raises ShapeError.
@@ -58,7 +58,7 @@ class Grid:
         mask[rows[inside], columns[inside]] = True
         return mask
 
-    def free(self, occupied: Array, rng: np.random.Generator) -> Cell | None:
+    def free(self, occupied: Mask, rng: np.random.Generator) -> Cell | None:
         """One usable cell (row, column) that is not occupied, drawn at random, or None if there is none."""
         occupied = np.asarray(occupied, dtype=bool)
         if occupied.shape != self.cells[::-1]:

@@ -13,7 +13,7 @@ import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.landmarks.segments import length
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Mask
 from slamlib.observation.lines import bent, straight
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import Sight
@@ -86,7 +86,7 @@ class SegmentSearch(PictureFrontEnd):
         looks = [look for look, is_narrow in zip(sight.looks, narrow, strict=True) if is_narrow]
         return self.awake(looks)
 
-    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
+    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
         """Segments (n, 4) of what is looked for, nan where it is not found, and the mask (n,) of those found."""
         measured, image = np.full((len(looks), 4), np.nan), np.asarray(sight.scan.image, dtype=float)
         with self.seconds.timed("search"):
@@ -99,7 +99,7 @@ class SegmentSearch(PictureFrontEnd):
         self.remember(looks, found.tolist(), self.settings.longest)
         return measured, found
 
-    def sought(self, image: Array, look: Any, ideal: Array, region: Array) -> Edge | None:
+    def sought(self, image: Image, look: Any, ideal: Array, region: Array) -> Edge | None:
         """The edge of the region that looks like the landmark; None: none does, or two do."""
         s, limit = self.settings, gate(self.settings.probability, 2)
         half = np.sqrt(limit * np.diag(region).max()) + PROFILE[-1] + 2
@@ -136,7 +136,7 @@ class SegmentSearch(PictureFrontEnd):
         return straight(self.calibration, np.reshape(segments, (-1, 4)))[0]
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
+        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[tuple[int, Array, Any]]:
         """Up to `count` new edges (id, segment, EdgeLook), the longest that no expected one explains."""
         count = min(count, self.settings.enough - len(sight.looks))
@@ -147,7 +147,7 @@ class SegmentSearch(PictureFrontEnd):
             edges = self.new_edges(image, taken, usable, count)
             return [(self.new_id(known), e.segment, EdgeLook(e.profile, e.slope)) for e in edges]
 
-    def new_edges(self, image: Array, taken: Array, usable: Callable[[Array], Array], count: int) -> list[Edge]:
+    def new_edges(self, image: Image, taken: Array, usable: Callable[[Array], Mask], count: int) -> list[Edge]:
         """Up to `count` edges of an image that are apart from ideal segments (n, 4), the longest first."""
         s, found = self.settings, list[Edge]()
         segments = segments_of(image, s.minimum_length)
@@ -195,7 +195,7 @@ def across_covariances(looks: list[Any], sensor: Any) -> Array:
     return found
 
 
-def side_by_side(one: Array, others: Array, apart: float) -> Array:
+def side_by_side(one: Array, others: Array, apart: float) -> Mask:
     """Mask (n,) of the ideal segments (n, 4) on the line of one (4,), less than `apart` [px] off, and not only before
     or behind it."""
     forward, right = axes(one)

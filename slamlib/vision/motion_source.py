@@ -3,7 +3,7 @@
 from typing import Any, Protocol
 
 from slamlib.data.records import Control
-from slamlib.manifolds import Array
+from slamlib.manifolds import Image
 from slamlib.slam import Slam
 from slamlib.slam.data_association.front_end import FrontEnd
 
@@ -24,7 +24,7 @@ class MotionSource(Protocol):
     def front_end(self) -> FrontEnd:
         """The filter's, of the sensor that made the pictures."""
 
-    def control(self, image: Array, dt: float, slam: Slam) -> Control | None:
+    def control(self, image: Image, dt: float, slam: Slam) -> Control | None:
         """Of the step of dt [s] to this picture, asked once, before Slam.step; None: zeros, with the robot's noise."""
 
     def counts(self) -> dict[str, float]:
@@ -46,7 +46,7 @@ class OwnMotion:
         self.front_end = front_end
         self.seconds: dict[str, float] = {}
 
-    def control(self, image: Array, dt: float, slam: Slam) -> Control | None:
+    def control(self, image: Image, dt: float, slam: Slam) -> Control | None:
         """None: what is not told is drawn with the noise of the robot's setup."""
         return None
 

@@ -5,17 +5,18 @@ The manual's pix2patch, zncc, ssd and census (section 6.1.2). All compare stacks
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
 from slamlib.kalman.linalg import finite
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 ROUNDING = 1e-12  # share of the sum of squares that may be rounding: less variation than that is no texture
 
 
-def grey(image: Array, function: str) -> Array:
+def grey(image: Image, function: str) -> Array:
     """The image (h, w) as an array of real numbers, not copied; raises ShapeError for colour, SlamlibError."""
     array = np.asarray(image)
     if array.ndim == 3 and array.shape[2] in (2, 3, 4):
@@ -43,7 +44,7 @@ class Patch:
     n: its number of pixels; SI, SII: the sums of the grey levels and of their squares. An array of it is its pixels.
     """
 
-    pixels: Array
+    pixels: Any  # what the constructor takes may be a patch or an image of bytes
 
     def __post_init__(self) -> None:
         pixels = as_floats(grey(self.pixels, "Patch"), "Patch")
@@ -81,7 +82,7 @@ def as_patch(value: Patch | Array) -> Patch:
     return value if isinstance(value, Patch) else Patch(value)
 
 
-def cut(image: Array, pixel: Array, size: int) -> Patch | None:
+def cut(image: Image, pixel: Array, size: int) -> Patch | None:
     """The size x size patch around a pixel (2,), bilinear between pixels; None where the image ends within it.
 
     Raises SlamlibError for an even size, ShapeError for a colour image.
@@ -101,7 +102,7 @@ def sample(pixels: Array, places: Array) -> Array:
     """Grey levels (...) at places (..., 2) of an image (h, w), bilinear between pixels, nan outside of it."""
     array = as_floats(pixels, "sample")
     last = np.array(array.shape[::-1]) - 1
-    inside = ((places >= 0) & (places <= last)).all(-1)
+    inside = np.all((places >= 0) & (places <= last), axis=-1)
     safe = np.where(inside[..., None], places, 0)
     u, v = np.moveaxis(np.minimum(safe.astype(int), np.maximum(last - 1, 0)), -1, 0)
     a, b = np.moveaxis(safe, -1, 0) - (u, v)

@@ -5,8 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.evaluation.alignment import aligned
-from slamlib.evaluation.path_errors import KITTI_LENGTHS, relative_errors
+from slamlib.evaluation.alignment import KITTI_LENGTHS, aligned, relative_errors
 from slamlib.evaluation.trajectory import Trajectory, associate
 from slamlib.manifolds import Array
 from slamlib.slam import Report, Slam

@@ -22,25 +22,26 @@ from typing import Any
 import numpy as np
 
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup, tuples
+from slamlib.datasets import opening
 from slamlib.datasets.pairs import checked
 from slamlib.datasets.pictures import Picture
 from slamlib.datasets.sources import Source
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Image
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam, checkpoint
 from slamlib.slam.data_association.front_end import FrontEnd
 from slamlib.vision.active_search import Settings
 from slamlib.vision.combined_front_end import front_end_of
 from slamlib.vision.motion_source import MotionSource, OwnMotion
-from slamlib.vision.open_sequence import reopened
 from slamlib.vision.sequence_run import SequenceKind, SequenceRun
 from slamlib.vision.stereo.detect import StereoSettings
+from slamlib.vision.stereo.matching import check_pair
 from slamlib.vision.stereo.motion_source import MOVING, Moving, OdometryAlone
 from slamlib.vision.target import Target
 
 
-def _fitting(picture: Picture, calibration: Calibration) -> Array:
+def _fitting(picture: Picture, calibration: Calibration) -> Image:
     image, size = calibration.image, picture.image.shape[::-1]
     if image is not None and tuple(image) != size:
         raise SlamlibError(
@@ -49,7 +50,7 @@ def _fitting(picture: Picture, calibration: Calibration) -> Array:
     return picture.image
 
 
-def _fitting_pair(picture: Picture, calibration: Calibration) -> Array:
+def _fitting_pair(picture: Picture, calibration: Calibration) -> Image:
     try:
         return checked(picture.image, calibration)
     except SlamlibError as error:
@@ -169,6 +170,21 @@ def image_run(
     return SequenceRun(source, slam, OwnMotion(own), IMAGES, patience=patience, metric=scale is not None, target=scale)
 
 
+def opened_stereo(
+    *places: Any, settings: StereoSettings | None = None, **options: Any
+) -> tuple[Source, dict[str, Any], StereoSettings]:
+    """As slamlib.datasets.opening.opened_pairs, and the settings with the calibration's offset of disparities.
+
+    The first pair is read: its rows and the sign of its disparities are checked. Raises SlamlibError.
+    """
+    pairs, camera, offset = opening.opened_pairs(*places, **options)
+    chosen = settings or StereoSettings()
+    chosen = replace(chosen, offset=chosen.offset or offset)
+    first = next(iter(pairs))
+    check_pair(first.image, first.name, chosen)
+    return pairs, camera, chosen
+
+
 def stereo_run(
     source: Source,
     camera: dict[str, Any],
@@ -180,7 +196,7 @@ def stereo_run(
     velocity: tuple[float, float] | None = None,
     patience: int = 30,
 ) -> SequenceRun:
-    """A run on rectified pairs. camera: plain data of their stereo SensorSetup (open_stereo gives both).
+    """A run on rectified pairs. camera: plain data of their stereo SensorSetup (opened_stereo gives both).
 
     moving: of SOURCES; "odometry" is visual odometry alone: the filter has no landmarks, and adds up motions and their
     covariances. impulse, velocity: as of a SequenceKind, where the robot's motion has velocities. patience: pairs
@@ -218,4 +234,4 @@ def load(
     motion = kind.source(rig, options, told["name"], told["settings"], front_end)
     slam = Slam.load(path, front_ends=[motion.front_end])
     motion.restore(told["state"])
-    return SequenceRun(source or reopened(saved["source"], frames), slam, motion, kind, **saved["run"])
+    return SequenceRun(source or opening.reopen(saved["source"], frames), slam, motion, kind, **saved["run"])

@@ -11,7 +11,7 @@ import numpy as np
 
 from slamlib.errors import CovarianceError, SlamlibError
 from slamlib.kalman.linalg import finite
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 from slamlib.slam.data_association.gates import gate
 from slamlib.vision.patches import ROUNDING, Patch, as_floats, as_patch, cut, grey, top
 
@@ -63,7 +63,7 @@ class Scores:
 
 
 def search(
-    image: Array, template: Patch | Array, centre: Array, Z: Array, probability: float = 0.99, largest: float = np.inf
+    image: Image, template: Patch | Array, centre: Array, Z: Array, probability: float = 0.99, largest: float = np.inf
 ) -> Match | None:
     """The best match of a template (h, w), odd sizes, around `centre` (2,), expected with covariance Z (2, 2) [px^2].
 
@@ -77,7 +77,7 @@ def search(
 
 
 def score_map(
-    image: Array, template: Patch | Array, centre: Array, Z: Array, probability: float = 0.99, largest: float = np.inf
+    image: Image, template: Patch | Array, centre: Array, Z: Array, probability: float = 0.99, largest: float = np.inf
 ) -> Scores | None:
     """All the scores that `search` chooses from."""
     array, patch = grey(image, "search"), as_patch(template)
@@ -98,7 +98,7 @@ def score_map(
     return Scores((u, v), correlate(as_floats(piece, "search"), patch), inside)
 
 
-def register(image: Array, template: Patch | Array, start: Array, steps: int = 10) -> Array | None:
+def register(image: Image, template: Patch | Array, start: Array, steps: int = 10) -> Array | None:
     """Where (2,) a template, of odd size, fits best: Gauss-Newton steps from a match's pixel.
 
     Least squares, gain * template(x + d) + bias = image(pixel + x): a correlation's paraboloid is 1.5 to 2 times as far

@@ -9,7 +9,7 @@ import numpy as np
 from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError
 from slamlib.landmarks.segments import length
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 from slamlib.observation.lines import straight
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.edges import PROFILE, Edge, fitted, strip
@@ -19,7 +19,7 @@ SIDE = 1.5  # [px] to either side of a segment, where it is asked which one is b
 REACH = 1.5  # [px]: the detector is not farther off
 
 
-def segments_of(image: Array, minimum_length: float = 20.0) -> Array:
+def segments_of(image: Image, minimum_length: float = 20.0) -> Array:
     """Straight segments (n, 4) [px] of an image (h, w), the longest first, each with its brighter side to its right.
 
     To the right as one goes from its first end to its second: to where v grows if u does. So an edge and its opposite
@@ -36,7 +36,7 @@ def segments_of(image: Array, minimum_length: float = 20.0) -> Array:
     return directed(pixels, segments[order[lengths[order] >= minimum_length]])
 
 
-def directed(image: Array, segments: Array) -> Array:
+def directed(image: Image, segments: Array) -> Array:
     """The same segments (n, 4), turned round where their left side is brighter."""
     ends = segments.reshape(-1, 1, 2, 2)
     share = np.linspace(0.1, 0.9, 16)[:, None]
@@ -47,7 +47,7 @@ def directed(image: Array, segments: Array) -> Array:
     return np.where(rise[:, None] < 0, segments[:, [2, 3, 0, 1]], segments)
 
 
-def refined(image: Array, calibration: Calibration, segment: Array) -> Edge | None:
+def refined(image: Image, calibration: Calibration, segment: Array) -> Edge | None:
     """The edge of a segment (4,) of `segments_of`, laid through the places where the grey value grows most.
 
     None where there is no edge that is straight in the world.

@@ -18,7 +18,7 @@ from slamlib.datasets.pictures import Picture
 from slamlib.datasets.sources import Source
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory
-from slamlib.manifolds import Array
+from slamlib.manifolds import Image
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Report, Slam
 from slamlib.vision.motion_source import MotionSource
@@ -45,7 +45,7 @@ class SequenceKind:
     item: str
     frames: str
     causes: tuple[str, str]
-    checked: Callable[[Picture, Calibration], Array]
+    checked: Callable[[Picture, Calibration], Image]
     source: Callable[..., MotionSource]
     options: Options
     impulse: tuple[float, float]
@@ -147,7 +147,9 @@ class SequenceRun:
 
     def _advance(self, frame: Frame, elapsed: float) -> Report:
         """One frame of the filter; into an empty map as many landmarks are begun as in a first frame."""
-        control = self.motion.control(frame.scans[0].image, elapsed, self.slam)
+        image = frame.scans[0].image
+        assert image is not None, "_frame has seen to it"
+        control = self.motion.control(image, elapsed, self.slam)
         told = control is not None and self._can_move()
         frame = replace(frame, controls=(control,)) if told else self._wait(frame)
         is_target = self.target is not None and not self.history

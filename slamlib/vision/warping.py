@@ -163,7 +163,7 @@ def warp(reference: Array, centre: Array, H: Array, size: int) -> Array | None:
     if not (places[..., 2] > 0).all():
         return None
     values = sample(reference, places[..., :2] / places[..., 2:] + centre)
-    template: Array = values.reshape(size, counts[1], size, counts[0]).mean((1, 3))
+    template = values.reshape(size, counts[1], size, counts[0]).mean((1, 3))
     return None if np.isnan(template).any() else template
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 # Corners of a cell, counter-clockwise: 0 (row, column), 1 (row, column + 1), 2 (row + 1, column + 1), 3 (row + 1,
 # column); edge k leads from corner k to corner k + 1. For each set of corners that are inside (a sum of 2**corner):
@@ -52,7 +52,7 @@ def regions(x: Array, y: Array, values: Array, level: float) -> list[Array]:
     return contour_lines(np.pad(x, 1, mode="edge"), np.pad(y, 1, mode="edge"), values, level)
 
 
-def _steps(values: Array, level: float) -> tuple[Array, Array]:
+def _steps(values: Array, level: float) -> tuple[Indices, Indices]:
     """For each piece of boundary, the edges of the grid that it enters and leaves by."""
     inside = values >= level
     corners = inside[:-1, :-1], inside[:-1, 1:], inside[1:, 1:], inside[1:, :-1]
@@ -70,13 +70,13 @@ def _steps(values: Array, level: float) -> tuple[Array, Array]:
     return np.concatenate(starts), np.concatenate(ends)
 
 
-def _edges(row: Array, column: Array, columns: int) -> tuple[Array, Array, Array, Array]:
+def _edges(row: Indices, column: Indices, columns: int) -> tuple[Indices, ...]:
     """Numbers of a cell's four edges: twice the index of the edge's first corner, one more for those along a column."""
     corner = row * columns + column
     return 2 * corner, 2 * (corner + 1) + 1, 2 * (corner + columns), 2 * corner + 1
 
 
-def _crossings(edges: Array, x: Array, y: Array, values: Array, level: float) -> Array:
+def _crossings(edges: Indices, x: Array, y: Array, values: Array, level: float) -> Array:
     """The points (2, N) on the grid's edges where the level is reached, by linear interpolation."""
     a = edges // 2
     b = a + np.where(edges % 2, values.shape[1], 1)

@@ -1,6 +1,5 @@
 """A figure: axes in rows and columns, with just the room between them that their words need."""
 
-import os
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +10,7 @@ from slambook.figures.canvas import Canvas
 from slambook.figures.colors import standing_alone
 from slambook.figures.paths import Box
 from slambook.figures.space import Space
+from slamlib.data.files import write_whole
 from slamlib.errors import SlamlibError, UnknownCallError, UnknownNameError
 
 KINDS = {None: Axes, "3d": Space}
@@ -60,12 +60,7 @@ class Figure:
         size = f'width="{self.width:g}pt" height="{self.height:g}pt"'
         svg = svg.replace("<svg ", f'<svg xmlns="http://www.w3.org/2000/svg" {size} ', 1)
         svg = svg.replace("max-width:", "background:#ffffff;max-width:", 1)
-        partial = path.with_name(f".{path.name}.{os.getpid()}.partial")
-        try:
-            partial.write_text('<?xml version="1.0" encoding="utf-8"?>\n' + svg + "\n", "utf-8", newline="\n")
-            os.replace(partial, path)
-        finally:
-            partial.unlink(missing_ok=True)
+        write_whole(path, '<?xml version="1.0" encoding="utf-8"?>\n' + svg + "\n")
 
     def described(self) -> str:
         """A description made of titles and labels, for a figure that was given none."""

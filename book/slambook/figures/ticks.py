@@ -31,7 +31,7 @@ def decades(low: float, high: float, most: int = 7) -> Array:
     first, last = int(np.ceil(np.log10(low) - 1e-9)), int(np.floor(np.log10(high) + 1e-9))
     stride = next(k for k in range(1, 10_000) if (last // k) - -(-first // k) + 1 <= most)
     if last - first >= 1 and last // stride > -(-first // stride):
-        return 10.0 ** np.arange(-(-first // stride) * stride, last + 1, stride)
+        return 10.0 ** np.arange(-(-first // stride) * stride, last + 1, stride, dtype=float)
     fine = [m * 10.0**k for k in range(first - 1, last + 1) for m in (1, 2, 5)]
     chosen = np.array([v for v in fine if low * (1 - 1e-9) <= v <= high * (1 + 1e-9)])
     return chosen if 2 <= len(chosen) <= most else nice_ticks(low, high, most)

@@ -6,7 +6,7 @@ import numpy as np
 
 from slambook.rendering.quads import TexturedQuad
 from slambook.rendering.textures import LEVELS
-from slamlib.manifolds import Array
+from slamlib.manifolds import Image
 
 
 class Atlas:
@@ -32,7 +32,7 @@ class Atlas:
         self.size = np.array([q.texture.image.shape[::-1] for q in quads], float)  # (q, 2): columns, rows
         self.scale = np.tile(np.float32(0.5) ** np.arange(LEVELS, dtype=np.float32), len(which))
 
-    def look_up(self, quad: Array, level: Array, x: Array, y: Array) -> Array:
+    def look_up(self, quad: Image, level: Image, x: Image, y: Image) -> Image:
         """Bilinear grey values (...) at places x, y [texels of level 0, from the corner], in levels of quads."""
         row = quad * np.int32(LEVELS) + level
         scale, width = self.scale.take(row), self.widths.take(row)
@@ -46,7 +46,7 @@ class Atlas:
         return (upper + y * (c + x * (d - c) - upper)) * self.light.take(quad)
 
 
-def _cell(place: Array, size: Array) -> tuple[Array, Array]:
+def _cell(place: Image, size: Image) -> tuple[Image, Image]:
     """Shares (...) between a texel's centre and the next one's, and the texels' numbers; held at the borders."""
     place = place - np.float32(0.5)
     np.maximum(place, 0, out=place)
@@ -55,7 +55,7 @@ def _cell(place: Array, size: Array) -> tuple[Array, Array]:
     return np.minimum(place, 1, out=place), low
 
 
-def _table(pyramid: tuple[Array, ...], starts: Iterator[int]) -> tuple[Array, Array, Array]:
+def _table(pyramid: tuple[Image, ...], starts: Iterator[int]) -> tuple[Image, Image, Image]:
     """First texel, width and height of each level; above the last one, the last one's."""
     begin = [next(starts) for _ in pyramid]
     count = [min(i, len(pyramid) - 1) for i in range(LEVELS)]

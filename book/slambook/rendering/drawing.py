@@ -7,7 +7,7 @@ import numpy as np
 
 from slambook.rendering.textures import Texture
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 
 def poster(rng: np.random.Generator, shape: tuple[int, int] = (384, 384), shapes: int = 260) -> Texture:
@@ -55,7 +55,7 @@ def _enlarged(grid: Array, shape: tuple[int, int]) -> Array:
     return grid
 
 
-def _drawn(image: Array, rng: np.random.Generator, shapes: int, largest: float, contrast: float) -> Texture:
+def _drawn(image: Image, rng: np.random.Generator, shapes: int, largest: float, contrast: float) -> Texture:
     """The picture with so many shapes, from `largest` (of its smaller side) down to a few texels, large ones first."""
     side = min(image.shape)
     sizes = np.geomspace(largest * side, 4.0, shapes)
@@ -67,7 +67,7 @@ def _drawn(image: Array, rng: np.random.Generator, shapes: int, largest: float, 
     return _whole(image)
 
 
-def _stamp(image: Array, center: Array, planes: Array, grey: float) -> None:
+def _stamp(image: Image, center: Array, planes: Array, grey: float) -> None:
     """Paint a convex shape: the texels whose height above all planes (n, 3: normal and offset) is negative."""
     reach = int(np.ceil(planes[:, 2].max() * 1.5)) + 2
     low = np.maximum(center.astype(int) - reach, 0)
@@ -100,11 +100,11 @@ def _blob(rng: np.random.Generator, size: float) -> Array:
 def _stroke(rng: np.random.Generator, size: float) -> Array:
     """Long and thin."""
     turn, width = rng.uniform(0, np.pi), max(1.0, size * rng.uniform(0.04, 0.12))
-    return _planes(turn + np.pi / 2 * np.arange(4), np.array([size, width, size, width]) / 1.5)
+    return _planes(turn + np.pi / 2 * np.arange(4.0), np.array([size, width, size, width]) / 1.5)
 
 
 _KINDS = (_polygon, _blob, _stroke)
 
 
-def _whole(image: Array) -> Texture:
+def _whole(image: Image) -> Texture:
     return Texture(np.clip(np.rint(image), 0, 255) + 0.0)  # no minus zero

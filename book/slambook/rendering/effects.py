@@ -5,7 +5,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 WIDEST = 0.7  # [px]: the largest blur that three numbers hold
 
@@ -78,7 +78,7 @@ def falloff(size: tuple[int, int], lost: float) -> Array:
     return 1 - lost * (u**2 + v[:, None] ** 2) / 2
 
 
-def blurred(image: Array, std: float) -> Array:
+def blurred(image: Image, std: float) -> Array:
     """The image (h, w), mixed with its neighbours along each axis by a kernel of three numbers, of variance std**2."""
     side = std**2 / 2
     for axis in (0, 1) if side else ():

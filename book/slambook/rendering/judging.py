@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 
-def patches(image: Array, pixels: Array, half: int = 6) -> Array:
+def patches(image: Image, pixels: Array, half: int = 6) -> Array:
     """Bilinear patches (n, 13 * 13) of an image round pixels (n, 2)."""
     steps = np.arange(-half, half + 1)
     places = pixels[:, None] + np.stack(np.meshgrid(steps, steps), -1).reshape(-1, 2)
@@ -21,7 +21,7 @@ def zncc(one: Array, other: Array) -> Array:
     return (a * b).sum(1) / np.sqrt((a * a).sum(1) * (b * b).sum(1))
 
 
-def strong_corners(image: Array, count: int = 200, apart: int = 7, border: int = 10) -> Array:
+def strong_corners(image: Image, count: int = 200, apart: int = 7, border: int = 10) -> Array:
     """Shi-Tomasi corners (n, 2): local maxima of the smaller eigenvalue over 7 x 7 windows, the strongest first."""
     down, right = np.gradient(np.asarray(image, float))
     xx, xy, yy = (_sums(p) for p in (right * right, right * down, down * down))

@@ -31,7 +31,7 @@ class Path:
         object.__setattr__(self, "knots", frozen(finite(knots, (len(times), 6), "Path", "knots")))
         object.__setattr__(self, "_bends", frozen(_bends(times, knots)))
 
-    _bends: Array = None
+    _bends: Any = None
 
     @property
     def duration(self) -> float:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.errors import SingularPointError, SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
 
 TILE = 16  # pixels across
@@ -43,7 +43,7 @@ class Tiles:
     planes: Array
     slack: Array
 
-    def touched(self, corners: Array) -> Array:
+    def touched(self, corners: Array) -> Mask:
         """Mask (t, q) of the tiles in which quads may be seen, of corners (q, 4, 3) in the camera's frame.
 
         A point q can lie in a tile only if planes @ q >= slack * |q|; the points that fail make a convex set, so that a
@@ -52,7 +52,7 @@ class Tiles:
         corners = corners.astype(np.float32)
         heights = np.einsum("tij,qkj->tqik", self.planes, corners, optimize=True)
         reach = np.linalg.norm(corners, axis=-1)
-        outside: Array = (heights < self.slack[:, None, :, None] * reach[None, :, None]).all(-1).any(-1)
+        outside: Mask = (heights < self.slack[:, None, :, None] * reach[None, :, None]).all(-1).any(-1)
         return ~outside
 
     def image(self, values: Array) -> Array:

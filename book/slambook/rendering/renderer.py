@@ -9,6 +9,7 @@ import functools
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slambook.rendering.atlas import Atlas
 from slambook.rendering.quads import Room
@@ -16,7 +17,7 @@ from slambook.rendering.rays import Tiles, rays, tiles
 from slamlib.errors import SlamlibError
 from slamlib.geometry.quaternion import rotation
 from slamlib.kalman.linalg import finite
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Indices, Mask
 from slamlib.sensors.sensor import Calibration
 
 CHUNK = 1 << 15  # samples that are shaded at a time: their numbers stay in the processor's cache
@@ -30,12 +31,12 @@ class Rendered:
     centre, inf where nothing is; surface (h, w), the number of the quad there, or -1.
     """
 
-    image: Array
+    image: Image
     renderer: "Renderer"
     camera: Array
 
     @functools.cached_property
-    def _centres(self) -> tuple[Array, Array]:
+    def _centres(self) -> tuple[Array, Indices]:
         height, width = self.image.shape
         u, v = np.meshgrid(np.arange(width), np.arange(height))
         distance, surface = self.renderer.cast(self.camera, np.stack([u, v], -1).reshape(-1, 2))
@@ -46,7 +47,7 @@ class Rendered:
         return self._centres[0]
 
     @property
-    def surface(self) -> Array:
+    def surface(self) -> Indices:
         return self._centres[1]
 
 
@@ -74,7 +75,7 @@ class Renderer:
             shade[part] = self._shade(near[part], u[part], v[part], quad[part], self.tiles.fineness[part], levels)
         return Rendered(self.tiles.image(shade), self, camera)
 
-    def cast(self, camera: Array, pixels: Array) -> tuple[Array, Array]:
+    def cast(self, camera: Array, pixels: ArrayLike) -> tuple[Array, Indices]:
         """Distance (n,) [m] along the rays of pixels (n, 2), inf where nothing is, and the quads (n,) there, or -1."""
         inverse, usable = self._inverses(finite(camera, (7,), "cast", "camera"))
         directions = rays(self.calibration, np.asarray(pixels, float))
@@ -85,7 +86,7 @@ class Renderer:
             near[seen], surface[seen] = w[seen], i
         return np.where(near > 0, 1 / np.where(near > 0, near, 1), np.inf), surface
 
-    def seen(self, camera: Array, pixels: Array) -> Array:
+    def seen(self, camera: Array, pixels: ArrayLike) -> Array:
         """The points (n, 3) of the world [m] that are seen at pixels (n, 2); nan where nothing is."""
         distance, _ = self.cast(camera, pixels)
         directions = rays(self.calibration, np.asarray(pixels, float))
@@ -93,7 +94,7 @@ class Renderer:
             inside = np.where(np.isinf(distance), np.nan, distance)[:, None] * directions
         return camera[:3] + inside @ rotation(camera[3:]).T
 
-    def _inverses(self, camera: Array) -> tuple[Array, Array]:
+    def _inverses(self, camera: Array) -> tuple[Array, Mask]:
         """For each quad the matrix (q, 3, 3) of the linear functions, and the mask (q,) of those seen from a side."""
         corners = (self.corners - camera[:3]) @ rotation(camera[3:])
         c, e, f = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 3] - corners[:, 0]
@@ -103,7 +104,7 @@ class Renderer:
         rows = np.stack([np.cross(f, c), np.cross(c, e), normal], 1)
         return rows / np.where(usable, volume, 1)[:, None, None], usable
 
-    def _nearest(self, inverse: Array, usable: Array, camera: Array) -> tuple[Array, Array, Array, Array]:
+    def _nearest(self, inverse: Array, usable: Mask, camera: Array) -> tuple[Image, Image, Image, Indices]:
         """Of each sample (t, p): inverse distance, u and v over distance, and the quad; where nothing is, the last."""
         directions = self.tiles.directions
         corners = (self.corners - camera[:3]) @ rotation(camera[3:])
@@ -125,7 +126,7 @@ class Renderer:
         height = 1 / np.linalg.norm(inverse[:, 2], axis=-1)
         return np.append(-np.log2(self.texel) - np.log2(height) / 2 + BIAS, 0).astype(np.float32)
 
-    def _shade(self, near: Array, u: Array, v: Array, quad: Array, fineness: Array, levels: Array) -> Array:
+    def _shade(self, near: Image, u: Image, v: Image, quad: Indices, fineness: Image, levels: Image) -> Image:
         """Grey values (k, p).
 
         Texels are seen from the distance r at an angle: a sample is r * angle wide one way, and longer by r / height

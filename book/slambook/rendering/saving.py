@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from slambook.rendering.film import Film
-from slamlib.data.files import whole
+from slamlib.data.files import write_whole
 from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory, write_tum
@@ -46,19 +46,13 @@ def save_film(folder: str | os.PathLike[str], film: Film) -> Path:
             poses[camera].append(compose(truth.robots[0][:7], truth.mounts[camera]))
     for camera, path in enumerate(poses):
         write_tum(root / f"groundtruth_{camera}.txt", Trajectory(np.array(times), np.array(path)))
-    _text(root / "calibration.json", json.dumps(film.rig.to_dict(), indent=2) + "\n")
-    _text(root / "times.txt", "".join(f"{time:.9f}\n" for time in times))
+    write_whole(root / "calibration.json", json.dumps(film.rig.to_dict(), indent=2) + "\n")
+    write_whole(root / "times.txt", "".join(f"{time:.9f}\n" for time in times))
     return root
 
 
-def _picture(cv2: Any, path: Path, image: Array) -> None:
+def _picture(cv2: Any, path: Path, image: Any) -> None:
     done, data = cv2.imencode(".png", image)
     if not done:
         raise SlamlibError(f"{path} cannot be written: OpenCV makes no PNG of {image.dtype}, {image.shape}")
-    with whole(path) as partial:
-        partial.write_bytes(data.tobytes())
-
-
-def _text(path: Path, text: str) -> None:
-    with whole(path) as partial:
-        partial.write_text(text, encoding="utf-8")
+    write_whole(path, data.tobytes())

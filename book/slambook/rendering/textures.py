@@ -13,7 +13,7 @@ import numpy as np
 from slamlib.datasets.optional_imports import skimage
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.kalman.linalg import numbers
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 LEVELS = 6  # at most
 SMALLEST = 2  # texels across, of any level: bilinear interpolation needs two
@@ -24,7 +24,7 @@ GREY = np.array([299, 587, 114])  # thousandths of red, green and blue, ITU-R BT
 class Texture:
     """A grey picture (h, w), 0 to 255, whose row 0 is its upper border; made of any array of such numbers."""
 
-    image: Array
+    image: Image
 
     def __post_init__(self) -> None:
         image = numbers(self.image, "Texture", "image").astype(np.float32)

@@ -9,7 +9,7 @@ import numpy as np
 
 from slambook.report.planar import Data, Look, moved, placed, seen, seen_by_point, wrapped
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 
 class FastSlam:
@@ -30,7 +30,7 @@ class FastSlam:
         self.means, self.covariances = np.zeros((n, landmarks, 2)), np.zeros((n, landmarks, 2, 2))
         self.known = np.zeros(landmarks, dtype=bool)
         self.log_weights = np.full(n, -np.log(n))
-        self.parents: list[Array] = []
+        self.parents: list[Indices] = []
         self.effective: list[float] = []
         self._begin(data.looks[0])
 
@@ -49,7 +49,7 @@ class FastSlam:
         """Weights (N,), of sum 1."""
         return np.exp(self.log_weights)
 
-    def _correct(self, names: Array, z: Array) -> None:
+    def _correct(self, names: Indices, z: Array) -> None:
         """Each particle's weight times the density of what is seen, and each landmark's Kalman filter."""
         m, C = self.means[:, names], self.covariances[:, names]
         H = seen_by_point(self.poses, m)
@@ -75,7 +75,7 @@ class FastSlam:
         self.known[look.names] = True
 
     def _draw_again(self) -> None:
-        parents = np.arange(len(self.poses))
+        parents: Indices = np.arange(len(self.poses))
         if self.effective and self.effective[-1] < self._least:
             parents = systematic(self.weights, self._rng)
             self.poses, self.means = self.poses[parents], self.means[parents]
@@ -100,14 +100,15 @@ class FastSlam:
 
     def ancestors(self) -> Array:
         """Of how many particles of each step (n,) today's particles descend: 1 where all have one memory."""
-        line, found = np.arange(len(self.poses)), []
+        line: Indices = np.arange(len(self.poses))
+        found = []
         for parents in reversed(self.parents):
             found.append(len(np.unique(line)))
             line = parents[line]
         return np.array(found[::-1])
 
 
-def systematic(weights: Array, rng: np.random.Generator) -> Array:
+def systematic(weights: Array, rng: np.random.Generator) -> Indices:
     """Numbers (N,) of the particles drawn: each floor or ceiling of N times its weight, by one random number."""
     n = len(weights)
     ends = np.cumsum(weights)

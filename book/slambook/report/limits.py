@@ -11,7 +11,7 @@ import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 SPACING = 4.0  # [m] between landmarks
 
@@ -124,7 +124,7 @@ def _way(end: int, looks: int) -> Array:
     return np.minimum(steps, 2 * end - steps)
 
 
-def _correct(belief: Belief, rows: Array, noise: float) -> None:
+def _correct(belief: Belief, rows: Indices, noise: float) -> None:
     """A look at the landmarks of these rows of the covariance: place minus that of the robot, which is row 0."""
     if len(rows):
         m = len(rows)

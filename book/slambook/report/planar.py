@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 
 def moved(pose: Array, u: Array) -> Array:
@@ -54,7 +54,7 @@ def wrapped(angle: Array) -> Array:
 class Look:
     """What was seen in a step: numbers of the points (m,), and range and bearing of each (m, 2)."""
 
-    names: Array
+    names: Indices
     z: Array
 
 

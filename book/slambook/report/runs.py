@@ -115,7 +115,7 @@ def outcome(found: Array, truth: Array, claimed: Array, last: Memory) -> Outcome
     errors = found - truth
     errors[..., 3:] = angles.wrapped(errors[..., 3:])
     turned = angles.apart(found[..., 3:], np.broadcast_to(truth[..., 3:], found[..., 3:].shape))
-    known = np.isfinite(found).all(-1)
+    known = np.all(np.isfinite(found), axis=-1)
     return Outcome(np.where(known[..., None], errors, np.inf), claimed, np.where(known, turned, np.inf), last)
 
 

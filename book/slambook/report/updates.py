@@ -6,6 +6,7 @@ k = 3m numbers are measured of m landmarks, n = 6 + 3L is the size of the state,
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from slambook.report.angles import rotation
 from slambook.report.observation import by_pose, by_vectors
 from slamlib.belief import Belief
 from slamlib.kalman.state import Block
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 State = tuple[Array, Array]  # x (n,), P (n, n)
 
@@ -29,17 +30,17 @@ class Problem:
 
     x: Array
     P: Array
-    places: Array
+    places: Indices
     H: Array
     difference: Array
     variances: Array
 
-    def columns(self, i: int) -> Array:
+    def columns(self, i: int) -> Indices:
         """The nine columns that observation i touches."""
         return np.concatenate([np.arange(6), 6 + 3 * self.places[i] + np.arange(3)])
 
 
-def look(x: Array, P: Array, places: Array, seen: Array, variances: Array) -> Problem:
+def look(x: Array, P: Array, places: Indices, seen: Array, variances: Array) -> Problem:
     """The problem of points (m, 3), seen relative to the robot, of these landmarks."""
     points = x[6:].reshape(-1, 3)[places]
     by_point = np.broadcast_to(rotation(x[3:6]).T, (len(places), 3, 3))
@@ -66,7 +67,7 @@ def dense(p: Problem) -> Array:
     return H
 
 
-def naive(p: Problem, inverse: Callable[[Array], Array] = np.linalg.inv) -> Callable[[], State]:
+def naive(p: Problem, inverse: Callable[[Array], Any] = np.linalg.inv) -> Callable[[], State]:
     """(3.11) to (3.14) as they are printed, with whole matrices."""
 
     def run() -> State:

@@ -14,12 +14,12 @@ from slambook.scene.view import rings
 from slamlib.data.snapshots import Looks, SensorView, Snapshot
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import chi2_quantile
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 
 AWAY = 8.0  # pixels from a segment to its label, along its normal
 RING = 0.022  # of the image's width: the least radius of a search region as it is drawn
 # What became of a look, by the role that shows it: not looked for, looked for in vain, believed, not believed.
-OUTCOMES: dict[str, Callable[[Looks], Array]] = {
+OUTCOMES: dict[str, Callable[[Looks], Mask]] = {
     "predicted": lambda looks: ~looks.chosen & ~looks.matched,
     "missed": lambda looks: looks.chosen & ~looks.matched,
     "updated": lambda looks: looks.matched & looks.inlier,
@@ -62,7 +62,7 @@ def converged(snapshot: Snapshot) -> set[int]:
     return {int(i) for view in both for i, c in zip(view.ids, view.converged, strict=True) if c}
 
 
-def _means(view: SensorView, pair: list[int], known: set[int]) -> tuple[Array, Array]:
+def _means(view: SensorView, pair: list[int], known: set[int]) -> tuple[Array, Mask]:
     """Places (n, 2) of the points expected and of the ends of segments in view, and the mask of those converged."""
     ends = view.segments.ends.reshape(-1, 2)
     marks = np.concatenate([_expected(view, pair), ends])
@@ -104,7 +104,7 @@ def _outcome(role: str, view: SensorView, pair: list[int], options: SensorOption
         ends, spreads = view.segments.ends[seen].reshape(-1, 2), view.segments.spreads[seen].reshape(-1, 2, 2)
         shown = np.isfinite(ends).all(axis=1)
         found += list(ends[shown, None] + np.sqrt(chi2_quantile(options.gate, 2)) * rings(spreads[shown]))
-    segments = view.segments.expected[seen].reshape(-1, 2, 2) if seen.any() else []
+    segments = view.segments.expected[seen].reshape(-1, 2, 2) if seen.any() else np.zeros((0, 2, 2))
     return Flat(role, lines=strung(segments, 2), shells=strung(found, 2))
 
 

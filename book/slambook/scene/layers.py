@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -50,6 +51,6 @@ def strung(polylines: Iterable[Array], size: int) -> Array:
 def lower(covariance: Array) -> Array:
     """The entries, row by row, of a lower triangular factor of a covariance, which may be singular."""
     values, vectors = np.linalg.eigh(covariance)
-    upper: Array = np.linalg.qr((vectors * np.sqrt(values.clip(0))).T, mode="r")
+    upper: Any = np.linalg.qr((vectors * np.sqrt(values.clip(0))).T, mode="r")
     upper = np.where(np.diag(upper) < 0, -1.0, 1.0)[:, None] * upper  # signs that do not depend on the library
     return upper.T[np.tril_indices(len(covariance))]

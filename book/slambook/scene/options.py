@@ -1,14 +1,17 @@
 """What a reader may choose about the two figures: plain data, checked when it is made."""
 
-from dataclasses import dataclass, fields, replace
-from typing import Any, TypeVar
-
-import numpy as np
+from dataclasses import dataclass
+from math import inf
+from typing import Annotated
 
 from slambook.scene.view import NAMED
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.data.plain import OneOf, Range, changed, check
+from slamlib.errors import SlamlibError
 
-Custom = tuple[float, ...]
+Finite = Annotated[float, Range(gt=-inf, lt=inf)]
+Positive = Annotated[float, Range(gt=0)]
+Place = Annotated[int, Range(ge=0)]
+chosen = changed
 
 
 @dataclass(frozen=True)
@@ -22,12 +25,12 @@ class MapOptions:
     sigmas: of the ellipsoids.
     """
 
-    view: str | Custom = "view"
+    view: str | tuple[Finite, ...] = "view"
     perspective: bool = True
-    orbit: tuple[float, float] = (0.0, 0.0)
-    limits: float | None = None
-    size: float | None = None
-    sigmas: float = 3.0
+    orbit: tuple[Finite, Finite] = (0.0, 0.0)
+    limits: Positive | None = None
+    size: Positive | None = None
+    sigmas: Positive = 3.0
     ellipsoids: bool = True
     labels: bool = True
     world: bool = True
@@ -35,17 +38,14 @@ class MapOptions:
     legend: bool = True
 
     def __post_init__(self) -> None:
-        if isinstance(self.view, str) and self.view not in NAMED:
-            raise UnknownNameError.of("view", self.view, NAMED)
-        if not isinstance(self.view, str):
-            _numbers("view", self.view, (3, 4))
-            if not 0 < self.view[2] < 150:
-                raise SlamlibError(f"MapOptions: the field of view is 0 to 150 degrees, got {self.view[2]:g}")
-        _numbers("orbit", self.orbit, (2,))
-        for name in ("limits", "size", "sigmas"):
-            value = getattr(self, name)
-            if value is not None and not value > 0:
-                raise SlamlibError(f"MapOptions: {name} should be a positive number, got {value!r}")
+        check(self)
+        if isinstance(self.view, str):
+            OneOf(NAMED).check(self.view, "MapOptions.view")
+        elif len(self.view) not in (3, 4) or not 0 < self.view[2] < 150:
+            raise SlamlibError(
+                "MapOptions.view should be (azimuth, elevation, field of view above 0 and below 150 [deg], and if "
+                f"wanted distance [m]), got {self.view}"
+            )
 
 
 @dataclass(frozen=True)
@@ -59,40 +59,17 @@ class SensorOptions:
     found, beside the image in windows and films.
     """
 
-    gate: float = 0.99
-    numbers: tuple[int, int] = (0, 1)
+    gate: Annotated[float, Range(gt=0, lt=1)] = 0.99
+    numbers: tuple[Place, Place] = (0, 1)
     names: tuple[str, str] | None = None
     ellipses: bool = True
     labels: bool = True
     raw: bool = True
     legend: bool = True
     image: bool = True
-    image_width: int | None = None
+    image_width: Annotated[int, Range(gt=0, unit="px")] | None = None
     scores: bool = True
     patches: bool = True
 
     def __post_init__(self) -> None:
-        if self.image_width is not None and not (isinstance(self.image_width, int) and self.image_width > 0):
-            raise SlamlibError(f"SensorOptions: image_width is a number of pixels, got {self.image_width!r}")
-        if not 0 < self.gate < 1:
-            raise SlamlibError(f"SensorOptions: gate is a probability between 0 and 1, got {self.gate!r}")
-        if len(self.numbers) != 2 or not all(isinstance(n, int) and n >= 0 for n in self.numbers):
-            raise SlamlibError(f"SensorOptions: numbers are two places in a measurement, got {self.numbers!r}")
-
-
-O = TypeVar("O", MapOptions, SensorOptions)  # noqa: E741
-
-
-def chosen(options: O, changes: dict[str, Any]) -> O:
-    """The options with some of them changed; raises UnknownNameError for what is none of them."""
-    known = [f.name for f in fields(options)]
-    for name in changes:
-        if name not in known:
-            raise UnknownNameError.of(f"keyword of {type(options).__name__}", name, known)
-    return replace(options, **changes)
-
-
-def _numbers(name: str, values: Any, counts: tuple[int, ...]) -> None:
-    if np.shape(values) not in [(c,) for c in counts] or not np.isfinite(np.asarray(values, dtype=float)).all():
-        wanted = " or ".join(map(str, counts))
-        raise SlamlibError(f"MapOptions: {name} should be {wanted} finite numbers, got {values!r}")
+        check(self)

@@ -8,7 +8,7 @@ import numpy as np
 from slambook.figures.images import png
 from slamlib.data.snapshots import Looks, SensorView
 from slamlib.errors import ShapeError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 LEVELS = 32  # of grey in a small picture: what is flat packs well, and no eye misses the rest
 CELL = 28  # pixels across a patch in a strip
@@ -28,7 +28,7 @@ class Photograph:
         return "data:image/png;base64," + base64.b64encode(png(self.pixels)).decode()
 
 
-def grey(image: Array) -> Array:
+def grey(image: Image) -> Image:
     """An image (h, w) as bytes: integers as shares of the largest of their type, others of 1, or of 255 if above 1.
 
     Raises ShapeError for what is no grey image.
@@ -41,7 +41,7 @@ def grey(image: Array) -> Array:
     whole = np.issubdtype(image.dtype, np.integer)
     values = np.nan_to_num(image.astype(float))
     full = np.iinfo(image.dtype).max if whole else 1.0 if values.max() <= 1 else 255.0
-    found: Array = np.rint(255 * (values / full).clip(0, 1)).astype(np.uint8)
+    found = np.rint(255 * (values / full).clip(0, 1)).astype(np.uint8)
     return found
 
 
@@ -57,7 +57,7 @@ def photograph(view: SensorView, width: int | None = None) -> Photograph | None:
     return Photograph(pixels, (-0.5, float(columns) - 0.5, float(rows) - 0.5, -0.5))
 
 
-def _averaged(pixels: Array, step: int) -> Array:
+def _averaged(pixels: Image, step: int) -> Array:
     """Means of squares of step by step pixels; what is left over at the right and below is not shown."""
     rows, columns = max(pixels.shape[0] // step, 1), pixels.shape[1] // step
     squares = pixels[: rows * step, : columns * step].reshape(rows, -1, columns, step)
@@ -65,9 +65,9 @@ def _averaged(pixels: Array, step: int) -> Array:
     return found
 
 
-def _few_greys(values: Array) -> Array:
+def _few_greys(values: Image) -> Image:
     steps = np.rint(values * ((LEVELS - 1) / 255))
-    found: Array = np.rint(steps * (255 / (LEVELS - 1))).astype(np.uint8)
+    found = np.rint(steps * (255 / (LEVELS - 1))).astype(np.uint8)
     return found
 
 
@@ -77,7 +77,7 @@ def patched(looks: Looks) -> list[int]:
     return [i for i, (m, p, f) in enumerate(pairs) if m and (p is not None or f is not None)]
 
 
-def strip(looks: Looks, rows: list[int], count: int) -> Array:
+def strip(looks: Looks, rows: list[int], count: int) -> Image:
     """The patches of some looks, one below the other, predicted beside found: (count CELL, 2 CELL, 4), 0 to 255.
 
     Both patches of a look share one scale from black to white, which shows a change of light. The rest is transparent.

@@ -12,7 +12,7 @@ from slambook.scene.options import MapOptions
 from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import MapView, Snapshot
 from slamlib.geometry.pose import compose, from_frame
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 Lines = tuple[tuple[tuple[float, float, float], ...], ...]
 # Polylines in units of a robot's size. Of a robot, in its axes: front, left, up.
@@ -165,7 +165,7 @@ def _sensors(snapshot: Snapshot, size: float) -> Layer:
     return Layer("sensor", lines=strung(lines, 3))
 
 
-def _sensor(pose: Array, image: Array | None, size: float) -> list[Array]:
+def _sensor(pose: Array, image: Image | None, size: float) -> list[Array]:
     """A pyramid with the shape of the image, or a cross."""
     if image is None:
         return _placed(pose, CROSS, size)

@@ -12,7 +12,7 @@ from slambook.scene.options import SensorOptions
 from slambook.scene.photographs import patched, photograph, strip
 from slambook.scene.roles import SENSOR, themed
 from slamlib.data.snapshots import Looks, SensorView, Snapshot
-from slamlib.manifolds import Array
+from slamlib.manifolds import Image
 
 Place = tuple[float, float, float, float]  # left, bottom, width, height, in shares of the figure
 BESIDE = 0.17  # share of a sensor's place that the strip takes
@@ -90,7 +90,7 @@ class SensorSheet(Sheet):
             for artists in self.artists.values():
                 artists.lift()
 
-    def _make_strip(self, image: Array) -> None:
+    def _make_strip(self, image: Image) -> None:
         """Take the right part of the place for the strip, as high as the image will be beside it."""
         left, bottom, width, height = self.place
         self.axes.set_position((left, bottom, (1 - BESIDE) * width, height))

@@ -4,9 +4,7 @@ What writes a frame is chosen by the ending of the path's name; a name without o
 """
 
 import os
-import shutil
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager
 from functools import partial
 from itertools import chain, islice, zip_longest
 from pathlib import Path
@@ -19,6 +17,7 @@ from slambook.scene.artists import extra
 from slambook.scene.options import MapOptions
 from slambook.scene.scene import bounds
 from slambook.scene.window import Window
+from slamlib.data.files import whole
 from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError, UnknownNameError
@@ -58,7 +57,7 @@ def animate(
     window = Window(first[0], world=world, corners=corners, coming=known, **options)
     frames = _pictures(window, chain([first], shown))
     target.parent.mkdir(parents=True, exist_ok=True)
-    with _whole(target) as unfinished:
+    with whole(target) as unfinished:
         write(unfinished, progress(frames, -(-len(known) // every), "video") if known else frames, fps)
     return target
 
@@ -102,21 +101,6 @@ def _pictures(window: Window, shown: Iterable[tuple[Snapshot, Truth | None]]) ->
     for snapshot, truth in shown:
         window.update(snapshot, truth)
         yield window.pixels()
-
-
-@contextmanager
-def _whole(target: Path) -> Iterator[Path]:
-    """A path to write to; it becomes the target only if all went well."""
-    unfinished = target.with_name(f".{target.stem}.{os.getpid()}.partial{target.suffix}")
-    try:
-        yield unfinished
-        if target.is_dir():
-            shutil.rmtree(target)
-        os.replace(unfinished, target)
-    finally:
-        if unfinished.is_dir():
-            shutil.rmtree(unfinished)
-        unfinished.unlink(missing_ok=True)
 
 
 def _write_folder(path: Path, frames: Iterable[Array], fps: float) -> None:

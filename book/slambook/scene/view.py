@@ -9,7 +9,7 @@ import numpy as np
 
 from slambook.figures.projection import view_axes
 from slambook.scene.layers import Flat, Layer, strung
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 
 FIELD = 40.0  # degrees: field of view of the named views, from top to bottom
 NEAR = 0.05  # of the distance: what is nearer to the viewer is not drawn
@@ -92,7 +92,7 @@ class View:
         seen = self.seen(points)
         return np.where(self._ahead(seen)[:, None], self._sheet(seen), np.nan)
 
-    def _ahead(self, seen: Array) -> Array:
+    def _ahead(self, seen: Array) -> Mask:
         return seen[..., 2] >= NEAR * self.distance if self.perspective else np.isfinite(seen[..., 2])
 
     def lines(self, lines: Array) -> Array:
@@ -124,7 +124,7 @@ class View:
         rows = self._rows * np.array([[1.0], [1.0], [-1.0]])
         return rows @ shapes @ rows.T
 
-    def _whole(self, centre: Array, spread: Array) -> Array:
+    def _whole(self, centre: Array, spread: Array) -> Mask:
         """Mask of the ellipsoids that lie before the viewer as a whole."""
         if not self.perspective:
             return np.ones(len(centre), dtype=bool)
@@ -156,7 +156,7 @@ class View:
         marks = self.points(layer.marks)
         far = np.argsort(-self.seen(layer.marks)[:, 2], kind="stable")
         places = self.points(layer.places)
-        shown = np.isfinite(places).all(-1)
+        shown = np.all(np.isfinite(places), axis=-1)
         words = tuple(w for w, s in zip(layer.words, shown, strict=True) if s)
         return Flat(layer.role, lines, shells, marks[far], places[shown], words)
 

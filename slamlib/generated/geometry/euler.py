@@ -188,46 +188,6 @@ def to_quaternion_jac(angles):
     )
 
 
-def to_quaternion_storage_jac(angles):
-    """to_quaternion: value and derivatives by stored numbers."""
-    angles0, angles1, angles2 = angles
-    t0 = angles0/2
-    t1 = cos(t0)
-    t2 = angles1/2
-    t3 = cos(t2)
-    t4 = angles2/2
-    t5 = cos(t4)
-    t6 = t3*t5
-    t7 = sin(t0)
-    t8 = sin(t2)
-    t9 = sin(t4)
-    t10 = t8*t9
-    t11 = t5*t8
-    t12 = t3*t9
-    t13 = (-t1*t10)/2 + (t6*t7)/2
-    t14 = (t1*t12)/2 + (-t11*t7)/2
-    t15 = (t10*t7)/2 + (t1*t6)/2
-    t16 = (-t1*t11)/2 + (-t12*t7)/2
-    return (
-        t1*t6 + t10*t7,
-        -t1*t10 + t6*t7,
-        t1*t11 + t12*t7,
-        t1*t12 - t11*t7,
-        -t13,
-        (-t1*t11)/2 + (t12*t7)/2,
-        -t14,
-        t15,
-        (-t1*t12)/2 + (-t11*t7)/2,
-        t16,
-        t14,
-        (t1*t6)/2 + (-t10*t7)/2,
-        t13,
-        t16,
-        (-t1*t10)/2 + (-t6*t7)/2,
-        t15,
-    )
-
-
 def yaw_of(matrix):
     """yaw_of: value."""
     matrix0, _, _, matrix3, _, _, _, _, _ = matrix

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.observation.family import viewpoint
 from slamlib.slam.data_association.gates import gate, innovation_covariances, normalized
 from slamlib.slam.data_association.jcbb import compatible
@@ -87,14 +87,14 @@ def one_point(belief: Belief, sensor: MountedSensor, looks: list[Look], options:
     yield from _rescued(belief, sensor, _those(looks, ~support), options)
 
 
-def _largest_support(sensor: MountedSensor, looks: list[Look], found: Together, may: Array) -> Array:
+def _largest_support(sensor: MountedSensor, looks: list[Look], found: Together, may: Mask) -> Mask:
     """Mask of the matches, of those that may, that agree with the best hypothesis."""
     off = told_by_each(sensor, looks, found)
     squares = normalized(off, np.broadcast_to(found.R, (len(looks), *found.R.shape)))
     agree = (squares < LOW_INNOVATION**2) | np.eye(len(looks), dtype=bool)  # out of view is nan, and does not agree
     agree &= may & may[:, None]
     misfit = np.where(agree, squares, 0).sum(1)
-    best: Array = agree[np.lexsort((misfit, -agree.sum(1)))[0]]
+    best: Mask = agree[np.lexsort((misfit, -agree.sum(1)))[0]]
     return best
 
 
@@ -130,7 +130,7 @@ def _limits(found: Together, options: "Options") -> Array:
     return np.array([gate(options.gate, size) for size in found.dof.tolist()])
 
 
-def _added(found: Together, keep: Array) -> Array:
+def _added(found: Together, keep: Mask) -> Array:
     """What each innovation that is not kept would add to the joint square of those kept."""
     n, d = found.z.shape
     count, kept = int((~keep).sum()), np.repeat(keep, d)
@@ -142,7 +142,7 @@ def _added(found: Together, keep: Array) -> Array:
     return normalized((z[~kept] - gain @ z[kept]).reshape(count, d), left[rows, :, rows])
 
 
-def _those(looks: list[Look], mask: Array) -> list[Look]:
+def _those(looks: list[Look], mask: Mask) -> list[Look]:
     return [look for look, is_one in zip(looks, mask.tolist(), strict=True) if is_one]
 
 

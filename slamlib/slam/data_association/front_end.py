@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from slamlib.data.records import Features, Scan
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 
 if TYPE_CHECKING:
     from slamlib.slam.entities import MountedSensor
@@ -42,11 +42,11 @@ class FrontEnd(Protocol):
     def findable(self, sight: Sight) -> list[Look]:
         """Of the looks of a sight, those that it could find at all if the landmarks are there."""
 
-    def match(self, sight: Sight, family: str, looks: list[Look]) -> tuple[Array, Array]:
+    def match(self, sight: Sight, family: str, looks: list[Look]) -> tuple[Array, Mask]:
         """Measurements (n, m) of what is looked for, nan where there is none, and the mask (n,) of those found."""
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
+        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[Detected]:
         """Up to `count` measurements to begin a landmark with; known: ids of the landmarks in the map.
 
@@ -76,7 +76,7 @@ class Identity:
         """All looks."""
         return sight.looks
 
-    def match(self, sight: Sight, family: str, looks: list[Look]) -> tuple[Array, Array]:
+    def match(self, sight: Sight, family: str, looks: list[Look]) -> tuple[Array, Mask]:
         """The features with the ids of the landmarks."""
         features = _features(sight, family)
         row_of = {number: row for row, number in enumerate(features.ids.tolist())}
@@ -87,7 +87,7 @@ class Identity:
         return measured, rows >= 0
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
+        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[Detected]:
         """The features with the lowest ids that are not known."""
         features = _features(sight, family)

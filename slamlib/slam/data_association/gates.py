@@ -11,10 +11,10 @@ import numpy as np
 
 from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.kalman import linalg
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 
-def innovation_covariances(covariance: Array, columns: Array, H: Array, R: Array) -> Array:
+def innovation_covariances(covariance: Array, columns: Indices, H: Array, R: Array) -> Array:
     """Z = H P H' + R (n, d, d) of n measurements, one by one; covariance (s, s), columns (n, k), H (n, d, k)."""
     half = H @ linalg.principal_blocks(covariance, columns) @ H.swapaxes(-1, -2) / 2
     Z: Array = half + half.swapaxes(-1, -2) + R
@@ -26,7 +26,7 @@ def normalized(z: Array, Z: Array) -> Array:
     return linalg.quadratic_forms(z, Z)
 
 
-def by_information(Z: Array, count: int) -> Array:
+def by_information(Z: Array, count: int) -> Indices:
     """The `count` rows whose innovation covariance (n, d, d) has the largest determinant, largest first.
 
     A measurement lowers the entropy of the state by log(det Z / det R) / 2: with one R for all, the most uncertain
@@ -35,7 +35,7 @@ def by_information(Z: Array, count: int) -> Array:
     return np.argsort(-linalg.log_determinants(Z), kind="stable")[:count]
 
 
-def by_order(Z: Array, count: int) -> Array:
+def by_order(Z: Array, count: int) -> Indices:
     """The first `count` rows."""
     return np.arange(len(Z))[:count]
 

@@ -14,7 +14,7 @@ from collections.abc import Callable
 import numpy as np
 
 from slamlib.kalman import linalg
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices, Mask
 
 Limit = Callable[[int], float]
 MOST = 15  # nodes of the tree, 60 to 100 us each; the greedy set is nearly always the best (benchmarks/consensus.py)
@@ -85,7 +85,7 @@ class _Search:
             out, drop, node = [*out, i], drop + float(drops[i]), node.without(i)
         return tuple(out), drop
 
-    def branch(self, node: _Node, out: tuple[int, ...], drop: float, may: Array, count: int) -> None:
+    def branch(self, node: _Node, out: tuple[int, ...], drop: float, may: Indices, count: int) -> None:
         """Let `count` more go, of the innovations `may`, wherever that can be enough and better than the best."""
         self.left -= 1
         may = may[np.argsort(-node.drops[may], kind="stable")]
@@ -102,7 +102,7 @@ class _Search:
             i = int(may[first])
             self.branch(node.without(i), (*out, i), drop + float(node.drops[i]), may[first + 1 :], count - 1)
 
-    def _last(self, may: Array, out: tuple[int, ...], drops: Array, gone: int) -> None:
+    def _last(self, may: Indices, out: tuple[int, ...], drops: Array, gone: int) -> None:
         for i, drop in zip(may.tolist(), drops.tolist(), strict=True):
             if drop <= self.drop:
                 return
@@ -110,7 +110,7 @@ class _Search:
                 self.out, self.drop = (*out, i), drop
 
 
-def compatible(z: Array, Z: Array, dof: Array, limit: Limit, most: int = MOST) -> Array:
+def compatible(z: Array, Z: Array, dof: Array, limit: Limit, most: int = MOST) -> Mask:
     """Mask (n,) of the largest set of innovations whose joint square z' Z^-1 z is below limit(its degrees of freedom).
 
     z (n, d), Z (n, d, n, d) positive definite, dof (n,). Of sets of one size the one with the smallest square. Exact,
@@ -125,6 +125,6 @@ def compatible(z: Array, Z: Array, dof: Array, limit: Limit, most: int = MOST) -
         search.branch(search.root, (), 0.0, np.arange(len(z)), count)
         if search.out or search.left <= 0:
             break
-    keep: Array = np.ones(len(z), dtype=bool)
+    keep: Mask = np.ones(len(z), dtype=bool)
     keep[list(search.out or greedy)] = False
     return keep

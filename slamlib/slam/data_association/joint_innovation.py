@@ -8,7 +8,7 @@ import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.geometry.pose import Pose, compose
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.observation.family import Expected, means_of
 from slamlib.slam.entities import POSE, MountedSensor
 from slamlib.slam.measurement_update import Look
@@ -28,7 +28,7 @@ class Together:
     R: Array
     dof: Array
     gain: Array
-    touched: Array
+    touched: Indices
 
 
 def by_kind(looks: Iterable[Look]) -> list[list[int]]:
@@ -51,7 +51,7 @@ def together(belief: Belief, sensor: MountedSensor, looks: list[Look]) -> Togeth
         found = group[0].family.innovate(sensor, expected, np.array([look.measured for look in group]))
         size, rows = found.z.shape[1], np.array(at)[:, None]
         z[rows, np.arange(size)], dof[at] = found.z, size
-        columns: Array = np.searchsorted(touched, expected.columns)
+        columns = np.searchsorted(touched, expected.columns)
         H[rows[:, :, None], np.arange(size)[:, None], columns[:, None, :]] = found.H
         R[rows[:, :, None], np.arange(size)[:, None], np.arange(size)] = found.R
     flat = H.reshape(n * d, -1)

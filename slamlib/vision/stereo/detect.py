@@ -14,7 +14,7 @@ import numpy as np
 
 from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 WINDOW = 5  # px, of the structure tensor: its least eigenvalue is the strength of a corner
 
@@ -75,13 +75,13 @@ class Keypoints:
 
     pixels: Array
     strengths: Array
-    descriptors: Array
+    descriptors: Image
 
     def __len__(self) -> int:
         return len(self.pixels)
 
 
-def detect(image: Array, settings: StereoSettings | None = None) -> Keypoints:
+def detect(image: Image, settings: StereoSettings | None = None) -> Keypoints:
     """The strongest features of each cell of the grid, sub-pixel. Raises SlamlibError without OpenCV."""
     s = settings or StereoSettings()
     find = DETECTORS.get(s.detector)
@@ -101,7 +101,7 @@ def spread(pixels: Array, strengths: Array, size: tuple[int, int], cells: tuple[
     return kept
 
 
-def _corners(image: Array, s: StereoSettings) -> Keypoints:
+def _corners(image: Image, s: StereoSettings) -> Keypoints:
     """Local maxima of the structure tensor's smaller eigenvalue, with an upright descriptor."""
     cv2 = opencv("to find features")
     # In OpenCV's scale the eigenvalue is four times the mean over the window; here it is the sum [grey^2/px^2].
@@ -125,7 +125,7 @@ def _top(values: Array, v: Array, u: Array, down: int, right: int) -> Array:
 def _orb(levels: int) -> Callable[[Array, StereoSettings], Keypoints]:
     """ORB's own detector (FAST), with its descriptors turned by its angles; spread over the grid likewise."""
 
-    def find(image: Array, s: StereoSettings) -> Keypoints:
+    def find(image: Image, s: StereoSettings) -> Keypoints:
         cv2 = opencv("to find features")
         orb = cv2.ORB_create(nfeatures=5000, nlevels=levels, edgeThreshold=s.border, fastThreshold=10)
         found = orb.detect(image, None)
@@ -147,7 +147,7 @@ def _describer(border: int) -> Any:
     return opencv("to describe features").ORB_create(nlevels=1, edgeThreshold=border)
 
 
-def _described(image: Array, pixels: Array, strengths: Array, degrees: Array, s: StereoSettings) -> Keypoints:
+def _described(image: Image, pixels: Array, strengths: Array, degrees: Array, s: StereoSettings) -> Keypoints:
     cv2 = opencv("to describe features")
     points = [
         cv2.KeyPoint(u, v, 31.0, angle, 0.0, 0, i)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.datasets.pairs import checked
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Indices, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.stereo.detect import Keypoints, StereoSettings, detect
 from slamlib.vision.stereo.matching import along_rows, circular, distances, mutual
@@ -19,18 +19,18 @@ class Observed:
     values (n, 3): (u, v, disparity) [px]. rows (n, 2): which of `left` and `right` each one is.
     """
 
-    image: Array
+    image: Image
     left: Keypoints
     right: Keypoints
-    rows: Array
+    rows: Indices
     values: Array
 
     def __len__(self) -> int:
         return len(self.values)
 
-    def descriptors(self, side: int) -> Array:
+    def descriptors(self, side: int) -> Image:
         """Descriptors (n, 32) of the features in the left picture (0) or the right one (1)."""
-        found: Array = (self.left, self.right)[side].descriptors[self.rows[:, side]]
+        found = (self.left, self.right)[side].descriptors[self.rows[:, side]]
         return found
 
     @property
@@ -47,14 +47,14 @@ class Eyes:
         self.calibration, self.settings = calibration, settings or StereoSettings()
         self.last: Observed | None = None
 
-    def look(self, image: Array) -> Observed:
+    def look(self, image: Image | None) -> Observed:
         """The features of a pair (2, h, w). Raises SlamlibError for what is none."""
         if self.last is None or self.last.image is not image:
             self.last = observe(checked(image, self.calibration), self.settings)
         return self.last
 
 
-def observe(image: Array, settings: StereoSettings) -> Observed:
+def observe(image: Image, settings: StereoSettings) -> Observed:
     """Detect in both pictures, match in both directions along the rows, and refine the disparities."""
     s, (left, right) = settings, (detect(picture, settings) for picture in image)
     cost = distances(left.descriptors, right.descriptors)
@@ -67,7 +67,7 @@ def observe(image: Array, settings: StereoSettings) -> Observed:
     return Observed(image, left, right, rows[good], np.column_stack([pixels, d])[good])
 
 
-def disparities(image: Array, pixels: Array, guess: Array, settings: StereoSettings) -> tuple[Array, Array]:
+def disparities(image: Image, pixels: Array, guess: Array, settings: StereoSettings) -> tuple[Array, Mask]:
     """Disparities (n,) at pixels (n, 2) of the left picture, near the guess (n,), and the mask of those to believe."""
     s, (left, right) = settings, image
     if not s.patch or not len(pixels):
@@ -80,8 +80,8 @@ def disparities(image: Array, pixels: Array, guess: Array, settings: StereoSetti
 
 
 def remeasured(
-    image: Array, templates: Array, values: Array, settings: StereoSettings, *, free: bool
-) -> tuple[Array, Array]:
+    image: Image, templates: Array, values: Array, settings: StereoSettings, *, free: bool
+) -> tuple[Array, Mask]:
     """Values (n, 3) where templates (n, patch + 2, patch + 2) fit best near those given, and the mask of the good ones.
 
     free: whether a template may change its shape. From one pair to the next it hardly does, and a fixed one is more
@@ -97,8 +97,8 @@ def remeasured(
 
 
 def followed(
-    old: Observed, new: Observed, settings: StereoSettings, allowed: Array | None = None
-) -> tuple[Array, Array]:
+    old: Observed, new: Observed, settings: StereoSettings, allowed: Mask | None = None
+) -> tuple[Indices, Array]:
     """Pairs (k, 2) of old and new features that close the cycle, and their new values (k, 3), refined.
 
     allowed (n, m): which may match at all, where a prediction says so.
@@ -118,7 +118,7 @@ def followed(
     return pairs[good], refined[good]
 
 
-def within(expected: Array, values: Array, radius: float) -> Array:
+def within(expected: Array, values: Array, radius: float) -> Mask:
     """Mask (n, m) of values (m, .) whose pixel is at most `radius` [px] from an expected one (n, .); nan: nowhere."""
-    mask: Array = np.abs(expected[:, None, :2] - values[None, :, :2]).max(-1) <= radius
+    mask: Mask = np.abs(expected[:, None, :2] - values[None, :, :2]).max(-1) <= radius
     return mask

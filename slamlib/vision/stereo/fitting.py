@@ -6,7 +6,7 @@ import numpy as np
 
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.gates import gate
@@ -22,11 +22,11 @@ class Fit:
 
     pose: Array
     covariance: Array
-    inliers: Array
+    inliers: Mask
     squares: float
 
 
-def fit(calibration: Calibration, mount: Array, old: Array, new: Array, start: Array, inliers: Array) -> Fit | None:
+def fit(calibration: Calibration, mount: Array, old: Array, new: Array, start: Array, inliers: Mask) -> Fit | None:
     """The pose most likely for measurements (n, 3) with the calibration's noise in both pairs, from a first guess.
 
     Twice: with the given inliers, and with all matches that the first result's gate lets pass. None if too few.

@@ -9,7 +9,7 @@ import numpy as np
 from slamlib.data.records import Scan
 from slamlib.datasets.pairs import checked
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import Sight
 from slamlib.slam.data_association.gates import gate
@@ -113,11 +113,11 @@ class StereoSearch(PictureFrontEnd):
         """Whether a landmark is measured in a frame, counted from 1."""
         return bool((frame + landmark.id) % self.settings.turns == 0)
 
-    def mine(self, values: Array) -> Array:
+    def mine(self, values: Array) -> Mask:
         """Mask (n,) of the measurements (n, .) in this front end's part of the picture."""
         return np.ones(len(values), dtype=bool) if self.half is None else halves(values) == self.half
 
-    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Array]:
+    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
         """Measurements (n, 3) of what is looked for, nan where it is not found, and the mask (n,) of those found."""
         measured = np.full((len(looks), 3), np.nan)
         with self.seconds.timed("search"):
@@ -145,7 +145,7 @@ class StereoSearch(PictureFrontEnd):
         allowed[:, self.others] = np.inf
         return allowed
 
-    def measure(self, seen: Observed, views: list[View], values: Array) -> tuple[Array, Array]:
+    def measure(self, seen: Observed, views: list[View], values: Array) -> tuple[Array, Mask]:
         """Values (n, 3) refined with the patches of the views, and the mask of those to believe."""
         if not self.settings.patch or not views:
             return values, np.ones(len(values), dtype=bool)
@@ -153,7 +153,7 @@ class StereoSearch(PictureFrontEnd):
         return remeasured(seen.image, templates, values, self.settings, free=True)
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Array], count: int
+        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[tuple[int, Array, Any]]:
         """Up to `count` new landmarks (id, value (3,), signature), the strongest, apart from all that is in view."""
         with self.seconds.timed("detection"):
@@ -166,7 +166,7 @@ class StereoSearch(PictureFrontEnd):
             rows = self.begun = self.fresh(seen, expected, usable, count)
             return [(self.new_id(known), seen.values[i], Views((self.view(seen, seen.values[i]),))) for i in rows]
 
-    def fresh(self, seen: Observed, expected: Array, usable: Callable[[Array], Array], count: int) -> list[int]:
+    def fresh(self, seen: Observed, expected: Array, usable: Callable[[Array], Mask], count: int) -> list[int]:
         """Rows of features far enough from all that is expected (n, 3) and from each other, the strongest first."""
         if count <= 0 or not len(seen):
             return []

@@ -8,14 +8,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Indices, Mask
 from slamlib.vision.stereo.detect import StereoSettings, detect
 
 ROWS = 0.1  # of the picture's height: matches are sought so far up and down
 ENOUGH = 12  # matches, for a judgement
 
 
-def distances(one: Array, other: Array) -> Array:
+def distances(one: Image, other: Image) -> Array:
     """Bits (n, m) in which descriptors (n, 32) and (m, 32) differ.
 
     With bits as signs, a' b is the number of equal bits less that of different ones: one product of matrices.
@@ -25,7 +25,7 @@ def distances(one: Array, other: Array) -> Array:
     return differ.astype(float)
 
 
-def mutual(cost: Array, *, largest: float, ratio: float = 1.0) -> Array:
+def mutual(cost: Array, *, largest: float, ratio: float = 1.0) -> Indices:
     """Pairs (k, 2) of rows and columns of costs (n, m), each the other's best; inf is not allowed to match.
 
     A best cost of more than `largest`, or not below `ratio` times the second best of its row or its column, is none.
@@ -49,15 +49,15 @@ def _second(cost: Array) -> Array:
     return least
 
 
-def along_rows(left: Array, right: Array, rows: float, disparity: tuple[float, float]) -> Array:
+def along_rows(left: Array, right: Array, rows: float, disparity: tuple[float, float]) -> Mask:
     """Mask (n, m) of the pixels (n, 2) and (m, 2) that may show one point: in one row, with a disparity that may be."""
     apart = np.abs(left[:, None, 1] - right[None, :, 1])
     d = left[:, None, 0] - right[None, :, 0]
-    mask: Array = (apart <= rows) & (d >= disparity[0]) & (d <= disparity[1])
+    mask = (apart <= rows) & (d >= disparity[0]) & (d <= disparity[1])
     return mask
 
 
-def circular(lefts: Array, rights: Array) -> Array:
+def circular(lefts: Indices, rights: Indices) -> Indices:
     """Pairs (k, 2) of old and new stereo features that both pictures agree on.
 
     lefts, rights (., 2): pairs of (old, new) as matched in the left pictures, and in the right ones. A feature of a
@@ -66,7 +66,7 @@ def circular(lefts: Array, rights: Array) -> Array:
     """
     said = set(map(tuple, rights.tolist()))
     rows = [i for i, match in enumerate(map(tuple, lefts.tolist())) if match in said]
-    closed: Array = lefts[rows]
+    closed: Indices = lefts[rows]
     return closed
 
 
@@ -80,7 +80,7 @@ class Survey:
     negative: float
 
 
-def survey(image: Array, settings: StereoSettings | None = None) -> Survey:
+def survey(image: Image, settings: StereoSettings | None = None) -> Survey:
     """What the features of a pair (2, h, w) say of it."""
     s = replace(settings or StereoSettings(), ratio=0.75)
     left, right = (detect(picture, s) for picture in image)
@@ -94,7 +94,7 @@ def survey(image: Array, settings: StereoSettings | None = None) -> Survey:
     return Survey(len(found), float(np.median(np.abs(found[:, 1]))), float((found[:, 0] + s.offset <= 0).mean()))
 
 
-def check_pair(image: Array, name: str, settings: StereoSettings | None = None) -> Survey:
+def check_pair(image: Image, name: str, settings: StereoSettings | None = None) -> Survey:
     """Survey a pair. Raises SlamlibError if left and right are exchanged, or rows do not correspond.
 
     A pair with too few matches for a judgement passes: it may be dark.

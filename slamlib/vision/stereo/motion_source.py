@@ -14,7 +14,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from slamlib.data.records import Control
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.measurement_update import looks_from
 from slamlib.vision.front_end import Stopwatch
@@ -113,12 +113,12 @@ class Halves:
         self.found: Motion | None = None
         self.seconds = Stopwatch("odometry")
 
-    def control(self, image: Array, dt: float, slam: Any) -> Control | None:
+    def control(self, image: Image, dt: float, slam: Any) -> Control | None:
         """The odometry's; zeros for the first pair; where none is found, the last one with a large covariance."""
         with self.seconds.timed("odometry"):
             return self._control(image, dt, slam)
 
-    def _control(self, image: Array, dt: float, slam: Any) -> Control:
+    def _control(self, image: Image, dt: float, slam: Any) -> Control:
         old = self.odometry.old
         self.found = self.odometry.step(image)
         if old is None:
@@ -152,7 +152,7 @@ class Correlated(Halves):
     name = "correlated"
     odometry_half = landmark_half = None
 
-    def _control(self, image: Array, dt: float, slam: Any) -> Control:
+    def _control(self, image: Image, dt: float, slam: Any) -> Control:
         self.front_end.others = np.zeros(0, dtype=int)
         return super()._control(image, dt, slam)
 
@@ -167,7 +167,7 @@ class Correlated(Halves):
         self.front_end.others = pairs[mine, 1]
         return as_control(own)
 
-    def strangers(self, new: Observed, found: Motion, slam: Any) -> Array:
+    def strangers(self, new: Observed, found: Motion, slam: Any) -> Mask:
         """Mask (k,) of the matches that show no landmark, and will begin none."""
         pairs, values = self.odometry.pairs, self.odometry.matched
         front_end = self.front_end

@@ -11,7 +11,7 @@ from slamlib.datasets.pairs import pack, unpack
 from slamlib.geometry.pose import compose, inverse
 from slamlib.geometry.quaternion import exponential, logarithm, plus
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image, Indices, Mask
 from slamlib.observation.points import observe
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.stereo.features import Eyes, Observed, followed, within
@@ -28,7 +28,7 @@ class Motion:
     of freedom, 1 if the noise of the calibration is that of the measurements."""
 
     control: Control
-    inliers: Array
+    inliers: Mask
     fit: float
 
     @property
@@ -56,7 +56,7 @@ def motion_between(calibration: Calibration, old: Array, new: Array, mount: Arra
     return Motion(as_control(found), found.inliers, found.squares / max(3 * found.inliers.sum() - 6, 1))
 
 
-def by_samples(calibration: Calibration, old: Array, new: Array) -> tuple[Array, Array] | None:
+def by_samples(calibration: Calibration, old: Array, new: Array) -> tuple[Array, Mask] | None:
     """The camera's new pose (7,) in its old frame, and the mask (n,) of the matches that agree: PnP with RANSAC.
 
     OpenCV's solution takes points of the *old* camera's frame to the new one's, p_new = R p_old + t. The motion of the
@@ -105,7 +105,7 @@ class Tracks:
         self.ids = np.zeros(0, dtype=int)
         self.ages = np.zeros(0, dtype=int)
 
-    def step(self, count: int, pairs: Array) -> Array:
+    def step(self, count: int, pairs: Indices) -> Array:
         """Go on to a pair with `count` features, `pairs` (k, 2) of old and new rows; the mask (n,) of the old ones.
 
         The mask is the report's of re-observation: which of the features of the pair before were matched again in both
@@ -145,11 +145,11 @@ class VisualOdometry:
         self.eyes, self.mount, self.half = eyes, mount, half
         self.old: Observed | None = None
         self.last: Array | None = None
-        self.pairs = np.zeros((0, 2), dtype=int)
-        self.matched = np.zeros((0, 3))
+        self.pairs: Indices = np.zeros((0, 2), dtype=int)
+        self.matched: Array = np.zeros((0, 3))
         self.tracks, self.again = Tracks(), np.zeros(0, dtype=bool)
 
-    def step(self, image: Array, predicted: Array | None = None) -> Motion | None:
+    def step(self, image: Image, predicted: Array | None = None) -> Motion | None:
         """The motion to this pair (2, h, w) from the one before; None for the first, and where none can be told.
 
         predicted (7,): the robot's new pose in its old frame, for the regions of matches; the default is that of the
@@ -167,7 +167,7 @@ class VisualOdometry:
         self.last = None if found is None else found.pose
         return found
 
-    def regions(self, old: Observed, new: Observed, predicted: Array | None) -> Array | None:
+    def regions(self, old: Observed, new: Observed, predicted: Array | None) -> Mask | None:
         """Mask (n, m) of the features that may match if the robot has moved as predicted; None: all."""
         if predicted is None:
             return None

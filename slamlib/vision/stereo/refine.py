@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 
 BOTH = np.eye(2)
 ALONG_ROW = np.array([[1.0], [0.0]])
 MOST = 0.6  # a patch that changes its shape by more is another one
 
 
-def cut(image: Array, pixels: Array, size: int, shapes: Array | None = None) -> Array:
+def cut(image: Image, pixels: Array, size: int, shapes: Array | None = None) -> Array:
     """Patches (n, size, size) round pixels (n, 2), bilinear; places outside the picture repeat its border.
 
     shapes (n, 2, 2): what the steps (right, down) of the patch are in the picture; None: themselves.
@@ -25,7 +25,7 @@ def cut(image: Array, pixels: Array, size: int, shapes: Array | None = None) -> 
     return _bilinear(image, u, v)
 
 
-def _bilinear(image: Array, u: Array, v: Array) -> Array:
+def _bilinear(image: Image, u: Array, v: Array) -> Array:
     """Grey values at places whose arrays broadcast."""
     h, w = image.shape
     i, j = np.floor(v).astype(np.intp), np.floor(u).astype(np.intp)
@@ -39,7 +39,7 @@ def _bilinear(image: Array, u: Array, v: Array) -> Array:
     return values
 
 
-def align(image: Array, templates: Array, pixels: Array, axes: Array = BOTH, rounds: int = 6) -> tuple[Array, Array]:
+def align(image: Image, templates: Array, pixels: Array, axes: Array = BOTH, rounds: int = 6) -> tuple[Array, Array]:
     """Pixels (n, 2) near the given ones where templates (n, s + 2, s + 2) fit best, and correlations (n,) there.
 
     Each template T, without its margin of one, and the patch I found are made free of mean and of scale; the step d
@@ -58,7 +58,7 @@ def align(image: Array, templates: Array, pixels: Array, axes: Array = BOTH, rou
     return place, (found * T).sum(1)
 
 
-def align_shape(image: Array, templates: Array, pixels: Array, rounds: int = 5) -> tuple[Array, Array]:
+def align_shape(image: Image, templates: Array, pixels: Array, rounds: int = 5) -> tuple[Array, Array]:
     """The same with the patch's shape free as well: any linear map, as another direction of view brings about.
 
     A patch that keeps its shape is pulled aside where the one in the picture is turned, stretched or sheared, and the

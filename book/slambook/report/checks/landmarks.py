@@ -9,7 +9,7 @@ from slambook.report.angles import rotation
 from slambook.report.findings import RUNS, SEED, Finding, at_least, at_most, check, near, ours, ran, refused, statistics
 from slambook.report.runs import Outcome, monte_carlo, two_pictures
 from slamlib.evaluation.consistency import nees
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 
 @check("E18", "(5.34), last row", "J P_{m_L m_2}", "J P_{x m_2}: J times the pose's row")
@@ -41,7 +41,7 @@ def first_landmarks() -> Finding:
     )
 
 
-def _seen_first() -> Array:
+def _seen_first() -> Indices:
     scene = scenes.gentle()
     relative = (scene.points - scene.start[:3]) @ rotation(scene.start[3:])
     return np.flatnonzero(scene.sees(relative))

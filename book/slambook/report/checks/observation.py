@@ -73,7 +73,7 @@ def mixed_term() -> Finding:
     ours = observation.scalar_variance(h[:6], h[6:], P[:6, :6], P[6:, :6], P[6:, 6:])
     return Finding(
         [
-            at_most("corrected (5.27) minus h P h', relative", abs(ours / (h @ P @ h) - 1), 1e-12),
+            at_most("corrected (5.27) minus h P h', relative", float(abs(ours / (h @ P @ h) - 1)), 1e-12),
             near("as printed, (1x3)(3x6)(3x1): NumPy refuses", refused("E13"), 1, 0),
         ]
     )

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from slamlib.datasets.layouts import FPS, Numbers, Sequence
+from slamlib.datasets.dataset import FPS, Dataset, Numbers, Sequence
 from slamlib.datasets.optional_imports import opencv
 from slamlib.datasets.pictures import Picture, grey, is_image
 from slamlib.errors import SlamlibError
@@ -18,12 +18,11 @@ from slamlib.errors import SlamlibError
 SLACK = 0.02  # the length in a header is often an estimate: so much of it may be missing at the end
 
 
-def is_video(where: str) -> bool:
-    """Whether it is one file, and no image."""
-    return Path(where).is_file() and not is_image(Path(where))
+def _cameras(where: Path) -> dict[int, Path]:
+    return {0: where} if where.is_file() and not is_image(where) else {}
 
 
-def open_video(where: str, fps: float | None, camera: int) -> Sequence:
+def _open(where: Path, fps: float | None) -> Sequence:
     """The pictures of a video, at its own rate if no other is given. Raises SlamlibError."""
     cv2 = opencv("to read videos")
     with _opened(where) as film:
@@ -50,14 +49,14 @@ def open_video(where: str, fps: float | None, camera: int) -> Sequence:
     return Sequence(names, times, 1 / rate, read)
 
 
-def _picture(film: Any, where: str, number: int) -> Any:
+def _picture(film: Any, where: Path, number: int) -> Any:
     good, pixels = film.retrieve()
     if not good:
         raise SlamlibError(f"{where}: picture {number} is damaged")
     return grey(pixels, f"{where}, picture {number}")
 
 
-def _check_end(where: str, number: int, count: int) -> None:
+def _check_end(where: Path, number: int, count: int) -> None:
     if count - number > max(2, SLACK * count):
         raise SlamlibError(
             f"{where} breaks off after {number} of {count} pictures: it is truncated or damaged; with --frames fewer "
@@ -66,8 +65,8 @@ def _check_end(where: str, number: int, count: int) -> None:
 
 
 @contextmanager
-def _opened(where: str) -> Iterator[Any]:
-    film = opencv("to read videos").VideoCapture(where)
+def _opened(where: Path) -> Iterator[Any]:
+    film = opencv("to read videos").VideoCapture(str(where))
     try:
         if not film.isOpened():
             raise SlamlibError(
@@ -76,3 +75,6 @@ def _opened(where: str) -> Iterator[Any]:
         yield film
     finally:
         film.release()
+
+
+VIDEO = Dataset("video", _cameras, _open, general=True)

@@ -1,0 +1,148 @@
+"""Dataclasses as plain data (JSON, TOML, NAME=VALUE): one writer, and one reader that names the key that is wrong.
+
+The type of a field says what it takes: bool, int, float, str, tuples, dictionaries, other dataclasses, None. Limits and
+lists of names stand beside it, as in Annotated[float, Range(gt=0, unit="m")] or Annotated[str, OneOf(NAMES)]. What is
+None is not written; therefore a field that may be None is None when plain data lacks it.
+"""
+
+from collections.abc import Callable, Collection
+from dataclasses import MISSING, dataclass, fields, is_dataclass, replace
+from functools import cache
+from math import isfinite
+from numbers import Integral, Real
+from operator import ge, gt, le, lt
+from types import NoneType, UnionType
+from typing import Annotated, Any, TypeVar, Union, get_args, get_origin, get_type_hints
+
+from slamlib.errors import SlamlibError, UnknownNameError
+
+T = TypeVar("T")
+_hints = cache(lambda kind: get_type_hints(kind, include_extras=True))
+
+
+_LIMITS = {"ge": ("{:g} or more", ge), "gt": ("above {:g}", gt), "le": ("up to {:g}", le), "lt": ("below {:g}", lt)}
+
+
+@dataclass(frozen=True)
+class Range:
+    """Limits of a number, in this unit: at least ge, or above gt; at most le, or below lt, which may be infinity."""
+
+    ge: float | None = None
+    gt: float | None = None
+    le: float | None = None
+    lt: float | None = None
+    unit: str = ""
+
+    def check(self, value: float, path: str) -> None:
+        """Raises SlamlibError for a number that is not between the limits."""
+        limits = [(*_LIMITS[name], limit) for name in _LIMITS if (limit := getattr(self, name)) is not None]
+        if not all(holds(value, limit) for _, holds, limit in limits):
+            words = " and ".join(text.format(limit) for text, _, limit in limits if isfinite(limit)) or "finite"
+            _refuse(path, words + f" [{self.unit}]" * bool(self.unit), value)
+
+
+@dataclass(frozen=True, eq=False)
+class OneOf:
+    """A text is one of these names, or of the keys of a registry."""
+
+    names: Collection[str]
+
+    def check(self, value: str, path: str) -> None:
+        """Raises UnknownNameError, with the nearest name."""
+        if value not in self.names:
+            raise UnknownNameError.of(path, value, self.names)
+
+
+def written(value: Any) -> Any:
+    """Plain data of a dataclass and of all in it, lists as tuples; fields that are None are left out."""
+    if is_dataclass(value):
+        return {f.name: written(v) for f in fields(value) if (v := getattr(value, f.name)) is not None}
+    if isinstance(value, dict):
+        return {name: written(v) for name, v in value.items()}
+    return tuple(map(written, value)) if isinstance(value, list | tuple) else value
+
+
+def read(kind: type[T], data: Any, path: str = "") -> T:
+    """The dataclass of plain data. Raises SlamlibError for an unknown, missing or wrong key, named by its path."""
+    path = path or kind.__name__
+    given = checked(kind, data, path)
+    for f in fields(kind):  # type: ignore[arg-type]
+        if f.name not in given and NoneType in get_args(f.type):
+            given[f.name] = None
+        elif f.name not in given and f.default is MISSING and f.default_factory is MISSING:
+            raise SlamlibError(f"{path}: {f.name} is missing")
+    return kind(**given)
+
+
+def changed(value: T, changes: dict[str, Any]) -> T:
+    """The dataclass with some fields changed. Raises SlamlibError as `read` does."""
+    return replace(value, **checked(type(value), changes))  # type: ignore[type-var]
+
+
+def checked(kind: type, data: Any, path: str = "") -> dict[str, Any]:
+    """Values of some fields of a dataclass, from plain data. Raises SlamlibError as `read` does."""
+    path, hints = path or kind.__name__, _hints(kind)
+    if not isinstance(data, dict):
+        _refuse(path, "values by name", data)
+    for name in data:
+        if name not in hints:
+            raise UnknownNameError.of(f"key of {path}", name, hints)
+    return {name: _read(hints[name], value, f"{path}.{name}") for name, value in data.items()}
+
+
+def check(value: Any) -> None:
+    """For __post_init__ of a frozen dataclass: checks its fields, and makes lists and arrays tuples. SlamlibError."""
+    for name, found in checked(type(value), {f.name: getattr(value, f.name) for f in fields(value)}).items():
+        object.__setattr__(value, name, found)
+
+
+_SCALARS: dict[Any, tuple[str, Callable[[Any], bool]]] = {
+    bool: ("True or False", lambda v: isinstance(v, bool)),
+    int: ("a whole number", lambda v: isinstance(v, Integral) and not isinstance(v, bool)),
+    float: ("a number", lambda v: isinstance(v, Real) and not isinstance(v, bool)),
+    str: ("a text", lambda v: isinstance(v, str)),
+    NoneType: ("None", lambda v: v is None),
+}
+
+
+def _read(hint: Any, value: Any, path: str) -> Any:
+    """A value as its type wants it."""
+    value = value.tolist() if hasattr(value, "tolist") else value
+    kind, inner = get_origin(hint) or hint, get_args(hint)
+    if kind is Any:
+        return written(value)
+    if kind is Annotated:
+        value = _read(inner[0], value, path)
+        inner[1].check(value, path)
+        return value
+    if kind in (Union, UnionType):  # None first: the error is the last one's
+        return _first(sorted(inner, key=lambda h: h is not NoneType), value, path)
+    if is_dataclass(kind):
+        return value if isinstance(value, kind) else read(kind, value, path)  # type: ignore[arg-type]
+    if kind is dict:
+        found = value if isinstance(value, dict) else _refuse(path, "values by name", value)
+        return {_read(inner[0], name, path): _read(inner[1], v, f"{path}.{name}") for name, v in found.items()}
+    if kind is tuple:
+        endless = inner[-1] is Ellipsis
+        if endless and inner[0] is float and _SCALARS[float][1](value):  # one number for all
+            value = (value,)
+        if not isinstance(value, list | tuple) or not (endless or len(value) == len(inner)):
+            _refuse(path, "a list" if endless else f"{len(inner)} values", value)
+        each = inner[:1] * len(value) if endless else inner
+        return tuple(_read(h, v, f"{path}[{i}]") for i, (h, v) in enumerate(zip(each, value, strict=True)))
+    words, fits = _SCALARS[kind]
+    return value if fits(value) else _refuse(path, words, value)
+
+
+def _first(hints: list[Any], value: Any, path: str) -> Any:
+    """A value of the first type that takes it."""
+    for hint in hints[:-1]:
+        try:
+            return _read(hint, value, path)
+        except SlamlibError:
+            continue
+    return _read(hints[-1], value, path)
+
+
+def _refuse(path: str, wanted: str, value: Any) -> Any:
+    raise SlamlibError(f"{path} should be {wanted}, got {value!r}")

@@ -1,0 +1,88 @@
+"""EuRoC: Burri and others (2016), and Kalibr. camN/data.csv lists times [ns] and files, beside the folder camN/data.
+
+Calibrations: a sensor.yaml for each camera, or one camchain.yaml: intrinsics: [..], distortion_model: .., ...
+"""
+
+import re
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from slamlib.datasets.dataset import CalibrationReader, Dataset, Sequence, listed, seconds, table
+from slamlib.datasets.lens import Lens, Numbers
+from slamlib.errors import SlamlibError, UnknownNameError
+
+# Names that the models of slamlib.datasets.lens have in these files.
+_RADIAL = ("radial-tangential", "radtan", "radtan5", "plumb_bob", "rational_polynomial", "none")
+MODELS = dict.fromkeys(_RADIAL, "radial-tangential") | dict.fromkeys(("equidistant", "equi", "fisheye"), "equidistant")
+
+
+def _cameras(where: Path) -> dict[int, Path]:
+    places = {n: [where / "mav0" / f"cam{n}", where / f"cam{n}"] for n in range(4)}
+    places[0].append(where)
+    there = {n: [p / "data.csv" for p in folders if (p / "data").is_dir()] for n, folders in places.items()}
+    return {n: listing for n, some in there.items() for listing in some[:1] if listing.is_file()}
+
+
+def _open(listing: Path, fps: float | None) -> Sequence:
+    """Rows of "time in nanoseconds, file"."""
+    rows = table(listing, 2, ",")
+    paths = [listing.parent / "data" / name for _, name in rows]
+    return listed(paths, [1e-9 * seconds(time, listing) for time, _ in rows], listing)
+
+
+def _fits(text: str) -> bool:
+    return re.search(r"^\s*intrinsics:\s*\[", text, re.M) is not None
+
+
+def _read(path: Path, text: str) -> dict[int | None, Callable[[], Lens]]:
+    sections = re.split(r"^cam(\d+):\s*$", text, flags=re.M)
+    if len(sections) == 1:
+        return {None: partial(_lens, text)}
+    chain = zip(sections[1::2], sections[2::2], strict=True)
+    return {int(number): partial(_lens, section) for number, section in chain}
+
+
+def _lens(text: str) -> Lens:
+    if _word(text, "camera_model", "pinhole") != "pinhole":
+        raise SlamlibError(f"the camera model {_word(text, 'camera_model', '')!r} is not known, pinhole is")
+    au, av, u0, v0 = _list(text, "intrinsics")
+    coefficients = _list(text, "distortion_coefficients", "distortion_coeffs")
+    size = _list(text, "resolution") or None
+    model = _word(text, "distortion_model", "none")
+    if model.lower() not in MODELS:
+        raise UnknownNameError.of("model of distortion", model, MODELS)
+    place = _list(text.partition("T_BS:")[2], "data") or _beside(text)
+    return Lens((u0, v0, au, av), size, MODELS[model.lower()], coefficients, place)
+
+
+def _beside(text: str) -> Numbers | None:
+    """Kalibr's T_cn_cnm1 takes points of the camera before to this one: its inverse is the place. None without it."""
+    _, there, after = text.partition("T_cn_cnm1:")
+    if not there:
+        return None
+    rows = re.findall(r"^\s*-\s*\[([^\]]*)\]", after, re.M)[:4]
+    moved = np.array([[float(word) for word in row.replace(",", " ").split()] for row in rows])
+    return tuple(np.linalg.inv(moved.reshape(4, 4)).ravel().tolist())
+
+
+def _list(text: str, *names: str) -> Numbers:
+    """The numbers in "name: [...]" of the first name that is there."""
+    for name in names:
+        found = re.search(rf"^\s*{name}:\s*\[([^\]]*)\]", text, re.M)
+        if found:
+            return tuple(float(word) for word in found[1].replace(",", " ").split())
+    return ()
+
+
+def _word(text: str, name: str, default: str) -> str:
+    found = re.search(rf"^\s*{name}:\s*([\w-]+)", text, re.M)
+    return found[1] if found else default
+
+
+EUROC = Dataset(
+    "EuRoC", _cameras, _open, calibrations=("mav0/cam{camera}/sensor.yaml", "cam{camera}/sensor.yaml"), raw=True
+)
+CALIBRATION = CalibrationReader("EuRoC", _fits, _read)

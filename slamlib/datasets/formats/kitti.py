@@ -1,0 +1,57 @@
+"""KITTI odometry: Geiger, Lenz and Urtasun (2012). PATH/image_N holds rectified pictures, PATH/times.txt their times.
+
+calib.txt: rows "P0: " and 12 numbers, or 12 numbers alone: the projection matrices K [I | t] of the rectified cameras.
+"""
+
+import re
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from slamlib.datasets.dataset import CalibrationReader, Dataset, Sequence, counted, listed, seconds, table
+from slamlib.datasets.lens import Lens
+from slamlib.datasets.pictures import images_in
+from slamlib.errors import SlamlibError
+
+FPS = 10.0
+_NAMED = re.compile(r"^P(?:_rect_0)?(\d):\s*([-+.\d].*)$", re.M)
+
+
+def _cameras(where: Path) -> dict[int, Path]:
+    folders = {n: where / f"image_{n}" for n in range(4)}
+    return {n: folder for n, folder in folders.items() if images_in(folder)}
+
+
+def _open(folder: Path, fps: float | None) -> Sequence:
+    paths, listing = images_in(folder), folder.parent / "times.txt"
+    if not listing.is_file():
+        return counted(paths, fps or FPS)
+    times = [seconds(row[0], listing) for row in table(listing, 1, None)]
+    if len(times) != len(paths):
+        raise SlamlibError(f"{listing} has {len(times)} times for {len(paths)} pictures in {folder}")
+    return listed(paths, times, listing)
+
+
+def _fits(text: str) -> bool:
+    rows = [line.split() for line in text.splitlines() if line.strip()]
+    return _NAMED.search(text) is not None or (bool(rows) and all(len(row) == 12 for row in rows))
+
+
+def _read(path: Path, text: str) -> dict[int | None, Callable[[], Lens]]:
+    named = {int(number): row for number, row in _NAMED.findall(text)}
+    rows = named or dict(enumerate(line for line in text.splitlines() if line.strip()))
+    return {number: partial(_lens, row) for number, row in rows.items()}
+
+
+def _lens(row: str) -> Lens:
+    """The rectified camera of a projection matrix; its place is that in the frame of camera 0."""
+    P = np.array([float(word) for word in row.split()]).reshape(3, 4)
+    place = np.eye(4)
+    place[:3, 3] = -np.linalg.solve(P[:, :3], P[:, 3])
+    return Lens((P[0, 2], P[1, 2], P[0, 0], P[1, 1]), place=tuple(place.ravel().tolist()))
+
+
+KITTI = Dataset("KITTI", _cameras, _open, calibrations=("calib.txt", "calibration.json"))
+CALIBRATION = CalibrationReader("KITTI", _fits, _read)

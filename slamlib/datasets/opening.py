@@ -1,0 +1,132 @@
+"""Sequences and their cameras together: checked against each other, undistorted or rectified, opened again."""
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from slamlib.data.plain import written
+from slamlib.datasets.calibrations import read_calibration, read_lens, read_pair
+from slamlib.datasets.formats import DATASETS
+from slamlib.datasets.lens import Lens, PairCalibration, fitted
+from slamlib.datasets.pairs import CAMERAS, open_pairs, two_cameras
+from slamlib.datasets.rectification import (
+    Rectification,
+    Undistortion,
+    check_order,
+    rectified_setup,
+    why_not_rectified,
+)
+from slamlib.datasets.sources import Source, open_source
+from slamlib.errors import SlamlibError
+
+
+def opened(
+    source: str, calibration: str, *, camera: int = 0, fps: float | None = None, undistort: bool = False
+) -> tuple[Source, dict[str, Any]]:
+    """The pictures, and plain data of the SensorSetup that they fit; the first picture is read to know their size.
+
+    undistort: free the pictures of the lens's distortion. Raises SlamlibError.
+    """
+    pictures = open_source(source, fps=fps, camera=camera)
+    size = size_of(pictures)
+    if not undistort:
+        return pictures, fitted(read_calibration(calibration, camera), size, pictures.where)
+    lens = read_lens(calibration, camera)
+    _check_size(lens, size, pictures)
+    return undistorted(pictures, lens, size)
+
+
+def opened_pairs(
+    source: str | None = None,
+    left: str | None = None,
+    right: str | None = None,
+    calibration: list[str] | None = None,
+    *,
+    cameras: tuple[int, int] | None = None,
+    fps: float | None = None,
+    rectify: bool = False,
+) -> tuple[Source, dict[str, Any], float]:
+    """Rectified pairs, plain data of the stereo SensorSetup that they fit, and the offset [px] of their disparities.
+
+    Of a data set's folder, or of a left and a right folder, glob or video. Raises SlamlibError.
+    """
+    numbers = cameras or (two_cameras(source) if source else CAMERAS[0])
+    if source is not None:
+        pairs = open_pairs(*(open_source(source, fps=fps, camera=camera) for camera in numbers))
+    elif left is not None and right is not None:
+        pairs = open_pairs(open_source(left, fps=fps), open_source(right, fps=fps))
+    else:
+        raise SlamlibError("--left and --right are wanted, both, or --source for a KITTI or EuRoC folder")
+    known = read_pair(calibration or _kept(source, pairs.layout, numbers), numbers)
+    check_order(known)
+    size = size_of(pairs)
+    for lens in (known.left, known.right):
+        _check_size(lens, size, pairs)
+    why = why_not_rectified(known)
+    if rectify or (why and DATASETS[pairs.layout].raw):
+        return (*rectified(pairs, known, size), 0.0)
+    if why:
+        raise SlamlibError(
+            f"the calibration is not that of a rectified pair: {why}. If the pictures are as the lenses made them, "
+            "rectify them with --rectify; if they are rectified, give the calibration of the rectified pair"
+        )
+    return (pairs, *rectified_setup(known, size))
+
+
+def size_of(source: Source) -> tuple[int, int]:
+    """(width, height) of the first picture, or of both of the first pair."""
+    *_, height, width = next(iter(source)).image.shape
+    return width, height
+
+
+def undistorted(pictures: Source, lens: Lens, size: tuple[int, int]) -> tuple[Source, dict[str, Any]]:
+    """The pictures without their distortion, and plain data of the pin-hole that would have made them."""
+    change = Undistortion(lens, size)
+    recipe = {**pictures.recipe, "undistort": {"lens": asdict(lens), "size": list(size)}}
+    return pictures.through(change, recipe), change.setup
+
+
+def rectified(pairs: Source, known: PairCalibration, size: tuple[int, int]) -> tuple[Source, dict[str, Any]]:
+    """The pairs, rectified, and plain data of the SensorSetup that would have made them."""
+    change = Rectification(known, size)
+    lenses = [asdict(lens) for lens in (known.left, known.right)]
+    recipe = {**pairs.recipe, "rectify": {"lenses": lenses, "place": known.place.tolist(), "size": list(size)}}
+    return pairs.through(change, recipe), change.setup
+
+
+def reopen(recipe: dict[str, Any], count: int | None = None) -> Source:
+    """The source of a recipe, of pictures or of pairs, changed as it was; count: how many, if not as many as before.
+
+    Raises SlamlibError if it is not there any more, or has become shorter.
+    """
+    plain = written(recipe)
+    if "left" in plain:
+        source = open_pairs(reopen(plain["left"]), reopen(plain["right"]))
+    else:
+        source = open_source(plain["text"], fps=plain["fps"], camera=plain["camera"])
+    if "undistort" in plain:
+        source, _ = undistorted(source, Lens(**plain["undistort"]["lens"]), plain["undistort"]["size"])
+    if "rectify" in plain:
+        left, right = (Lens(**lens) for lens in plain["rectify"]["lenses"])
+        known = PairCalibration(left, right, np.array(plain["rectify"]["place"]))
+        source, _ = rectified(source, known, plain["rectify"]["size"])
+    return source.again(plain, count)
+
+
+def _check_size(lens: Lens, size: tuple[int, int], source: Source) -> None:
+    sized = {} if lens.image is None else {"image": lens.image}
+    fitted({**sized, "parameters": {"intrinsics": lens.intrinsics}}, size, source.where)
+
+
+def _kept(source: str | None, layout: str, cameras: tuple[int, int]) -> list[str]:
+    """The calibration in a data set's folder, one file or one for each camera."""
+    for name in DATASETS[layout].calibrations if source else ():
+        paths = [str(Path(str(source)) / name.format(camera=camera)) for camera in cameras]
+        if all(Path(path).is_file() for path in paths):
+            return sorted(set(paths))
+    raise SlamlibError(
+        "--calibration is wanted: a file of the rectified pair (KITTI's calib.txt, slamlib's JSON), or of both lenses "
+        f"with their places{f'; {source} holds none that is known' if source else ''}"
+    )
