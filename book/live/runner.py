@@ -15,10 +15,12 @@ import sys
 import time
 import traceback
 import zipfile
+from pathlib import Path
 from typing import Any
 
 LIMIT = 100_000  # characters that one cell may print: a page with more of them does not scroll any more
 PACKAGES = "/packages"
+STAND_IN = "standin"  # the folder beside this file that is imported under the name matplotlib
 MAGIC = re.compile(r"^%(\w+)[ \t]*(.*)$", re.MULTILINE)
 SHOWN = ("_repr_html_", "_repr_svg_", "_repr_latex_", "_repr_markdown_")
 
@@ -31,6 +33,7 @@ class Runner:
         self.figures: dict[str, Any] = {}
         self.user_ns: dict[str, Any] = {"__name__": "__main__", "get_ipython": lambda: self}
         self.magics: dict[str, Any] = {"load_ext": self.load_extension}
+        sys.meta_path.insert(0, StandIn(Path(__file__).with_name(STAND_IN)))
         sys.meta_path.append(Later(fetch, later))
 
     def run(self, code: str, cell: str, limit: int | None = None) -> bool:
@@ -48,8 +51,11 @@ class Runner:
             tree = ast.parse(code, cell)
             last: Any = tree.body.pop() if _ends_in_a_value(tree, code) else None
             exec(compile(tree, cell, "exec"), self.user_ns)
-            if last is not None:
-                self.show(eval(compile(ast.Expression(last.value), cell, "eval"), self.user_ns), cell, out)
+            value = eval(compile(ast.Expression(last.value), cell, "eval"), self.user_ns) if last else None
+            self.show(value, cell, out)
+            for figure in _open_figures():
+                if figure is not value:
+                    self.show(figure, cell, out)
             return True
         except BaseException as error:
             out.flush()
@@ -160,6 +166,27 @@ class Later(importlib.abc.MetaPathFinder):
         return importlib.util.find_spec(name)
 
 
+class StandIn(importlib.abc.MetaPathFinder):
+    """Imports a folder under the name matplotlib."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+
+    def find_spec(self, name: str, path: Any = None, target: Any = None) -> Any:
+        """matplotlib and its parts, as far as the folder has them; raises ModuleNotFoundError for other parts."""
+        package, _, part = name.partition(".")
+        if package != "matplotlib":
+            return None
+        if not part:
+            start, inside = self.folder / "__init__.py", [str(self.folder)]
+            return importlib.util.spec_from_file_location(name, start, submodule_search_locations=inside)
+        file = self.folder / f"{part}.py"
+        if not file.is_file():
+            said = f"the page's matplotlib is a small stand-in: it has matplotlib.pyplot, and no {name}"
+            raise ModuleNotFoundError(said, name=name)
+        return importlib.util.spec_from_file_location(name, file)
+
+
 def described(error: BaseException, cell: str) -> dict[str, Any]:
     """An error as the reader needs it: the steps through the page's cells, the last one, and the line in this cell."""
     chain = [traceback.extract_tb(e.__traceback__) for e in (error.__cause__, error) if e is not None]
@@ -174,6 +201,12 @@ def described(error: BaseException, cell: str) -> dict[str, Any]:
         head = ["Traceback (most recent call last):\n", *traceback.format_list(shown)] if shown else []
         text = "".join([*head, *traceback.format_exception_only(error)])
     return {"line": line, "name": type(error).__name__, "text": text}
+
+
+def _open_figures() -> list[Any]:
+    """Figures that the cell has made and not handed on: shown at its end, as a notebook does."""
+    shown = getattr(sys.modules.get("matplotlib.pyplot"), "shown", list)
+    return list(shown())
 
 
 def _is_cell(step: traceback.FrameSummary) -> bool:

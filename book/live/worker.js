@@ -83,7 +83,7 @@ async function start() {
   self.fetch = outside;
 
   const packages = python.runPython("import site; site.getsitepackages()[0]");
-  for (const name of ["numpy.zip", manifest.wheel]) python.unpackArchive(file[name], "zip", { extractDir: packages });
+  for (const name of ["numpy.zip", manifest.wheel, "standin.zip"]) python.unpackArchive(file[name], "zip", { extractDir: packages });
   python.FS.mkdirTree("/book/chapters/data");
   for (const name of manifest.data) python.FS.writeFile("/book/chapters/" + name, file[name]);
   python.FS.chdir("/book/chapters");

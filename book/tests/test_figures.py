@@ -10,34 +10,30 @@ from itertools import combinations
 from pathlib import Path
 from xml.etree import ElementTree
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from slambook.figures import (
-    colors,
-    draw_axes3d,
-    draw_ellipse,
-    draw_ellipsoid,
-    draw_frame,
-    draw_map,
-    ellipse,
-    figure,
-    figure3d,
-    live,
-    picture,
-    sweep,
-)
+from slambook.figures import colors, draw_ellipse, draw_frame, draw_robot, ellipse, figure, live, picture, sweep
 from slambook.figures.colors import standing_alone
 
+from book.live.standin import pyplot as stand_in
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
-from slamlib.evaluation.consistency import chi2_cdf, chi2_quantile
+from slamlib.evaluation.consistency import chi2_cdf
 
 ROOT = Path(__file__).parents[2]
 STATIC = ROOT / "book" / "_static"
 ALT = "A bell curve over the position in metres."
 
 
-def bell(width):
-    fig, ax = figure()
+@pytest.fixture(autouse=True)
+def _the_book_s_look():
+    with plt.style.context("slambook.book"):
+        yield
+    plt.close("all")
+
+
+def bell(width, plt=plt):
+    fig, ax = plt.subplots()
     x = np.linspace(-3, 3, 121)
     ax.plot(x, np.exp(-((x / width) ** 2)), label=r"prior, $p = 0.9991$")
     ax.fill_between(x, 0, np.exp(-((x / width) ** 2)), alpha=0.2)
@@ -66,13 +62,13 @@ def test_numpy_alone_draws_the_same_bytes_in_every_process():
         "for name in ('matplotlib', 'scipy', 'IPython', 'ipywidgets', 'sympy', 'PIL'): sys.modules[name] = None\n"
         "import hashlib, numpy as np\n"
         "from slambook.figures import *\n"
-        "fig, ax = figure(1, 2)\n"
+        "from book.live.standin import pyplot as plt\n"
+        "fig, ax = plt.subplots(1, 2)\n"
         "ax[0].plot(np.linspace(0, 1, 99) ** 3, 'o-', alpha=0.5, label='a')\n"
         "ax[0].contourf(np.outer(np.arange(9.0), np.arange(9.0)), levels=[1, 5, 70]); ax[0].legend()\n"
         "ax[1].imshow(np.arange(12.0).reshape(3, 4)); ax[1].annotate('b', (1, 1), (2, 2), arrowprops={'color': 'r'})\n"
-        "space, ax = figure3d(); draw_ellipsoid(ax, [0, 0, 0], np.eye(3)); draw_axes3d(ax, [1, 0, 0, 1, 0, 0, 0])\n"
         "s = sweep(lambda v: fig, 'v', [1, 2], alt='Some pictures side by side.')\n"
-        "print(hashlib.sha256((s._repr_html_() + space._repr_html_()).encode()).hexdigest())"
+        "print(hashlib.sha256(s._repr_html_().encode()).hexdigest())"
     )
     seen = set()
     for seed in ("0", "1", "4711"):
@@ -117,8 +113,8 @@ def test_every_colour_follows_the_theme_black_and_white_too():
 
 
 def test_misuse_is_named():
-    fig, ax = figure()
-    with pytest.raises(SlamlibError, match=r"slambook.figures.figure is wanted, not Axes: pass the figure"):
+    fig, ax = plt.subplots()
+    with pytest.raises(SlamlibError, match=r"a figure of matplotlib's is wanted, not Axes: pass the figure"):
         picture(ax, alt=ALT)
     with pytest.raises(SlamlibError, match="alt should be a sentence"):
         picture(fig, alt="a plot")
@@ -129,32 +125,32 @@ def test_misuse_is_named():
     with pytest.raises(ZeroDivisionError):  # a mistake in `draw` is found at once, not when the page shows it
         sweep(lambda v: 1 / 0, "width [m]", [1.0, 2.0], alt=ALT)
     with pytest.raises(SlamlibError, match="wanted, not tuple"):
-        sweep(lambda v: (figure(), "note"), "width [m]", [1.0, 2.0], alt=ALT)
+        sweep(lambda v: (plt.subplots(), "note"), "width [m]", [1.0, 2.0], alt=ALT)
 
 
 def test_a_figure_shows_by_itself_and_is_saved_whole_or_not_at_all(tmp_path):
-    fig, ax = bell(1.0)[0], None
+    fig = bell(1.0, stand_in)[0]
     assert html_of(fig).startswith('<div class="picture"><svg ')
     assert ElementTree.fromstring(fig._repr_svg_()).tag == "{http://www.w3.org/2000/svg}svg"
     assert repr(fig) == "A figure: x [m]"
     file = tmp_path / "bell.svg"
-    fig.save(file, alt=ALT)
+    fig.savefig(file, alt=ALT)
     saved = ElementTree.fromstring(file.read_text("utf-8"))
     assert (saved.get("width"), saved.get("height")) == ("417.6pt", "252pt")
     assert "var(" not in file.read_text("utf-8")
     assert colors.blue in file.read_text("utf-8")
     before = file.read_bytes()
-    fig, ax = figure()
+    fig, ax = stand_in.subplots()
     ax.semilogy([1, 2])
     ax.set(ylim=(-1, 2))
     with pytest.raises(SlamlibError, match="cannot span"):
-        fig.save(file)
+        fig.savefig(file)
     with pytest.raises(SlamlibError, match=r"should end in \.svg"):
-        fig.save(tmp_path / "bell.png")
+        fig.savefig(tmp_path / "bell.png")
     assert file.read_bytes() == before
     assert [f.name for f in tmp_path.iterdir()] == ["bell.svg"]
     with pytest.raises(FileNotFoundError):
-        bell(1.0)[0].save(tmp_path / "nowhere" / "bell.svg")
+        bell(1.0, stand_in)[0].savefig(tmp_path / "nowhere" / "bell.svg")
 
 
 def test_a_drawing_that_stands_alone_has_the_light_colours():
@@ -162,33 +158,17 @@ def test_a_drawing_that_stands_alone_has_the_light_colours():
     assert standing_alone(svg + "var(--figure-red, #cc0407)") == "fill:#ffffff;stroke:#cc0407"
 
 
-def test_the_drawing_helpers_draw():
-    fig, ax = figure(equal=True)
-    covariances = np.array([np.eye(2), 0.1 * np.eye(2)])
-    draw_map(ax, [[1, 2], [3, 1]], covariances, truth=[[1, 1]], path=[[0, 0], [1, 0]], pose=[1, 0, 0.3])
-    draw_map(ax, [], truth=[[1, 1]], pose=[1, 0, 0.3], pose_covariance=0.1 * np.eye(3))
-    draw_frame(ax, [0, 0, 0.5], label="W")
-    draw_ellipse(ax, [0, 0], np.eye(2), sigmas=1, color=colors.red)
-    assert "true landmarks" in [mark.label for mark in ax.marks]
-    assert picture(fig, alt="A small map, with a frame and ellipses.").svg.count("<path") > 8
-    fig, ax = figure3d()
-    draw_axes3d(ax, [1, 2, 3, np.sqrt(0.5), 0, 0, np.sqrt(0.5)], label="R")  # a quarter turn to the left about z
-    np.testing.assert_allclose(ax.marks3d[0].data, [[1, 1], [2, 3], [3, 3]], atol=1e-12)
-    with pytest.raises(ShapeError):
-        draw_axes3d(ax, [1, 2, 3])
-    assert ">R<" in picture(fig, alt="The axes of a frame in space.").svg
-
-
-def test_an_ellipsoid_is_its_three_principal_ellipses():
-    _, ax = figure3d()
-    root = np.array([[2.0, 0, 0], [0.5, 1, 0], [0.3, -0.2, 0.5]])
-    draw_ellipsoid(ax, [1, 2, 3], root @ root.T, probability=0.5, label="half")
-    assert [m.label for m in ax.marks3d] == ["half", "", ""]
-    for mark in ax.marks3d:
-        d = np.linalg.solve(root, mark.data - np.array([[1], [2], [3]]))
-        assert np.sum(d**2, axis=0) == pytest.approx(np.full(73, chi2_quantile(0.5, 3)))
-    with pytest.raises(SlamlibError, match="draw_ellipsoid: give a probability or a number of sigmas"):
-        draw_ellipsoid(ax, [0, 0, 0], np.eye(3), probability=0.5, sigmas=1)
+def test_the_drawing_helpers_draw_on_matplotlib_and_without():
+    drawn = []
+    for make in (plt.subplots, figure):
+        fig, ax = make()
+        ax.set(xlim=(-3, 3), ylim=(-3, 3), aspect="equal")
+        draw_robot(ax, [1, 0, 0.3])
+        draw_frame(ax, [0, 0, 0.5], label="W")
+        draw_ellipse(ax, [0, 0], np.eye(2), sigmas=1, color=colors.red)
+        drawn.append(picture(fig, alt="A robot, a frame and an ellipse.").svg)
+    assert drawn[0] == drawn[1]
+    assert drawn[0].count("<path") > 5
 
 
 # -- ellipses ----------------------------------------------------------------------------------------------------------
@@ -306,7 +286,7 @@ def test_a_live_slider_finds_every_place_between_the_values():
     assert made.steps == 8
     value, svg, note = made.frame(1.5)
     assert (value, note) == ("2.5", "The width is 2.50 m.")
-    assert svg == bell(2.5)[0].svg(f"{ALT} width [m]: 2.5.")
+    assert svg == picture(bell(2.5)[0], f"{ALT} width [m]: 2.5.").svg
     assert made.frame(2)[0] == made.frame(6 * (1 / 3) + 1e-12)[0] == "4"  # a slider's steps are not exact
     assert made.frames[1] == made.frame(1.0)
     for position in (-0.1, 2.1, float("nan")):
@@ -319,7 +299,7 @@ def test_whole_numbers_stay_whole_and_words_have_nothing_between_them():
 
     def draw(value):
         seen.append(value)
-        return figure()[0]
+        return plt.subplots()[0]
 
     made = sweep(draw, "step", [1, np.int64(3), 4], alt=ALT)
     assert made.steps == 2
@@ -346,32 +326,42 @@ def test_only_the_note_is_read_out_when_the_slider_moves():
     assert re.findall(r'<(\w+)[^>]* aria-live="polite">([^<]*)<', text) == [("p", "The width is 1.00 m.")]
 
 
-PROGRAM = """import numpy as np
-from slambook.figures import figure, sweep
+PROGRAM = """import matplotlib.pyplot as plt
+from slambook.figures import picture, sweep
+plt.style.use("slambook.book")
 def draw(a):
-    fig, ax = figure()
+    fig, ax = plt.subplots()
     ax.plot([0, 1], [0, a])
     return fig
-sweep(draw, "slope [m/m]", [1.0, 2.0], alt="A line that rises with the slope.")"""
+"""
+SHOWS = {
+    "sweep": 'sweep(draw, "slope [m/m]", [1.0, 2.0], alt="A line that rises with the slope.")',
+    "picture": 'picture(draw(1.0), alt="A line that rises, and no more.")',
+}
 
 
 @pytest.mark.filterwarnings("ignore")
-def test_a_notebook_with_a_reader_gets_a_widget_and_an_executed_one_the_frames():
+def test_a_notebook_with_a_reader_gets_matplotlib_and_a_widget_and_an_executed_one_the_page_s_frames():
     pytest.importorskip("ipywidgets", reason="live sliders in notebooks need ipywidgets")
     manager = pytest.importorskip("jupyter_client.manager", reason="kernels are started by jupyter_client")
     kernels, client = manager.start_new_kernel(extra_arguments=["--IPKernelApp.log_level=ERROR"])
     found = {}
     try:
+        client.execute_interactive(PROGRAM, timeout=120)
         for somebody in (False, True):
-            shown = []
-            client.execute_interactive(PROGRAM, allow_stdin=somebody, output_hook=shown.append, timeout=120)
-            results = [m["content"]["data"] for m in shown if m["msg_type"] == "execute_result"]
-            found[somebody] = set(results[0])
+            for name, code in SHOWS.items():
+                shown = []
+                client.execute_interactive(code, allow_stdin=somebody, output_hook=shown.append, timeout=120)
+                assert not {m["msg_type"] for m in shown} & {"display_data", "stream", "error"}  # shown once
+                (found[name, somebody],) = (m["content"]["data"] for m in shown if m["msg_type"] == "execute_result")
     finally:
         client.stop_channels()
         kernels.shutdown_kernel(now=True)
-    assert found[False] == {"text/plain", "text/html"}
-    assert found[True] == {"text/plain", "text/html", "application/vnd.jupyter.widget-view+json"}
+    for name in SHOWS:
+        assert set(found[name, False]) == {"text/plain", "text/html"}
+        assert 'class="matplotlib"' not in found[name, False]["text/html"]
+    assert set(found["sweep", True]) == {"text/plain", "text/html", "application/vnd.jupyter.widget-view+json"}
+    assert 'class="matplotlib"' in found["picture", True]["text/html"]
 
 
 def test_a_widget_draws_between_the_frames():

@@ -2,6 +2,7 @@
 
 import io
 import json
+import os
 import tarfile
 from pathlib import Path
 
@@ -10,7 +11,7 @@ import pytest
 
 from book.tools import monocular, real_images
 
-SHARED = Path(__file__).resolve().parents[3] / "shared" / "data" / "mono_visp_cube" / "frames"
+CUBE = Path(os.environ.get("SLAMLIB_DATA") or "no-data") / "mono_visp_cube" / "frames"
 RENEW = "run `make {}` and `python -m book.tools.notebooks run book/chapters/monocular.ipynb`"
 
 
@@ -21,7 +22,7 @@ def stored(file):
 
 
 def images():
-    found = real_images.folder() or (SHARED if SHARED.is_dir() else None)
+    found = real_images.folder() or (CUBE if CUBE.is_dir() else None)
     if found is None:
         pytest.skip("the real images are not here: `make real-images` fetches them")
     return found

@@ -61,6 +61,7 @@ def stages(every: bool = False) -> list[Stage]:
         Stage(
             "tangled", [*PYTHON, "slamlib.codegen.tangle", "--check"], r"tangled cells: (\d+)", "cells, as in slamlib"
         ),
+        Stage("sizes", [*PYTHON, "book.tools.sizes"], r"sizes: (\d+) figures", "figures, within their limits"),
         Stage("stored", [*PYTHON, "book.tools.notebooks", "check"], r"notebooks: (\d+)", "notebooks, text only"),
         Stage("core", [*PYTHON, "pytest", "-q", "-m", "core", *parallel], r"(\d+) passed", "tests of the core", False),
         Stage("pytest", [*PYTHON, "pytest", "-q", "-rs", *parallel], r"(\d+) passed", "tests"),

@@ -47,6 +47,9 @@ def build(target: Path) -> None:
         layout.write_whole(packed / "complete", b"")
     shutil.copytree(packed, target, ignore=shutil.ignore_patterns("complete", "lock.json"))
     shutil.copytree(PAGE, target, dirs_exist_ok=True)
+    stand_in = {f"standin/{f.name}": f.read_bytes() for f in (target / "standin").glob("*.py")}
+    shutil.rmtree(target / "standin")
+    layout.write_whole(target / "standin.zip", _zip(stand_in))
     shutil.copytree(layout.BOOK / "chapters" / "data", target / "data")
     made = wheel.build(target)
     files = {
@@ -55,7 +58,7 @@ def build(target: Path) -> None:
         if f.is_file() and "licences" not in f.parts
     }
     manifest = {
-        "first": [*FIRST, made.name, "runner.py"],
+        "first": [*FIRST, made.name, "standin.zip", "runner.py"],
         "wheel": made.name,
         "lock": json.loads((packed / "lock.json").read_text("utf-8")),
         "later": {"sympy": "sympy.zip", "mpmath": "sympy.zip"},

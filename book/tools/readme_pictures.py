@@ -10,6 +10,8 @@ import os
 import sys
 from typing import Any
 
+from slambook.figures.replay import replayed
+
 from book.tools import browser, layout
 
 STATIC = layout.BOOK / "_static"
@@ -49,7 +51,8 @@ def of_the_map() -> None:
                 exec(compile(source, "<chapter 0>", "exec"), names)
             if "def draw_state" in source:
                 break
-    names["draw_state"](len(names["history"]) - 1).save(STATIC / "readme.svg", "A robot's map after two laps.")
+    drawn = replayed(names["draw_state"](len(names["history"]) - 1))
+    drawn.savefig(STATIC / "readme.svg", alt="A robot's map after two laps.")
 
 
 def of_the_exercise(executable: str) -> None:

@@ -1,10 +1,16 @@
-"""Files that are written whole or not at all."""
+"""Files that are written whole or not at all, and archives of arrays with a header of plain data."""
 
+import json
 import os
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from slamlib.errors import SlamlibError
 
 
 @contextmanager
@@ -30,3 +36,37 @@ def write_whole(path: str | os.PathLike[str], content: bytes | str) -> None:
     """Write bytes, or a text in UTF-8 with its line ends as they are."""
     with whole(path) as partial:
         partial.write_bytes(content if isinstance(content, bytes) else content.encode("utf-8"))
+
+
+def write_archive(
+    path: str | os.PathLike[str], form: str, version: int, header: dict[str, Any], arrays: dict[str, Any]
+) -> None:
+    """Write a compressed .npz of arrays; `header` is the text of a JSON object, with form and version."""
+    text = json.dumps({"format": form, "version": version, **header}, default=lambda value: value.tolist())
+    with whole(path) as partial, partial.open("wb") as file:
+        np.savez_compressed(file, header=np.array(text), **arrays)
+
+
+def read_archive(
+    path: str | os.PathLike[str], form: str, version: int, old: str = "install a newer one"
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """The header and the arrays of an archive; nothing in it is run.
+
+    Raises SlamlibError for a file that is not there, damaged, of another form, or of another version; old: what to do.
+    """
+    try:
+        with Path(path).open("rb") as file, np.load(file, allow_pickle=False) as archive:
+            arrays = {name: archive[name] for name in archive.files}
+    except FileNotFoundError:
+        raise SlamlibError(f"{path}: there is no such file") from None
+    except Exception as error:  # a damaged archive fails in more ways than its modules name
+        raise SlamlibError(f"{path} cannot be read ({error}): it is damaged, or no {form} at all") from error
+    try:
+        header = dict(json.loads(str(arrays.pop("header"))))
+    except (KeyError, ValueError, TypeError):
+        header = {}
+    if header.get("format") != form:
+        raise SlamlibError(f"{path} is no {form}: it has no header that says {form!r}")
+    if header.get("version") != version:
+        raise SlamlibError(f"{path} has version {header.get('version')!r}, and this slamlib reads {version}: {old}")
+    return header, arrays

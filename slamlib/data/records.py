@@ -11,7 +11,7 @@ import numpy as np
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnknownCallError
 from slamlib.kalman.linalg import covariance, finite, numbers
-from slamlib.manifolds import Array, Indices
+from slamlib.manifolds import Array, Image, Indices
 from slamlib.model import Model
 from slamlib.observation import FAMILIES
 
@@ -78,7 +78,7 @@ class ByFamily:
     _ABSENT: ClassVar[Any] = None
 
     def __getattr__(self, family: str) -> Any:
-        if family.startswith("_") or family in self.__dataclass_fields__:  # type: ignore[attr-defined]
+        if family.startswith("_") or family in self.__dataclass_fields__:
             raise AttributeError(family)  # while it is copied
         held = getattr(self, self._FAMILIES)
         if family in held:
@@ -99,7 +99,7 @@ class Scan(ByFamily):
     _FAMILIES = "features"
     _ABSENT = Features.none(0)
     features: dict[str, Features] = field(default_factory=dict)
-    image: Array | None = None
+    image: Image | None = None
 
 
 @dataclass(frozen=True, eq=False)

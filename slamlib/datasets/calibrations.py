@@ -10,7 +10,7 @@ import json
 import os
 import tomllib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -19,10 +19,9 @@ import numpy as np
 from slamlib.data.plain import Range, checked, read
 from slamlib.data.setup import SensorSetup
 from slamlib.datasets.formats import DATASETS, READERS
-from slamlib.datasets.lens import Lens, Numbers, PairCalibration
+from slamlib.datasets.lens import Lens, Numbers, PairCalibration, shifted
 from slamlib.errors import SlamlibError
 from slamlib.geometry.quaternion import rotation
-from slamlib.manifolds import Array
 
 Path_ = str | os.PathLike[str]
 Positive = Annotated[float, Range(gt=0)]
@@ -50,8 +49,8 @@ class RectifiedPair:
         """The two lenses and their places."""
         u, v, a, b = self.intrinsics
         said = {} if self.std is None else {"std": self.std}
-        left, right = Lens((u, v, a, b), self.image), Lens((u + self.offset, v, a, b), self.image)
-        return PairCalibration(left, right, _shifted(self.baseline), said)
+        right = Lens((u + self.offset, v, a, b), self.image, place=shifted(self.baseline))
+        return PairCalibration(Lens((u, v, a, b), self.image), right, said)
 
 
 def read_calibration(path: Path_, camera: int = 0) -> dict[str, Any]:
@@ -102,10 +101,12 @@ def read_pair(paths: list[str], cameras: tuple[int, int] = (0, 1)) -> PairCalibr
     if stereo is not None:
         return _stereo(checked(SensorSetup, stereo, paths[0]))
     left, right = (read_lens(path, camera) for path, camera in zip(paths * (3 - len(paths)), cameras, strict=True))
-    try:
-        return PairCalibration(left, right, _between(left, right))
-    except SlamlibError as error:
-        raise SlamlibError(f"{' and '.join(paths)}: {error}") from None
+    pair = PairCalibration(left, right)
+    if right.place is None:
+        raise SlamlibError(f"{' and '.join(paths)}: {NO_BASELINE}")
+    if not np.linalg.norm(pair.place[:3, 3]) > 0:
+        raise SlamlibError(f"{' and '.join(paths)}: both cameras are in one place; {NO_BASELINE}")
+    return pair
 
 
 def _named() -> dict[str, Lens]:
@@ -158,8 +159,10 @@ def _lens_of(setup: dict[str, Any], path: Path_, of_rig: bool) -> Lens:
             "works on this camera's pictures as they are"
         )
     k1, k2, k3 = (*radial, 0.0, 0.0, 0.0)[:3]
-    place = tuple(_matrix(sensor.mount).ravel().tolist()) if of_rig else None
-    return Lens(parameters["intrinsics"], setup.get("image"), distortion=(k1, k2, 0.0, 0.0, k3), place=place)
+    place = np.eye(4)
+    place[:3, :3], place[:3, 3] = rotation(sensor.mount[3:]), sensor.mount[:3]
+    lens = Lens(parameters["intrinsics"], setup.get("image"), distortion=(k1, k2, 0.0, 0.0, k3))
+    return replace(lens, place=tuple(place.ravel().tolist())) if of_rig else lens
 
 
 def _stereo(setup: dict[str, Any]) -> PairCalibration:
@@ -168,29 +171,7 @@ def _stereo(setup: dict[str, Any]) -> PairCalibration:
     given = sensor.calibration.given  # checked
     lens = Lens(tuple(given["intrinsics"].tolist()), sensor.image)
     said = {"std": sensor.std, "noise": sensor.noise, "limits": sensor.limits}
-    return PairCalibration(lens, lens, _shifted(float(given["baseline"][0])), said)
-
-
-def _between(left: Lens, right: Lens) -> Array:
-    """Place of the right camera in the left one's frame (4, 4)."""
-    if right.place is None:
-        raise SlamlibError(NO_BASELINE)
-    origin = np.eye(4) if left.place is None else np.reshape(left.place, (4, 4))
-    place: Array = np.linalg.solve(origin, np.reshape(right.place, (4, 4)))
-    if not np.linalg.norm(place[:3, 3]) > 0:
-        raise SlamlibError(f"both cameras are in one place; {NO_BASELINE}")
-    return place
-
-
-def _matrix(pose: Array) -> Array:
-    """(4, 4) of a pose (7,)."""
-    found = np.eye(4)
-    found[:3, :3], found[:3, 3] = rotation(pose[3:]), pose[:3]
-    return found
-
-
-def _shifted(baseline: float) -> Array:
-    return _matrix(np.array([baseline, 0.0, 0, 1, 0, 0, 0]))
+    return PairCalibration(lens, replace(lens, place=shifted(float(given["baseline"][0]))), said)
 
 
 def _text(path: Path) -> str:

@@ -64,27 +64,22 @@ class CalibrationReader:
     read: Callable[[Path, str], Mapping[int | None, Callable[[], Lens]]]
 
 
-def table(path: Path, columns: int, separator: str | None) -> list[list[str]]:
-    """Words of the rows of a list; those that begin with # are comments. Raises SlamlibError, naming the line."""
+def table(path: Path, columns: int, separator: str | None) -> list[tuple[float, list[str]]]:
+    """The rows of a list: time, and the words after it; # begins a comment. Raises SlamlibError, naming the line."""
     rows = []
     for number, line in enumerate(path.read_text("utf-8", errors="replace").splitlines(), 1):
-        words = [word.strip() for word in line.split(separator)]
+        time, *words = [word.strip() for word in line.split(separator)] or [""]
         if not line.strip() or line.lstrip().startswith("#"):
             continue
-        if len(words) < columns:
+        if len(words) < columns - 1:
             raise SlamlibError(f"{path}, line {number}: {columns} columns are wanted, got {line!r}")
-        rows.append(words[:columns])
+        try:
+            rows.append((float(time), words))
+        except ValueError:
+            raise SlamlibError(f"{path}, line {number}: {time!r} is no time") from None
     if not rows:
         raise SlamlibError(f"{path} lists no picture")
     return rows
-
-
-def seconds(text: str, path: Path) -> float:
-    """A number in a list. Raises SlamlibError, naming the list."""
-    try:
-        return float(text)
-    except ValueError:
-        raise SlamlibError(f"{path}: {text!r} is no time") from None
 
 
 def counted(paths: list[Path], fps: float) -> Sequence:

@@ -4,18 +4,18 @@ slamlib's pin-hole has radial distortion only: the factor 1 + d1 r^2 + d2 r^4 + 
 (chapter 8), which is OpenCV's k1, k2, k3 with its p1 = p2 = 0. In both, pixel (0, 0) is the upper left pixel's centre.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.manifolds import Array
 
 Numbers = tuple[float, ...]
-PURPOSE = "to undistort images"
+RADIAL, FISHEYE = "radial-tangential", "equidistant"
+# How many coefficients: Brown's in OpenCV's order k1 k2 p1 p2 k3 k4 k5 k6; k1 to k4 of Kannala and Brandt (2006).
+MODELS = {RADIAL: 8, FISHEYE: 4}
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Lens:
 
     intrinsics: Numbers
     image: Numbers | None = None
-    model: str = "radial-tangential"
+    model: str = RADIAL
     distortion: Numbers = ()
     place: Numbers | None = field(default=None, repr=False)
 
@@ -37,13 +37,22 @@ class Lens:
             raise SlamlibError(f"intrinsics are (u0, v0, au, av), two of them focal lengths above 0: {self.intrinsics}")
         if self.model not in MODELS:
             raise UnknownNameError.of("model of a lens", self.model, MODELS)
-        most = MODELS[self.model].most
+        most = MODELS[self.model]
         if len(self.distortion) > most or not np.isfinite(self.distortion).all():
             raise SlamlibError(f"{self.model}: at most {most} finite coefficients are wanted, got {self.distortion}")
 
+    @property
+    def radial(self) -> Numbers | None:
+        """The coefficients of slamlib's pin-hole, or None if it cannot hold the lens."""
+        k1, k2, p1, p2, k3, *rest = (*self.distortion, *(0.0,) * (5 - len(self.distortion)))
+        found: Numbers = (k1, k2, k3)
+        while found and not found[-1]:
+            found = found[:-1]
+        return None if self.model != RADIAL or p1 or p2 or any(rest) else found
+
     def setup(self) -> dict[str, Any]:
         """Plain data of a SensorSetup: a pin-hole. Raises SlamlibError for a lens that is none."""
-        radial = MODELS[self.model].radial(self.distortion)
+        radial = self.radial
         if radial is None:
             raise SlamlibError(
                 f"this lens ({self.model}, coefficients {', '.join(f'{d:g}' for d in self.distortion)}) is no pin-hole "
@@ -63,52 +72,26 @@ class Lens:
 
 @dataclass(frozen=True)
 class PairCalibration:
-    """The lenses of the left and the right camera; place (4, 4): of the right one in the frame of the left one.
+    """The lenses of the left and the right camera, with places in one frame; a left one without a place is its origin.
 
     said: more fields of the SensorSetup, as its std.
     """
 
     left: Lens
     right: Lens
-    place: Array
     said: dict[str, Any] = field(default_factory=dict)
 
-
-@dataclass(frozen=True)
-class Model:
-    """A model of distortion with `most` coefficients.
-
-    radial(coefficients): those of slamlib's pin-hole, or None if it cannot hold the lens. maps(camera matrix,
-    coefficients, turn of the rays, new camera matrix, size): where the pixels of an undistorted picture come from.
-    """
-
-    most: int
-    radial: Callable[[Numbers], Numbers | None]
-    maps: Callable[[Array, Array, Array, Array, tuple[int, int]], Any]
+    @property
+    def place(self) -> Array:
+        """Pose of the right camera in the left one's frame (4, 4)."""
+        origin = np.eye(4) if self.left.place is None else np.reshape(self.left.place, (4, 4))
+        found: Array = np.linalg.solve(origin, np.reshape(np.array(self.right.place), (4, 4)))
+        return found
 
 
-def _radial(distortion: Numbers) -> Numbers | None:
-    k1, k2, p1, p2, k3, *rest = (*distortion, *(0.0,) * (5 - len(distortion)))
-    found: Numbers = (k1, k2, k3)
-    while found and not found[-1]:
-        found = found[:-1]
-    return None if p1 or p2 or any(rest) else found
-
-
-def _brown(K: Array, distortion: Array, turn: Array, new: Array, size: tuple[int, int]) -> Any:
-    cv2 = opencv(PURPOSE)
-    return cv2.initUndistortRectifyMap(K, distortion, turn, new, size, cv2.CV_32FC1)
-
-
-def _fish(K: Array, distortion: Array, turn: Array, new: Array, size: tuple[int, int]) -> Any:
-    cv2 = opencv(PURPOSE)
-    return cv2.fisheye.initUndistortRectifyMap(K, distortion, turn, new, size, cv2.CV_32FC1)
-
-
-MODELS = {
-    "radial-tangential": Model(8, _radial, _brown),  # Brown's, in OpenCV's order k1 k2 p1 p2 k3 k4 k5 k6
-    "equidistant": Model(4, lambda distortion: None, _fish),  # Kannala and Brandt (2006), k1 to k4
-}
+def shifted(baseline: float) -> Numbers:
+    """The place of a right camera that is `baseline` [m] to the right of the left one."""
+    return (1.0, 0.0, 0.0, baseline, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
 
 def fitted(setup: dict[str, Any], size: tuple[int, int], what: str) -> dict[str, Any]:
@@ -125,11 +108,7 @@ def fitted(setup: dict[str, Any], size: tuple[int, int], what: str) -> dict[str,
     centre = np.array(setup.get("parameters", {}).get("intrinsics", (np.nan, np.nan))[:2]) / size
     spare = 0.0 if image is not None else 0.3
     if (np.abs(centre - 0.5) > 0.5 - spare).any():
-        say = (
-            ""
-            if image is not None
-            else "; if they are a part of larger pictures, say their width and height in the file"
-        )
+        say = "" if image else "; if they are a part of larger pictures, say their width and height in the file"
         raise SlamlibError(
             f"the calibration's principal point ({centre[0] * size[0]:.1f}, {centre[1] * size[1]:.1f}) does not fit "
             f"pictures of {size[0]}x{size[1]} pixels ({what}): is it of pictures of another size?{say}"

@@ -1,12 +1,9 @@
 """Sequences and their cameras together: checked against each other, undistorted or rectified, opened again."""
 
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from slamlib.data.plain import written
+from slamlib.data.plain import read, written
 from slamlib.datasets.calibrations import read_calibration, read_lens, read_pair
 from slamlib.datasets.formats import DATASETS
 from slamlib.datasets.lens import Lens, PairCalibration, fitted
@@ -35,7 +32,7 @@ def opened(
         return pictures, fitted(read_calibration(calibration, camera), size, pictures.where)
     lens = read_lens(calibration, camera)
     _check_size(lens, size, pictures)
-    return undistorted(pictures, lens, size)
+    return remapped(pictures, lens, size)
 
 
 def opened_pairs(
@@ -66,7 +63,7 @@ def opened_pairs(
         _check_size(lens, size, pairs)
     why = why_not_rectified(known)
     if rectify or (why and DATASETS[pairs.layout].raw):
-        return (*rectified(pairs, known, size), 0.0)
+        return (*remapped(pairs, known, size), 0.0)
     if why:
         raise SlamlibError(
             f"the calibration is not that of a rectified pair: {why}. If the pictures are as the lenses made them, "
@@ -81,19 +78,10 @@ def size_of(source: Source) -> tuple[int, int]:
     return width, height
 
 
-def undistorted(pictures: Source, lens: Lens, size: tuple[int, int]) -> tuple[Source, dict[str, Any]]:
-    """The pictures without their distortion, and plain data of the pin-hole that would have made them."""
-    change = Undistortion(lens, size)
-    recipe = {**pictures.recipe, "undistort": {"lens": asdict(lens), "size": list(size)}}
-    return pictures.through(change, recipe), change.setup
-
-
-def rectified(pairs: Source, known: PairCalibration, size: tuple[int, int]) -> tuple[Source, dict[str, Any]]:
-    """The pairs, rectified, and plain data of the SensorSetup that would have made them."""
-    change = Rectification(known, size)
-    lenses = [asdict(lens) for lens in (known.left, known.right)]
-    recipe = {**pairs.recipe, "rectify": {"lenses": lenses, "place": known.place.tolist(), "size": list(size)}}
-    return pairs.through(change, recipe), change.setup
+def remapped(source: Source, known: Lens | PairCalibration, size: tuple[int, int]) -> tuple[Source, dict[str, Any]]:
+    """Pictures without their distortion, or rectified pairs, and plain data of the SensorSetup that they fit."""
+    change = Undistortion(known, size) if isinstance(known, Lens) else Rectification(known, size)
+    return source.through(change, {**source.recipe, "remap": written(known), "size": list(size)}), change.setup
 
 
 def reopen(recipe: dict[str, Any], count: int | None = None) -> Source:
@@ -101,18 +89,15 @@ def reopen(recipe: dict[str, Any], count: int | None = None) -> Source:
 
     Raises SlamlibError if it is not there any more, or has become shorter.
     """
-    plain = written(recipe)
-    if "left" in plain:
-        source = open_pairs(reopen(plain["left"]), reopen(plain["right"]))
+    if "left" in recipe:
+        source = open_pairs(reopen(recipe["left"]), reopen(recipe["right"]))
     else:
-        source = open_source(plain["text"], fps=plain["fps"], camera=plain["camera"])
-    if "undistort" in plain:
-        source, _ = undistorted(source, Lens(**plain["undistort"]["lens"]), plain["undistort"]["size"])
-    if "rectify" in plain:
-        left, right = (Lens(**lens) for lens in plain["rectify"]["lenses"])
-        known = PairCalibration(left, right, np.array(plain["rectify"]["place"]))
-        source, _ = rectified(source, known, plain["rectify"]["size"])
-    return source.again(plain, count)
+        source = open_source(recipe["text"], fps=recipe["fps"], camera=recipe["camera"])
+    if "remap" in recipe:
+        pair, data = "left" in recipe, recipe["remap"]
+        known = read(PairCalibration, data) if pair else read(Lens, data)
+        source, _ = remapped(source, known, tuple(recipe["size"]))
+    return source.again(recipe, count)
 
 
 def _check_size(lens: Lens, size: tuple[int, int], source: Source) -> None:

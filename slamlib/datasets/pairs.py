@@ -20,7 +20,7 @@ from slamlib.datasets.pictures import Picture
 from slamlib.datasets.sources import Source, cameras_at
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import matched_times
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.sensors.sensor import Calibration
 
 CAMERAS = ((0, 1), (2, 3))  # left and right; KITTI's 2 and 3 are the coloured ones
@@ -93,7 +93,7 @@ def open_pairs(left: Source, right: Source) -> Source:
     return Source(left.layout, _where(left, right), range(len(i)), sequence, recipe)
 
 
-def _by_time(left: Source, right: Source) -> tuple[Array, Array]:
+def _by_time(left: Source, right: Source) -> tuple[Indices, Indices]:
     """Rows of pictures of one time; what has no partner is left out."""
     one, other, tolerance = np.array(left.whole.times), np.array(right.whole.times), TOGETHER * left.interval
     i, j = matched_times(one, other, tolerance)
@@ -105,7 +105,7 @@ def _by_time(left: Source, right: Source) -> tuple[Array, Array]:
     return i, j
 
 
-def _by_order(left: Source, right: Source) -> tuple[Array, Array]:
+def _by_order(left: Source, right: Source) -> tuple[Indices, Indices]:
     """All rows, if there are as many left as right, and the numbers that count in their names agree."""
     one, other = left.whole.names, right.whole.names
     if len(one) != len(other):

@@ -11,11 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.datasets.lens import MODELS, PURPOSE, Lens, PairCalibration
+from slamlib.datasets.lens import FISHEYE, MODELS, Lens, PairCalibration, shifted
 from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
 
+PURPOSE = "to undistort images"
 ZOOMS = 0.1, 10.0  # of focal lengths
 SLANT, ASIDE, UNLIKE = 0.002, 0.01, 0.002  # rad; share of the baseline; share of the focal length
 
@@ -108,9 +109,8 @@ class Rectification(_Remapping):
         centre = np.mean([_centre(lens, turn) for lens, turn in zip(lenses, turns, strict=True)], axis=0)
         focal = float(np.mean([lens.intrinsics[2:] for lens in lenses]))
         super().__init__(lenses, turns, lambda zoom: _ideal(focal, zoom, centre, size), size)
-        place = np.eye(4)
-        place[0, 3] = baseline
-        self.setup, _ = rectified_setup(replace(pair, left=self.lens, place=place), size)
+        right = replace(self.lens, place=shifted(baseline))
+        self.setup, _ = rectified_setup(PairCalibration(self.lens, right, pair.said), size)
 
 
 def _turns(place: Array) -> tuple[list[Array], float]:
@@ -141,9 +141,10 @@ def _maps(lens: Lens, new: Array, size: tuple[int, int], turn: Array) -> Any:
 
     new: its camera matrix (3, 3). turn (3, 3): takes rays of the old camera to those of the new one.
     """
-    model = MODELS[lens.model]
-    distortion = np.pad(np.array(lens.distortion, dtype=float), (0, model.most - len(lens.distortion)))
-    return model.maps(lens.matrix, distortion, turn, new, size)
+    cv2 = opencv(PURPOSE)
+    distortion = np.pad(np.array(lens.distortion, dtype=float), (0, MODELS[lens.model] - len(lens.distortion)))
+    maps = (cv2.fisheye if lens.model == FISHEYE else cv2).initUndistortRectifyMap
+    return maps(lens.matrix, distortion, turn, new, size, cv2.CV_32FC1)
 
 
 def _least_zoom(fits: Callable[[float], bool]) -> float | None:

@@ -9,7 +9,7 @@ from slamlib.evaluation.trajectory import Trajectory, angles
 from slamlib.geometry.pose import compose, inverse, relative
 from slamlib.geometry.quaternion import best_pivot, from_rotation, product, rotation
 from slamlib.kalman.linalg import finite
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 STRAIGHT = 0.05  # a path that is narrower than this share of its length says too little about the turn around it
 
@@ -196,7 +196,7 @@ def relative_errors(
 
 
 def _parts(
-    estimate: Trajectory, reference: Trajectory, along: Array, starts: Array, length: float
+    estimate: Trajectory, reference: Trajectory, along: Array, starts: Indices, length: float
 ) -> tuple[int, float, float]:
     ends = np.searchsorted(along, along[starts] + length, side="right")
     i, j = starts[ends < len(along)], ends[ends < len(along)]

@@ -16,7 +16,7 @@ from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.pose import compose, relative
 from slamlib.geometry.quaternion import best_pivot, from_rotation
 from slamlib.kalman.linalg import finite, frozen, numbers
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +127,7 @@ _FORMS = (
 )
 
 
-def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tuple[Array, Array]:
+def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tuple[Indices, Indices]:
     """Rows of each that belong together: nearest in time, at most `tolerance` [s] apart, none used twice.
 
     Raises SlamlibError if there is no pair.
@@ -141,7 +141,7 @@ def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tu
     return i, j
 
 
-def matched_times(one: Array, other: Array, tolerance: float) -> tuple[Array, Array]:
+def matched_times(one: Array, other: Array, tolerance: float) -> tuple[Indices, Indices]:
     """Rows (k,) of each of two lists of growing times [s] that belong together; see `associate`."""
     after = np.searchsorted(other, one).clip(1, max(len(other) - 1, 1))
     near = np.stack([after - 1, after.clip(max=len(other) - 1)])

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 
 quiet = np.errstate(over="ignore", invalid="ignore")  # results are checked: an overflow is an error, not a warning
 
@@ -218,7 +218,7 @@ def _dot(a: list[float], b: list[float]) -> float:
     return sum(map(operator.mul, a, b))
 
 
-def principal_blocks(matrix: Array, rows: Array) -> Array:
+def principal_blocks(matrix: Array, rows: Indices) -> Array:
     """Blocks (n, k, k) of a matrix (s, s): of each row of `rows` (n, k) those rows and columns."""
     return matrix.ravel().take(rows[:, :, None] * len(matrix) + rows[:, None, :])
 

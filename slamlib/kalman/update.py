@@ -176,7 +176,7 @@ class Series:
         self._P, self._layout, self._retraction = covariance, layout, retraction
         self._store, self._count = np.empty((_ROWS, len(covariance))), 0  # W is its first rows
 
-    def correct(self, columns: Array, H: Array, innovation: Array, R: Array, gate: float = np.inf) -> Correction:
+    def correct(self, columns: Indices, H: Array, innovation: Array, R: Array, gate: float = np.inf) -> Correction:
         """As Belief.correct_rows, at the present means; changes nothing unless its nis is below the gate.
 
         columns (k,), H (d, k), innovation (d,), R (d, d). Raises CovarianceError, NonFiniteError.

@@ -15,7 +15,7 @@ import numpy as np
 from slamlib.geometry.pose import compose
 from slamlib.kalman import state
 from slamlib.kalman.linalg import sealed
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices, Mask
 from slamlib.sensors.sensor import Calibration
 
 if TYPE_CHECKING:  # the filter is above this folder; only the checker of types looks up
@@ -36,13 +36,14 @@ class Expected(NamedTuple):
     value: Array
     inner: Array
     by: Array
-    columns: Array
+    columns: Indices
     options: "Options | None" = None
 
     def take(self, rows: list[int]) -> "Expected":
         """Some of the landmarks, in this order."""
-        arrays = (array.take(rows, axis=0) for array in (self.value, self.inner, self.by, self.columns))
-        return Expected([self.landmarks[i] for i in rows], *arrays, self.options)
+        value, inner, by = (array.take(rows, axis=0) for array in (self.value, self.inner, self.by))
+        landmarks = [self.landmarks[i] for i in rows]
+        return Expected(landmarks, value, inner, by, self.columns.take(rows, axis=0), self.options)
 
     @classmethod
     def nothing(cls, size: int) -> "Expected":
@@ -106,13 +107,13 @@ def means_of(landmarks: list["Landmark"]) -> Array:
     return state.means_of([landmark.block for landmark in landmarks])
 
 
-def rows_of(landmarks: list["Landmark"]) -> Array:
+def rows_of(landmarks: list["Landmark"]) -> Indices:
     """Rows (n, dof) of the joint covariance of landmarks of one kind."""
-    starts: Array = np.array([landmark.block.start for landmark in landmarks])
+    starts: Indices = np.array([landmark.block.start for landmark in landmarks])
     return starts[:, None] + np.arange(landmarks[0].block.dof)
 
 
-def columns_of(sensor: "MountedSensor", landmarks: list["Landmark"]) -> Array:
+def columns_of(sensor: "MountedSensor", landmarks: list["Landmark"]) -> Indices:
     """Rows (n, k) of the joint covariance that a measurement of each landmark, all of one kind, depends on."""
     shared, own = sensor.columns, rows_of(landmarks)
     columns = np.empty((len(own), len(shared) + own.shape[1]), dtype=int)
@@ -164,11 +165,11 @@ class Family:
         """Whether a sensor measures landmarks of this family; it has `calibration`."""
         raise NotImplementedError
 
-    def usable(self, sensor: "MountedSensor", values: Array, options: "Options") -> Array:
+    def usable(self, sensor: "MountedSensor", values: Array, options: "Options") -> Mask:
         """Mask of the measurements (n, m) that a landmark may begin with."""
         return np.ones(len(values), dtype=bool)
 
-    def observe(self, kind: Any, calibration: Calibration, camera: Array, means: Array) -> tuple[Array, Array, Any]:
+    def observe(self, kind: Any, calibration: Calibration, camera: Array, means: Array) -> tuple[Array, Mask, Any]:
         """Measurements (n, m) of landmarks from a sensor's pose (7,), the mask of those in view, and the Jacobians
         (n, m, 6) by the pose and (n, m, dof) by the landmark, as `jacobians.camera` and `jacobians.landmark`."""
         raise NotImplementedError
@@ -234,14 +235,14 @@ class Family:
         """The landmarks, of one kind, that cannot be where they are estimated: none."""
         return set()
 
-    def geometry(self, belief: "Belief", landmarks: list["Landmark"]) -> tuple[Array, Array, Array]:
+    def geometry(self, belief: "Belief", landmarks: list["Landmark"]) -> tuple[Array, Array, Mask]:
         """For pictures: where they are in the world (n, ...), covariances (n, ...), and the mask of those converged."""
         raise NotImplementedError
 
     def check(self, name: str, calibration: Calibration) -> None:
         """Raise SlamlibError if a sensor of this name cannot be simulated where there is something of the family."""
 
-    def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Array, Array]:
+    def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:
         """What a simulated sensor at a pose (7,) measures of what is there: rows (k,) of the landmarks, values (k, m).
 
         places (n, world_size); noise (n, m), or (n, parts, m): of each, seen or not.

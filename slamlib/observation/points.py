@@ -17,7 +17,7 @@ from slamlib.landmarks import POINTS
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import WORLD, beyond_infinity, should_convert, to_euclidean
 from slamlib.landmarks.point import PointLandmark
-from slamlib.manifolds import Array, Mask
+from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation.family import Family, columns_of, means_of, product, rows_of, viewpoint
 from slamlib.sensors.sensor import Calibration
 
@@ -151,14 +151,14 @@ class PointFamily(Family):
         """Every sensor measures points."""
         return True
 
-    def usable(self, sensor: "MountedSensor", values: Array, options: "Options") -> Array:
+    def usable(self, sensor: "MountedSensor", values: Array, options: "Options") -> Mask:
         """Mask of the measurements (n, m) that a landmark may begin with: not too near the image's border."""
         image = sensor.calibration.image
         return sensor.calibration.inside(values, 0.0 if image is None else options.margin * image[0])
 
     def observe(
         self, kind: PointLandmark, calibration: Calibration, camera: Array, means: Array
-    ) -> tuple[Array, Array, Any]:
+    ) -> tuple[Array, Mask, Any]:
         """As `observe_from`."""
         found = observe_from(kind, calibration, camera, means)
         return found.value, found.visible, found.jacobians
@@ -216,7 +216,7 @@ class PointFamily(Family):
         beyond = beyond_infinity(kind, means, principal_blocks(belief.matrix, rows_of(landmarks)))
         return {landmarks[i] for i in np.flatnonzero(beyond)}
 
-    def geometry(self, belief: "Belief", landmarks: list["Landmark"]) -> tuple[Array, Array, Array]:
+    def geometry(self, belief: "Belief", landmarks: list["Landmark"]) -> tuple[Array, Array, Mask]:
         """Points (n, 3) in the world and their covariances (n, 3, 3); nan for those at infinity."""
         geometry, covariance = np.full((len(landmarks), 3), np.nan), np.full((len(landmarks), 3, 3), np.nan)
         for i, landmark in enumerate(landmarks):
@@ -227,7 +227,7 @@ class PointFamily(Family):
         converged = np.array([landmark.kind is EUC_POINT for landmark in landmarks], dtype=bool)
         return geometry, covariance, converged
 
-    def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Array, Array]:
+    def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:
         """Points in view that nothing hides, with their noise, as long as they are still in the image with it."""
         calibration = sensor.calibration
         inside = EUC_POINT.to_frame(camera, places)

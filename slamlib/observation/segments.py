@@ -9,7 +9,7 @@ from slamlib.kalman.linalg import principal_blocks
 from slamlib.landmarks import LINES, endpoints, hmg_point, segments
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.line import LineLandmark
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation.family import (
     Expected,
     Family,
@@ -50,7 +50,7 @@ class LineFamily(Family):
         """Lines are for cameras that map them to straight lines, and have an image."""
         return sensor.calibration.sensor.project_line is not None and sensor.calibration.image is not None
 
-    def usable(self, sensor: "MountedSensor", values: Array, options: "Options") -> Array:
+    def usable(self, sensor: "MountedSensor", values: Array, options: "Options") -> Mask:
         """Mask of the segments (n, 4) that a landmark may begin with: long enough."""
         return segments.length(values) >= options.minimum_length
 
@@ -125,7 +125,7 @@ class LineFamily(Family):
         for landmark, new in zip(landmarks, rule.update(old, found, spreads), strict=True):
             landmark.abscissas = new
 
-    def geometry(self, belief: "Belief", landmarks: list["Landmark"]) -> tuple[Array, Array, Array]:
+    def geometry(self, belief: "Belief", landmarks: list["Landmark"]) -> tuple[Array, Array, Mask]:
         """Both ends (n, 2, 3) in the world and their covariances (n, 2, 3, 3); nan for those at or beyond infinity."""
         geometry, covariance = np.full((len(landmarks), 2, 3), np.nan), np.full((len(landmarks), 2, 3, 3), np.nan)
         for i, landmark in enumerate(landmarks):
@@ -142,7 +142,7 @@ class LineFamily(Family):
         if calibration.sensor.project_line is not None and calibration.image is None:
             raise SlamlibError(f"{name}: segments are cut at the border of the image; give the setup an image")
 
-    def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Array, Array]:
+    def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:
         """Cut at the image's border in the ideal image; then the lens, then noise at the ends that are left.
 
         The toolbox adds the noise before it cuts, at ends that may lie far outside: what is left of it at the border is
@@ -193,7 +193,7 @@ def _spread(
     return np.where(seen, spread, np.inf).max(-1)
 
 
-def settled(geometry: Array, covariance: Array) -> Array:
+def settled(geometry: Array, covariance: Array) -> Mask:
     """Mask (n,) of the segments (n, 2, 3) whose ends, of covariance (n, 2, 3, 3), are known well beside their length.
 
     A new line is known in the plane of its first image alone: its ends may lie anywhere along their rays.

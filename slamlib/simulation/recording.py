@@ -20,21 +20,24 @@ landmarks:
 A control moves the robot before its frame's features are seen. Nothing is rounded: what is read is what was written.
 """
 
-import json
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from slamlib.data.files import whole
-from slamlib.data.records import Frame, Truth, World
+from slamlib.data.files import read_archive, write_archive
+from slamlib.data.records import Control, Features, Frame, Scan, Truth, World
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
-from slamlib.simulation.packing import packed, unpacked
+from slamlib.observation import FAMILIES
 
 FORMAT, VERSION = "slamlib recording", 1
+Pairs = list[tuple[Frame, Truth | None]]
+Arrays = dict[str, NDArray[Any]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,51 +63,109 @@ def save(path: str | Path, frames: Iterable[tuple[Frame, Truth | None]], *, rig:
     """
     pairs = list(frames)
     known = any(truth is not None for _, truth in pairs)
-    header = {"format": FORMAT, "version": VERSION, "rig": rig.to_dict(), "truth": known}
-    arrays: dict[str, Any] = {"header": np.array(json.dumps(header, default=_plain)), **packed(pairs, rig, world)}
-    with whole(path) as partial, partial.open("wb") as file:
-        np.savez_compressed(file, **arrays)
+    arrays = _packed(pairs, rig, world)
+    write_archive(path, FORMAT, VERSION, {"rig": rig.to_dict(), "truth": known}, arrays)
 
 
 def load(path: str | Path) -> Recording:
-    """Read a run. Raises SlamlibError for a damaged file or no recording, FileNotFoundError if there is none."""
-    path = Path(path)
-    arrays = _arrays(path)
-    header = _header(path, arrays)
+    """Read a run. Raises SlamlibError for a file that is not there, damaged, or no recording."""
+    header, arrays = read_archive(path, FORMAT, VERSION)
     try:
         rig = Rig.from_dict(header["rig"])
-        world, frames, truths = unpacked(arrays, rig, header["truth"])
+        world, frames, truths = _unpacked(arrays, rig, header["truth"])
     except (KeyError, ValueError, TypeError, IndexError, SlamlibError) as error:
-        raise SlamlibError(f"{path.name} is a recording, but not a whole one: {error!r}; take another copy") from error
+        raise SlamlibError(f"{path} is a recording, but not a whole one: {error!r}; take another copy") from error
     return Recording(rig, world, tuple(frames), tuple(truths))
 
 
-def _arrays(path: Path) -> dict[str, Any]:
-    """All arrays of the file; nothing in it is run."""
-    try:
-        with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
-            return {name: archive[name] for name in archive.files}
-    except FileNotFoundError:
-        raise
-    except Exception as error:  # a damaged archive fails in more ways than its modules name
-        raise SlamlibError(f"{path.name} cannot be read ({error}): it is damaged, or no recording at all") from error
+def _packed(pairs: Pairs, rig: Rig, world: World) -> Arrays:
+    """The arrays of a run. Raises SlamlibError where frames and rig do not match."""
+    _fits(pairs, rig)
+    frames = [frame for frame, _ in pairs]
+    truths = [truth for _, truth in pairs if truth is not None]
+    arrays = {
+        "number": np.array([f.number for f in frames], np.int64),
+        "dt": np.array([f.dt for f in frames], float),
+        "world.faces": world.faces,
+        **{f"world.{x}.ids": features.ids for x, features in world.features.items()},
+        **{f"world.{x}.values": features.values for x, features in world.features.items()},
+    }
+    for i, setup in enumerate(rig.robots):
+        arrays |= _controls(f"robot{i}", [f.controls[i] for f in frames], setup.model.control)
+        if truths:
+            arrays[f"truth.robot{i}"] = np.array([t.robots[i] for t in truths])
+    for j, sensor in enumerate(rig.sensors):
+        for x, family in FAMILIES.items():
+            none = Features.none(family.size(sensor.calibration))
+            arrays |= _features(f"sensor{j}.{x}", [f.scans[j].features.get(x, none) for f in frames], none)
+        if truths:
+            arrays[f"truth.mount{j}"] = np.array([t.mounts[j] for t in truths])
+    return arrays
 
 
-def _header(path: Path, arrays: dict[str, Any]) -> dict[str, Any]:
-    try:
-        header = json.loads(str(arrays["header"]))
-        form, version = header["format"], header["version"]
-    except (KeyError, ValueError, TypeError):
-        form, version, header = None, None, {}
-    if form != FORMAT:
-        raise SlamlibError(f"{path.name} is no recording: it has no header that says {FORMAT!r}; save(...) writes one")
-    if version != VERSION:
-        raise SlamlibError(
-            f"{path.name} has version {version!r}, and this slamlib reads {VERSION}: install a newer one"
+def _fits(pairs: Pairs, rig: Rig) -> None:
+    for frame, _ in pairs:
+        if (len(frame.controls), len(frame.scans)) != (len(rig.robots), len(rig.sensors)):
+            raise SlamlibError(
+                f"frame {frame.number} has {len(frame.controls)} controls and {len(frame.scans)} scans, but the rig "
+                f"has {len(rig.robots)} robots and {len(rig.sensors)} sensors: save it with its own rig"
+            )
+        if any(scan.image is not None for scan in frame.scans):
+            raise SlamlibError(f"frame {frame.number} holds an image, and recordings hold none: keep images in files")
+        if frame.absolute:
+            raise SlamlibError(f"frame {frame.number} holds measurements of a robot's own pose; recordings hold none")
+    if len({truth is None for _, truth in pairs}) > 1:
+        raise SlamlibError("the truth is known of some frames only: give it for all of them, or None for all")
+
+
+def _controls(name: str, controls: list[Control | None], size: int) -> Arrays:
+    value, noise = np.full((len(controls), size), np.nan), np.zeros((len(controls), size, size))
+    for row, control in enumerate(controls):
+        if control is not None:
+            value[row], noise[row] = control.value, control.covariance
+    return {f"{name}.control": value, f"{name}.noise": noise}
+
+
+def _features(name: str, features: list[Features], none: Features) -> Arrays:
+    parts = [none, *features]
+    return {
+        f"{name}.first": np.cumsum([0, *(len(f) for f in features)], dtype=np.int64),
+        f"{name}.ids": np.concatenate([f.ids for f in parts]),
+        f"{name}.values": np.concatenate([f.values for f in parts]),
+    }
+
+
+def _unpacked(arrays: Arrays, rig: Rig, truth: bool) -> tuple[World, list[Frame], list[Truth | None]]:
+    """World, frames and truths of a run's arrays. Raises KeyError, ValueError or SlamlibError if they are no run's."""
+    names = [x for x in FAMILIES if f"world.{x}.ids" in arrays]  # all families that there were when it was written
+    seen = {x: Features(arrays[f"world.{x}.ids"], arrays[f"world.{x}.values"]) for x in names}
+    controls = [_each_control(arrays, f"robot{i}") for i in range(len(rig.robots))]
+    scans = [{x: _each_features(arrays, f"sensor{j}.{x}") for x in names} for j in range(len(rig.sensors))]
+    frames = [
+        Frame(
+            int(number),
+            float(dt),
+            tuple(robot[row] for robot in controls),
+            tuple(Scan({x: features[row] for x, features in scan.items()}) for scan in scans),
         )
-    return dict(header)
+        for row, (number, dt) in enumerate(zip(arrays["number"], arrays["dt"], strict=True))
+    ]
+    return World(seen, arrays["world.faces"]), frames, _truths(arrays, rig, len(frames), truth)
 
 
-def _plain(value: Any) -> Any:
-    """Arrays and their numbers, where a setup was given them, as plain data."""
-    return value.tolist()
+def _each_control(arrays: Arrays, name: str) -> list[Control | None]:
+    rows = zip(arrays[f"{name}.control"], arrays[f"{name}.noise"], strict=True)
+    return [None if np.isnan(value).all() else Control(value, noise) for value, noise in rows]
+
+
+def _each_features(arrays: Arrays, name: str) -> list[Features]:
+    first, ids, values = (arrays[f"{name}.{part}"] for part in ("first", "ids", "values"))
+    return [Features(ids[a:b], values[a:b]) for a, b in pairwise(first)]
+
+
+def _truths(arrays: Arrays, rig: Rig, count: int, known: bool) -> list[Truth | None]:
+    if not known:
+        return [None] * count
+    names = [f"truth.robot{i}" for i in range(len(rig.robots))], [f"truth.mount{j}" for j in range(len(rig.sensors))]
+    states, mounts = (zip(*(arrays[name] for name in kind), strict=True) for kind in names)
+    return [Truth(tuple(s), tuple(m)) for s, m in zip(states, mounts, strict=True)]

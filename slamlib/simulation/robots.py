@@ -3,14 +3,12 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
-import numpy as np
-
 from slamlib.data.records import Control
 from slamlib.data.setup import RobotSetup
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.kalman.linalg import finite, frozen, numbers
-from slamlib.manifolds import Array, Space
-from slamlib.simulation.streams import Streams
+from slamlib.manifolds import Array
+from slamlib.simulation.draws import Streams, drawn, root
 
 # By name: the shares of the drawn noise in the truth, and in the control that the estimator is told.
 NOISE_IN = {"truth": (1.0, 0.0), "control": (0.0, 1.0)}
@@ -60,14 +58,3 @@ def _plan(given: Any, robot: RobotSetup, frames: int) -> Plan:
         raise ShapeError(f"{robot.name}: controls should have shape ({frames}, {size}) or more rows, got {table.shape}")
     table = frozen(finite(table, table.shape, robot.name, "controls"))
     return lambda number: table[number - 1]
-
-
-def drawn(space: Space, mean: Array, covariance: Array, rng: np.random.Generator) -> Array:
-    """A point (size,) of a Gaussian in the space's tangent: mean (size,), covariance (dof, dof)."""
-    return space.plus(mean, root(covariance) @ rng.standard_normal(space.dof))
-
-
-def root(covariance: Array) -> Array:
-    """The symmetric square root of a covariance, which may be singular."""
-    values, vectors = np.linalg.eigh(covariance)
-    return (vectors * np.sqrt(np.maximum(values, 0))) @ vectors.T

@@ -6,12 +6,11 @@ from slamlib.data.records import Features, Scan, World
 from slamlib.data.setup import SensorSetup
 from slamlib.geometry.pose import Pose, compose
 from slamlib.kalman.linalg import frozen
-from slamlib.manifolds import Array, Indices
+from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation import FAMILIES, Family
+from slamlib.simulation.draws import Streams, drawn, root
 from slamlib.simulation.faults import Clutter, Faults, swapped
 from slamlib.simulation.occlusion import hidden, longest_seen
-from slamlib.simulation.robots import drawn, root
-from slamlib.simulation.streams import Streams
 
 
 class SimulatedSensor:
@@ -46,11 +45,11 @@ class SimulatedSensor:
         rows, values = family.simulate(self, camera, things.values, noise)
         return self._faulty(things.ids[rows], values, family.parts)
 
-    def hidden(self, points: Array, camera: Array) -> Array:
+    def hidden(self, points: Array, camera: Array) -> Mask:
         """Mask (n,) of the points (n, 3) that the world's faces hide from a pose (7,)."""
         return hidden(points, self.world.faces, camera[:3])
 
-    def longest_seen(self, segments: Array, camera: Array) -> tuple[Array, Array]:
+    def longest_seen(self, segments: Array, camera: Array) -> tuple[Array, Mask]:
         """The longest stretch (k, 2, 3) of each segment that no face hides, and the mask (k,) of those seen at all."""
         return longest_seen(segments, self.world.faces, camera[:3])
 

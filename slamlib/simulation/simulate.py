@@ -8,10 +8,10 @@ import numpy as np
 from slamlib.data.records import Frame, Truth, World
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.simulation.draws import streams
 from slamlib.simulation.faults import Faults
 from slamlib.simulation.robots import NOISE_IN, SimulatedRobot, plans
 from slamlib.simulation.sensors import SimulatedSensor
-from slamlib.simulation.streams import streams
 
 
 def simulate(

@@ -4,15 +4,13 @@ The file is a ZIP of NumPy arrays (np.load reads it): `header`, the text of a JS
 `means`, all blocks' means one after another; `abscissas`, the two ends of each line (nan for points).
 """
 
-import json
 import os
 from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import whole
+from slamlib.data.files import read_archive, write_archive
 from slamlib.data.setup import Rig
-from slamlib.errors import SlamlibError
 from slamlib.observation import parametrization
 from slamlib.slam.entities import Landmark
 from slamlib.slam.options import Options
@@ -26,8 +24,6 @@ def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
     landmarks = slam.landmarks
     order = {id(block): i for i, block in enumerate(slam.belief.blocks)}
     header = {
-        "format": FORMAT,
-        "version": VERSION,
         "rig": slam.rig.to_dict(),
         "options": slam.options.to_dict(),
         "number": slam.number,
@@ -50,30 +46,16 @@ def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
     }
     none = np.full(2, np.nan)
     arrays = {
-        "header": np.array(json.dumps(header)),
         "P": slam.belief.matrix,
         "means": np.concatenate([block.mean for block in slam.belief.blocks]),
         "abscissas": np.array([none if lm.abscissas is None else lm.abscissas for lm in landmarks]).reshape(-1, 2),
     }
-    with whole(path) as partial, partial.open("wb") as file:
-        np.savez_compressed(file, **arrays)
+    write_archive(path, FORMAT, VERSION, header, arrays)
 
 
 def read(path: str | os.PathLike[str]) -> tuple[dict[str, Any], dict[str, Any]]:
     """The header and the arrays of a file. Raises SlamlibError for a file that is none, or not whole."""
-    try:
-        with np.load(path, allow_pickle=False) as file:
-            arrays = {name: file[name] for name in ("P", "means", "abscissas")}
-            header = json.loads(str(file["header"]))
-    except FileNotFoundError:
-        raise SlamlibError(f"{path}: there is no such file") from None
-    except Exception as error:
-        raise SlamlibError(f"{path} is no filter that slamlib saved, or is damaged: {error}") from None
-    if header.get("format") != FORMAT or header.get("version") != VERSION:
-        found = f"{header.get('format')!r} version {header.get('version')}"
-        old = "; it was written before rows had names: run it anew and save it" if header.get("version") == 1 else ""
-        raise SlamlibError(f"{path} holds {found}; this slamlib reads {FORMAT!r} version {VERSION}{old}")
-    return header, arrays
+    return read_archive(path, FORMAT, VERSION, "files of before rows had names cannot be read; run it anew and save it")
 
 
 def load(path: str | os.PathLike[str], front_ends: Any, make: Any) -> tuple[Any, dict[str, Any]]:

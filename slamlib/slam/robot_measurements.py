@@ -36,7 +36,8 @@ def update_by_robot(
     if linearization is not None:
         J = measurement.model.jac(linearization.at(robot.block)[:7])[1]
     result = measurement.model.result
-    z = (result.space if result else Euclidean(len(value))).minus(measurement.value, value)
+    space = (result.space if result else None) or Euclidean(len(value))
+    z = space.minus(measurement.value, value)
     H = np.pad(J[0], ((0, 0), (0, robot.block.dof - POSE)))
     S = belief.innovation_covariance([robot.block], [H], measurement.covariance)
     nis = float(z @ np.linalg.solve(S, z))

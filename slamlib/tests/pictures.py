@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-CUBE = Path(__file__).resolve().parents[3] / "shared" / "data" / "mono_visp_cube" / "frames"
+DATA = Path(os.environ.get("SLAMLIB_DATA") or "no-data")  # real sequences, which are not shipped
+CUBE = DATA / "mono_visp_cube" / "frames"
 # Two cameras in Kalibr's form, without their places.
 KALIBR = """cam0:
   camera_model: pinhole

@@ -1,9 +1,7 @@
 """The belief against textbook filters: full matrices, batch least squares, and the seed toolbox's own numbers."""
 
-import json
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,8 +13,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.kalman import linalg, update
 from slamlib.kalman.state import means_of
 from slamlib.tests.beliefs import Circle, grown, random_covariance, state
-
-REFERENCE = Path(__file__).parents[3] / "shared" / "reference" / "ekf.json"
+from slamlib.tests.reference import cases
 
 
 def textbook(x, P, H, z, R):
@@ -540,17 +537,6 @@ def test_the_strategies_of_the_benchmark_agree():
     assert [line.split("  ")[0] for line in text.splitlines()][1:4] == list(covariance_update.STRATEGIES)[:3]
 
 
-def reference(name):
-    if not REFERENCE.exists():
-        pytest.skip("the seed toolbox's recorded numbers (shared/reference/ekf.json) are not on this machine")
-    (function,) = [f for f in json.loads(REFERENCE.read_text())["functions"] if f["name"] == name]
-    for case in function["cases"]:
-        yield tuple(
-            {k: np.reshape(v["data"], v["shape"]) if isinstance(v, dict) else v for k, v in case[side].items()}
-            for side in ("inputs", "outputs")
-        )
-
-
 def from_toolbox(given):
     """A belief whose one block holds the used entries of a toolbox map, and which entries those are."""
     used = np.flatnonzero(given["used"])
@@ -564,7 +550,7 @@ def rows_of(given, used):
 
 
 def test_predict_as_the_toolbox_does():
-    for given, expected in reference("predictBlockEkf"):
+    for given, expected in cases("ekf", "predictBlockEkf", columns=True):
         belief, block, used = from_toolbox(given)
         r = rows_of(given, used)
         F, Q = np.eye(len(used)), np.zeros((len(used),) * 2)
@@ -575,7 +561,7 @@ def test_predict_as_the_toolbox_does():
 
 @pytest.mark.parametrize("method", ["batch", "scalar"])
 def test_correct_as_the_toolbox_does(method):
-    for given, expected in reference("correctBlockEkf"):
+    for given, expected in cases("ekf", "correctBlockEkf", columns=True):
         belief, block, used = from_toolbox(given)
         r = rows_of(given, used)
         H = np.zeros((len(given["z"]), len(used)))
@@ -588,7 +574,7 @@ def test_correct_as_the_toolbox_does(method):
 
 
 def test_add_as_the_toolbox_does():
-    for given, expected in reference("addToMap"):
+    for given, expected in cases("ekf", "addToMap", columns=True):
         belief, _, used = from_toolbox(given)
         n = belief.size
         # The toolbox is given the new rows themselves (here not those of any covariance): what adding does with them.

@@ -10,12 +10,10 @@ from slambook import rendering
 
 from slamlib.cli import main, runner
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
-from slamlib.tests.pictures import interrupted_at, windows
-from slamlib.tests.reference import FOLDER
+from slamlib.tests.pictures import DATA, interrupted_at, windows
 from slamlib.vision.run import load
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads and writes the pictures")
-DATA = FOLDER.parent / "data"
 COUNT, DT = 24, 1 / 30
 
 

@@ -328,7 +328,7 @@ def test_times_that_do_not_match(room, tmp_path, capsys):
     folder = euroc(room, tmp_path / "euroc")
     listing = folder / "mav0" / "cam1" / "data.csv"
     rows = table(listing, 2, ",")
-    listing.write_text("\n".join(f"{int(time) + 10**12},{name}" for time, name in rows))
+    listing.write_text("\n".join(f"{int(time) + 10**12},{name}" for time, (name,) in rows))
     assert main(words(folder)) == 2
     assert "the times of the two cameras do not match" in capsys.readouterr().err
 

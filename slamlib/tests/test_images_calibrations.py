@@ -11,11 +11,9 @@ from slamlib.datasets.formats.tum import LENSES as TUM
 from slamlib.datasets.lens import Lens, fitted
 from slamlib.datasets.rectification import Undistortion
 from slamlib.errors import SlamlibError
-from slamlib.tests.pictures import KALIBR
-from slamlib.tests.reference import FOLDER
+from slamlib.tests.pictures import DATA, KALIBR
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads and undistorts")
-DATA = FOLDER.parent / "data"
 EUROC = """# General sensor definitions.
 sensor_type: camera
 T_BS:

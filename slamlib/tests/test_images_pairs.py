@@ -1,6 +1,7 @@
 """Pairs of pictures and the calibrations of two cameras: formats, rectification against geometry, offset, checks."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -100,7 +101,7 @@ def test_kalibrs_and_opencvs_files_of_two_cameras(tmp_path):
     ],
 )
 def test_rectified_pixels_are_those_of_a_stereo_sensor(left, right):
-    change = Rectification(PairCalibration(left, right, place()), SIZE)
+    change = Rectification(PairCalibration(left, replace(right, place=tuple(place().ravel()))), SIZE)
     sensor = SensorSetup(**change.setup).calibration
     assert sensor.given["baseline"][0] == pytest.approx(np.linalg.norm(SHIFT))
     rng = np.random.default_rng(1)

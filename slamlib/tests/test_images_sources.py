@@ -4,14 +4,15 @@ import numpy as np
 import pytest
 from slambook import rendering
 
-from slamlib.datasets.opening import reopen
+from slamlib.datasets import formats
+from slamlib.datasets.opening import opened_pairs, reopen
 from slamlib.datasets.pictures import Picture, read_image
 from slamlib.datasets.sources import of_film, of_pictures, open_source
 from slamlib.errors import SlamlibError
-from slamlib.tests.reference import FOLDER
+from slamlib.modeling.registry import Registry
+from slamlib.tests.pictures import DATA
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads the images")
-DATA = FOLDER.parent / "data"
 SIZE = (24, 32)
 
 
@@ -257,6 +258,45 @@ def test_lists_that_make_no_sense(tmp_path, rows, message):
     (tmp_path / "rgb.txt").write_text(rows)
     with pytest.raises(SlamlibError, match=message):
         open_source(tmp_path)
+
+
+ANOTHER = """
+from functools import partial
+from slamlib.datasets.dataset import CalibrationReader, Dataset, listed, table
+from slamlib.datasets.lens import Lens, shifted
+
+def cameras(where):
+    return {n: where / f"list_{n}" for n in (0, 1) if (where / f"list_{n}").is_file()}
+
+def opened(listing, fps):
+    rows = table(listing, 2, None)
+    return listed([listing.parent / name for _, (name,) in rows], [time for time, _ in rows], listing)
+
+def read(path, text):
+    f, baseline = map(float, text.split()[1:])
+    return {i: partial(Lens, (16, 12, f, f), place=shifted(i * baseline)) for i in (0, 1)}
+
+DATASET = Dataset("another", cameras, opened, calibrations=("camera.txt",))
+READER = CalibrationReader("another", lambda text: text.startswith("another "), read)
+"""
+
+
+def test_another_data_set_is_one_written_file(tmp_path, monkeypatch):
+    (tmp_path / "formats").mkdir()
+    (tmp_path / "formats" / "another.py").write_text(ANOTHER)
+    monkeypatch.setattr(formats, "__path__", [*formats.__path__, str(tmp_path / "formats")])
+    for registry in (formats.DATASETS, formats.READERS):
+        monkeypatch.setitem(vars(registry), "_values", Registry(formats.__name__, registry.kind, "")._values)
+    for camera in range(2):
+        for i in range(3):
+            put(tmp_path / "there" / f"{camera}{i}.png", shade(i + 5 * camera))
+        (tmp_path / "there" / f"list_{camera}").write_text("".join(f"{0.1 * i} {camera}{i}.png\n" for i in range(3)))
+    (tmp_path / "there" / "camera.txt").write_text("another 100 0.25\n")
+    source = open_source(tmp_path / "there", camera=1)
+    assert (source.layout, numbers(source), source.interval) == ("another", [5, 6, 7], pytest.approx(0.1))
+    pairs, setup, offset = opened_pairs(str(tmp_path / "there"))
+    assert (len(pairs), setup["parameters"]["baseline"], offset) == (3, (0.25,), 0.0)
+    assert np.array_equal(next(iter(pairs)).image, np.stack([shade(0), shade(5)]))
 
 
 def test_real_excerpts():

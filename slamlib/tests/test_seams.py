@@ -200,7 +200,7 @@ def test_a_family_that_nobody_knows_is_named():
     with pytest.raises(UnknownCallError, match="did you mean 'points'"):
         Scan().pionts  # noqa: B018
     assert len(Scan().segments) == 0
-    with pytest.raises(SlamlibError, match="family of landmarks 'planes'"):
+    with pytest.raises(SlamlibError, match="unknown Options.others 'planes'"):
         Options(others={"planes": "footPln"})
 
 

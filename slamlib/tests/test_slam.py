@@ -310,7 +310,7 @@ def test_a_saved_run_goes_on_bit_for_bit(name, tmp_path):
 def test_files_that_are_no_filter(tmp_path):
     for name, content in (("text", b"hello"), ("empty", b"")):
         (tmp_path / name).write_bytes(content)
-        with pytest.raises(SlamlibError, match="no filter that slamlib saved"):
+        with pytest.raises(SlamlibError, match="no slamlib filter"):
             Slam.load(tmp_path / name)
     with pytest.raises(SlamlibError, match="no such file"):
         Slam.load(tmp_path / "absent")

@@ -8,9 +8,8 @@ from slamlib.evaluation.alignment import Similarity, align, aligned, relative_er
 from slamlib.evaluation.trajectory import Trajectory, associate, read_trajectory, write_tum
 from slamlib.geometry.pose import compose
 from slamlib.geometry.quaternion import exponential, rotation
-from slamlib.tests.reference import FOLDER
+from slamlib.tests.pictures import DATA
 
-DATA = FOLDER.parent / "data"
 STORED = (
     0.10119560862569917,
     0.03304008342344318,

@@ -1,17 +1,10 @@
-"""Figures for chapters and experiments: light and dark, with a text for those who cannot see them, with sliders."""
+"""What the book's figures have beyond matplotlib: colours for light and dark pages, words for those who cannot see,
+sliders, ellipses, robots and frames. NumPy alone is needed, where no figure of matplotlib's is shown."""
 
 from slambook.figures.colors import colors
-from slambook.figures.figure import Figure, figure, figure3d
+from slambook.figures.figure import Figure, figure
 from slambook.figures.page import Picture, Sweep, picture, sweep
-from slambook.figures.sketches import (
-    draw_axes3d,
-    draw_ellipse,
-    draw_ellipsoid,
-    draw_frame,
-    draw_map,
-    draw_robot,
-    ellipse,
-)
+from slambook.figures.sketches import draw_ellipse, draw_frame, draw_robot, ellipse
 from slambook.figures.widget import live
 
 __all__ = [
@@ -19,15 +12,11 @@ __all__ = [
     "Picture",
     "Sweep",
     "colors",
-    "draw_axes3d",
     "draw_ellipse",
-    "draw_ellipsoid",
     "draw_frame",
-    "draw_map",
     "draw_robot",
     "ellipse",
     "figure",
-    "figure3d",
     "live",
     "picture",
     "sweep",

@@ -6,32 +6,29 @@ from typing import Any
 import numpy as np
 
 from slambook.figures import frame
-from slambook.figures.areas import Areas
-from slambook.figures.callouts import Callouts
+from slambook.figures.calls import Calls
 from slambook.figures.canvas import Canvas
-from slambook.figures.fields import Fields
 from slambook.figures.legend import Legend
-from slambook.figures.lines import Lines
 from slambook.figures.paths import Box
 from slambook.figures.scales import View
 from slamlib.errors import SlamlibError, UnknownCallError, UnknownNameError
 from slamlib.manifolds import Array
 
 
-class Axes(Lines, Areas, Fields, Callouts):
+class Axes(Calls):
     """A rectangle with an x axis and a y axis; figure() makes it.
 
-    Equal aspect: axes whose limits follow the data are widened until they fill their place; if the limits are set, the
-    rectangle is made smaller, as matplotlib does it.
+    Equal aspect is matplotlib's: adjustable "box" makes the rectangle smaller, "datalim" widens the limits.
     """
 
-    def __init__(self, equal: bool = False) -> None:
+    def __init__(self) -> None:
         super().__init__()
-        self.equal, self.title, self.framed, self.ruled = equal, "", True, True
+        self.title, self.framed, self.ruled = "", True, True
         self.key: Legend | None = None
         self._setters: dict[str, Callable[[Any], None]] = {
             "title": lambda v: setattr(self, "title", str(v or "")),
-            "aspect": self._aspect,
+            "aspect": self.set_aspect,
+            "adjustable": lambda v: self.set_aspect(adjustable=v),
         }
         for axis in (self.x, self.y):
             self._setters |= {
@@ -44,7 +41,7 @@ class Axes(Lines, Areas, Fields, Callouts):
 
     def set(self, **what: Any) -> None:
         """xlabel, ylabel, title; xlim, ylim (None: an end that follows the data); xticks, yticks, xticklabels,
-        yticklabels; xscale, yscale ("linear", "log"); aspect ("auto", "equal")."""
+        yticklabels; xscale, yscale ("linear", "log"); aspect ("auto", "equal"), adjustable ("box", "datalim")."""
         for name in what:
             if name not in self._setters:
                 raise UnknownNameError.of("keyword of set", name, self._setters)
@@ -56,13 +53,21 @@ class Axes(Lines, Areas, Fields, Callouts):
         setters = self.__dict__.get("_setters", {})
         if name.startswith("set_") and name[4:] in setters:
             return lambda *value: setters[name[4:]](value[0] if len(value) == 1 else value)
-        known = [n for n in dir(type(self)) if not n.startswith("_")] + [f"set_{n}" for n in setters]
-        raise UnknownCallError.of_object("axes", name, known)
+        raise UnknownCallError.of_object("axes", name, self._known())
 
-    def _aspect(self, value: str) -> None:
-        if value not in ("auto", "equal"):
-            raise UnknownNameError.of("aspect", value, ("auto", "equal"))
-        self.equal = value == "equal"
+    def _known(self) -> list[str]:
+        return [n for n in dir(type(self)) if not n.startswith("_")] + [
+            f"set_{n}" for n in self.__dict__.get("_setters", {})
+        ]
+
+    def set_aspect(self, aspect: Any = None, adjustable: str | None = None) -> None:
+        """ "equal" (or 1): a metre is a metre on both axes; "auto"; adjustable: the "box" gives way, or "datalim"."""
+        if aspect not in (None, "auto", "equal", 1):
+            raise UnknownNameError.of("aspect", aspect, ("auto", "equal"))
+        if adjustable not in (None, "box", "datalim"):
+            raise UnknownNameError.of("adjustable", adjustable, ("box", "datalim"))
+        self.equal = self.equal if aspect is None else aspect != "auto"
+        self.adjustable = adjustable or self.adjustable
 
     def invert_xaxis(self) -> None:
         """Let x grow to the left."""
@@ -73,18 +78,29 @@ class Axes(Lines, Areas, Fields, Callouts):
         self.y.inverted = not self.y.inverted
 
     def axis(self, what: str) -> None:
-        """ "off": no frame, ticks or labels; "on"; "equal": a metre is a metre on both axes."""
+        """ "off": no frame, ticks or labels; "on"; "equal": a metre is a metre on both axes, whose limits give way."""
         if what not in ("off", "on", "equal"):
             raise UnknownNameError.of("axis", what, ("off", "on", "equal"))
-        self.framed, self.equal = (self.framed, True) if what == "equal" else (what == "on", self.equal)
+        if what == "equal":
+            self.set_aspect("equal", "datalim")
+        else:
+            self.framed = what == "on"
 
     def grid(self, visible: bool = True) -> None:
         """Lines at the ticks, or none."""
         self.ruled = bool(visible)
 
-    def legend(self, **options: Any) -> Legend:
-        """What the labelled marks are called: loc, ncols, bbox_to_anchor, title, fontsize, markerscale: see Legend."""
-        self.key = Legend.of(options)
+    def legend(self, handles: Any = None, labels: Any = None, **options: Any) -> Legend:
+        """What the labelled marks are called: loc, ncols, bbox_to_anchor, title, fontsize, markerscale: see Legend.
+
+        handles, labels: other marks, other words; a list of words alone is taken for the labels.
+        """
+        if labels is None and handles is not None and all(isinstance(h, str) for h in handles):
+            handles, labels = self.marks, handles
+        named = [m for m in self.marks if m.label and not m.label.startswith("_")] if handles is None else handles
+        marks = [part[0] if isinstance(part, list) else part for part in named]
+        words = [m.label for m in marks] if labels is None else [str(label) for label in labels]
+        self.key = Legend.of(options, list(zip(marks, words, strict=False)))
         return self.key
 
     # -- for the figure ------------------------------------------------------------------------------------------------
@@ -119,17 +135,14 @@ class Axes(Lines, Areas, Fields, Callouts):
         left, top, right, bottom = box
         spans = [abs(float(np.diff(self.x.scale.forward(np.array(lim)))[0])) for lim in (xlim, ylim)]
         wide, high = (right - left) / spans[0], (bottom - top) / spans[1]  # points per unit
-        if wide > high and self._free(0, xlim):
-            return box, self._widened(xlim, wide / high), ylim
-        if high > wide and self._free(1, ylim):
-            return box, xlim, self._widened(ylim, high / wide)
+        if self.adjustable == "datalim":
+            return (
+                (box, self._widened(xlim, wide / high), ylim)
+                if wide > high
+                else (box, xlim, self._widened(ylim, high / wide))
+            )
         cut_x, cut_y = (right - left) * max(0, 1 - high / wide) / 2, (bottom - top) * max(0, 1 - wide / high) / 2
         return (left + cut_x, top + cut_y, right - cut_x, bottom - cut_y), xlim, ylim
-
-    def _free(self, index: int, limits: tuple[float, float]) -> bool:
-        """Whether an axis follows the data, and the data (an image, say) do not fill it from end to end."""
-        filled = {v for m in self.marks for v in m.tight[index]}
-        return (self.x, self.y)[index].free and not set(limits) <= filled
 
     def _widened(self, limits: tuple[float, float], factor: float) -> tuple[float, float]:
         a, b = self.x.scale.forward(np.array(limits))
@@ -142,7 +155,7 @@ class Axes(Lines, Areas, Fields, Callouts):
         view = self.view(box)
         needed = [frame.room(self, view), *(mark.room(view) for mark in self.marks)]
         if self.key is not None:
-            needed.append(self.key.room(self.marks, view, sheet))
+            needed.append(self.key.room(view, sheet))
         return np.max(needed, axis=0)
 
     def draw(self, canvas: Canvas, box: Box) -> None:

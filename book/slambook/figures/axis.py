@@ -50,7 +50,7 @@ class Axis:
         low, high = (None if e is None else float(row_of(f"{self.name}lim", "an end", e)[0]) for e in ends)
         if (low is not None and low == high) or not np.all(np.isfinite([v for v in (low, high) if v is not None])):
             raise SlamlibError(f"{self.name}lim: the ends should be two different numbers, got {low} and {high}")
-        self.ends = (low, high)
+        self.ends, self.inverted = (low, high), self.inverted and None in (low, high)
 
     def set_places(self, places: Any, names: Any = None) -> None:
         """Ticks at these numbers, with these names; no ticks for an empty list."""

@@ -49,6 +49,15 @@ _NAMED = {
     "y": colors.orange,
     "none": "none",
 }
+# What matplotlib makes of the names of its own colours that the palette has too: they follow the theme as well.
+_PLAIN = {
+    "#000000": colors.text,
+    "#ffffff": colors.paper,
+    "#0000ff": colors.blue,
+    "#008000": colors.green,
+    "#ff0000": colors.red,
+    "#808080": colors.grey,
+}
 _THEMED = {value: f"var(--figure-{name}, {_ELSEWHERE.get(name, value)})" for name, value in asdict(colors).items()} | {
     "none": "none"
 }
@@ -66,7 +75,7 @@ def color_named(color: Any) -> str:
             raise UnknownNameError.of("color", color, [*_NAMED, "#rrggbb", "(r, g, b) of 0 to 1"])
         return "#" + "".join(f"{round(255 * float(v)):02x}" for v in levels)
     if re.fullmatch(r"#[0-9a-fA-F]{6}", color):
-        return _NAMED["k"] if color == "#000000" else _NAMED["w"] if color.lower() == "#ffffff" else color.lower()
+        return _PLAIN.get(color.lower(), color.lower())
     if color not in _NAMED:
         raise UnknownNameError.of("color", color, [*_NAMED, "#rrggbb"])
     return _NAMED[color]

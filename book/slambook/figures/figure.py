@@ -9,11 +9,9 @@ from slambook.figures.axes import Axes
 from slambook.figures.canvas import Canvas
 from slambook.figures.colors import standing_alone
 from slambook.figures.paths import Box
-from slambook.figures.space import Space
 from slamlib.data.files import write_whole
-from slamlib.errors import SlamlibError, UnknownCallError, UnknownNameError
+from slamlib.errors import SlamlibError, UnknownCallError
 
-KINDS = {None: Axes, "3d": Space}
 PAD, BETWEEN = 3.0, 8.0  # points around all, and between neighbours
 
 
@@ -51,16 +49,19 @@ class Figure:
             ax.draw(canvas, box)
         return canvas.finished(alt)
 
-    def save(self, path: Any, alt: str | None = None) -> None:
+    def savefig(self, fname: Any, *, alt: str | None = None) -> None:
         """Write an SVG file of its own, light, on white: whole or not at all."""
-        path = Path(path)
+        path = Path(fname)
         if path.suffix.lower() != ".svg":
-            raise SlamlibError(f"save: figures are SVG files, so the name should end in .svg: {path.name}")
+            raise SlamlibError(f"savefig: this figure is written as SVG, so the name should end in .svg: {path.name}")
         svg = standing_alone(self.svg(self.described() if alt is None else alt))
         size = f'width="{self.width:g}pt" height="{self.height:g}pt"'
         svg = svg.replace("<svg ", f'<svg xmlns="http://www.w3.org/2000/svg" {size} ', 1)
         svg = svg.replace("max-width:", "background:#ffffff;max-width:", 1)
         write_whole(path, '<?xml version="1.0" encoding="utf-8"?>\n' + svg + "\n")
+
+    def close(self) -> None:
+        """Whoever shows open figures at the end of a cell is told here that this one has been shown."""
 
     def described(self) -> str:
         """A description made of titles and labels, for a figure that was given none."""
@@ -94,36 +95,15 @@ def _shared(before: Any, after: Any, length: float) -> list[tuple[float, float]]
     return [(float(s), float(s + size)) for s in starts]
 
 
-def figure(
-    rows: int = 1,
-    columns: int = 1,
-    *,
-    width: float = 5.8,
-    height: float = 3.5,
-    equal: bool = False,
-    projection: str | None = None,
-) -> Any:
-    """A figure and its axes (one, or an array of them) in the house style; sizes in inches, `equal` for maps.
+def figure(rows: int = 1, columns: int = 1, *, width: float = 5.8, height: float = 3.5, kind: type[Axes] = Axes) -> Any:
+    """A figure and its axes (one, or an array of them) in the house style, without matplotlib; sizes in inches.
 
-    Keep to 6.4 inches: on a phone a figure is shrunk to the column, and its words with it. projection: None or "3d".
+    Keep to 6.4 inches: on a phone a figure is shrunk to the column, and its words with it.
     """
-    if projection not in KINDS:
-        raise UnknownNameError.of("projection", projection, [str(k) for k in KINDS])
     if rows < 1 or columns < 1 or not (width > 0 and height > 0):
         raise SlamlibError(f"figure: rows, columns and sizes are positive, got {rows}, {columns}, {width} x {height}")
     axes = np.empty((rows, columns), dtype=object)
     for place in np.ndindex(rows, columns):
-        axes[place] = KINDS[projection](equal=equal)
-    fig = Figure(axes, width, height)
+        axes[place] = kind()
     shaped = axes.squeeze()
-    return fig, shaped if shaped.ndim else shaped.item()
-
-
-def figure3d(*, width: float = 4.8, height: float = 4.2, elevation: float = 22.0, azimuth: float = -58.0) -> Any:
-    """A figure and its three-dimensional axes in the house style; sizes in inches, the view's angles in degrees.
-
-    The projection is parallel, and a metre is a metre on each axis.
-    """
-    fig, ax = figure(width=width, height=height, projection="3d")
-    ax.view_init(elev=elevation, azim=azimuth)
-    return fig, ax
+    return Figure(axes, width, height), shaped if shaped.ndim else shaped.item()

@@ -1,6 +1,6 @@
 """What the marks are called: in the corner with the fewest points, or where the caller wants it."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 import numpy as np
@@ -26,18 +26,16 @@ PLACES = {
     "lower center": (0.5, 0.0),
     "center": (0.5, 0.5),
 }
-OUTSIDE = {"outside right": ("upper left", (1.0, 1.0)), "outside upper": ("lower left", (0.0, 1.0))}
 ROW = 1.42  # height of a row, in sizes of its font
 AWAY, SAMPLE, GAP, PAD, COLUMN = 4.0, 20.0, 7.0, 2.0, 16.0  # points; AWAY from the axes, PAD within the legend
 
 
 @dataclass
 class Legend:
-    """Samples and labels of the labelled marks, on a slightly transparent ground.
+    """Samples and labels of marks, on a slightly transparent ground.
 
-    loc: "best", "upper right", "center left", ..., "outside right", "outside upper", or where its lower left corner is;
-    bbox_to_anchor: where the corner named by loc is, both in shares of the axes. fontsize [pt]; markerscale: size of
-    the marks here, in their own.
+    loc: "best", "upper right", "center left", ..., or where its lower left corner is; bbox_to_anchor: where the corner
+    named by loc is, both in shares of the axes. fontsize [pt]; markerscale: size of the marks here, in their own.
     """
 
     loc: Any = "best"
@@ -47,37 +45,37 @@ class Legend:
     fontsize: float = 10.0
     frameon: bool = True
     markerscale: float = 1.0
+    entries: list[tuple[Mark, str]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         if not isinstance(self.loc, str):
             self.loc, self.bbox_to_anchor = "lower left", self.loc
-        self.loc, self.bbox_to_anchor = OUTSIDE.get(self.loc, (self.loc, self.bbox_to_anchor))
         if self.loc not in (*PLACES, "best"):
-            raise UnknownNameError.of("loc of legend", self.loc, ["best", *PLACES, *OUTSIDE])
+            raise UnknownNameError.of("loc of legend", self.loc, ["best", *PLACES])
         if self.bbox_to_anchor is not None and (len(self.bbox_to_anchor) != 2 or self.loc == "best"):
             raise SlamlibError("legend: bbox_to_anchor is a point (x, y), and loc says which corner lies on it")
         if self.ncols < 1:
             raise SlamlibError(f"legend: ncols is a number of columns, at least 1, got {self.ncols}")
 
     @classmethod
-    def of(cls, options: dict[str, Any]) -> "Legend":
+    def of(cls, options: dict[str, Any], entries: list[tuple[Mark, str]]) -> "Legend":
         """A legend with these options; raises UnknownNameError for one that it does not have."""
-        known = [field.name for field in fields(cls)]
+        known = [f.name for f in fields(cls) if f.name != "entries"]
+        options = {("ncols" if name == "ncol" else name): value for name, value in options.items()}
         for name in options:
             if name not in known:
                 raise UnknownNameError.of("keyword of legend", name, known)
-        return cls(**options)
+        return cls(**options, entries=entries)
 
-    def columns(self, marks: list[Mark]) -> list[list[Mark]]:
-        """The labelled marks, column by column."""
-        shown = [m for m in marks if m.label and not m.label.startswith("_")]
-        parts = np.array_split(np.arange(len(shown)), min(self.ncols, max(len(shown), 1)))
-        return [[shown[i] for i in part] for part in parts]
+    def columns(self) -> list[list[tuple[Mark, str]]]:
+        """The entries, column by column."""
+        parts = np.array_split(np.arange(len(self.entries)), min(self.ncols, max(len(self.entries), 1)))
+        return [[self.entries[i] for i in part] for part in parts]
 
-    def _size(self, marks: list[Mark], widest: float) -> tuple[float, list[float], tuple[float, float]]:
+    def _size(self, widest: float) -> tuple[float, list[float], tuple[float, float]]:
         """Font size, widths of the columns, and width and height; the words shrink if they would be too wide."""
-        columns = self.columns(marks)
-        words = [max((width_of(m.label, 1.0) for m in column), default=0.0) for column in columns]
+        columns = self.columns()
+        words = [max((width_of(label, 1.0) for _, label in column), default=0.0) for column in columns]
         fixed = len(columns) * (SAMPLE + GAP) + (len(columns) - 1) * COLUMN + 2 * PAD
         size = min(self.fontsize, max(widest - fixed, 1.0) / max(sum(words), 1e-9))
         size = max(np.floor(100 * size) / 100, 0.01)
@@ -101,11 +99,11 @@ class Legend:
         beside = self.bbox_to_anchor is not None and not 0 <= self.bbox_to_anchor[0] < 1
         return 0.5 * sheet if beside else view.box[2] - view.box[0] - 2 * AWAY
 
-    def room(self, marks: list[Mark], view: View, sheet: tuple[float, float]) -> Array:
+    def room(self, view: View, sheet: tuple[float, float]) -> Array:
         """Points that an anchored legend needs to the left, above, to the right and below the axes."""
-        if self.bbox_to_anchor is None or not any(self.columns(marks)):
+        if self.bbox_to_anchor is None or not self.entries:
             return np.zeros(4)
-        box = self._box(view, self._size(marks, self._widest(view, sheet[0]))[2], self.loc)
+        box = self._box(view, self._size(self._widest(view, sheet[0]))[2], self.loc)
         return beyond(view.box, box)
 
     def covered(self, ink: Array, box: Box) -> int:
@@ -122,9 +120,9 @@ class Legend:
 
     def draw(self, marks: list[Mark], canvas: Canvas, view: View) -> None:
         """Put it on the sheet."""
-        if not any(self.columns(marks)):
+        if not self.entries:
             return
-        size, widths, whole = self._size(marks, self._widest(view, canvas.width))
+        size, widths, whole = self._size(self._widest(view, canvas.width))
         left, top, right, bottom = self.place(marks, view, whole)
         if self.frameon:
             canvas.rectangle((left, top, right, bottom), f"fill:{paint(colors.paper)};fill-opacity:.75", radius=3)
@@ -133,9 +131,9 @@ class Legend:
         if self.title:
             canvas.text(x, y + row / 2, self.title, look)
             y += row
-        for column, width in zip(self.columns(marks), widths, strict=True):
-            for i, mark in enumerate(column):
+        for column, width in zip(self.columns(), widths, strict=True):
+            for i, (mark, label) in enumerate(column):
                 middle = y + (i + 0.5) * row
                 mark.swatch(canvas, (x, middle - 0.35 * size, x + SAMPLE, middle + 0.35 * size), self.markerscale)
-                canvas.text(x + SAMPLE + GAP, middle, mark.label, look)
+                canvas.text(x + SAMPLE + GAP, middle, label, look)
             x += width + COLUMN

@@ -3,7 +3,7 @@
 A sweep is written once and lives three times:
 
     def wave(frequency):
-        fig, ax = figure()
+        fig, ax = plt.subplots()
         ax.plot(t, np.sin(2 * np.pi * frequency * t))
         ax.set(xlabel="t [s]", ylabel="x [m]", xlim=(0, 1), ylim=(-1, 1))
         return fig, f"one turn in {1 / frequency:.2f} s"
@@ -13,10 +13,14 @@ A sweep is written once and lives three times:
 In a page and in a stored notebook it is a slider over pre-computed frames, one a value. A live interpreter (the book's
 own in the page, or a kernel) asks `frame(position)` for any place between them, `steps` places from value to value: see
 slambook.figures.widget for notebooks.
+
+A figure is matplotlib's. In the page it is drawn by the small renderer of this folder, which replays its artists (or,
+where no matplotlib is, has been called in its place); a kernel's reader sees it as matplotlib draws it.
 """
 
 import hashlib
 import html
+import sys
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -24,6 +28,7 @@ import numpy as np
 
 from slambook.figures.figure import Figure
 from slambook.figures.ticks import MINUS
+from slambook.figures.widget import live_slider, offered, wanted
 from slamlib.errors import SlamlibError
 
 STEPS = 8  # places from one value to the next in a live slider
@@ -39,14 +44,15 @@ _MOVE = (
 class Picture:
     """A figure as an inline SVG that follows the page's theme; its text is the description."""
 
-    def __init__(self, svg: str, alt: str) -> None:
-        self.svg, self.alt = svg, alt
+    def __init__(self, fig: Any, alt: str) -> None:
+        self.svg, self.alt = svg_of("picture", fig, alt), alt
+        self._own = own_svg_of("picture", fig, alt) if wanted() else self.svg
 
     def __repr__(self) -> str:
         return f"Picture: {self.alt}"
 
     def _repr_html_(self) -> str:
-        return f'<div class="picture">{self.svg}</div>'
+        return f'<div class="picture">{self._own}</div>'
 
 
 class Sweep:
@@ -90,14 +96,21 @@ class Sweep:
         position = _settled(position)
         if position in self._drawn:
             return self._drawn[int(position)]
+        found = self._frame(position, svg_of)
+        if position.is_integer():
+            self._drawn[int(position)] = found
+        return found
+
+    def own_frame(self, position: float) -> tuple[str, str, str]:
+        """The same with the figure as matplotlib draws it."""
+        return self._frame(_settled(position), lambda _, fig, alt: own_svg_of("sweep", fig, alt))
+
+    def _frame(self, position: float, svg: Callable[[str, Any, str], str]) -> tuple[str, str, str]:
         value = self.value(position)
         drawn = self.draw(value)
         fig, note = drawn if isinstance(drawn, tuple) else (drawn, "")
         shown = f"{value:.4g}".replace("-", MINUS) if _is_number(value) else str(value)
-        found = (shown, _figure("sweep", fig).svg(f"{self.alt} {self.label}: {shown}."), str(note))
-        if position.is_integer():
-            self._drawn[int(position)] = found
-        return found
+        return shown, svg("sweep", fig, f"{self.alt} {self.label}: {shown}."), str(note)
 
     @property
     def frames(self) -> list[tuple[str, str, str]]:
@@ -106,13 +119,9 @@ class Sweep:
 
     def widget(self) -> Any:
         """A live slider for a notebook with a kernel (needs ipywidgets)."""
-        from slambook.figures.widget import live_slider
-
         return live_slider(self)
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> Any:
-        from slambook.figures.widget import offered
-
         return {"text/plain": repr(self), **offered(self)}
 
     def _repr_html_(self) -> str:
@@ -125,24 +134,25 @@ class Sweep:
             f' max="{len(frames) - 1}" step="1" value="{self.start}" autocomplete="off"'
             f' aria-valuetext="{value}" oninput="{html.escape(_MOVE)}"><output for="{name}">{value}</output>'
         )
-        shown = "".join(self._frame(i, frame) for i, frame in enumerate(frames))
+        shown = "".join(self._shown(i, frame) for i, frame in enumerate(frames))
         caption = f'<p class="sweep-note" aria-live="polite">{html.escape(note)}</p>'
         return f'<figure class="sweep"><div class="sweep-bar">{bar}</div>{shown}{caption}</figure>'
 
-    def _frame(self, index: int, frame: tuple[str, str, str]) -> str:
+    def _shown(self, index: int, frame: tuple[str, str, str]) -> str:
         value, note = html.escape(frame[0]), html.escape(frame[2])
         said = f' data-note="{note}"' if note else ""
         hidden = "" if index == self.start else " hidden"
         return f'<div data-frame="{index}" data-value="{value}"{said}{hidden}>{frame[1]}</div>'
 
 
-def picture(fig: Figure, alt: str) -> Picture:
-    """A figure for the page, shown as the last value of a cell.
+def picture(fig: Any, alt: str) -> Picture:
+    """A figure for the page, shown as the last value of a cell: matplotlib's, or one of map_figure and sensor_figure.
 
-    alt: a sentence that says what one sees, for those who cannot; it is also the output's text in the notebook.
+    It is closed, so that a notebook does not show it again. alt: a sentence that says what one sees, for those who
+    cannot; it is also the output's text in the notebook.
     """
     _described("picture", alt)
-    return Picture(_figure("picture", fig).svg(alt), alt)
+    return Picture(fig, alt)
 
 
 def sweep(draw: Callable[[Any], Any], label: str, values: Iterable[Any], alt: str, start: int | None = None) -> Sweep:
@@ -164,12 +174,43 @@ def sweep(draw: Callable[[Any], Any], label: str, values: Iterable[Any], alt: st
     return made
 
 
-def _figure(function: str, fig: Any) -> Figure:
-    if not isinstance(fig, Figure):
+def svg_of(function: str, fig: Any, alt: str) -> str:
+    """A figure, drawn by the small renderer if it can and by matplotlib if not, and closed. Raises SlamlibError."""
+    if isinstance(fig, Figure):
+        return _closed(fig).svg(alt)
+    if not _is_matplotlibs(fig):
         raise SlamlibError(
-            f"{function}: a figure made by slambook.figures.figure is wanted, not {type(fig).__name__}: "
-            "pass the figure, not its axes"
+            f"{function}: a figure of matplotlib's is wanted, not {type(fig).__name__}: pass the figure, not its axes"
         )
+    from slambook.figures.replay import replayed
+
+    try:
+        return replayed(_closed(fig)).svg(alt)
+    except SlamlibError:
+        return own_svg_of(function, fig, alt)
+
+
+def own_svg_of(function: str, fig: Any, alt: str) -> str:
+    """A figure as matplotlib draws it, if it is matplotlib's, and closed. Raises SlamlibError."""
+    if not _is_matplotlibs(fig):
+        return svg_of(function, fig, alt)
+    from slambook.figures.native import native_svg
+
+    return native_svg(_closed(fig), alt)
+
+
+def _is_matplotlibs(fig: Any) -> bool:
+    matplotlibs = sys.modules.get("matplotlib.figure")
+    return matplotlibs is not None and isinstance(fig, matplotlibs.Figure)
+
+
+def _closed(fig: Any) -> Any:
+    """The figure, which pyplot forgets."""
+    pyplot = sys.modules.get("matplotlib.pyplot")
+    if isinstance(fig, Figure):
+        fig.close()
+    elif pyplot is not None:
+        pyplot.close(fig)
     return fig
 
 

@@ -42,6 +42,8 @@ def joined(numbers: Iterable[int]) -> str:
 def polyline(points: Array, closed: bool = False) -> str:
     """Path data of a line through the points (2, N): an absolute start, then steps."""
     whole = _whole(points)
+    if closed and whole.shape[1] > 2 and np.array_equal(whole[:, 0], whole[:, -1]):
+        whole = whole[:, :-1]
     if whole.shape[1] < 2:
         return ""
     steps = np.diff(whole, axis=1)

@@ -1,4 +1,4 @@
-"""Small drawings, in the plane and in space: robots, frames, maps, and Gaussians as ellipses and ellipsoids."""
+"""Small drawings in the plane: robots, frames, and Gaussians as ellipses. `ax` is matplotlib's, or one like it."""
 
 from typing import Any
 
@@ -10,8 +10,6 @@ from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.kalman.linalg import covariance as positive
 from slamlib.kalman.linalg import finite
 from slamlib.manifolds import Array
-
-AXES = (("x", colors.red), ("y", colors.green), ("z", colors.blue))
 
 
 def ellipse(
@@ -62,76 +60,3 @@ def draw_frame(ax: Any, pose: Array, *, size: float = 1.0, label: str = "", **st
         ax.text(x + 1.15 * dx, y + 1.15 * dy, letter, color=color, ha="center", va="center")
     if label:
         ax.text(*(np.array([x, y]) - 0.25 * axes.sum(-1)), label, ha="center", va="center")
-
-
-def draw_map(
-    ax: Any,
-    landmarks: Array,
-    covariances: Array | None = None,
-    *,
-    truth: Array | None = None,
-    path: Array | None = None,
-    pose: Array | None = None,
-    pose_covariance: Array | None = None,
-    color: str = colors.blue,
-) -> None:
-    """What a filter believes of the plane, with its 95 % ellipses, over what is true.
-
-    landmarks (N, 2) and covariances (N, 2, 2); truth (M, 2): crosses; path (T, 2): where the robot went;
-    pose (x, y, heading) and the covariance (2, 2) or (3, 3) of its first numbers. Metres and radians.
-    """
-    if truth is not None:
-        ax.plot(*np.asarray(truth).T, ls="", marker="+", ms=8, color=colors.grey, label="true landmarks")
-    if path is not None:
-        ax.plot(*np.asarray(path)[:, :2].T, color=colors.grey, lw=1.2, label="true path")
-    landmarks = np.asarray(landmarks, dtype=float).reshape(-1, 2)
-    ax.plot(*landmarks.T, ls="", marker=".", color=color)
-    for mean, covariance in zip(landmarks, [] if covariances is None else covariances, strict=covariances is not None):
-        draw_ellipse(ax, mean, covariance, color=color, lw=1.2)
-    if pose is not None:
-        draw_robot(ax, pose, color=color)
-        if pose_covariance is not None:
-            draw_ellipse(ax, pose[:2], np.asarray(pose_covariance)[:2, :2], color=color, lw=1.2)
-
-
-def draw_axes3d(ax: Any, pose: Array, *, size: float = 1.0, label: str = "", **style: Any) -> None:
-    """The axes of a frame, red x, green y and blue z with their letters, and its name at the origin.
-
-    pose (7,): position [m] and unit quaternion, x y z | w x y z, of the frame in the world. size [m].
-    """
-    from slamlib.geometry.quaternion import rotation
-
-    pose = finite(pose, (7,), "draw_axes3d", "pose")
-    origin = pose[:3]
-    for column, (letter, color) in zip(rotation(pose[3:]).T, AXES, strict=True):
-        tip = origin + size * column
-        ax.plot(*np.stack([origin, tip], axis=1), color=color, **style)
-        ax.text(*(origin + 1.15 * size * column), letter, color=color, ha="center", va="center")
-    if label:
-        ax.text(*(origin - 0.2 * size * rotation(pose[3:]).sum(-1)), label, ha="center", va="center")
-
-
-def draw_ellipsoid(
-    ax: Any,
-    mean: Array,
-    covariance: Array,
-    *,
-    probability: float | None = None,
-    sigmas: float | None = None,
-    **style: Any,
-) -> None:
-    """The three principal ellipses of the ellipsoid that holds a share `probability` of a Gaussian, or of k sigmas.
-
-    mean (3,), covariance (3, 3); the default is the 95 % ellipsoid. The rest as for plot; `label` names it once.
-    Raises ShapeError, NonFiniteError, CovarianceError.
-    """
-    mean = finite(mean, (3,), "draw_ellipsoid", "mean")
-    covariance = finite(covariance, (3, 3), "draw_ellipsoid", "covariance")
-    values, vectors = np.linalg.eigh(positive(covariance, 3, "draw_ellipsoid", "covariance"))
-    half_axes = radius_of("draw_ellipsoid", 3, probability, sigmas) * vectors * np.sqrt(np.maximum(values, 0))
-    turn = np.linspace(0, 2 * np.pi, 73)
-    color = style.pop("color", colors.blue)
-    for one, other in ((0, 1), (1, 2), (2, 0)):
-        ring = mean[:, None] + half_axes[:, [one, other]] @ np.array([np.cos(turn), np.sin(turn)])
-        ax.plot(*ring, color=color, **{"lw": 1.2, **style})
-        style.pop("label", None)

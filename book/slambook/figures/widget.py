@@ -1,4 +1,4 @@
-"""Sweeps as live sliders of a notebook, where a reader's kernel draws each frame.
+"""What a notebook's reader gets: figures as matplotlib draws them, and live sliders, each frame drawn by the kernel.
 
 They are offered where somebody is there to move them: in a front end that takes input, as JupyterLab and VS Code do.
 Where notebooks are only executed (nbconvert, nbval, the book's build) the pre-computed frames are all there is, so that
@@ -17,13 +17,18 @@ VIEW = "application/vnd.jupyter.widget-view+json"
 
 
 def live(on: bool | None = True) -> None:
-    """Show sweeps as live sliders in this kernel (True), as pre-computed frames (False), or as fits the front end."""
+    """Show figures and sliders as to a kernel's reader (True), as in the page (False), or as fits the front end."""
     _asked["live"] = on
+
+
+def wanted() -> bool:
+    """Whether what is shown is for a reader with a kernel."""
+    return _somebody_is_there() if _asked["live"] is None else bool(_asked["live"])
 
 
 def offered(sweep: Any) -> dict[str, Any]:
     """The widget's part of a sweep's output, if live sliders are asked for and can be had."""
-    if not (_somebody_is_there() if _asked["live"] is None else _asked["live"]):
+    if not wanted():
         return {}
     try:
         bundle: dict[str, Any] = live_slider(sweep)._repr_mimebundle_()
@@ -57,7 +62,7 @@ def live_slider(sweep: Any) -> Any:
     shown, drawing = ipywidgets.Label(), ipywidgets.HTML()
 
     def move(_: Any = None) -> None:
-        value, svg, note = sweep.frame(slider.value / sweep.steps)
+        value, svg, note = sweep.own_frame(slider.value / sweep.steps)
         shown.value = value
         drawing.value = f'<div class="picture">{svg}<p class="sweep-note">{html.escape(note)}</p></div>'
 

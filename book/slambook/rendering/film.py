@@ -15,8 +15,7 @@ from slamlib.geometry.pose import Pose, compose, relative
 from slamlib.geometry.quaternion import logarithm
 from slamlib.kalman.linalg import frozen
 from slamlib.manifolds import Array
-from slamlib.simulation.robots import drawn, root
-from slamlib.simulation.streams import Streams, streams
+from slamlib.simulation.draws import Streams, drawn, root, streams
 
 ASTRAY = 6.0  # standard deviations: the start of a path is at most so far from where its rig believes to start
 

@@ -108,7 +108,7 @@ def draw(ax: Any, layers: Sequence[Flat], roles: dict[str, Role], legend: bool) 
     for layer in layers:
         _put(ax, layer, roles[layer.role])
     if legend:
-        ax.legend(loc="outside upper", ncols=4, fontsize=9)
+        ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=4, fontsize=9)
 
 
 def draw_over(ax: Any, layers: Sequence[Flat], roles: dict[str, Role], legend: bool) -> None:
@@ -125,7 +125,7 @@ def draw_over(ax: Any, layers: Sequence[Flat], roles: dict[str, Role], legend: b
         parts = {name: getattr(layer, name)[:1] * np.nan for name in ("lines", "shells", "marks")}
         _put(ax, Flat(layer.role, **parts), roles[layer.role])
     if legend:
-        ax.legend(loc="outside upper", ncols=4, fontsize=9)
+        ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=4, fontsize=9)
 
 
 def _put(ax: Any, layer: Flat, role: Role, edge: float = 1.0) -> None:

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from slambook.figures.projection import view_axes
 from slambook.scene.layers import Flat, Layer, strung
 from slamlib.manifolds import Array, Mask
 
@@ -25,6 +24,14 @@ NAMED = {
     "view": (-60.0, 35.0, False),
     "normal": (BEHIND, 30.0, True),
 }
+
+
+def view_axes(elevation: float, azimuth: float) -> Array:
+    """Rows: the unit vectors to the right, up, and towards the viewer, for angles in degrees."""
+    e, a = np.radians([elevation, azimuth])
+    towards = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+    right = np.array([-np.sin(a), np.cos(a), 0.0])
+    return np.stack([right, np.cross(towards, right), towards])
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from slamlib.datasets.dataset import CalibrationReader, Dataset, Sequence, listed, seconds, table
+from slamlib.datasets.dataset import CalibrationReader, Dataset, Sequence, listed, table
 from slamlib.datasets.lens import Lens, Numbers
 from slamlib.errors import SlamlibError, UnknownNameError
 
@@ -29,8 +29,8 @@ def _cameras(where: Path) -> dict[int, Path]:
 def _open(listing: Path, fps: float | None) -> Sequence:
     """Rows of "time in nanoseconds, file"."""
     rows = table(listing, 2, ",")
-    paths = [listing.parent / "data" / name for _, name in rows]
-    return listed(paths, [1e-9 * seconds(time, listing) for time, _ in rows], listing)
+    paths = [listing.parent / "data" / name for _, (name, *_) in rows]
+    return listed(paths, [1e-9 * time for time, _ in rows], listing)
 
 
 def _fits(text: str) -> bool:

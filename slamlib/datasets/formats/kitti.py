@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from slamlib.datasets.dataset import CalibrationReader, Dataset, Sequence, counted, listed, seconds, table
+from slamlib.datasets.dataset import CalibrationReader, Dataset, Sequence, counted, listed, table
 from slamlib.datasets.lens import Lens
 from slamlib.datasets.pictures import images_in
 from slamlib.errors import SlamlibError
@@ -28,7 +28,7 @@ def _open(folder: Path, fps: float | None) -> Sequence:
     paths, listing = images_in(folder), folder.parent / "times.txt"
     if not listing.is_file():
         return counted(paths, fps or FPS)
-    times = [seconds(row[0], listing) for row in table(listing, 1, None)]
+    times = [time for time, _ in table(listing, 1, None)]
     if len(times) != len(paths):
         raise SlamlibError(f"{listing} has {len(times)} times for {len(paths)} pictures in {folder}")
     return listed(paths, times, listing)

@@ -5,7 +5,7 @@ The intrinsics of its three colour cameras are those of the table in "File forma
 
 from pathlib import Path
 
-from slamlib.datasets.dataset import Dataset, Sequence, listed, seconds, table
+from slamlib.datasets.dataset import Dataset, Sequence, listed, table
 from slamlib.datasets.lens import Lens
 
 LENSES = {
@@ -23,8 +23,7 @@ def _cameras(where: Path) -> dict[int, Path]:
 def _open(listing: Path, fps: float | None) -> Sequence:
     """Rows of "time file"."""
     rows = table(listing, 2, None)
-    paths = [listing.parent / name for _, name in rows]
-    return listed(paths, [seconds(time, listing) for time, _ in rows], listing)
+    return listed([listing.parent / name for _, (name, *_) in rows], [time for time, _ in rows], listing)
 
 
 TUM = Dataset("TUM RGB-D", _cameras, _open, lenses=LENSES)

@@ -55,7 +55,7 @@ def joint(belief: Belief, sensor: MountedSensor, looks: list[Look], options: "Op
     yield _those(looks, keep)
 
 
-def _jointly(found: Together, may: Array, options: "Options") -> Array:
+def _jointly(found: Together, may: Mask, options: "Options") -> Mask:
     """Mask of the largest jointly compatible set of the innovations that may."""
     rows, keep = np.flatnonzero(may), np.zeros(len(may), dtype=bool)
     if len(rows):

@@ -1,8 +1,9 @@
-"""Random numbers of a simulation: a stream of its own for each thing that is drawn."""
+"""Random numbers of a simulation: a stream of its own for each thing that is drawn, and Gaussians on manifolds."""
 
 import numpy as np
 
 from slamlib.errors import SlamlibError
+from slamlib.manifolds import Array, Space
 from slamlib.observation import FAMILIES
 
 KINDS = ("start", "control", "mount", "points", "segments", "faults")  # other families of landmarks come after these
@@ -24,3 +25,14 @@ def streams(rng: np.random.Generator, count: int) -> list[Streams]:
         {kind: np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(i, k))) for k, kind in enumerate(kinds)}
         for i in range(count)
     ]
+
+
+def drawn(space: Space, mean: Array, covariance: Array, rng: np.random.Generator) -> Array:
+    """A point (size,) of a Gaussian in the space's tangent: mean (size,), covariance (dof, dof)."""
+    return space.plus(mean, root(covariance) @ rng.standard_normal(space.dof))
+
+
+def root(covariance: Array) -> Array:
+    """The symmetric square root of a covariance, which may be singular."""
+    values, vectors = np.linalg.eigh(covariance)
+    return (vectors * np.sqrt(np.maximum(values, 0))) @ vectors.T

@@ -1,0 +1,90 @@
+"""A figure of matplotlib's, drawn again by the small renderer: a third of matplotlib's weight.
+
+What it cannot draw raises SlamlibError; then the figure is shown as matplotlib draws it (see slambook.figures.native).
+Import this where matplotlib is there.
+"""
+
+from typing import Any
+
+import numpy as np
+from matplotlib import ticker
+from matplotlib.legend import Legend
+
+from slambook.figures.artists import put_all, sample
+from slambook.figures.axes import Axes
+from slambook.figures.figure import Figure, figure
+from slambook.figures.reading import CannotReplayError
+
+USUAL_TICKS = (ticker.AutoLocator, ticker.LogLocator)  # the renderer places its own instead
+USUAL_LABELS = (ticker.ScalarFormatter, ticker.LogFormatterSciNotation)
+CORNERS = {code: name for name, code in Legend.codes.items() if name != "right"}
+
+
+def replayed(fig: Any) -> Figure:
+    """A matplotlib.figure.Figure as one of the renderer's; raises CannotReplayError, or what the renderer says."""
+    places = [ax.get_subplotspec() for ax in fig.axes]
+    if fig.texts or fig.legends or fig.images or fig.lines or fig.patches or fig.subfigs or fig.get_suptitle():
+        raise CannotReplayError("there is something in the figure that is in none of its axes")
+    tables = {place and place.get_gridspec() for place in places}
+    table = tables.pop() if len(tables) == 1 else None
+    if table is None or sorted(place.num1 for place in places) != list(range(table.nrows * table.ncols)):
+        raise CannotReplayError("the axes are no plain table")
+    width, height = (float(v) for v in fig.get_size_inches())
+    made, _ = figure(table.nrows, table.ncols, width=width, height=height)
+    for ax, place in zip(fig.axes, places, strict=True):
+        _replay(ax, made.axes[place.num1])
+    return made
+
+
+def _replay(ax: Any, target: Axes) -> None:
+    if (
+        ax.name != "rectilinear"
+        or ax.child_axes
+        or ax.artists
+        or ax.tables
+        or ax.get_title("left") + ax.get_title("right")
+    ):
+        raise CannotReplayError("the axes hold more than the renderer draws")
+    put_all(ax, target)
+    target.set(title=ax.get_title(), xlabel=ax.get_xlabel(), ylabel=ax.get_ylabel())
+    target.set(xscale=ax.get_xscale(), yscale=ax.get_yscale(), aspect=ax.get_aspect(), adjustable=ax.get_adjustable())
+    target.set(xlim=ax.get_xlim(), ylim=ax.get_ylim())
+    for axis, limits in ((ax.xaxis, ax.get_xlim()), (ax.yaxis, ax.get_ylim())):
+        _ticks(axis, limits, target)
+    target.axis("on" if ax.axison else "off")
+    target.grid(any(axis.get_tick_params()["gridOn"] for axis in (ax.xaxis, ax.yaxis)))
+    if ax.get_legend() is not None:
+        _legend(ax.get_legend(), ax, target)
+
+
+def _ticks(axis: Any, limits: tuple[float, float], target: Axes) -> None:
+    """Ticks that somebody has set; the others are the renderer's own."""
+    locator, formatter, name = axis.get_major_locator(), axis.get_major_formatter(), axis.axis_name
+    if type(locator) in USUAL_TICKS and type(formatter) in USUAL_LABELS:
+        return
+    places = np.asarray(axis.get_majorticklocs(), dtype=float)
+    places = places[(places >= min(limits)) & (places <= max(limits))]
+    target.set(**{f"{name}ticks": places})
+    if type(formatter) not in USUAL_LABELS and len(places):
+        target.set(**{f"{name}ticklabels": formatter.format_ticks(places)})
+
+
+def _legend(legend: Any, ax: Any, target: Axes) -> None:
+    entries = list(zip(legend.legend_handles, (t.get_text() for t in legend.get_texts()), strict=True))
+    samples = [sample(handle) for handle, _ in entries]
+    loc, box, options = legend._get_loc(), legend.get_bbox_to_anchor(), dict[str, Any]()
+    if box is not ax.bbox:
+        (x0, y0), (x1, y1) = ax.transAxes.inverted().transform(box.get_points())
+        if max(abs(x1 - x0), abs(y1 - y0)) > 1e-9:
+            raise CannotReplayError("a legend that is placed in a box")
+        options["bbox_to_anchor"] = float(x0), float(y0)
+    target.legend(
+        samples,
+        [label for _, label in entries],
+        loc=CORNERS.get(loc, "center right") if isinstance(loc, int) else loc,
+        ncols=legend._ncols,
+        title=legend.get_title().get_text(),
+        fontsize=legend.get_texts()[0].get_fontsize() if entries else 10.0,
+        frameon=legend.get_frame_on(),
+        **options,
+    )
