@@ -8,10 +8,10 @@ import pytest
 from slambook.rendering.stereo_film import stereo_film
 
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
-from slamlib.datasets.lens import Lens
+from slamlib.datasets.calibrations import read_pair
+from slamlib.datasets.lens import Lens, PairCalibration
 from slamlib.datasets.opening import reopen
-from slamlib.datasets.pair_calibrations import PairCalibration, read_pair
-from slamlib.datasets.pair_sources import open_pairs
+from slamlib.datasets.pairs import open_pairs
 from slamlib.datasets.pictures import Picture
 from slamlib.datasets.rectification import Rectification, rectified_setup, why_not_rectified
 from slamlib.datasets.sources import of_pictures
