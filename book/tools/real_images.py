@@ -31,7 +31,7 @@ from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.experiments.progress import progress
 from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.results import ImageResult, summary
-from slamlib.vision.run import carried, image_run, options_for
+from slamlib.vision.run import camera_rig, image_run, options_for
 from slamlib.vision.sequence_run import SequenceRun
 from slamlib.vision.tracking_loss import Lost
 
@@ -149,7 +149,7 @@ def run(
 ) -> SequenceRun:
     """The filter on the sequence, a free scale; seed: of where landmarks are begun; said: options of the filter."""
     source, camera = opened(str(images), str(CALIBRATION), fps=FPS)
-    rig = carried({**camera, "std": (noise,)}, impulse=impulse)
+    rig = camera_rig({**camera, "std": (noise,)}, impulse=impulse)
     search = ActiveSearch(rig.sensors[0].calibration, np.random.default_rng(seed))
     work = image_run(source.part(0, 1, frames), rig, options_for(1.0, **{**SAID, **said}), search)
     for _ in work:

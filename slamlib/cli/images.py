@@ -17,7 +17,7 @@ from slamlib.motions import MOTIONS
 from slamlib.slam.data_association.consensus import CONSENSUS
 from slamlib.vision.active_search import Settings
 from slamlib.vision.combined_front_end import front_end_of
-from slamlib.vision.run import IMAGES, PAIRS, carried, image_run, load, opened_stereo, options_for, stereo_run
+from slamlib.vision.run import IMAGES, PAIRS, camera_rig, image_run, load, opened_stereo, options_for, stereo_run
 from slamlib.vision.sequence_run import SequenceKind, SequenceRun
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.motion_source import MOVING
@@ -151,7 +151,7 @@ def _begun_images(given: argparse.Namespace) -> SequenceRun:
         camera["std"] = (given.noise,)
     target = None if given.scale == "free" else Target.load(given.scale)
     unit = 1.0 if target is None else target.distance(SensorSetup(**tuples(camera)).calibration)
-    rig = carried(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
+    rig = camera_rig(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
     settings = Settings(**assignments(given.search, Settings, "--search"))
     said = _said(given, "point landmark (for lines there is --lines)", "lines", "updates", "consensus")
     chosen = options_for(unit, 0 if target is None else len(target.points), **said)

@@ -14,7 +14,7 @@ from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import compose, to_frame
 from slamlib.geometry.quaternion import exponential
 from slamlib.vision.results import COLUMNS, PARTS, summary, table
-from slamlib.vision.run import IMAGES, carried, image_run, load, options_for
+from slamlib.vision.run import IMAGES, camera_rig, image_run, load, options_for
 from slamlib.vision.target import Target
 from slamlib.vision.tracking_loss import Lost
 
@@ -99,7 +99,7 @@ def pictures(dark=(), count=COUNT):
 
 
 def begun(dark=(), **options):
-    return image_run(pictures(dark), carried(CAMERA), OPTIONS, Told(), **options)
+    return image_run(pictures(dark), camera_rig(CAMERA), OPTIONS, Told(), **options)
 
 
 def error(run, scale=True):
@@ -179,7 +179,7 @@ def test_missing_pictures_pass_as_dark_ones_do():
     spoilt = set(range(15, 23))
     dark = begun(spoilt)
     there = [p for i, p in enumerate(pictures()) if i not in spoilt]
-    missing = image_run(of_pictures(there, DT), carried(CAMERA), OPTIONS, Told())
+    missing = image_run(of_pictures(there, DT), camera_rig(CAMERA), OPTIONS, Told())
     seen = []
     for run in (dark, missing):
         step = next(step for step in run if step.picture.name == "23.png")
@@ -235,7 +235,7 @@ def test_over_a_longer_time_more_impulses():
     sparse = of_pictures([p for i, p in enumerate(there) if i not in (20, 21, 22)], DT)
     spreads = []
     for source in (there, sparse):
-        run = image_run(source, carried(CAMERA), OPTIONS, Told())
+        run = image_run(source, camera_rig(CAMERA), OPTIONS, Told())
         seen = []
         correct = run.slam._correct
         run.slam._correct = lambda i, scan, s=run.slam, c=correct, a=seen: (
@@ -250,14 +250,14 @@ def test_over_a_longer_time_more_impulses():
 
 def test_a_picture_of_another_size_is_refused_before_the_filter_moves():
     source = of_pictures([Picture("a.png", 0.0, np.zeros((24, 32), np.uint8))], DT)
-    run = image_run(source, carried(CAMERA), OPTIONS, Told())
+    run = image_run(source, camera_rig(CAMERA), OPTIONS, Told())
     with pytest.raises(SlamlibError, match=r"a\.png is 32x24, and the calibration is of 64x48"):
         list(run)
     assert run.whole
     for what in (run.result, run.trajectory):
         with pytest.raises(SlamlibError, match="nothing has been run"):
             what()
-    rig = carried(CAMERA)
+    rig = camera_rig(CAMERA)
     with pytest.raises(SlamlibError, match="one robot with one camera"):
         image_run(source, replace(rig, sensors=(rig.sensors[0], replace(rig.sensors[0], name="right"))))
 
@@ -280,7 +280,7 @@ def with_target(**options):
     told = Told()
     told.points = told.points[order]
     unit = known.distance(CALIBRATION)
-    return image_run(pictures(), carried(CAMERA, unit=unit), options_for(unit, 6), told, scale=known), known
+    return image_run(pictures(), camera_rig(CAMERA, unit=unit), options_for(unit, 6), told, scale=known), known
 
 
 def test_a_target_gives_the_true_scale_and_the_place():
@@ -309,7 +309,7 @@ def test_the_uncertainty_of_the_start_is_that_of_the_pixels():
         )
         told = Told()
         told.points = told.points[order]
-        run = image_run(pictures(), carried(CAMERA), OPTIONS, told, scale=noisy)
+        run = image_run(pictures(), camera_rig(CAMERA), OPTIONS, told, scale=noisy)
         next(iter(run))
         from slamlib.geometry.pose import Pose, inverse
 
@@ -358,6 +358,8 @@ def test_targets_that_say_too_little_or_do_not_fit():
     run.target = Target(known.points, known.pixels * [0, 1])
     with pytest.raises(SlamlibError, match="too near the picture's border"):
         next(iter(run))
-    run = image_run(pictures(), carried(CAMERA), OPTIONS, type("Other", (Told,), {"adopt": property()})(), scale=known)
+    run = image_run(
+        pictures(), camera_rig(CAMERA), OPTIONS, type("Other", (Told,), {"adopt": property()})(), scale=known
+    )
     with pytest.raises(SlamlibError, match="has no `adopt`"):
         next(iter(run))

@@ -108,7 +108,7 @@ PAIRS = SequenceKind(
 )
 
 
-def carried(
+def camera_rig(
     camera: dict[str, Any],
     kind: SequenceKind = IMAGES,
     *,
@@ -117,7 +117,7 @@ def carried(
     impulse: tuple[float, float] | None = None,
     velocity: tuple[float, float] | None = None,
 ) -> Rig:
-    """A camera (plain data of a SensorSetup) that is carried about, as a rig; it starts at the origin, looking along x.
+    """A camera (plain data of a SensorSetup) that is carried about, as a rig; it starts at the origin and looks along x.
 
     impulse, velocity: standard deviations as of a SequenceKind, whose own are the default. unit: typical distance of
     what is seen [m], which these are scaled with; with a free scale it is the metre of the run itself, 1.
@@ -206,7 +206,7 @@ def stereo_run(
         raise UnknownNameError.of("motion of a stereo run", moving, SOURCES)
     setup = SensorSetup(**{"std": PAIRS.noise, **tuples(camera)})
     motion = SOURCES[moving](setup.calibration, setup.mount, settings)
-    rig = carried(camera, PAIRS, motion=motion.motion, impulse=impulse, velocity=velocity)
+    rig = camera_rig(camera, PAIRS, motion=motion.motion, impulse=impulse, velocity=velocity)
     options = Options(points=None) if moving == "odometry" else options
     return SequenceRun(source, Slam(rig, options, front_ends=[motion.front_end]), motion, PAIRS, patience=patience)
 

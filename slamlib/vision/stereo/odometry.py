@@ -149,7 +149,7 @@ class VisualOdometry:
         self.matched: Array = np.zeros((0, 3))
         self.tracks, self.again = Tracks(), np.zeros(0, dtype=bool)
 
-    def step(self, image: Image, predicted: Array | None = None) -> Motion | None:
+    def step(self, image: Image | None, predicted: Array | None = None) -> Motion | None:
         """The motion to this pair (2, h, w) from the one before; None for the first, and where none can be told.
 
         predicted (7,): the robot's new pose in its old frame, for the regions of matches; the default is that of the
