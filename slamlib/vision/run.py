@@ -117,7 +117,7 @@ def camera_rig(
     impulse: tuple[float, float] | None = None,
     velocity: tuple[float, float] | None = None,
 ) -> Rig:
-    """A camera (plain data of a SensorSetup) that is carried about, as a rig; it starts at the origin and looks along x.
+    """A camera (plain data of a SensorSetup) that is carried about, as a rig; it starts at the origin, looking along x.
 
     impulse, velocity: standard deviations as of a SequenceKind, whose own are the default. unit: typical distance of
     what is seen [m], which these are scaled with; with a free scale it is the metre of the run itself, 1.
