@@ -106,3 +106,9 @@ def _assignment(text: str, flag: str) -> tuple[str, Any]:
         except json.JSONDecodeError:
             continue
     return name, value
+
+
+def aligned_rows(rows: list[tuple[str, str]]) -> str:
+    """A result for people: names on the left, values in one column."""
+    width = max(len(name) for name, _ in rows)
+    return "\n".join(f"{name:{width}}  {value}" for name, value in rows)
