@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from slamlib.data.plain import Range, checked, read
+from slamlib.data.plain import Range, read, read_fields
 from slamlib.data.setup import SensorSetup
 from slamlib.datasets.dataset import CalibrationReader
 from slamlib.datasets.lens import Lens, Numbers, shifted
@@ -98,12 +98,12 @@ def _read(path: object, text: str) -> dict[int | None, Callable[[], Lens | OwnCa
 
 def _camera(number: int | None, setup: dict[str, Any]) -> OwnCamera:
     of_rig = number is not None
-    return OwnCamera(checked(SensorSetup, setup, f"sensors[{number}]" if of_rig else "camera"), of_rig)
+    return OwnCamera(read_fields(SensorSetup, setup, f"sensors[{number}]" if of_rig else "camera"), of_rig)
 
 
 def _half(setup: dict[str, Any], right: bool) -> Lens:
     """The left or the right lens of a stereo sensor."""
-    sensor = SensorSetup(**checked(SensorSetup, setup, "stereo"))
+    sensor = SensorSetup(**read_fields(SensorSetup, setup, "stereo"))
     given = sensor.calibration.given  # checked
     place = shifted(float(given["baseline"][0])) if right else None
     said = {"std": sensor.std, "noise": sensor.noise, "limits": sensor.limits}
