@@ -166,9 +166,6 @@ class Rig:
         return read(cls, data)
 
 
-tuples = written
-
-
 def pose_of(position: Numbers, euler: Numbers, name: str) -> Array:
     """Pose (7,) of a position [m] and roll, pitch, yaw [deg]."""
     angles = np.radians(finite(euler, (3,), name, "euler"))

@@ -11,7 +11,8 @@ from slamlib.belief import Belief
 from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array, Indices
 from slamlib.observation.family import Expected, Family, viewpoint
-from slamlib.slam.data_association.gates import CHOICES, Sight, gate, innovation_covariances, normalized
+from slamlib.slam.data_association.front_end import FrontEnd, Sight
+from slamlib.slam.data_association.gates import CHOICES, gate, innovation_covariances, normalized
 from slamlib.slam.entities import Landmark, MountedSensor
 
 if TYPE_CHECKING:
@@ -97,7 +98,7 @@ def looks_from(slam: Any, motion: Array, sensor: int = 0) -> list[Look]:
     return expect_all(slam.belief, mounted, slam.families, slam.landmarks, slam.options, robot)
 
 
-def choose_and_match(sight: Sight, front_end: Any, options: "Options") -> list[Look]:
+def choose_and_match(sight: Sight, front_end: FrontEnd, options: "Options") -> list[Look]:
     """The looks that tell most and were matched, the one that tells most first; the landmarks' histories go on."""
     sizes: dict[int, list[Look]] = defaultdict(list)
     for look in front_end.findable(sight):
