@@ -37,8 +37,7 @@ from slamlib.observation.lines import bent, rays_of, straight
 from slamlib.slam import Options, Slam
 from slamlib.vision.active_search import ActiveSearch, Settings
 from slamlib.vision.combined_front_end import Both
-from slamlib.vision.edge_profile import axes, strip
-from slamlib.vision.edges import fitted
+from slamlib.vision.edges import axes, fitted, strip
 from slamlib.vision.line_search import SegmentSearch, SegmentSettings
 from slamlib.vision.segments import refined, segments_of
 
@@ -195,8 +194,8 @@ def in_image(film: rendering.Film, truth: Truth, slam: Slam, landmark: Any, poin
     if not seen.seen:
         return np.nan
     measured = bent(calibration, seen.pixels)
-    z = slam.families["segments"].innovation(viewpoint(slam.sensors[0]), landmark, measured, slam.options).z
-    return float(np.abs(z).max())
+    found = slam.families["segments"].innovation(viewpoint(slam.sensors[0]), landmark, measured, slam.options)
+    return float(np.abs(found.z).max()) if found is not None else np.nan
 
 
 def in_space(slam: Slam, landmark: Any, points: Array) -> tuple[float, float]:
