@@ -194,8 +194,8 @@ def in_image(film: rendering.Film, truth: Truth, slam: Slam, landmark: Any, poin
     if not seen.seen:
         return np.nan
     measured = bent(calibration, seen.pixels)
-    z = slam.families["segments"].innovation(viewpoint(slam.sensors[0]), landmark, measured, slam.options).z
-    return float(np.abs(z).max())
+    found = slam.families["segments"].innovation(viewpoint(slam.sensors[0]), landmark, measured, slam.options)
+    return float(np.abs(found.z).max()) if found is not None else np.nan
 
 
 def in_space(slam: Slam, landmark: Any, points: Array) -> tuple[float, float]:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from book.tools import monocular, real_images
+from slamlib.vision.run import options_for
 
 CUBE = Path(os.environ.get("SLAMLIB_DATA") or "no-data") / "mono_visp_cube" / "frames"
 RENEW = "run `make {}` and `python -m book.tools.notebooks run book/chapters/monocular.ipynb`"

@@ -9,7 +9,8 @@ import numpy as np
 
 from slamlib.cli import runner
 from slamlib.cli.arguments import OPTION, assignments, count, from_zero
-from slamlib.data.setup import SensorSetup, tuples
+from slamlib.data.plain import read
+from slamlib.data.setup import SensorSetup
 from slamlib.datasets import opening
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.landmarks import POINTS
@@ -150,7 +151,7 @@ def _begun_images(given: argparse.Namespace) -> SequenceRun:
     if given.noise is not None:
         camera["std"] = (given.noise,)
     target = None if given.scale == "free" else Target.load(given.scale)
-    unit = 1.0 if target is None else target.distance(SensorSetup(**tuples(camera)).calibration)
+    unit = 1.0 if target is None else target.distance(read(SensorSetup, camera, "camera").calibration)
     rig = camera_rig(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
     settings = Settings(**assignments(given.search, Settings, "--search"))
     said = _said(given, "point landmark (for lines there is --lines)", "lines", "updates", "consensus")

@@ -11,7 +11,7 @@ import numpy as np
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnknownCallError
 from slamlib.kalman.linalg import covariance, finite, numbers
-from slamlib.manifolds import Array, Image, Indices
+from slamlib.manifolds import Array, Indices
 from slamlib.model import Model
 from slamlib.observation import FAMILIES
 
@@ -99,7 +99,7 @@ class Scan(ByFamily):
     _FAMILIES = "features"
     _ABSENT = Features.none(0)
     features: dict[str, Features] = field(default_factory=dict)
-    image: Image | None = None
+    image: Any = None  # one picture (h, w), a pair (2, h, w), or None
 
 
 @dataclass(frozen=True, eq=False)

@@ -176,7 +176,7 @@ class Slam:
     def _delete(self, looks: list[Look], events: _Events) -> None:
         """Landmarks that are not found where they should be, or found to be wrong, and points beyond infinity, go."""
         bad = {look.landmark for look in looks if look.chosen and is_bad(look.landmark, self.options)}
-        bad |= out_of_window(self.landmarks, self.number, self.options)
+        bad.update(out_of_window(self.landmarks, self.number, self.options))
         for group in groups(self.landmarks):
             for family in self.families.values():
                 if isinstance(group[0].kind, family.kinds):

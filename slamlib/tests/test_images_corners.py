@@ -190,7 +190,7 @@ def test_the_quality_bounds_the_covariance(name):
 
 
 def test_better_corners_are_matched_better_on_a_real_sequence():
-    # C37: noise is added, as a poor camera has it; the right place is the pixel itself
+    # Noise is added, as a poor camera has it; the right place is the pixel itself
     rng, right, low = np.random.default_rng(1), [], []
     for number in range(0, 80, 16):
         image, cells = cube(number), Grid((384, 288), (24, 18))

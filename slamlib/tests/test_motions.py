@@ -104,6 +104,6 @@ def test_odometry_agrees_with_the_toolbox_on_stored_numbers(function):
 
 
 def test_constant_velocity_agrees_with_the_toolboxs_simulator():
-    """Its filter moves the quaternion by an Euler step instead, an approximation that we do not share (C06)."""
+    """Its filter moves the quaternion by an Euler step instead, an approximation that we do not share."""
     for given, wanted in cases("motion", "constVel_value"):
         assert constant_velocity.step(given["X"], given["u"], given["dt"]) == pytest.approx(wanted["Xo"], abs=1e-12)

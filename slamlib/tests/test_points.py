@@ -190,7 +190,7 @@ def test_index_after_conversion_is_that_of_the_converted_point(kind, rng):
 
 @pytest.mark.parametrize("kind", [AHM_POINT, IDP_POINT], ids=lambda k: k.name)
 def test_the_toolboxs_rule_is_the_special_case_of_an_uncertain_inverse_distance(kind, rng):
-    """Gap C15: 4 sigma_d |cos| / d1, sigma_d = sigma_rho / rho^2."""
+    """4 sigma_d |cos| / d1, sigma_d = sigma_rho / rho^2."""
     for _ in range(10):
         _, landmark = seen(kind, rng)
         other, sigma = Pose.random(rng), 0.03

@@ -21,7 +21,8 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup, tuples
+from slamlib.data.plain import read, read_fields
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets import opening
 from slamlib.datasets.pairs import checked
 from slamlib.datasets.pictures import Picture
@@ -63,12 +64,12 @@ def _image_source(
     lens = rig.sensors[0].calibration
     if front_end is not None:
         return OwnMotion(front_end(lens))
-    return OwnMotion(front_end_of(options, lens, np.random.default_rng(0), Settings(**tuples(settings))))
+    return OwnMotion(front_end_of(options, lens, np.random.default_rng(0), read(Settings, settings)))
 
 
 def _pair_source(rig: Rig, options: Options, name: str, settings: Any, front_end: None) -> MotionSource:
     setup = rig.sensors[0]
-    return SOURCES[name](setup.calibration, setup.mount, StereoSettings(**tuples(settings)))
+    return SOURCES[name](setup.calibration, setup.mount, read(StereoSettings, settings))
 
 
 SOURCES: dict[str, Callable[..., Moving]] = {**MOVING, "odometry": OdometryAlone}
@@ -131,7 +132,7 @@ def camera_rig(
         velocity_std=(moving[0],) * 3 + (moving[1],) * 3,
         control_std=(pushed[0],) * 3 + (pushed[1],) * 3,
     )
-    return Rig((robot,), (SensorSetup(**{"std": kind.noise, **tuples(camera)}),))
+    return Rig((robot,), (SensorSetup(**{"std": kind.noise, **read_fields(SensorSetup, camera, "camera")}),))
 
 
 def options_for(unit: float = 1.0, known: int = 0, **said: Any) -> Options:
@@ -204,7 +205,7 @@ def stereo_run(
     """
     if moving not in SOURCES:
         raise UnknownNameError.of("motion of a stereo run", moving, SOURCES)
-    setup = SensorSetup(**{"std": PAIRS.noise, **tuples(camera)})
+    setup = SensorSetup(**{"std": PAIRS.noise, **read_fields(SensorSetup, camera, "camera")})
     motion = SOURCES[moving](setup.calibration, setup.mount, settings)
     rig = camera_rig(camera, PAIRS, motion=motion.motion, impulse=impulse, velocity=velocity)
     options = Options(points=None) if moving == "odometry" else options
