@@ -21,7 +21,8 @@ from slamlib.experiments.presets import Preset, preset
 from slamlib.manifolds import Array, Mask
 from slamlib.slam import Slam
 from slamlib.slam.data_association.consensus import CONSENSUS, Consensus
-from slamlib.slam.data_association.gates import Identity, gate
+from slamlib.slam.data_association.front_end import Identity
+from slamlib.slam.data_association.gates import gate
 from slamlib.slam.data_association.jcbb import compatible
 
 TURNS = 10.0  # times the standard deviation of the preset's turns

@@ -37,8 +37,7 @@ from slamlib.observation.lines import bent, rays_of, straight
 from slamlib.slam import Options, Slam
 from slamlib.vision.active_search import ActiveSearch, Settings
 from slamlib.vision.combined_front_end import Both
-from slamlib.vision.edge_profile import axes, strip
-from slamlib.vision.edges import fitted
+from slamlib.vision.edges import axes, fitted, strip
 from slamlib.vision.line_search import SegmentSearch, SegmentSettings
 from slamlib.vision.segments import refined, segments_of
 

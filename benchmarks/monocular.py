@@ -27,7 +27,7 @@ from slamlib.evaluation.trajectory import Trajectory
 from slamlib.manifolds import Array, Mask
 from slamlib.slam import Options, Slam
 from slamlib.slam.data_association.consensus import CONSENSUS
-from slamlib.slam.data_association.gates import Sight
+from slamlib.slam.data_association.front_end import Sight
 from slamlib.vision.active_search import ActiveSearch
 
 DT, STD = 1 / 30, 0.035  # [s] between frames; [px] of a match: what the image's noise and the warp leave

@@ -27,7 +27,6 @@ from typing import Any
 import numpy as np
 from slambook.recorded import KITTI
 
-from slamlib.cli import comparing
 from slamlib.datasets.sources import Source, of_pictures
 from slamlib.evaluation.alignment import aligned
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
@@ -35,11 +34,10 @@ from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import relative
 from slamlib.geometry.quaternion import exponential
 from slamlib.manifolds import Array
-from slamlib.vision.results import summary
+from slamlib.vision.results import parts, summary
+from slamlib.vision.run import PAIRS, opened_stereo, stereo_run
+from slamlib.vision.sequence_run import SequenceRun
 from slamlib.vision.stereo import MOVING, StereoSettings
-from slamlib.vision.stereo.odometry_run import OdometryRun
-from slamlib.vision.stereo.open_pairs import opened_pairs
-from slamlib.vision.stereo.run import IMPULSE, OPTIONS, StereoRun
 
 OFFSETS = (-0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
 CHOSEN = 0.2
@@ -64,30 +62,31 @@ ALONE = "odometry alone"
 def street() -> tuple[Source, dict[str, Any], Trajectory]:
     """The pairs, in memory, their camera, and the true path."""
     left, right, calibration, poses = (str(KITTI / n) for n in ("image_l", "image_r", "calib.txt", "poses.txt"))
-    source, camera, _ = opened_pairs(left=left, right=right, calibration=[calibration], fps=10)
+    source, camera, _ = opened_stereo(left=left, right=right, calibration=[calibration], fps=10)
     pairs = list(progress(source, len(source), "reading"))
     truth = read_trajectory(poses, times=np.array(source.whole.times))
     return of_pictures(pairs, source.interval), camera, truth
 
 
-def errors(run: StereoRun, truth: Trajectory) -> dict[str, float]:
+def errors(run: SequenceRun, truth: Trajectory) -> dict[str, float]:
     """Of a run that has been done: shares, degrees a metre, metres, degrees."""
-    parts, whole = comparing.parts(run, truth), aligned(run.trajectory(), truth, scale=False)
-    assert parts is not None
+    path = run.trajectory()
+    found, whole = parts(path, truth), aligned(path, truth, scale=False)
+    assert found is not None
     return {
-        "translation": parts["translation_mean"],
-        "rotation": parts["rotation_mean"],
+        "translation": found["translation_mean"],
+        "rotation": found["rotation_mean"],
         "ate": whole.rmse,
         "attitude": float(np.degrees(np.sqrt((whole.attitude**2).mean()))),
-        "shortest": parts["translation"][0],
-        "longest": parts["translation"][-1],
+        "shortest": found["translation"][0],
+        "longest": found["translation"][-1],
     }
 
 
 def offsets(source: Source, camera: dict[str, Any], truth: Trajectory) -> Iterator[dict[str, float]]:
     """Odometry with constants added to all disparities."""
     for offset in OFFSETS:
-        run = OdometryRun(source, camera, settings=StereoSettings(offset=offset, **FEATURES))
+        run = stereo_run(source, camera, moving="odometry", settings=StereoSettings(offset=offset, **FEATURES))
         list(progress(run, len(run), f"offset {offset}"))
         r = run.result()
         yield {
@@ -99,18 +98,18 @@ def offsets(source: Source, camera: dict[str, Any], truth: Trajectory) -> Iterat
         }
 
 
-def runs(source: Source, camera: dict[str, Any], offset: float, names: list[str]) -> Iterator[tuple[str, StereoRun]]:
+def runs(source: Source, camera: dict[str, Any], offset: float, names: list[str]) -> Iterator[tuple[str, SequenceRun]]:
     """Odometry alone, and the filter in each way."""
-    yield ALONE, OdometryRun(source, camera, settings=StereoSettings(offset=offset, **FEATURES))
+    yield ALONE, stereo_run(source, camera, moving="odometry", settings=StereoSettings(offset=offset, **FEATURES))
     for name in names:
         way = WAYS[name]
         settings = StereoSettings(offset=offset, **FEATURES, **way["settings"])
-        options = replace(OPTIONS, **way["options"])
-        impulse = way.get("impulse", IMPULSE)
-        yield name, StereoRun(source, camera, options, moving=name, settings=settings, impulse=impulse)
+        options = replace(PAIRS.options, **way["options"])
+        impulse = way.get("impulse")
+        yield name, stereo_run(source, camera, options, moving=name, settings=settings, impulse=impulse)
 
 
-def done(name: str, run: StereoRun, truth: Trajectory) -> dict[str, float]:
+def done(name: str, run: SequenceRun, truth: Trajectory) -> dict[str, float]:
     """Work, and say how well it went."""
     began = time.process_time()
     list(progress(run, len(run), name))

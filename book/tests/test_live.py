@@ -139,6 +139,67 @@ def test_a_figure_with_a_slider_asks_for_frames(page):
     assert json.loads(page.frame("cell 1", 0.25)) == ["0.25", "<svg/>", "note"]
 
 
+@pytest.fixture
+def plotting(page, monkeypatch):
+    """The page's runner, where matplotlib has not been imported yet."""
+    for name in [n for n in sys.modules if n.partition(".")[0] == "matplotlib"]:
+        monkeypatch.delitem(sys.modules, name)
+    yield page
+    for name in ("matplotlib", "matplotlib.pyplot", "matplotlib.axes", "matplotlib.contours"):
+        sys.modules.pop(name, None)
+
+
+def shown(page):
+    return [json.loads(text) for kind, text in page.sent if kind == "value"]
+
+
+def test_matplotlib_is_a_stand_in_that_draws_as_the_book_does(plotting):
+    text = "import matplotlib.pyplot as plt\nplt.style.use('slambook.book')\nfrom slambook.figures import picture\n"
+    text += "fig, ax = plt.subplots()\nax.plot([1, 2], label='a')\nax.legend()\n"
+    assert plotting.run(text + "picture(fig, alt='A line that goes up, and no more.')", "cell 1")
+    (value,) = shown(plotting)
+    assert value["text"] == "Picture: A line that goes up, and no more."
+    assert value["html"].startswith('<div class="picture"><svg viewBox="0 0 417.6 252"')
+    assert "stand-in" in sys.modules["matplotlib"].__version__
+
+
+def test_open_figures_are_shown_once_at_the_end_of_their_cell(plotting):
+    assert plotting.run("import matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.title('up')\nplt.show()", "cell 1")
+    assert [v["text"] for v in shown(plotting)] == ["A figure: up"]
+    assert plotting.run("fig, ax = plt.subplots()\nax.bar([1], [2])\nax.set_title('bar')\nfig", "cell 2")
+    assert [v["text"] for v in shown(plotting)][1:] == ["A figure: bar"]
+    assert plotting.run("plt.figure()\n1", "cell 3")  # without axes there is nothing to show
+    assert [v["text"] for v in shown(plotting)][2:] == ["1"]
+    assert plotting.run("plt.plot([1]); plt.close()", "cell 4")
+    assert len(shown(plotting)) == 3
+
+
+@pytest.mark.parametrize(
+    ("code", "lacks"),
+    [
+        ("plt.pie([1])", "the page's matplotlib is a small stand-in and has no pie in pyplot"),
+        ("plt.subplots()[1].twinx()", "the page's matplotlib is a small stand-in and has no twinx in axes"),
+        ("plt.gcf().colorbar()", "the page's matplotlib is a small stand-in and has no colorbar in a figure"),
+        ("plt.subplots(2, sharex=True)", "the page's matplotlib is a small stand-in and has no sharex in subplots"),
+        ("import matplotlib.patches", "the page's matplotlib is a small stand-in: it has matplotlib.pyplot, and no"),
+        ("import matplotlib\nmatplotlib.use('agg')", "the page's matplotlib is a small stand-in and has no use"),
+    ],
+)
+def test_what_the_stand_in_lacks_it_says(plotting, code, lacks):
+    assert not plotting.run("import matplotlib.pyplot as plt\n" + code, "cell 1")
+    assert lacks in failed(plotting)["text"]
+
+
+def test_what_readers_type_first_is_there(plotting):
+    calls = """hist([1, 2, 2]) | grid() | xlabel("x") | semilogx([1, 2]) | errorbar([1, 2], [1, 2], yerr=0.1) | legend()
+    quiver([0], [0], [1], [1]) | imshow([[1, 2]]) | contour([[0, 1], [1, 2]]) | scatter([1], [2]) | xlim(1, 9)
+    fill_between([1, 2], [0, 1]) | axhline(1) | axvspan(0, 1) | text(0, 0, "a") | annotate("b", (0, 0)) | axis("equal")
+    barh(["a", "b"], [1, 2]) | step([1, 2], [1, 2]) | vlines([1], 0, 1) | loglog([1, 2]) | fill([0, 1], [1, 2])"""
+    for call in calls.replace("\n", " | ").split(" | "):
+        assert plotting.run(f"import matplotlib.pyplot as plt\nplt.{call.strip()};", "cell 1"), failed(plotting)["text"]
+    assert all(value["text"].startswith("A figure") for value in shown(plotting))
+
+
 def test_a_package_is_fetched_when_it_is_first_imported(tmp_path, monkeypatch):
     spec = importlib.util.spec_from_file_location("book_runner", ROOT / "book" / "live" / "runner.py")
     module = importlib.util.module_from_spec(spec)

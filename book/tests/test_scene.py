@@ -173,7 +173,7 @@ def test_every_type_of_landmark_is_drawn_by_the_same_code(name):
     shown = scenes.snapshot()
     family = "points" if name in POINTS else "segments"
     named = replace(getattr(shown, family), kinds=(name,) * len(getattr(shown, family).ids))
-    before, after = (map_scene(s) for s in (shown, replace(shown, **{family: named})))
+    before, after = (map_scene(s) for s in (shown, replace(shown, landmarks={**shown.landmarks, family: named})))
     for one, other in zip(before, after, strict=True):
         for field in fields(Layer):
             assert np.array_equal(
@@ -185,7 +185,7 @@ def test_every_type_of_landmark_is_drawn_by_the_same_code(name):
 
 def test_no_type_is_named_in_the_drawing_and_nothing_of_the_filter_is_known():
     names = {*POINTS, *LINES, *SENSORS, *MOTIONS}
-    allowed = {"drawing", "errors", "evaluation", "geometry", "progress", "records", "scene", "snapshots", "spaces"}
+    allowed = {"data", "errors", "evaluation", "experiments", "geometry", "manifolds"}
     for file in PACKAGE.glob("*.py"):
         tree = ast.parse(file.read_text("utf-8"))
         assert not {n.value for n in ast.walk(tree) if isinstance(n, ast.Constant)} & names, file

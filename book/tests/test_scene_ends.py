@@ -12,9 +12,8 @@ from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.experiments.presets import preset
 from slamlib.landmarks import LINES
 from slamlib.observation.segments import SETTLED, settled
-from slamlib.slam import line_endpoints as ends_module
 from slamlib.slam import snapshot
-from slamlib.slam.line_endpoints import ends_in_image
+from slamlib.slam.snapshot import ends_in_image
 from slamlib.tests import scenes
 
 
@@ -118,7 +117,6 @@ def test_ends_are_a_picture_s_matter_and_cost_a_step_nothing(monkeypatch):
     def forbidden(*arguments):
         raise AssertionError("in the step of the filter")
 
-    monkeypatch.setattr(ends_module, "ends_in_image", forbidden)
     monkeypatch.setattr(snapshot, "ends_in_image", forbidden)
     slam.step(next(iter(frames))[0])
     with pytest.raises(AssertionError, match="in the step"):

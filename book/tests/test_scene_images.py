@@ -12,11 +12,12 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from slambook.scene import SensorOptions, Window, animate, player, sensor_figure, sensor_scene
+from slambook.scene.figures import SHELL
 from slambook.scene.image_scene import OUTCOMES
 from slambook.scene.options import MapOptions
 from slambook.scene.photographs import CELL, GAP, LEVELS, grey, patched, photograph, strip
 from slambook.scene.player import WEIGHT, WEIGHT_OF_IMAGES
-from slambook.scene.roles import DARK, OUTLINE, SENSOR, over_image
+from slambook.scene.roles import DARK, MAP, OUTLINE, SENSOR, over_image
 from slambook.scene.scene import bounds
 
 from book.tests.test_scene import luminance
@@ -258,7 +259,7 @@ def shown_in(window, view):
     return window.pixels()[high - round(box.y1) : high - round(box.y0), x0:x1]
 
 
-def test_the_image_lies_below_and_is_made_once(matplotlib):
+def test_the_image_lies_below_and_is_that_of_the_frame(matplotlib):
     bare = SensorOptions(ellipses=False, labels=False, raw=False, scores=False, patches=False, legend=False)
     run = [with_image(shown, scenes.photograph(i)) for i, shown in enumerate(scenes.run(3)[0])]
     run = [
@@ -266,11 +267,10 @@ def test_the_image_lies_below_and_is_made_once(matplotlib):
         for s in run
     ]
     window = Window(run[0], sensor_options=bare)
-    made = window.views[0].photo
     for shown in run:
         window.update(shown)
         image = grey(shown.sensors[0].scan.image)
-        assert window.views[0].photo is made
+        (made,) = window.views[0].axes.images
         assert np.array_equal(made.get_array(), image)
         found = shown_in(window, window.views[0])[3:-3, 3:-3].astype(float)
         rows, columns = (np.linspace(4, n - 5, k).astype(int) for n, k in zip(image.shape, found.shape, strict=False))
@@ -279,7 +279,7 @@ def test_the_image_lies_below_and_is_made_once(matplotlib):
         smooth = columns > 200  # where the pattern is not too fine for the screen
         assert np.abs(found[:, smooth, 0] - wanted[:, smooth]).mean() < 15
     window.update(replace(run[0], sensors=(replace(run[0].sensors[0], scan=None),)))
-    assert not made.get_visible()
+    assert not window.views[0].axes.images
     assert shown_in(window, window.views[0])[3:-3, 3:-3].min() > 250
 
 
@@ -297,48 +297,67 @@ def test_a_frame_over_a_photograph_has_bright_lines_with_dark_outlines(matplotli
         assert outline > 300
     before = Window(PLAIN[0])
     before.update(PLAIN[0])
-    colors = before.views[0].artists["updated"].lines.get_color()
-    assert not np.allclose(colors[0][:3], blue / 255, atol=0.005)  # without an image: the page's colours
+    used = {line.get_color() for line in before.views[0].axes.lines}
+    assert SENSOR["updated"].color in used  # without an image: the page's colours
+    assert DARK.blue not in used
+
+
+def runs_of(axes, role, width):
+    """The polylines (n, 2) of a colour, dashes and width in a window's axes."""
+    look = (role.color, role.linestyle, round(width, 6))
+    lines = [a for a in axes.lines if (a.get_color(), a.get_linestyle(), round(a.get_linewidth(), 6)) == look]
+    parts = []
+    for line in lines:
+        rows = line.get_xydata()
+        gaps = np.flatnonzero(np.isnan(rows).any(axis=1))
+        parts += [part[np.isfinite(part).all(axis=1)] for part in np.split(rows, gaps)]
+    return [part for part in parts if len(part)]
 
 
 def test_regions_in_a_window_are_as_many_as_the_looks(matplotlib):
-    window = Window(SEEN[0])
-    window.update(SEEN[0])
-    sheet, view = window.views[0], SEEN[0].sensors[0]
+    window = Window(PLAIN[0])
+    window.update(PLAIN[0])
+    axes, view = window.views[0].axes, PLAIN[0].sensors[0]
     for name, holds in OUTCOMES.items():
         ends = np.isfinite(view.segments.ends[holds(view.segments)]).all(axis=-1).sum()
-        assert len(sheet.artists[name].shells.get_segments()) == holds(view.points).sum() + ends, name
-    first = sheet.artists["updated"].shells.get_segments()[0]
-    row = np.flatnonzero(OUTCOMES["updated"](view.points))[0]
-    assert first[:-1].mean(axis=0) == pytest.approx(view.points.expected[row])
-    lines = {name: len(window.map.artists[name].lines.get_segments()) for name in ("new line", "line")}
-    new = int((~SEEN[0].segments.converged).sum())
-    assert lines == {"new line": new, "line": len(SEEN[0].segments.ids) - new}
+        found = runs_of(axes, SENSOR[name], SHELL * SENSOR[name].width)
+        assert len(found) == holds(view.points).sum() + ends, name
+        if name == "updated":
+            row = np.flatnonzero(holds(view.points))[0]
+            assert found[0][:-1].mean(axis=0) == pytest.approx(view.points.expected[row])
+    lines = {name: len(runs_of(window.map.axes, MAP[name], MAP[name].width)) for name in ("new line", "line")}
+    new = int((~PLAIN[0].segments.converged).sum())
+    assert lines == {"new line": new, "line": len(PLAIN[0].segments.ids) - new}
     assert new > 0
+
+
+def numbers_in(part):
+    """The numbers of the rows of patches."""
+    return [text.get_text() for text in part.axes.texts[1:]]
 
 
 def test_a_strip_beside_the_image_shows_the_patches(matplotlib):
     window = Window(SEEN[0])
-    assert window.views[0].strip is None
+    assert window.views[0].patches is None
     window.update(SEEN[0])
-    made = window.views[0].strip
+    made, count = window.views[0].patches, window.views[0].rows
     children = len(window.figure.axes)
     view = SEEN[0].sensors[0]
-    rows = patched(view.points)[: made.rows]
-    assert [t.get_text() for t in made.numbers if t.get_text()] == [str(view.points.ids[i]) for i in rows]
-    assert np.array_equal(made.image.get_array(), strip(view.points, rows, made.rows))
+    rows = patched(view.points)[:count]
+    assert numbers_in(made) == [str(view.points.ids[i]) for i in rows]
+    assert np.array_equal(made.axes.images[0].get_array(), strip(view.points, rows, count))
     image, beside = window.views[0].axes.get_window_extent(), made.axes.get_window_extent()
     assert beside.x0 >= image.x1
     assert beside.height == pytest.approx(image.height, rel=0.25)
     window.update(SEEN[1])
     window.update(PLAIN[1])  # nothing matched has a patch: the strip is empty
-    assert window.views[0].strip is made
+    assert window.views[0].patches is made
     assert len(window.figure.axes) == children
-    assert not any(t.get_text() for t in made.numbers)
-    assert not np.asarray(made.image.get_array()).any()
+    assert not numbers_in(made)
+    assert not np.asarray(made.axes.images[0].get_array()).any()
     off = Window(SEEN[0], sensor_options=SensorOptions(patches=False))
     off.update(SEEN[0])
-    assert off.views[0].strip is None
+    assert off.views[0].patches is None
 
 
 def test_updating_over_a_photograph_gives_the_picture_that_a_new_window_gives(matplotlib):
@@ -441,5 +460,5 @@ def test_a_film_of_a_list_and_of_an_iterator_have_the_same_last_path(matplotlib)
         window.update(shown)
     assert [len(past.sensors) for past in window.path] == [0, 0, 0, 1]
     assert window.path[-1] is PLAIN[-1]
-    track = window.map.artists["robot"].lines.get_segments()[0]
+    track = runs_of(window.map.axes, MAP["robot"], MAP["robot"].width)[0]
     assert len(track) == len(PLAIN)

@@ -1,4 +1,4 @@
-"""The figures in matplotlib: artists that are updated, keys, videos written whole. Skipped without the extra `draw`."""
+"""The figures in matplotlib: frames drawn anew, keys, videos written whole. Skipped without the extra `draw`."""
 
 import subprocess
 import sys
@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from slambook.scene import Window, animate, video
-from slambook.scene import artists as made_once
+from slambook.scene.parts import extra
 
 from slamlib.errors import SlamlibError
 from slamlib.tests import scenes
@@ -30,7 +30,7 @@ def test_without_the_extra_the_error_says_how_to_get_it(tmp_path):
     assert 'a film needs matplotlib: pip install "slamlib[draw]"' in run.stderr
     assert not list(tmp_path.iterdir())
     with pytest.raises(SlamlibError, match=r'a video needs nothing_of_that_name: pip install "slamlib\[draw\]"'):
-        made_once.extra("nothing_of_that_name.part", "a video")
+        extra("nothing_of_that_name.part", "a video")
 
 
 @pytest.fixture
@@ -38,28 +38,20 @@ def matplotlib():
     return pytest.importorskip("matplotlib", reason="windows and videos are drawn by matplotlib (extra `draw`)")
 
 
-def everything(window):
-    return [a for sheet in (window.map, *window.views) for a in sheet.artists.values()]
-
-
-def test_artists_are_made_once_and_updated(matplotlib):
+def test_a_frame_leaves_nothing_of_the_one_before(matplotlib):
     window = Window(RUN[0], world=WORLD)
     window.update(RUN[0], TRUTHS[0])
-    before = [(a.lines, a.shells, a.marks) for a in everything(window)]
     children = [len(axes.get_children()) for axes in window.figure.axes]
     first = window.pixels()
     for shown, real in zip(RUN[1:], TRUTHS[1:], strict=True):
         window.update(shown, real)
-    assert [(a.lines, a.shells, a.marks) for a in everything(window)] == before
-    more = [len(axes.get_children()) for axes in window.figure.axes]
-    assert more[0] == children[0]  # the map has the same landmarks, and no artist more
     assert (window.pixels() != first).any()
-    point = window.map.artists["point"]
-    assert len(point.marks.get_offsets()) == RUN[0].points.converged.sum()
+    window.update(RUN[0], TRUTHS[0])
+    assert [len(axes.get_children()) for axes in window.figure.axes] == children
 
 
 def test_what_is_updated_looks_as_if_it_were_made_anew(matplotlib):
-    """Restoring the empty canvas and drawing the artists gives the picture that a new figure gives."""
+    """Restoring what stays and drawing the frame over it gives the picture that a new figure gives."""
     updated = Window(RUN[0], world=WORLD)
     for shown, real in zip(RUN, TRUTHS, strict=True):
         updated.update(shown, real)
@@ -79,10 +71,11 @@ def test_a_window_in_both_themes_with_two_sensors_and_with_none(matplotlib, them
         assert len(window.figure.axes) == count
         paper = window.pixels()[0, 0]
         assert (paper.mean() > 250) == (theme == "light")
-        window.save(tmp_path / "a.png")
+        for ending in ("pdf", "svg", "png"):
+            window.save(tmp_path / f"a.{ending}")
         saved = (tmp_path / "a.png").read_bytes()
         assert saved.startswith(b"\x89PNG")
-        assert len(saved) > 3000  # artists that are updated are saved too
+        assert len(saved) > 3000  # the frame is saved too
 
 
 def test_keys_turn_and_zoom_the_map(matplotlib):

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from book.tools import monocular, real_images
-from slamlib.vision.hand_held import options
+from slamlib.vision.run import options_for
 
 CUBE = Path(os.environ.get("SLAMLIB_DATA") or "no-data") / "mono_visp_cube" / "frames"
 RENEW = "run `make {}` and `python -m book.tools.notebooks run book/chapters/monocular.ipynb`"
@@ -47,7 +47,7 @@ def test_the_room_is_within_the_promised_bounds():
 
 def test_the_real_run_is_stored_with_what_it_was_told():
     kept = stored(real_images.FILE)
-    assert kept["options"] == json.loads(json.dumps(options(1.0, **real_images.SAID).to_dict()))
+    assert kept["options"] == json.loads(json.dumps(options_for(1.0, **real_images.SAID).to_dict()))
     assert set(kept["runs"]) == {"as told", *real_images.CHANGES}
     assert len(kept["first"]["position"]) == real_images.COUNT
 

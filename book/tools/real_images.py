@@ -30,9 +30,9 @@ from slamlib.evaluation.alignment import Aligned, aligned
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.experiments.progress import progress
 from slamlib.vision.active_search import ActiveSearch
-from slamlib.vision.hand_held import hand_held, options
 from slamlib.vision.results import ImageResult, summary
-from slamlib.vision.run import ImageRun
+from slamlib.vision.run import camera_rig, image_run, options_for
+from slamlib.vision.sequence_run import SequenceRun
 from slamlib.vision.tracking_loss import Lost
 
 PACKAGE, VERSION = "visp-images-data", "3.5.0-1"
@@ -146,12 +146,12 @@ def run(
     impulse: tuple[float, float] = IMPULSE,
     frames: int = COUNT,
     **said: Any,
-) -> ImageRun:
+) -> SequenceRun:
     """The filter on the sequence, a free scale; seed: of where landmarks are begun; said: options of the filter."""
     source, camera = opened(str(images), str(CALIBRATION), fps=FPS)
-    rig = hand_held({**camera, "std": (noise,)}, impulse=impulse)
+    rig = camera_rig({**camera, "std": (noise,)}, impulse=impulse)
     search = ActiveSearch(rig.sensors[0].calibration, np.random.default_rng(seed))
-    work = ImageRun(source.part(0, 1, frames), rig, options(1.0, **{**SAID, **said}), search)
+    work = image_run(source.part(0, 1, frames), rig, options_for(1.0, **{**SAID, **said}), search)
     for _ in work:
         pass
     return work
@@ -202,7 +202,7 @@ def measured(images: Path) -> dict[str, Any]:
     cases: list[tuple[str, int, dict[str, Any]]] = [("as told", seed, {}) for seed in SEEDS]
     cases += [(name, seed, change) for name, change in CHANGES.items() for seed in FEW]
     found: dict[str, list[Any]] = {}
-    first: ImageRun | None = None
+    first: SequenceRun | None = None
     for name, seed, change in progress(cases, len(cases), "runs"):
         try:
             work = run(images, seed=seed, **change)
@@ -219,7 +219,7 @@ def measured(images: Path) -> dict[str, Any]:
         "made with": {"python": platform.python_version(), **{n: version(n) for n in ("numpy", _opencv())}},
         "noise": NOISE,
         "impulse": list(IMPULSE),
-        "options": options(1.0, **SAID).to_dict(),
+        "options": options_for(1.0, **SAID).to_dict(),
         "references agree to": _agreement(),
         "light": np.round(light, 4).tolist(),
         "first": told(first.result()),

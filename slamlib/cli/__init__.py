@@ -3,22 +3,26 @@
 import argparse
 import sys
 from collections.abc import Sequence
+from typing import Any
 
-from slamlib.cli import compare, images, listing, run, stereo_images
+from slamlib.cli import compare, listing, run
+from slamlib.cli.images import IMAGES_COMMAND, PAIRS_COMMAND, ImageCommand
 from slamlib.errors import SlamlibError
 
-COMMANDS = {"run": run, "run images": images, "run stereo-images": stereo_images, "compare": compare, "list": listing}
+COMMANDS: dict[str, Any] = {
+    "run": run, "run images": IMAGES_COMMAND, "run stereo-images": PAIRS_COMMAND, "compare": compare, "list": listing
+}  # fmt: skip
 
 
 def parser() -> argparse.ArgumentParser:
     """What the command line understands."""
     top = argparse.ArgumentParser(prog="slamlib", description="EKF-SLAM, derived: run the book's filter.")
     commands = top.add_subparsers(dest="command", required=True, metavar="{" + ",".join(COMMANDS) + "}")
-    for name, module in COMMANDS.items():
-        line = (module.__doc__ or "").strip().splitlines()[0]
+    for name, made in COMMANDS.items():
+        line = made.summary if isinstance(made, ImageCommand) else (made.__doc__ or "").strip().splitlines()[0]
         command = commands.add_parser(name, help=line, description=line)
-        module.arguments(command)
-        command.set_defaults(execute=module.execute)
+        made.arguments(command)
+        command.set_defaults(execute=made.execute)
     return top
 
 

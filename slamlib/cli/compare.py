@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.cli import choices
+from slamlib.cli import arguments as shared
 from slamlib.evaluation.consistency import share_inside
 from slamlib.experiments.monte_carlo import Experiment, monte_carlo
 from slamlib.landmarks import LINES
@@ -19,19 +19,19 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     """What `slamlib compare` takes."""
     parser.add_argument("landmarks", nargs="+", help="parametrizations, of `slamlib list points` or `lines`")
     parser.add_argument("--preset", help="default: points for points, lines for lines")
-    parser.add_argument("--runs", type=choices.count, default=20, help="independent runs of each (default 20)")
+    parser.add_argument("--runs", type=shared.count, default=20, help="independent runs of each (default 20)")
     parser.add_argument("--jobs", type=int, default=1, help="runs at once, on so many processors (default 1)")
     parser.add_argument("--folder", metavar="PATH", help="keep finished runs there, and go on with them next time")
     parser.add_argument("--json", action="store_true", help="print the result as JSON")
-    choices.add(parser)
+    shared.add(parser)
 
 
 def execute(given: argparse.Namespace) -> int:
     """Run them all; the runs of each have the same worlds, motions and noises."""
     rows = []
     for name in given.landmarks:
-        base = choices.base(given.preset or ("lines" if name in LINES else "points"))
-        preset = choices.with_landmark(choices.changed(base, given), name)
+        base = shared.base(given.preset or ("lines" if name in LINES else "points"))
+        preset = shared.with_landmark(shared.changed(base, given), name)
         # The seed draws the runs: files of finished runs belong to the preset without it.
         found = monte_carlo(replace(preset, seed=0), given.runs, seed=preset.seed, jobs=given.jobs, folder=given.folder)
         rows.append(summary(name, found))

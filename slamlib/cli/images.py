@@ -1,138 +1,244 @@
-"""Run the filter on real pictures: a folder, a glob, a video, or TUM RGB-D, EuRoC and KITTI layouts."""
+"""`slamlib run images` and `slamlib run stereo-images`: what they take, and the runs that they begin or go on with."""
 
 import argparse
-from dataclasses import fields
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
 
-from slamlib.cli import choices, reporting
-from slamlib.data.setup import SensorSetup, tuples
-from slamlib.datasets.opening import opened
+from slamlib.cli import runner
+from slamlib.cli.arguments import OPTION, assignments, count, from_zero
+from slamlib.data.plain import read
+from slamlib.data.setup import SensorSetup
+from slamlib.datasets import opening
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.landmarks import POINTS
 from slamlib.motions import MOTIONS
 from slamlib.slam.data_association.consensus import CONSENSUS
 from slamlib.vision.active_search import Settings
 from slamlib.vision.combined_front_end import front_end_of
-from slamlib.vision.hand_held import IMPULSE, NOISE, OPTIONS, VELOCITY, hand_held, options
-from slamlib.vision.run import ImageRun
+from slamlib.vision.run import IMAGES, PAIRS, camera_rig, image_run, load, opened_stereo, options_for, stereo_run
+from slamlib.vision.sequence_run import SequenceKind, SequenceRun
+from slamlib.vision.stereo.detect import StereoSettings
+from slamlib.vision.stereo.motion_source import MOVING
 from slamlib.vision.target import Target
 
+Add = Callable[..., Any]  # add_argument of a group
 ALIASES = {"constant-velocity": "constVel"}
+EXAMPLES = """examples:
+  slamlib run stereo-images --source sequences/04 --reference poses/04.txt --trajectory path.txt
+  slamlib run stereo-images --source MH_01_easy --frames 200 --video film.mp4
+  slamlib run stereo-images --left "left/*.png" --right "right/*.png" --calibration pair.json --fps 10
+  slamlib run stereo-images --source sequences/04 --odometry-only
+
+pair.json of a rectified pair, in pixels and metres:
+  {"intrinsics": [601.9, 183.1, 707.1, 707.1], "baseline": 0.537}
+"""
 
 
-def arguments(parser: argparse.ArgumentParser) -> None:
-    """What `slamlib run images` takes."""
-    reporting.groups(parser, _what, _how)
+@dataclass(frozen=True)
+class ImageCommand:
+    """A command that runs on pictures of one kind. summary: what the help says of it.
+
+    what(add), how(add): give a group its arguments, which say what is seen, and how the filter works. begun(arguments):
+    the run that they ask for.
+    """
+
+    kind: SequenceKind
+    summary: str
+    what: Callable[[Add], None]
+    how: Callable[[Add], None]
+    begun: Callable[[argparse.Namespace], SequenceRun]
+    epilog: str | None = None
+
+    def arguments(self, parser: argparse.ArgumentParser) -> None:
+        """What the command takes."""
+        if self.epilog:
+            parser.formatter_class, parser.epilog = argparse.RawDescriptionHelpFormatter, self.epilog
+        self.what(parser.add_argument_group("what it sees").add_argument)
+        self.how(parser.add_argument_group("how the filter works").add_argument)
+        runner.outputs(parser.add_argument_group("what becomes of it").add_argument)
+
+    def execute(self, given: argparse.Namespace) -> int:
+        """Run it; a run that stops, by itself or by Ctrl-C, is saved, and can be gone on with."""
+        run = self._resumed(given) if given.resume else self.begun(given)
+        if not run.has_map and (given.video or given.live):
+            raise SlamlibError("--video and --live show the filter's map: with --odometry-only there is none")
+        return runner.carry_out(run, given, f"run {self.kind.name}")
+
+    def _resumed(self, given: argparse.Namespace) -> SequenceRun:
+        if any(getattr(given, name, None) for name in ("source", "left", "right", "calibration")):
+            raise SlamlibError("--resume goes on with the pictures and the calibration of its file: leave them out")
+        run = load(given.resume, self.kind, frames=given.frames)
+        run.patience = given.patience or run.patience
+        return run
 
 
-def _what(group: Any) -> None:
-    group.add_argument(
-        "--source", metavar="PATH", help="a folder, a glob in quotation marks, a video, or a data set's folder"
-    )
-    group.add_argument(
-        "--calibration", metavar="FILE", help="slamlib's, EuRoC's, OpenCV's, KITTI's, or plain text; or fr1, fr2, fr3"
-    )
-    group.add_argument(
-        "--camera", type=choices.from_zero, default=0, metavar="N", help="of several cameras, which (default 0)"
-    )
-    group.add_argument("--undistort", action="store_true", help="free the pictures of the lens's distortion (OpenCV)")
-    reporting.which(group, "pictures")
-    group.add_argument(
-        "--scale", default="free", metavar="free|FILE",
-        help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3), n at least 4, and their '
-        '"pixels" (n, 2) in the first picture, "std" of the points',
-    )  # fmt: skip
+def _which(add: Add, kind: SequenceKind) -> None:
+    """Arguments that choose among pictures."""
+    of = f"{kind.item}s"
+    add("--fps", type=float, help=f"{of} a second, where no file says their times (default 30)")
+    add("--frames", type=count, metavar="N", help=f"how many {of}")
+    add("--start", type=from_zero, default=0, metavar="N", help="the first one (default 0)")
+    add("--every", type=count, default=1, metavar="N", help="only each so many-th")
 
 
-def _how(group: Any) -> None:
-    group.add_argument(
-        "--motion", default="constant-velocity", help="constant-velocity, or a name of `slamlib list motions`"
-    )
-    for name, default, what in (
-        ("--impulse", IMPULSE, "changes of velocity from one picture to the next"),
-        ("--velocity", VELOCITY, "velocities at the start, whose mean is zero"),
+def _impulses(add: Add, kind: SequenceKind, before: str, default: str) -> None:
+    """Arguments of a motion that nobody tells."""
+    for name, own, what in (
+        ("impulse", kind.impulse, f"changes of velocity from one {kind.item} to the next"),
+        ("velocity", kind.velocity, "velocities at the start, whose mean is zero"),
     ):
-        text = (
-            f"std of {what} (default {default[0]:g} times the target's distance, if there is one, and {default[1]:g})"
-        )
-        group.add_argument(name, nargs=2, type=float, metavar=("M/S", "DEG/S"), help=text)
-    group.add_argument(
-        "--noise",
-        type=float,
-        metavar="PX",
-        help=f"std of a measured pixel (default: the calibration file's, or {NOISE})",
-    )
-    group.add_argument(
-        "--landmark", default=OPTIONS.points, help=f"parametrization of points (default {OPTIONS.points})"
-    )
-    group.add_argument(
-        "--lines",
-        metavar="LANDMARK",
-        help="also straight edges, in this parametrization, such as idpLin (default: none)",
-    )
-    group.add_argument(
-        "--updates",
-        type=choices.count,
-        metavar="N",
-        help=f"landmarks a frame (default {OPTIONS.updates}, more with a target)",
-    )
-    group.add_argument(
-        "--consensus", choices=CONSENSUS, help=f"which matches are believed together (default {OPTIONS.consensus})"
-    )
-    group.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help=choices.OPTION)
-    names = ", ".join(f.name for f in fields(Settings))
-    group.add_argument("--search", action="append", default=[], metavar="NAME=VALUE", help=f"of active search: {names}")
-    group.add_argument(
-        "--patience", type=choices.count, metavar="N", help="stop after N frames without a match (default 30)"
-    )
-    group.add_argument("--seed", type=int, default=1, metavar="N", help="of where new landmarks are sought (default 1)")
+        add(f"--{name}", nargs=2, type=float, metavar=("M/S", "DEG/S"),
+            help=f"{before}std of {what} (default {default.format(*own)})")  # fmt: skip
 
 
-def execute(given: argparse.Namespace) -> int:
-    """Run it; a run that stops, by itself or by Ctrl-C, is saved, and can be gone on with."""
-    return reporting.carry_out(_resumed(given) if given.resume else _begun(given), given, "run images")
+def _search(add: Add, kind: SequenceKind, settings: Any, of: str) -> None:
+    """Arguments of the filter's options, and of the search for features."""
+    names = ", ".join(f.name for f in fields(settings))
+    add("--option", action="append", default=[], metavar="NAME=VALUE", help=OPTION)
+    add("--search", action="append", default=[], metavar="NAME=VALUE", help=f"of {of}: {names}")
+    add("--patience", type=count, metavar="N", help=f"stop after N {kind.frames} without a match (default 30)")
 
 
-def _begun(given: argparse.Namespace) -> ImageRun:
+def _said(given: argparse.Namespace, what: str, *names: str) -> dict[str, Any]:
+    """The filter's options that the command line says. Raises SlamlibError; what: a parametrization of points."""
+    if given.landmark not in POINTS:
+        raise UnknownNameError.of(what, given.landmark, POINTS)
+    named = {"points": given.landmark, **{name: getattr(given, name) for name in names}}
+    return {**{name: value for name, value in named.items() if value is not None}, **assignments(given.option)}
+
+
+def _what_images(add: Add) -> None:
+    """Of one camera."""
+    add("--source", metavar="PATH", help="a folder, a glob in quotation marks, a video, or a data set's folder")
+    add("--calibration", metavar="FILE", help="slamlib's, EuRoC's, OpenCV's, KITTI's, or plain text; or fr1, fr2, fr3")
+    add("--camera", type=from_zero, default=0, metavar="N", help="of several cameras, which (default 0)")
+    add("--undistort", action="store_true", help="free the pictures of the lens's distortion (OpenCV)")
+    _which(add, IMAGES)
+    add("--scale", default="free", metavar="free|FILE",
+        help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3), n at least 4, and their '
+             '"pixels" (n, 2) in the first picture, "std" of the points')  # fmt: skip
+
+
+def _how_images(add: Add) -> None:
+    """With the motions of slamlib."""
+    add("--motion", default="constant-velocity", help="constant-velocity, or a name of `slamlib list motions`")
+    _impulses(add, IMAGES, "", "{:g} times the target's distance, if there is one, and {:g}")
+    add("--noise", type=float, metavar="PX",
+        help=f"std of a measured pixel (default: the calibration file's, or {IMAGES.noise[0]})")  # fmt: skip
+    points, updates = IMAGES.options.points, IMAGES.options.updates
+    add("--landmark", default=points, help=f"parametrization of points (default {points})")
+    add("--lines", metavar="LANDMARK",
+        help="also straight edges, in this parametrization, such as idpLin (default: none)")  # fmt: skip
+    add("--updates", type=count, metavar="N", help=f"landmarks a frame (default {updates}, more with a target)")
+    add("--consensus", choices=CONSENSUS,
+        help=f"which matches are believed together (default {IMAGES.options.consensus})")  # fmt: skip
+    _search(add, IMAGES, Settings, "active search")
+    add("--seed", type=int, default=1, metavar="N", help="of where new landmarks are sought (default 1)")
+
+
+def _begun_images(given: argparse.Namespace) -> SequenceRun:
+    """With a free scale, or that of a target."""
     if not given.source or not given.calibration:
         raise SlamlibError("--source and --calibration are wanted, or --resume PATH; see slamlib run images --help")
     motion = ALIASES.get(given.motion, given.motion)
     if motion not in MOTIONS:
         raise UnknownNameError.of("motion", given.motion, [*ALIASES, *MOTIONS])
-    source, camera = opened(
-        given.source, given.calibration, camera=given.camera, fps=given.fps, undistort=given.undistort
-    )
+    opened = {"camera": given.camera, "fps": given.fps, "undistort": given.undistort}
+    source, camera = opening.opened(given.source, given.calibration, **opened)
     if given.noise is not None:
         camera["std"] = (given.noise,)
     target = None if given.scale == "free" else Target.load(given.scale)
-    unit = 1.0 if target is None else target.distance(SensorSetup(**tuples(camera)).calibration)
-    rig = hand_held(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
-    settings = Settings(**choices.assignments(given.search, Settings, "--search"))
-    chosen = options(unit, 0 if target is None else len(target.points), **_said(given))
-    return ImageRun(
-        source.part(given.start, given.every, given.frames),
-        rig,
-        chosen,
-        front_end_of(chosen, rig.sensors[0].calibration, np.random.default_rng(given.seed), settings),
-        scale=target,
-        **({} if given.patience is None else {"patience": given.patience}),
-    )
+    unit = 1.0 if target is None else target.distance(read(SensorSetup, camera, "camera").calibration)
+    rig = camera_rig(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
+    settings = Settings(**assignments(given.search, Settings, "--search"))
+    said = _said(given, "point landmark (for lines there is --lines)", "lines", "updates", "consensus")
+    chosen = options_for(unit, 0 if target is None else len(target.points), **said)
+    front_end = front_end_of(chosen, rig.sensors[0].calibration, np.random.default_rng(given.seed), settings)
+    pictures = source.part(given.start, given.every, given.frames)
+    return image_run(pictures, rig, chosen, front_end, scale=target, patience=given.patience or 30)
 
 
-def _said(given: argparse.Namespace) -> dict[str, Any]:
-    """The filter's options that the command line says."""
-    if given.landmark not in POINTS:
-        raise UnknownNameError.of("point landmark (for lines there is --lines)", given.landmark, POINTS)
-    named = {"points": given.landmark, "lines": given.lines, "updates": given.updates, "consensus": given.consensus}
-    said = {name: value for name, value in named.items() if value is not None}
-    return {**said, **choices.assignments(given.option)}
+def _what_pairs(add: Add) -> None:
+    """Of two cameras."""
+    add("--source", metavar="FOLDER", help="of KITTI (image_0, image_1, calib.txt, times.txt) or EuRoC (mav0)")
+    for side in ("left", "right"):
+        add(f"--{side}", metavar="GLOB", help=f"the {side} pictures: a folder, a glob in quotation marks, or a video")
+    add("--calibration", metavar="FILE", nargs="+",
+        help="of both cameras: KITTI's, slamlib's, Kalibr's, OpenCV's or plain JSON, or two files (EuRoC's); a data "
+             "set's folder may hold it")  # fmt: skip
+    add("--cameras", nargs=2, type=from_zero, metavar=("L", "R"), help="of several (default 0 1, or 2 3)")
+    add("--rectify", action="store_true",
+        help="the pictures are as the lenses made them: rectify them (OpenCV; always so for EuRoC)")  # fmt: skip
+    _which(add, PAIRS)
 
 
-def _resumed(given: argparse.Namespace) -> ImageRun:
-    if given.source or given.calibration:
-        raise SlamlibError("--resume goes on with the pictures and the calibration of its file: leave them out")
-    run = ImageRun.load(given.resume, frames=given.frames)
-    run.patience = given.patience or run.patience
-    return run
+def _how_pairs(add: Add) -> None:
+    """With visual odometry, or alone with it."""
+    add("--motion", choices=MOVING, default="halves",
+        help="where predictions come from: velocity (the robot keeps it), halves (odometry of one half of the "
+             "features, landmarks of the other; default), correlated (all features for both; wants many)")  # fmt: skip
+    add("--odometry-only", action="store_true", help="no filter: visual odometry alone, to compare")
+    _impulses(add, PAIRS, "with --motion velocity, ", "{:g} {:g}")
+    noise = " ".join(f"{n:g}" for n in PAIRS.noise)
+    add("--noise", nargs="+", type=float, metavar="PX",
+        help=f"std of u, v and disparity, or one for all (default: the calibration file's, or {noise})")  # fmt: skip
+    points, updates = PAIRS.options.points, PAIRS.options.updates
+    add("--landmark", default=points, help=f"parametrization (default {points})")
+    for name, text in (
+        ("window", "forget what was not seen for N pairs (default: nothing)"),
+        ("capacity", "most landmarks: of more, the one unseen for longest goes"),
+        ("updates", f"landmarks a pair ({updates})"),
+    ):
+        add(f"--{name}", type=count, metavar="N", help=text)
+    _search(add, PAIRS, StereoSettings, "features")
+
+
+def _begun_pairs(given: argparse.Namespace) -> SequenceRun:
+    """The filter, or odometry alone."""
+    if not given.source and not (given.left and given.right):
+        see = "see slamlib run stereo-images --help"
+        raise SlamlibError(f"--source, or --left and --right, are wanted, or --resume PATH; {see}")
+    if given.source and (given.left or given.right):
+        raise SlamlibError("--source has both cameras in it: leave --left and --right out")
+    settings = StereoSettings(**assignments(given.search, StereoSettings, "--search"))
+    full = {} if given.capacity is None else {"full": "unseen"}
+    said = _said(given, "point landmark", "window", "capacity", "updates")
+    options = replace(PAIRS.options, **{**full, **said})
+    cameras = tuple(given.cameras) if given.cameras else None
+    source, camera, settings = opened_stereo(
+        given.source, given.left, given.right, given.calibration,
+        cameras=cameras, fps=given.fps, rectify=given.rectify, settings=settings,
+    )  # fmt: skip
+    if given.noise is not None:
+        camera = {**camera, "std": _three(given.noise), "noise": None}
+    return stereo_run(
+        source.part(given.start, given.every, given.frames), camera, options,
+        moving="odometry" if given.odometry_only else given.motion, settings=settings,
+        impulse=given.impulse, velocity=given.velocity, patience=given.patience or 30,
+    )  # fmt: skip
+
+
+def _three(noise: list[float]) -> tuple[float, ...]:
+    if len(noise) not in (1, 3) or not min(noise) > 0:
+        raise SlamlibError(f"--noise takes one number above 0, or three (u, v, disparity), got {noise}")
+    return tuple(noise * (3 // len(noise)))
+
+
+IMAGES_COMMAND = ImageCommand(
+    IMAGES,
+    "Run the filter on real pictures: a folder, a glob, a video, or TUM RGB-D, EuRoC and KITTI layouts.",
+    _what_images,
+    _how_images,
+    _begun_images,
+)
+PAIRS_COMMAND = ImageCommand(
+    PAIRS,
+    "Run the filter on real stereo pairs: KITTI and EuRoC layouts, or a left and a right folder, glob or video.",
+    _what_pairs,
+    _how_pairs,
+    _begun_pairs,
+    EXAMPLES,
+)

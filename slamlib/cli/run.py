@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.cli import choices
+from slamlib.cli import arguments as shared
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band, share_inside
 from slamlib.experiments.progress import progress
@@ -22,7 +22,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = "On real pictures: slamlib run images --help; on stereo pairs: slamlib run stereo-images --help"
     parser.add_argument("preset", nargs="?", help="a name of `slamlib list presets`, or a JSON or TOML file")
     parser.add_argument("--landmark", action="append", default=[], help="parametrization of new points or lines")
-    choices.add(parser)
+    shared.add(parser)
     parser.add_argument("--video", metavar="PATH", help="a film: .mp4, .webm, .gif, or a folder for numbered PNG files")
     parser.add_argument(
         "--save", metavar="PATH", help="write the finished run to a file; an interrupted one goes there"
@@ -67,10 +67,10 @@ def _run(given: argparse.Namespace) -> Run:
         return run
     if not given.preset:
         raise SlamlibError("which preset? `slamlib list presets` shows them; --resume PATH goes on with a saved run")
-    chosen = choices.base(given.preset)
+    chosen = shared.base(given.preset)
     for name in given.landmark:
-        chosen = choices.with_landmark(chosen, name)
-    return Run(choices.changed(chosen, given))
+        chosen = shared.with_landmark(chosen, name)
+    return Run(shared.changed(chosen, given))
 
 
 def _film(path: str, film: list[Any], run: Run) -> None:
@@ -133,5 +133,4 @@ def table(result: Result) -> str:
             rows.append((f"{name}s: median error", f"{100 * s[f'{name}_error_median']:.1f} cm"))
     rows.append(("state", f"{s['state']} degrees of freedom"))
     rows.append(("processor time", f"{s['milliseconds_per_frame']:.2f} ms per frame (median)"))
-    width = max(len(name) for name, _ in rows)
-    return "\n".join(f"{name:{width}}  {value}" for name, value in rows)
+    return shared.aligned_rows(rows)

@@ -65,7 +65,7 @@ def written(value: Any) -> Any:
 def read(kind: type[T], data: Any, path: str = "") -> T:
     """The dataclass of plain data. Raises SlamlibError for an unknown, missing or wrong key, named by its path."""
     path = path or kind.__name__
-    given = checked(kind, data, path)
+    given = read_fields(kind, data, path)
     for f in fields(kind):  # type: ignore[arg-type]
         if f.name not in given and NoneType in get_args(f.type):
             given[f.name] = None
@@ -76,10 +76,10 @@ def read(kind: type[T], data: Any, path: str = "") -> T:
 
 def changed(value: T, changes: dict[str, Any]) -> T:
     """The dataclass with some fields changed. Raises SlamlibError as `read` does."""
-    return replace(value, **checked(type(value), changes))  # type: ignore[type-var]
+    return replace(value, **read_fields(type(value), changes))  # type: ignore[type-var]
 
 
-def checked(kind: type, data: Any, path: str = "") -> dict[str, Any]:
+def read_fields(kind: type, data: Any, path: str = "") -> dict[str, Any]:
     """Values of some fields of a dataclass, from plain data. Raises SlamlibError as `read` does."""
     path, hints = path or kind.__name__, _hints(kind)
     if not isinstance(data, dict):
@@ -92,7 +92,7 @@ def checked(kind: type, data: Any, path: str = "") -> dict[str, Any]:
 
 def check(value: Any) -> None:
     """For __post_init__ of a frozen dataclass: checks its fields, and makes lists and arrays tuples. SlamlibError."""
-    for name, found in checked(type(value), {f.name: getattr(value, f.name) for f in fields(value)}).items():
+    for name, found in read_fields(type(value), {f.name: getattr(value, f.name) for f in fields(value)}).items():
         object.__setattr__(value, name, found)
 
 

@@ -3,7 +3,7 @@
 Angles of a setup are in degrees, since people write them; everything else in slamlib is in radians.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -29,15 +29,15 @@ NOT_SAID: Numbers = ()
 class RobotSetup:
     """A robot: how it moves, where it starts, what it is told at each step, and how well it is known.
 
-    position [m]; euler: roll, pitch, yaw [deg]; velocity: (v [m/s] in world axes, w [deg/s] in the robot's), for
-    motions whose state has one. control: as many numbers as the motion says, in metres (or m/s), its angles in degrees
-    (or deg/s), zeros where none is said; control_std the same, the standard deviation in one step. The other *_std
-    belong to the start: the simulator draws the true start with them, and the filter is told the mean; attitude_std
-    [deg] is about the robot's own axes.
+    motion: by its name, or one of your own. position [m]; euler: roll, pitch, yaw [deg]; velocity: (v [m/s] in world
+    axes, w [deg/s] in the robot's), for motions whose state has one. control: as many numbers as the motion says, in
+    metres (or m/s), its angles in degrees (or deg/s), zeros where none is said; control_std the same, the standard
+    deviation in one step. The other *_std belong to the start: the simulator draws the true start with them, and the
+    filter is told the mean; attitude_std [deg] is about the robot's own axes.
     """
 
     name: str = "robot"
-    motion: str = "odometry"
+    motion: Motion | str = "odometry"
     position: Numbers = ZERO
     euler: Numbers = ZERO
     velocity: Numbers = (0.0,) * 6
@@ -49,8 +49,8 @@ class RobotSetup:
 
     @property
     def model(self) -> Motion:
-        """The motion of that name."""
-        return motion(self.motion)
+        """The motion itself."""
+        return motion(self.motion) if isinstance(self.motion, str) else self.motion
 
     @property
     def state(self) -> Array:
@@ -156,16 +156,14 @@ class Rig:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON or TOML; what is None is left out."""
-        plain: dict[str, Any] = written(self)
+        named = (replace(robot, motion=robot.model.name) for robot in self.robots)
+        plain: dict[str, Any] = written(replace(self, robots=tuple(named)))
         return plain
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> "Rig":
         """The rig of plain data; what is missing has its default. Raises SlamlibError, naming the key."""
         return read(cls, data)
-
-
-tuples = written
 
 
 def pose_of(position: Numbers, euler: Numbers, name: str) -> Array:

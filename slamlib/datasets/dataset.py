@@ -6,6 +6,7 @@ Both are found by walking that folder, so that another data set, or another cali
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -56,12 +57,13 @@ class CalibrationReader:
     """A format of calibration files, recognised by what is in them.
 
     fits(text): whether a file is of this format. read(path, text): for the number of each camera (None in a file of
-    one, which has no number) what gives its lens, or raises SlamlibError, KeyError or ValueError.
+    one, which has no number) what gives its lens, or a camera of another type with setup() and lens. Both may raise
+    SlamlibError, AttributeError, IndexError, KeyError, TypeError or ValueError.
     """
 
     name: str
     fits: Callable[[str], bool]
-    read: Callable[[Path, str], Mapping[int | None, Callable[[], Lens]]]
+    read: Callable[[Path, str], Mapping[int | None, Callable[[], Any]]]
 
 
 def table(path: Path, columns: int, separator: str | None) -> list[tuple[float, list[str]]]:

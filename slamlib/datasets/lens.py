@@ -24,6 +24,7 @@ class Lens:
 
     model: a name of MODELS; distortion: its coefficients in OpenCV's order. place: pose of the camera in the frame that
     the file gives it in (another camera, a body), as a 4 x 4 matrix, row by row, or None.
+    said: more fields of its SensorSetup, as its std.
     """
 
     intrinsics: Numbers
@@ -31,6 +32,7 @@ class Lens:
     model: str = RADIAL
     distortion: Numbers = ()
     place: Numbers | None = field(default=None, repr=False)
+    said: dict[str, Any] = field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
         if len(self.intrinsics) != 4 or not np.isfinite(self.intrinsics).all() or not min(self.intrinsics[2:]) > 0:
@@ -40,6 +42,11 @@ class Lens:
         most = MODELS[self.model]
         if len(self.distortion) > most or not np.isfinite(self.distortion).all():
             raise SlamlibError(f"{self.model}: at most {most} finite coefficients are wanted, got {self.distortion}")
+
+    @property
+    def lens(self) -> "Lens":
+        """Itself: what a reader finds may be a camera of another type."""
+        return self
 
     @property
     def radial(self) -> Numbers | None:
@@ -72,14 +79,10 @@ class Lens:
 
 @dataclass(frozen=True)
 class PairCalibration:
-    """The lenses of the left and the right camera, with places in one frame; a left one without a place is its origin.
-
-    said: more fields of the SensorSetup, as its std.
-    """
+    """The lenses of the left and the right camera, with places in one frame; a left one without one is its origin."""
 
     left: Lens
     right: Lens
-    said: dict[str, Any] = field(default_factory=dict)
 
     @property
     def place(self) -> Array:

@@ -53,7 +53,7 @@ def rectified_setup(pair: PairCalibration, size: tuple[int, int]) -> tuple[dict[
     """
     parameters = {"intrinsics": pair.left.intrinsics, "baseline": (float(pair.place[0, 3]),)}
     setup = {"name": "stereo", "type": "stereo", "image": tuple(map(float, size)), "parameters": parameters}
-    return {**setup, **pair.said}, pair.right.intrinsics[0] - pair.left.intrinsics[0]
+    return {**setup, **pair.left.said}, pair.right.intrinsics[0] - pair.left.intrinsics[0]
 
 
 class _Remapping:
@@ -109,8 +109,8 @@ class Rectification(_Remapping):
         centre = np.mean([_centre(lens, turn) for lens, turn in zip(lenses, turns, strict=True)], axis=0)
         focal = float(np.mean([lens.intrinsics[2:] for lens in lenses]))
         super().__init__(lenses, turns, lambda zoom: _ideal(focal, zoom, centre, size), size)
-        right = replace(self.lens, place=shifted(baseline))
-        self.setup, _ = rectified_setup(PairCalibration(self.lens, right, pair.said), size)
+        left, right = replace(self.lens, said=pair.left.said), replace(self.lens, place=shifted(baseline))
+        self.setup, _ = rectified_setup(PairCalibration(left, right), size)
 
 
 def _turns(place: Array) -> tuple[list[Array], float]:

@@ -48,6 +48,8 @@ def _still_to_write_but_described() -> None:
 
 
 def _unwritten(candidate: Any) -> bool:
+    model = getattr(candidate, "step", candidate)  # of a motion
+    candidate = getattr(model, "function", candidate)
     code = getattr(candidate, "__code__", None)
     if code is None or candidate.__name__ == "<lambda>" or not set(code.co_consts) <= {None, candidate.__doc__}:
         return False

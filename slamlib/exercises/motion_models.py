@@ -1,12 +1,20 @@
 """Checks of the chapter: motion models."""
 
+from functools import partial
 from typing import Any
 
 import numpy as np
 
+from slamlib.data.records import World
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.exercises import exercise
 from slamlib.exercises.properties import array_of, covariance, differences, holds, pair, same
+from slamlib.geometry.pose import Pose
+from slamlib.geometry.quaternion import exponential, rotation
+from slamlib.manifolds import Array
+from slamlib.motions import Motion
 from slamlib.motions.odometry import step
+from slamlib.simulation import simulate
 
 RETURNS = "a mean and a covariance"
 
@@ -63,3 +71,38 @@ def straight_drive(candidate: Any) -> None:
         same(found[1, 1], expected[1, 1], "the variance of the heading", given=given)
         same(found[0, 0], expected[0, 0], "the variance of the sideways position", given=given)
         same(found[0, 1], expected[0, 1], "their covariance", given=given)
+
+
+def _moved(motion: Motion, state: Array, origin: Array, control: Array) -> Array:
+    """Tangent vector (6,) at `origin` of where a control leads in half a second."""
+    step: Array = Pose.minus(motion.step(state, control, 0.5), origin)
+    return step
+
+
+@exercise("motion_models.6", "a motion of your own: the unicycle")
+def unicycle(candidate: Any) -> None:
+    """Against fine steps along the arc in the robot's own plane; smooth at zero; a robot of a rig drives by it."""
+    holds(isinstance(candidate, Motion), "is a Motion", f"got {type(candidate).__name__}")
+    holds(candidate.control == 2, "its control has two numbers", f"it says {candidate.control}")
+    holds(candidate.angles == (1,), "the second number of the control is an angle", f"it says {candidate.angles}")
+    rng = np.random.default_rng(76)
+    for yaw_rate in (0.0, 1e-9, 0.4, -2.0):
+        state, control, dt = Pose.random(rng), np.array([1.5, yaw_rate]), 0.5
+        moved, J = candidate.step.jac(state, control, dt)
+        turns = yaw_rate * dt * (np.arange(20000) + 0.5) / 20000
+        along = 1.5 * dt * np.array([np.cos(turns).mean(), np.sin(turns).mean(), 0])
+        given = f"speed 1.5 m/s, yaw rate {yaw_rate:g} rad/s, for 0.5 s"
+        place = state[:3] + rotation(state[3:]) @ along
+        same(moved[:3], place, "ends where fine steps along the arc end", tolerance=1e-8, given=given)
+        turned = rotation(state[3:]) @ rotation(exponential(np.array([0, 0, yaw_rate * dt])))
+        same(rotation(moved[3:]), turned, "turns about its own vertical axis", tolerance=1e-12, given=given)
+        by = differences(partial(_moved, candidate, state, moved), control)
+        same(J.control, by, "the Jacobian by the control", tolerance=1e-5, given=given)
+    rig = Rig((RobotSetup(motion=candidate, control=(1.0, 90.0)),), (SensorSetup(),))
+    run = list(simulate(rig, World(), frames=40, dt=0.1, rng=rng))
+    same(
+        run[-1][1].robots[0][:3],
+        np.zeros(3),
+        "four seconds at 90 degrees a second come back to the start",
+        tolerance=1e-9,
+    )

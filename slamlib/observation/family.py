@@ -83,17 +83,12 @@ def viewpoint(sensor: "MountedSensor", robot: Array | None = None) -> Viewpoint:
     """Where the sensor is, by its robot's pose and its own mount; robot (7,): another pose of its robot."""
     linearization, pose = sensor.linearization, sensor.robot.pose if robot is None else robot
     is_estimated = sensor.block is not None
-    now, by = _composed(_bytes(pose), _bytes(sensor.mount), is_estimated)
+    now, by = _composed(pose.tobytes(), sensor.mount.tobytes(), is_estimated)
     if linearization is None:
         return Viewpoint(sensor, now, now, by, None)
     mount = sensor.given if sensor.block is None else linearization.at(sensor.block)
-    at, by = _composed(_bytes(linearization.at(sensor.robot.block)[:7]), _bytes(mount), is_estimated)
+    at, by = _composed(linearization.at(sensor.robot.block)[:7].tobytes(), mount.tobytes(), is_estimated)
     return Viewpoint(sensor, now, at, by, linearization)
-
-
-def _bytes(pose: Array) -> bytes:
-    numbers: bytes = np.asarray(pose, dtype=float).tobytes()
-    return numbers
 
 
 @lru_cache(maxsize=8)  # by the numbers themselves: one frame asks several times between two measurement updates

@@ -3,6 +3,7 @@
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,7 @@ from slamlib.manifolds import Array
 from slamlib.observation import FAMILIES, Family
 from slamlib.slam import checkpoint
 from slamlib.slam.data_association.consensus import CONSENSUS
-from slamlib.slam.data_association.gates import Identity, Sight
+from slamlib.slam.data_association.front_end import FrontEnd, Identity, Sight
 from slamlib.slam.entities import Landmark, MountedSensor, Robot
 from slamlib.slam.linearization import Linearization
 from slamlib.slam.map_management import is_bad, makes_room, out_of_window
@@ -54,14 +55,16 @@ class _Events:
 class Slam:
     """The filter. It is built of a rig and options, takes frames one by one, and shows itself in snapshots."""
 
-    def __init__(self, rig: Rig, options: Options | None = None, *, front_ends: Sequence[Any] | None = None) -> None:
-        """front_ends: one for each sensor, that finds its measurements (default: data_association.gates.Identity)."""
+    def __init__(
+        self, rig: Rig, options: Options | None = None, *, front_ends: Sequence[FrontEnd] | None = None
+    ) -> None:
+        """front_ends: one for each sensor, that finds its measurements (default: Identity)."""
         self.rig, self.options = rig, options or Options()
         self.belief = Belief()
         self.robots = [Robot(r.name, r.model, self.belief.add(r.model.space, r.state, r.covariance), r.noise)
                        for r in rig.robots]  # fmt: skip
         self.sensors = [self._mounted(s) for s in rig.sensors]
-        self.front_ends = list(front_ends or [Identity()] * len(self.sensors))
+        self.front_ends: list[FrontEnd] = list(front_ends or [Identity()] * len(self.sensors))
         if len(self.front_ends) != len(self.sensors):
             raise SlamlibError(f"Slam: {len(self.sensors)} sensors need as many front ends, got {len(self.front_ends)}")
         self.families: dict[str, Family] = dict(FAMILIES)
@@ -86,10 +89,12 @@ class Slam:
         for sensor in self.sensors:
             sensor.linearization = linearization
 
-    def step(self, frame: Frame) -> Report:
+    def step(self, frame: Frame, *, update: bool = True, first: bool = False) -> Report:
         """One frame: all robots move; then each sensor corrects what is known, and begins what is new.
 
-        Raises SlamlibError for a frame that does not fit the rig; then nothing is changed.
+        update: False leaves what is known as it is: this frame's measurements of it have been used already. first: as
+        many landmarks are begun as in a sensor's first frame. Raises SlamlibError for a frame that does not fit the
+        rig; then nothing is changed.
         """
         self._check(frame)
         events = _Events()
@@ -98,9 +103,13 @@ class Slam:
             self._predict(robot, control, frame.dt)
         self.absolute = [self._absolute(measurement) for measurement in frame.absolute]
         for i, scan in enumerate(frame.scans):
-            self._correct(i, scan)
+            if update:
+                self._correct(i, scan)
+            else:
+                looks = expect_all(self.belief, self.sensors[i], self.families, self.landmarks, self.options)
+                self.scans[i], self.looks[i] = scan, looks
             self._delete(self.looks[i], events)
-            self._begin(i, scan, events)
+            self._begin(i, scan, events, self.options.first if first or not self.frames_of[i] else self.options.later)
         return Report(tuple(events.begun), tuple(events.deleted), tuple(events.refused))
 
     def wait(self, controls: Sequence[Control | None], dt: float) -> None:
@@ -167,7 +176,7 @@ class Slam:
     def _delete(self, looks: list[Look], events: _Events) -> None:
         """Landmarks that are not found where they should be, or found to be wrong, and points beyond infinity, go."""
         bad = {look.landmark for look in looks if look.chosen and is_bad(look.landmark, self.options)}
-        bad |= out_of_window(self.landmarks, self.number, self.options)
+        bad.update(out_of_window(self.landmarks, self.number, self.options))
         for group in groups(self.landmarks):
             for family in self.families.values():
                 if isinstance(group[0].kind, family.kinds):
@@ -185,12 +194,14 @@ class Slam:
         checkpoint.save(self, path, **extra)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str], *, front_ends: Sequence[Any] | None = None) -> "Slam":
+    def load(cls, path: str | os.PathLike[str], *, front_ends: Sequence[FrontEnd] | None = None) -> "Slam":
         """The filter of a file: it goes on exactly as the saved one would have. Raises SlamlibError."""
         return cls.resume(path, front_ends=front_ends)[0]
 
     @classmethod
-    def resume(cls, path: str | os.PathLike[str], *, front_ends: Sequence[Any] | None = None) -> tuple["Slam", Any]:
+    def resume(
+        cls, path: str | os.PathLike[str], *, front_ends: Sequence[FrontEnd] | None = None
+    ) -> tuple["Slam", Any]:
         """The same, with the extra data that were saved beside it."""
         return checkpoint.load(path, front_ends, cls)
 
@@ -199,19 +210,17 @@ class Slam:
         self.belief.remove(landmark.block)
         self.landmarks.remove(landmark)
 
-    def _begin(self, i: int, scan: Scan, events: _Events) -> None:
+    def _begin(self, i: int, scan: Scan, events: _Events, count: int) -> None:
         sensor = self.sensors[i]
         sight = Sight(scan, sensor, self.looks[i])
-        count = self.options.later if self.frames_of[i] else self.options.first
         self.frames_of[i] += 1
         for family in self.families.values():
             kind = family.new(self.options)
             if kind is None or not family.sees(sensor):
                 continue
             known = {landmark.id for landmark in self.landmarks}
-            found = self.front_ends[i].detect(
-                sight, family.name, known, lambda values, f=family: f.usable(sensor, values, self.options), count
-            )
+            usable = partial(family.usable, sensor, options=self.options)
+            found = self.front_ends[i].detect(sight, family.name, known, usable, count)
             for number, value, signature in found:
                 self._begin_one(family, i, kind, number, value, signature, events)
 

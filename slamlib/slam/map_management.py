@@ -9,9 +9,9 @@ if TYPE_CHECKING:
     from slamlib.slam.options import Options
 
 
-def out_of_window(landmarks: Iterable[Landmark], number: int, options: "Options") -> set[Landmark]:
-    """The landmarks that were not seen for more frames than the options' window, in frame `number`."""
-    return set() if options.window is None else {lm for lm in landmarks if number - lm.seen > options.window}
+def out_of_window(landmarks: Iterable[Landmark], number: int, options: "Options") -> list[Landmark]:
+    """The landmarks that were not seen for more frames than the options' window, in frame `number`; in map order."""
+    return [] if options.window is None else [lm for lm in landmarks if number - lm.seen > options.window]
 
 
 def is_bad(landmark: Landmark, options: "Options") -> bool:

@@ -3,27 +3,30 @@
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.data.snapshots import Looks
 from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array, Indices
 from slamlib.observation.family import Expected, Family, viewpoint
-from slamlib.slam.data_association.gates import CHOICES, Sight, gate, innovation_covariances, normalized
+from slamlib.slam.data_association.front_end import FrontEnd, Sight
+from slamlib.slam.data_association.gates import CHOICES, gate, innovation_covariances, normalized
 from slamlib.slam.entities import Landmark, MountedSensor
 
 if TYPE_CHECKING:
     from slamlib.slam.options import Options
 
+T = TypeVar("T")
 
-def groups(landmarks: Iterable[Landmark]) -> list[list[Landmark]]:
-    """The landmarks by kind, so that each kind is computed in one batch."""
-    found: dict[int, list[Landmark]] = defaultdict(list)
-    for landmark in landmarks:
-        found[id(landmark.kind)].append(landmark)
+
+def groups(items: Iterable[T]) -> list[list[T]]:
+    """Landmarks, or looks at them, by the landmark's kind, so that each kind is computed in one batch."""
+    found: dict[int, list[T]] = defaultdict(list)
+    for item in items:
+        landmark: Any = getattr(item, "landmark", item)
+        found[id(landmark.kind)].append(item)
     return list(found.values())
 
 
@@ -95,7 +98,7 @@ def looks_from(slam: Any, motion: Array, sensor: int = 0) -> list[Look]:
     return expect_all(slam.belief, mounted, slam.families, slam.landmarks, slam.options, robot)
 
 
-def choose_and_match(sight: Sight, front_end: Any, options: "Options") -> list[Look]:
+def choose_and_match(sight: Sight, front_end: FrontEnd, options: "Options") -> list[Look]:
     """The looks that tell most and were matched, the one that tells most first; the landmarks' histories go on."""
     sizes: dict[int, list[Look]] = defaultdict(list)
     for look in front_end.findable(sight):
@@ -130,7 +133,7 @@ def correct_in_sequence(belief: Belief, sensor: MountedSensor, looks: list[Look]
 def correct_in_batch(belief: Belief, sensor: MountedSensor, looks: list[Look], options: "Options") -> None:
     """All at once, with the expectations of the predicted mean."""
     parts = []
-    for group in _by_kind(looks):
+    for group in groups(looks):
         expected = group[0].expected.take([look.row for look in group])
         measured = np.array([look.measured for look in group])
         found = group[0].family.innovate(sensor, expected, measured)
@@ -145,16 +148,9 @@ def correct_in_batch(belief: Belief, sensor: MountedSensor, looks: list[Look], o
 
 def follow(belief: Belief, sensor: MountedSensor, looks: list[Look], options: "Options") -> None:
     """What each family does with the landmarks that were corrected: convert, constrain, move ends."""
-    for group in _by_kind(look for look in looks if look.inlier):
+    for group in groups(look for look in looks if look.inlier):
         landmarks, measured = [look.landmark for look in group], np.array([look.measured for look in group])
         group[0].family.corrected(belief, sensor, landmarks, measured, options)
-
-
-def _by_kind(looks: Iterable[Look]) -> list[list[Look]]:
-    found: dict[str, list[Look]] = defaultdict(list)
-    for look in looks:
-        found[look.landmark.kind.name].append(look)
-    return list(found.values())
 
 
 def _stacked(parts: list[tuple[Indices, Array, Array, Array]]) -> tuple[Indices, Array, Array, Array]:
@@ -174,27 +170,3 @@ def _stacked(parts: list[tuple[Indices, Array, Array, Array]]) -> tuple[Indices,
 
 def _stack(looks: list[Look]) -> Array:
     return np.concatenate([look.Z for look in looks]).reshape(-1, *looks[0].Z.shape)
-
-
-def looks_of(looks: list[Look], family: str, size: int) -> Looks:
-    """What a snapshot shows of the looks of one family."""
-    own = [look for look in looks if look.family.name == family]
-    d = len(own[0].Z) if own else 2
-    return Looks(
-        ids=np.array([look.landmark.id for look in own], dtype=int),
-        kinds=tuple(look.landmark.kind.name for look in own),
-        expected=np.array([look.value for look in own]).reshape(len(own), size),
-        covariance=np.array([look.Z for look in own]).reshape(len(own), d, d),
-        measured=np.array([look.measured for look in own]).reshape(len(own), size),
-        chosen=np.array([look.chosen for look in own], dtype=bool),
-        matched=np.array([look.matched for look in own], dtype=bool),
-        inlier=np.array([look.inlier for look in own], dtype=bool),
-        nis=np.array([look.nis for look in own]),
-        scores=np.array([look.score for look in own], dtype=float),
-        predicted=tuple(_array(look.predicted) for look in own),
-        found=tuple(_array(look.found) for look in own),
-    )
-
-
-def _array(patch: Any) -> Array | None:
-    return None if patch is None else np.asarray(patch)

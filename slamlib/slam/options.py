@@ -80,16 +80,16 @@ class Options:
     search_first: Count = 10
     keep_matched: Share = 0.1
     keep_inliers: Share = 0.5
-    others: dict[Annotated[str, OneOf(FAMILIES)], str] = field(default_factory=dict)
+    others: dict[Annotated[str, OneOf(FAMILIES)], str] | None = None
 
     def __post_init__(self) -> None:
         check(self)
-        for family, kind in self.others.items():
+        for family, kind in (self.others or {}).items():
             OneOf(FAMILIES[family].parametrizations).check(kind, f"parametrization of {family}")
 
     def parametrization_of(self, family: str) -> str | None:
         """The parametrization of new landmarks of a family, or None for none."""
-        return {"points": self.points, "segments": self.lines, **self.others}.get(family)
+        return {"points": self.points, "segments": self.lines, **(self.others or {})}.get(family)
 
     def line_prior(self, name: str) -> Prior:
         """Means and standard deviations of what a segment does not tell about a line of this parametrization."""
@@ -99,7 +99,7 @@ class Options:
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON or TOML; what is None is left out."""
         plain: dict[str, Any] = written(self)
-        return plain if self.others else {name: value for name, value in plain.items() if name != "others"}
+        return plain
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> "Options":

@@ -1,15 +1,18 @@
 """A snapshot of the filter: copies of what it believes, and of what its sensors looked at in the last frame."""
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from slamlib.belief import Belief
 from slamlib.data.snapshots import Looks, MapView, RobotView, SensorView, Snapshot
+from slamlib.landmarks import hmg_point
+from slamlib.manifolds import Array
 from slamlib.observation import Family
-from slamlib.slam.entities import POSE, MountedSensor
-from slamlib.slam.line_endpoints import ends_in_image
-from slamlib.slam.measurement_update import looks_of
+from slamlib.observation.family import by_columns, columns_of, means_of, viewpoint
+from slamlib.observation.points import AHEAD
+from slamlib.slam.entities import POSE, Landmark, MountedSensor
+from slamlib.slam.measurement_update import groups
 
 
 def snapshot_of(slam: Any) -> Snapshot:
@@ -29,12 +32,63 @@ def _sensor_view(slam: Any, i: int, sensor: MountedSensor) -> SensorView:
 
 
 def _looks(slam: Any, i: int, family: str, size: int) -> Looks:
-    own = [look.landmark for look in slam.looks[i] if look.family.name == family]
-    ends, spreads = ends_in_image(slam.belief, slam.sensors[i], own)
-    return replace(looks_of(slam.looks[i], family, size), ends=ends, spreads=spreads)
+    own = [look for look in slam.looks[i] if look.family.name == family]
+    ends, spreads = ends_in_image(slam.belief, slam.sensors[i], [look.landmark for look in own])
+    d = len(own[0].Z) if own else 2
+    return Looks(
+        ids=np.array([look.landmark.id for look in own], dtype=int),
+        kinds=tuple(look.landmark.kind.name for look in own),
+        expected=np.array([look.value for look in own]).reshape(len(own), size),
+        covariance=np.array([look.Z for look in own]).reshape(len(own), d, d),
+        measured=np.array([look.measured for look in own]).reshape(len(own), size),
+        chosen=np.array([look.chosen for look in own], dtype=bool),
+        matched=np.array([look.matched for look in own], dtype=bool),
+        inlier=np.array([look.inlier for look in own], dtype=bool),
+        nis=np.array([look.nis for look in own]),
+        ends=ends,
+        spreads=spreads,
+        scores=np.array([look.score for look in own], dtype=float),
+        predicted=tuple(_array(look.predicted) for look in own),
+        found=tuple(_array(look.found) for look in own),
+    )
 
 
 def _map_view(slam: Any, family: Family) -> MapView:
     own = [lm for lm in slam.landmarks if isinstance(lm.kind, family.kinds)]
     kinds = tuple(landmark.kind.name for landmark in own)
     return MapView(np.array([lm.id for lm in own], dtype=int), kinds, *family.geometry(slam.belief, own))
+
+
+def _array(patch: Any) -> Array | None:
+    return None if patch is None else np.asarray(patch)
+
+
+def ends_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
+    """The two ends of lines in the image (n, 2, 2) [px] and their covariances (n, 2, 2, 2), as the filter has them now.
+
+    The covariance is H P H' of robot, mount and line together, at ends that stay where they are on the line (in the
+    manual Obs.par.endp, fig. 9). The noise of a pixel is left out: a segment that is detected ends somewhere else on
+    the line, so this is no region in which its end should be found. nan: points, lines that were forgotten, ends that
+    lie out of view.
+    """
+    ends, spreads = np.full((len(landmarks), 2, 2), np.nan), np.full((len(landmarks), 2, 2, 2), np.nan)
+    alive, row = set(belief.blocks), {landmark: i for i, landmark in enumerate(landmarks)}
+    for group in groups(lm for lm in landmarks if lm.abscissas is not None and lm.block in alive):
+        rows = [row[landmark] for landmark in group]
+        ends[rows], spreads[rows] = _of_one_kind(belief, sensor, group)
+    return ends, spreads
+
+
+def _of_one_kind(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
+    kind, abscissas = landmarks[0].kind, np.array([landmark.abscissas for landmark in landmarks])
+    view = viewpoint(sensor)
+    h, by_line = kind.point_at.jac(means_of(landmarks)[:, None, :], abscissas)
+    point, F = hmg_point.to_frame.jac(view.pose, h)
+    ahead = sensor.calibration.visible(point)
+    pixel, by_sensor = sensor.calibration.project_jac(np.where(ahead[..., None], point, AHEAD))
+    by = by_columns(view, F.pose, F.landmark @ by_line.landmark)
+    H, columns = by_sensor.point @ by, columns_of(sensor, landmarks)
+    P = belief.matrix[columns[:, :, None], columns[:, None, :]]
+    seen = (ahead & sensor.calibration.inside(pixel))[..., None]
+    covariance = H @ P[:, None] @ H.swapaxes(-1, -2)
+    return np.where(seen, pixel, np.nan), np.where(seen[..., None], covariance, np.nan)

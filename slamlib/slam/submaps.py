@@ -7,7 +7,6 @@ neighbours are independent, as long as each is in its own frame.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -21,6 +20,7 @@ from slamlib.kalman.state import Block
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import WORLD
 from slamlib.manifolds import Array, Euclidean, Product
+from slamlib.slam.data_association.front_end import FrontEnd
 from slamlib.slam.entities import POSE
 from slamlib.slam.filter import Report, Slam
 from slamlib.slam.options import Options
@@ -150,7 +150,7 @@ class ManyMaps:
         options: Options | None = None,
         *,
         most: int = 30,
-        front_ends: Callable[[], Sequence[Any]] | None = None,
+        front_ends: Callable[[], Sequence[FrontEnd]] | None = None,
     ) -> None:
         """most: landmarks of a map, with which it is closed. front_ends(): makes those of the next map.
 

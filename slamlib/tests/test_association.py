@@ -6,7 +6,8 @@ import pytest
 from slamlib.belief import Belief
 from slamlib.data.records import Features, Scan
 from slamlib.evaluation.consistency import chi2_cdf
-from slamlib.slam.data_association.gates import CHOICES, Identity, Sight, gate, innovation_covariances, normalized
+from slamlib.slam.data_association.front_end import Identity, Sight
+from slamlib.slam.data_association.gates import CHOICES, gate, innovation_covariances, normalized
 
 
 @pytest.fixture

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from slambook import rendering
 
-from slamlib.cli import main, working
+from slamlib.cli import main, runner
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
 from slamlib.tests.pictures import DATA, interrupted_at, windows
-from slamlib.vision.run import ImageRun
+from slamlib.vision.run import load
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads and writes the pictures")
 COUNT, DT = 24, 1 / 30
@@ -119,7 +119,7 @@ def test_choices_reach_the_run(room, tmp_path):
     ]
     path = tmp_path / "run.npz"
     assert main(words(room, *given, "--patience", "4", "--fps", "15", "--save", str(path))) == 0
-    run = ImageRun.load(path)
+    run = load(path)
     assert (list(run.source.frames), run.source.interval, run.patience) == ([2, 5, 8, 11, 14], 1 / 15, 4)
     options, rig = run.slam.options, run.slam.rig
     assert (options.updates, options.consensus, options.points, options.first) == (9, "joint", "idpPnt", 7)
@@ -158,7 +158,7 @@ def test_a_glob_a_video_and_the_public_layouts(room, tmp_path, capsys):
 def test_an_interrupted_run_goes_on_as_if_it_had_not_been(room, tmp_path, capsys, monkeypatch):
     whole, cut = tmp_path / "whole.npz", tmp_path / "cut.npz"
     assert main(words(room, "--save", str(whole))) == 0
-    monkeypatch.setattr(working, "progress", interrupted_at(9))
+    monkeypatch.setattr(runner, "progress", interrupted_at(9))
     assert main(words(room, "--save", str(cut), "--trajectory", str(tmp_path / "t.txt"))) == 130
     assert f"slamlib run images --resume {cut}" in capsys.readouterr().err
     assert len(read_trajectory(tmp_path / "t.txt")) == 10
@@ -166,7 +166,7 @@ def test_an_interrupted_run_goes_on_as_if_it_had_not_been(room, tmp_path, capsys
     os.chdir(tmp_path)
     assert main(["run", "images", "--resume", str(cut), "--save", str(cut), "--json"]) == 0
     assert found(capsys)["frames"] == COUNT
-    one, two = ImageRun.load(whole), ImageRun.load(cut)
+    one, two = load(whole), load(cut)
     assert np.array_equal(one.trajectory().poses, two.trajectory().poses)
     assert np.array_equal(one.slam.belief.matrix, two.slam.belief.matrix)
 
@@ -176,7 +176,7 @@ def test_lines_beside_points_also_after_a_resume(room, tmp_path, capsys):
     assert main(words(room, "--lines", "idpLin", "--frames", "8", "--save", str(whole))) == 0
     assert main(words(room, "--lines", "idpLin", "--frames", "4", "--save", str(half))) == 0
     assert main(["run", "images", "--resume", str(half), "--frames", "8", "--save", str(half)]) == 0
-    runs = [ImageRun.load(path).slam for path in (whole, half)]
+    runs = [load(path).slam for path in (whole, half)]
     kinds = [[landmark.kind.name for landmark in slam.landmarks] for slam in runs]
     assert "idpLin" in kinds[0]
     assert kinds[0] == kinds[1]
@@ -225,8 +225,8 @@ def test_a_cut_is_warned_of_once_and_stops_the_run(room, tmp_path, capsys):
 def test_a_run_that_may_be_reversed_is_named(room, capsys, monkeypatch):
     assert main(words(room, "--frames", "8")) == 0
     assert "reversed" not in capsys.readouterr().err
-    monkeypatch.setattr("slamlib.cli.reporting.JUDGED", 8)
-    monkeypatch.setattr("slamlib.cli.reporting.ENOUGH", 1.01)
+    monkeypatch.setattr("slamlib.cli.runner.JUDGED", 8)
+    monkeypatch.setattr("slamlib.cli.runner.ENOUGH", 1.01)
     assert main(words(room, "--frames", "8", "--json")) == 0
     assert "the path may be reversed" in capsys.readouterr().err
 
@@ -248,7 +248,7 @@ def test_undistortion(room, tmp_path, capsys):
     assert "--undistort" in capsys.readouterr().err
     assert main([*call, "--undistort", "--save", "run.npz", "--json"]) == 0
     assert found(capsys)["matched_share"] > 0.5
-    run = ImageRun.load("run.npz", frames=10)
+    run = load("run.npz", frames=10)
     assert run.slam.rig.sensors[0].parameters["distortion"] == (0.0,)
     assert len(list(run)) == 4  # undistorted again
     assert run.result().matched[-1] > 3
@@ -290,7 +290,7 @@ def test_a_film_that_fails_does_not_lose_the_run(room, tmp_path, capsys, monkeyp
     (tmp_path / "left").mkdir()
     (tmp_path / "left" / "0.png").write_bytes((room / "left" / "0.png").read_bytes())
     call = ["run", "images", "--source", str(tmp_path / "left"), "--calibration", str(room / "calibration.json")]
-    monkeypatch.setattr("slamlib.vision.run.ImageRun._frame", lambda run, picture: run.source.part(9))
+    monkeypatch.setattr("slamlib.vision.sequence_run.SequenceRun._frame", lambda run, picture: run.source.part(9))
     assert main([*call, "--video", "film.gif"]) == 2
     assert "none is left from number 9" in capsys.readouterr().err
 

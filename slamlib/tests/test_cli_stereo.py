@@ -9,12 +9,13 @@ import pytest
 from slambook import rendering
 from slambook.recorded import KITTI
 
-from slamlib.cli import comparing, main, working
+from slamlib.cli import main, runner
 from slamlib.datasets.dataset import table
 from slamlib.evaluation.trajectory import read_trajectory
 from slamlib.tests.pictures import interrupted_at, windows
-from slamlib.vision.stereo.odometry_run import load
-from slamlib.vision.stereo.run import StereoRun
+from slamlib.vision.results import lengths_of
+from slamlib.vision.run import PAIRS
+from slamlib.vision.run import load as load_kind
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads, rectifies and searches the pictures")
 COUNT, DT, BASELINE = 12, 1 / 15, 0.12
@@ -53,6 +54,10 @@ def plain(folder, **more):
     path = folder / "pair.json"
     path.write_text(json.dumps({"intrinsics": LENS["intrinsics"], "baseline": BASELINE, **more}))
     return str(path)
+
+
+def load(path):
+    return load_kind(path, PAIRS)
 
 
 def found(capsys):
@@ -183,7 +188,7 @@ def test_unrectified_pictures_are_measured_and_named(room, tmp_path, capsys):
 def test_an_interrupted_run_goes_on_as_if_it_had_not_been(room, way, tmp_path, capsys, monkeypatch):
     whole, cut = tmp_path / "whole.npz", tmp_path / "cut.npz"
     assert main(words(room, *way, "--save", str(whole))) == 0
-    monkeypatch.setattr(working, "progress", interrupted_at(4))
+    monkeypatch.setattr(runner, "progress", interrupted_at(4))
     assert main(words(room, *way, "--save", str(cut), "--trajectory", "t.txt")) == 130
     monkeypatch.undo()
     assert f"saved after 5 pairs; go on with: slamlib run stereo-images --resume {cut}" in capsys.readouterr().err
@@ -199,12 +204,12 @@ def test_choices_reach_the_run(room, tmp_path):
     given = ["--start", "1", "--every", "2", "--frames", "3", "--landmark", "idpPnt", "--noise", "0.3", "0.3", "0.4"]
     given += ["--motion", "velocity", "--impulse", "0.2", "5", "--velocity", "1", "7", "--search", "each=6"]
     assert main(words(room, *given, "--capacity", "50", "--window", "4", "--patience", "3", "--save", "run.npz")) == 0
-    run = StereoRun.load("run.npz")
-    assert (list(run.source.frames), run.patience, run.name) == ([1, 3, 5], 3, "velocity")
+    run = load("run.npz")
+    assert (list(run.source.frames), run.patience, run.motion.name) == ([1, 3, 5], 3, "velocity")
     options, rig = run.slam.options, run.slam.rig
     assert (options.points, options.capacity, options.window, options.first) == ("idpPnt", 50, 4, 40)
     assert len(run.slam.landmarks) <= 50
-    assert run.moving.front_end.settings.each == 6
+    assert run.motion.front_end.settings.each == 6
     assert rig.sensors[0].std == (0.3, 0.3, 0.4)
     assert rig.robots[0].control_std == (0.2, 0.2, 0.2, 5.0, 5.0, 5.0)
     assert rig.robots[0].velocity_std == (1.0, 1.0, 1.0, 7.0, 7.0, 7.0)
@@ -252,10 +257,10 @@ def test_kittis_poses_as_a_reference(room, tmp_path, capsys):
 
 
 def test_lengths_of_parts_fit_the_path():
-    assert comparing.lengths_of(3000)[0] == 100
-    assert comparing.lengths_of(59.9) == (5, 10, 15, 20, 25, 30, 35, 40)
-    assert comparing.lengths_of(0.5)[-1] == pytest.approx(0.4)
-    assert comparing.lengths_of(0.0) == ()
+    assert lengths_of(3000)[0] == 100
+    assert lengths_of(59.9) == (5, 10, 15, 20, 25, 30, 35, 40)
+    assert lengths_of(0.5)[-1] == pytest.approx(0.4)
+    assert lengths_of(0.0) == ()
 
 
 @pytest.mark.parametrize(
@@ -265,12 +270,12 @@ def test_lengths_of_parts_fit_the_path():
         (["--left", "{room}/image_0"], "--source, or --left and --right, are wanted"),
         (["--source", "{room}", "--left", "{room}/image_0"], "leave --left and --right out"),
         (["--source", "{room}/image_0"], "has no pair of cameras"),
-        (["--source", "{room}", "--cameras", "2", "3"], "no camera 2; it has 0, 1"),
+        (["--source", "{room}", "--cameras", "2", "3"], "no image_2; its cameras are 0, 1"),
         (["--source", "{room}", "--calibration", "nowhere.txt"], "nowhere.txt cannot be read"),
         (["--left", "{room}/image_0", "--right", "{room}/image_1"], "--calibration is wanted"),
         (["--left", "{room}/image_0", "--right", "nowhere"], "there is nothing"),
         (["--source", "{room}", "--landmark", "idpPt"], "did you mean 'idpPnt'?"),
-        (["--source", "{room}", "--search", "zom=2"], "unknown key of search 'zom'; did you mean 'zoom'?"),
+        (["--source", "{room}", "--search", "zom=2"], "unknown search 'zom'; did you mean 'zoom'?"),
         (["--source", "{room}", "--option", "gat=1"], "did you mean 'gate'?"),
         (["--source", "{room}", "--noise", "1", "2"], "--noise takes one number above 0, or three"),
         (["--source", "{room}", "--odometry-only", "--live"], "with --odometry-only there is none"),
@@ -336,7 +341,7 @@ def test_times_that_do_not_match(room, tmp_path, capsys):
         ("P0: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\nP1: 130 0 79.5 15.6 0 130 59.5 0 0 0 1 0\n", "are exchanged"),
         ("P0: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\nP1: 90 0 79.5 -15.6 0 90 59.5 0 0 0 1 0\n", "focal lengths"),
         ("130 130 79.5 59.5", "the baseline is missing"),
-        ('{"intrinsics": [79.5, 59.5, 130, 130], "baseline": -1}', "one length above zero"),
+        ('{"intrinsics": [79.5, 59.5, 130, 130], "baseline": -1}', "pair.baseline should be above 0"),
         ('{"intrinsics": [79.5, 59.5, 130], "baseline": 1}', "intrinsics"),
         ('{"intrinsics": [79.5, 59.5, 130, 130], "baseline": 1, "std_": 1}', "did you mean 'std'?"),
         ('{"intrinsics": [79.5, 59.5, 130, 130], "baseline": 1, "image": [64, 48]}', "of pictures of 64x48"),

@@ -11,7 +11,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.observation.family import viewpoint
 from slamlib.slam import Slam
 from slamlib.slam.data_association.consensus import CONSENSUS
-from slamlib.slam.data_association.gates import Identity, Sight
+from slamlib.slam.data_association.front_end import Identity, Sight
 from slamlib.slam.data_association.joint_innovation import together, told_by_each
 from slamlib.slam.measurement_update import choose_and_match, correct_in_batch, expect_all
 from slamlib.slam.options import Options

@@ -15,9 +15,9 @@ from slamlib.evaluation.alignment import aligned
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import compose
 from slamlib.slam import Options, Slam
-from slamlib.slam.data_association.gates import Sight
+from slamlib.slam.data_association.front_end import Sight
 from slamlib.vision.active_search import ActiveSearch, Settings
-from slamlib.vision.search_backoff import Rest
+from slamlib.vision.front_end import Rest
 
 FRAMES, DT = 45, 1 / 30
 OPTIONS = Options(updates=12, first=12, later=3, keep_matched=0.5, inverse_distance=(0.4, 0.4))

@@ -17,11 +17,10 @@ from slamlib.datasets.rectification import Rectification, rectified_setup, why_n
 from slamlib.datasets.sources import of_pictures
 from slamlib.errors import SlamlibError
 from slamlib.tests.pictures import KALIBR
+from slamlib.vision.run import PAIRS, load, opened_stereo, stereo_run
 from slamlib.vision.stereo import StereoSettings
 from slamlib.vision.stereo.features import observe
-from slamlib.vision.stereo.open_pairs import opened_pairs
-from slamlib.vision.stereo.pair_checks import check_pair, survey
-from slamlib.vision.stereo.run import StereoRun
+from slamlib.vision.stereo.matching import check_pair, survey
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads, rectifies and searches the pictures")
 K = np.array([[400.0, 0, 310], [0, 405.0, 235], [0, 0, 1]])
@@ -197,12 +196,12 @@ def folders(tmp_path, film):
 def test_a_run_from_python(tmp_path):
     _, film, _ = stereo_film(4)
     (left, right), calibration = folders(tmp_path, film)
-    source, camera, settings = opened_pairs(left=left, right=right, calibration=calibration, fps=30)
-    run = StereoRun(source, camera, moving="halves", settings=settings)
+    source, camera, settings = opened_stereo(left=left, right=right, calibration=calibration, fps=30)
+    run = stereo_run(source, camera, moving="halves", settings=settings)
     steps = iter(run)
     assert [next(steps).picture.name for _ in range(2)] == ["left_0.png", "left_1.png"]
     run.save(tmp_path / "run.npz")
-    again = StereoRun.load(tmp_path / "run.npz")
+    again = load(tmp_path / "run.npz", PAIRS)
     for _ in range(2):
         np.testing.assert_array_equal(next(steps).row["nis"], next(iter(again)).row["nis"])
     np.testing.assert_array_equal(run.slam.belief.matrix, again.slam.belief.matrix)
@@ -214,6 +213,6 @@ def test_a_run_from_python(tmp_path):
     with pytest.raises(SlamlibError, match="had more when the run was saved"):
         reopen(recipe)
     with pytest.raises(SlamlibError, match="did you mean 'halves'"):
-        StereoRun(source, camera, moving="halfs")
+        stereo_run(source, camera, moving="halfs")
     with pytest.raises(SlamlibError, match=r"left_0.png: the pair is 320x240, and the calibration of 100x80"):
-        list(StereoRun(source, {**camera, "image": (100.0, 80.0)}))
+        list(stereo_run(source, {**camera, "image": (100.0, 80.0)}))

@@ -13,10 +13,8 @@ from slamlib.evaluation.alignment import aligned
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import compose, to_frame
 from slamlib.geometry.quaternion import exponential
-from slamlib.vision.hand_held import IMPULSE, OPTIONS, hand_held
-from slamlib.vision.hand_held import options as images_options
 from slamlib.vision.results import COLUMNS, PARTS, summary, table
-from slamlib.vision.run import ImageRun
+from slamlib.vision.run import IMAGES, camera_rig, image_run, load, options_for
 from slamlib.vision.target import Target
 from slamlib.vision.tracking_loss import Lost
 
@@ -28,6 +26,7 @@ CAMERA = {
 CALIBRATION = SensorSetup(**CAMERA).calibration
 DARK = 255  # a picture of this brightness shows nothing
 COUNT, DT = 40, 0.04
+OPTIONS, IMPULSE = IMAGES.options, IMAGES.impulse
 
 
 def true_path():
@@ -100,7 +99,7 @@ def pictures(dark=(), count=COUNT):
 
 
 def begun(dark=(), **options):
-    return ImageRun(pictures(dark), hand_held(CAMERA), OPTIONS, Told(), **options)
+    return image_run(pictures(dark), camera_rig(CAMERA), OPTIONS, Told(), **options)
 
 
 def error(run, scale=True):
@@ -140,7 +139,7 @@ def test_going_on_is_the_same_as_not_stopping(tmp_path):
     for _ in range(21):
         next(steps)
     cut.save(tmp_path / "run.npz")
-    again = ImageRun.load(tmp_path / "run.npz", source=pictures({20, 21}), front_end=lambda calibration: Told(seed=9))
+    again = load(tmp_path / "run.npz", source=pictures({20, 21}), front_end=lambda calibration: Told(seed=9))
     assert (len(again), again.gap.frames) == (COUNT - 21, 1)
     list(again)
     assert np.array_equal(whole.trajectory().poses, again.trajectory().poses)
@@ -148,10 +147,10 @@ def test_going_on_is_the_same_as_not_stopping(tmp_path):
     timeless = [i for i, name in enumerate(COLUMNS) if name not in PARTS]
     assert np.array_equal(np.array(whole.history)[:, timeless], np.array(again.history)[:, timeless])
     with pytest.raises(SlamlibError, match="were in memory"):
-        ImageRun.load(tmp_path / "run.npz", front_end=lambda calibration: Told())
+        load(tmp_path / "run.npz", front_end=lambda calibration: Told())
     again.slam.save(tmp_path / "other.npz")
     with pytest.raises(SlamlibError, match="holds no run on images"):
-        ImageRun.load(tmp_path / "other.npz")
+        load(tmp_path / "other.npz")
 
 
 def test_what_is_broken_off_in_the_middle_is_not_saved(tmp_path):
@@ -180,7 +179,7 @@ def test_missing_pictures_pass_as_dark_ones_do():
     spoilt = set(range(15, 23))
     dark = begun(spoilt)
     there = [p for i, p in enumerate(pictures()) if i not in spoilt]
-    missing = ImageRun(of_pictures(there, DT), hand_held(CAMERA), OPTIONS, Told())
+    missing = image_run(of_pictures(there, DT), camera_rig(CAMERA), OPTIONS, Told())
     seen = []
     for run in (dark, missing):
         step = next(step for step in run if step.picture.name == "23.png")
@@ -199,7 +198,7 @@ def test_a_gap_that_lasts_ends_the_run_and_nothing_is_lost(tmp_path):
         list(run)
     assert len(run.history) == 16
     run.save(tmp_path / "run.npz")
-    again = ImageRun.load(tmp_path / "run.npz", source=run.source, front_end=lambda calibration: Told())
+    again = load(tmp_path / "run.npz", source=run.source, front_end=lambda calibration: Told())
     again.patience = 100
     list(again)
     assert len(again.history) == COUNT
@@ -236,7 +235,7 @@ def test_over_a_longer_time_more_impulses():
     sparse = of_pictures([p for i, p in enumerate(there) if i not in (20, 21, 22)], DT)
     spreads = []
     for source in (there, sparse):
-        run = ImageRun(source, hand_held(CAMERA), OPTIONS, Told())
+        run = image_run(source, camera_rig(CAMERA), OPTIONS, Told())
         seen = []
         correct = run.slam._correct
         run.slam._correct = lambda i, scan, s=run.slam, c=correct, a=seen: (
@@ -251,16 +250,16 @@ def test_over_a_longer_time_more_impulses():
 
 def test_a_picture_of_another_size_is_refused_before_the_filter_moves():
     source = of_pictures([Picture("a.png", 0.0, np.zeros((24, 32), np.uint8))], DT)
-    run = ImageRun(source, hand_held(CAMERA), OPTIONS, Told())
+    run = image_run(source, camera_rig(CAMERA), OPTIONS, Told())
     with pytest.raises(SlamlibError, match=r"a\.png is 32x24, and the calibration is of 64x48"):
         list(run)
     assert run.whole
     for what in (run.result, run.trajectory):
         with pytest.raises(SlamlibError, match="nothing has been run"):
             what()
-    rig = hand_held(CAMERA)
+    rig = camera_rig(CAMERA)
     with pytest.raises(SlamlibError, match="one robot with one camera"):
-        ImageRun(source, replace(rig, sensors=(rig.sensors[0], replace(rig.sensors[0], name="right"))))
+        image_run(source, replace(rig, sensors=(rig.sensors[0], replace(rig.sensors[0], name="right"))))
 
 
 # -- a known target ----------------------------------------------------------------------------------------------------
@@ -281,7 +280,7 @@ def with_target(**options):
     told = Told()
     told.points = told.points[order]
     unit = known.distance(CALIBRATION)
-    return ImageRun(pictures(), hand_held(CAMERA, unit=unit), images_options(unit, 6), told, scale=known), known
+    return image_run(pictures(), camera_rig(CAMERA, unit=unit), options_for(unit, 6), told, scale=known), known
 
 
 def test_a_target_gives_the_true_scale_and_the_place():
@@ -310,7 +309,7 @@ def test_the_uncertainty_of_the_start_is_that_of_the_pixels():
         )
         told = Told()
         told.points = told.points[order]
-        run = ImageRun(pictures(), hand_held(CAMERA), OPTIONS, told, scale=noisy)
+        run = image_run(pictures(), camera_rig(CAMERA), OPTIONS, told, scale=noisy)
         next(iter(run))
         from slamlib.geometry.pose import Pose, inverse
 
@@ -359,6 +358,8 @@ def test_targets_that_say_too_little_or_do_not_fit():
     run.target = Target(known.points, known.pixels * [0, 1])
     with pytest.raises(SlamlibError, match="too near the picture's border"):
         next(iter(run))
-    run = ImageRun(pictures(), hand_held(CAMERA), OPTIONS, type("Other", (Told,), {"adopt": property()})(), scale=known)
+    run = image_run(
+        pictures(), camera_rig(CAMERA), OPTIONS, type("Other", (Told,), {"adopt": property()})(), scale=known
+    )
     with pytest.raises(SlamlibError, match="has no `adopt`"):
         next(iter(run))

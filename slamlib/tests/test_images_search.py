@@ -11,9 +11,8 @@ from slamlib.tests.pictures import NAMES, cube, grid, photograph, smooth
 from slamlib.tests.reference import cases
 from slamlib.vision.corners import best_corner
 from slamlib.vision.grid import Grid
-from slamlib.vision.patches import cut, zncc
+from slamlib.vision.patches import cut, parabola, top, zncc
 from slamlib.vision.search import correlate, ellipse, register, score_map, search
-from slamlib.vision.subpixel import parabola, top
 
 seeds = st.integers(0, 2**32 - 1)
 centres = st.tuples(st.floats(-20, 90), st.floats(-20, 70))

@@ -16,15 +16,13 @@ from slamlib.landmarks import endpoints, hmg_point
 from slamlib.landmarks.segments import length
 from slamlib.observation.lines import straight
 from slamlib.slam import Options, Slam
-from slamlib.slam.data_association.gates import Sight
+from slamlib.slam.data_association.front_end import Sight
 from slamlib.tests.pictures import cube
 from slamlib.tests.rooms import flat, pinhole, upright
 from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.combined_front_end import Both, front_end_of
-from slamlib.vision.edge_profile import Strip, axes, strip
-from slamlib.vision.edge_regions import across_covariances, lines_of
-from slamlib.vision.edges import PROFILE, fitted
-from slamlib.vision.line_search import SegmentSearch, SegmentSettings
+from slamlib.vision.edges import PROFILE, Strip, axes, fitted, strip
+from slamlib.vision.line_search import SegmentSearch, SegmentSettings, across_covariances, lines_of
 from slamlib.vision.segments import directed, refined, segments_of
 
 pytest.importorskip("cv2", reason="OpenCV, whose detector begins the segments, is not installed")

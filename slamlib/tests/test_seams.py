@@ -13,7 +13,7 @@ from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.model import model
-from slamlib.motions import MOTIONS, Motion
+from slamlib.motions import Motion
 from slamlib.observation.family import by_columns, viewpoint
 from slamlib.simulation import simulate
 from slamlib.slam import Options, Slam
@@ -94,10 +94,12 @@ def unicycle(state, control, dt):
     return np.concatenate([along[:3], compose(state, np.concatenate([np.zeros(3), whole]))[3:]])
 
 
-def test_a_control_is_as_large_as_its_motion_says(monkeypatch):
-    monkeypatch.setitem(MOTIONS._values, "unicycle", Motion("unicycle", Pose, control=2, step=unicycle, angles=(1,)))
+UNICYCLE = Motion("unicycle", Pose, control=2, step=unicycle, angles=(1,))
+
+
+def test_a_control_is_as_large_as_its_motion_says():
     p = preset("points")
-    robot = replace(p.rig.robots[0], motion="unicycle", control=(0.8, 9.0), control_std=(0.05, 0.5))
+    robot = replace(p.rig.robots[0], motion=UNICYCLE, control=(0.8, 9.0), control_std=(0.05, 0.5))
     assert np.allclose(robot.nominal, [0.8, np.radians(9)])
     assert np.allclose(robot.noise, np.diag([0.05, np.radians(0.5)]) ** 2)
     assert replace(robot, control=()).nominal.tolist() == [0, 0]

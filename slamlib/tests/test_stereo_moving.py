@@ -19,8 +19,7 @@ from slamlib.tests.stereo_points import run, simulate
 from slamlib.vision.stereo import MOVING
 from slamlib.vision.stereo.fitting import derivatives, fit
 from slamlib.vision.stereo.geometry import ORIGIN
-from slamlib.vision.stereo.motion_fallback import SURPRISE, Steady
-from slamlib.vision.stereo.motion_source import Correlated
+from slamlib.vision.stereo.motion_source import SURPRISE, Correlated, Steady
 from slamlib.vision.stereo.odometry import halves
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")

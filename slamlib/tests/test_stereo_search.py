@@ -15,8 +15,8 @@ from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam
 from slamlib.tests.stereo import calibration
 from slamlib.vision.stereo import Eyes, StereoSearch, StereoSettings
+from slamlib.vision.stereo.front_end import View, Views
 from slamlib.vision.stereo.odometry import halves
-from slamlib.vision.stereo.views import View, Views
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 OPTIONS = Options(points="eucPnt", updates=40, first=40, later=5)

@@ -15,7 +15,7 @@ from slamlib.observation.family import Expected, Innovation, columns_of, means_o
 from slamlib.observation.points import PointFamily
 from slamlib.observation.segments import LineFamily, line_innovation
 from slamlib.slam import Slam
-from slamlib.slam.data_association.gates import Sight
+from slamlib.slam.data_association.front_end import Sight
 from slamlib.slam.entities import MountedSensor
 from slamlib.slam.measurement_update import choose_and_match, correct_in_sequence, expect_all, follow
 

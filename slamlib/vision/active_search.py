@@ -9,18 +9,17 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Scan
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.gates import Sight, gate
+from slamlib.slam.data_association.front_end import Sight
+from slamlib.slam.data_association.gates import gate
 from slamlib.vision.appearance import Appearance, predict, recognizable
 from slamlib.vision.corners import QUALITY, Corner, best_corner
+from slamlib.vision.front_end import PictureFrontEnd
 from slamlib.vision.grid import Grid
 from slamlib.vision.patches import cut
 from slamlib.vision.search import Match, register, search
-from slamlib.vision.search_backoff import Rests
-from slamlib.vision.stopwatch import Stopwatch
 
 _WORLD = np.array([0.0, 0, 0, 1, 0, 0, 0])
 
@@ -55,21 +54,17 @@ class Settings:
     longest: int = 16
 
 
-class ActiveSearch:
-    """A front end for one camera with an image. seconds: time spent so far in "search" and in "detection"."""
+class ActiveSearch(PictureFrontEnd):
+    """A front end for the points of one camera with an image."""
 
     def __init__(self, calibration: Calibration, rng: np.random.Generator, settings: Settings | None = None) -> None:
         """rng: draws the cells in which new landmarks are sought. Raises SlamlibError for a sensor without an image."""
         if calibration.image is None:
             raise SlamlibError(f"ActiveSearch: {calibration.sensor.name} has no image; give its calibration one")
-        self.calibration, self.rng, self.settings = calibration, rng, settings or Settings()
-        width, height = calibration.image.astype(int).tolist()
-        self.shape = (height, width)
-        self.grid = Grid((width, height), self.settings.cells, self.settings.skip_outer)
-        self.seconds = Stopwatch("search", "detection")
-        self.last = 0
+        super().__init__(calibration)
+        self.rng, self.settings = rng, settings or Settings()
+        self.grid = Grid(self.shape[::-1], self.settings.cells, self.settings.skip_outer)
         self.found: dict[int, Match] = {}
-        self.rests = Rests()
 
     def findable(self, sight: Sight) -> list[Any]:
         """2a: the looks whose template would lie in the image, and look enough like what was seen of it before."""
@@ -79,7 +74,7 @@ class ActiveSearch:
         mask = recognizable(looks_like, sight.sensor.camera, points)
         mask &= self.calibration.inside(values, self.settings.patch // 2 + 1)
         able = [look for look, is_able in zip(sight.looks, mask.tolist(), strict=True) if is_able]
-        return self.rests.awake(able)
+        return self.awake(able)
 
     def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
         """Pixels (n, 2) of what is looked for, nan where it is not found, and the mask (n,) of those found. 2c, 2h."""
@@ -93,7 +88,7 @@ class ActiveSearch:
                 if found is not None and self.accepted(found):
                     self.found[look.landmark.id] = found
                     pixel[:] = self.refined(image, look, found)
-        self.remember(looks)
+        self.remember(looks, [look.landmark.id in self.found for look in looks], self.settings.longest)
         return measured, np.isfinite(measured[:, 0])
 
     def predict_appearances(self, sight: Sight, looks: list[Any]) -> None:
@@ -123,10 +118,6 @@ class ActiveSearch:
         """2h: the pixel to a small fraction, where the template fits best with a gain and an offset of its own."""
         pixel = register(image, look.predicted, found.pixel)
         return found.pixel if pixel is None else pixel
-
-    def remember(self, looks: list[Any]) -> None:
-        """Landmarks that were not found rest, the longer the more often in a row."""
-        self.rests.remember(looks, [look.landmark.id in self.found for look in looks], self.settings.longest)
 
     def detect(
         self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
@@ -170,32 +161,20 @@ class ActiveSearch:
             if look.inlier and found is not None and landmark.signature.due(found, camera, _point(landmark)):
                 landmark.signature = landmark.signature.renewed(image, found, look.predicted, camera)
 
-    def new_id(self, known: set[int]) -> int:
-        """1g: a number that no landmark has had."""
-        self.last = max(self.last, *known, 0) + 1
-        return self.last
-
     def adopt(self, sight: Sight, family: str, values: Array) -> list[tuple[int, Array, Any] | None]:
         """Landmarks at given pixels (n, 2), whatever is there; None where no patch can be cut."""
         image = np.asarray(sight.scan.image)
         signatures = [self.signature(image, sight, Corner(pixel, 0.0)) for pixel in values]
         return [None if s is None else (self.new_id(set()), p, s) for p, s in zip(values, signatures, strict=True)]
 
-    def check(self, scan: Scan) -> None:
-        """Raise SlamlibError for a scan without an image, or with one of another size than the calibration's."""
-        image = scan.image
-        if image is None or np.shape(image) != self.shape:
-            found = "no image" if image is None else f"one of shape {np.shape(image)}"
-            raise SlamlibError(f"ActiveSearch: an image of (height, width) = {self.shape} is calibrated, got {found}")
-
     def dump(self) -> Any:
-        """The state of the random numbers, the last id given, and the landmarks that rest."""
-        return {"rng": self.rng.bit_generator.state, "last": self.last, "rests": self.rests.dump()}
+        """The state of the random numbers beside that of every front end on pictures."""
+        return {"rng": self.rng.bit_generator.state, **super().dump()}
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave."""
-        self.rng.bit_generator.state, self.last = state["rng"], state["last"]
-        self.rests.restore(state["rests"])
+        super().restore(state)
+        self.rng.bit_generator.state = state["rng"]
 
     def pack(self, signature: Any) -> Any:
         """A landmark's appearance as plain data."""

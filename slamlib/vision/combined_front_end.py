@@ -9,7 +9,7 @@ import numpy as np
 from slamlib.data.records import Scan
 from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.gates import Sight
+from slamlib.slam.data_association.front_end import Sight
 from slamlib.slam.options import Options
 from slamlib.vision.active_search import ActiveSearch, Settings
 from slamlib.vision.appearance import Appearance

@@ -12,8 +12,7 @@ import numpy as np
 
 from slamlib.errors import ShapeError, SingularPointError, SlamlibError
 from slamlib.manifolds import Array, Image, Indices
-from slamlib.vision.patches import Patch, as_floats, as_patch, grey
-from slamlib.vision.subpixel import top
+from slamlib.vision.patches import Patch, as_floats, as_patch, grey, top
 
 # With noise of two grey levels in both images a match of this quality has a deviation of 0.1 px in its worst direction,
 # 2 sigma^2 / 0.1^2. And measured on photographs (benchmarks/images.py): from here on 98 % or more of all searches end

@@ -11,21 +11,21 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Scan
 from slamlib.errors import SlamlibError
+from slamlib.landmarks.segments import length
 from slamlib.manifolds import Array, Image, Mask
-from slamlib.observation.lines import straight
+from slamlib.observation.lines import bent, straight
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.gates import Sight, gate
-from slamlib.vision.edge_profile import STEP, strip
-from slamlib.vision.edge_regions import across_covariances, lines_of, side_by_side, steep_lines
-from slamlib.vision.edges import PROFILE, Edge, fitted
-from slamlib.vision.search_backoff import Rests
+from slamlib.slam.data_association.front_end import Sight
+from slamlib.slam.data_association.gates import gate
+from slamlib.vision.edges import PROFILE, STEP, Edge, Strip, axes, fitted, line, strip
+from slamlib.vision.front_end import PictureFrontEnd
 from slamlib.vision.segments import refined, segments_of
-from slamlib.vision.stopwatch import Stopwatch
 
 SAME = 1.0  # [px]: two fits that are nearer are of one edge
 TWINS = 1.5  # [px]: two landmarks whose edges are nearer are of the same one
+NUDGE = 1e-3  # [px]: to ask how the innovation depends on a move of an end
+FLANK = 2.0  # [px]: lines that are nearer to one another are of one edge
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,25 +66,15 @@ class SegmentSettings:
     longest: int = 16
 
 
-class SegmentSearch:
-    """A front end for the segments of one camera with an image. seconds: spent so far in "search" and "detection"."""
+class SegmentSearch(PictureFrontEnd):
+    """A front end for the segments of one camera with an image."""
 
     def __init__(self, calibration: Calibration, settings: SegmentSettings | None = None) -> None:
         """Raises SlamlibError for a sensor without an image, or one to which straight lines are not straight."""
         if calibration.image is None or calibration.sensor.project_line is None:
             raise SlamlibError(f"SegmentSearch: {calibration.sensor.name} has no image of straight lines")
-        self.calibration, self.settings = calibration, settings or SegmentSettings()
-        width, height = calibration.image.astype(int).tolist()
-        self.shape = (height, width)
-        self.seconds = Stopwatch("search", "detection")
-        self.last = 0
-        self.rests = Rests()
-
-    def check(self, scan: Scan) -> None:
-        """Raise SlamlibError for a scan without an image, or with one of another size than the calibration's."""
-        if scan.image is None or np.shape(scan.image) != self.shape:
-            found = "no image" if scan.image is None else f"one of shape {np.shape(scan.image)}"
-            raise SlamlibError(f"SegmentSearch: an image of (height, width) = {self.shape} is calibrated, got {found}")
+        super().__init__(calibration)
+        self.settings = settings or SegmentSettings()
 
     def findable(self, sight: Sight) -> list[Any]:
         """The looks whose region is not too wide to tell one edge from another, and that do not rest."""
@@ -94,7 +84,7 @@ class SegmentSearch:
         count = np.pi * limit * np.sqrt(np.linalg.det(regions)) / STEP**2
         narrow = ((half <= s.largest) & (count <= s.most)).tolist()
         looks = [look for look, is_narrow in zip(sight.looks, narrow, strict=True) if is_narrow]
-        return self.rests.awake(looks)
+        return self.awake(looks)
 
     def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
         """Segments (n, 4) of what is looked for, nan where it is not found, and the mask (n,) of those found."""
@@ -106,7 +96,7 @@ class SegmentSearch:
             for row in self.distinct(looks, edges):
                 measured[row] = edges[row].segment  # type: ignore[union-attr]
         found = np.isfinite(measured[:, 0])
-        self.rests.remember(looks, found.tolist(), self.settings.longest)
+        self.remember(looks, found.tolist(), self.settings.longest)
         return measured, found
 
     def sought(self, image: Image, look: Any, ideal: Array, region: Array) -> Edge | None:
@@ -177,20 +167,6 @@ class SegmentSearch:
         s = self.settings
         return edge.slope >= s.slope and edge.rms <= s.straightness and edge.support >= s.whole
 
-    def new_id(self, known: set[int]) -> int:
-        """A number that no landmark has had."""
-        self.last = max(self.last, *known, 0) + 1
-        return self.last
-
-    def dump(self) -> Any:
-        """The last id given, and the landmarks that rest."""
-        return {"last": self.last, "rests": self.rests.dump()}
-
-    def restore(self, state: Any) -> None:
-        """Go on from what `dump` gave."""
-        self.last = state["last"]
-        self.rests.restore(state["rests"])
-
     def pack(self, signature: Any) -> Any:
         """A landmark's EdgeLook as plain data."""
         return {name: np.asarray(value).tolist() for name, value in asdict(signature).items()}
@@ -198,3 +174,60 @@ class SegmentSearch:
     def unpack(self, packed: Any) -> Any:
         """The EdgeLook that `pack` packed."""
         return EdgeLook(np.array(packed["profile"]), packed["slope"])
+
+
+def across_covariances(looks: list[Any], sensor: Any) -> Array:
+    """Covariances (n, 2, 2) [px^2] of how far across the ends of expected segments are, from those of the innovations.
+
+    An innovation z is linear in small moves a of the ends, z = J a, whatever its reading, so cov(a) = J^-1 Z J^-T.
+    """
+    found = np.zeros((len(looks), 2, 2))
+    for expected in {id(look.expected): look.expected for look in looks}.values():
+        rows = [i for i, look in enumerate(looks) if look.expected is expected]
+        own, ideal = [looks[i].row for i in rows], straight(sensor.calibration, expected.value)[0]
+        right = axes(ideal[own])[1]
+        none = np.zeros_like(right)
+        moved = [ideal[own] + NUDGE * np.concatenate(m, axis=-1) for m in ((right, none), (none, right))]
+        measured = bent(sensor.calibration, np.concatenate(moved))
+        z = looks[rows[0]].family.innovate(sensor, expected.take(own + own), measured).z
+        inverse = np.linalg.inv(z.reshape(2, len(own), 2).transpose(1, 2, 0) / NUDGE)
+        found[rows] = inverse @ np.array([looks[i].Z for i in rows]) @ inverse.swapaxes(-1, -2)
+    return found
+
+
+def side_by_side(one: Array, others: Array, apart: float) -> Mask:
+    """Mask (n,) of the ideal segments (n, 4) on the line of one (4,), less than `apart` [px] off, and not only before
+    or behind it."""
+    forward, right = axes(one)
+    ends = others.reshape(-1, 2, 2) - one[:2]
+    along, across = ends @ forward, ends @ right
+    beside = (along.max(-1) > 0) & (along.min(-1) < length(one))
+    return np.asarray(beside & (np.abs(across).max(-1) < apart))
+
+
+def lines_of(region: Array, limit: float) -> Array:
+    """Offsets (n, 2) [px] of lines, STEP apart: all that are the nearest one to some line of a' C^-1 a <= limit.
+
+    region: C (2, 2). A move by r changes the root of a' C^-1 a by at most |r| times the root of C^-1's largest
+    eigenvalue; so some more are taken at the tips of a thin ellipse. There is always one.
+    """
+    half = np.sqrt(limit * np.diag(region)) + STEP / 2
+    steps = [STEP * np.arange(-np.floor(h / STEP), np.floor(h / STEP) + 1) for h in half]
+    a = np.stack(np.meshgrid(*steps, indexing="ij"), -1).reshape(-1, 2)
+    inverse = np.linalg.inv(region)
+    root = np.sqrt(np.maximum(np.einsum("ni,ij,nj->n", a, inverse, a), 0))
+    found: Array = a[root <= np.sqrt(limit) + STEP / np.sqrt(2) * np.sqrt(np.linalg.eigvalsh(inverse)[-1])]
+    return found
+
+
+def steep_lines(s: Strip, offsets: Array, most: int = 4) -> Array:
+    """Of lines with offsets (n, 2), those (k, 2) along which the grey value grows most: local maxima, best first."""
+    slope = np.nan_to_num(s.slope)
+    index = np.rint((line(offsets, s.share) - s.across[0]) / STEP).astype(int)
+    rises = slope[np.clip(index, 0, len(slope) - 1), np.arange(len(s.along))].mean(1)
+    found, left = list[Array](), rises.copy()
+    while len(found) < most and left.max() > rises.max() / 2 > 0:
+        best = offsets[left.argmax()]
+        found.append(best)
+        left[np.abs(offsets - best).mean(1) < FLANK] = 0
+    return np.array(found).reshape(-1, 2)

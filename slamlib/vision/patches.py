@@ -1,4 +1,4 @@
-"""Small pieces of images, and three ways to compare them: ZNCC, SSD, census. Chapter 19.
+"""Small pieces of images, three ways to compare them (ZNCC, SSD, census), and the peak of scores. Chapter 19.
 
 The manual's pix2patch, zncc, ssd and census (section 6.1.2). All compare stacks of patches at once.
 """
@@ -164,3 +164,30 @@ def census(a: Array, b: Array) -> Array:
     brighter = [x > x[..., x.shape[-2] // 2, None, x.shape[-1] // 2, None] for x in (first, second)]
     share: Array = (brighter[0] == brighter[1]).mean((-2, -1))
     return share
+
+
+# Least squares through the nine values at (u, v) = (-1..1, -1..1), row by row: slopes by u and v, second derivatives.
+_U, _V = np.tile([-1.0, 0, 1], 3), np.repeat([-1.0, 0, 1], 3)
+_FIT = np.linalg.pinv(np.stack([np.ones(9), _U, _V, _U**2 / 2, _U * _V, _V**2 / 2], axis=1))[1:]
+
+
+def top(around: Array) -> Array:
+    """Where the paraboloid through 3 x 3 scores is highest, (u, v) from the middle, the largest of them.
+
+    With its cross term: a slanted ridge needs it. Where a score is missing (nan), or the top is none or beyond the
+    nine, the parabolas along u and v.
+    """
+    if not np.isnan(around).any():
+        gu, gv, a, b, c = (_FIT @ around.ravel()).tolist()
+        det = a * c - b * b
+        if a < 0 and det > 0:
+            found = np.array([b * gv - c * gu, b * gu - a * gv]) / det
+            if (np.abs(found) <= 1).all():
+                return found
+    return np.array([parabola(*around[1].tolist()), parabola(*around[:, 1].tolist())])
+
+
+def parabola(left: float, centre: float, right: float) -> float:
+    """Abscissa of the top of the parabola through (-1, left), (0, centre), (1, right); 0 if the centre is not above."""
+    bend = left - 2 * centre + right
+    return (left - right) / (2 * bend) if bend < 0 and centre >= max(left, right) else 0.0

@@ -1,11 +1,12 @@
-"""What a run on images was: numbers by frame, and a summary of them."""
+"""What a run on pictures was: numbers by frame, a summary of them, and its path against a reference."""
 
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from slamlib.evaluation.trajectory import Trajectory
+from slamlib.evaluation.alignment import KITTI_LENGTHS, aligned, relative_errors
+from slamlib.evaluation.trajectory import Trajectory, associate
 from slamlib.manifolds import Array
 from slamlib.slam import Report, Slam
 
@@ -113,3 +114,47 @@ def table(s: dict[str, Any]) -> list[tuple[str, str]]:
         ("path", f"{s['path_length']:.3f} {unit} long"),
         ("milliseconds a frame", f"{sum(s['milliseconds'].values()):.1f}: {parts} (medians)"),
     ]
+
+
+def compared(path: Trajectory, reference: Trajectory, interval: float, metric: bool) -> dict[str, Any]:
+    """The path against a reference of the same camera, as plain data; with a free scale after a similarity.
+
+    interval [s]: between two pictures; metric: whether its lengths are true. Raises SlamlibError.
+    """
+    i, j = associate(path, reference, max(0.02, 0.5 * interval))
+    estimate, other = path[i], reference[j]
+    found = aligned(estimate, other, scale=not metric)
+    return {
+        "poses": len(estimate),
+        "path_length": found.path,
+        "scale": found.similarity.scale,
+        "turn_from": found.by,
+        "position_rmse": found.rmse,
+        "position_relative": found.relative,
+        "attitude_rms": float(np.degrees(np.sqrt((found.attitude**2).mean()))),
+        **({"parts": parts(estimate, other)} if metric else {}),
+    }
+
+
+def parts(estimate: Trajectory, reference: Trajectory) -> dict[str, Any] | None:
+    """KITTI's measure of a path with true lengths, as plain data; None for a path too short to be divided."""
+    lengths = lengths_of(float(reference.distances[-1]))
+    if not lengths:
+        return None
+    found = relative_errors(estimate, reference, lengths, step=min(10, max(1, len(reference) // 100)))
+    degrees, shares = np.degrees(found.rotation), found.counts / found.counts.sum()
+    return {
+        "lengths": list(lengths),
+        "counts": found.counts.tolist(),
+        "translation": found.translation.tolist(),
+        "rotation": degrees.tolist(),
+        "translation_mean": float(shares @ found.translation),
+        "rotation_mean": float(shares @ degrees),
+    }
+
+
+def lengths_of(path: float) -> tuple[float, ...]:
+    """KITTI's eight lengths [m], or the same made shorter by a round factor, so that a path has parts of all."""
+    units = [unit * 10.0**power for power in range(-3, 2) for unit in (1, 2, 5)] + [100.0]
+    unit = max((u for u in units if 9 * u <= path), default=0.0)
+    return tuple(length * unit / KITTI_LENGTHS[0] for length in KITTI_LENGTHS) if unit else ()

@@ -1,14 +1,14 @@
-"""The filter on a sequence of real pictures: one at a time, with what happened; saved at any of them, and gone on with.
+"""Runs on pictures: of one camera, or of stereo pairs; begun, and loaded.
 
 **Scale.** One camera cannot tell how large the world is: all pictures are the same if world, path and velocities are
 made k times as large. With a free scale the priors alone choose k: the inverse distance that new landmarks are begun
 with, and the velocities and impulses of the motion. The unit of length is then the one in which the first landmarks are
 about 1 / mean away (Options.inverse_distance). It drifts as new landmarks take over from old ones, and a trajectory is
 compared with a reference after a similarity (slamlib.evaluation.alignment). A known target (slamlib.vision.target)
-gives true lengths.
+gives true lengths, and so does the baseline of a stereo pair.
 
-**Frame of reference.** With a free scale the robot's first pose is the world's origin, known exactly. With a target the
-world is the target's.
+**Frame of reference.** The robot's first pose is the world's origin, known exactly; it looks along x, and its (left)
+camera is at its own origin. With a target the world is the target's.
 
 **Without matches** a frame is a prediction. The camera's place is sought by the filter's expectation alone (there is no
 relocalization), so that a run stops with `Lost` when a gap lasts too long (slamlib.vision.tracking_loss).
@@ -16,115 +16,223 @@ relocalization), so that a run stops with `Lost` when a gap lasts too long (slam
 
 import os
 from collections.abc import Callable
-from dataclasses import asdict, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Control, Frame, Scan
-from slamlib.data.setup import Rig, tuples
-from slamlib.datasets.opening import reopen
+from slamlib.data.plain import read, read_fields
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
+from slamlib.datasets import opening
+from slamlib.datasets.pairs import checked
 from slamlib.datasets.pictures import Picture
 from slamlib.datasets.sources import Source
-from slamlib.errors import SlamlibError
+from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.manifolds import Image
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam import Options, Report, Slam
+from slamlib.slam import Options, Slam, checkpoint
+from slamlib.slam.data_association.front_end import FrontEnd
 from slamlib.vision.active_search import Settings
 from slamlib.vision.combined_front_end import front_end_of
-from slamlib.vision.hand_held import OPTIONS
-from slamlib.vision.results import COLUMNS
-from slamlib.vision.sequence_run import TIME, Stepping
+from slamlib.vision.motion_source import MotionSource, OwnMotion
+from slamlib.vision.sequence_run import SequenceKind, SequenceRun
+from slamlib.vision.stereo.detect import StereoSettings
+from slamlib.vision.stereo.matching import check_pair
+from slamlib.vision.stereo.motion_source import MOVING, Moving, OdometryAlone
 from slamlib.vision.target import Target
 
 
-class ImageRun(Stepping):
-    """A run in progress. Iterate over it; `save` between two steps, `ImageRun.load` goes on exactly where it was."""
-
-    kind = "images"
-
-    def __init__(
-        self,
-        source: Source,
-        rig: Rig,
-        options: Options = OPTIONS,
-        front_end: Any = None,
-        *,
-        scale: Target | None = None,
-        patience: int = 30,
-        rng: np.random.Generator | None = None,
-    ) -> None:
-        """rig: one robot with one camera. scale: a known target, or None for a free scale.
-
-        front_end: default ActiveSearch, which draws with `rng`, and beside it SegmentSearch if the options have lines.
-        patience: frames without a match, after which the run stops. The impulses of the rig's motion are those between
-        two neighbours of the whole source: a longer time passes in steps of as long. Raises SlamlibError.
-        """
-        if len(rig.robots) != 1 or len(rig.sensors) != 1:
-            raise SlamlibError("ImageRun: a rig of one robot with one camera is wanted")
-        self.target = scale
-        rig = rig if scale is None else scale.placed(rig)
-        calibration = rig.sensors[0].calibration
-        own = front_end_of(options, calibration, rng or np.random.default_rng(0)) if front_end is None else front_end
-        super().__init__(source, Slam(rig, options, front_ends=[own]), patience, metric=scale is not None)
-
-    def _frame(self, picture: Picture) -> Frame:
-        image = self.slam.sensors[0].calibration.image
-        size = picture.image.shape[::-1]
-        if image is not None and tuple(image) != size:
-            raise SlamlibError(
-                f"{picture.name} is {size[0]}x{size[1]}, and the calibration is of {image[0]:g}x{image[1]:g} pixels"
-            )
-        # Nothing can move before something was seen: the first landmarks are begun from the start that is known.
-        seen = any(row[_LANDMARKS] for row in self.history)
-        dt = picture.time - self.history[-1][_TIME] if seen else 0.0
-        robot = self.slam.robots[0]
-        control = Control(np.zeros(robot.motion.control), robot.noise * (dt / self.source.interval))
-        return Frame(len(self.history) + 1, dt, (control,), (Scan(image=picture.image),))
-
-    def _advance(self, frame: Frame) -> Report:
-        return self._first(frame) if not self.history else self._next(self._wait(frame))
-
-    def _first(self, frame: Frame) -> Report:
-        """The first picture: of a known target nothing is looked for, since its pixels have just been used."""
-        if self.target is None:
-            return self._next(frame)
-        self.target.put(self.slam, frame.scans[0])
-        options = self.slam.options
-        self.slam.options = replace(options, updates=0)
-        try:
-            return self.slam.step(frame)
-        finally:
-            self.slam.options = options
-
-    def _settings(self) -> dict[str, Any]:
-        settings = getattr(self.slam.front_ends[0], "settings", None)
-        return {"settings": None if settings is None else asdict(settings)}
-
-    @classmethod
-    def load(
-        cls,
-        path: str | os.PathLike[str],
-        *,
-        source: Source | None = None,
-        front_end: Callable[[Calibration], Any] | None = None,
-        frames: int | None = None,
-    ) -> "ImageRun":
-        """Go on with a saved run. Raises SlamlibError for a file that holds none.
-
-        source: in place of the one that it was begun with. front_end(calibration): makes one like that of the run, if
-        it was not ActiveSearch. frames: how many pictures in all, if not as many as before.
-        """
-        header, saved = cls._read(path, "images")
-        calibration = Rig.from_dict(header["rig"]).sensors[0].calibration
-        chosen, settings = Options.from_dict(header["options"]), saved["settings"]
-        make = front_end or (lambda c: front_end_of(chosen, c, np.random.default_rng(0), Settings(**tuples(settings))))
-        if source is None:
-            source = cls._source(path, saved, lambda recipe: reopen(recipe, frames))
-        run = cls.__new__(cls)
-        slam = Slam.load(path, front_ends=[make(calibration)])
-        run.target = None
-        run._go_on(source, slam, saved)
-        return run
+def _fitting(picture: Picture, calibration: Calibration) -> Image:
+    image, size = calibration.image, picture.image.shape[::-1]
+    if image is not None and tuple(image) != size:
+        raise SlamlibError(
+            f"{picture.name} is {size[0]}x{size[1]}, and the calibration is of {image[0]:g}x{image[1]:g} pixels"
+        )
+    return picture.image
 
 
-_TIME, _LANDMARKS = TIME, COLUMNS.index("landmarks")
+def _fitting_pair(picture: Picture, calibration: Calibration) -> Image:
+    try:
+        return checked(picture.image, calibration)
+    except SlamlibError as error:
+        raise SlamlibError(f"{picture.name}: {error}") from None
+
+
+def _image_source(
+    rig: Rig, options: Options, name: str, settings: Any, front_end: Callable[[Calibration], FrontEnd] | None
+) -> MotionSource:
+    lens = rig.sensors[0].calibration
+    if front_end is not None:
+        return OwnMotion(front_end(lens))
+    return OwnMotion(front_end_of(options, lens, np.random.default_rng(0), read(Settings, settings)))
+
+
+def _pair_source(rig: Rig, options: Options, name: str, settings: Any, front_end: None) -> MotionSource:
+    setup = rig.sensors[0]
+    return SOURCES[name](setup.calibration, setup.mount, read(StereoSettings, settings))
+
+
+SOURCES: dict[str, Callable[..., Moving]] = {**MOVING, "odometry": OdometryAlone}
+IMAGES = SequenceKind(
+    "images",
+    "images",
+    "picture",
+    "frames",
+    (
+        "was there a cut, or was the camera covered? Did it move more than the motion's impulses allow for, or do "
+        "they allow for so much that of regions only the middle was searched (active search's setting `largest`)?",
+        "no landmark could be begun: is there light, and texture?",
+    ),
+    _fitting,
+    _image_source,
+    Options(points="ahmPnt", updates=25, first=12, later=3, inverse_distance=(1.0, 0.5), consensus="joint"),
+    impulse=(0.3, 10.0),
+    velocity=(0.3, 10.0),
+    noise=(0.1,),  # of a matched patch; the real sequences' NIS says that this is rather too much than too little
+)
+PAIRS = SequenceKind(
+    "stereo-images",
+    "stereo pairs",
+    "pair",
+    "pairs",
+    (
+        "was there a cut, or was a camera covered? Did they move so far that little is seen twice, or more than the "
+        "motion's impulses allow for?",
+    )
+    * 2,
+    _fitting_pair,
+    _pair_source,
+    Options(points="eucPnt", updates=100, first=100, later=30, margin=0.0),
+    impulse=(0.3, 2.0),  # of a car
+    velocity=(15.0, 10.0),
+    noise=(0.2, 0.2, 0.2),
+)
+
+
+def camera_rig(
+    camera: dict[str, Any],
+    kind: SequenceKind = IMAGES,
+    *,
+    unit: float = 1.0,
+    motion: str = "constVel",
+    impulse: tuple[float, float] | None = None,
+    velocity: tuple[float, float] | None = None,
+) -> Rig:
+    """A camera (plain data of a SensorSetup) that is carried about, as a rig; it starts at the origin, looking along x.
+
+    impulse, velocity: standard deviations as of a SequenceKind, whose own are the default. unit: typical distance of
+    what is seen [m], which these are scaled with; with a free scale it is the metre of the run itself, 1.
+    """
+    pushed, moving = (
+        (default[0] * unit, default[1]) if given is None else given
+        for given, default in ((impulse, kind.impulse), (velocity, kind.velocity))
+    )
+    robot = RobotSetup(
+        motion=motion,
+        velocity_std=(moving[0],) * 3 + (moving[1],) * 3,
+        control_std=(pushed[0],) * 3 + (pushed[1],) * 3,
+    )
+    return Rig((robot,), (SensorSetup(**{"std": kind.noise, **read_fields(SensorSetup, camera, "camera")}),))
+
+
+def options_for(unit: float = 1.0, known: int = 0, **said: Any) -> Options:
+    """The options of IMAGES for what is about `unit` [m] away, with those that are said in their places.
+
+    A prior that is wrong for most landmarks is a wrong measurement of the scale, repeated with each of them. known: how
+    many points of a target there are. They are looked at besides the others, and first of all: by information alone the
+    most uncertain landmarks are chosen, and the known ones, which hold the scale, never.
+    """
+    mean, std = IMAGES.options.inverse_distance
+    first = {"choose": "order", "updates": IMAGES.options.updates + known} if known else {}
+    return replace(IMAGES.options, **{"inverse_distance": (mean / unit, std / unit), **first, **said})
+
+
+def image_run(
+    source: Source,
+    rig: Rig,
+    options: Options = IMAGES.options,
+    front_end: FrontEnd | None = None,
+    *,
+    scale: Target | None = None,
+    patience: int = 30,
+    rng: np.random.Generator | None = None,
+) -> SequenceRun:
+    """A run on pictures. rig: one robot with one camera. scale: a known target, or None for a free scale.
+
+    front_end: default ActiveSearch, which draws with `rng`, and beside it SegmentSearch if the options have lines.
+    patience: frames without a match, after which the run stops. The impulses of the rig's motion are those between two
+    neighbours of the whole source: a longer time passes in steps of as long. Raises SlamlibError.
+    """
+    if len(rig.robots) != 1 or len(rig.sensors) != 1:
+        raise SlamlibError("image_run: a rig of one robot with one camera is wanted")
+    rig = rig if scale is None else scale.placed(rig)
+    own = front_end or front_end_of(options, rig.sensors[0].calibration, rng or np.random.default_rng(0))
+    slam = Slam(rig, options, front_ends=[own])
+    return SequenceRun(source, slam, OwnMotion(own), IMAGES, patience=patience, metric=scale is not None, target=scale)
+
+
+def opened_stereo(
+    *places: Any, settings: StereoSettings | None = None, **options: Any
+) -> tuple[Source, dict[str, Any], StereoSettings]:
+    """As slamlib.datasets.opening.opened_pairs, and the settings with the calibration's offset of disparities.
+
+    The first pair is read: its rows and the sign of its disparities are checked. Raises SlamlibError.
+    """
+    pairs, camera, offset = opening.opened_pairs(*places, **options)
+    chosen = settings or StereoSettings()
+    chosen = replace(chosen, offset=chosen.offset or offset)
+    first = next(iter(pairs))
+    check_pair(first.image, first.name, chosen)
+    return pairs, camera, chosen
+
+
+def stereo_run(
+    source: Source,
+    camera: dict[str, Any],
+    options: Options = PAIRS.options,
+    *,
+    moving: str = "halves",
+    settings: StereoSettings | None = None,
+    impulse: tuple[float, float] | None = None,
+    velocity: tuple[float, float] | None = None,
+    patience: int = 30,
+) -> SequenceRun:
+    """A run on rectified pairs. camera: plain data of their stereo SensorSetup (opened_stereo gives both).
+
+    moving: of SOURCES; "odometry" is visual odometry alone: the filter has no landmarks, and adds up motions and their
+    covariances. impulse, velocity: as of a SequenceKind, where the robot's motion has velocities. patience: pairs
+    without a match, after which the run stops. Raises SlamlibError.
+    """
+    if moving not in SOURCES:
+        raise UnknownNameError.of("motion of a stereo run", moving, SOURCES)
+    setup = SensorSetup(**{"std": PAIRS.noise, **read_fields(SensorSetup, camera, "camera")})
+    motion = SOURCES[moving](setup.calibration, setup.mount, settings)
+    rig = camera_rig(camera, PAIRS, motion=motion.motion, impulse=impulse, velocity=velocity)
+    options = Options(points=None) if moving == "odometry" else options
+    return SequenceRun(source, Slam(rig, options, front_ends=[motion.front_end]), motion, PAIRS, patience=patience)
+
+
+def load(
+    path: str | os.PathLike[str],
+    kind: SequenceKind = IMAGES,
+    *,
+    source: Source | None = None,
+    front_end: Callable[[Calibration], FrontEnd] | None = None,
+    frames: int | None = None,
+) -> SequenceRun:
+    """Go on exactly where a saved run was. Raises SlamlibError for a file that holds none of this kind.
+
+    source: in place of the one that it was begun with. front_end(calibration): makes one like that of the run, if it
+    was given one. frames: how many pictures in all, if not as many as before.
+    """
+    header, _ = checkpoint.read(path)
+    saved = header["extra"].get(kind.name)
+    if saved is None:
+        raise SlamlibError(f"{path} holds no run on {kind.shown}: `slamlib run --resume` goes on with a simulated one")
+    if source is None and not saved["source"]:
+        raise SlamlibError(f"{path}: its {kind.item}s were in memory; give them as source=...")
+    rig, options, told = Rig.from_dict(header["rig"]), Options.from_dict(header["options"]), saved["motion"]
+    motion = kind.source(rig, options, told["name"], told["settings"], front_end)
+    slam = Slam.load(path, front_ends=[motion.front_end])
+    motion.restore(told["state"])
+    return SequenceRun(source or opening.reopen(saved["source"], frames), slam, motion, kind, **saved["run"])

@@ -13,8 +13,7 @@ from slamlib.errors import CovarianceError, SlamlibError
 from slamlib.kalman.linalg import finite
 from slamlib.manifolds import Array, Image
 from slamlib.slam.data_association.gates import gate
-from slamlib.vision.patches import ROUNDING, Patch, as_floats, as_patch, cut, grey
-from slamlib.vision.subpixel import top
+from slamlib.vision.patches import ROUNDING, Patch, as_floats, as_patch, cut, grey, top
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,8 +12,7 @@ from slamlib.landmarks.segments import length
 from slamlib.manifolds import Array, Image
 from slamlib.observation.lines import straight
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.edge_profile import strip
-from slamlib.vision.edges import PROFILE, Edge, fitted
+from slamlib.vision.edges import PROFILE, Edge, fitted, strip
 from slamlib.vision.patches import grey, sample
 
 SIDE = 1.5  # [px] to either side of a segment, where it is asked which one is brighter

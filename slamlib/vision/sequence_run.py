@@ -1,23 +1,56 @@
-"""What all runs on pictures share: one after another, numbers and path by frame, a file that goes on exactly."""
+"""The filter on a sequence of pictures: one at a time, with what happened; saved at any of them, and gone on with.
+
+A run on single pictures and one on stereo pairs are the same but for a SequenceKind and a MotionSource; both, and
+loading, are in slamlib.vision.run. A stereo pair is one picture (2, h, w).
+"""
 
 import os
 import time
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass, replace
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Frame
+from slamlib.data.records import Control, Frame, Scan
 from slamlib.data.snapshots import Snapshot
 from slamlib.datasets.pictures import Picture
 from slamlib.datasets.sources import Source
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory
-from slamlib.slam import Report, Slam, checkpoint
+from slamlib.manifolds import Image
+from slamlib.sensors.sensor import Calibration
+from slamlib.slam import Options, Report, Slam
+from slamlib.vision.motion_source import MotionSource
 from slamlib.vision.results import COLUMNS, ImageResult, counts
-from slamlib.vision.tracking_loss import Gap
+from slamlib.vision.target import Target
+from slamlib.vision.tracking_loss import TrackingLoss
+
+TIME, LANDMARKS = COLUMNS.index("time"), COLUMNS.index("landmarks")
+
+
+@dataclass(frozen=True)
+class SequenceKind:
+    """What runs on single pictures and on stereo pairs have of their own.
+
+    name: of the run in a file; shown, item, frames: what its images are called; causes: of a tracking loss, with
+    landmarks in the map and without. checked(picture, calibration): the image, or SlamlibError. source(rig, options,
+    name, settings, front_end): the MotionSource of a saved run. The rest is what a run begins with if nothing else is
+    said: options, standard deviations of changes of velocity [m/s, deg/s] from one picture to the next and of both at
+    the start, and of a measurement [px].
+    """
+
+    name: str
+    shown: str
+    item: str
+    frames: str
+    causes: tuple[str, str]
+    checked: Callable[[Picture, Calibration], Image]
+    source: Callable[..., MotionSource]
+    options: Options
+    impulse: tuple[float, float]
+    velocity: tuple[float, float]
+    noise: tuple[float, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,28 +63,45 @@ class ImageStep:
     row: dict[str, float]
 
 
-class Stepping(ABC):
-    """A run in progress. Iterate over it; `save` between two steps. metric: whether its lengths are true."""
+class SequenceRun:
+    """A run in progress. Iterate over it; `save` between two steps, slamlib.vision.run.load goes on exactly there."""
 
-    kind: ClassVar[str]  # the name of its data in a file
-    of: ClassVar[str] = "pictures"
-    columns: ClassVar[tuple[str, ...]] = COLUMNS  # of its history
-    source: Source
-    slam: Slam
-    patience: int
-    metric: bool
+    def __init__(
+        self,
+        source: Source,
+        slam: Slam,
+        motion: MotionSource,
+        kind: SequenceKind,
+        *,
+        patience: int = 30,
+        metric: bool = True,
+        target: Target | None = None,
+        history: list[list[float]] | None = None,
+        path: list[list[float]] | None = None,
+        gap: dict[str, Any] | None = None,
+    ) -> None:
+        """slam: with the motion source's front end. patience: frames without a match, after which the run stops.
 
-    def __init__(self, source: Source, slam: Slam, patience: int, metric: bool) -> None:
-        """patience: frames without a match, after which the run stops."""
-        self.source, self.slam, self.patience, self.metric = source, slam, patience, metric
-        self.history: list[list[float]] = []
-        self.path: list[list[float]] = []
-        self.gap = Gap()
+        metric: whether its lengths are true. target: seen in the first picture. history, path, gap: of a saved run.
+        """
+        self.source, self.slam, self.motion, self.kind = source, slam, motion, kind
+        self.patience, self.metric, self.target = patience, metric, target
+        self.history, self.path, self.gap = history or [], path or [], TrackingLoss(**gap or {})
         self.whole = True  # False while a frame is being worked on
 
     def __len__(self) -> int:
         """Pictures still to do."""
         return len(self.source) - len(self.history)
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the numbers in a row of the history."""
+        return (*COLUMNS, *self.motion.seconds)
+
+    @property
+    def has_map(self) -> bool:
+        """Whether there may be landmarks; an odometry alone has none."""
+        return bool(self.slam.options.points or self.slam.options.lines)
 
     def __iter__(self) -> Iterator[ImageStep]:
         """Work on the pictures still to do. Raises Lost, and SlamlibError for a picture that cannot be read."""
@@ -61,73 +111,81 @@ class Stepping(ABC):
         for picture in self.source.part(len(self.history)):
             yield self._step(picture, time.perf_counter() - began)
             if len(self):
-                self._check_gap()
+                causes = self.kind.causes[not self.slam.landmarks]
+                self.gap.check(self.patience, self.kind.frames, causes, self.kind.item)
             began = time.perf_counter()
 
     def _step(self, picture: Picture, reading: float) -> ImageStep:
         frame = self._frame(picture)
+        elapsed = picture.time - self.history[-1][TIME] if self.history else 0.0
         self.whole = False
         began, before = time.perf_counter(), self._spent()
-        report = self._advance(frame)
+        report = self._advance(frame, elapsed)
         inside = {name: after - before[name] for name, after in self._spent().items()}
         spent = time.perf_counter() - began
-        row = {"time": picture.time, **self._counts(report), "reading": reading, **inside}
+        row = {"time": picture.time, **counts(self.slam, report), **self.motion.counts(), "reading": reading, **inside}
         row["filter"] = spent - sum(inside.values())
         self.history.append([row[name] for name in self.columns])
         self.path.append(self.slam.sensors[0].camera.tolist())
-        self._follow(frame.number)
+        believed = [look.landmark.born for look in self.slam.looks[0] if look.inlier]
+        births = believed if self.has_map else [0] * int(row["believed"])
+        self.gap.follow(frame.number, births, len(self.slam.landmarks))
         self.whole = True
         return ImageStep(frame.number, picture, report, row)
 
-    @abstractmethod
     def _frame(self, picture: Picture) -> Frame:
-        """What the filter is given of a picture. Raises SlamlibError for one that does not fit; nothing is changed."""
+        """A picture with a control of zeros. Raises SlamlibError for one that does not fit; nothing is changed."""
+        calibration, robot = self.slam.sensors[0].calibration, self.slam.robots[0]
+        scan = Scan(image=self.kind.checked(picture, calibration))
+        dt = picture.time - self.history[-1][TIME] if self._can_move() else 0.0
+        control = Control(np.zeros(robot.motion.control), robot.noise * (dt / self.source.interval))
+        return Frame(len(self.history) + 1, dt, (control,), (scan,))
 
-    @abstractmethod
-    def _advance(self, frame: Frame) -> Report:
-        """Work on a frame."""
+    def _can_move(self) -> bool:
+        """Not before something was seen: the first landmarks are begun from the start that is known."""
+        return any(row[LANDMARKS] for row in self.history) if self.has_map else bool(self.history)
 
-    @abstractmethod
-    def _settings(self) -> dict[str, Any]:
-        """Plain data of a file, beside those of every run."""
+    def _advance(self, frame: Frame, elapsed: float) -> Report:
+        """One frame of the filter; into an empty map as many landmarks are begun as in a first frame."""
+        image = frame.scans[0].image
+        assert image is not None, "_frame has seen to it"
+        control = self.motion.control(image, elapsed, self.slam)
+        told = control is not None and self._can_move()
+        frame = replace(frame, controls=(control,)) if told else self._wait(frame)
+        is_target = self.target is not None and not self.history
+        if self.target is not None and is_target:
+            self.target.put(self.slam, frame.scans[0])  # whose pixels are used by that: it is not looked for again
+        return self.slam.step(frame, update=not is_target, first=not self.slam.landmarks)
 
     def _wait(self, frame: Frame) -> Frame:
         """Let the pictures that are missing before a frame pass as dark ones would; the frame of what is left.
 
         An impulse comes with each interval of the source: in one long step all of them would come at its end, and move
-        nothing. frame: its control is None, or zeros whose covariance is of all its time.
+        nothing. frame: the covariance of its control is of all its time.
         """
         steps = round(frame.dt / self.source.interval)
         if steps < 2:
             return frame
-        (whole,) = frame.controls
-        share = None if whole is None else replace(whole, covariance=whole.covariance / steps)
+        (control,) = frame.controls
+        assert control is not None
+        share = replace(control, covariance=control.covariance / steps)
         for _ in range(steps - 1):
             self.slam.wait((share,), frame.dt / steps)
         return replace(frame, dt=frame.dt / steps, controls=(share,))
 
-    def _next(self, frame: Frame) -> Report:
-        """One frame of the filter; into an empty map as many landmarks are begun as in a first frame."""
-        if not self.slam.landmarks:
-            self.slam.frames_of[0] = 0
-        return self.slam.step(frame)
-
-    def _counts(self, report: Report) -> dict[str, float]:
-        return counts(self.slam, report)
-
-    def _follow(self, number: int) -> None:
-        self.gap.follow(number, self.slam.looks[0], len(self.slam.landmarks))
-
-    def _check_gap(self) -> None:
-        self.gap.check(self.patience, len(self.slam.landmarks))
-
     def _spent(self) -> dict[str, float]:
-        """Seconds that the front end has spent so far, by part."""
-        return {"search": 0.0, "detection": 0.0, **getattr(self.slam.front_ends[0], "seconds", {})}
+        """Seconds spent so far, by part."""
+        inside = getattr(self.slam.front_ends[0], "seconds", {})
+        return {"search": 0.0, "detection": 0.0, **inside, **self.motion.seconds}
 
     def snapshot(self) -> Snapshot:
-        """What may be shown of the filter now."""
-        return self.slam.snapshot()
+        """What may be shown of the filter now: of a pair, the left picture."""
+        shown = self.slam.snapshot()
+        scans = [
+            s if s is None or s.image is None or s.image.ndim == 2 else replace(s, image=s.image[0])
+            for s in (view.scan for view in shown.sensors)
+        ]
+        return replace(shown, sensors=tuple(replace(v, scan=s) for v, s in zip(shown.sensors, scans, strict=True)))
 
     def trajectory(self) -> Trajectory:
         """Poses of the camera in the world, as they were estimated at each picture. Raises SlamlibError before one."""
@@ -143,44 +201,8 @@ class Stepping(ABC):
         """Write all of it to one file, whole or not at all. Raises SlamlibError in the middle of a frame."""
         if not self.whole:
             raise SlamlibError(f"frame {len(self.history) + 1} was broken off, and the filter is not whole any more")
-        common = {
-            "source": self.source.recipe,
-            "history": self.history,
-            "path": self.path,
-            "gap": asdict(self.gap),
-            "patience": self.patience,
-            "metric": self.metric,
-        }
-        self.slam.save(path, **{self.kind: {**common, **self._settings()}})
-
-    @classmethod
-    def holds(cls, path: str | os.PathLike[str]) -> bool:
-        """Whether a file has a run of this kind. Raises SlamlibError for a file that no filter was saved to."""
-        return cls.kind in checkpoint.read(path)[0]["extra"]
-
-    @classmethod
-    def _read(cls, path: str | os.PathLike[str], what: str) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Header of a file, and a run's own data in it. Raises SlamlibError for a file of another kind."""
-        header, _ = checkpoint.read(path)
-        saved = header["extra"].get(cls.kind)
-        if saved is None:
-            raise SlamlibError(f"{path} holds no run on {what}: `slamlib run --resume` goes on with a simulated one")
-        return header, saved
-
-    @classmethod
-    def _source(
-        cls, path: str | os.PathLike[str], saved: dict[str, Any], reopen: Callable[[dict[str, Any]], Source]
-    ) -> Source:
-        """The source of a saved run, opened again. Raises SlamlibError if it was in memory."""
-        if not saved["source"]:
-            raise SlamlibError(f"{path}: its {cls.of} were in memory; give them as source=...")
-        return reopen(saved["source"])
-
-    def _go_on(self, source: Source, slam: Slam, saved: dict[str, Any]) -> None:
-        """Be where the saved run was."""
-        self.source, self.slam, self.whole = source, slam, True
-        self.patience, self.metric = saved["patience"], saved["metric"]
-        self.history, self.path, self.gap = saved["history"], saved["path"], Gap(**saved["gap"])
-
-
-TIME = COLUMNS.index("time")
+        settings = getattr(self.slam.front_ends[0], "settings", None)
+        run = {name: getattr(self, name) for name in ("history", "path", "patience", "metric")}
+        motion = {"name": self.motion.name, "settings": settings and asdict(settings), "state": self.motion.dump()}
+        saved = {"source": self.source.recipe, "run": {**run, "gap": asdict(self.gap)}, "motion": motion}
+        self.slam.save(path, **{self.kind.name: saved})

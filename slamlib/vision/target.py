@@ -20,7 +20,7 @@ from slamlib.kalman.linalg import finite
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.gates import Sight
+from slamlib.slam.data_association.front_end import Sight
 from slamlib.slam.entities import Landmark
 from slamlib.slam.filter import Slam
 from slamlib.slam.measurement_update import correct_in_batch, expect_all

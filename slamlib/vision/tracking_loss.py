@@ -1,7 +1,6 @@
 """Frames without matches: predictions, as long as they last; too many of them in a row end a run."""
 
 from dataclasses import dataclass
-from typing import Any
 
 from slamlib.errors import SlamlibError
 
@@ -13,8 +12,8 @@ class Lost(SlamlibError):
 
 
 @dataclass
-class Gap:
-    """The present gap, if there is one.
+class TrackingLoss:
+    """The present gap in the matches, if there is one.
 
     It begins with a frame in which no match is believed. It ends with one that believes in three landmarks older than
     the gap: those that were begun in it are tied to nothing but a prediction, unless nothing was known before. first:
@@ -25,12 +24,11 @@ class Gap:
     last: int = 0
     known: int = 0
 
-    def follow(self, number: int, looks: list[Any], landmarks: int) -> None:
-        """Take note of a frame, of what was seen in it, and of how many landmarks are in the map after it."""
-        believed = [look.landmark for look in looks if look.inlier]
+    def follow(self, number: int, births: list[int], landmarks: int) -> None:
+        """Take note of a frame; births: of what is believed in it, the frame numbers; landmarks: in the map after."""
         if self.first is None:
-            self.first = number if not believed and self.last else None
-        elif sum(landmark.born < self.first or not self.known for landmark in believed) >= FOUND_AGAIN:
+            self.first = number if not births and self.last else None
+        elif sum(born < self.first or not self.known for born in births) >= FOUND_AGAIN:
             self.first = None
         if self.first is None:
             self.known = landmarks
@@ -41,17 +39,10 @@ class Gap:
         """How long it lasts, 0 if there is none."""
         return 0 if self.first is None else self.last - self.first + 1
 
-    def check(self, patience: int, landmarks: int) -> None:
-        """Raise Lost if the gap has lasted for `patience` frames; landmarks: how many are in the map."""
-        if self.frames < patience:
-            return
-        why = (
-            "was there a cut, or was the camera covered? Did it move more than the motion's impulses allow for, or do "
-            "they allow for so much that of regions only the middle was searched (active search's setting `largest`)?"
-            if landmarks
-            else "no landmark could be begun: is there light, and texture?"
-        )
-        raise Lost(
-            f"lost: {self.frames} frames in a row without a match, from frame {self.first} on; {why} There is no "
-            "relocalization: go on with more patience, or begin anew at a later picture"
-        )
+    def check(self, patience: int, frames: str, causes: str, item: str) -> None:
+        """Raise Lost if the gap has lasted for `patience` frames; the others are words of its message."""
+        if self.frames >= patience:
+            raise Lost(
+                f"lost: {self.frames} {frames} in a row without a match, from frame {self.first} on; {causes} There is "
+                f"no relocalization: go on with more patience, or begin anew at a later {item}"
+            )

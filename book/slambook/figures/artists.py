@@ -90,7 +90,7 @@ def _segments(artist: Any, ax: Any, target: Axes) -> None:
 @lru_cache(maxsize=1)
 def _marker_shapes() -> list[tuple[str, Any]]:
     styles = {name: MarkerStyle(name) for name in MARKERS}
-    return [(n, m.get_path().transformed(m.get_transform()).vertices) for n, m in styles.items()]
+    return [(n, np.asarray(m.get_path().transformed(m.get_transform()).vertices)) for n, m in styles.items()]
 
 
 def _scatter_styles(artist: Any) -> tuple[str, list[tuple[Any, ...]]]:

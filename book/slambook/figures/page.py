@@ -194,7 +194,7 @@ def own_svg_of(function: str, fig: Any, alt: str) -> str:
     """A figure as matplotlib draws it, if it is matplotlib's, and closed. Raises SlamlibError."""
     if not _is_matplotlibs(fig):
         return svg_of(function, fig, alt)
-    from slambook.figures.native import native_svg
+    from slambook.figures.replay import native_svg
 
     return native_svg(_closed(fig), alt)
 

@@ -1,22 +1,27 @@
-"""A figure of matplotlib's, drawn again by the small renderer: a third of matplotlib's weight.
+"""A figure of matplotlib's as SVG of the page: drawn again by the small renderer, or as matplotlib itself draws it.
 
-What it cannot draw raises SlamlibError; then the figure is shown as matplotlib draws it (see slambook.figures.native).
-Import this where matplotlib is there.
+The first is a third as heavy, and raises SlamlibError for what the renderer does not know. Import this where matplotlib
+is there.
 """
 
+import html
+import io
+import re
 from typing import Any
 
 import numpy as np
-from matplotlib import ticker
+from matplotlib import rc_context, ticker
 from matplotlib.legend import Legend
 
 from slambook.figures.artists import put_all, sample
 from slambook.figures.axes import Axes
+from slambook.figures.colors import color_named, paint
 from slambook.figures.figure import Figure, figure
 from slambook.figures.reading import CannotReplayError
 
 USUAL_TICKS = (ticker.AutoLocator, ticker.LogLocator)  # the renderer places its own instead
 USUAL_LABELS = (ticker.ScalarFormatter, ticker.LogFormatterSciNotation)
+COLOR = re.compile(r"(?<=: )#[0-9a-f]{6}\b")
 CORNERS = {code: name for name, code in Legend.codes.items() if name != "right"}
 
 
@@ -88,3 +93,25 @@ def _legend(legend: Any, ax: Any, target: Axes) -> None:
         frameon=legend.get_frame_on(),
         **options,
     )
+
+
+def native_svg(fig: Any, alt: str) -> str:
+    """matplotlib's SVG of a figure, as an element of the page: the palette's colours follow its theme.
+
+    In JupyterLab and VS Code that is the editor's own text and paper, light or dark.
+    """
+    written = io.StringIO()
+    with rc_context({"svg.fonttype": "none"}):
+        fig.savefig(written, format="svg", metadata={"Date": None, "Creator": None}, transparent=True)
+    svg = written.getvalue()
+    svg = re.sub(
+        r"<metadata>.*?</metadata>|<defs>\s*<style.*?</style>\s*</defs>", "", svg[svg.index("<svg") :], flags=re.DOTALL
+    )
+    body = COLOR.sub(lambda found: paint(color_named(found[0])), svg[svg.index(">") + 1 :])
+    width, height = (72 * float(v) for v in fig.get_size_inches())
+    style = f"width:100%;max-width:{4 * width / 3:.0f}px;height:auto;fill:currentColor;stroke-linejoin:round"
+    words = html.escape(alt)
+    head = (
+        f'<svg class="matplotlib" viewBox="0 0 {width:g} {height:g}" role="img" aria-label="{words}" style="{style}">'
+    )
+    return head + body

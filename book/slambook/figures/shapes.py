@@ -81,6 +81,6 @@ def image_pixels(artist: Any, ax: Any, target: Axes) -> None:
     if array.ndim == 2 and cmap in COLORMAPS and type(norm) is Normalize:
         pixels, look = np.ma.filled(array.astype(float), np.nan), {"cmap": cmap, "vmin": norm.vmin, "vmax": norm.vmax}
     else:
-        pixels, look = artist.to_rgba(array, bytes=True), {}
+        pixels, look = (array if array.ndim == 3 else artist.to_rgba(array, bytes=True)), {}
     kept = {"alpha": artist.get_alpha(), "interpolation": artist.get_interpolation()}
     target.imshow(pixels, extent=artist.get_extent(), origin=artist.origin, **look, **kept, **base(artist))

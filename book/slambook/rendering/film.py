@@ -73,7 +73,7 @@ class Film:
         size = setup.model.space.size
         for number in range(1, self.frames + 1):
             before, after = (self.path.state((number - i) * self.dt) for i in (1, 0))
-            control = TOLD[setup.motion](before[:7], after[:7], setup, own[0]["control"])
+            control = TOLD[setup.model.name](before[:7], after[:7], setup, own[0]["control"])
             light = (self._light(j, mount, number * self.dt) for j, mount in enumerate(mounts))
             images = [chip.expose(seen, self.dt) for chip, seen in zip(chips, light, strict=True)]
             scans = tuple(Scan(image=image) for image in images)

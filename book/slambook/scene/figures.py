@@ -1,6 +1,6 @@
 """The two figures on the page: NumPy alone draws them, as SVG."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -10,7 +10,7 @@ from slambook.figures import Figure, figure
 from slambook.scene.image_scene import sensor_scene, sensor_view
 from slambook.scene.layers import Flat
 from slambook.scene.options import MapOptions, SensorOptions, chosen
-from slambook.scene.photographs import photograph
+from slambook.scene.photographs import Photograph, photograph
 from slambook.scene.roles import HALO, OUTLINE, ROLES, Role, over_image
 from slambook.scene.scene import bounds, map_scene
 from slambook.scene.view import NAMED, View
@@ -21,6 +21,8 @@ from slamlib.manifolds import Array
 
 SHELL = 0.7  # width of the outlines of uncertainty, in that of the lines of their role
 WIDE = 320  # pixels: the widest image that a figure holds, if nobody asks for another
+KEY: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0, 1), "ncols": 4, "fontsize": 9}
+CLIPPED: Mapping[str, Any] = {"clip_on": True}
 CLOSER = 0.5  # how near the view that follows a robot is, in the distance from which all is seen
 
 
@@ -47,7 +49,9 @@ def map_figure(
     fig, ax = figure(width=width, height=height)
     ax.axis("off")
     ax.set(xlim=(-width / height, width / height), ylim=(-1, 1), aspect="equal")
-    draw(ax, view.flat(layers), ROLES["map"], look.legend)
+    draw(ax, view.flat(layers), ROLES["map"])
+    if look.legend:
+        ax.legend(**KEY)
     return fig
 
 
@@ -96,39 +100,46 @@ def sensor_figure(
         names = look.names or ("u [px]", "v [px]")
         ax.set(xlim=(0, view.image[0]), ylim=(view.image[1], 0), aspect="equal")
         photo = photograph(view, look.image_width or WIDE) if look.image else None
-    if photo is not None:
-        ax.imshow(photo.pixels, extent=photo.extent, vmin=0, vmax=255, interpolation="bilinear")
+    draw(ax, layers, ROLES["sensor"], photo)
     ax.set(xlabel=names[0], ylabel=names[1])
-    (draw if photo is None else draw_over)(ax, layers, ROLES["sensor"], look.legend)
+    if look.legend:
+        ax.legend(**KEY)
     return fig
 
 
-def draw(ax: Any, layers: Sequence[Flat], roles: dict[str, Role], legend: bool) -> None:
-    """Put layers into axes, in their order, each with its role's look."""
+def draw(
+    ax: Any,
+    layers: Sequence[Flat],
+    roles: dict[str, Role],
+    photo: Photograph | None = None,
+    words: Mapping[str, Any] = CLIPPED,
+) -> None:
+    """Put layers into axes, the page's or matplotlib's, in their order, each with its role's look.
+
+    Over a photograph everything is bright, with dark outlines; a key beside it keeps the page's colours. words: how
+    they are clipped, and if the axes are matplotlib's the path_effects that outline them; else they lie on dark copies.
+    """
+    if photo is not None:
+        ax.imshow(photo.pixels, extent=photo.extent, cmap="gray", vmin=0, vmax=255, interpolation="bilinear")
     for layer in layers:
-        _put(ax, layer, roles[layer.role])
-    if legend:
-        ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=4, fontsize=9)
+        (_put if photo is None else _put_over)(ax, layer, roles[layer.role], words)
 
 
-def draw_over(ax: Any, layers: Sequence[Flat], roles: dict[str, Role], legend: bool) -> None:
-    """The same over a photograph: bright, with dark outlines. The key beside it keeps the page's colours."""
-    for layer in layers:
-        role = replace(over_image(roles[layer.role]), label="")
-        dark = replace(role, color=OUTLINE, width=role.width + 2 * HALO, linestyle="-", hollow=True)
-        _put(ax, Flat(layer.role, lines=layer.lines, marks=layer.marks), dark, edge=1 + 2 * HALO)
-        _put(ax, Flat(layer.role, lines=layer.shells), replace(dark, width=SHELL * role.width + 2 * HALO))
-        for right, up in ((-HALO, 0), (HALO, 0), (0, -HALO), (0, HALO)):
-            _words(ax, layer, replace(role, color=OUTLINE), right, up)
-        _put(ax, layer, role)
-        # what has a label is nowhere, and in the page's colours
+def _put_over(ax: Any, layer: Flat, own: Role, words: Mapping[str, Any]) -> None:
+    role = replace(over_image(own), label="")
+    dark = replace(role, color=OUTLINE, width=role.width + 2 * HALO, linestyle="-", hollow=True)
+    _put(ax, Flat(layer.role, lines=layer.lines, marks=layer.marks), dark, words, edge=1 + 2 * HALO)
+    _put(ax, Flat(layer.role, lines=layer.shells), replace(dark, width=SHELL * role.width + 2 * HALO), words)
+    around = () if "path_effects" in words else ((-HALO, 0), (HALO, 0), (0, -HALO), (0, HALO))
+    for right, up in around:
+        _words(ax, layer, replace(role, color=OUTLINE), words, right, up)
+    _put(ax, layer, role, words)
+    if own.label:  # what has the label is nowhere, and in the page's colours
         parts = {name: getattr(layer, name)[:1] * np.nan for name in ("lines", "shells", "marks")}
-        _put(ax, Flat(layer.role, **parts), roles[layer.role])
-    if legend:
-        ax.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=4, fontsize=9)
+        _put(ax, Flat(layer.role, **parts), own, words)
 
 
-def _put(ax: Any, layer: Flat, role: Role, edge: float = 1.0) -> None:
+def _put(ax: Any, layer: Flat, role: Role, words: Mapping[str, Any], edge: float = 1.0) -> None:
     """One layer; edge: width of the outlines of its marks [pt]."""
     stroke = {"color": role.color, "ls": role.linestyle, "alpha": role.alpha}
     marked, lined = len(layer.marks) > 0, len(layer.lines) > 0
@@ -140,10 +151,10 @@ def _put(ax: Any, layer: Flat, role: Role, edge: float = 1.0) -> None:
         face = "none" if role.hollow else role.color
         look = {"ls": "", "marker": role.marker, "ms": role.size, "color": role.color, "mfc": face, "mew": edge}
         ax.plot(*layer.marks.T, label=role.label, **look)
-    _words(ax, layer, role)
+    _words(ax, layer, role, words)
 
 
-def _words(ax: Any, layer: Flat, role: Role, right: float = 0.0, up: float = 0.0) -> None:
-    look = {"color": role.color, "fontsize": role.size, "ha": "center", "va": "center", "clip_on": True}
+def _words(ax: Any, layer: Flat, role: Role, more: Mapping[str, Any], right: float = 0.0, up: float = 0.0) -> None:
+    look = {"color": role.color, "fontsize": role.size, "ha": "center", "va": "center", **more}
     for place, word in zip(layer.places, layer.words, strict=True):
         ax.annotate(word, place, (right, role.raised + up), textcoords="offset points", **look)

@@ -4,7 +4,7 @@ Two numbers of each measurement are drawn: of a camera the pixel, of another sen
 segment is four numbers, the pixels of its two ends.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -75,6 +75,13 @@ def _means(view: SensorView, pair: list[int], known: set[int]) -> tuple[Array, M
 def _expected(view: SensorView, pair: list[int]) -> Array:
     """Two numbers (n, 2) of each point expected."""
     return view.points.expected[:, pair] if len(view.points.ids) else np.zeros((0, 2))
+
+
+def delivered(views: Sequence[SensorView], pair: list[int]) -> Array:
+    """Two numbers (n, 2) of each point that was expected or delivered in these views."""
+    rows = [_expected(view, pair) for view in views]
+    rows += [v.scan.points.values[:, pair] for v in views if v.scan is not None and len(v.scan.points)]
+    return np.concatenate(rows)
 
 
 def _check_numbers(view: SensorView, pair: list[int]) -> None:

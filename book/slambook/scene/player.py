@@ -12,7 +12,7 @@ from typing import Any
 from slambook.figures import figure
 from slambook.figures.colors import paint
 from slambook.figures.paths import number
-from slambook.scene.figures import SHELL, draw, draw_over, map_figure
+from slambook.scene.figures import SHELL, draw, map_figure
 from slambook.scene.image_scene import OUTCOMES, sensor_scene
 from slambook.scene.options import MapOptions, SensorOptions, chosen
 from slambook.scene.packing import packed
@@ -107,9 +107,8 @@ def _still(snapshot: Snapshot, sights: Sights, alt: str) -> str:
     ax.set(xlim=(left, right), ylim=(low, high))
     ax.plot([left, right, right, left, left], [low, low, high, high, low], color=SENSOR["raw"].color, lw=1.2)
     photo, layers = sights.photo(snapshot), sensor_scene(snapshot, sights.sensor, options=sights.options)
-    if photo is not None:
-        ax.imshow(photo.pixels, extent=photo.extent, vmin=0, vmax=255, interpolation="bilinear", aspect="auto")
-    (draw if photo is None else draw_over)(ax, layers, SENSOR, legend=False)
+    draw(ax, layers, SENSOR, photo)
+    ax.set(aspect="auto")
     return fig.svg(f"What {sights.view.name} saw. {alt}")
 
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slambook.scene.image_scene import OUTCOMES, beside, converged, regions, scores, sensor_view
+from slambook.scene.image_scene import OUTCOMES, beside, converged, delivered, regions, scores, sensor_view
 from slambook.scene.layers import lower
 from slambook.scene.options import SensorOptions
 from slambook.scene.photographs import Photograph, photograph
@@ -35,12 +35,10 @@ class Sights:
         """Left, right, low and high end of the picture: the image, or what was delivered and expected at all."""
         if self.view.image is not None:
             return [0.0, float(self.view.image[0]), float(self.view.image[1]), 0.0]
-        views = [sensor_view(s, self.sensor) for s in snapshots]
-        rows = [v.points.expected[:, self.pair] for v in views if len(v.points.ids)]
-        rows += [v.scan.points.values[:, self.pair] for v in views if v.scan is not None and len(v.scan.points)]
-        if not rows:
+        rows = delivered([sensor_view(s, self.sensor) for s in snapshots], self.pair)
+        if not len(rows):
             raise SlamlibError(f"player: {self.view.name} has seen nothing that could be shown")
-        low, high = np.concatenate(rows).min(axis=0), np.concatenate(rows).max(axis=0)
+        low, high = rows.min(axis=0), rows.max(axis=0)
         spare = 0.1 * np.maximum(high - low, 1e-6)
         (left, bottom), (right, top) = low - spare, high + spare
         return [float(left), float(right), float(bottom), float(top)]

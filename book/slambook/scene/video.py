@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from slambook.figures.images import png
-from slambook.scene.artists import extra
 from slambook.scene.options import MapOptions
+from slambook.scene.parts import extra
 from slambook.scene.scene import bounds
 from slambook.scene.window import Window
 from slamlib.data.files import whole

@@ -4,6 +4,7 @@ On the sheet x points to the right, y up, and the height of the picture is 2.
 """
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -80,7 +81,7 @@ class View:
         needed = reach + near if self.perspective else reach
         return replace(self, distance=float(max(1.02 * needed.max(initial=0.0), 1e-6)))
 
-    @property
+    @cached_property
     def _rows(self) -> Array:
         return view_axes(self.elevation, self.azimuth)
 

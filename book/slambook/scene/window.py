@@ -1,6 +1,7 @@
-"""The two figures in matplotlib: what is drawn is made once and changed afterwards, which is quicker by far.
+"""The two figures in matplotlib, in a window or for a film: the page's `draw` puts the layers into its axes.
 
-A `Window` shows a run while it goes on, step by step. matplotlib is imported when one is made: it is an extra.
+A `Window` shows a run while it goes on, step by step. What stays (axes, names, keys) is drawn once, and each frame over
+a copy of that. matplotlib is imported when a window is made: it is an extra.
 """
 
 from collections.abc import Sequence
@@ -10,19 +11,18 @@ from typing import Any
 import numpy as np
 
 from slambook.figures.colors import colors
-from slambook.scene.artists import Sheet, extra
 from slambook.scene.figures import view_of
+from slambook.scene.image_scene import sensor_view
 from slambook.scene.options import MapOptions, SensorOptions, chosen
+from slambook.scene.parts import Part, SensorPart, extra
 from slambook.scene.roles import MAP, themed
 from slambook.scene.scene import bounds, map_scene
-from slambook.scene.sensor_sheet import SensorSheet
 from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
 
-# Left, bottom, width and height of the parts, in shares of the figure.
-PLACES = {"map": (0.01, 0.02, 0.58, 0.86), "alone": (0.01, 0.02, 0.98, 0.86), "sensors": (0.645, 0.02, 0.345, 0.86)}
+MAP_BESIDE, MAP_ALONE, SENSORS = (0.01, 0.02, 0.58, 0.86), (0.01, 0.02, 0.98, 0.86), (0.645, 0.02, 0.345, 0.86)
 GAP = 0.025
 MAP_ARRAYS = ("ids", "geometry", "covariance", "converged")
 WINDOWLESS = ("agg", "cairo", "pdf", "pgf", "ps", "svg", "template")  # backends of matplotlib
@@ -74,8 +74,8 @@ class Window:
         self.figure = self._figure(size, dpi, show)
         self.figure.set_facecolor(themed(colors.paper, theme))
         self._make_axes(snapshot, theme)
-        for sheet in self.views:
-            sheet.room(coming)
+        for part in self.views:
+            part.room(coming)
         self.empty: Any = None  # the canvas without what changes
         self.figure.canvas.mpl_connect("draw_event", self._drawn)
         self.figure.canvas.mpl_connect("key_press_event", self._key)
@@ -90,6 +90,7 @@ class Window:
                     "matplotlib.use, or leave show out and save the pictures"
                 )
             figure = plot.figure(figsize=size, dpi=dpi)
+            figure.stale_callback = None  # each frame is drawn here, once
             plot.show(block=False)
             return figure
         figure = extra("matplotlib.figure", "a picture").Figure(figsize=size, dpi=dpi)
@@ -97,21 +98,18 @@ class Window:
         return figure
 
     def _make_axes(self, snapshot: Snapshot, theme: str) -> None:
-        left, bottom, width, height = PLACES["map"] if self.sensors else PLACES["alone"]
-        axes = self.figure.add_axes((left, bottom, width, height))
-        axes.set_axis_off()
-        self.map = Sheet(axes, MAP, theme, self.options.legend)
-        across, up = self.figure.get_size_inches() * (width, height)
+        place = MAP_BESIDE if self.sensors else MAP_ALONE
+        self.map = Part(self.figure, place, theme, MAP, self.options.legend)
+        across, up = self.figure.get_size_inches() * place[2:]
         self.aspect = float(across / up)
-        axes.set(xlim=(-self.aspect, self.aspect), ylim=(-1, 1))
-        self.views = [self._sensor_sheet(snapshot, i, theme) for i in range(len(self.sensors))]
-
-    def _sensor_sheet(self, snapshot: Snapshot, i: int, theme: str) -> SensorSheet:
-        left, bottom, width, height = PLACES["sensors"]
-        each = height / len(self.sensors)
-        place = left, bottom + height - (i + 1) * each + GAP, width, each - 2 * GAP
-        legend = self.look.legend and i == 0
-        return SensorSheet(self.figure, place, snapshot, self.sensors[i], self.look, theme, legend)
+        self.map.axes.set_axis_off()
+        self.map.axes.set(xlim=(-self.aspect, self.aspect), ylim=(-1, 1))
+        left, bottom, width, height = SENSORS
+        each, self.views = height / max(len(self.sensors), 1), list[SensorPart]()
+        for i, sensor in enumerate(self.sensors):
+            place = left, bottom + height - (i + 1) * each + GAP, width, each - 2 * GAP
+            look = self.look if i == 0 else replace(self.look, legend=False)
+            self.views.append(SensorPart(self.figure, place, sensor, sensor_view(snapshot, sensor), look, theme))
 
     def update(self, snapshot: Snapshot, truth: Truth | None = None) -> None:
         """Show the next snapshot, and if there is one the truth; the robots' paths grow by them."""
@@ -119,10 +117,8 @@ class Window:
         self.path.append(snapshot)
         self.true_path += [truth] if truth is not None else []
         self._draw_map()
-        for sheet in self.views:
-            sheet.show(snapshot)
-            if sheet.stale:
-                self.empty = None
+        if any([part.update(snapshot) for part in self.views]):
+            self.empty = None
         self._show()
 
     def _show(self) -> None:
@@ -137,13 +133,15 @@ class Window:
         canvas.flush_events()
 
     def _drawn(self, event: Any) -> None:
-        """The canvas has been drawn without what changes: keep that, and add the rest."""
+        """The canvas has been drawn without what changes: keep that, and add the rest. A file has all at once."""
+        if self.figure.canvas.is_saving():
+            return
         self.empty = self.figure.canvas.copy_from_bbox(self.figure.bbox)
         self._draw_artists()
 
     def _draw_artists(self) -> None:
-        for sheet in (self.map, *self.views):
-            sheet.draw()
+        for part in (self.map, *self.views):
+            part.draw()
 
     def _draw_map(self) -> None:
         snapshot, truth = self.path[-1], self.true_path[-1] if self.true_path else None
@@ -151,7 +149,7 @@ class Window:
         shown: dict[str, Any] = {"world": self.world, "truth": truth, "path": self.path, "true_path": self.true_path}
         layers = map_scene(snapshot, **shown, options=self.options, corners=corners)
         view = view_of(self.options, snapshot, corners, self.aspect).moved(*self.moved)
-        self.map.update(view.flat(layers))
+        self.map.put(view.flat(layers))
 
     def _grown(self, truth: Truth | None) -> Array:
         """The limits of what there is; they never shrink, so that the picture of a map that grows stays calm."""

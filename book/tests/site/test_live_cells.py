@@ -1,6 +1,7 @@
 """Every live cell prints in the page's own Python what it prints in the notebook; and the two Pythons agree."""
 
 import json
+import re
 from typing import Any
 
 import pytest
@@ -18,16 +19,28 @@ COMPUTE = """async (code) => { let out = ''; let errors = '';
     if (kind === 'stdout') out += text; else errors += text; }, 1e8);
   return done.ok ? out : 'failed: ' + errors; }"""
 
+# What a reader sees of a figure at a glance: its shape, words, colours, and how many things are drawn.
+DRAWN = """(e) => {
+  const svg = e.querySelector('figure.sweep [data-frame]:not([hidden]) svg, .picture svg, figure.live svg');
+  return svg && [svg.getAttribute('viewBox'), [...svg.querySelectorAll('text')].map(t => t.textContent),
+    [...new Set(svg.outerHTML.match(/--figure-\\w+/g))].sort(), svg.querySelectorAll('path, image').length]; }"""
+TIMED = re.compile(r"perf_counter|time\.time")  # what a clock decides is drawn differently on each run
+
 
 def test_the_cells_print_what_the_notebook_has_stored_and_the_sliders_answer(notebook, context, site, outside):
     faults: list[str] = []
     page = open_page(context, site, notebook, faults)
     for i, cell in enumerate(live_cells(notebook)):
+        box = page.locator("div.cell.tag_live").nth(i)
+        before = box.evaluate(DRAWN)  # by matplotlib's figure
         run_cell(page, i)
         status, ok = page.evaluate(RUN, i)
         assert ok, f"cell {i + 1} {status}: {page.evaluate(SAID, i)[-600:]}"
         if notebooks.FIGURE not in cell.metadata.get("tags", []):
             assert page.evaluate(SAID, i).strip() == stored_text(cell).strip(), f"cell {i + 1}"
+        elif before and not TIMED.search(cell.source):
+            after = page.locator("div.cell.tag_live").nth(i).locator(".live-output").evaluate(DRAWN)
+            assert after == before, f"cell {i + 1} draws something else than the kernel did"
     figures = page.locator("figure.sweep.live")
     for i in range(figures.count()):
         drive(page, figures.nth(i), i)

@@ -2,6 +2,11 @@
 
 import numpy as np
 
+from slamlib.analytic import cos, sin, stumpff
+from slamlib.geometry.pose import Pose, from_frame
+from slamlib.geometry.quaternion import plus
+from slamlib.model import model
+from slamlib.motions import Motion
 from slamlib.tests.wrong_solutions import wrong
 
 
@@ -78,3 +83,34 @@ def standard_deviations(length, sigma, steps):
     k = np.arange(steps)
     a = np.array([length * k.sum(), steps])
     return sigma**2 * np.outer(a, a)
+
+
+@model(state=Pose, control=2, dt=(), returns=Pose)
+def ahead_then_turn(state, control, dt):
+    """The whole way straight ahead, then the whole turn."""
+    zero = 0 * dt
+    ahead = np.array([control[0] * dt, zero, zero])
+    return np.concatenate([from_frame(state, ahead), plus(state[3:], np.array([zero, zero, control[1] * dt]))])
+
+
+@model(state=Pose, control=2, dt=(), returns=Pose)
+def in_the_world(state, control, dt):
+    """An arc about the world's vertical axis through the world's x, whatever way the robot looks."""
+    zero, half = 0 * dt, control[1] * dt / 2
+    chord = control[0] * dt * stumpff(1, half * half)
+    moved = np.array([chord * cos(half), chord * sin(half), zero])
+    return np.concatenate([state[:3] + moved, plus(state[3:], np.array([zero, zero, 2 * half]))])
+
+
+@model(state=Pose, control=2, dt=(), returns=Pose)
+def arc(state, control, dt):
+    """Right."""
+    zero, half = 0 * dt, control[1] * dt / 2
+    chord = control[0] * dt * stumpff(1, half * half)
+    moved = np.array([chord * cos(half), chord * sin(half), zero])
+    return np.concatenate([from_frame(state, moved), plus(state[3:], np.array([zero, zero, 2 * half]))])
+
+
+wrong("motion_models.6", "drives straight ahead, then turns")(Motion("unicycle", Pose, 2, ahead_then_turn, (1,)))
+wrong("motion_models.6", "moves along the world's axes")(Motion("unicycle", Pose, 2, in_the_world, (1,)))
+wrong("motion_models.6", "takes the yaw rate of a setup for radians")(Motion("unicycle", Pose, 2, arc, ()))

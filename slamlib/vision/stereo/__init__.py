@@ -6,15 +6,13 @@ is measured is (u, v, d) [px] of the left picture, as slamlib.sensors.stereo def
 """
 
 from slamlib.datasets.pairs import pair
+from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import Eyes, Observed
 from slamlib.vision.stereo.front_end import StereoSearch
-from slamlib.vision.stereo.geometry import triangulate
+from slamlib.vision.stereo.geometry import joined, paired, triangulate
 from slamlib.vision.stereo.matching import circular, mutual
 from slamlib.vision.stereo.motion_source import MOVING, Moving
-from slamlib.vision.stereo.odometry import Motion, VisualOdometry, motion_between
-from slamlib.vision.stereo.settings import StereoSettings
-from slamlib.vision.stereo.stereo_rig import joined, paired
-from slamlib.vision.stereo.tracks import Tracks
+from slamlib.vision.stereo.odometry import Motion, Tracks, VisualOdometry, motion_between
 
 __all__ = [
     "MOVING",

@@ -7,10 +7,9 @@ import numpy as np
 from slamlib.datasets.pairs import checked
 from slamlib.manifolds import Array, Image, Indices, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.stereo.detect import Keypoints, detect
+from slamlib.vision.stereo.detect import Keypoints, StereoSettings, detect
 from slamlib.vision.stereo.matching import along_rows, circular, distances, mutual
 from slamlib.vision.stereo.refine import ALONG_ROW, align, align_shape, cut
-from slamlib.vision.stereo.settings import StereoSettings
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +47,7 @@ class Eyes:
         self.calibration, self.settings = calibration, settings or StereoSettings()
         self.last: Observed | None = None
 
-    def look(self, image: Image) -> Observed:
+    def look(self, image: Image | None) -> Observed:
         """The features of a pair (2, h, w). Raises SlamlibError for what is none."""
         if self.last is None or self.last.image is not image:
             self.last = observe(checked(image, self.calibration), self.settings)

@@ -1,6 +1,7 @@
 """A front end for a stereo sensor: landmarks are found again by their descriptors, within the filter's own gate."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,22 +11,60 @@ from slamlib.datasets.pairs import checked
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.gates import Sight, gate
-from slamlib.vision.search_backoff import Rests
+from slamlib.slam.data_association.front_end import Sight
+from slamlib.slam.data_association.gates import gate
+from slamlib.vision.front_end import PictureFrontEnd
+from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import Eyes, Observed, remeasured
 from slamlib.vision.stereo.matching import distances, mutual
 from slamlib.vision.stereo.odometry import halves
 from slamlib.vision.stereo.refine import cut
-from slamlib.vision.stereo.settings import StereoSettings
-from slamlib.vision.stereo.views import View, Views
-from slamlib.vision.stopwatch import Stopwatch
 
 
-class StereoSearch:
+@dataclass(frozen=True, eq=False)
+class View:
+    """Descriptor (32,), patch (s, s) round the left pixel, its margin of one included, and disparity [px]."""
+
+    descriptor: Array
+    patch: Array
+    disparity: float
+
+    def zoom(self, disparity: float) -> float:
+        """How much larger or smaller it looks at another disparity, 1 or more: its distance changed by as much."""
+        ratio = disparity / self.disparity
+        return max(ratio, 1 / ratio) if ratio > 0 else np.inf
+
+
+@dataclass(frozen=True, eq=False)
+class Views:
+    """All views of a landmark, the first one first. The first is never given up, so that a chain does not drift."""
+
+    all: tuple[View, ...]
+
+    def nearest(self, disparity: float) -> View:
+        """The one whose distance is most like that of a disparity [px]; of equals the oldest."""
+        return min(self.all, key=lambda view: view.zoom(disparity))
+
+    def with_view(self, view: View, most: int) -> "Views":
+        """With one more; of more than `most`, the oldest but the first goes."""
+        first, rest = self.all[:1], (*self.all[1:], view)
+        return Views(first + rest[-(most - 1) :] if most > 1 else first)
+
+    def pack(self) -> Any:
+        """Plain data, for JSON: nothing is lost."""
+        return [[v.descriptor.tolist(), v.patch.tolist(), v.disparity] for v in self.all]
+
+    @classmethod
+    def unpack(cls, packed: Any) -> "Views":
+        """What `pack` packed."""
+        return cls(tuple(View(np.array(d, np.uint8), np.array(p, float), float(z)) for d, p, z in packed))
+
+
+class StereoSearch(PictureFrontEnd):
     """Measures (u, v, disparity) [px] in the pair that is a scan's image, an array (2, h, w) of uint8.
 
     A landmark keeps its number as long as the filter keeps it: however long it was out of view, it is matched again by
-    its descriptor as soon as it lies in the gate. seconds: spent so far in "search" and in "detection".
+    its descriptor as soon as it lies in the gate.
     """
 
     def __init__(
@@ -43,12 +82,10 @@ class StereoSearch:
                 f"StereoSearch: a stereo sensor with an image is wanted, not {calibration.sensor.name}: "
                 "SensorSetup(type='stereo', image=(w, h), parameters={'intrinsics': ..., 'baseline': ...})"
             )
-        self.calibration, self.half = calibration, half
+        super().__init__(calibration)
+        self.half = half
         self.settings = settings or (eyes.settings if eyes else StereoSettings())
         self.eyes = eyes or Eyes(calibration, self.settings)
-        self.seconds = Stopwatch("search", "detection")
-        self.last = 0
-        self.rests = Rests()
         self.found: dict[int, int] = {}  # rows of the present features, by the landmarks that they show
         self.others = np.zeros(0, dtype=int)  # rows of the present features that are left to an odometry
         self.begun: list[int] = []  # rows of the present features that began a landmark
@@ -70,7 +107,7 @@ class StereoSearch:
         ]
         self.frame += 1
         self.found, self.begun = {}, []
-        return [look for look in self.rests.awake(able) if self.has_turn(look.landmark, self.frame)]
+        return [look for look in self.awake(able) if self.has_turn(look.landmark, self.frame)]
 
     def has_turn(self, landmark: Any, frame: int) -> bool:
         """Whether a landmark is measured in a frame, counted from 1."""
@@ -91,7 +128,7 @@ class StereoSearch:
             good &= self.mine(values)
             measured[pairs[good, 0]] = values[good]
             self.found = {looks[i].landmark.id: j for i, j in pairs[good].tolist()}
-        self.remember(looks)
+        self.remember(looks, [look.landmark.id in self.found for look in looks], self.settings.longest)
         return measured, np.isfinite(measured[:, 0])
 
     def costs(self, seen: Observed, looks: list[Any], views: list[View]) -> Array:
@@ -114,10 +151,6 @@ class StereoSearch:
             return values, np.ones(len(values), dtype=bool)
         templates = np.array([view.patch for view in views])
         return remeasured(seen.image, templates, values, self.settings, free=True)
-
-    def remember(self, looks: list[Any]) -> None:
-        """Landmarks that were not found rest, the longer the more often in a row."""
-        self.rests.remember(looks, [look.landmark.id in self.found for look in looks], self.settings.longest)
 
     def detect(
         self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
@@ -166,20 +199,14 @@ class StereoSearch:
             if landmark.signature.nearest(d).zoom(d) > np.sqrt(s.zoom):
                 landmark.signature = landmark.signature.with_view(self.view(seen, look.measured), s.views)
 
-    def new_id(self, known: set[int]) -> int:
-        """A number that no landmark has had."""
-        self.last = max(self.last, *known, 0) + 1
-        return self.last
-
     def dump(self) -> Any:
-        """The last number given, the landmarks that rest, and how many pairs it looked at."""
-        return {"last": self.last, "rests": self.rests.dump(), "frame": self.frame}
+        """How many pairs it looked at, beside the state of every front end on pictures."""
+        return {**super().dump(), "frame": self.frame}
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave."""
-        self.last = state["last"]
-        self.rests.restore(state["rests"])
-        self.frame = state.get("frame", 0)
+        super().restore(state)
+        self.frame = state["frame"]
 
     def pack(self, signature: Any) -> Any:
         """A landmark's views as plain data."""

@@ -17,63 +17,91 @@ from slamlib.data.records import Control
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.measurement_update import looks_from
+from slamlib.vision.front_end import Stopwatch
+from slamlib.vision.motion_source import MotionSource, OwnMotion
+from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import Eyes, Observed
 from slamlib.vision.stereo.fitting import fit
 from slamlib.vision.stereo.front_end import StereoSearch
-from slamlib.vision.stereo.motion_fallback import Steady
 from slamlib.vision.stereo.odometry import FEWEST, Motion, VisualOdometry, as_control
-from slamlib.vision.stereo.settings import StereoSettings
 
 HARDLY = 1e4  # times its covariance, a control tells nothing that its measurements do not tell as well
 NEARNESS = 3.5  # standard deviations: a feature so near to where a landmark is expected may be that landmark
 SLACK = 2.0  # px, by which what is detected may lie beside the landmark that it shows
 RESERVED = 2  # of the strongest features, so many for each landmark that may be begun are left to begin it
+UNKNOWN = (1.0, 0.3)  # [m], [rad]: standard deviations of a step of which there is no example
+SHARE = 0.2  # of the newest change in the mean of their squares
+SURPRISE = 9.0  # a motion is lost where it changes more than usual: variances are larger by so much
 
 
-class Moving(Protocol):
-    """Gives each pair's control; a filter of the robot's motion `motion` takes `front_end` for its stereo sensor.
+class Moving(MotionSource, Protocol):
+    """A MotionSource of stereo pairs; a filter of the robot's motion `motion` takes its front end.
 
     found: the odometry's motion to the present pair, or None where there is none.
     """
 
     motion: str
-    front_end: StereoSearch
     found: Motion | None
 
-    def control(self, image: Image, dt: float, slam: Any) -> Control | None:
-        """Of the step of dt [s] to this pair (2, h, w), to be asked once, before slam.step; None: the robot's own."""
-
-    def dump(self) -> Any:
-        """Its state as plain data, beside that of the front end, which the filter's file holds."""
-
-    def restore(self, state: Any) -> None:
-        """Go on from what `dump` gave."""
+    @property
+    def front_end(self) -> StereoSearch:
+        """The filter's, of the stereo sensor."""
 
 
-class Velocity:
+class Velocity(OwnMotion):
     """Nobody tells anything: the robot's own noise says how its velocities may change."""
 
     motion = "constVel"
-    found: Motion | None = None
+    front_end: StereoSearch
 
     def __init__(self, calibration: Calibration, mount: Array, settings: StereoSettings | None = None) -> None:
-        self.front_end = StereoSearch(calibration, settings)
+        super().__init__(StereoSearch(calibration, settings))
+        self.found: Motion | None = None
+        self.seconds = Stopwatch("odometry")
 
-    def control(self, image: Image, dt: float, slam: Any) -> Control | None:
-        """None: what is not told is drawn with the noise of the robot's setup."""
-        return None
+
+class Steady:
+    """The motion of a step that nobody could tell: as the last one, and not well known.
+
+    Remembers how controls (6,) change from step to step: displacement [m] and rotation [rad] by themselves.
+    """
+
+    def __init__(self) -> None:
+        self.rate: Array | None = None  # the last control by its time
+        self.changes: Array | None = None  # (2,) mean squares of a change of the rate, of one coordinate
+        self.lost = 0
+
+    def told(self, control: Control, dt: float) -> None:
+        """A step whose control is known."""
+        rate = control.value / dt
+        if self.rate is not None:
+            square = ((rate - self.rate) ** 2).reshape(2, 3).mean(1)
+            before = square if self.changes is None else self.changes
+            self.changes = before + SHARE * (square - before)
+        self.rate, self.lost = rate, 0
+
+    def untold(self, dt: float) -> Control:
+        """The last control again, the less certain the more steps in a row were lost; a random walk of the rate."""
+        self.lost += 1
+        if self.rate is None:
+            return Control(np.zeros(6), np.repeat(np.square(UNKNOWN), 3))
+        example = np.square(self.rate).reshape(2, 3).mean(1) if self.changes is None else self.changes
+        return Control(self.rate * dt, np.repeat(SURPRISE * self.lost * example * dt**2, 3))
 
     def dump(self) -> Any:
-        """It has no state."""
+        """Plain data."""
+        return [None if a is None else a.tolist() for a in (self.rate, self.changes)] + [self.lost]
 
     def restore(self, state: Any) -> None:
-        """It has no state."""
+        """Go on from what `dump` gave."""
+        self.rate, self.changes = (None if a is None else np.array(a) for a in state[:2])
+        self.lost = state[2]
 
 
 class Halves:
     """Odometry in the squares of one colour of a chess board over the picture, landmarks in those of the other."""
 
-    motion = "odometry"
+    name, motion = "halves", "odometry"
     odometry_half: int | None = 0
     landmark_half: int | None = 1
 
@@ -83,9 +111,14 @@ class Halves:
         self.front_end = StereoSearch(calibration, eyes=eyes, half=self.landmark_half)
         self.steady = Steady()
         self.found: Motion | None = None
+        self.seconds = Stopwatch("odometry")
 
     def control(self, image: Image, dt: float, slam: Any) -> Control | None:
         """The odometry's; zeros for the first pair; where none is found, the last one with a large covariance."""
+        with self.seconds.timed("odometry"):
+            return self._control(image, dt, slam)
+
+    def _control(self, image: Image, dt: float, slam: Any) -> Control:
         old = self.odometry.old
         self.found = self.odometry.step(image)
         if old is None:
@@ -98,6 +131,10 @@ class Halves:
     def told(self, old: Observed, new: Observed, found: Motion, slam: Any) -> Control:
         """What the filter is told of a motion that was found between two pairs."""
         return found.control
+
+    def counts(self) -> dict[str, float]:
+        """None: the filter's own are right."""
+        return {}
 
     def dump(self) -> Any:
         """The odometry's state, with the last pair, and how motions change."""
@@ -112,12 +149,12 @@ class Halves:
 class Correlated(Halves):
     """All features for both: the control of the strangers, linearized where all features say that the robot is."""
 
+    name = "correlated"
     odometry_half = landmark_half = None
 
-    def control(self, image: Image, dt: float, slam: Any) -> Control | None:
-        """As of halves, of the strangers."""
+    def _control(self, image: Image, dt: float, slam: Any) -> Control:
         self.front_end.others = np.zeros(0, dtype=int)
-        return super().control(image, dt, slam)
+        return super()._control(image, dt, slam)
 
     def told(self, old: Observed, new: Observed, found: Motion, slam: Any) -> Control:
         """The motion of the strangers, from all features' motion on; if they are too few, the latter, hardly known."""
@@ -155,6 +192,29 @@ class Correlated(Halves):
         super().restore(state)
         self.front_end.found = {int(number): row for number, row in state["shown"].items()}
         self.front_end.begun = state["begun"]
+
+
+class OdometryAlone(Halves):
+    """Plain odometry of all features, for a filter without landmarks.
+
+    searched are the features matched from left to right, matched those that were matched round the cycle, believed
+    those that agree with the motion; nis is the sum of their squares.
+    """
+
+    name = "odometry"
+    odometry_half = None
+
+    def counts(self) -> dict[str, float]:
+        """Of features, in place of landmarks."""
+        believed = 0 if self.found is None else int(self.found.inliers.sum())
+        dof = max(3 * believed - 6, 0)
+        return {
+            "searched": 0 if self.odometry.old is None else len(self.odometry.old),
+            "matched": len(self.odometry.pairs),
+            "believed": believed,
+            "nis": 0.0 if self.found is None else self.found.fit * dof,
+            "nis_dof": dof,
+        }
 
 
 MOVING: dict[str, Callable[..., Moving]] = {"velocity": Velocity, "halves": Halves, "correlated": Correlated}

@@ -17,7 +17,6 @@ from slamlib.sensors.sensor import Calibration
 from slamlib.vision.stereo.features import Eyes, Observed, followed, within
 from slamlib.vision.stereo.fitting import Fit, fit
 from slamlib.vision.stereo.geometry import ORIGIN, triangulate
-from slamlib.vision.stereo.tracks import Tracks
 
 FEWEST = 8  # matches, for which a motion can be told from chance
 REACH = 2.0  # px, of reprojection, within which a match agrees with a sample's motion
@@ -94,6 +93,44 @@ def control_axes(pose: Array) -> Array:
     return T
 
 
+class Tracks:
+    """Numbers of the features of the present pair, and how long each has been followed.
+
+    ids (n,) of the present features; ages (n,): pairs in which each was seen. A feature that is lost gets another
+    number when it is found again: only a filter's map remembers (slamlib.vision.stereo.front_end).
+    """
+
+    def __init__(self) -> None:
+        self.last = 0
+        self.ids = np.zeros(0, dtype=int)
+        self.ages = np.zeros(0, dtype=int)
+
+    def step(self, count: int, pairs: Indices) -> Array:
+        """Go on to a pair with `count` features, `pairs` (k, 2) of old and new rows; the mask (n,) of the old ones.
+
+        The mask is the report's of re-observation: which of the features of the pair before were matched again in both
+        pictures of this one (5.2, C41).
+        """
+        seen = np.zeros(len(self.ids), dtype=bool)
+        seen[pairs[:, 0]] = True
+        ids, ages = np.zeros(count, dtype=int), np.ones(count, dtype=int)
+        ids[pairs[:, 1]], ages[pairs[:, 1]] = self.ids[pairs[:, 0]], self.ages[pairs[:, 0]] + 1
+        fresh = ids == 0
+        ids[fresh] = self.last + 1 + np.arange(fresh.sum())
+        self.last += int(fresh.sum())
+        self.ids, self.ages = ids, ages
+        return seen
+
+    def dump(self) -> Any:
+        """Plain data."""
+        return {"last": self.last, "ids": self.ids.tolist(), "ages": self.ages.tolist()}
+
+    def restore(self, state: Any) -> None:
+        """Go on from what `dump` gave."""
+        self.last = state["last"]
+        self.ids, self.ages = (np.array(state[name], dtype=int) for name in ("ids", "ages"))
+
+
 class VisualOdometry:
     """One motion for each pair after the first, from matches round the cycle. half: 0 or 1 takes part of the features.
 
@@ -112,7 +149,7 @@ class VisualOdometry:
         self.matched: Array = np.zeros((0, 3))
         self.tracks, self.again = Tracks(), np.zeros(0, dtype=bool)
 
-    def step(self, image: Image, predicted: Array | None = None) -> Motion | None:
+    def step(self, image: Image | None, predicted: Array | None = None) -> Motion | None:
         """The motion to this pair (2, h, w) from the one before; None for the first, and where none can be told.
 
         predicted (7,): the robot's new pose in its old frame, for the regions of matches; the default is that of the

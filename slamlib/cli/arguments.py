@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from slamlib.data.plain import checked
+from slamlib.data.plain import read_fields
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.experiments.presets import PRESETS, Preset, preset
@@ -89,7 +89,7 @@ def _calibrated(rig: Rig) -> Rig:
 
 def assignments(texts: list[str], kind: type = Options, flag: str = "--option") -> dict[str, Any]:
     """Values by name, of "NAME=VALUE" each: fields of the options, or of another dataclass. Raises SlamlibError."""
-    return checked(kind, dict(_assignment(text, flag) for text in texts), flag.strip("-"))
+    return read_fields(kind, dict(_assignment(text, flag) for text in texts), flag.strip("-"))
 
 
 def _assignment(text: str, flag: str) -> tuple[str, Any]:
@@ -106,3 +106,9 @@ def _assignment(text: str, flag: str) -> tuple[str, Any]:
         except json.JSONDecodeError:
             continue
     return name, value
+
+
+def aligned_rows(rows: list[tuple[str, str]]) -> str:
+    """A result for people: names on the left, values in one column."""
+    width = max(len(name) for name, _ in rows)
+    return "\n".join(f"{name:{width}}  {value}" for name, value in rows)

@@ -1,0 +1,113 @@
+"""slamlib's own calibrations, JSON or TOML: a SensorSetup (of any camera, or "stereo"), a Rig, a rectified pair."""
+
+import json
+import tomllib
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Annotated, Any
+
+import numpy as np
+
+from slamlib.data.plain import Range, read, read_fields
+from slamlib.data.setup import SensorSetup
+from slamlib.datasets.dataset import CalibrationReader
+from slamlib.datasets.lens import Lens, Numbers, shifted
+from slamlib.errors import SlamlibError
+from slamlib.geometry.quaternion import rotation
+
+KEYS = {"parameters", "sensors", "intrinsics", "baseline"}
+Focal = Annotated[float, Range(gt=0, unit="px")]
+
+
+@dataclass(frozen=True)
+class RectifiedPair:
+    """Of both cameras: intrinsics (u0, v0, au, av) [px]; image (width, height) [px]; std of u, v and disparity [px].
+
+    offset [px]: column of the right principal point minus that of the left one.
+    """
+
+    intrinsics: tuple[float, float, Focal, Focal]
+    baseline: Annotated[float, Range(gt=0, lt=np.inf, unit="m")] | None = None
+    image: tuple[float, float] | None = None
+    offset: float = 0.0
+    std: Numbers | None = None
+
+    def lens(self, right: bool) -> Lens:
+        """One of the two."""
+        u, *others = self.intrinsics
+        place = shifted(self.baseline) if right and self.baseline else None
+        said = {} if self.std is None else {"std": self.std}
+        return Lens((u + right * self.offset, *others), self.image, place=place, said=said)
+
+
+@dataclass(frozen=True)
+class OwnCamera:
+    """A camera of any type; data: plain data of its SensorSetup."""
+
+    data: dict[str, Any]
+    of_rig: bool
+
+    def setup(self) -> dict[str, Any]:
+        """Plain data of its SensorSetup."""
+        return self.data
+
+    @property
+    def lens(self) -> Lens:
+        """The lens, if it is a pin-hole's, which OpenCV can undistort. Raises SlamlibError."""
+        sensor = SensorSetup(**self.data)
+        radial = sensor.parameters.get("distortion", ())
+        if not {"intrinsics"} <= set(sensor.parameters) <= {"intrinsics", "distortion"} or len(radial) > 3:
+            raise SlamlibError(
+                "OpenCV undistorts pin-holes with up to three coefficients; leave --undistort out, since slamlib works "
+                "on this camera's pictures as they are"
+            )
+        k1, k2, k3 = (*radial, 0.0, 0.0, 0.0)[:3]
+        place = np.eye(4)
+        place[:3, :3], place[:3, 3] = rotation(sensor.mount[3:]), sensor.mount[:3]
+        flat = tuple(place.ravel().tolist()) if self.of_rig else None
+        distortion = k1, k2, 0.0, 0.0, k3
+        return Lens(sensor.parameters["intrinsics"], self.data.get("image"), distortion=distortion, place=flat)
+
+
+def _data(text: str) -> dict[str, Any] | None:
+    for loads in (json.loads, tomllib.loads):
+        try:
+            data = loads(text)
+        except ValueError:
+            continue
+        return data if isinstance(data, dict) else None
+    return None
+
+
+def _fits(text: str) -> bool:
+    data = _data(text)
+    return text.lstrip().startswith("{") if data is None else bool(KEYS & data.keys())
+
+
+def _read(path: object, text: str) -> dict[int | None, Callable[[], Lens | OwnCamera]]:
+    data = _data(text) or json.loads(text)
+    setups = data.get("sensors", [data])
+    stereo = next((setup for setup in setups if setup.get("type") == "stereo"), None)
+    if stereo is not None or not {"parameters", "sensors"} & data.keys():
+        pair = read(RectifiedPair, data, "pair").lens if stereo is None else partial(_half, stereo)
+        return {number: partial(pair, number % 2 == 1) for number in range(4)}
+    numbers: list[int | None] = list(range(len(setups))) if "sensors" in data else [None]
+    return {number: partial(_camera, number, setup) for number, setup in zip(numbers, setups, strict=True)}
+
+
+def _camera(number: int | None, setup: dict[str, Any]) -> OwnCamera:
+    of_rig = number is not None
+    return OwnCamera(read_fields(SensorSetup, setup, f"sensors[{number}]" if of_rig else "camera"), of_rig)
+
+
+def _half(setup: dict[str, Any], right: bool) -> Lens:
+    """The left or the right lens of a stereo sensor."""
+    sensor = SensorSetup(**read_fields(SensorSetup, setup, "stereo"))
+    given = sensor.calibration.given  # checked
+    place = shifted(float(given["baseline"][0])) if right else None
+    said = {"std": sensor.std, "noise": sensor.noise, "limits": sensor.limits}
+    return Lens(tuple(given["intrinsics"].tolist()), sensor.image, place=place, said=said)
+
+
+CALIBRATION = CalibrationReader("slamlib", _fits, _read)

@@ -1,0 +1,117 @@
+"""What finds a sensor's measurements: the contract of a front end, what it gets to see, and association by identity."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from slamlib.data.records import Features, Scan
+from slamlib.manifolds import Array, Mask
+
+if TYPE_CHECKING:
+    from slamlib.slam.entities import MountedSensor
+    from slamlib.slam.measurement_update import Look
+
+Detected = tuple[int, Array, Any]  # of a new landmark: its id, its first measurement (m,), its signature
+
+
+@dataclass(frozen=True, eq=False)
+class Sight:
+    """What a front end gets to see: the scan, the mounted sensor as it is estimated now, and all that it expects.
+
+    looks: one for each landmark that should be in view, with its expectation (`value`, `Z`) before any correction.
+    """
+
+    scan: Scan
+    sensor: MountedSensor
+    looks: list[Look]
+
+
+class FrontEnd(Protocol):
+    """Finds the measurements of one sensor, frame by frame: `findable`, `match` for each family, `detect` for each.
+
+    A signature is what it knows a landmark by; the filter keeps it with the landmark, and hands it back unread.
+    """
+
+    def check(self, scan: Scan) -> None:
+        """Raise SlamlibError for a scan that it cannot look at, before anything is changed."""
+
+    def findable(self, sight: Sight) -> list[Look]:
+        """Of the looks of a sight, those that it could find at all if the landmarks are there."""
+
+    def match(self, sight: Sight, family: str, looks: list[Look]) -> tuple[Array, Mask]:
+        """Measurements (n, m) of what is looked for, nan where there is none, and the mask (n,) of those found."""
+
+    def detect(
+        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
+    ) -> list[Detected]:
+        """Up to `count` measurements to begin a landmark with; known: ids of the landmarks in the map.
+
+        usable(values) is the mask of the values (n, m) that a landmark may begin with.
+        """
+
+    def dump(self) -> Any:
+        """Its own state as plain data."""
+
+    def restore(self, state: Any) -> None:
+        """Go on from what `dump` gave."""
+
+    def pack(self, signature: Any) -> Any:
+        """A landmark's signature as plain data."""
+
+    def unpack(self, packed: Any) -> Any:
+        """The signature that `pack` packed."""
+
+
+class Identity:
+    """Association by identity: simulated features, and those of labelled data, carry the id of what they show."""
+
+    def check(self, scan: Scan) -> None:
+        """Any scan will do."""
+
+    def findable(self, sight: Sight) -> list[Look]:
+        """All looks."""
+        return sight.looks
+
+    def match(self, sight: Sight, family: str, looks: list[Look]) -> tuple[Array, Mask]:
+        """The features with the ids of the landmarks."""
+        features = _features(sight, family)
+        row_of = {number: row for row, number in enumerate(features.ids.tolist())}
+        rows = np.array([row_of.get(look.landmark.id, -1) for look in looks], dtype=int)
+        size = features.values.shape[1] if len(features) or not looks else len(looks[0].value)
+        measured = np.full((len(looks), size), np.nan)
+        measured[rows >= 0] = features.values[rows[rows >= 0]]
+        return measured, rows >= 0
+
+    def detect(
+        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
+    ) -> list[Detected]:
+        """The features with the lowest ids that are not known."""
+        features = _features(sight, family)
+        fresh = sorted((number, row) for row, number in enumerate(features.ids.tolist()) if number not in known)
+        if not fresh or not count:
+            return []
+        mask = usable(features.values[[row for _, row in fresh]])
+        good = [pair for pair, is_usable in zip(fresh, mask.tolist(), strict=True) if is_usable][:count]
+        return [(number, features.values[row], None) for number, row in good]
+
+    def dump(self) -> Any:
+        """It has no state."""
+
+    def restore(self, state: Any) -> None:
+        """It has no state."""
+
+    def pack(self, signature: Any) -> Any:
+        """It gives no signatures."""
+
+    def unpack(self, packed: Any) -> Any:
+        """It gives no signatures."""
+
+
+def _features(sight: Sight, family: str) -> Features:
+    """The features of a family in the scan; none if it has none."""
+    found: Features | None = sight.scan.features.get(family)
+    return Features.none(0) if found is None else found

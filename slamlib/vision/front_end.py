@@ -1,0 +1,99 @@
+"""What front ends on pictures share: numbers for new landmarks, search backoff, and the time that they spend."""
+
+import time
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from slamlib.data.records import Scan
+from slamlib.errors import SlamlibError
+from slamlib.sensors.sensor import Calibration
+
+
+class Stopwatch(dict[str, float]):
+    """A dictionary of seconds by part, to which `timed` adds."""
+
+    def __init__(self, *parts: str) -> None:
+        super().__init__(dict.fromkeys(parts, 0.0))
+
+    @contextmanager
+    def timed(self, part: str) -> Iterator[None]:
+        """Count the time of a `with` block to a part."""
+        began = time.perf_counter()
+        yield
+        self[part] += time.perf_counter() - began
+
+
+@dataclass
+class Rest:
+    """A landmark that was missed so often in a row is not looked for in so many frames."""
+
+    misses: int = 0
+    frames: int = 0
+
+    def is_over(self) -> bool:
+        """Whether it may be looked for now; asked once a frame."""
+        self.frames -= 1
+        return self.frames < 0
+
+    def longer(self, longest: int) -> "Rest":
+        """After one more miss: 1, 2, 4 ... frames, at most `longest`."""
+        return Rest(self.misses + 1, min(2**self.misses, longest))
+
+
+class PictureFrontEnd:
+    """Search backoff, ids and times of a front end; one for a sensor's image is made of it by `findable`, `match` ...
+
+    What stands before a landmark is as a rule still there in the next frame. Without a rest, hidden landmarks, which
+    nothing corrects, would soon be the most uncertain ones, and be chosen first for ever. rests: by landmarks' ids;
+    last: the last id given; seconds: spent so far in "search" and in "detection".
+    """
+
+    def __init__(self, calibration: Calibration) -> None:
+        self.calibration = calibration
+        self.seconds = Stopwatch("search", "detection")
+        self.last = 0
+        self.rests: dict[int, Rest] = {}
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """(height, width) of the calibration's image [px]."""
+        assert self.calibration.image is not None, "the front end's own __init__ has seen to it"
+        width, height = self.calibration.image.astype(int).tolist()
+        return height, width
+
+    def check(self, scan: Scan) -> None:
+        """Raise SlamlibError for a scan without an image, or with one of another size than the calibration's."""
+        if scan.image is None or np.shape(scan.image) != self.shape:
+            found = "no image" if scan.image is None else f"one of shape {np.shape(scan.image)}"
+            name = type(self).__name__
+            raise SlamlibError(f"{name}: an image of (height, width) = {self.shape} is calibrated, got {found}")
+
+    def awake(self, looks: Iterable[Any]) -> list[Any]:
+        """The looks at landmarks that do not rest; asked once a frame."""
+        return [look for look in looks if self.rests.get(look.landmark.id, Rest()).is_over()]
+
+    def remember(self, looks: Iterable[Any], found: Iterable[bool], longest: int) -> None:
+        """Landmarks that were not found rest, the longer the more often in a row; the others do not."""
+        for look, is_found in zip(looks, found, strict=True):
+            before = self.rests.pop(look.landmark.id, Rest())
+            if not is_found:
+                self.rests[look.landmark.id] = before.longer(longest)
+
+    def new_id(self, known: set[int]) -> int:
+        """A number that no landmark has had; known: ids of the landmarks in the map."""
+        self.last = max(self.last, *known, 0) + 1
+        return self.last
+
+    def dump(self) -> Any:
+        """The last id given, and the landmarks that rest."""
+        rests = {number: (rest.misses, rest.frames) for number, rest in self.rests.items()}
+        return {"last": self.last, "rests": rests}
+
+    def restore(self, state: Any) -> None:
+        """Go on from what `dump` gave."""
+        self.last = state["last"]
+        self.rests = {int(number): Rest(*rest) for number, rest in state["rests"].items()}
