@@ -14,14 +14,14 @@ from collections import namedtuple
 from collections.abc import Callable
 from contextvars import ContextVar
 from types import ModuleType
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, StaleCodeError
 from slamlib.manifolds import Array, Space, as_space
-from slamlib.modeling import fingerprint
+from slamlib.modeling import fingerprint, in_memory
 from slamlib.modeling.kernel import Kernel
 
 _defining: ContextVar[bool] = ContextVar("_defining", default=False)
@@ -57,6 +57,20 @@ def model(
         return Model(function, [Argument(n, s) for n, s in arguments.items()], returns)
 
     return declare
+
+
+class Formula(Protocol):
+    """What is called like a model: a Model, or an Implicit."""
+
+    parameters: list[str]
+    arguments: list[Argument]
+
+    @property
+    def name(self) -> str: ...
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Array: ...
+
+    def jac(self, *args: Any, **kwargs: Any) -> tuple[Array, Any]: ...
 
 
 class Model:
@@ -151,13 +165,9 @@ class Model:
     def code(self) -> ModuleType:
         """The module that holds the generated functions; checked against the definition."""
         if self._whole is not None:
-            from slamlib.modeling import specialize
-
-            return specialize.code(self._whole, self, self._whole.code)
+            return in_memory.for_fewer(self._whole, self, self._whole.code)
         if not self.is_packaged:
-            from slamlib.codegen.compile import compile_in_memory
-
-            return compile_in_memory(self)
+            return in_memory.compile_in_memory(self)
         command = "run `make generate` (python -m slamlib.codegen)"
         try:
             code = importlib.import_module(self.module.replace("slamlib.", "slamlib.generated.", 1))
@@ -172,12 +182,8 @@ class Model:
     def storage_code(self) -> ModuleType:
         """The module of the derivatives by stored numbers, which no filter needs: generated when first asked for."""
         if self._whole is not None:
-            from slamlib.modeling import specialize
-
-            return specialize.code(self._whole, self, self._whole.storage_code)
-        from slamlib.codegen.compile import compile_in_memory
-
-        return compile_in_memory(self, by_storage=True)
+            return in_memory.for_fewer(self._whole, self, self._whole.storage_code)
+        return in_memory.compile_in_memory(self, by_storage=True)
 
     def _evaluate(self, kind: str, arguments: list[Array]) -> list[Array]:
         kernel = self._kernel(kind)

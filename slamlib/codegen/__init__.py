@@ -5,9 +5,8 @@ Jacobians with numerical ones, `show` prints source. `python -m slamlib.codegen`
 """
 
 from slamlib.codegen.check import check
-from slamlib.codegen.derive import Derivation, derive
+from slamlib.codegen.derive import Derivation, derive, show
 from slamlib.codegen.proof import assert_same
-from slamlib.codegen.show import show
 
 __all__ = ["Derivation", "assert_same", "check", "derive", "load_ipython_extension", "show"]
 

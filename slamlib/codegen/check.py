@@ -7,6 +7,7 @@ import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.model import Argument, Model
+from slamlib.modeling.numerical import complex_step
 
 Sampler = Callable[[np.random.Generator], list[Any]]
 
@@ -48,46 +49,6 @@ def check(
 def random_point(argument: Argument, rng: np.random.Generator) -> Any:
     """A random value for an argument."""
     return rng.standard_normal(argument.shape) if argument.space is None else argument.space.random(rng)
-
-
-def complex_step(model: Model, arguments: list[Any], index: int, step: float = 1e-30) -> Any:
-    """Jacobian of the definition with respect to one argument, on the tangent space, by a complex step."""
-    argument = model.arguments[index]
-    here = model.definition(*arguments)
-    columns = []
-    for k in range(int(np.prod(argument.tangent))):
-        direction = np.zeros(argument.tangent, dtype=complex)
-        direction.flat[k] = 1j * step
-        moved = list(arguments)
-        moved[index] = (
-            argument.space.plus(arguments[index], direction) if argument.space else arguments[index] + direction
-        )
-        there = model.definition(*moved)
-        if model.result is not None and model.result.space is not None:
-            there = model.result.space.minus(there, here.astype(complex))
-        columns.append(np.imag(there) / step)
-    return np.moveaxis(np.array(columns), 0, -1).reshape(*columns[0].shape, *argument.tangent)
-
-
-def central_difference(model: Model, arguments: list[Any], index: int, step: float = 1e-6) -> Any:
-    """The same by central differences: about nine digits, an independent second opinion."""
-    argument = model.arguments[index]
-    columns = []
-    for k in range(int(np.prod(argument.tangent))):
-        direction = np.zeros(argument.tangent)
-        direction.flat[k] = step
-        ends = []
-        for sign in (1, -1):
-            moved = list(arguments)
-            moved[index] = (
-                argument.space.plus(arguments[index], sign * direction)
-                if argument.space
-                else arguments[index] + sign * direction
-            )
-            ends.append(model.definition(*moved))
-        result = model.result.space if model.result is not None else None
-        columns.append((result.minus(*ends) if result else ends[0] - ends[1]) / (2 * step))
-    return np.moveaxis(np.array(columns), 0, -1).reshape(*columns[0].shape, *argument.tangent)
 
 
 def _require(model: Model, what: str, error: float, tolerance: float, found: Any) -> None:

@@ -1,5 +1,7 @@
-"""Show a model as mathematics: its expression and Jacobians as sympy matrices."""
+"""Show a model: as mathematics, expression and Jacobians as sympy matrices, and as source, written or generated."""
 
+import inspect
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -8,6 +10,7 @@ import sympy
 from slamlib.codegen.trace import symbols_for, trace
 from slamlib.errors import ShapeError, UnknownNameError
 from slamlib.model import Model
+from slamlib.modeling import fingerprint
 
 
 class Derivation:
@@ -62,3 +65,29 @@ def _chosen(model: Model, name: str, given: Any, default: Any) -> Any:
 
 def _matrix(value: Any) -> sympy.Matrix:
     return sympy.Matrix(value.tolist()) if value.ndim else sympy.Matrix([[value[()]]])
+
+
+class Source:
+    """A piece of source text, highlighted where it is displayed."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text.rstrip() + "\n"
+
+    def _repr_markdown_(self) -> str:
+        return f"```python\n{self.text}```"
+
+    def __repr__(self) -> str:
+        return self.text
+
+
+def show(thing: Any, *, generated: bool = False) -> Source:
+    """Source of a model, function, class or module; generated=True gives the NumPy code generated from a model."""
+    if not isinstance(thing, Model):
+        return Source(inspect.getsource(thing))
+    if not generated:
+        return Source(fingerprint.source(thing.function))
+    return Source("\n\n".join(_functions(thing.code, thing.name)))
+
+
+def _functions(code: ModuleType, name: str) -> list[str]:
+    return [inspect.getsource(f) for n in (name, f"{name}_jac") if (f := getattr(code, n, None))]

@@ -1,1 +1,1 @@
-"""How a model finds its generated code and runs it: kernels, specialized copies, fingerprints, registries."""
+"""How a model finds its generated code and runs it: kernels, code in memory, fingerprints, registries."""

@@ -5,16 +5,19 @@ those of each Jacobian, row by row. Entries that are constant are Python integer
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from itertools import pairwise
 from math import isfinite
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from slamlib.errors import ShapeError, SingularPointError
 from slamlib.manifolds import Array
+
+if TYPE_CHECKING:
+    from slamlib.model import Argument
 
 Shape = tuple[int, ...]
 _FLOAT = np.dtype(float)
@@ -24,12 +27,15 @@ _FEW = 10  # items up to which a loop over Python's floats is quicker than array
 class Kernel:
     """A generated function with the shapes of its arguments and of the arrays that its entries fill."""
 
-    def __init__(self, function: Callable[..., Any], name: str, arguments: list[Any], shapes: list[Shape]) -> None:
+    def __init__(
+        self, function: Callable[..., Any], name: str, arguments: list["Argument"], shapes: list[Shape]
+    ) -> None:
         self.function, self.name, self.arguments, self.shapes = function, name, arguments, shapes
         ends = np.cumsum([0, *map(math.prod, shapes)]).tolist()
         self.pieces = [slice(a, b) for a, b in pairwise(ends)]
         self.single_shapes = [a.shape for a in arguments]
-        self.points = [(i, a.space, f"{name}: argument '{a.name}'") for i, a in enumerate(arguments) if a.is_manifold]
+        manifolds = [(i, a.name, a.space) for i, a in enumerate(arguments) if a.is_manifold and a.space is not None]
+        self.points = [(i, space, f"{name}: argument '{argument}'") for i, argument, space in manifolds]
         self.written: list[int] | None = None
 
     def single(self, arguments: list[Array]) -> list[Array] | None:
@@ -58,7 +64,7 @@ class Kernel:
             return self._few(arguments, batches, batch)
         return self._many(arguments, batches, batch, dtype)
 
-    def _one(self, numbers: list[list[float]], dtype: Any) -> list[Array]:
+    def _one(self, numbers: list[list[float]], dtype: np.dtype[Any]) -> list[Array]:
         """One item: plain Python floats are several times quicker than arrays of length one."""
         entries = self._entries(numbers)
         if entries is None:
@@ -78,7 +84,7 @@ class Kernel:
         flat = np.array(entries, dtype=float).reshape(*batch, -1)
         return [flat[..., at].reshape(batch + shape) for at, shape in zip(self.pieces, self.shapes, strict=True)]
 
-    def _items(self, value: Array, argument: Any, lead: Shape, batch: Shape) -> list[list[float]]:
+    def _items(self, value: Array, argument: "Argument", lead: Shape, batch: Shape) -> list[list[float]]:
         """An argument's numbers, item by item."""
         count = math.prod(batch)
         if not lead:
@@ -96,11 +102,11 @@ class Kernel:
         # the sum is quick, and infinite also where finite entries overflow together
         return entries if isfinite(sum(entries)) or all(map(isfinite, entries)) else None
 
-    def _singular(self, item: Any) -> SingularPointError:
+    def _singular(self, item: Iterable[Any]) -> SingularPointError:
         place = tuple(map(int, item))
         return SingularPointError(f"{self.name} is not defined, or has no derivative, at item {place} of the batch")
 
-    def _many(self, arguments: list[Array], batches: list[Shape], batch: Shape, dtype: Any) -> list[Array]:
+    def _many(self, arguments: list[Array], batches: list[Shape], batch: Shape, dtype: np.dtype[Any]) -> list[Array]:
         """A batch: entries first, items last, so that each operation runs over contiguous memory."""
         rows = [
             self._rows(v, a.size, lead, dtype) for a, v, lead in zip(self.arguments, arguments, batches, strict=True)
@@ -121,12 +127,12 @@ class Kernel:
             for piece, shape in zip(self.pieces, self.shapes, strict=True)
         ]
 
-    def _rows(self, value: Array, size: int, lead: Shape, dtype: Any) -> Array:
+    def _rows(self, value: Array, size: int, lead: Shape, dtype: np.dtype[Any]) -> Array:
         """The stored numbers of an argument, each over all items; plain scalars if the argument is not batched."""
         flat = value.reshape((*lead, size)).astype(dtype, copy=False)
         return np.ascontiguousarray(flat.transpose(len(lead), *range(len(lead)))) if lead else flat
 
-    def _gather(self, entries: tuple[Any, ...], batch: Shape, dtype: Any) -> Array:
+    def _gather(self, entries: tuple[Any, ...], batch: Shape, dtype: np.dtype[Any]) -> Array:
         """All entries in one array (entries, *batch); which of them are always zero is noted in the first call."""
         if self.written is None:
             self.written = [i for i, e in enumerate(entries) if type(e) is not int or e != 0]

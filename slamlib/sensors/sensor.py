@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.kalman.linalg import covariance, finite, frozen, numbers
 from slamlib.manifolds import Array, Mask, Space, as_space
-from slamlib.model import Model
+from slamlib.model import Formula, Model
 
 
 def _nothing_to_check(calibration: "Calibration") -> None:
@@ -33,8 +33,8 @@ class Sensor:
     """
 
     name: str
-    project: Model | Any
-    back_project: Model | Any
+    project: Formula
+    back_project: Formula
     parameters: tuple[str, ...]
     visible: Callable[[Array, "Calibration"], Mask]
     check: Callable[["Calibration"], None] = _nothing_to_check
@@ -133,7 +133,7 @@ class Calibration:
         """Homogeneous points (..., 4), and Jacobians by the measurement, what it does not tell, and each parameter."""
         return self._jac(self.sensor.back_project, (measurement, *unmeasured))
 
-    def _jac(self, model: Any, arguments: tuple[Array, ...]) -> tuple[Array, Any]:
+    def _jac(self, model: Formula, arguments: tuple[Array, ...]) -> tuple[Array, Any]:
         value, jacobians = model.jac(*arguments, **self.padded)
         return value, jacobians._replace(**{n: getattr(jacobians, n)[..., : len(v)] for n, v in self.given.items()})
 
@@ -154,7 +154,7 @@ class Calibration:
         return inside
 
 
-def _shortened(project: Model | Any, given: dict[str, Array]) -> Model | None:
+def _shortened(project: Formula, given: dict[str, Array]) -> Model | None:
     """The model for as many coefficients as there are, if it is a model, and if there is one in each list."""
     if not isinstance(project, Model) or not all(map(len, given.values())):
         return None

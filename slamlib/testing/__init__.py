@@ -14,12 +14,11 @@ from slamlib.landmarks.line import LineLandmark
 from slamlib.landmarks.point import PointLandmark
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import CheckError, Finding, Judge
+from slamlib.testing.landmarks import line_properties, point_properties
 from slamlib.testing.line_pairs import DEFINED as SEGMENT
 from slamlib.testing.line_pairs import line_pair_properties
-from slamlib.testing.lines import line_properties
 from slamlib.testing.pairs import DEFINED as MEASURED
 from slamlib.testing.pairs import pair_properties
-from slamlib.testing.points import point_properties
 from slamlib.testing.sensors import sensor_properties
 
 __all__ = ["CheckError", "Finding", "check_landmark", "check_pair", "check_sensor"]

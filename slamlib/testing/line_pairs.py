@@ -5,25 +5,25 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.belief import Belief
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import Pose, compose
 from slamlib.landmarks.line import LineLandmark
 from slamlib.landmarks.line_innovation import distances
 from slamlib.manifolds import Array
 from slamlib.model import Argument
+from slamlib.modeling.numerical import central_difference, complex_step
 from slamlib.observation.lines import initialize_line, observe_line
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import Judge
-from slamlib.testing.models import BATCH, DIFFERENCE, JACOBIAN, VALUE, central_difference, complex_step, named
-from slamlib.testing.points import IDENTITY
+from slamlib.testing.landmarks import IDENTITY
+from slamlib.testing.models import BATCH, DIFFERENCE, JACOBIAN, VALUE, named
+from slamlib.testing.pairs import stays_positive, with_robot
 from slamlib.testing.sensors import visible_points
 
 DEFINED = "a segment makes a line"
 NO_LINES = "a sensor that sees no lines says so"
 THROUGH = "a line just initialized goes through both ends of its segment"
 FINITE = "at nasty places all numbers are finite, or it is refused"
-POSITIVE = "initialize and correct keep the covariance symmetric and positive"
 
 FRAMES = [Argument("robot", Pose), Argument("mount", Pose)]
 Place = list[Array]
@@ -151,18 +151,12 @@ def _seen_again(
     off, D = distances.jac(seen.value, ends)
     if not judge.compare(THROUGH, name, off, np.zeros(2), where, argument="measurement", tolerance=1e-7):
         return
-    belief, rng = Belief(), judge.rng
-    root = 0.01 * rng.standard_normal((6, 6))
-    at = belief.add(Pose, robot, root @ root.T + 1e-6 * np.eye(6))
+    belief, at = with_robot(judge, robot)
     own = G.measurement @ G.measurement.T + 0.04 * G.unmeasured @ G.unmeasured.T
     block = belief.add(kind.space, landmark, (own + own.T) / 2, given=[at], jacobians=[G.robot])
     H = [-D.line @ J for J in (seen.jacobians.robot, seen.jacobians.landmark)]
-    belief.correct([at, block], H, rng.standard_normal(2), np.eye(2))
-    P = belief.matrix
-    scale, least = np.abs(P).max(), np.linalg.eigvalsh(P)[0]
-    symmetric = np.abs(P - P.T).max() <= 1e-12 * scale
-    how = f"the smallest eigenvalue is {least:.3g} of {scale:.3g}, symmetric: {symmetric}"
-    judge.require(POSITIVE, name, symmetric and least >= -1e-12 * scale, how, where)
+    belief.correct([at, block], H, judge.rng.standard_normal(2), np.eye(2))
+    stays_positive(judge, belief, name, where)
 
 
 def _derivatives(judge: Judge, chain: _Chain, place: Place, name: str) -> None:

@@ -7,6 +7,7 @@ import numpy as np
 
 from slamlib.errors import SingularPointError
 from slamlib.manifolds import Array
+from slamlib.modeling.numerical import central_difference, complex_step
 from slamlib.testing.judge import Judge
 
 Place = Sequence[Array]  # one array for each argument
@@ -53,41 +54,6 @@ def _derivatives(judge: Judge, model: Any, name: str, place: Place, value: Array
                 judge.compare(
                     what, name, jacobians[index], numerical, where, argument=argument.name, tolerance=tolerance
                 )
-
-
-def complex_step(model: Any, place: Place, index: int, step: float = 1e-30) -> Array:
-    """Jacobian of a definition by one argument, on the tangent space; exact but for rounding (chapter 4)."""
-    here = model.definition(*place)
-    space = model.result.space if model.result is not None else None
-
-    def there(direction: Array) -> Array:
-        moved = model.definition(*_moved(model.arguments[index], place, index, 1j * step * direction))
-        return np.imag(space.minus(moved, here.astype(complex)) if space else moved) / step
-
-    return _columns(model.arguments[index], there)
-
-
-def central_difference(model: Any, place: Place, index: int, step: float = 1e-6) -> Array:
-    """The same by central differences of the call: for what has no definition in one formula."""
-    result = getattr(model, "result", None)
-
-    def slope(direction: Array) -> Array:
-        ends = [model(*_moved(model.arguments[index], place, index, sign * step * direction)) for sign in (1, -1)]
-        return (result.space.minus(*ends) if result is not None else ends[0] - ends[1]) / (2 * step)
-
-    return _columns(model.arguments[index], slope)
-
-
-def _moved(argument: Any, place: Place, index: int, direction: Any) -> list[Array]:
-    moved = list(place)
-    moved[index] = argument.space.plus(place[index], direction) if argument.space else place[index] + direction
-    return moved
-
-
-def _columns(argument: Any, slope: Any) -> Array:
-    units = np.eye(int(np.prod(argument.tangent))).reshape(-1, *argument.tangent)
-    columns = [slope(unit) for unit in units]
-    return np.moveaxis(np.array(columns), 0, -1).reshape(*columns[0].shape, *argument.tangent)
 
 
 def _batch(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> None:

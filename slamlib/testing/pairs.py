@@ -1,11 +1,14 @@
 """Properties that every pair of a parametrization and a sensor must have, on a robot: initialize, observe, correct."""
 
+from typing import Any
+
 import numpy as np
 
-from slamlib.belief import Belief
+from slamlib.belief import Belief, Block
 from slamlib.errors import SingularPointError
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks.point import PointLandmark
+from slamlib.manifolds import Array
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import Judge
@@ -47,19 +50,37 @@ def pair_properties(judge: Judge, kind: PointLandmark, calibration: Calibration)
         _filter(judge, kind, calibration, robot, landmark, G, H, name)
 
 
-def _filter(judge, kind, calibration, robot, landmark, G, H, name):  # type: ignore[no-untyped-def]
-    """One landmark into a belief beside the robot, and one correction by it."""
-    belief, rng, R = Belief(), judge.rng, calibration.noise
-    root = 0.01 * rng.standard_normal((6, 6))
-    at = belief.add(Pose, robot, root @ root.T + 1e-6 * np.eye(6))
+def stays_positive(judge: Judge, belief: Belief, name: str, where: dict[str, Array]) -> None:
+    """The joint covariance is symmetric and has no negative eigenvalue, beside its largest entry."""
+    P = belief.matrix
+    scale, least = np.abs(P).max(), np.linalg.eigvalsh(P)[0]
+    symmetric = np.abs(P - P.T).max() <= 1e-12 * scale
+    how = f"the smallest eigenvalue is {least:.3g} of {scale:.3g}, symmetric: {symmetric}"
+    judge.require(POSITIVE, name, symmetric and least >= -1e-12 * scale, how, where)
+
+
+def with_robot(judge: Judge, robot: Array) -> tuple[Belief, Block]:
+    """A belief that holds a robot's pose, known to a centimetre or so."""
+    belief, root = Belief(), 0.01 * judge.rng.standard_normal((6, 6))
+    return belief, belief.add(Pose, robot, root @ root.T + 1e-6 * np.eye(6))
+
+
+def _filter(
+    judge: Judge,
+    kind: PointLandmark,
+    calibration: Calibration,
+    robot: Array,
+    landmark: Array,
+    G: Any,
+    H: Any,
+    name: str,
+) -> None:
+    """One landmark into a belief beside the robot, and one measurement update by it."""
+    (belief, at), R = with_robot(judge, robot), calibration.noise
     own = G.measurement @ R @ G.measurement.T
     if hasattr(G, "unmeasured"):
         own = own + 0.04 * G.unmeasured @ G.unmeasured.T
     block = belief.add(kind.space, landmark, (own + own.T) / 2, given=[at], jacobians=[G.robot])
-    innovation = np.linalg.cholesky(R) @ rng.standard_normal(len(R))
+    innovation = np.linalg.cholesky(R) @ judge.rng.standard_normal(len(R))
     belief.correct([at, block], [H.robot, H.landmark], innovation, R)
-    P = belief.matrix
-    least = np.linalg.eigvalsh(P)[0]
-    symmetric = np.abs(P - P.T).max() <= 1e-12 * np.abs(P).max()
-    how = f"the smallest eigenvalue is {least:.3g} of {np.abs(P).max():.3g}, symmetric: {symmetric}"
-    judge.require(POSITIVE, name, symmetric and least >= -1e-12 * np.abs(P).max(), how, {"robot": robot})
+    stays_positive(judge, belief, name, {"robot": robot})

@@ -1,6 +1,5 @@
 """The five locks against drift, the writing rules, and the readers' helpers."""
 
-import importlib
 import os
 import shutil
 import subprocess
@@ -274,7 +273,6 @@ def test_show_prints_the_definition_and_the_generated_code():
     assert "def to_frame_jac(pose, point):" in repr(show(pose.to_frame, generated=True))
     assert "def squares_jac(point):" in repr(show(squares, generated=True))
     assert show(fingerprint.of.__wrapped__)._repr_markdown_().startswith("```python\n")
-    importlib.import_module("slamlib.codegen.show")
 
 
 @model(x=2)

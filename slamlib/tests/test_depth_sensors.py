@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from slamlib.codegen.check import central_difference, check
+from slamlib.codegen.check import check
 from slamlib.errors import (
     CovarianceError,
     NonFiniteError,
@@ -16,6 +16,7 @@ from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks.ahm_point import AHM_POINT
 from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.modeling.numerical import central_difference
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors import depth, pinhole, range_bearing, relative_position, sensor, stereo
 from slamlib.sensors.sensor import Calibration

@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from slamlib.codegen.check import central_difference, check, complex_step
+from slamlib.codegen.check import check
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, UnitError
 from slamlib.geometry import euler, polar, pose, quaternion
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import UnitQuaternion
 from slamlib.model import Model
+from slamlib.modeling.numerical import central_difference, complex_step
 from slamlib.tests.reference import cases
 
 MODELS = [

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from slamlib.codegen.check import central_difference, check
+from slamlib.codegen.check import check
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry import plucker
 from slamlib.geometry import pose as frames
@@ -13,6 +13,7 @@ from slamlib.landmarks import LINES, ahm_line, apl_line, endpoints, hmg_line, id
 from slamlib.landmarks import segments as seg
 from slamlib.landmarks.endpoints import Extension, Seen
 from slamlib.model import Model
+from slamlib.modeling.numerical import central_difference
 from slamlib.tests.reference import cases
 
 MODULES = (plucker, plk_line, apl_line, hmg_line, ahm_line, idp_line, line_innovation)

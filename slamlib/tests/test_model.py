@@ -8,12 +8,13 @@ import pytest
 
 import slamlib
 from slamlib.analytic import cos, sin
-from slamlib.codegen.check import central_difference, check, complex_step
-from slamlib.codegen.compile import compile_in_memory
+from slamlib.codegen.check import check
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError, UnitError
 from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import Pose
 from slamlib.model import model
+from slamlib.modeling.in_memory import compile_in_memory
+from slamlib.modeling.numerical import central_difference, complex_step
 
 GENERATED = Path(slamlib.__file__).parent / "generated"
 

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from slamlib.codegen.check import central_difference, check
+from slamlib.codegen.check import check
 from slamlib.errors import UnknownNameError
 from slamlib.geometry import euler, pose, quaternion
+from slamlib.modeling.numerical import central_difference
 from slamlib.motions import CONSTANT_VELOCITY, ODOMETRY, constant_velocity, euler_composition, motion, odometry
 from slamlib.tests.reference import cases
 

@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
-from slamlib.codegen.check import central_difference, check
+from slamlib.codegen.check import check
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError, UnknownNameError
 from slamlib.geometry.quaternion import pi_matrix
 from slamlib.landmarks.ahm_point import AHM_POINT
 from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.modeling.numerical import central_difference
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors import omni, scaramuzza, sensor
 from slamlib.sensors.sensor import Calibration

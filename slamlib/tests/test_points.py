@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
-from slamlib.codegen.check import central_difference, check
+from slamlib.codegen.check import check
 from slamlib.errors import ShapeError, SingularPointError, SlamlibError
 from slamlib.geometry import pose as frames
 from slamlib.geometry import quaternion
@@ -23,6 +23,7 @@ from slamlib.landmarks.linearity import (
     should_convert,
     to_euclidean,
 )
+from slamlib.modeling.numerical import central_difference
 from slamlib.tests.reference import cases
 
 KINDS = [EUC_POINT, HMG_POINT, AHM_POINT, IDP_POINT, FHM_POINT]

@@ -1,10 +1,11 @@
-"""Properties that every parametrization of points must have."""
+"""Properties that every parametrization must have: of points, and of lines."""
 
 import numpy as np
 
 from slamlib.errors import SingularPointError
 from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import Pose
+from slamlib.landmarks.line import LineLandmark
 from slamlib.landmarks.point import PointLandmark
 from slamlib.manifolds import Array
 from slamlib.testing.judge import Judge
@@ -18,6 +19,10 @@ ANCHORED = "from_frame puts the point where it is in the world"
 INFINITE = "a point at infinity is a direction, the same from everywhere"
 REFUSED = "to_point refuses a point at infinity"
 LIMITED = "has no place for points at infinity, and says so"
+CONSTRAINT = "the line in the frame is a line: n . v = 0"
+SEEN = "from_frame, then to_frame: the line is seen along both rays"
+INCIDENT = "point_at gives points on the line, seen from anywhere"
+DISTINCT = "the endpoints are two points"
 
 IDENTITY = np.array([0.0, 0, 0, 1, 0, 0, 0])
 FORWARDS = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, -0.5])  # a camera that looks along the world's x axis
@@ -39,7 +44,7 @@ def point_properties(judge: Judge, kind: PointLandmark) -> None:
     made = [*zip(poses, points, strict=True), (poses[2], axis), (poses[3], axis)]
     nasty = [(pose, point) for pose in poses[:4] for point in nasty_points(rng)]
     model_properties(judge, kind.from_frame, f"{kind.name}.from_frame", made, nasty)
-    if _undefined(judge, kind):
+    if _undefined(judge):
         return
     landmarks = [kind.from_frame(*place) for place in made]
     moved = [kind.space.plus(x, 0.02 * rng.standard_normal(kind.space.dof)) for x in landmarks]
@@ -48,7 +53,7 @@ def point_properties(judge: Judge, kind: PointLandmark) -> None:
     awkward = [(pose, x) for pose, x in zip(poses, landmarks, strict=False)] + [(Pose.random(rng), x) for x in odd]
     model_properties(judge, kind.to_frame, f"{kind.name}.to_frame", seen, awkward)
     model_properties(judge, kind.to_point, f"{kind.name}.to_point", [(x,) for x in moved], [(x,) for x in odd])
-    if not _undefined(judge, kind):
+    if not _undefined(judge):
         _round_trip(judge, kind, made)
         _euclidean(judge, kind, seen)
         _infinity(judge, kind, poses)
@@ -81,14 +86,15 @@ def nasty_points(rng: np.random.Generator) -> list[Array]:
     return [np.array(p, dtype=float) for p in [*rays, [x, y, z, 0], [0, 0, 1, 0], [x, y, z, 1e-9], [x, y, z, -0.01]]]
 
 
-def _undefined(judge: Judge, kind: PointLandmark) -> bool:
+def _undefined(judge: Judge) -> bool:
     """Whether one of the definitions is the wrong shape or has no value at ordinary places."""
     return any(what in (DEFINED, INTERFACE) for what, *_ in judge.findings)
 
 
-def _made(kind: PointLandmark, pose: Array, point: Array) -> Array | None:
+def _made(kind: PointLandmark | LineLandmark, *place: Array) -> Array | None:
+    """The landmark, or None where it is refused."""
     try:
-        return kind.from_frame(pose, point)
+        return kind.from_frame(*place)
     except SingularPointError:
         return None
 
@@ -145,3 +151,79 @@ def _infinity(judge: Judge, kind: PointLandmark, poses: list[Array]) -> None:
             judge.hold(REFUSED)
         else:
             judge.fail(REFUSED, f"{kind.name}.to_point", "a point at infinity has no Euclidean coordinates", where)
+
+
+def line_properties(judge: Judge, kind: LineLandmark) -> None:
+    """Interface first; then the models one by one; then how they fit together."""
+    shapes = {
+        "to_frame": [("pose", Pose.size), ("landmark", kind.space.size)],
+        "from_frame": [("pose", Pose.size), ("rays", 6), ("prior", 2)],
+        "point_at": [("landmark", kind.space.size), ("abscissa", 1)],
+    }
+    if not interface(judge, kind, shapes):
+        return
+    rng = judge.rng
+    poses = [FORWARDS, *(Pose.random(rng) for _ in range(7))]
+    made = [(pose, _rays(rng), rng.uniform(0.1, 0.5, 2)) for pose in poses]
+    nasty = [(pose, rays, np.array(p)) for pose, rays, _ in made for p in ([0.0, 0], [0.1, 0], [-0.1, 0.2])]
+    through_axis = np.array([0, 0, 1, *_rays(rng)[3:]])
+    nasty += [(pose, through_axis, np.array([0.1, 0.2])) for pose in (IDENTITY, *poses[:2])]
+    model_properties(judge, kind.from_frame, f"{kind.name}.from_frame", made, nasty)
+    if _undefined(judge):
+        return
+    landmarks = [kind.from_frame(*place) for place in made]
+    seen = [(Pose.random(rng), x) for x in landmarks]
+    awkward = [(_onto(kind, x), x) for x in landmarks] + [
+        (IDENTITY, x) for place in nasty if (x := _made(kind, *place)) is not None
+    ]
+    model_properties(judge, kind.to_frame, f"{kind.name}.to_frame", seen, awkward)
+    ends = [(x, np.array(float(s))) for x in landmarks for s in (*kind.abscissas, 0.3)]
+    model_properties(judge, kind.point_at, f"{kind.name}.point_at", ends)
+    if not _undefined(judge):
+        _seen_along_rays(judge, kind, [*made, *nasty])
+        _points_on_line(judge, kind, seen)
+
+
+def _rays(rng: np.random.Generator) -> Array:
+    """Two unit rays in front, more than ten degrees apart."""
+    while True:
+        rays = np.column_stack([rng.uniform(-1, 1, (2, 2)), np.ones(2)])
+        rays /= np.linalg.norm(rays, axis=1, keepdims=True)
+        if rays[0] @ rays[1] < np.cos(0.2):
+            return rays.ravel()
+
+
+def _onto(kind: LineLandmark, landmark: Array) -> Array:
+    """A pose whose origin lies on the line: the line goes through the optical centre."""
+    point = kind.point_at(landmark, 0.3)
+    return np.array([*point[:3] / point[3], *FORWARDS[3:]])
+
+
+def _seen_along_rays(judge: Judge, kind: LineLandmark, made: list[tuple[Array, Array, Array]]) -> None:
+    for pose, rays, prior in made:
+        where = {"pose": pose, "rays": rays, "prior": prior}
+        try:
+            line = kind.to_frame(pose, kind.from_frame(pose, rays, prior))
+        except SingularPointError:
+            continue  # a nasty place that the models refuse
+        n, v = line[:3] / np.linalg.norm(line[:3]), line[3:] / max(float(np.linalg.norm(line[3:])), 1e-300)
+        judge.compare(CONSTRAINT, f"{kind.name}.to_frame", n @ v, 0.0, where, argument="landmark")
+        off = [n @ rays[:3], n @ rays[3:]]
+        judge.compare(SEEN, f"{kind.name}.from_frame", off, np.zeros(2), where, argument="rays")
+
+
+def _points_on_line(judge: Judge, kind: LineLandmark, seen: list[tuple[Array, Array]]) -> None:
+    for pose, landmark in seen:
+        line = kind.to_frame(pose, landmark)
+        n, v = line[:3], line[3:]
+        places = []
+        for s in (*kind.abscissas, 0.3):
+            point = kind.point_at(landmark, s)
+            here = frames.to_frame(pose, point[:3] / point[3])
+            places.append(here)
+            where = {"pose": pose, "landmark": landmark, "abscissa": np.array(s)}
+            scale = np.linalg.norm(here) * np.linalg.norm(v)
+            off = (np.cross(here, v) - n) / max(float(scale), 1e-300)
+            judge.compare(INCIDENT, f"{kind.name}.point_at", off, np.zeros(3), where, argument="landmark")
+        apart = np.linalg.norm(places[0] - places[1])
+        judge.require(DISTINCT, f"{kind.name}.abscissas", apart > 1e-9, "they are the same point", {})

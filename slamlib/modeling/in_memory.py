@@ -1,19 +1,48 @@
-"""A generated function for fewer coefficients than it was made for: the missing ones are zero.
-
-A lens may have eight coefficients, and most have two. What is multiplied by a missing one is left out of the generated
-function, and so are the derivatives by it; what remains is the same arithmetic.
-"""
+"""Generated code that is in no file: of readers' models, of storage Jacobians, and for fewer coefficients."""
 
 import ast
 import inspect
+import linecache
 import math
 from collections.abc import Callable
-from types import SimpleNamespace
-from typing import Any
+from types import ModuleType, SimpleNamespace
+from typing import TYPE_CHECKING, Any
+
+from slamlib.errors import SlamlibError
+
+if TYPE_CHECKING:
+    from slamlib.model import Model
 
 
-def code(whole: Any, short: Any, generated: Any) -> Any:
-    """The functions in `generated`, made for the model `whole`, for the model `short`, whose lists are shorter."""
+def compile_in_memory(model: "Model", *, by_storage: bool = False) -> ModuleType:
+    """A module with the model's generated functions; its text is kept, so that tracebacks and `show` can print it.
+
+    by_storage: with the derivatives by stored numbers instead. Raises SlamlibError without sympy.
+    """
+    try:
+        from slamlib.codegen.emit import module  # and so sympy, which a filter does without
+    except ModuleNotFoundError as error:
+        what = "its derivatives by stored numbers are not kept in" if by_storage else "it is not part of"
+        raise SlamlibError(
+            f"{model.name}: {what} slamlib but generated at the first use, which needs sympy: "
+            "pip install 'slamlib[book]'"
+        ) from error
+    text = module([model], f"{model.module}.{model.name}", by_storage=by_storage)
+    name = f"<generated from {model.module}.{model.name} {abs(hash(text)):x}>"
+    linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
+    code = ModuleType(f"generated_{model.name}")
+    code.__file__ = name
+    exec(compile(text, name, "exec"), code.__dict__)
+    code.__dict__["TEXT"] = text
+    return code
+
+
+def for_fewer(whole: "Model", short: "Model", generated: Any) -> Any:
+    """The functions in `generated`, made for the model `whole`, for the model `short`, whose lists are shorter.
+
+    A lens may have eight coefficients, and most have two; the missing ones are zero. What is multiplied by a missing
+    one is left out of the generated function, and so are the derivatives by it; what remains is the same arithmetic.
+    """
     pairs = list(zip(whole.arguments, short.arguments, strict=True))
     lengths = {b.name: b.size for b in short.arguments}
     zeros = {f"{a.name}{i}" for a, b in pairs for i in range(b.size, a.size)}

@@ -1,0 +1,50 @@
+"""Numerical derivatives of a model, of its definition where it has one: a second opinion about generated Jacobians."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from slamlib.manifolds import Array
+
+
+def complex_step(model: Any, place: Sequence[Array], index: int, step: float = 1e-30) -> Array:
+    """Jacobian of a definition by one argument, on the tangent space; exact but for rounding (chapter 4).
+
+    place: one array for each argument; index: which argument.
+    """
+    here = model.definition(*place)
+    space = model.result.space if model.result is not None else None
+
+    def slope(direction: Array) -> Array:
+        moved = model.definition(*_moved(model.arguments[index], place, index, 1j * step * direction))
+        found: Array = np.imag(space.minus(moved, here.astype(complex)) if space else moved) / step
+        return found
+
+    return _columns(model.arguments[index], slope)
+
+
+def central_difference(model: Any, place: Sequence[Array], index: int, step: float = 1e-6) -> Array:
+    """The same by central differences: about nine digits, also of what has no definition in one formula."""
+    function, result = getattr(model, "definition", model), getattr(model, "result", None)
+    space = None if result is None else result.space
+
+    def slope(direction: Array) -> Array:
+        ends = [function(*_moved(model.arguments[index], place, index, sign * step * direction)) for sign in (1, -1)]
+        found: Array = (space.minus(*ends) if space else ends[0] - ends[1]) / (2 * step)
+        return found
+
+    return _columns(model.arguments[index], slope)
+
+
+def _moved(argument: Any, place: Sequence[Array], index: int, direction: Any) -> list[Array]:
+    moved = list(place)
+    moved[index] = argument.space.plus(place[index], direction) if argument.space else place[index] + direction
+    return moved
+
+
+def _columns(argument: Any, slope: Callable[[Array], Array]) -> Array:
+    """The slopes along the unit vectors of an argument's tangent space, as the last axes of one array."""
+    units = np.eye(int(np.prod(argument.tangent))).reshape(-1, *argument.tangent)
+    columns = [slope(unit) for unit in units]
+    return np.moveaxis(np.array(columns), 0, -1).reshape(*columns[0].shape, *argument.tangent)
