@@ -109,7 +109,7 @@ def test_a_caller_who_wants_more_or_less_says_so(page):
 
 
 def test_a_rejected_exercise_speaks_for_itself(page):
-    text = "from slamlib.exercises import check\ndef gain(P, Q, R):\n    return P[0]\ncheck('2.3', gain)"
+    text = "from slamlib.exercises import check\ndef gain(P, Q, R):\n    return P[0]\ncheck('kalman_filter.3', gain)"
     assert not page.run(text, "cell 1")
     found = failed(page)
     assert found["line"] == 3
@@ -117,7 +117,7 @@ def test_a_rejected_exercise_speaks_for_itself(page):
 
 
 def test_an_exercise_that_is_not_written_is_not_judged(page):
-    text = "from slamlib.exercises import check\ndef gain(P, Q, R):\n    ...\ncheck('2.3', gain)"
+    text = "from slamlib.exercises import check\ndef gain(P, Q, R):\n    ...\ncheck('kalman_filter.3', gain)"
     assert page.run(text, "cell 1")
     assert "write the function, then run the cell again" in said(page, "stdout")
 
@@ -273,6 +273,8 @@ def test_the_wheel_is_the_same_bytes_on_every_run_and_holds_the_package(tmp_path
         packed = {n: archive.read(n) for n in archive.namelist() if n.endswith(".py")}
     source = {f.relative_to(ROOT).as_posix(): f.read_bytes() for f in (ROOT / "slamlib").rglob("*.py")}
     source = {n: c for n, c in source.items() if not n.startswith("slamlib/tests/")}
+    beside = ROOT / "book"
+    source |= {f.relative_to(beside).as_posix(): f.read_bytes() for f in (beside / "slambook").rglob("*.py")}
     assert packed == source
     assert {n: (target / n).read_bytes() for n in packed} == packed
 
