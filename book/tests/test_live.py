@@ -108,7 +108,7 @@ def test_a_caller_who_wants_more_or_less_says_so(page):
 
 
 def test_a_rejected_exercise_speaks_for_itself(page):
-    text = "from slamlib.exercises import check\ndef gain(P, Q, R):\n    return P[0]\ncheck('2.3', gain)"
+    text = "from slamlib.exercises import check\ndef gain(P, Q, R):\n    return P[0]\ncheck('kalman_filter.3', gain)"
     assert not page.run(text, "cell 1")
     found = failed(page)
     assert found["line"] == 3
@@ -116,7 +116,7 @@ def test_a_rejected_exercise_speaks_for_itself(page):
 
 
 def test_an_exercise_that_is_not_written_is_not_judged(page):
-    text = "from slamlib.exercises import check\ndef gain(P, Q, R):\n    ...\ncheck('2.3', gain)"
+    text = "from slamlib.exercises import check\ndef gain(P, Q, R):\n    ...\ncheck('kalman_filter.3', gain)"
     assert page.run(text, "cell 1")
     assert "write the function, then run the cell again" in said(page, "stdout")
 
