@@ -5,7 +5,6 @@ import importlib.util
 import io
 import json
 import re
-import subprocess
 import sys
 import zipfile
 from pathlib import Path
@@ -252,31 +251,6 @@ def test_a_factorization_that_fails_silently_is_noticed(monkeypatch):
     with pytest.raises(SlamlibError):
         filter_.correct([block], [np.eye(2)], np.ones(2), bad)
     np.testing.assert_array_equal(filter_.covariance(block), np.eye(2))
-
-
-# -- the wheel ---------------------------------------------------------------------------------------------------------
-
-
-def test_the_wheel_is_the_same_bytes_on_every_run_and_holds_the_package(tmp_path):
-    pytest.importorskip("setuptools", reason="the wheel is built with setuptools")
-    sys.path.insert(0, str(ROOT))
-    try:
-        from book.tools import wheel
-    finally:
-        sys.path.pop(0)
-    first, second = wheel.build(tmp_path / "a"), wheel.build(tmp_path / "b")
-    assert first.read_bytes() == second.read_bytes()
-    target = tmp_path / "installed"
-    command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--disable-pip-version-check"]
-    subprocess.run([*command, "--no-compile", "--target", str(target), str(first)], check=True)
-    with zipfile.ZipFile(first) as archive:
-        packed = {n: archive.read(n) for n in archive.namelist() if n.endswith(".py")}
-    source = {f.relative_to(ROOT).as_posix(): f.read_bytes() for f in (ROOT / "slamlib").rglob("*.py")}
-    source = {n: c for n, c in source.items() if not n.startswith("slamlib/tests/")}
-    beside = ROOT / "book"
-    source |= {f.relative_to(beside).as_posix(): f.read_bytes() for f in (beside / "slambook").rglob("*.py")}
-    assert packed == source
-    assert {n: (target / n).read_bytes() for n in packed} == packed
 
 
 # -- the report's filter -----------------------------------------------------------------------------------------------

@@ -173,7 +173,8 @@ def test_every_type_of_landmark_is_drawn_by_the_same_code(name):
     shown = scenes.snapshot()
     family = "points" if name in POINTS else "segments"
     named = replace(getattr(shown, family), kinds=(name,) * len(getattr(shown, family).ids))
-    before, after = (map_scene(s) for s in (shown, replace(shown, landmarks={**shown.landmarks, family: named})))
+    renamed = replace(shown, landmarks={**shown.landmarks, family: named})
+    before, after = (map_scene(s) for s in (shown, renamed))
     for one, other in zip(before, after, strict=True):
         for field in fields(Layer):
             assert np.array_equal(
