@@ -253,14 +253,11 @@ def test_a_factorization_that_fails_silently_is_noticed(monkeypatch):
     np.testing.assert_array_equal(filter_.covariance(block), np.eye(2))
 
 
-# -- the report's filter -----------------------------------------------------------------------------------------------
-
-
 # -- the cells of the chapters -----------------------------------------------------------------------------------------
 
 
 def chapters():
-    return sorted((ROOT / "book" / "chapters").glob("[0-9]*.ipynb")) if (ROOT / "book").is_dir() else []
+    return sorted((ROOT / "book" / "chapters").glob("*.ipynb")) if (ROOT / "book").is_dir() else []
 
 
 def code_cells(chapter, tag):
