@@ -3,7 +3,6 @@
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -198,34 +197,3 @@ def test_the_summary_fails_for_one_failed_stage_and_for_none(capsys):
     assert ci.summary([good, bad]) == 1
     assert ci.summary([good, ci.Result(stage, "skipped", 0, 1.0)]) == 0
     assert ci.summary([]) == 1
-
-
-def test_pip_install_gives_a_wheel_of_slamlib_alone(tmp_path):
-    """The wheel holds slamlib without its tests, and asks for NumPy only (needs setuptools, as pip install does)."""
-    pytest.importorskip("setuptools")
-    copy = tmp_path / "source"
-    copy.mkdir()
-    for name in ("pyproject.toml", "README.md", "LICENSE"):
-        shutil.copy(layout.ROOT / name, copy)
-    shutil.copytree(layout.ROOT / "slamlib", copy / "slamlib", ignore=shutil.ignore_patterns("__pycache__"))
-    command = [
-        sys.executable,
-        "-m",
-        "pip",
-        "wheel",
-        "--no-deps",
-        "--no-build-isolation",
-        "-q",
-        "-w",
-        str(tmp_path),
-        str(copy),
-    ]
-    subprocess.run(command, check=True, capture_output=True, text=True)
-    import zipfile
-
-    with zipfile.ZipFile(next(tmp_path.glob("slamlib-*.whl"))) as wheel:
-        names = wheel.namelist()
-        metadata = wheel.read(next(n for n in names if n.endswith("METADATA"))).decode()
-    assert "slamlib/generated/geometry/pose.py" in names
-    assert not [n for n in names if n.startswith(("slamlib/tests", "book", "benchmarks"))]
-    assert re.findall(r"^Requires-Dist: (?!.*extra)(.*)$", metadata, flags=re.M) == ["numpy>=1.25"]

@@ -7,11 +7,10 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from slambook.report import correlations, fastslam, limits, memory, mrpt, planar, planar_runs, speed, updates
-from slambook.report.filter import Memory
+from slambook.report.filter import Memory, Together
 from slambook.report.planar_ekf import PlanarEkf
 from slambook.report.runs import monte_carlo
 from slambook.report.scenes import SCENES
-from slambook.report.together import Together
 
 from book.tools import report_experiments as tool
 from slamlib.errors import SlamlibError, UnknownNameError

@@ -23,10 +23,7 @@ from slamlib.evaluation.consistency import band
 
 FILE = layout.BOOK / "chapters" / "data" / "report_experiments.json"
 FOLDER = layout.BUILD / "report_experiments"
-MODULES = "correlations", "fastslam", "filter", "memory", "planar", "planar_ekf", "planar_runs", "runs", "scenes"
-CODE = [
-    layout.BOOK / "slambook" / "report" / f"{name}.py" for name in (*MODULES, "speed", "together", "update", "updates")
-]
+CODE = sorted((layout.BOOK / "slambook" / "report").glob("*.py"))
 SEED = 22
 FULL: dict[str, dict[str, Any]] = {
     "memory": {"runs": 100},

@@ -9,11 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slambook.report.filter import Memory
+from slambook.report.filter import Memory, Together
 from slambook.report.memory import ring
 from slambook.report.runs import DOF, Outcome, monte_carlo
 from slambook.report.scenes import Scene
-from slambook.report.together import Together
 from slamlib.manifolds import Array
 
 
@@ -111,8 +110,9 @@ def table(found: Compared) -> list[Row]:
 def _row(what: str, found: Compared, i: Array, j: Array) -> Row:
     rho, difference, z = found.claimed[i, j], (found.measured - found.claimed)[i, j], found.z[i, j]
     sampling = (1 - rho**2) / np.sqrt(found.runs)  # of a correlation over so many runs, to first order
-    return Row(what, len(i), _rms(rho), _rms(difference), _rms(sampling), _rms(z), float(np.abs(rho).max()))
+    return Row(what, len(i), rms(rho), rms(difference), rms(sampling), rms(z), float(np.abs(rho).max()))
 
 
-def _rms(values: Array) -> float:
+def rms(values: Array) -> float:
+    """Root mean square."""
     return float(np.sqrt((values**2).mean()))

@@ -7,7 +7,8 @@ seen; when few particles hold most of the weight they are drawn again, and with 
 
 import numpy as np
 
-from slambook.report.planar import Data, Look, moved, placed, seen, seen_by_point, wrapped
+from slambook.report.angles import wrapped
+from slambook.report.planar import Data, Look, moved, placed, seen, seen_by_point
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Indices
 

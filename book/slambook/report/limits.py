@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from slambook.report.correlations import normalised
 from slamlib.belief import Belief
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Indices
@@ -114,8 +115,7 @@ def common(
 
 def _largest(P: Array) -> float:
     """Largest correlation, in size, of a covariance (n, n)."""
-    sigma = np.sqrt(np.diag(P))
-    return float(np.abs(P / np.outer(sigma, sigma) - np.eye(len(P))).max())
+    return float(np.abs(normalised(P) - np.eye(len(P))).max())
 
 
 def _way(end: int, looks: int) -> Array:

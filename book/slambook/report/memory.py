@@ -10,9 +10,9 @@ from functools import partial
 
 import numpy as np
 
-from slambook.report.runs import DOF, Outcome, monte_carlo
+from slambook.report.filter import Together
+from slambook.report.runs import DOF, monte_carlo
 from slambook.report.scenes import Scene, ahead, circle
-from slambook.report.together import Together
 from slamlib.errors import UnknownNameError
 from slamlib.evaluation.consistency import Consistency
 from slamlib.manifolds import Array
@@ -129,13 +129,7 @@ def _remembered(name: str, scene: Scene, runs: int, seed: int) -> Remembered:
     outcome = monte_carlo(
         scene, *way.errors, runs=runs, seed=seed, again=way.again, make=partial(Window, window=way.window)
     )
-    claimed = np.sqrt(np.trace(outcome.claimed[..., :3, :3], axis1=-2, axis2=-1).mean(0))
-    position = np.sqrt((outcome.errors[..., :3] ** 2).sum(-1).mean(0))
-    rotation = np.degrees(np.sqrt((outcome.turned**2).mean(0)))
-    return Remembered(name, position, rotation, claimed, _sizes(outcome), Consistency.of(outcome.nees, DOF))
-
-
-def _sizes(outcome: Outcome) -> Array:
-    last = outcome.last
+    rotation, last = np.degrees(np.sqrt((outcome.turned**2).mean(0))), outcome.last
     assert isinstance(last, Window)
-    return np.array(last.sizes[1:])
+    sizes, nees = np.array(last.sizes[1:]), Consistency.of(outcome.nees, DOF)
+    return Remembered(name, outcome.position_error, rotation, outcome.claimed_deviation, sizes, nees)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from slambook.report.angles import wrapped
 from slamlib.manifolds import Array, Indices
 
 
@@ -43,11 +44,6 @@ def placed(pose: Array, z: Array) -> Array:
     """Points (..., m, 2) at range and bearing z (m, 2) from poses (..., 3)."""
     angle = pose[..., None, 2] + z[:, 1]
     return pose[..., None, :2] + z[:, :1] * np.stack([np.cos(angle), np.sin(angle)], -1)
-
-
-def wrapped(angle: Array) -> Array:
-    """The same angles between minus half a turn and half a turn."""
-    return (angle + np.pi) % (2 * np.pi) - np.pi
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from slambook.report.planar import Data, Look, moved, moved_by, placed, seen, seen_by_point, wrapped
+from slambook.report.angles import wrapped
+from slambook.report.planar import Data, Look, moved, moved_by, placed, seen, seen_by_point
 from slamlib.belief import Belief, Block, Observation
 from slamlib.manifolds import Array
 

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from slambook.report.angles import wrapped
 from slambook.report.fastslam import FastSlam
-from slambook.report.planar import Data, drive, wrapped
+from slambook.report.planar import Data, drive
 from slambook.report.planar_ekf import PlanarEkf
 from slamlib.evaluation.consistency import Consistency, chi2_quantile
 from slamlib.experiments.progress import progress

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slambook.report import angles, matches, motion, observation
+from slambook.report import angles, motion, observation
 from slambook.report.filter import Memory
 from slambook.report.scenes import Scene
 from slambook.report.switches import Equations, equations
@@ -48,6 +48,16 @@ class Outcome:
     def rotation(self) -> float:
         """Root mean square error of the attitude [degrees], second half of the steps."""
         return float(np.degrees(np.sqrt((self.late(self.turned) ** 2).mean())))
+
+    @property
+    def position_error(self) -> Array:
+        """Root mean square error of the position at each step (steps,) [m]."""
+        return np.sqrt((self.errors[..., :3] ** 2).sum(-1).mean(0))
+
+    @property
+    def claimed_deviation(self) -> Array:
+        """Root mean square deviation of the position that the filter claims at each step (steps,) [m]."""
+        return np.sqrt(np.trace(self.claimed[..., :3, :3], axis1=-2, axis2=-1).mean(0))
 
     @property
     def inside(self) -> float:
@@ -128,7 +138,7 @@ def two_pictures(*errors: str, runs: int = 1000, points: int = 12, sigma: float 
     boxes = rng.uniform((2, -4, -2), (8, 4, 2), (2, points, 3))
     own, other = (box + sigma * rng.standard_normal((2, runs, points, 3)) for box in boxes)
     before, after = use.odometry(own, other)
-    u, U = matches.aligned(before, after, sigma)
+    u, U = motion.aligned(before, after, sigma)
     names, R = list(range(points)), sigma**2 * np.eye(3)
     filter = Memory(np.zeros((runs, 6)), np.zeros((runs, 6, 6)), use=use)
     filter.begin(own[0], names, R, first=True)

@@ -13,11 +13,10 @@ from itertools import pairwise
 import numpy as np
 
 from slambook.report import updates
-from slambook.report.filter import Memory
+from slambook.report.filter import Memory, Together
 from slambook.report.observation import by_vectors
 from slambook.report.runs import monte_carlo
 from slambook.report.scenes import SCENES, Scene, gentle, within
-from slambook.report.together import Together
 from slambook.report.updates import WAYS, Problem, State, multiplications, problem
 from slamlib.manifolds import Array
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from slambook.report import angles, matches, motion, observation, update
+from slambook.report import angles, motion, observation, update
 from slamlib.errors import UnknownNameError
 
 Wrong = Mapping[str, Callable[..., Any]]  # functions by field of Equations
@@ -35,7 +35,7 @@ class Equations:
     new_corner: Callable[..., Any] = observation.together  # (5.35)
     start: Callable[..., Any] = observation.as_measured  # section 5.1.2
     memory: Callable[..., Any] = observation.full_memory  # section 5.4
-    odometry: Callable[..., Any] = matches.others  # section 5.2.3
+    odometry: Callable[..., Any] = motion.others  # section 5.2.3
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ SWITCHES: dict[str, Switch] = {
     "E18 dropped": Switch("(5.34)", "nothing between new and old", _MUTE),
     "E19": Switch("5.1.2", "first landmarks with covariance zero", {"start": observation.zero}),
     "E20": Switch("5.2.2", "PnP's answer as the control", {"control": motion.as_it_comes}),
-    "E21": Switch("5.2.3", "the same matches for control and correction", {"odometry": matches.the_same}),
+    "E21": Switch("5.2.3", "the same matches for control and correction", {"odometry": motion.the_same}),
     "E22": Switch("5.4", "everything reset but the pose's mean", {"memory": observation.reset}),
     "E22 kept": Switch("5.4", "the map reset, the pose's covariance kept", {"memory": observation.pose_only}),
 }

@@ -58,8 +58,7 @@ def sensor_scene(
 
 def converged(snapshot: Snapshot) -> set[int]:
     """The numbers of the landmarks that have converged."""
-    both = (snapshot.points, snapshot.segments)
-    return {int(i) for view in both for i, c in zip(view.ids, view.converged, strict=True) if c}
+    return {int(i) for view in snapshot.landmarks.values() for i, c in zip(view.ids, view.converged, strict=True) if c}
 
 
 def _means(view: SensorView, pair: list[int], known: set[int]) -> tuple[Array, Mask]:

@@ -9,7 +9,7 @@ import numpy as np
 from slambook.scene.figures import view_of
 from slambook.scene.layers import Layer, lower
 from slambook.scene.options import MapOptions
-from slambook.scene.scene import ABOVE, bounds, map_scene, size_of, snapshot_views
+from slambook.scene.scene import ABOVE, bounds, ends_of, map_scene, size_of
 from slambook.scene.view import NAMED
 from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import Snapshot
@@ -103,7 +103,8 @@ class Packing:
     def landmarks(self, snapshot: Snapshot) -> dict[str, list[int]]:
         """Of each landmark its kind, and of its point or each of its ends three coordinates and six of its factor."""
         found = {}
-        for family, view in enumerate(snapshot_views(snapshot)):
+        for view in snapshot.landmarks.values():
+            family = ends_of(view) - 1
             shapes = self.options.sigmas**2 * self.options.ellipsoids * np.asarray(view.covariance)
             for i, number in enumerate(view.ids):
                 means = np.reshape(view.geometry[i], (-1, 3))

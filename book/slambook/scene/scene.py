@@ -56,8 +56,7 @@ def map_scene(
         *([_ground(corners)] if options.ground else []),
         *([_world(world)] if world is not None and options.world else []),
         _truth(snapshot, truth, true_path, size),
-        *_landmarks(snapshot.points, "point", options),
-        *_landmarks(snapshot.segments, "line", options),
+        *(layer for view in snapshot.landmarks.values() for layer in _landmarks(view, options)),
         _sensors(snapshot, size),
         _robots(snapshot, path, size, options),
         *([_labels(snapshot, size)] if options.labels else []),
@@ -97,7 +96,7 @@ def world_points(world: World) -> Array:
 
 def _known(snapshot: Snapshot) -> Array:
     """Points and ends (N, 3) that are known well; without those that lie much farther away than most."""
-    means, shapes = (np.concatenate(parts) for parts in zip(*map(_ends, snapshot_views(snapshot)), strict=True))
+    means, shapes = (np.concatenate(parts) for parts in zip(*map(_ends, snapshot.landmarks.values()), strict=True))
     spread = np.sqrt(np.trace(shapes, axis1=1, axis2=2))
     away = np.linalg.norm(means - snapshot.robots[0].pose[:3], axis=1)
     with np.errstate(invalid="ignore"):
@@ -105,9 +104,9 @@ def _known(snapshot: Snapshot) -> Array:
     return means[known & (away < FAR * np.median(away[known]))] if known.any() else means[:0]
 
 
-def snapshot_views(snapshot: Snapshot) -> tuple[MapView, MapView]:
-    """The two families of landmarks."""
-    return snapshot.points, snapshot.segments
+def ends_of(view: MapView) -> int:
+    """1 for a family of points, 2 for one of segments, whatever its name."""
+    return np.ndim(view.geometry) - 1
 
 
 def _ends(view: MapView) -> tuple[Array, Array]:
@@ -145,9 +144,9 @@ def _tracks(positions: Sequence[Sequence[Array]]) -> Array:
     return np.swapaxes(np.array(positions, dtype=float), 0, 1) if len(positions) > 1 else np.zeros((0, 0, 3))
 
 
-def _landmarks(view: MapView, role: str, options: MapOptions) -> list[Layer]:
-    """The landmarks of a family that are new, and those that have converged."""
-    found = []
+def _landmarks(view: MapView, options: MapOptions) -> list[Layer]:
+    """The landmarks of a family, of points or of two ends each, that are new, and those that have converged."""
+    found, role = [], ("point", "line")[ends_of(view) - 1]
     for name, some in ((f"new {role}", ~view.converged), (role, view.converged)):
         geometry = np.asarray(view.geometry)[some]
         means, shapes = np.reshape(geometry, (-1, 3)), np.reshape(np.asarray(view.covariance)[some], (-1, 3, 3))
@@ -189,7 +188,7 @@ def _robots(snapshot: Snapshot, path: Sequence[Snapshot], size: float, options: 
 def _labels(snapshot: Snapshot, size: float) -> Layer:
     """The numbers of the landmarks, above each point and above the middle of each segment."""
     places, words = [], []
-    for view in snapshot_views(snapshot):
+    for view in snapshot.landmarks.values():
         for number, geometry in zip(view.ids, view.geometry, strict=True):
             places.append(np.reshape(geometry, (-1, 3)).mean(axis=0) + np.array([0, 0, ABOVE * size]))
             words.append(str(number))

@@ -24,7 +24,6 @@ from slamlib.manifolds import Array
 
 MAP_BESIDE, MAP_ALONE, SENSORS = (0.01, 0.02, 0.58, 0.86), (0.01, 0.02, 0.98, 0.86), (0.645, 0.02, 0.345, 0.86)
 GAP = 0.025
-MAP_ARRAYS = ("ids", "geometry", "covariance", "converged")
 WINDOWLESS = ("agg", "cairo", "pdf", "pgf", "ps", "svg", "template")  # backends of matplotlib
 MOVES = {  # keys that move the viewer: degrees of azimuth and elevation, and the factor of the distance
     "shift+left": (-5.0, 0.0, 1.0),
@@ -113,7 +112,8 @@ class Window:
 
     def update(self, snapshot: Snapshot, truth: Truth | None = None) -> None:
         """Show the next snapshot, and if there is one the truth; the robots' paths grow by them."""
-        self.path[-1:] = [_thin(past) for past in self.path[-1:]]
+        # a path is of robots alone: a long run has more images than the memory holds
+        self.path[-1:] = [replace(past, sensors=(), landmarks={}) for past in self.path[-1:]]
         self.path.append(snapshot)
         self.true_path += [truth] if truth is not None else []
         self._draw_map()
@@ -177,12 +177,3 @@ class Window:
     def save(self, path: Any) -> None:
         """Write the picture as it is now; the ending of the name says how (png, pdf, svg)."""
         self.figure.savefig(path, facecolor=self.figure.get_facecolor())
-
-
-def _thin(snapshot: Snapshot) -> Snapshot:
-    """What a path needs of a snapshot: the robots. A long run has more images than the memory holds."""
-    points, segments = (
-        replace(view, kinds=(), **{n: getattr(view, n)[:0].copy() for n in MAP_ARRAYS})
-        for view in (snapshot.points, snapshot.segments)
-    )
-    return replace(snapshot, sensors=(), landmarks={"points": points, "segments": segments})

@@ -6,10 +6,10 @@ import numpy as np
 
 from slambook.report import motion, scenes
 from slambook.report.angles import rotation
+from slambook.report.correlations import compared, rms
 from slambook.report.findings import RUNS, SEED, Finding, at_least, at_most, check, near, ours, ran, refused, statistics
-from slambook.report.runs import Outcome, monte_carlo, two_pictures
-from slamlib.evaluation.consistency import nees
-from slamlib.manifolds import Array, Indices
+from slambook.report.runs import monte_carlo, two_pictures
+from slamlib.manifolds import Indices
 
 
 @check("E18", "(5.34), last row", "J P_{m_L m_2}", "J P_{x m_2}: J times the pose's row")
@@ -83,24 +83,18 @@ def twice() -> Finding:
         [
             near("NEES/6, the same matches", wrong.ratio, 1.93, 0.2),
             near("NEES/6, other matches", right.ratio, 1.03, 0.1),
-            near("claimed deviation of the position [m]", _claimed(wrong).mean(), 0.0508, 0.003),
+            near("claimed deviation of the position [m]", wrong.claimed_deviation.mean(), 0.0508, 0.003),
             near("true error of the position [m]", wrong.position, 0.0694, 0.006),
         ],
         "1000 runs of two pictures with 12 points, one step, 6 dof",
     )
 
 
-def _claimed(run: Outcome) -> Array:
-    """Root mean square deviation of the position that the filter claims at each step [m]."""
-    return np.sqrt(np.trace(run.claimed[..., :3, :3], axis1=-2, axis2=-1).mean(0))
-
-
 @check("E22", "5.4", "'at k+2 everything is reset except for the agent localisation'", "P_xx must be carried on")
 def reset() -> Finding:
     run, kept, right = ran("gentle", "E22"), ran("gentle", "E22 kept"), ran("gentle")
     again = monte_carlo(scenes.gentle(), "E22 kept", runs=RUNS, seed=SEED, again=True)
-    error = np.sqrt((run.errors[..., :3] ** 2).sum(-1).mean(0))
-    claimed = _claimed(run)
+    error, claimed = run.position_error, run.claimed_deviation
     cautious = "too cautious: a picture ends one step and begins the next, and its noise cancels between them"
     return Finding(
         [
@@ -126,28 +120,15 @@ def correlations() -> Finding:
     scene = scenes.around(scenes.gentle(), np.random.default_rng(7), 8)
     scene = replace(scene, controls=scene.controls[:20])
     run = monte_carlo(scene, runs=400, seed=SEED)
-    last, truth = run.last, scene.path()[-1]
-    errors = last.x - np.concatenate([truth, scene.points[last.names].ravel()])
-    errors[:, 3:6] = run.errors[:, -1, 3:]
-    found, claimed = (_normalised(P) for P in (np.cov(errors.T), last.P.mean(0)))
-    beside = ~np.eye(len(found), dtype=bool)
-    whole = nees(errors, (last.P + last.P.swapaxes(-1, -2)) / 2).mean() / errors.shape[1]
+    found = compared("gentle", scene, run)
+    beside = ~np.eye(len(found.claimed), dtype=bool)
+    apart, claimed = (found.measured - found.claimed)[beside], found.claimed[beside]
+    size = len(found.claimed)
     return Finding(
         [
-            at_most(
-                "correlations, 400 runs minus the filter's, root mean square", _rms((found - claimed)[beside]), 0.06
-            ),
-            at_least("correlations, root mean square", _rms(claimed[beside]), 0.25, "high"),
-            near("NEES of pose and map together, over its dof", float(whole), 1.0, 0.06),
+            at_most("correlations, 400 runs minus the filter's, root mean square", rms(apart), 0.06),
+            at_least("correlations, root mean square", rms(claimed), 0.25, "high"),
+            near("NEES of pose and map together, over its dof", found.nees / size, 1.0, 0.06),
         ],
-        f"400 runs of 20 steps, {len(last.names)} landmarks, {errors.shape[1]} dof; one correlation is known to 0.05",
+        f"400 runs of 20 steps, {len(run.last.names)} landmarks, {size} dof; one correlation is known to 0.05",
     )
-
-
-def _rms(values: Array) -> float:
-    return float(np.sqrt((values**2).mean()))
-
-
-def _normalised(P: Array) -> Array:
-    sigma = np.sqrt(np.diag(P))
-    return P / np.outer(sigma, sigma)

@@ -1,0 +1,98 @@
+"""The wheel of both packages: the same bytes on every run, and of use where there is NumPy and nothing else."""
+
+import os
+import re
+import subprocess
+import sys
+import venv
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from book.tools import layout, wheel
+
+PACKAGES = {"slamlib": layout.ROOT / "slamlib", "slambook": layout.ROOT / "book" / "slambook"}
+OWN = {".git", ".venv", "_build", "__pycache__"}  # folders of the checkout that are not the project's
+SAY = "import matplotlib, slambook, slamlib; print(matplotlib.__file__, slambook.__file__, slamlib.__file__)"
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory):
+    pytest.importorskip("setuptools", reason="the wheel is built with setuptools")
+    return wheel.build(tmp_path_factory.mktemp("wheel"))
+
+
+@pytest.fixture(scope="module")
+def bare(built, tmp_path_factory):
+    """A new environment's Python and its folder of packages: the wheel, and NumPy beside it."""
+    folder = tmp_path_factory.mktemp("bare")
+    venv.create(folder, symlinks=os.name != "nt")
+    python = next(f for f in (folder / "bin" / "python", folder / "Scripts" / "python.exe") if f.exists())
+    quiet = ["--quiet", "--disable-pip-version-check", "--no-deps", "--no-index", "--no-compile"]
+    subprocess.run([sys.executable, "-m", "pip", "--python", str(python), "install", *quiet, str(built)], check=True)
+    packages = next(folder.rglob("site-packages"))
+    for found in Path(np.__file__).parents[1].glob("numpy*"):
+        (packages / found.name).symlink_to(found)
+    return python, packages
+
+
+def said(bare, *command):
+    """What a command of the bare environment prints; it runs where no checkout is."""
+    python, packages = bare
+    clean = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "COVERAGE_PROCESS_START")}
+    run = subprocess.run([python, *command], capture_output=True, text=True, cwd=packages.parent, env=clean)
+    assert run.returncode == 0, run.stderr
+    return run.stdout
+
+
+def test_the_wheel_is_the_same_bytes_on_every_run_and_holds_both_packages_and_nothing_else(built, tmp_path):
+    assert built.read_bytes() == wheel.build(tmp_path).read_bytes()
+    with zipfile.ZipFile(built) as archive:
+        packed = {n: archive.read(n) for n in archive.namelist() if ".dist-info/" not in n}
+        metadata = archive.read(next(n for n in archive.namelist() if n.endswith("METADATA"))).decode()
+    source = {
+        f"{name}/{file.relative_to(folder).as_posix()}": file.read_bytes()
+        for name, folder in PACKAGES.items()
+        for file in folder.rglob("*.py")
+    }
+    source = {n: c for n, c in source.items() if not n.startswith("slamlib/tests/")}
+    assert {n: c for n, c in packed.items() if n.endswith(".py")} == source
+    assert {n.split("/")[0] for n in packed} == set(PACKAGES)
+    assert not [n for n in packed if n.startswith("slamlib/tests/")]
+    assert "slambook/scene/player.js" in packed
+    assert re.findall(r"^Requires-Dist: (?!.*extra)(.*)$", metadata, flags=re.M) == ["numpy>=1.25"]
+
+
+def test_a_preset_runs_on_numpy_alone(bare):
+    assert "points" in said(bare, "-m", "slamlib", "run", "points", "--frames", "5")
+    modules = "import sys, slamlib.cli, slamlib.experiments, slambook.scene; print(*sys.modules)"
+    loaded = {name.split(".")[0] for name in said(bare, "-c", modules).split()}
+    assert not loaded & {"matplotlib", "scipy", "sympy", "cv2", "PIL", "IPython"}
+
+
+def test_with_the_extra_a_film_is_drawn(bare):
+    pytest.importorskip("matplotlib", reason="films are drawn by matplotlib (extra `draw`)")
+    pytest.importorskip("PIL.Image", reason="GIF files are written by Pillow")
+    packages = bare[1]
+    extra = packages / "extra.pth"  # the packages of this environment, behind those of the bare one; no paths of it
+    extra.write_text(str(Path(np.__file__).parents[1]))
+    try:
+        said(bare, "-m", "slamlib", "run", "points", "--frames", "3", "--video", "film.gif")
+        assert (packages.parent / "film.gif").read_bytes().startswith(b"GIF8")
+        real, *installed = said(bare, "-c", SAY).split()
+        assert Path(real).parent.parent == Path(np.__file__).parents[1]
+        assert all(Path(file).is_relative_to(packages) for file in installed)
+    finally:
+        extra.unlink()
+
+
+def test_nothing_on_disk_is_called_matplotlib_but_the_real_one(built):
+    """The page's stand-in is registered under that name by the page's worker, and lies under another."""
+    named = re.compile(r"matplotlib(\.\w+)*")
+    for folder, below, files in os.walk(layout.ROOT):
+        below[:] = [name for name in below if name not in OWN]
+        assert not [name for name in (*below, *files) if named.fullmatch(name)], folder
+    with zipfile.ZipFile(built) as archive:
+        assert not [n for n in archive.namelist() if any(named.fullmatch(part) for part in n.split("/"))]
