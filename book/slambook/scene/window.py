@@ -70,15 +70,16 @@ class Window:
         self.true_path: list[Truth] = []
         self.moved = np.array([0.0, 0.0, 1.0])
         self.largest: Array | None = None
-        self.figure = self._figure(size, dpi, show)
-        self.figure.set_facecolor(themed(colors.paper, theme))
-        self._make_axes(snapshot, theme)
-        for part in self.views:
-            part.room(coming)
         self.empty: Any = None  # the canvas without what changes
-        self.figure.canvas.mpl_connect("draw_event", self._drawn)
-        self.figure.canvas.mpl_connect("key_press_event", self._key)
-        self.figure.canvas.draw()
+        with extra("matplotlib.style", "a picture").context("default"):  # whatever style the reader's figures have
+            self.figure = self._figure(size, dpi, show)
+            self.figure.set_facecolor(themed(colors.paper, theme))
+            self._make_axes(snapshot, theme)
+            for part in self.views:
+                part.room(coming)
+            self.figure.canvas.mpl_connect("draw_event", self._drawn)
+            self.figure.canvas.mpl_connect("key_press_event", self._key)
+            self.figure.canvas.draw()
 
     def _figure(self, size: tuple[float, float], dpi: float, show: bool) -> Any:
         if show:
