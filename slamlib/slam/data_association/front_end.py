@@ -83,8 +83,10 @@ class Identity:
         rows = np.array([row_of.get(look.landmark.id, -1) for look in looks], dtype=int)
         size = features.values.shape[1] if len(features) or not looks else len(looks[0].value)
         measured = np.full((len(looks), size), np.nan)
-        measured[rows >= 0] = features.values[rows[rows >= 0]]
-        return measured, rows >= 0
+        matched = rows >= 0
+        if matched.any():  # a scan without this family has features of no numbers
+            measured[matched] = features.values[rows[matched]]
+        return measured, matched
 
     def detect(
         self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
