@@ -111,7 +111,7 @@ def test_what_is_wrong_is_said(doubling, candidate, message):
 
 
 def test_an_unknown_exercise_is_named_with_the_known_ones():
-    with pytest.raises(UnknownNameError, match=r"unknown exercise '0\.99'"):
+    with pytest.raises(UnknownNameError, match=r"unknown exercise 'slam_in_five_minutes\.99'"):
         check("slam_in_five_minutes.99", len)
 
 
