@@ -164,6 +164,7 @@ def test_each_stage_counts_what_its_command_really_prints():
         "types": "Success: no issues found in 55 source files",
         "generated": "generated code: 25 models in 9 files, 0 out of date",
         "tangled": "tangled cells: 7 in the book, 7 formula modules, 0 problems",
+        "sizes": "sizes: 9 figures, 0 over their limit",
         "stored": "notebooks: 11 in the book, 0 not in the stored form",
         "core": "90 passed in 20.0s",
         "pytest": "320 passed, 2 skipped in 60.0s",

@@ -219,7 +219,7 @@ def test_the_reasons_are_reasons():
         if row.target.startswith(rosetta.NOT_NEEDED):
             assert len(row.target.removeprefix(rosetta.NOT_NEEDED).split()) > 1
         else:
-            assert all(re.fullmatch(r"chapter \w+|slamlib(\.\w+)+", p) for p in row.places), row.target
+            assert all(re.fullmatch(r"chapter \w+|(slamlib|slambook)(\.\w+)+", p) for p in row.places), row.target
 
 
 def test_the_page_follows_from_the_table():
