@@ -195,6 +195,7 @@ def test_a_replayed_figure_is_a_third_as_heavy():
 
 
 def test_a_figure_that_is_shown_is_closed():
+    stand_in.close("all")
     picture(lines(plt), ALT)
     assert plt.get_fignums() == []
     picture(lines(stand_in), ALT)

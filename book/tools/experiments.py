@@ -104,8 +104,9 @@ def switches(base: Preset) -> dict[str, Preset]:
 
 
 def digest(preset: Preset) -> str:
-    """Fingerprint of everything that a preset says."""
-    return hashlib.sha256(json.dumps(preset.to_dict(), sort_keys=True).encode()).hexdigest()[:12]
+    """Fingerprint of everything that a preset says, to twelve digits: what is fitted differs in the last by machine."""
+    said = json.loads(json.dumps(preset.to_dict()), parse_float=lambda number: f"{float(number):.12g}")
+    return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()[:12]
 
 
 def summary(preset: Preset, found: Experiment) -> dict[str, Any]:
