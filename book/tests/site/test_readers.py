@@ -211,7 +211,9 @@ def first() -> Path:
 
 @pytest.mark.parametrize("action", READERS, ids=lambda f: f.__name__)
 def test_what_readers_do(action, context, site, first):
-    assert action(open_page(context, site, first, []))
+    page = open_page(context, site, first, [])
+    run_one(page, "print('Python is there')")
+    assert action(page)
 
 
 @pytest.mark.parametrize("lacking", HANDICAPS)
