@@ -19,7 +19,7 @@ from unittest import mock
 
 import numpy as np
 
-from slamlib.belief import Belief, Observation
+from slamlib.belief import Belief, LinearizedMeasurement
 from slamlib.kalman import linalg
 
 SIZES = ((100, 10), (300, 20), (600, 20), (1200, 20))
@@ -50,7 +50,7 @@ class Problem:
             H[2 * i : 2 * i + 2, touched] = J
         return H
 
-    def belief(self) -> tuple[Belief, list[Observation]]:
+    def belief(self) -> tuple[Belief, list[LinearizedMeasurement]]:
         """The same as a belief and what is seen."""
         belief, n = Belief(), len(self.P)
         cuts = [0, *range(6, n, 3), n]
@@ -60,7 +60,7 @@ class Problem:
         belief._P[...] = self.P  # a benchmark may set what a filter would reach after many steps
         blocks = belief.blocks
         seen = [
-            Observation([blocks[0], blocks[i + 1]], [J[:, :6], J[:, 6:]], np.zeros(2), self.R)
+            LinearizedMeasurement([blocks[0], blocks[i + 1]], [J[:, :6], J[:, 6:]], np.zeros(2), self.R)
             for i, J in enumerate(self.jacobians)
         ]
         return belief, seen
@@ -120,12 +120,12 @@ def ours(problem: Problem) -> Callable[[], Any]:
 
 
 def whole(problem: Problem) -> Callable[[], Any]:
-    """Belief.correct_all: with checks of every argument, stacking, and the means."""
+    """Belief.update_all: with checks of every argument, stacking, and the means."""
     belief, seen = problem.belief()
 
     def update() -> Any:
         belief._P[...] = problem.P
-        belief.correct_all(seen)
+        belief.update_all(seen)
         return belief.matrix
 
     return update
@@ -136,7 +136,7 @@ STRATEGIES: dict[str, Callable[[Problem], Callable[[], Any]]] = {
     "one point after another": one_by_one,
     "one number after another": scalar,
     "slamlib's algebra": ours,
-    "Belief.correct_all, whole": whole,
+    "Belief.update_all, whole": whole,
 }
 
 

@@ -38,7 +38,7 @@ PARTS = {  # of a frame, and what they call
     "best_corner": ("structure_tensor", "eigenvalues"),
 }
 GOAL = 6.0  # ms for the searches of a frame
-Z = 10.9 * np.eye(2)  # a 99 % ellipse of 20 px across: with a patch of 11 px, a window of 31 px
+S = 10.9 * np.eye(2)  # a 99 % ellipse of 20 px across: with a patch of 11 px, a window of 31 px
 BOUNDS = (0, 50, 100, 200, 400, 800, 1600, 3200, 6400, np.inf)  # of quality, grey^2/px^2
 RIGHT = 1.5  # px
 PHOTOGRAPHS = (
@@ -100,7 +100,7 @@ class Scene:
     def search(self) -> None:
         """Look for all."""
         for template, pixel in zip(self.templates, self.pixels, strict=True):
-            search(self.image, template, pixel + 2, Z)
+            search(self.image, template, pixel + 2, S)
 
     def detect(self) -> None:
         """The best corner of one cell."""

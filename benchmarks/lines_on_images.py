@@ -25,7 +25,7 @@ import numpy as np
 from slambook import rendering
 
 from slamlib.data.records import Frame, Truth
-from slamlib.evaluation.alignment import aligned
+from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import rotation
@@ -33,22 +33,22 @@ from slamlib.landmarks import endpoints, hmg_point, segments
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array
 from slamlib.observation.family import viewpoint
-from slamlib.observation.lines import bent, rays_of, straight
+from slamlib.observation.lines import distort_segments, rays_of, undistort_segments
 from slamlib.slam import Options, Slam
-from slamlib.vision.active_search import ActiveSearch, Settings
-from slamlib.vision.combined_front_end import Both
-from slamlib.vision.edges import axes, fitted, strip
+from slamlib.vision.active_search import ActiveSearch, ActiveSearchSettings
+from slamlib.vision.combined_front_end import CombinedFrontEnd
+from slamlib.vision.edges import axes, edge_strip, fitted
 from slamlib.vision.line_search import SegmentSearch, SegmentSettings
 from slamlib.vision.segments import refined, segments_of
 
 DT, STD = 1 / 30, 0.1
-OPTIONS = Options(updates=12, first=12, later=3, keep_matched=0.5, inverse_distance=(0.4, 0.4))
+OPTIONS = Options(updates=12, max_new_first=12, max_new=3, min_matched_ratio=0.5, inverse_distance=(0.4, 0.4))
 Film = tuple[rendering.Film, list[tuple[Frame, Truth]]]
 
 
 def camera_of(truth: Truth) -> Array:
     """True pose (7,) of the camera."""
-    camera: Array = compose(truth.robots[0][:7], truth.mounts[0])
+    camera: Array = compose(truth.robots[0][:7], truth.extrinsics[0])
     return camera
 
 
@@ -58,9 +58,9 @@ def true_line(film: rendering.Film, truth: Truth, segment: Array) -> Array | Non
     Of two surfaces beside an edge, the nearer one ends there.
     """
     camera, calibration = camera_of(truth), film.rig.sensors[0].calibration
-    ends = segment.reshape(2, 2)
-    inner = ends[0] + np.linspace(0.1, 0.9, 9)[:, None] * (ends[1] - ends[0])
-    right = axes(straight(calibration, segment)[0])[1]
+    end_points = segment.reshape(2, 2)
+    inner = end_points[0] + np.linspace(0.1, 0.9, 9)[:, None] * (end_points[1] - end_points[0])
+    right = axes(undistort_segments(calibration, segment)[0])[1]
     sides = [film.renderers[0].cast(camera, inner + side * right) for side in (1.5, -1.5)]
     if any(len(set(quad.tolist())) > 1 for _, quad in sides):
         return None
@@ -75,20 +75,20 @@ def filmed(path: str, frames: int, seed: int, **rig: Any) -> Film:
     """A film and its frames."""
     way = rendering.path(path)
     made = rendering.film(
-        rendering.default_room("drawn"), rendering.hand_held(way, std=(STD,), **rig), way,
+        rendering.default_room("drawn"), rendering.rig_along_path(way, std=(STD,), **rig), way,
         frames=frames, dt=DT, rng=np.random.default_rng(seed),
     )  # fmt: skip
     return made, list(made)
 
 
-def repeatability(film: Film, gaps: tuple[int, ...] = (0, 1, 5, 20)) -> None:
+def repeatability(film: Film, intervals: tuple[int, ...] = (0, 1, 5, 20)) -> None:
     """Print how far off edges are seen, so many frames after the one in which they were found."""
     made, steps = film
     calibration = made.rig.sensors[0].calibration
     intrinsics, raw = calibration.given["intrinsics"], list[Array]()
-    off: dict[int, list[Array]] = {gap: [] for gap in gaps}
-    lost: dict[int, list[bool]] = {gap: [] for gap in gaps}
-    for first in range(0, len(steps) - max(gaps), 15):
+    off: dict[int, list[Array]] = {interval: [] for interval in intervals}
+    lost: dict[int, list[bool]] = {interval: [] for interval in intervals}
+    for first in range(0, len(steps) - max(intervals), 15):
         frame, truth = steps[first]
         for segment in segments_of(frame.scans[0].image, 25):
             edge = refined(frame.scans[0].image, calibration, segment)
@@ -96,53 +96,53 @@ def repeatability(film: Film, gaps: tuple[int, ...] = (0, 1, 5, 20)) -> None:
             if edge is None or points is None:
                 continue
             raw.append(edge.offsets)
-            for gap in gaps:
-                h = EUC_POINT.to_frame(camera_of(steps[first + gap][1]), points)
+            for interval in intervals:
+                h = EUC_POINT.to_frame(camera_of(steps[first + interval][1]), points)
                 seen = segments.visible(h[0], h[1], intrinsics, calibration.image, minimum_length=20, margin=3)
                 if seen.seen:
-                    piece = strip(steps[first + gap][0].scans[0].image, calibration, seen.pixels, 7)
+                    piece = edge_strip(steps[first + interval][0].scans[0].image, calibration, seen.pixels, 7)
                     found = fitted(piece, calibration, np.zeros(2), 2.0)
-                    lost[gap].append(found is None or found.support < 0.5)
-                    off[gap] += [found.offsets] if found is not None and not lost[gap][-1] else []
+                    lost[interval].append(found is None or found.support < 0.5)
+                    off[interval] += [found.offsets] if found is not None and not lost[interval][-1] else []
     z = np.array(raw)
     print(
         f"detector against fit: {len(z)} segments, mean {-z.mean():+.3f} px (to the bright side), std {z.std():.3f} px"
     )
-    for gap in gaps:
-        z = np.array(off[gap])
+    for interval in intervals:
+        z = np.array(off[interval])
         correlation = np.asarray(np.corrcoef(z.T))[0, 1]
         print(
-            f"after {gap:2d} frames: {len(z)} ends' pairs, mean {z.mean():+.3f}, std {z.std():.3f}, MAD "
+            f"after {interval:2d} frames: {len(z)} ends' pairs, mean {z.mean():+.3f}, std {z.std():.3f}, MAD "
             f"{1.4826 * np.median(np.abs(z)):.3f} px, correlation of the two ends {correlation:+.2f}, "
-            f"lost {np.mean(lost[gap]):.0%}"
+            f"lost {np.mean(lost[interval]):.0%}"
         )
 
 
-class LinesAfter(Both):
+class LinesAfter(CombinedFrontEnd):
     """Points in the first frames only; then they are neither looked for nor begun."""
 
     points_until, seen = 30, 0
 
-    def findable(self, sight: Any) -> list[Any]:
+    def searchable(self, inputs: Any) -> list[Any]:
         """As ever, and only segments after some frames."""
         self.seen += 1
-        return [k for k in super().findable(sight) if self.seen <= self.points_until or k.family.name == "segments"]
+        return [k for k in super().searchable(inputs) if self.seen <= self.points_until or k.family.name == "segments"]
 
-    def detect(self, sight: Any, family: str, known: Any, usable: Any, count: int) -> Any:
+    def detect(self, inputs: Any, family: str, known: Any, usable: Any, count: int) -> Any:
         """As ever, and only segments after some frames."""
         wanted = self.seen <= self.points_until or family == "segments"
-        return super().detect(sight, family, known, usable, count) if wanted else []
+        return super().detect(inputs, family, known, usable, count) if wanted else []
 
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
     """One run: error of the path [%] and of the attitude [deg]; counts by family: searched, matched, NIS, its dof."""
 
-    relative: float
-    attitude: float
+    relative_ate: float
+    orientation: float
     counts: dict[str, Array]
-    apart: list[float]
-    space: list[tuple[float, float]]
+    min_separation: list[float]
+    manifold: list[tuple[float, float]]
     seconds: dict[str, float]
 
 
@@ -157,28 +157,30 @@ def run(film: Film, options: Options, front_end: Any) -> Outcome:
         report = slam.step(frame)
         poses.append(slam.robots[0].pose.copy())
         for name, total in counts.items():
-            own = [look for look in slam.looks[0] if look.family.name == name]
-            good = [look.nis for look in own if look.inlier]
+            own = [prediction for prediction in slam.predictions[0] if prediction.family.name == name]
+            good = [prediction.nis for prediction in own if prediction.inlier]
             total += [sum(k.chosen for k in own), sum(k.matched for k in own), sum(good), 2 * len(good)]
         truths |= {
-            k.id: born(made, truth, slam, k) for k in slam.landmarks if k.id in report.begun and k.abscissas is not None
+            k.id: born(made, truth, slam, k)
+            for k in slam.landmarks
+            if k.id in report.initialized and k.abscissas is not None
         }
     spent = time.perf_counter() - began
     times, real = DT * np.arange(len(poses), dtype=float), np.array([t.robots[0][:7] for _, t in steps])
-    found = aligned(Trajectory(times, np.array(poses)), Trajectory(times, real))
+    found = align_trajectory(Trajectory(times, np.array(poses)), Trajectory(times, real))
     seconds = {"all": spent, **front_end.seconds}
     born_as = {k: truth for k, truth in truths.items() if truth is not None}
     known = [k for k in slam.landmarks if k.id in born_as and k.matched >= 20]
     apart = [in_image(made, steps[-1][1], slam, k, born_as[k.id]) for k in known]
     space = [in_space(slam, k, born_as[k.id]) for k in known]
     turned = np.degrees(np.linalg.norm([Pose.minus(a, b)[3:] for a, b in zip(poses, real, strict=True)], axis=1))
-    return Outcome(100 * found.relative, float(turned.max()), counts,
+    return Outcome(100 * found.relative_ate, float(turned.max()), counts,
                    [a for a in apart if np.isfinite(a)], space, seconds)  # fmt: skip
 
 
 def born(film: rendering.Film, truth: Truth, slam: Slam, landmark: Any) -> Array | None:
     """The true line (2, 3) of a line that has just been begun: where its two ends are seen."""
-    h = endpoints.ends(landmark.kind, landmark.block.mean, landmark.abscissas)
+    h = endpoints.endpoints_at(landmark.kind, landmark.block.mean, landmark.abscissas)
     pixels = slam.sensors[0].calibration.project(hmg_point.to_frame(slam.sensors[0].camera, h))
     return true_line(film, truth, pixels.ravel())
 
@@ -193,7 +195,7 @@ def in_image(film: rendering.Film, truth: Truth, slam: Slam, landmark: Any, poin
     seen = segments.visible(h[0], h[1], calibration.given["intrinsics"], calibration.image)
     if not seen.seen:
         return np.nan
-    measured = bent(calibration, seen.pixels)
+    measured = distort_segments(calibration, seen.pixels)
     found = slam.families["segments"].innovation(viewpoint(slam.sensors[0]), landmark, measured, slam.options)
     return float(np.abs(found.z).max()) if found is not None else np.nan
 
@@ -202,8 +204,8 @@ def in_space(slam: Slam, landmark: Any, points: Array) -> tuple[float, float]:
     """The larger distance [cm] of the two points of a true line from an estimated one; the mean of their squares by
     the filter's own covariance across the line, which has two degrees of freedom: 2 if the filter is right.
     """
-    ends = endpoints.ends(landmark.kind, landmark.block.mean, landmark.abscissas)
-    a, b = (x[:3] / x[3] for x in ends)
+    end_points = endpoints.endpoints_at(landmark.kind, landmark.block.mean, landmark.abscissas)
+    a, b = (x[:3] / x[3] for x in end_points)
     across = np.linalg.svd((b - a)[None])[2][1:]
     at = endpoints.abscissas_of(landmark.kind, landmark.block.mean, np.column_stack([points, np.ones(2)]))
     squares, far = [], []
@@ -218,10 +220,10 @@ def in_space(slam: Slam, landmark: Any, points: Array) -> tuple[float, float]:
 
 def points_alone(calibration: Any, seed: int, few: int) -> Any:
     """Active search for points."""
-    return ActiveSearch(calibration, np.random.default_rng([seed, 1]), Settings(enough=few))
+    return ActiveSearch(calibration, np.random.default_rng([seed, 1]), ActiveSearchSettings(max_in_view=few))
 
 
-def both(kind: type[Both], settings: SegmentSettings) -> Callable[[Any, int, int], Both]:
+def both(kind: type[CombinedFrontEnd], settings: SegmentSettings) -> Callable[[Any, int, int], CombinedFrontEnd]:
     """Points and lines."""
     return lambda calibration, seed, few: kind(
         points_alone(calibration, seed, few), SegmentSearch(calibration, settings)
@@ -230,18 +232,18 @@ def both(kind: type[Both], settings: SegmentSettings) -> Callable[[Any, int, int
 
 def report(name: str, outcomes: list[Outcome], frames: int, metric: bool) -> None:
     """A line for people."""
-    paths, count = [o.relative for o in outcomes], frames * len(outcomes)
+    paths, count = [o.relative_ate for o in outcomes], frames * len(outcomes)
     parts = [f"{name:32s} path {np.mean(paths):.2f} % (worst {max(paths):.2f})"]
-    parts += [f"attitude {np.mean([o.attitude for o in outcomes]):.2f} deg"]
+    parts += [f"attitude {np.mean([o.orientation for o in outcomes]):.2f} deg"]
     for family in ("points", "segments"):
         searched, matched, nis, dof = np.sum([o.counts[family] for o in outcomes], axis=0)
         if searched:
             share = f"{matched / searched:.0%} found, NIS/dof {nis / max(dof, 1):.2f}"
             parts += [f"{family}: {searched / count:.1f} a frame, {share}"]
-    apart = np.array([a for o in outcomes for a in o.apart])
+    apart = np.array([a for o in outcomes for a in o.min_separation])
     if len(apart):
         parts += [f"{len(apart)} lines: {np.median(apart):.2f} px (90 % {np.quantile(apart, 0.9):.2f})"]
-    space = np.array([a for o in outcomes for a in o.space]).reshape(-1, 2)
+    space = np.array([a for o in outcomes for a in o.manifold]).reshape(-1, 2)
     if len(space) and metric:
         (middle, squares), far = np.median(space, axis=0), np.quantile(space[:, 0], 0.9)
         parts += [f"{middle:.1f} cm (90 % {far:.1f}), by its covariance {squares:.1f}"]
@@ -265,10 +267,14 @@ def main() -> None:
         print(f"{motion}, up to {few} points in view")
         for name, options, make in (
             ("points alone", OPTIONS, points_alone),
-            ("points and idpLin", replace(OPTIONS, lines="idpLin"), both(Both, settings)),
-            ("points and ahmLin", replace(OPTIONS, lines="ahmLin"), both(Both, settings)),
+            ("points and idpLin", replace(OPTIONS, lines="idpLin"), both(CombinedFrontEnd, settings)),
+            ("points and ahmLin", replace(OPTIONS, lines="ahmLin"), both(CombinedFrontEnd, settings)),
             ("points, 25 updates", replace(OPTIONS, updates=25), points_alone),
-            ("points and idpLin, 25 updates", replace(OPTIONS, lines="idpLin", updates=25), both(Both, settings)),
+            (
+                "points and idpLin, 25 updates",
+                replace(OPTIONS, lines="idpLin", updates=25),
+                both(CombinedFrontEnd, settings),
+            ),
             ("idpLin alone after 30 frames", replace(OPTIONS, lines="idpLin"), both(LinesAfter, settings)),
         ):
             outcomes = [run(f, options, make(f[0].rig.sensors[0].calibration, s, few)) for s, f in films.items()]

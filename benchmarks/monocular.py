@@ -21,17 +21,17 @@ import numpy as np
 from slambook import rendering
 
 from slamlib.data.records import Frame
-from slamlib.evaluation.alignment import aligned
+from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.manifolds import Array, Mask
 from slamlib.slam import Options, Slam
-from slamlib.slam.data_association.consensus import CONSENSUS
-from slamlib.slam.data_association.front_end import Sight
+from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
+from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.vision.active_search import ActiveSearch
 
 DT, STD = 1 / 30, 0.035  # [s] between frames; [px] of a match: what the image's noise and the warp leave
-OPTIONS = Options(updates=12, first=12, later=3, keep_matched=0.5, inverse_distance=(0.4, 0.4))
+OPTIONS = Options(updates=12, max_new_first=12, max_new=3, min_matched_ratio=0.5, inverse_distance=(0.4, 0.4))
 
 
 class WithWrongMatches(ActiveSearch):
@@ -39,12 +39,12 @@ class WithWrongMatches(ActiveSearch):
 
     share, least = 0.2, 4.0  # of the matches; [px] half the side of the smallest region
 
-    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
+    def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
         """As active search, but for a share of the matches."""
-        measured, found = super().match(sight, family, looks)
-        for i in np.flatnonzero(found & (self.rng.random(len(looks)) < self.share)):
-            reach = np.maximum(3 * np.sqrt(np.diag(looks[i].Z)), self.least)
-            measured[i] = looks[i].value + reach * self.rng.uniform(-1, 1, 2)
+        measured, found = super().match(inputs, family, predictions)
+        for i in np.flatnonzero(found & (self.rng.random(len(predictions)) < self.share)):
+            reach = np.maximum(3 * np.sqrt(np.diag(predictions[i].S)), self.least)
+            measured[i] = predictions[i].value + reach * self.rng.uniform(-1, 1, 2)
         return measured, found
 
 
@@ -52,7 +52,7 @@ class WithWrongMatches(ActiveSearch):
 class Outcome:
     """One run: relative error and scale of its path; per frame (n,): searched, matched, NIS and its dof; seconds."""
 
-    relative: float
+    relative_ate: float
     scale: float
     searched: Array
     matched: Mask
@@ -64,7 +64,7 @@ class Outcome:
 def frames_of(texture: str, path: str, frames: int, seed: int) -> tuple[Any, list[Frame], Array]:
     """The rig of a film, its frames, and the true poses (n, 7), which are the camera's but for a fixed mount."""
     way = rendering.path(path)
-    rig = rendering.hand_held(way, std=(STD,))
+    rig = rendering.rig_along_path(way, std=(STD,))
     film = rendering.film(
         rendering.default_room(texture), rig, way, frames=frames, dt=DT, rng=np.random.default_rng(seed)
     )
@@ -79,17 +79,20 @@ def run(rig: Any, frames: list[Frame], truth: Array, seed: int, options: Options
     began = time.perf_counter()
     for frame in frames:
         slam.step(frame)
-        looks = slam.looks[0]
-        inliers = [look for look in looks if look.inlier]
-        counts = (sum(look.chosen for look in looks), sum(look.matched for look in looks))
-        rows.append([*counts, sum(look.nis for look in inliers), 2 * len(inliers)])
+        predictions = slam.predictions[0]
+        inliers = [prediction for prediction in predictions if prediction.inlier]
+        counts = (
+            sum(prediction.chosen for prediction in predictions),
+            sum(prediction.matched for prediction in predictions),
+        )
+        rows.append([*counts, sum(prediction.nis for prediction in inliers), 2 * len(inliers)])
         poses.append(slam.robots[0].pose.copy())
     spent = time.perf_counter() - began
     times = DT * np.arange(len(frames), dtype=float)
-    found = aligned(Trajectory(times, np.array(poses)), Trajectory(times, truth))
+    found = align_trajectory(Trajectory(times, np.array(poses)), Trajectory(times, truth))
     searched, matched, nis, dof = np.array(rows, dtype=float).T
     seconds = {"all": spent, **front_end.seconds}
-    return Outcome(found.relative, found.similarity.scale, searched, matched, nis, dof, seconds)
+    return Outcome(found.relative_ate, found.similarity.scale, searched, matched, nis, dof, seconds)
 
 
 def inside(outcomes: list[Outcome]) -> float:
@@ -101,7 +104,7 @@ def inside(outcomes: list[Outcome]) -> float:
 
 def report(name: str, outcomes: list[Outcome]) -> None:
     """A line for people."""
-    errors = [100 * o.relative for o in outcomes]
+    errors = [100 * o.relative_ate for o in outcomes]
     scales = " ".join(f"{o.scale:.2f}" for o in outcomes)
     matched = sum(o.matched.sum() for o in outcomes) / sum(o.searched.sum() for o in outcomes)
     nis = sum(o.nis.sum() for o in outcomes) / sum(o.dof.sum() for o in outcomes)
@@ -139,9 +142,11 @@ def main() -> None:
     films = {s: frames_of(given.texture, given.path, given.frames, s) for s in range(1, given.seeds + 1)}
     name = f"{given.texture}, {given.path}"
     report(name, [run(*film, s, OPTIONS, ActiveSearch) for s, film in films.items()])
-    for consensus in CONSENSUS if given.wrong else ():
-        chosen = replace(OPTIONS, consensus=consensus)
-        report(f"  a fifth wrong, {consensus}", [run(*f, s, chosen, WithWrongMatches) for s, f in films.items()])
+    for outlier_rejection in OUTLIER_REJECTIONS if given.wrong else ():
+        chosen = replace(OPTIONS, outlier_rejection=outlier_rejection)
+        report(
+            f"  a fifth wrong, {outlier_rejection}", [run(*f, s, chosen, WithWrongMatches) for s, f in films.items()]
+        )
 
 
 if __name__ == "__main__":

@@ -48,10 +48,10 @@ def points(n: int) -> Any:
     return np.concatenate([anchors, directions, rng.uniform(0.01, 0.5, (n, 1))], axis=1)
 
 
-def by_hand(calibration: Calibration, robot: Any, mount: Any, landmark: Any) -> tuple[Any, ...]:
+def by_hand(calibration: Calibration, robot: Any, extrinsics: Any, landmark: Any) -> tuple[Any, ...]:
     """One point, with its Jacobians by robot, mount and point (on the tangent space), as one would write it."""
-    r, m = quaternion.rotation.definition(robot[3:]), quaternion.rotation.definition(mount[3:])
-    R, t = r @ m, robot[:3] + r @ mount[:3]
+    r, m = quaternion.rotation.definition(robot[3:]), quaternion.rotation.definition(extrinsics[3:])
+    R, t = r @ m, robot[:3] + r @ extrinsics[:3]
     world = landmark[3:6] + landmark[6] * (landmark[:3] - t)
     x, y, z = h = R.T @ world
     u0, v0, au, av = calibration.given["intrinsics"]
@@ -64,7 +64,7 @@ def by_hand(calibration: Calibration, robot: Any, mount: Any, landmark: Any) -> 
     by_t = -landmark[6] * J @ R.T
     by_turn = J @ skew(h)
     in_robot = r.T @ world  # the turn of the robot moves the camera too
-    by_robot = np.hstack([by_t, J @ m.T @ skew(in_robot) + by_t @ -r @ skew(mount[:3])])
+    by_robot = np.hstack([by_t, J @ m.T @ skew(in_robot) + by_t @ -r @ skew(extrinsics[:3])])
     by_mount = np.hstack([by_t @ r, by_turn])
     by_landmark = np.hstack([-by_t, J @ R.T, (J @ R.T @ (landmark[:3] - t))[:, None]])
     return np.array([u0 + au * f * p, v0 + av * f * q]), by_robot, by_mount, by_landmark
@@ -106,7 +106,7 @@ def agree(calibration: Calibration, landmarks: Any) -> None:
     for i, landmark in enumerate(landmarks):
         value, *jacobians = by_hand(calibration, ROBOT, MOUNT, landmark)
         assert np.allclose(batch.value[i], value, rtol=0, atol=1e-9)
-        for name, jacobian in zip(("robot", "mount", "landmark"), jacobians, strict=True):
+        for name, jacobian in zip(("robot", "extrinsics", "landmark"), jacobians, strict=True):
             assert np.allclose(getattr(batch.jacobians, name)[i], jacobian, rtol=0, atol=1e-8), name
         one = observe(AHM_POINT, calibration, ROBOT, MOUNT, landmark)
         assert all(np.allclose(a[i], b, rtol=0, atol=1e-8) for a, b in zip(batch.jacobians, one.jacobians, strict=True))

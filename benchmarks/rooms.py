@@ -31,7 +31,7 @@ def film(textures: str, path: str, samples: int, scale: int, frames: int) -> ren
     """A film whose camera has so many times 320 x 240 pixels."""
     way = rendering.path(path)
     parameters = {"intrinsics": tuple(scale * n for n in LENS["intrinsics"]), "distortion": LENS["distortion"]}
-    rig = rendering.hand_held(way, image=(320.0 * scale, 240.0 * scale), parameters=parameters)
+    rig = rendering.rig_along_path(way, image=(320.0 * scale, 240.0 * scale), parameters=parameters)
     room = rendering.default_room(textures)
     return rendering.film(room, rig, way, frames=frames, rng=np.random.default_rng(1), samples=samples)
 
@@ -52,7 +52,7 @@ def followed(made: rendering.Film, apart: int) -> Array:
         if frame.number % 10 == apart and frame.number - apart in kept:
             image, before = kept[frame.number - apart]
             corners = strong_corners(image)
-            camera = compose(truth.robots[0][:7], truth.mounts[0])
+            camera = compose(truth.robots[0][:7], truth.extrinsics[0])
             pixels = calibration.project(EUC_POINT.to_frame(camera, made.truth_of(before, corners)))
             inside = calibration.inside(pixels, 9)
             found.append(zncc(patches(image, corners[inside]), patches(frame.scans[0].image, pixels[inside])))
@@ -62,7 +62,7 @@ def followed(made: rendering.Film, apart: int) -> Array:
 def report(frames: int, profile: bool) -> None:
     """Print the figures."""
     print(f"{'textures':12} {'path':9} {'image':8} samples  frames/s  first [s]")
-    for textures in rendering.LOOKS:
+    for textures in rendering.ROOM_STYLES:
         for path in rendering.PATHS:
             for scale in SIZES:
                 start = time.process_time()
@@ -70,7 +70,7 @@ def report(frames: int, profile: bool) -> None:
                 ready = time.process_time() - start
                 rate = frames / seconds(lambda made=made: list(made))  # type: ignore[misc]
                 print(f"{textures:12} {path:9} {320 * scale}x{240 * scale:<4} 2 x 2   {rate:8.1f}  {ready:8.2f}")
-    for textures in rendering.LOOKS:
+    for textures in rendering.ROOM_STYLES:
         for apart in (1, 5):
             share = np.mean(followed(film(textures, "round", 2, 1, 150), apart) > 0.9)
             print(f"{textures}: followed after {apart} frame(s): {100 * share:.1f} %")

@@ -93,7 +93,7 @@ def per_frame(repeats: int, frames: int | None = None) -> str:
 
 
 def correction_times(n: int, m: int, seconds: float) -> tuple[float, float]:
-    """Seconds of the bare triangular product, and of Belief.correct_rows with all its checks; n states, m points."""
+    """Seconds of the bare triangular product, and of Belief.update_rows with all its checks; n states, m points."""
     problem = Problem.random(n, m)
     belief, _ = problem.belief()
     columns = np.unique(np.concatenate(problem.touched))
@@ -104,7 +104,7 @@ def correction_times(n: int, m: int, seconds: float) -> tuple[float, float]:
     least = quickest(
         {
             "bare": partial(dsyrk, -1.0, W.T, 1.0, P.T, overwrite_c=1),
-            "correct": partial(belief.correct_rows, columns, H, z, R),
+            "correct": partial(belief.update_rows, columns, H, z, R),
         },
         seconds,
     )
@@ -126,7 +126,7 @@ def large_map(landmarks: int, updates: int = 20) -> tuple[Slam, list[Frame]]:
     )
     camera = replace(chosen.rig.sensors[0], euler=(-90.0, 0.0, 180.0))
     rig = replace(chosen.rig, robots=(robot,), sensors=(camera,))
-    options = replace(chosen.options, updates=updates, reproject=False, first=0, later=0)
+    options = replace(chosen.options, updates=updates, reproject=False, max_new_first=0, max_new=0)
     experiment = replace(chosen, rig=rig, options=options, worlds=world, frames=30)
     slam = experiment.slam()
     _known(slam, experiment)
@@ -175,7 +175,7 @@ def thousand() -> str:
         start = time.perf_counter()
         slam.step(frame)
         times.append(time.perf_counter() - start)
-        looked.append(sum(look.inlier for look in slam.looks[0]))
+        looked.append(sum(prediction.inlier for prediction in slam.predictions[0]))
     size, rate = f"{len(slam.landmarks)} Euclidean points ({slam.belief.size} states)", 1 / np.median(times)
     return f"{size}, {np.median(looked):.0f} corrected a step: {rate:.0f} steps per second (goal 10)"
 

@@ -25,7 +25,7 @@ from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options
-from slamlib.vision.stereo import MOVING, Eyes, StereoSettings, VisualOdometry
+from slamlib.vision.stereo import MOTION_SOURCES, StereoFeatureExtractor, StereoSettings, VisualOdometry
 
 ERRORS = (0.06, 0.055, 0.05)  # px: standard deviations of u, v and d as measured in the rooms, without their tails
 
@@ -45,40 +45,42 @@ class Counts:
     stereo: list[int] = field(default_factory=list)
     circular: list[int] = field(default_factory=list)
     inliers: list[int] = field(default_factory=list)
-    fit: list[float] = field(default_factory=list)
-    lost: int = 0
+    nis_per_dof: list[float] = field(default_factory=list)
+    invalid: int = 0
     seconds: float = 0.0
 
 
-def odometry(calibration: Calibration, mount: Array, images: list[Array], start: Array, s: Any) -> tuple[Array, Counts]:
+def odometry(
+    calibration: Calibration, extrinsics: Array, images: list[Array], start: Array, s: Any
+) -> tuple[Array, Counts]:
     """The last pose of the robot (7,), and the counts."""
-    eyes, counts, pose = Eyes(calibration, s), Counts(), start
-    moving = VisualOdometry(eyes, mount)
+    extractor, counts, pose = StereoFeatureExtractor(calibration, s), Counts(), start
+    motion_source = VisualOdometry(extractor, extrinsics)
     began = time.process_time()
     for i, image in enumerate(images):
-        motion = moving.step(image)
-        counts.stereo.append(len(eyes.look(image)))
+        motion = motion_source.step(image)
+        counts.stereo.append(len(extractor.extract(image)))
         if i:
-            counts.circular.append(len(moving.pairs))
+            counts.circular.append(len(motion_source.pairs))
         if motion is not None:
             pose = compose(pose, motion.pose)
             counts.inliers.append(int(motion.inliers.sum()))
-            counts.fit.append(motion.fit)
+            counts.nis_per_dof.append(motion.nis_per_dof)
     counts.seconds = time.process_time() - began
-    counts.lost = len(images) - 1 - len(counts.inliers)
+    counts.invalid = len(images) - 1 - len(counts.inliers)
     return pose, counts
 
 
-def table(calibration: Calibration, mount: Array, images: list[Array], poses: Array) -> Iterator[str]:
+def table(calibration: Calibration, extrinsics: Array, images: list[Array], poses: Array) -> Iterator[str]:
     """Rows of plain visual odometry for each variant; poses (n, 7): the robot's true ones."""
     path = np.linalg.norm(np.diff(poses[:, :3], axis=0), axis=1).sum()
     yield f"{'':27} stereo  cycle  inliers (least)  lost  z'S^-1z/dof  end error  ms/pair    (path {path:.2f} m)"
     for name, settings in VARIANTS.items():
-        pose, c = odometry(calibration, mount, images, poses[0], settings)
+        pose, c = odometry(calibration, extrinsics, images, poses[0], settings)
         error = np.linalg.norm(pose[:3] - poses[-1, :3]) / path
         yield (
             f"{name:27} {np.mean(c.stereo):6.0f} {np.mean(c.circular):6.0f} {np.mean(c.inliers):8.0f} "
-            f"({min(c.inliers, default=0):5d}) {c.lost:5d} {np.mean(c.fit):12.2f} {error:10.2%} "
+            f"({min(c.inliers, default=0):5d}) {c.invalid:5d} {np.mean(c.nis_per_dof):12.2f} {error:10.2%} "
             f"{1e3 * c.seconds / len(images):8.0f}"
         )
 
@@ -97,7 +99,7 @@ def room(frames: int, path: str) -> Iterator[str]:
     rig, film, _ = stereo_film(frames, path, std=0.2)
     poses = np.array([truth.robots[0][:7] for _, truth in film])
     images = [frame.scans[0].image for frame, _ in film]
-    yield from table(rig.sensors[0].calibration, rig.sensors[0].mount, images, poses)
+    yield from table(rig.sensors[0].calibration, rig.sensors[0].extrinsics, images, poses)
 
 
 FRAMES = {"sideways": 340, "round": 900}  # of a film past the wall, and of one once round and a little more
@@ -112,7 +114,7 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=5, help="of the filter: textures and noise (default 5)")
     parser.add_argument("--std", type=float, nargs=3, default=ERRORS, help="of u, v and d for the filter [px]")
     parser.add_argument("--path", choices=list(FRAMES), default="sideways", help="through the room (default sideways)")
-    parser.add_argument("--moving", choices=list(MOVING), default="correlated", help="what tells how it moves")
+    parser.add_argument("--moving", choices=list(MOTION_SOURCES), default="correlated", help="what tells how it moves")
     parser.add_argument("--turns", type=int, default=10, help="a landmark corrects in one of so many frames (10)")
     parser.add_argument("--enough", type=int, default=30, help="landmarks in view (default 30)")
     parser.add_argument("--window", type=int, help="frames after which unseen landmarks are forgotten (default: never)")
@@ -120,10 +122,15 @@ def main() -> None:
     parser.add_argument("--only", choices=["street", "room", "filter", "speed"], help="one of the tables")
     given = parser.parse_args()
     options = Options(
-        points="eucPnt", updates=60, first=given.enough, later=5, window=given.window, reproject=given.sequence
+        points="eucPnt",
+        updates=60,
+        max_new_first=given.max_in_view,
+        max_new=5,
+        window=given.window,
+        reproject=given.sequence,
     )
-    settings = StereoSettings(turns=given.turns, enough=given.enough)
-    case = Case(given.moving, tuple(given.std), settings, options)
+    settings = StereoSettings(update_interval=given.update_interval, max_in_view=given.max_in_view)
+    case = Case(given.motion_source, tuple(given.std), settings, options)
     tables: dict[str, Callable[[], Iterator[str]]] = {
         "street": street,
         "room": lambda: room(150, given.path),

@@ -15,17 +15,17 @@ from slamlib.evaluation.consistency import chi2_quantile, nees
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.slam import Options, Slam
-from slamlib.vision.stereo import MOVING, StereoSettings, joined, paired
-from slamlib.vision.stereo.motion_source import Moving
+from slamlib.vision.stereo import MOTION_SOURCES, StereoSettings, stereo_frame, stereo_rig
+from slamlib.vision.stereo.motion_source import StereoMotionSource
 
 FULL = 300  # landmarks
 
 
 @dataclass(frozen=True)
 class Case:
-    """What is run: a name of MOVING, standard deviations of (u, v, d) [px], settings and options."""
+    """What is run: a name of MOTION_SOURCES, standard deviations of (u, v, d) [px], settings and options."""
 
-    moving: str
+    motion_source: str
     std: tuple[float, float, float]
     settings: StereoSettings
     options: Options
@@ -37,7 +37,7 @@ class Run:
 
     errors: Array
     nees: Array
-    believed: float
+    inliers: float
     nis: float
     landmarks: int
     seconds: float
@@ -45,16 +45,16 @@ class Run:
 
 def filtered(case: Case, rig: Rig, frames: list[tuple[Frame, Array]]) -> Run:
     """The filter through frames with the true poses (7,) beside them, begun at the first of these."""
-    slam, moving = started(case, rig, frames[0][1])
+    slam, motion_source = started(case, rig, frames[0][1])
     block = slam.robots[0].block
     errors, squares, nis, spent = [], [], list[list[float]](), dict[str, float]()
     for i, (frame, true) in enumerate(frames):
-        step(slam, moving, frame, frame.dt if i else 0.0, spent)
+        step(slam, motion_source, frame, frame.dt if i else 0.0, spent)
         errors.append(Pose.minus(true, slam.robots[0].pose))
         squares.append(float(nees(errors[-1], slam.belief.covariance(block)[:6, :6])) if i else np.nan)
-        nis.append([look.nis for look in slam.looks[0] if look.inlier])
-    believed, every = np.mean([len(n) for n in nis]), np.concatenate([np.array(n) for n in nis])
-    return Run(np.array(errors)[1:], np.array(squares)[1:], float(believed), float(every.mean() / 3),
+        nis.append([prediction.nis for prediction in slam.predictions[0] if prediction.inlier])
+    inliers, every = np.mean([len(n) for n in nis]), np.concatenate([np.array(n) for n in nis])
+    return Run(np.array(errors)[1:], np.array(squares)[1:], float(inliers), float(every.mean() / 3),
                len(slam.landmarks), sum(spent.values()) / len(frames))  # fmt: skip
 
 
@@ -69,7 +69,10 @@ def in_the_room(case: Case, path: str, frames: int, seed: int) -> tuple[Run, flo
 def room(case: Case, path: str, frames: int, seeds: int) -> Iterator[str]:
     """A row for each seed (textures and noise differ), and NEES over all of them, by quarters of the path."""
     s, o = case.settings, case.options
-    yield f"path {path}, {frames} frames, {case.moving}, std {case.std} px, turns {s.turns}, window {o.window}:"
+    yield (
+        f"path {path}, {frames} frames, {case.motion_source}, std {case.std} px, "
+        f"interval {s.update_interval}, window {o.window}:"
+    )
     yield "seed  path    rms error  end error  turn     NIS/3  believed  map   ms/frame  NEES/6 by quarters"
     runs = []
     for seed in range(1, seeds + 1):
@@ -78,7 +81,7 @@ def room(case: Case, path: str, frames: int, seeds: int) -> Iterator[str]:
         runs.append(r.nees)
         yield (
             f"{seed:4} {length:5.2f} m {np.sqrt((away**2).mean()) / length:10.2%} {away[-1] / length:10.2%} "
-            f"{np.degrees(np.linalg.norm(r.errors[-1, 3:])):6.2f} deg {r.nis:5.2f} {r.believed:8.0f} "
+            f"{np.degrees(np.linalg.norm(r.errors[-1, 3:])):6.2f} deg {r.nis:5.2f} {r.inliers:8.0f} "
             f"{r.landmarks:5d} {1e3 * r.seconds:9.0f}  " + " ".join(f"{q.mean():.2f}" for q in quarters)
         )
     yield from consistency(np.mean(runs, axis=0) / 6, seeds)
@@ -98,30 +101,37 @@ def consistency(mean: Array, runs: int) -> Iterator[str]:
 def speed(case: Case, frames: int) -> Iterator[str]:
     """640 x 480 pixels, 150 features, a map of 300: processor's milliseconds by part, when the map is full."""
     way, lens = rendering.path("sideways"), {"intrinsics": (319.5, 239.5, 520.0, 520.0), "distortion": (0.0,)}
-    rig = rendering.hand_held(way, baseline=0.12, image=(640.0, 480.0), parameters=lens)
+    rig = rendering.rig_along_path(way, baseline=0.12, image=(640.0, 480.0), parameters=lens)
     dt = way.duration / frames
     film = rendering.film(rendering.default_room(), rig, way, frames=frames, dt=dt, rng=np.random.default_rng(1))
-    settings = replace(case.settings, cells=(12, 9), each=4, enough=100)
-    options = replace(case.options, updates=100, first=100, later=20, capacity=FULL, full="useless")
-    slam, moving = started(replace(case, settings=settings, options=options), joined(rig, case.std))
-    spent, counts, clock = split(moving), [], 0.0
+    settings = replace(case.settings, cells=(12, 9), per_cell=4, max_in_view=100)
+    options = replace(case.options, updates=100, max_new_first=100, max_new=20, capacity=FULL, pruning="least-reliable")
+    slam, motion_source = started(replace(case, settings=settings, options=options), stereo_rig(rig, case.std))
+    spent, counts, clock = split(motion_source), [], 0.0
     for frame, _ in film:
-        image, full = paired(frame), len(slam.landmarks) == FULL
+        image, full = stereo_frame(frame), len(slam.landmarks) == FULL
         if not full:
             spent.clear()
         at = time.perf_counter()
-        step(slam, moving, image, dt, spent)
+        step(slam, motion_source, image, dt, spent)
         if full:
             clock += time.perf_counter() - at
-            looks = slam.looks[0]
-            counts.append((len(moving.front_end.eyes.last), len(looks), sum(look.inlier for look in looks)))
+            predictions = slam.predictions[0]
+            counts.append(
+                (
+                    len(motion_source.front_end.extractor.last),
+                    len(predictions),
+                    sum(prediction.inlier for prediction in predictions),
+                )
+            )
     if not counts:
         yield f"the map has {len(slam.landmarks)} landmarks only: give more frames"
         return
-    n, (features, looks, believed) = len(counts), np.mean(counts, axis=0)
+    n, (features, predictions, inliers) = len(counts), np.mean(counts, axis=0)
     yield (
-        f"{case.moving}, turns {settings.turns}, {n} frames with {FULL} landmarks: {features:.0f} features, "
-        f"{looks:.0f} landmarks expected, {believed:.0f} believed"
+        f"{case.motion_source}, interval {settings.update_interval}, {n} frames with {FULL} landmarks: "
+        f"{features:.0f} features, "
+        f"{predictions:.0f} landmarks expected, {inliers:.0f} believed"
     )
     yield from (f"  {what:15} {1e3 * s / n:6.1f} ms" for what, s in spent.items())
     total = sum(spent.values())
@@ -131,38 +141,38 @@ def speed(case: Case, frames: int) -> Iterator[str]:
 def started(case: Case, rig: Rig, pose: Array | None = None) -> tuple[Slam, Any]:
     """A filter of the rig, and what moves it."""
     sensor = rig.sensors[0]
-    moving = MOVING[case.moving](sensor.calibration, sensor.mount, case.settings)
-    return moved_by(moving, rig, case.options, pose), moving
+    motion_source = MOTION_SOURCES[case.motion_source](sensor.calibration, sensor.extrinsics, case.settings)
+    return moved_by(motion_source, rig, case.options, pose), motion_source
 
 
-def moved_by(moving: Moving, rig: Rig, options: Options, pose: Array | None = None) -> Slam:
+def moved_by(motion_source: StereoMotionSource, rig: Rig, options: Options, pose: Array | None = None) -> Slam:
     """A filter of the rig, whose robot moves as it is told; pose (7,): where it begins, if not where the rig does."""
-    robots = (replace(rig.robots[0], motion=moving.motion),)
-    slam = Slam(replace(rig, robots=robots), options, front_ends=[moving.front_end])
+    robots = (replace(rig.robots[0], motion=motion_source.motion),)
+    slam = Slam(replace(rig, robots=robots), options, front_ends=[motion_source.front_end])
     if pose is not None:
         block = slam.robots[0].block
         block.mean = np.concatenate([pose, block.mean[7:]])
     return slam
 
 
-def advance(slam: Slam, moving: Moving, frame: Frame, dt: float) -> None:
+def advance(slam: Slam, motion_source: StereoMotionSource, frame: Frame, dt: float) -> None:
     """One pair, the control first."""
     image = frame.scans[0].image
     assert image is not None
-    slam.step(replace(frame, dt=dt, controls=(moving.control(image, frame.dt, slam),)))
+    slam.step(replace(frame, dt=dt, controls=(motion_source.control(image, frame.dt, slam),)))
 
 
-def step(slam: Slam, moving: Any, frame: Frame, dt: float, spent: dict[str, float]) -> None:
+def step(slam: Slam, motion_source: Any, frame: Frame, dt: float, spent: dict[str, float]) -> None:
     """One pair; adds what is timed nowhere else to the "filter"."""
-    timed(advance, "filter", spent)(slam, moving, frame, dt)
+    timed(advance, "filter", spent)(slam, motion_source, frame, dt)
 
 
-def split(moving: Any) -> dict[str, float]:
+def split(motion_source: Any) -> dict[str, float]:
     """From now on the parts of the front end add their processor's seconds up here."""
     spent: dict[str, float] = {}
-    end = moving.front_end
-    parts = [(end.eyes, "look", "features"), (end, "match", "search"), (end, "detect", "new landmarks")]
-    for owner, name, what in [*parts, (moving, "control", "control")]:
+    end = motion_source.front_end
+    parts = [(end.extractor, "look", "features"), (end, "match", "search"), (end, "detect", "new landmarks")]
+    for owner, name, what in [*parts, (motion_source, "control", "control")]:
         setattr(owner, name, timed(getattr(owner, name), what, spent))
     return spent
 

@@ -27,31 +27,34 @@ from typing import Any
 import numpy as np
 from slambook.recorded import KITTI
 
-from slamlib.datasets.sources import Source, of_pictures
-from slamlib.evaluation.alignment import aligned
+from slamlib.datasets.sources import ImageSource, of_pictures
+from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import relative
 from slamlib.geometry.quaternion import exponential
 from slamlib.manifolds import Array
 from slamlib.vision.results import parts, summary
-from slamlib.vision.run import PAIRS, opened_stereo, stereo_run
+from slamlib.vision.run import PAIRS, open_stereo, stereo_run
 from slamlib.vision.sequence_run import SequenceRun
-from slamlib.vision.stereo import MOVING, StereoSettings
+from slamlib.vision.stereo import MOTION_SOURCES, StereoSettings
 
 OFFSETS = (-0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
 CHOSEN = 0.2
 # Of all ways, odometry alone too: twice as many features as by default, since few of a street are found again.
-FEATURES: dict[str, Any] = {"each": 10, "least": 50.0, "ratio": 0.95, "distance": 80}
+FEATURES: dict[str, Any] = {"per_cell": 10, "min_strength": 50.0, "ratio": 0.95, "distance": 80}
 # What was not seen for 8 pairs lies behind the car. "correlated" leaves more of the features to the odometry.
 WAYS: dict[str, dict[str, Any]] = {
-    "velocity": {
-        "settings": {"enough": 150, "longest": 1},
-        "options": {"later": 60, "updates": 150, "first": 150, "window": 8},
+    "constant-velocity": {
+        "settings": {"max_in_view": 150, "max_backoff": 1},
+        "options": {"max_new": 60, "updates": 150, "max_new_first": 150, "window": 8},
         "impulse": (0.1, 1.0),  # twice a car's on this street: 0.04 m/s and 0.6 degrees/s in 0.1 s
     },
-    "halves": {"settings": {"enough": 150}, "options": {"later": 60, "updates": 150, "first": 150, "window": 8}},
-    "correlated": {"settings": {"enough": 60}, "options": {"later": 30, "window": 8}},
+    "split-features": {
+        "settings": {"max_in_view": 150},
+        "options": {"max_new": 60, "updates": 150, "max_new_first": 150, "window": 8},
+    },
+    "correlated": {"settings": {"max_in_view": 60}, "options": {"max_new": 30, "window": 8}},
 }
 HEAD = (
     f"{'':16} translation (5 to 40 m)     rotation         ATE   attitude  matches (least) NIS/dof  looks each  ms/pair"
@@ -59,54 +62,59 @@ HEAD = (
 ALONE = "odometry alone"
 
 
-def street() -> tuple[Source, dict[str, Any], Trajectory]:
+def street() -> tuple[ImageSource, dict[str, Any], Trajectory]:
     """The pairs, in memory, their camera, and the true path."""
     left, right, calibration, poses = (str(KITTI / n) for n in ("image_l", "image_r", "calib.txt", "poses.txt"))
-    source, camera, _ = opened_stereo(left=left, right=right, calibration=[calibration], fps=10)
+    source, camera, _ = open_stereo(left=left, right=right, calibration=[calibration], fps=10)
     pairs = list(progress(source, len(source), "reading"))
-    truth = read_trajectory(poses, times=np.array(source.whole.times))
+    truth = read_trajectory(poses, times=np.array(source.sequence.times))
     return of_pictures(pairs, source.interval), camera, truth
 
 
 def errors(run: SequenceRun, truth: Trajectory) -> dict[str, float]:
     """Of a run that has been done: shares, degrees a metre, metres, degrees."""
     path = run.trajectory()
-    found, whole = parts(path, truth), aligned(path, truth, scale=False)
+    found, whole = parts(path, truth), align_trajectory(path, truth, scale=False)
     assert found is not None
     return {
         "translation": found["translation_mean"],
         "rotation": found["rotation_mean"],
-        "ate": whole.rmse,
-        "attitude": float(np.degrees(np.sqrt((whole.attitude**2).mean()))),
+        "ate": whole.ate,
+        "orientation": float(np.degrees(np.sqrt((whole.orientation**2).mean()))),
         "shortest": found["translation"][0],
-        "longest": found["translation"][-1],
+        "max_backoff": found["translation"][-1],
     }
 
 
-def offsets(source: Source, camera: dict[str, Any], truth: Trajectory) -> Iterator[dict[str, float]]:
+def offsets(source: ImageSource, camera: dict[str, Any], truth: Trajectory) -> Iterator[dict[str, float]]:
     """Odometry with constants added to all disparities."""
     for offset in OFFSETS:
-        run = stereo_run(source, camera, moving="odometry", settings=StereoSettings(offset=offset, **FEATURES))
+        run = stereo_run(source, camera, motion_source="odometry", settings=StereoSettings(offset=offset, **FEATURES))
         list(progress(run, len(run), f"offset {offset}"))
         r = run.result()
         yield {
             "offset": offset,
             "fit": float(r.nis.sum() / r.nis_dof.sum()),
-            "matches": int(r.believed.sum()),
+            "matches": int(r.inliers.sum()),
             "length": float(r.trajectory.distances[-1] / truth.distances[-1]),
             **errors(run, truth),
         }
 
 
-def runs(source: Source, camera: dict[str, Any], offset: float, names: list[str]) -> Iterator[tuple[str, SequenceRun]]:
+def runs(
+    source: ImageSource, camera: dict[str, Any], offset: float, names: list[str]
+) -> Iterator[tuple[str, SequenceRun]]:
     """Odometry alone, and the filter in each way."""
-    yield ALONE, stereo_run(source, camera, moving="odometry", settings=StereoSettings(offset=offset, **FEATURES))
+    yield (
+        ALONE,
+        stereo_run(source, camera, motion_source="odometry", settings=StereoSettings(offset=offset, **FEATURES)),
+    )
     for name in names:
         way = WAYS[name]
         settings = StereoSettings(offset=offset, **FEATURES, **way["settings"])
         options = replace(PAIRS.options, **way["options"])
         impulse = way.get("impulse")
-        yield name, stereo_run(source, camera, options, moving=name, settings=settings, impulse=impulse)
+        yield name, stereo_run(source, camera, options, motion_source=name, settings=settings, impulse=impulse)
 
 
 def done(name: str, run: SequenceRun, truth: Trajectory) -> dict[str, float]:
@@ -115,9 +123,9 @@ def done(name: str, run: SequenceRun, truth: Trajectory) -> dict[str, float]:
     list(progress(run, len(run), name))
     spent = (time.process_time() - began) / len(run.history)
     s = summary(run.result())
-    told = {"matches": s["tracked_mean"], "least": s["tracked_least"], "fit": s["nis_per_dof"]}
-    looks = float(run.result().believed.sum() / s["begun"]) if s["begun"] else 0.0
-    return {**errors(run, truth), **told, "looks": looks, "milliseconds": 1e3 * spent}
+    told = {"matches": s["tracked_mean"], "tracked_least": s["tracked_least"], "fit": s["nis_per_dof"]}
+    predictions = float(run.result().inliers.sum() / s["initialized"]) if s["initialized"] else 0.0
+    return {**errors(run, truth), **told, "looks": predictions, "milliseconds": 1e3 * spent}
 
 
 def figures(offset: float = CHOSEN, names: list[str] | None = None) -> dict[str, Any]:
@@ -131,7 +139,7 @@ def figures(offset: float = CHOSEN, names: list[str] | None = None) -> dict[str,
     turns = {name: constant_turn(run.trajectory(), truth) for name, run in all_of_them}
     found["turns"] = {name: float(np.degrees(2 * np.linalg.norm(turn[4:]))) for name, turn in turns.items()}
     for key, of in (("turned", lambda name: ALONE), ("turned_each", lambda name: name)):
-        found[key] = {name: errors(run, truth.mounted(turns[of(name)])) for name, run in all_of_them}
+        found[key] = {name: errors(run, truth.sensor_trajectory(turns[of(name)])) for name, run in all_of_them}
     return found
 
 
@@ -160,13 +168,14 @@ def tables(found: dict[str, Any]) -> Iterator[str]:
         yield f"\n{text}\n{HEAD}"
         for name, e in found[key].items():
             told = (
-                f"{e['matches']:7.0f} ({e['least']:2d}) {e['fit']:8.2f} {e['looks']:11.1f} {e['milliseconds']:8.0f}"
+                f"{e['matches']:7.0f} ({e['tracked_least']:2d}) {e['fit']:8.2f} "
+                f"{e['looks']:11.1f} {e['milliseconds']:8.0f}"
                 if "fit" in e
                 else f"turned by {found['turns'][name]:.2f} deg" * (key == "turned_each")
             )
             yield (
-                f"{name:16} {e['translation']:8.3%} ({e['shortest']:.2%} to {e['longest']:.2%}) "
-                f"{e['rotation']:8.4f} deg/m {e['ate']:6.3f} m {e['attitude']:6.3f} deg {told}"
+                f"{name:16} {e['translation']:8.3%} ({e['shortest']:.2%} to {e['max_backoff']:.2%}) "
+                f"{e['rotation']:8.4f} deg/m {e['ate']:6.3f} m {e['orientation']:6.3f} deg {told}"
             )
 
 
@@ -174,7 +183,7 @@ def main() -> None:
     """Print the tables."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--offset", type=float, default=CHOSEN, help=f"of the disparities [px] (default {CHOSEN})")
-    parser.add_argument("--only", choices=MOVING, action="append", help="these ways alone")
+    parser.add_argument("--only", choices=MOTION_SOURCES, action="append", help="these ways alone")
     parser.add_argument("--json", action="store_true", help="print plain data")
     given = parser.parse_args()
     if not KITTI.is_dir():

@@ -16,12 +16,20 @@ from numpy.typing import ArrayLike
 
 from slamlib.errors import SlamlibError
 from slamlib.kalman import linalg
-from slamlib.kalman.linalg import frozen
-from slamlib.kalman.state import BeliefSnapshot, Block, Layout, Retraction, point_of
-from slamlib.kalman.update import Correction, Observation, Series, Stacked, compact, solve, stack
-from slamlib.manifolds import Array, Indices, Space, as_space
+from slamlib.kalman.linalg import read_only_copy
+from slamlib.kalman.state import BeliefSnapshot, Block, Retraction, StateLayout, checked_mean
+from slamlib.kalman.update import (
+    LinearizedMeasurement,
+    SequentialUpdate,
+    StackedMeasurements,
+    UpdateResult,
+    checked_jacobians,
+    solve_update,
+    stack_measurements,
+)
+from slamlib.manifolds import Array, Indices, Manifold, as_manifold
 
-__all__ = ["Belief", "BeliefSnapshot", "Block", "Correction", "Observation"]
+__all__ = ["Belief", "BeliefSnapshot", "Block", "LinearizedMeasurement", "UpdateResult"]
 
 
 class Belief:
@@ -61,14 +69,14 @@ class Belief:
         """Means and covariance as they are now."""
         blocks = self.blocks
         means, slices = tuple(b.mean for b in blocks), tuple(b.slice for b in blocks)
-        return BeliefSnapshot(means, slices, frozen(self._P), tuple(b.space for b in blocks), blocks, self)
+        return BeliefSnapshot(means, slices, read_only_copy(self._P), tuple(b.manifold for b in blocks), blocks, self)
 
     def restore(self, snapshot: BeliefSnapshot) -> None:
         """Be again as at the snapshot: blocks removed since then are back, blocks added since then are gone."""
         if snapshot.belief is not self:
             raise SlamlibError("restore: the snapshot was taken from another belief, whose blocks are not of this one")
-        for block, space, mean in zip(snapshot.blocks, snapshot.spaces, snapshot.means, strict=True):
-            block.take(space, mean)
+        for block, manifold, mean in zip(snapshot.blocks, snapshot.manifolds, snapshot.means, strict=True):
+            block.set_mean(manifold, mean)
         self._set(snapshot.blocks, snapshot.covariance.copy())
 
     def overwrite(self, blocks: Mapping[int, Block], means: Mapping[int, Array], covariance: Array) -> None:
@@ -80,15 +88,15 @@ class Belief:
             raise SlamlibError("overwrite: give every block of the belief once, with its mean")
         P = linalg.finite(covariance, (self.size, self.size), "overwrite", "covariance")
         ordered = [blocks[i] for i in sorted(blocks)]
-        taken = [point_of(blocks[i].space, means[i], "overwrite") for i in sorted(blocks)]
+        taken = [checked_mean(blocks[i].manifold, means[i], "overwrite") for i in sorted(blocks)]
         for block, mean in zip(ordered, taken, strict=True):
-            block.take(block.space, mean)
+            block.set_mean(block.manifold, mean)
         self._set(ordered, P.copy())
 
-    @linalg.quiet
+    @linalg.quiet_floats
     def add(
         self,
-        space: int | Space,
+        manifold: int | Manifold,
         mean: ArrayLike,
         covariance: ArrayLike,
         *,
@@ -101,82 +109,89 @@ class Belief:
         sum G_i P_i and the new corner sum G_i P_ij G_j' + covariance (Report eq. 5.34-5.35, corrected: errata E18).
         Raises ShapeError, NonFiniteError, CovarianceError; UnitError where the mean is no point of the space.
         """
-        space = as_space(space)
-        mean, corner = point_of(space, mean, "add"), linalg.covariance(covariance, space.dof, "add", "covariance")
+        manifold = as_manifold(manifold)
+        mean, corner = (
+            checked_mean(manifold, mean, "add"),
+            linalg.covariance(covariance, manifold.dof, "add", "covariance"),
+        )
         self._own(given)
-        rows = np.zeros((space.dof, self.size))
-        gains = compact(Observation(given, jacobians, mean, corner), space.dof, "add") if given or jacobians else []
+        rows = np.zeros((manifold.dof, self.size))
+        gains = (
+            checked_jacobians(LinearizedMeasurement(given, jacobians, mean, corner), manifold.dof, "add")
+            if given or jacobians
+            else []
+        )
         for block, G in zip(given, gains, strict=True):
             rows += G @ self._P[block.slice]
         for block, G in zip(given, gains, strict=True):
             corner = corner + rows[:, block.slice] @ G.T
-        linalg.not_overflown("add", rows, corner)
-        block = Block(space, mean, self.size)
-        self._set([*self._blocks, block], linalg.exchange(self._P, slice(self.size, self.size), rows, corner))
+        linalg.check_overflow("add", rows, corner)
+        block = Block(manifold, mean, self.size)
+        self._set([*self._blocks, block], linalg.replace_rows(self._P, slice(self.size, self.size), rows, corner))
         return block
 
     def remove(self, block: Block) -> None:
         """Forget a block: its rows and columns go, which is exactly the marginal of the rest. Its handle is void."""
         self._own([block])
-        P = linalg.exchange(self._P, block.slice, np.zeros((0, self.size)), np.zeros((0, 0)))
+        P = linalg.replace_rows(self._P, block.slice, np.zeros((0, self.size)), np.zeros((0, 0)))
         self._set([b for b in self._blocks if b is not block], P)
 
-    @linalg.quiet
-    def replace(self, block: Block, space: int | Space, mean: Array, jacobian: Array) -> Block:
+    @linalg.quiet_floats
+    def replace(self, block: Block, manifold: int | Manifold, mean: Array, jacobian: Array) -> Block:
         """Another parametrization of a block: its rows become J P, J (new dof, old dof). Every handle stays valid."""
-        space = as_space(space)
-        mean = point_of(space, mean, "replace")
+        manifold = as_manifold(manifold)
+        mean = checked_mean(manifold, mean, "replace")
         self._own([block])
-        J = linalg.finite(jacobian, (space.dof, block.dof), "replace", "jacobian")
+        J = linalg.finite(jacobian, (manifold.dof, block.dof), "replace", "jacobian")
         rows = J @ self._P[block.slice]
         corner = rows[:, block.slice] @ J.T
-        linalg.not_overflown("replace", rows, corner)
-        P = linalg.exchange(self._P, block.slice, rows, corner)
-        block.take(space, mean)
+        linalg.check_overflow("replace", rows, corner)
+        P = linalg.replace_rows(self._P, block.slice, rows, corner)
+        block.set_mean(manifold, mean)
         self._set(self.blocks, P)
         return block
 
-    @linalg.quiet
+    @linalg.quiet_floats
     def predict(self, block: Block, mean: ArrayLike, F: ArrayLike, Q: ArrayLike) -> None:
         """Move a block: its mean becomes `mean`, its rows F P, its corner F P F' + Q (Report eq. 5.23 with E10).
 
         mean (size of the space,), F (dof, dof) at the mean before the motion (E02), Q (dof, dof) semi-definite.
         """
         self._own([block])
-        mean, n = point_of(block.space, mean, "predict"), block.dof
+        mean, n = checked_mean(block.manifold, mean, "predict"), block.dof
         F, Q = linalg.finite(F, (n, n), "predict", "F"), linalg.covariance(Q, n, "predict", "Q")
         P, at = self._P, block.slice
         rows = F @ P[at]
         corner = rows[:, at] @ F.T + Q
-        linalg.not_overflown("predict", rows, corner)
+        linalg.check_overflow("predict", rows, corner)
         P[at], P[:, at] = rows, rows.T
         P[at, at] = corner / 2 + corner.T / 2
         block.mean = mean
 
-    @linalg.quiet
+    @linalg.quiet_floats
     def innovation_covariance(self, blocks: Sequence[Block], jacobians: Sequence[Array], R: Array) -> Array:
         """H P H' + R, (m, m), for the blocks that a measurement depends on: what a gate needs before correcting."""
         rows = np.shape(jacobians[0])[:1] if len(jacobians) else ()
-        observation = Observation(blocks, jacobians, np.zeros(rows or 1), R)
-        stacked = stack([observation], "innovation_covariance", self._own)
+        measurement = LinearizedMeasurement(blocks, jacobians, np.zeros(rows or 1), R)
+        stacked = stack_measurements([measurement], "innovation_covariance", self._own)
         S = stacked.innovation_covariance(stacked.H @ self._P[stacked.touched])
-        linalg.not_overflown("innovation_covariance", S)
+        linalg.check_overflow("innovation_covariance", S)
         return S
 
-    def correct(
+    def update(
         self, blocks: Sequence[Block], jacobians: Sequence[Array], innovation: Array, R: Array, *, method: str = "batch"
-    ) -> Correction:
+    ) -> UpdateResult:
         """Correct all blocks by one measurement: innovation z = y - e (m,), Jacobians of e, noise R (m, m)."""
-        return self.correct_all([Observation(blocks, jacobians, innovation, R)], method=method)
+        return self.update_all([LinearizedMeasurement(blocks, jacobians, innovation, R)], method=method)
 
-    @linalg.quiet
-    def correct_all(self, observations: Sequence[Observation], *, method: str = "batch") -> Correction:
+    @linalg.quiet_floats
+    def update_all(self, measurements: Sequence[LinearizedMeasurement], *, method: str = "batch") -> UpdateResult:
         """Correct all blocks by several measurements at once; Jacobians and innovations at the present means.
 
         method: "batch" (one factorization), or "scalar": whitened by R and then one number after another, with the
         innovation running along (errata E16, E17). Both give the same result but for rounding; "scalar" needs R > 0,
         "batch" takes a semi-definite R (a number without noise) as long as H P H' + R is positive definite. One
-        landmark after another is a loop over `correct`, with Jacobians and innovations anew at the running means.
+        landmark after another is a loop over `update`, with Jacobians and innovations anew at the running means.
 
         The covariance stays that of the tangent space before the correction. Re-centring it would multiply a rotation's
         rows by G = I - [dtheta/2]x (Sola 2017, section 6.3), a change of P of at most the correction's angle, relative
@@ -186,49 +201,53 @@ class Belief:
         Rounding in P - W'W is 1e-16 of the variance *before*: a prior 1e16 times the posterior's variance leaves no
         digit. Raises ShapeError, NonFiniteError, CovarianceError; then nothing is changed.
         """
-        observations = list(observations)
-        return self._correct(method, stack(observations, "correct", self._own), observations)
+        measurements = list(measurements)
+        return self._update(method, stack_measurements(measurements, "update", self._own), measurements)
 
-    def _correct(self, method: str, stacked: Stacked, observations: Sequence[Observation]) -> Correction:
+    def _update(
+        self, method: str, stacked: StackedMeasurements, measurements: Sequence[LinearizedMeasurement]
+    ) -> UpdateResult:
         HP = stacked.H @ self._P.take(stacked.touched, axis=0)
         S = stacked.innovation_covariance(HP)
-        step, rows, nis = solve(method, HP, S, stacked, observations)
-        means = self._moved(step)
+        step, rows, nis = solve_update(method, HP, S, stacked, measurements)
+        means = self._retracted(step)
         linalg.subtract_square(self._P, rows)
-        self._layout.move(*means)
-        return Correction(stacked.z, S, nis)
+        self._layout.assign(*means)
+        return UpdateResult(stacked.z, S, nis)
 
-    @linalg.quiet
-    def correct_rows(self, columns: Indices, H: Array, innovation: Array, R: Array) -> Correction:
-        """As `correct`, for a Jacobian H (m, k) by the rows `columns` (k,) of the covariance: no block is looked up.
+    @linalg.quiet_floats
+    def update_rows(self, columns: Indices, H: Array, innovation: Array, R: Array) -> UpdateResult:
+        """As `update`, for a Jacobian H (m, k) by the rows `columns` (k,) of the covariance: no block is looked up.
 
         The rows are those of `block.slice`; none may appear twice.
         """
-        z = linalg.numbers(innovation, "correct_rows", "innovation")
+        z = linalg.numbers(innovation, "update_rows", "innovation")
         m, k = z.size, len(columns)
-        z, H = linalg.finite(z, (m,), "correct_rows", "innovation"), linalg.finite(H, (m, k), "correct_rows", "H")
-        return self._correct("batch", Stacked(z, H, linalg.finite(R, (m, m), "correct_rows", "R"), columns), [])
+        z, H = linalg.finite(z, (m,), "update_rows", "innovation"), linalg.finite(H, (m, k), "update_rows", "H")
+        return self._update(
+            "batch", StackedMeasurements(z, H, linalg.finite(R, (m, m), "update_rows", "R"), columns), []
+        )
 
     @contextmanager
-    def series(self) -> Iterator[Series]:
+    def sequential_update(self) -> Iterator[SequentialUpdate]:
         """Corrections one after another, each at the means that those before it left.
 
         with belief.series() as series: series.correct(...), as often as wanted. Means follow at once; the covariance at
         the end, also where an error ends it. Until then nothing else may be done with the belief.
         """
-        series = Series(self._P, self._layout, self.retraction)
+        sequence = SequentialUpdate(self._P, self._layout, self.retraction)
         try:
             with np.errstate(over="ignore", invalid="ignore"):  # one for all of them
-                yield series
+                yield sequence
         finally:
-            series.finish()
+            sequence.finish()
 
-    def _moved(self, step: Array) -> tuple[Array, list[Array]]:
+    def _retracted(self, step: Array) -> tuple[Array, list[Array]]:
         """Every mean plus its piece of the step; raises NonFiniteError where one overflows."""
-        flat, points = self._layout.moved(step, self.retraction)
-        linalg.finite(flat, flat.shape, "correct", "the corrected means")
+        flat, points = self._layout.retract(step, self.retraction)
+        linalg.finite(flat, flat.shape, "update", "the corrected means")
         for block, mean in zip(self._layout.points, points, strict=True):
-            linalg.finite(mean, (block.space.size,), "correct", f"the corrected mean of {block!r}")
+            linalg.finite(mean, (block.manifold.size,), "update", f"the corrected mean of {block!r}")
         return flat, points
 
     def _own(self, blocks: Sequence[Block]) -> None:
@@ -245,4 +264,4 @@ class Belief:
         for block in blocks:
             block.start = start
             start += block.dof
-        self._layout = Layout(self._blocks)
+        self._layout = StateLayout(self._blocks)

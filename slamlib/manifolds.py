@@ -16,7 +16,7 @@ Indices: TypeAlias = NDArray[np.integer[Any]]
 Image: TypeAlias = NDArray[Any]  # grey values, as bytes or as floats
 
 
-class Space(Protocol):
+class Manifold(Protocol):
     """What a block of the state must offer: sizes, and addition and subtraction of a tangent vector."""
 
     @property
@@ -64,7 +64,7 @@ class Euclidean:
 
 
 @dataclass(frozen=True, repr=False)
-class Manifold:
+class CustomManifold:
     """Unit vectors of `size` numbers with `dof` degrees of freedom, with the models of plus and minus."""
 
     name: str
@@ -100,7 +100,7 @@ class Manifold:
 class Product:
     """Several spaces side by side in one vector; plus and minus act part by part."""
 
-    def __init__(self, name: str, *parts: Space) -> None:
+    def __init__(self, name: str, *parts: Manifold) -> None:
         self.name, self.parts = name, parts
         self._stored, self._tangent = _ranges([p.size for p in parts]), _ranges([p.dof for p in parts])
         self.size, self.dof = self._stored[-1].stop, self._tangent[-1].stop
@@ -151,7 +151,7 @@ def _ranges(sizes: list[int]) -> list[slice]:
     return [slice(end - size, end) for size, end in zip(sizes, accumulate(sizes), strict=True)]
 
 
-def as_space(spec: "int | Space") -> Space:
+def as_manifold(spec: "int | Manifold") -> Manifold:
     """The space that `spec` names: an int n means vectors of n numbers."""
     if isinstance(spec, int):
         if spec < 1:

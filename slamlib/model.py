@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, StaleCodeError
-from slamlib.manifolds import Array, Space, as_space
+from slamlib.manifolds import Array, Manifold, as_manifold
 from slamlib.modeling import fingerprint, in_memory
 from slamlib.modeling.kernel import Kernel
 
@@ -33,20 +33,20 @@ FORMULA_PARTS = ("geometry", "landmarks", "motions", "observation", "sensors")
 class Argument:
     """One argument of a model, or its result: name, stored shape, and the space if it is a vector."""
 
-    def __init__(self, name: str, spec: "int | tuple[int, ...] | Space") -> None:
+    def __init__(self, name: str, spec: "int | tuple[int, ...] | Manifold") -> None:
         self.name = name
-        self.space = None if isinstance(spec, tuple) else as_space(spec)
-        self.shape = spec if isinstance(spec, tuple) else (self.space.size,)  # type: ignore[union-attr]
-        self.tangent = self.shape if self.space is None else (self.space.dof,)
+        self.manifold = None if isinstance(spec, tuple) else as_manifold(spec)
+        self.shape = spec if isinstance(spec, tuple) else (self.manifold.size,)  # type: ignore[union-attr]
+        self.tangent = self.shape if self.manifold is None else (self.manifold.dof,)
         self.size = math.prod(self.shape)
-        self.is_manifold = self.space is not None and self.space.dof != self.space.size
+        self.is_manifold = self.manifold is not None and self.manifold.dof != self.manifold.size
 
     def __repr__(self) -> str:
-        return f"{self.name}: {self.space or self.shape}"
+        return f"{self.name}: {self.manifold or self.shape}"
 
 
 def model(
-    *, returns: "int | tuple[int, ...] | Space | None" = None, **arguments: Any
+    *, returns: "int | tuple[int, ...] | Manifold | None" = None, **arguments: Any
 ) -> Callable[[Callable[..., Array]], "Model"]:
     """Declare a function as a model: for each argument its size (int), shape (tuple; () is a scalar) or space.
 
@@ -157,7 +157,7 @@ class Model:
         arguments = [a if a.size == n else Argument(a.name, n) for a, n in zip(self.arguments, sizes, strict=True)]
         if arguments == self.arguments:
             return self
-        short = Model(self.function, arguments, self.result and self.result.space)
+        short = Model(self.function, arguments, self.result and self.result.manifold)
         short._whole = self
         return short
 
@@ -221,4 +221,4 @@ class Model:
                 f"{self.name}: argument '{argument.name}' holds {value[where]} at index {where}; remove or mask it"
             )
         if argument.is_manifold and value.dtype.kind != "c":
-            argument.space.check(value, f"{self.name}: argument '{argument.name}'")  # type: ignore[union-attr]
+            argument.manifold.check(value, f"{self.name}: argument '{argument.name}'")  # type: ignore[union-attr]

@@ -42,8 +42,10 @@ def of_model(model: Model, rng: np.random.Generator) -> list[Any]:
 def _defined(model: Model, rng: np.random.Generator) -> list[Any]:
     """Random arguments at which the model has a value: not every matrix is a rotation."""
     while True:
-        spaces = ((a.shape, a.space) for a in model.arguments)
-        arguments = [rng.standard_normal(shape) if space is None else space.random(rng) for shape, space in spaces]
+        spaces = ((a.shape, a.manifold) for a in model.arguments)
+        arguments = [
+            rng.standard_normal(shape) if manifold is None else manifold.random(rng) for shape, manifold in spaces
+        ]
         try:
             model.jac(*arguments)
             return arguments
@@ -63,7 +65,7 @@ def of_filter(rng: np.random.Generator) -> list[Any]:
         F, H = rng.standard_normal((6, 6)), [rng.standard_normal((2, 6)), rng.standard_normal((2, 3))]
         belief.predict(robot, rng.standard_normal(6), F, np.eye(6))
         root = rng.standard_normal((2, 2))
-        done = belief.correct([robot, landmark], H, rng.standard_normal(2), root @ root.T + np.eye(2), method=method)
+        done = belief.update([robot, landmark], H, rng.standard_normal(2), root @ root.T + np.eye(2), method=method)
         numbers += [robot.mean, landmark.mean, belief.covariance(robot), belief.covariance(robot, landmark), done.nis]
     return numbers
 

@@ -8,12 +8,12 @@ import pytest
 from slambook.report import SWITCHES, Memory, equations, motion, observation
 from slambook.report.angles import rotation
 from slambook.report.checks import CHECKS
-from slambook.report.findings import Check, Figure, Finding, at_least, at_most, near
+from slambook.report.findings import AuditCheck, AuditFigure, AuditFinding, at_least, at_most, near
 from slambook.report.runs import monte_carlo
 from slambook.report.scenes import SCENES
 
 from book.tools import audit
-from slamlib.belief import Belief, Observation
+from slamlib.belief import Belief, LinearizedMeasurement
 from slamlib.errors import UnknownNameError
 from slamlib.motions.euler_composition import compose
 
@@ -82,9 +82,9 @@ def test_one_run_is_a_run_among_several():
 
     def drive(part):
         filter = Memory(x[part].copy(), np.zeros((len(x[part]), 6, 6)))
-        filter.begin(z[part], [5, 3, 8, 1], R, first=True)
+        filter.initialize(z[part], [5, 3, 8, 1], R, first=True)
         filter.predict(u[part], U)
-        filter.correct(z[part][:, [2, 0]], [8, 5], R)
+        filter.update(z[part][:, [2, 0]], [8, 5], R)
         return filter
 
     together, alone = drive(slice(0, 3)), drive(slice(1, 2))
@@ -106,7 +106,7 @@ def test_the_corrected_filter_is_slamlibs_belief():
         own = rotation(x[3:]) @ R @ rotation(x[3:]).T
         J = observation.placed_by_pose(x[None], z[None, None])[0, 0]
         points.append(belief.add(3, observation.placed(x, z[None])[0], own, given=[pose], jacobians=[J]))
-        filter.begin(z[None, None], [len(points)], R)
+        filter.initialize(z[None, None], [len(points)], R)
     new, J = compose.jac(x, u)
     belief.predict(pose, new, J.pose, J.control @ U @ J.control.T)
     filter.predict(motion.inverse(u)[None], U)
@@ -114,11 +114,11 @@ def test_the_corrected_filter_is_slamlibs_belief():
     seen = observation.by_vectors(new, np.array([points[2].mean, points[0].mean])) + 0.05
     H = observation.by_pose(new, np.array([points[2].mean, points[0].mean]))
     both = [
-        Observation([pose, p], [h, rotation(new[3:]).T], np.full(3, 0.05), R)
+        LinearizedMeasurement([pose, p], [h, rotation(new[3:]).T], np.full(3, 0.05), R)
         for p, h in zip((points[2], points[0]), H, strict=True)
     ]
-    belief.correct_all(both)
-    filter.correct(seen[None], [3, 1], R)
+    belief.update_all(both)
+    filter.update(seen[None], [3, 1], R)
     np.testing.assert_allclose(filter.P[0], belief.matrix, atol=1e-14)
     np.testing.assert_allclose(filter.x[0], np.concatenate([b.mean for b in belief.blocks]), atol=1e-13)
 
@@ -128,14 +128,14 @@ def test_limits():
     assert not near("", 1.2, 1.0, 0.1).holds
     assert at_least("", math.inf, 3).holds
     assert not at_most("", math.nan, 1).holds
-    assert Figure("", 7, -math.inf, math.inf).tolerance == "not judged"
+    assert AuditFigure("", 7, -math.inf, math.inf).tolerance == "not judged"
 
 
 def test_a_failure_is_the_exit_status(monkeypatch, capsys):
     monkeypatch.setattr("sys.argv", ["audit", "--only", "E11", "E30"])
     assert audit.main() == 0
     assert "2 numbers, 1 reproduced, 1 reading; all within their limits" in capsys.readouterr().out
-    broken = Check("E11", "", "", "", lambda: Finding([near("wrong", 2, 1, 0.1)]))
+    broken = AuditCheck("E11", "", "", "", lambda: AuditFinding([near("wrong", 2, 1, 0.1)]))
     monkeypatch.setitem(CHECKS, "E11", broken)
     assert audit.main() == 1
     assert "FAILED: E11" in capsys.readouterr().out

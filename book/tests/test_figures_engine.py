@@ -15,7 +15,7 @@ from slambook.figures import colors, paths
 from slambook.figures import figure as empty
 from slambook.figures.images import colored, png
 from slambook.figures.legend import PLACES
-from slambook.figures.scales import SCALES, View, spread
+from slambook.figures.scales import SCALES, DataView, spread
 from slambook.figures.ticks import decades, labels, nice_ticks
 from slambook.figures.words import Lettering, runs, width_of
 
@@ -711,6 +711,6 @@ def test_spread_of_nothing_and_of_one_number():
     assert low < 5 < high
     low, high = spread(0.0, 0.0, SCALES["linear"])
     assert low < 0 < high
-    view = View((0, 0, 10, 10), (1, 100), (0, 1), SCALES["log"], SCALES["linear"])
+    view = DataView((0, 0, 10, 10), (1, 100), (0, 1), SCALES["log"], SCALES["linear"])
     assert view.floored(np.array([0.0]), np.array([0.5]))[:, 0].tolist() == [0, 5]  # no place on a logarithmic axis
     assert np.isnan(view.points(np.array([-1.0]), np.array([0.5]))[0, 0])

@@ -249,7 +249,7 @@ def test_a_factorization_that_fails_silently_is_noticed(monkeypatch):
     filter_ = belief.Belief()
     block = filter_.add(2, np.zeros(2), covariance=np.eye(2))
     with pytest.raises(SlamlibError):
-        filter_.correct([block], [np.eye(2)], np.ones(2), bad)
+        filter_.update([block], [np.eye(2)], np.ones(2), bad)
     np.testing.assert_array_equal(filter_.covariance(block), np.eye(2))
 
 

@@ -48,7 +48,7 @@ def test_filtered_levels_are_those_of_another_implementation(nile, method, missi
     level = belief.add(1, np.zeros(1), PRIOR * one)
     for year, flow in nile.items():
         if year not in missing:
-            belief.correct([level], [one], flow - level.mean, R * one, method=method)
+            belief.update([level], [one], flow - level.mean, R * one, method=method)
         mean, variance = expected.get(year, (None, None))
         if mean is not None:
             assert level.mean[0] == pytest.approx(mean, abs=2e-8)

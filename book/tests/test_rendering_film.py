@@ -25,7 +25,7 @@ def room():
 
 def shot(room, frames=3, seed=1, path=PATH, rig=None, **more):
     """A film of small pictures."""
-    rig = rendering.hand_held(path, **SMALL) if rig is None else rig
+    rig = rendering.rig_along_path(path, **SMALL) if rig is None else rig
     return rendering.film(room, rig, path, frames=frames, rng=np.random.default_rng(seed), **more)
 
 
@@ -35,7 +35,7 @@ def images(film):
 
 def test_a_film_is_the_same_each_time_and_depends_on_its_seed_alone(room):
     rng = np.random.default_rng(1)
-    film = rendering.film(room, rendering.hand_held(PATH, **SMALL), PATH, frames=3, rng=rng)
+    film = rendering.film(room, rendering.rig_along_path(PATH, **SMALL), PATH, frames=3, rng=rng)
     rng.standard_normal(10)
     first, again, anew, other = images(film), images(film), images(shot(room)), images(shot(room, seed=2))
     assert len(film) == len(first) == 3
@@ -55,7 +55,7 @@ def test_frames_and_truth(room):
 
 
 def test_the_rigs_start_is_the_paths(room):
-    rig = rendering.hand_held(PATH)
+    rig = rendering.rig_along_path(PATH)
     assert np.allclose(rig.robots[0].state, PATH.state(0))
     step = CONSTANT_VELOCITY.step(rig.robots[0].state, np.zeros(6), 1e-3)
     assert np.allclose(step[:7], PATH.pose(1e-3), atol=1e-6)
@@ -65,24 +65,24 @@ def test_the_rigs_start_is_the_paths(room):
 
 
 def test_odometry_is_told_the_true_steps_and_noise(room):
-    exact = rendering.hand_held(PATH, motion="odometry", control_std=(0.0,) * 6, **SMALL)
+    exact = rendering.rig_along_path(PATH, motion="odometry", control_std=(0.0,) * 6, **SMALL)
     before = PATH.pose(0)
     for frame, truth in shot(room, rig=exact):
         assert np.allclose(ODOMETRY.step(before, frame.controls[0].value, frame.dt), truth.robots[0])
         before = truth.robots[0]
-    noisy = rendering.hand_held(PATH, motion="odometry", control_std=(0.1,) * 3 + (1.0,) * 3, **SMALL)
+    noisy = rendering.rig_along_path(PATH, motion="odometry", control_std=(0.1,) * 3 + (1.0,) * 3, **SMALL)
     pairs = zip(shot(room, 40, rig=noisy, samples=1), shot(room, 40, rig=exact, samples=1), strict=True)
     errors = np.array([a.controls[0].value - b.controls[0].value for (a, _), (b, _) in pairs])
     assert np.allclose(errors.std(0), [0.1] * 3 + [np.radians(1)] * 3, rtol=0.4)
 
 
 def test_a_stereo_pair_sees_the_same_points(room):
-    rig = rendering.hand_held(PATH, baseline=0.12, **SMALL)
+    rig = rendering.rig_along_path(PATH, baseline=0.12, **SMALL)
     film = shot(room, 1, rig=rig, effects=rendering.NO_EFFECTS)
     ((frame, truth),) = film
     left = strong_corners(frame.scans[0].image, border=25)
     points = film.truth_of(truth, left)
-    right = pixels_of(rig.sensors[1].calibration, compose(truth.robots[0][:7], truth.mounts[1]), points)
+    right = pixels_of(rig.sensors[1].calibration, compose(truth.robots[0][:7], truth.extrinsics[1]), points)
     disparity, depth = left[:, 0] - right[:, 0], points[:, 0] - truth.robots[0][0]
     assert np.allclose(disparity, 130 * 0.12 / depth, rtol=0.35)  # nearly: the lens distorts, the hand turns
     likeness = zncc(patches(frame.scans[0].image, left), patches(frame.scans[1].image, right))
@@ -91,26 +91,26 @@ def test_a_stereo_pair_sees_the_same_points(room):
 
 
 def test_mounts_that_are_estimated_are_drawn(room):
-    rig = rendering.hand_held(PATH, **SMALL)
-    loose = Rig(rig.robots, (replace(rig.sensors[0], estimated=True, position_std=(0.02,), attitude_std=(1.0,)),))
+    rig = rendering.rig_along_path(PATH, **SMALL)
+    loose = Rig(rig.robots, (replace(rig.sensors[0], estimated=True, position_std=(0.02,), orientation_std=(1.0,)),))
     ((_, truth),) = shot(room, 1, rig=loose)
-    off = np.linalg.norm(truth.mounts[0][:3] - rig.sensors[0].mount[:3])
+    off = np.linalg.norm(truth.extrinsics[0][:3] - rig.sensors[0].extrinsics[:3])
     assert 0.001 < off < 0.1
 
 
-@pytest.mark.parametrize("textures", rendering.LOOKS)
+@pytest.mark.parametrize("textures", rendering.ROOM_STYLES)
 def test_corners_can_be_followed(textures):
     if textures == "photographs":
         pytest.importorskip("skimage")
     path, least = rendering.path("round"), {"drawn": 0.95, "photographs": 0.9}[textures]  # measured: 0.99 and 0.97
-    rig = rendering.hand_held(path)
+    rig = rendering.rig_along_path(path)
     film = rendering.film(rendering.default_room(textures), rig, path, frames=31, rng=np.random.default_rng(1))
     calibration, before, likeness = rig.sensors[0].calibration, None, []
     for frame, truth in film:
         image = frame.scans[0].image
         if frame.number % 10 == 1 and before is not None:
             corners = strong_corners(before[0])
-            camera = compose(truth.robots[0][:7], truth.mounts[0])
+            camera = compose(truth.robots[0][:7], truth.extrinsics[0])
             pixels = pixels_of(calibration, camera, film.truth_of(before[1], corners))
             inside = calibration.inside(pixels, 9)
             assert inside.sum() > 60
@@ -153,7 +153,7 @@ def test_blur_has_its_variance():
 def test_motion_blur_is_the_mean_over_the_exposure(room):
     still = replace(rendering.NO_EFFECTS, exposure=1 / 60, exposures=3)
     film = shot(room, 2, effects=still)
-    camera = film.rig.sensors[0].mount
+    camera = film.rig.sensors[0].extrinsics
     times = 2 / 30 + np.array([-1, 0, 1]) / 180
     mean = np.mean([film.renderers[0].render(compose(PATH.pose(t), camera)).image for t in times], axis=0)
     assert np.abs(images(film)[1] - mean).max() <= 0.51
@@ -171,14 +171,14 @@ def test_motion_blur_is_the_mean_over_the_exposure(room):
 def test_what_cannot_be_filmed_is_refused_at_the_call(room, wrong, says):
     settings = {"frames": 3, "rng": np.random.default_rng(1), **wrong}
     with pytest.raises(SlamlibError, match=says):
-        rendering.film(room, rendering.hand_held(PATH, **SMALL), PATH, **settings)
+        rendering.film(room, rendering.rig_along_path(PATH, **SMALL), PATH, **settings)
 
 
 def test_effects_and_motions_that_make_no_sense_are_refused(room):
     for wrong in ({"noise": -1}, {"gain": np.nan}, {"gain_time": 0}, {"vignetting": 1}, {"blur": 3}, {"exposures": 0}):
         with pytest.raises(SlamlibError, match="Effects"):
             rendering.Effects(**wrong)
-    rig = rendering.hand_held(PATH, **SMALL)
+    rig = rendering.rig_along_path(PATH, **SMALL)
     with pytest.raises(UnknownNameError, match="motion"):
         shot(room, rig=Rig((replace(rig.robots[0], motion="odometri"),), rig.sensors))
     with pytest.raises(SlamlibError, match="one robot"):

@@ -58,10 +58,10 @@ def test_round_comes_back():
 
 def test_a_path_of_ones_own_passes_through_its_knots():
     knots = np.random.default_rng(1).uniform(-1, 1, (5, 6))
-    path = rendering.Path([1.0, 2.0, 2.5, 4.0, 5.0], knots)
+    path = rendering.CameraPath([1.0, 2.0, 2.5, 4.0, 5.0], knots)
     assert path.duration == 4
     assert np.allclose(path.pose(1.5)[:3], knots[2, :3])
-    straight = rendering.Path([0, 1, 3], np.outer([0, 1, 3], [0.2, 0.1, 0, 0, 0, 0.3]))
+    straight = rendering.CameraPath([0, 1, 3], np.outer([0, 1, 3], [0.2, 0.1, 0, 0, 0, 0.3]))
     assert np.allclose(straight.state(2.0)[7:], [0.2, 0.1, 0, 0, 0, 0.3])
 
 
@@ -70,7 +70,7 @@ def test_a_path_of_ones_own_passes_through_its_knots():
 )
 def test_what_is_no_path_is_refused(times, knots):
     with pytest.raises(SlamlibError, match="Path"):
-        rendering.Path(times, knots)
+        rendering.CameraPath(times, knots)
 
 
 def test_a_path_ends():

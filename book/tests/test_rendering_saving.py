@@ -19,7 +19,7 @@ pytest.importorskip("cv2")
 @pytest.fixture(scope="module")
 def film():
     room = rendering.Room(rendering.default_room("drawn").quads[:20])
-    return shot(room, 3, rig=rendering.hand_held(PATH, baseline=0.1, **SMALL))
+    return shot(room, 3, rig=rendering.rig_along_path(PATH, baseline=0.1, **SMALL))
 
 
 @pytest.fixture(scope="module")
@@ -43,7 +43,7 @@ def test_calibration_and_truth_are_read_as_they_were(film, folder):
     for camera, setup in enumerate(rig.sensors):
         trajectory = read_trajectory(folder / f"groundtruth_{camera}.txt")
         for pose, (frame, truth) in zip(trajectory.poses, film, strict=True):
-            exact = compose(truth.robots[0][:7], setup.mount)
+            exact = compose(truth.robots[0][:7], setup.extrinsics)
             assert np.allclose(Pose.minus(pose, exact), 0, atol=1e-9)
             assert frame.number in (1, 2, 3)
 

@@ -72,7 +72,7 @@ def test_without_scikit_image_the_message_says_what_to_install(monkeypatch):
     assert rendering.default_room("drawn").quads
 
 
-@pytest.mark.parametrize("textures", rendering.LOOKS)
+@pytest.mark.parametrize("textures", rendering.ROOM_STYLES)
 def test_the_default_room_has_a_world(textures):
     if textures == "photographs":
         pytest.importorskip("skimage")
@@ -82,8 +82,8 @@ def test_the_default_room_has_a_world(textures):
     assert len(world.faces) == 2 * len(room.quads)
     outlined = [q for q in room.quads if q.outlined]
     assert all(any(np.allclose(c, p) for p in world.points.values) for q in outlined for c in q.corners)
-    ends = world.segments.values.reshape(-1, 2, 3)
-    assert (np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1) > 0.2).all()
+    stops = world.segments.values.reshape(-1, 2, 3)
+    assert (np.linalg.norm(stops[:, 0] - stops[:, 1], axis=1) > 0.2).all()
     # 4 boxes of 8 corners and 12 edges, and posters of 4 and 4
     posters = len(outlined) - 4 * 5
     assert (len(world.points), len(world.segments)) == (4 * 8 + 4 * posters, 4 * 12 + 4 * posters)

@@ -7,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from slambook.report import correlations, fastslam, limits, memory, mrpt, planar, planar_runs, speed, updates
-from slambook.report.filter import Memory, Together
+from slambook.report.filter import BatchUpdateFilter, Memory
 from slambook.report.planar_ekf import PlanarEkf
 from slambook.report.runs import monte_carlo
 from slambook.report.scenes import SCENES
@@ -152,7 +152,7 @@ def test_what_is_linearised_anew_changes_little_where_little_bends():
 
 def test_together_is_number_by_number():
     scene = replace(SCENES["rig"](), controls=SCENES["rig"]().controls[:12])
-    one, other = (monte_carlo(scene, runs=2, seed=3, make=make) for make in (Memory, Together))
+    one, other = (monte_carlo(scene, runs=2, seed=3, make=make) for make in (Memory, BatchUpdateFilter))
     np.testing.assert_allclose(other.last.x, one.last.x, atol=1e-11)
     np.testing.assert_allclose(other.last.P, one.last.P, atol=1e-12)
 
@@ -234,7 +234,7 @@ def test_correlations_that_are_not_those_of_the_filter_show():
 
 @pytest.mark.parametrize(("start", "motion"), [(0.5, 0.1), (0.0, 0.1), (0.3, 0.0), (0.2, 0.5)])
 def test_landmarks_tend_to_the_bound_and_to_one_error(start, motion):
-    found = limits.looking(4000, start=start, motion=motion)
+    found = limits.repeated_observations(4000, start=start, motion=motion)
     np.testing.assert_allclose(found.absolute[-1], found.bound, rtol=5e-3)
     assert (found.absolute[-1] > found.bound).all()
     assert found.correlation[-1].min() > 0.98
@@ -242,15 +242,18 @@ def test_landmarks_tend_to_the_bound_and_to_one_error(start, motion):
 
 
 def test_without_an_error_of_the_robot_nothing_is_common():
-    found = limits.looking(50, start=0, motion=0)
+    found = limits.repeated_observations(50, start=0, motion=0)
     np.testing.assert_allclose(found.correlation, 0, atol=1e-9)
     np.testing.assert_allclose(found.absolute[-1], 0.2 / np.sqrt(50), rtol=1e-9)
 
 
 def test_the_relative_map_does_not_know_where_the_start_is():
-    here, there = limits.looking(60, start=0.1, reach=5), limits.looking(60, start=3.0, reach=5)
+    here, there = (
+        limits.repeated_observations(60, start=0.1, reach=5),
+        limits.repeated_observations(60, start=3.0, reach=5),
+    )
     np.testing.assert_allclose(here.relative, there.relative, rtol=1e-9)
-    everything = limits.looking(400)
+    everything = limits.repeated_observations(400)
     np.testing.assert_allclose(everything.relative[-1], np.sqrt(2 / 400) * 0.2, rtol=0.01)
     np.testing.assert_allclose(everything.beside, 0.5, atol=1e-9)
 
@@ -259,15 +262,15 @@ def test_given_the_path_landmarks_have_nothing_in_common():
     found = limits.common()
     assert found.given_path < 1e-12
     assert 0.05 < found.given_last < found.map
-    last = limits.looking(12, motion=0.1)
+    last = limits.repeated_observations(12, motion=0.1)
     assert found.map == pytest.approx(last.correlation[-1].max(), rel=1e-9)
 
 
 def test_a_corridor_that_cannot_be():
     with pytest.raises(SlamlibError, match="not all 5 landmarks"):
-        limits.looking(3, reach=5)
+        limits.repeated_observations(3, reach=5)
     with pytest.raises(SlamlibError, match="reach of 4 m"):
-        limits.looking(reach=3)
+        limits.repeated_observations(reach=3)
     with pytest.raises(SlamlibError, match="deviations above zero"):
         limits.common(start=0)
 
@@ -302,23 +305,24 @@ def test_systematic_draws_each_particle_its_share_of_times():
 def quiet(steps):
     """A drive with so little noise that nothing bends."""
     data = planar.drive(np.random.default_rng(4), steps)
-    rng, motion, look = np.random.default_rng(5), planar.MOTION / 20, planar.LOOK / 20
+    rng, motion, scan = np.random.default_rng(5), planar.MOTION / 20, planar.LOOK / 20
     truth = [
-        planar.Look(v.names, planar.seen(p, data.points[v.names])) for p, v in zip(data.truth, data.looks, strict=True)
+        planar.PlanarScan(v.names, planar.seen(p, data.points[v.names]))
+        for p, v in zip(data.truth, data.scans, strict=True)
     ]
-    looks = [planar.Look(v.names, v.z + look * rng.standard_normal(v.z.shape)) for v in truth]
+    scans = [planar.PlanarScan(v.names, v.z + scan * rng.standard_normal(v.z.shape)) for v in truth]
     true = np.array([0.8, 0, 2 * np.pi / planar.LAP])
     odometry = true + motion * rng.standard_normal((steps, 3))
-    return replace(data, odometry=odometry, looks=looks, motion_std=motion, look_std=look)
+    return replace(data, odometry=odometry, scans=scans, motion_std=motion, look_std=scan)
 
 
 def test_where_nothing_bends_many_particles_are_the_kalman_filter():
     """Weights, landmarks' filters and drawing all enter: a wrong one shows."""
     data, n = quiet(3), 40000
     ekf, particles = PlanarEkf(data), fastslam.FastSlam(data, n, np.random.default_rng(6))
-    for u, look in zip(data.odometry, data.looks[1:], strict=True):
-        ekf.step(u, look)
-        particles.step(u, look)
+    for u, scan in zip(data.odometry, data.scans[1:], strict=True):
+        ekf.step(u, scan)
+        particles.step(u, scan)
     (x, P), (y, Q) = ekf.pose(), particles.pose()
     effective = particles.effective[-1] / 8  # some are copies of each other
     assert nees(y - x, P) < 40 / effective
@@ -338,9 +342,9 @@ def test_a_path_known_exactly_leaves_a_kalman_filter_for_each_landmark():
     data = replace(planar.drive(np.random.default_rng(8), 6), motion_std=np.zeros(3))
     data = replace(data, odometry=np.tile([0.8, 0, 2 * np.pi / planar.LAP], (6, 1)))
     ekf, particles = PlanarEkf(data), fastslam.FastSlam(data, 3, np.random.default_rng(0))
-    for u, look in zip(data.odometry, data.looks[1:], strict=True):
-        ekf.step(u, look)
-        particles.step(u, look)
+    for u, scan in zip(data.odometry, data.scans[1:], strict=True):
+        ekf.step(u, scan)
+        particles.step(u, scan)
     np.testing.assert_allclose(particles.weights, 1 / 3)
     for name, (m, C) in ekf.map().items():
         np.testing.assert_allclose(particles.map()[name][0], m, atol=1e-10)
@@ -397,7 +401,7 @@ def test_mrpts_number_by_number_has_an_old_innovation_within_a_landmark():
     given = updates.problem(np.random.default_rng(1), 12, 5)
     x, P = updates.naive(given)()
     with mrpt.compiled() as program:
-        found = mrpt.correct(program, given, 1)
+        found = mrpt.run_update(program, given, 1)
     for method in found.values():
         np.testing.assert_allclose(method.state[1], P, atol=1e-12)
     np.testing.assert_allclose(found["naive"].state[0], x, atol=1e-12)

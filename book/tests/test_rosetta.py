@@ -280,7 +280,7 @@ def test_the_table_of_pairs_is_what_happens(name):
         calibration = example(SENSORS[name])
         if cell == "no":
             with pytest.raises(SlamlibError, match=f"{name} .*{kind.name}"):
-                observe_line(kind, calibration, IDENTITY, IDENTITY, np.ones(kind.space.size))
+                observe_line(kind, calibration, IDENTITY, IDENTITY, np.ones(kind.manifold.size))
             with pytest.raises(SlamlibError, match=f"{name} .*{kind.name}"):
                 initialize_line(kind, calibration, IDENTITY, IDENTITY, np.ones(4), np.ones(2))
             continue

@@ -15,7 +15,7 @@ from slambook.scene.layers import Layer, strung
 from slambook.scene.options import MapOptions, SensorOptions, chosen
 from slambook.scene.roles import DARK, MAP, ROLES, THEMES, themed
 from slambook.scene.scene import bounds, map_scene
-from slambook.scene.view import NAMED, NEAR, View, rings
+from slambook.scene.view import NAMED, NEAR, OrbitView, rings
 
 from slamlib.data.setup import SensorSetup
 from slamlib.data.snapshots import MapView
@@ -35,14 +35,16 @@ CSS = PACKAGE.parents[1] / "book" / "_static" / "figures.css"
 
 def test_known_points_from_above_from_the_side_and_from_the_front():
     points = np.array([[1.0, 2.0, 3.0]])
-    flat = {n: View(*NAMED[n][:2], 90.0, (0, 0, 0), 10.0, False).points(points)[0] for n in ("top", "side", "front")}
+    flat = {
+        n: OrbitView(*NAMED[n][:2], 90.0, (0, 0, 0), 10.0, False).points(points)[0] for n in ("top", "side", "front")
+    }
     assert flat["top"] == pytest.approx([0.1, 0.2])  # x to the right, y up, one unit at 10 m and 45 degrees
     assert flat["side"] == pytest.approx([0.1, 0.3])
     assert flat["front"] == pytest.approx([0.2, 0.3])
 
 
 def test_perspective_shrinks_what_is_far_and_leaves_the_middle():
-    view = View(-90.0, 0.0, 90.0, (0.0, 0.0, 0.0), 10.0)
+    view = OrbitView(-90.0, 0.0, 90.0, (0.0, 0.0, 0.0), 10.0)
     flat = view.points(np.array([[0, 0, 0], [1, 0, 0], [1, 10, 0], [1, -5, 0.0]]))
     assert flat[:, 0] == pytest.approx([0, 0.1, 1 / 20, 1 / 5])
     assert flat[:, 1] == pytest.approx(0)
@@ -52,7 +54,7 @@ def test_perspective_shrinks_what_is_far_and_leaves_the_middle():
 @pytest.mark.parametrize("aspect", [0.6, 1.5])
 def test_a_fitted_view_shows_all_and_fills_the_picture(perspective, aspect):
     points = np.random.default_rng(3).uniform([-4, -2, 0], [8, 5, 3], (50, 3))
-    view = View(37.0, 28.0, perspective=perspective).fitted(points, aspect)
+    view = OrbitView(37.0, 28.0, perspective=perspective).fitted(points, aspect)
     flat = view.points(points) / [aspect, 1]
     assert np.abs(flat).max() <= 1
     assert np.abs(flat).max() > 0.9
@@ -62,7 +64,7 @@ def test_a_fitted_view_shows_all_and_fills_the_picture(perspective, aspect):
 
 
 def test_lines_end_where_they_pass_the_viewer():
-    view = View(-90.0, 0.0, 90.0, (0.0, 0.0, 0.0), 10.0)
+    view = OrbitView(-90.0, 0.0, 90.0, (0.0, 0.0, 0.0), 10.0)
     flat = view.lines(np.array([[1, 5, 0], [1, -30, 0], [np.nan] * 3, [0, 0, 0], [0, 0, 1.0]]))
     assert flat[0] == pytest.approx([1 / 15, 0])
     assert flat[1] == pytest.approx([1 / (NEAR * 10), 0])  # cut, not turned inside out
@@ -78,7 +80,7 @@ def test_the_outline_of_an_ellipsoid_is_that_of_its_points(perspective):
     root, mean = rng.normal(size=(3, 3)), np.array([1.5, -1.0, 0.5])
     sphere = rng.normal(size=(400_000, 3))
     surface = mean + sphere / np.linalg.norm(sphere, axis=1, keepdims=True) @ root.T
-    view = View(25.0, 40.0, 50.0, (0.3, 0.1, 0.2), 7.0, perspective)
+    view = OrbitView(25.0, 40.0, 50.0, (0.3, 0.1, 0.2), 7.0, perspective)
     flat = view.points(surface)
     outline = view.outlines(mean[None], (root @ root.T)[None])
     for angle in np.arange(0, 2 * np.pi, 0.3):
@@ -91,7 +93,7 @@ def test_the_outline_of_an_ellipsoid_is_that_of_its_points(perspective):
 
 
 def test_an_ellipsoid_that_reaches_to_the_viewer_is_its_longest_axis():
-    view = View(-90.0, 0.0, 90.0, (0.0, 0.0, 0.0), 10.0)
+    view = OrbitView(-90.0, 0.0, 90.0, (0.0, 0.0, 0.0), 10.0)
     shape = np.diag([0.01, 400.0, 0.01])
     flat = view.outlines(np.array([[1.0, 5.0, 0.0]]), shape[None])
     finite = flat[np.isfinite(flat).all(axis=1)]
@@ -163,7 +165,7 @@ def test_landmarks_at_infinity_are_left_out_and_do_not_move_the_limits():
     corners = bounds(shown, None, None, (), MapOptions())
     assert np.isfinite(corners).all()
     assert (np.abs(corners) < 8).all()  # nor does the point that is known as a direction only, 80 m away
-    flat = View(distance=30.0).flat(map_scene(shown))
+    flat = OrbitView(distance=30.0).flat(map_scene(shown))
     assert str(shown.points.ids[5]) not in {word for layer in flat for word in layer.words}
 
 
@@ -203,27 +205,27 @@ def flat_of(shown, **options):
 def test_what_became_of_each_expectation():
     shown = scenes.with_photograph(scenes.with_segments(scenes.snapshot()))
     view, layers = shown.sensors[0], flat_of(shown)
-    looks, segments = view.points, view.segments
-    ends = np.isfinite(segments.ends).all(axis=-1)
+    predictions, segments = view.points, view.segments
+    endpoints = np.isfinite(segments.endpoints).all(axis=-1)
     counts = {role: int(np.isnan(layers[role].shells).all(axis=1).sum()) + 1 for role in OUTCOMES}
-    assert counts["updated"] == (looks.matched & looks.inlier).sum() + 2
-    assert counts["rejected"] == (looks.matched & ~looks.inlier).sum() + 1  # one end is out of view
-    assert counts["missed"] == (looks.chosen & ~looks.matched).sum() + 2
-    assert counts["predicted"] == (~looks.chosen).sum()
+    assert counts["updated"] == (predictions.matched & predictions.inlier).sum() + 2
+    assert counts["rejected"] == (predictions.matched & ~predictions.inlier).sum() + 1  # one end is out of view
+    assert counts["missed"] == (predictions.chosen & ~predictions.matched).sum() + 2
+    assert counts["predicted_patch"] == (~predictions.chosen).sum()
     assert len(layers["raw"].marks) == len(view.scan.points)
-    assert len(layers["measured"].marks) == looks.matched.sum() + 2 * 2
-    assert len(layers["point"].marks) + len(layers["new point"].marks) == len(looks.ids) + ends.sum()
+    assert len(layers["measured"].marks) == predictions.matched.sum() + 2 * 2
+    assert len(layers["point"].marks) + len(layers["new point"].marks) == len(predictions.ids) + endpoints.sum()
     for role in ("updated", "rejected", "missed"):
         assert layers[role].lines.shape == (2, 2)  # one segment each
-    assert not len(layers["predicted"].lines)
+    assert not len(layers["predicted_patch"].lines)
 
 
 def test_the_ellipses_hold_the_share_of_the_gate():
     shown = scenes.snapshot()
-    looks = shown.sensors[0].points
-    some = np.flatnonzero(looks.matched & looks.inlier)[0]
-    ring = flat_of(shown, gate=0.9)["updated"].shells[:37] - looks.expected[some]
-    squared = np.einsum("ni,ij,nj->n", ring, np.linalg.inv(looks.covariance[some]), ring)
+    predictions = shown.sensors[0].points
+    some = np.flatnonzero(predictions.matched & predictions.inlier)[0]
+    ring = flat_of(shown, gate=0.9)["updated"].shells[:37] - predictions.expected[some]
+    squared = np.einsum("ni,ij,nj->n", ring, np.linalg.inv(predictions.covariance[some]), ring)
     assert squared == pytest.approx(chi2_quantile(0.9, 2))
 
 
@@ -232,7 +234,7 @@ def test_a_region_smaller_than_a_mark_is_a_ring_around_it():
     view = shown.sensors[0]
     tiny = view.points.covariance.copy()
     tiny[0], tiny[1] = 0.01 * np.eye(2), np.diag([900.0, 0.01])  # the second is long and thin: it stays as it is
-    view = replace(view, looks={**view.looks, "points": replace(view.points, covariance=tiny)})
+    view = replace(view, predictions={**view.predictions, "points": replace(view.points, covariance=tiny)})
     shapes = regions(view, [0, 1], SensorOptions())
     assert shapes[0] == pytest.approx((RING * 640) ** 2 * np.eye(2))
     assert shapes[1:] == pytest.approx(chi2_quantile(0.99, 2) * tiny[1:])
@@ -253,11 +255,11 @@ def test_a_sensor_without_pixels_shows_the_numbers_that_one_asks_for():
         name="sonar", type="rangeBearing", euler=(0, 0, 0), image=None, std=(0.1, 0.01, 0.01), parameters={}
     )
     shown = scenes.snapshot(setup=setup)
-    looks = shown.sensors[0].points
+    predictions = shown.sensors[0].points
     layers = flat_of(shown, numbers=(1, 2))
-    assert len(looks.ids) > 10
+    assert len(predictions.ids) > 10
     assert sorted(np.concatenate([layers["point"].marks, layers["new point"].marks])[:, 1]) == pytest.approx(
-        sorted(looks.expected[:, 2])
+        sorted(predictions.expected[:, 2])
     )
     with pytest.raises(SlamlibError, match=r"sonar measures 3 numbers, counted from 0: numbers \[0, 3\]"):
         flat_of(shown, numbers=(0, 3))
@@ -267,10 +269,10 @@ def test_an_empty_frame_has_empty_layers():
     shown = scenes.snapshot()
     none = MapView(np.zeros(0, int), (), np.zeros((0, 3)), np.zeros((0, 3, 3)), np.zeros(0, bool))
     lines = MapView(np.zeros(0, int), (), np.zeros((0, 2, 3)), np.zeros((0, 2, 3, 3)), np.zeros(0, bool))
-    view = replace(shown.sensors[0], scan=None, looks={**shown.sensors[0].looks, "points": scenes.NO_LOOKS})
+    view = replace(shown.sensors[0], scan=None, predictions={**shown.sensors[0].predictions, "points": scenes.NO_LOOKS})
     shown = replace(shown, landmarks={"points": none, "segments": lines}, sensors=(view,))
     assert all(not len(layer.marks) and not len(layer.words) for layer in sensor_scene(shown))
-    flat = View(distance=20.0).flat(map_scene(shown))
+    flat = OrbitView(distance=20.0).flat(map_scene(shown))
     assert not any(len(layer.words) for layer in flat)
 
 
@@ -293,8 +295,8 @@ def test_every_role_is_seen_on_a_light_and_on_a_dark_page(theme, figure, name):
 
 @pytest.mark.parametrize("roles", ROLES.values(), ids=ROLES)
 def test_roles_differ_in_more_than_colour_or_have_colours_that_are_told_apart(roles):
-    looks = [(r.color, r.linestyle, r.marker, r.hollow) for n, r in roles.items() if r.label]
-    assert len(set(looks)) == len(looks)
+    predictions = [(r.color, r.linestyle, r.marker, r.hollow) for n, r in roles.items() if r.label]
+    assert len(set(predictions)) == len(predictions)
     assert {r.color for r in roles.values()} <= set(asdict(colors).values())
 
 

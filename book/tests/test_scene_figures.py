@@ -76,8 +76,8 @@ def test_a_camera_s_figure_has_its_image_s_axes_and_shows_the_image():
 
 
 def test_a_sensor_without_an_image_has_axes_of_its_own_numbers():
-    look = {"type": "rangeBearing", "euler": (0, 0, 0), "image": None, "std": (0.1,), "parameters": {}}
-    shown = scenes.snapshot(setup=SensorSetup(name="sonar", **look))
+    prediction = {"type": "rangeBearing", "euler": (0, 0, 0), "image": None, "std": (0.1,), "parameters": {}}
+    shown = scenes.snapshot(setup=SensorSetup(name="sonar", **prediction))
     words = {e.text for e in ElementTree.fromstring(sensor_figure(shown).svg(ALT)).iter("text")}
     assert {"measured number 0", "measured number 1"} <= words
     named = sensor_figure(shown, numbers=(1, 0), names=("bearing [rad]", "range [m]")).svg(ALT)
@@ -139,8 +139,8 @@ def test_the_player_s_data_are_the_snapshots_to_a_unit_of_length():
             assert np.abs(error).max() < 2 * unit * (size + unit)
         for i, number in enumerate(shown.segments.ids):
             assert KINDS[rows[f"s{number}"][0]] == ("line" if shown.segments.converged[i] else "new line")
-            ends = np.reshape(rows[f"s{number}"][1:], (2, 9))[:, :3] * unit
-            assert ends == pytest.approx(shown.segments.geometry[i], abs=0.5001 * unit)
+            endpoints = np.reshape(rows[f"s{number}"][1:], (2, 9))[:, :3] * unit
+            assert endpoints == pytest.approx(shown.segments.geometry[i], abs=0.5001 * unit)
         assert np.array(frame["at"]) * unit == pytest.approx(shown.robots[0].pose[None, :3], abs=0.5001 * unit)
 
 
@@ -159,15 +159,15 @@ def test_the_player_s_looks_are_the_snapshots_to_a_tenth_of_a_pixel():
     data = data_of(player(run, alt=ALT, frames=len(RUN), sensor="camera"))
     assert data["sensor"]["limits"] == [0, 640, 480, 0]
     for frame, shown in zip(data["frames"], run, strict=True):
-        looks, rows = shown.sensors[0].points, frame["looks"]["points"]
-        assert [row[0] for row in rows] == looks.ids.tolist()
+        predictions, rows = shown.sensors[0].points, frame["looks"]["points"]
+        assert [row[0] for row in rows] == predictions.ids.tolist()
         for i, (_, outcome, _, u, v, a, b, c, *measured) in enumerate(rows):
-            assert list(OUTCOMES.values())[outcome](looks)[i]
-            assert [u, v] == pytest.approx(looks.expected[i], abs=0.051)
+            assert list(OUTCOMES.values())[outcome](predictions)[i]
+            assert [u, v] == pytest.approx(predictions.expected[i], abs=0.051)
             root = np.array([[a, 0], [b, c]])
             wanted = regions(shown.sensors[0], [0, 1], SensorOptions())[i]
             assert root @ root.T == pytest.approx(wanted, rel=0.05, abs=4)
-            assert measured == (pytest.approx(looks.measured[i], abs=0.051) if looks.matched[i] else [])
+            assert measured == (pytest.approx(predictions.measured[i], abs=0.051) if predictions.matched[i] else [])
         outcomes = [list(OUTCOMES)[row[1]] for row in frame["looks"]["segments"]]
         assert outcomes == ["missed", "updated", "rejected"]
         assert len(frame["looks"]["raw"]["segments"]) == 2
@@ -263,8 +263,8 @@ def test_the_script_draws_what_python_drew(page):
 
 @pytest.mark.parametrize("pixels", [True, False])
 def test_the_script_draws_what_a_sensor_saw_as_python_drew_it(page, pixels):
-    look = {"type": "rangeBearing", "euler": (0, 0, 0), "image": None, "std": (0.1,), "parameters": {}}
-    setup = None if pixels else SensorSetup(name="sonar", **look)
+    prediction = {"type": "rangeBearing", "euler": (0, 0, 0), "image": None, "std": (0.1,), "parameters": {}}
+    setup = None if pixels else SensorSetup(name="sonar", **prediction)
     run = [scenes.snapshot(i, setup=setup) for i in range(3)]
     run = [scenes.with_segments(shown) for shown in run] if pixels else run
     made = player(

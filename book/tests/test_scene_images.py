@@ -81,14 +81,14 @@ def test_a_small_photograph_lies_where_the_whole_one_lies():
 
 
 def test_a_strip_shows_both_patches_of_each_match_on_one_scale():
-    looks = SEEN[0].sensors[0].points
-    rows = patched(looks)
-    assert rows == np.flatnonzero(looks.matched).tolist()
-    sheet = strip(looks, rows, 3)
+    predictions = SEEN[0].sensors[0].points
+    rows = patched(predictions)
+    assert rows == np.flatnonzero(predictions.matched).tolist()
+    sheet = strip(predictions, rows, 3)
     assert sheet.shape == (3 * CELL, 2 * CELL, 4)
     side = CELL - GAP
-    values = np.concatenate([np.ravel(looks.predicted[rows[1]]), np.ravel(looks.found[rows[1]])])
-    for patch, across in ((looks.predicted[rows[1]], 0), (looks.found[rows[1]], CELL)):
+    values = np.concatenate([np.ravel(predictions.predicted_patch[rows[1]]), np.ravel(predictions.found[rows[1]])])
+    for patch, across in ((predictions.predicted_patch[rows[1]], 0), (predictions.found[rows[1]], CELL)):
         cell = sheet[CELL : CELL + side, across : across + side]
         assert (cell[..., 3] == 255).all()
         wanted = 255 * (patch - values.min()) / np.ptp(values)
@@ -96,7 +96,11 @@ def test_a_strip_shows_both_patches_of_each_match_on_one_scale():
         assert cell[-1, -1, 0] == pytest.approx(wanted[-1, -1], abs=1)
     assert not sheet[CELL - GAP : CELL, :, 3].any()
     assert not patched(PLAIN[0].sensors[0].points)
-    one = replace(looks, found=(None,) * len(looks.ids), predicted=(np.full((3, 5), 7.0),) * len(looks.ids))
+    one = replace(
+        predictions,
+        found=(None,) * len(predictions.ids),
+        predicted_patch=(np.full((3, 5), 7.0),) * len(predictions.ids),
+    )
     assert not strip(one, patched(one), 2)[:, CELL:, 3].any()  # nothing is known of what was found
 
 
@@ -114,15 +118,15 @@ def test_matched_missed_and_rejected_regions_are_told_apart_by_more_than_colour(
     four = [SENSOR[name] for name in OUTCOMES]
     assert len({role.linestyle for role in four}) == 4
     assert len({role.color for role in four}) == 4
-    looks = SEEN[0].sensors[0].points
-    masks = np.array([holds(looks) for holds in OUTCOMES.values()])
+    predictions = SEEN[0].sensors[0].points
+    masks = np.array([holds(predictions) for holds in OUTCOMES.values()])
     assert (masks.sum(axis=0) == 1).all()
     assert masks.any(axis=1).all()
     layers = {layer.role: layer for layer in sensor_scene(SEEN[0])}
     for name, mask in zip(OUTCOMES, masks, strict=True):
         points = int(np.isnan(layers[name].shells).all(axis=1).sum()) + 1
-        ends = np.isfinite(SEEN[0].sensors[0].segments.ends[OUTCOMES[name](SEEN[0].sensors[0].segments)])
-        assert points == mask.sum() + ends.all(axis=-1).sum()
+        endpoints = np.isfinite(SEEN[0].sensors[0].segments.endpoints[OUTCOMES[name](SEEN[0].sensors[0].segments)])
+        assert points == mask.sum() + endpoints.all(axis=-1).sum()
 
 
 def test_scores_are_written_where_they_are_known():
@@ -135,7 +139,7 @@ def test_scores_are_written_where_they_are_known():
     assert not {layer.role: layer for layer in sensor_scene(PLAIN[0])}["score"].words
     assert "score" not in {layer.role for layer in sensor_scene(SEEN[0], options=SensorOptions(scores=False))}
     lines = replace(
-        view, looks={**view.looks, "segments": replace(view.segments, scores=np.array([0.5, np.nan, 0.25]))}
+        view, predictions={**view.predictions, "segments": replace(view.segments, scores=np.array([0.5, np.nan, 0.25]))}
     )
     words = {layer.role: layer for layer in sensor_scene(replace(SEEN[0], sensors=(lines,)))}["score"]
     assert words.words[-2:] == ("0.50", "0.25")
@@ -198,13 +202,15 @@ def test_the_player_has_images_only_if_they_are_asked_for():
 
 def test_the_player_s_segments_have_their_ends_and_whether_they_converged():
     for frame, shown in zip(looks_in(player(PLAIN, alt=ALT, sensor=0)), PLAIN, strict=True):
-        looks = shown.sensors[0].segments
+        predictions = shown.sensors[0].segments
         known = dict(zip(shown.segments.ids, shown.segments.converged, strict=True))
-        for row, number, ends, spreads in zip(frame["segments"], looks.ids, looks.ends, looks.spreads, strict=True):
+        for row, number, endpoints, endpoint_covariances in zip(
+            frame["segments"], predictions.ids, predictions.endpoints, predictions.endpoint_covariances, strict=True
+        ):
             assert row[:3] == [number, row[1], int(known[number])]
-            seen = np.isfinite(ends).all(axis=1)
-            assert np.array([e[:2] for e in row[9]]) == pytest.approx(ends[seen], abs=0.051)
-            for (_, _, a, b, c), P in zip(row[9], spreads[seen], strict=True):
+            seen = np.isfinite(endpoints).all(axis=1)
+            assert np.array([e[:2] for e in row[9]]) == pytest.approx(endpoints[seen], abs=0.051)
+            for (_, _, a, b, c), P in zip(row[9], endpoint_covariances[seen], strict=True):
                 root = np.array([[a, 0], [b, c]])
                 assert root @ root.T / 9.2103 == pytest.approx(P, rel=0.02, abs=0.5)
 
@@ -263,7 +269,9 @@ def test_the_image_lies_below_and_is_that_of_the_frame(matplotlib):
     bare = SensorOptions(ellipses=False, labels=False, raw=False, scores=False, patches=False, legend=False)
     run = [with_image(shown, scenes.photograph(i)) for i, shown in enumerate(scenes.run(3)[0])]
     run = [
-        replace(s, sensors=(replace(s.sensors[0], looks={**s.sensors[0].looks, "points": scenes.NO_LOOKS}),))
+        replace(
+            s, sensors=(replace(s.sensors[0], predictions={**s.sensors[0].predictions, "points": scenes.NO_LOOKS}),)
+        )
         for s in run
     ]
     window = Window(run[0], sensor_options=bare)
@@ -304,8 +312,8 @@ def test_a_frame_over_a_photograph_has_bright_lines_with_dark_outlines(matplotli
 
 def runs_of(axes, role, width):
     """The polylines (n, 2) of a colour, dashes and width in a window's axes."""
-    look = (role.color, role.linestyle, round(width, 6))
-    lines = [a for a in axes.lines if (a.get_color(), a.get_linestyle(), round(a.get_linewidth(), 6)) == look]
+    prediction = (role.color, role.linestyle, round(width, 6))
+    lines = [a for a in axes.lines if (a.get_color(), a.get_linestyle(), round(a.get_linewidth(), 6)) == prediction]
     parts = []
     for line in lines:
         rows = line.get_xydata()
@@ -319,9 +327,9 @@ def test_regions_in_a_window_are_as_many_as_the_looks(matplotlib):
     window.update(PLAIN[0])
     axes, view = window.views[0].axes, PLAIN[0].sensors[0]
     for name, holds in OUTCOMES.items():
-        ends = np.isfinite(view.segments.ends[holds(view.segments)]).all(axis=-1).sum()
+        endpoints = np.isfinite(view.segments.endpoints[holds(view.segments)]).all(axis=-1).sum()
         found = runs_of(axes, SENSOR[name], SHELL * SENSOR[name].width)
-        assert len(found) == holds(view.points).sum() + ends, name
+        assert len(found) == holds(view.points).sum() + endpoints, name
         if name == "updated":
             row = np.flatnonzero(holds(view.points))[0]
             assert found[0][:-1].mean(axis=0) == pytest.approx(view.points.expected[row])
@@ -399,7 +407,7 @@ def real(number):
     shown = with_image(scenes.snapshot(number), scenes.photograph(number))
     if number == 0:
         points, segments = (emptied(view) for view in (shown.points, shown.segments))
-        view = replace(shown.sensors[0], looks={**shown.sensors[0].looks, "points": scenes.NO_LOOKS})
+        view = replace(shown.sensors[0], predictions={**shown.sensors[0].predictions, "points": scenes.NO_LOOKS})
         return replace(shown, landmarks={"points": points, "segments": segments}, sensors=(view,))
     geometry, covariance = shown.points.geometry.copy(), shown.points.covariance.copy()
     geometry[7], covariance[7] = [900.0, 0, 0], np.eye(3)

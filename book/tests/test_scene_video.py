@@ -116,8 +116,8 @@ def test_a_window_waits_for_a_key(matplotlib):
 def test_a_sensor_without_an_image_has_limits_that_hold_all(matplotlib):
     from slamlib.data.setup import SensorSetup
 
-    look = {"type": "rangeBearing", "euler": (0, 0, 0), "image": None, "std": (0.1,), "parameters": {}}
-    setup = SensorSetup(name="sonar", **look)
+    prediction = {"type": "rangeBearing", "euler": (0, 0, 0), "image": None, "std": (0.1,), "parameters": {}}
+    setup = SensorSetup(name="sonar", **prediction)
     window = Window(scenes.snapshot(setup=setup), size=(4.8, 2.7))
     for number in (0, 30):
         shown = scenes.snapshot(number, setup=setup)

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from slambook.report import SWITCHES
 from slambook.report.checks import CHECKS
-from slambook.report.findings import RUNS, SEED, Check, Figure, Row, ran
+from slambook.report.findings import RUNS, SEED, AuditCheck, AuditFigure, AuditRow, ran
 from slambook.report.runs import DOF, Outcome
 
 from book.tools import layout
@@ -31,17 +31,17 @@ ALSO = {"E03": "uneven", "E06": "optical", "E17": "rig"}  # scenes in which thes
 WIDTH = 118
 
 
-def rows(names: list[str]) -> Iterator[Row]:
+def rows(names: list[str]) -> Iterator[AuditRow]:
     """The findings of these numbers, one after the other."""
     for name in names:
         yield row(CHECKS[name])
 
 
-def row(check: Check) -> Row:
+def row(check: AuditCheck) -> AuditRow:
     """One finding, and how long it took."""
     began = time.perf_counter()
     finding = check.run()
-    return Row(check, finding, time.perf_counter() - began)
+    return AuditRow(check, finding, time.perf_counter() - began)
 
 
 def chosen(names: list[str]) -> list[str]:
@@ -52,7 +52,7 @@ def chosen(names: list[str]) -> list[str]:
     return sorted(names or CHECKS)
 
 
-def text(row: Row) -> str:
+def text(row: AuditRow) -> str:
     """What is printed of a row: its head, then a line for each figure."""
     check = row.check
     head = f"{check.number} {check.where}: {check.says}. Right: {check.right}"
@@ -61,7 +61,7 @@ def text(row: Row) -> str:
     return "\n".join([*lines, *(f"{'':11}{part}" for part in _wrapped(row.finding.note))])
 
 
-def _figure(figure: Figure) -> list[str]:
+def _figure(figure: AuditFigure) -> list[str]:
     mark = "!" if not figure.holds else "*" if figure.corrected else " "
     line = (
         f"{mark:>10} {figure.what:<62}{figure.measured:>10.4g}  list {figure.listed or '-':<12.12} {figure.tolerance}"
@@ -73,7 +73,7 @@ def _wrapped(words: str) -> list[str]:
     return textwrap.wrap(words, WIDTH - 14)
 
 
-def plain(row: Row) -> dict[str, Any]:
+def plain(row: AuditRow) -> dict[str, Any]:
     """A row as plain data. A number that is not finite is written as text, as JSON knows none."""
     check = row.check
     figures = [
@@ -129,7 +129,7 @@ def summary(outcome: Outcome) -> dict[str, Any]:
     }
 
 
-def stored(found: list[Row]) -> str:
+def stored(found: list[AuditRow]) -> str:
     """The chapter's file: a row a line."""
     limits = [round(v / DOF, 4) for v in band(DOF, RUNS)]
     switches = {n: {"equation": s.equation, "slip": s.slip} for n, s in SWITCHES.items()}
@@ -164,7 +164,7 @@ def main() -> int:
     return 1 if failed else 0
 
 
-def _end(found: list[Row], failed: list[str]) -> str:
+def _end(found: list[AuditRow], failed: list[str]) -> str:
     verdicts = [r.verdict for r in found]
     counts = ", ".join(f"{verdicts.count(v)} {v}" for v in ("reproduced", "corrected", "reading") if v in verdicts)
     seconds = np.sum([r.seconds for r in found])

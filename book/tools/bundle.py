@@ -4,7 +4,7 @@ import zipfile
 from pathlib import Path
 
 from book.tools import layout
-from slamlib.data.files import whole
+from slamlib.data.files import atomic_write
 
 NAME = "ekf-slam-book.zip"
 FOLDER = "ekf-slam-book"
@@ -15,7 +15,7 @@ PACKED = {".zip", ".whl", ".bin", ".woff", ".woff2", ".png"}  # what does not be
 def pack(site: Path) -> Path:
     """Write the ZIP into the site itself, whole or not at all; the same bytes for the same site."""
     target = site / NAME
-    with whole(target) as partial, zipfile.ZipFile(partial, "w") as archive:
+    with atomic_write(target) as partial, zipfile.ZipFile(partial, "w") as archive:
         for file in sorted(f for f in site.rglob("*") if f.is_file() and f not in (target, partial)):
             _add(archive, file, file.relative_to(site).as_posix())
         for file in sorted((layout.BOOK / "offline").iterdir()):

@@ -84,7 +84,7 @@ def theory() -> dict[str, Preset]:
         "theory small noise": with_depth(quiet(0.1, 0.1)),
         "theory small noise, one camera": quiet(0.01, 0.05),
         "theory start known to 10 cm": replace(quiet(0.01, 0.05, position_std=(0.1,)), frames=BEGINNING),
-        "theory start known to 0.1 degrees": replace(quiet(0.01, 0.05, attitude_std=(0.1,)), frames=SHORT),
+        "theory start known to 0.1 degrees": replace(quiet(0.01, 0.05, orientation_std=(0.1,)), frames=SHORT),
     }
 
 
@@ -95,7 +95,7 @@ def switches(base: Preset) -> dict[str, Preset]:
         "switch none": base,
         "switch prior of the toolbox": with_options(base, **TOOLBOX),
         "switch no gate": with_options(base, gate=1 - 1e-9),
-        "switch oldest first": with_options(base, choose="order"),
+        "switch oldest first": with_options(base, selection="order"),
         "switch no conversion": with_options(base, convert=False),
         "switch one after another": with_options(base, reproject=True),
         "switch 0.3 pixels": sharper,

@@ -14,11 +14,11 @@ from slambook import rendering
 
 from benchmarks import monocular as bench
 from book.tools import layout
-from slamlib.evaluation.alignment import aligned
+from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
 from slamlib.slam import Slam
-from slamlib.slam.data_association.consensus import CONSENSUS
+from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.vision.active_search import ActiveSearch
 
 FILE = layout.BOOK / "chapters" / "data" / "monocular.json"
@@ -33,13 +33,13 @@ def sideways(seed: int, frames: int = FRAMES, wrong: str | None = None) -> bench
     film = bench.frames_of("drawn", "sideways", frames, seed)
     if wrong is None:
         return bench.run(*film, seed, bench.OPTIONS, ActiveSearch)
-    return bench.run(*film, seed, replace(bench.OPTIONS, consensus=wrong), bench.WithWrongMatches)
+    return bench.run(*film, seed, replace(bench.OPTIONS, outlier_rejection=wrong), bench.WithWrongMatches)
 
 
 def row(outcome: bench.Outcome) -> dict[str, float]:
     """Figures of merit of one run, rounded."""
     return {
-        "off": round(100 * float(outcome.relative), 3),
+        "off": round(100 * float(outcome.relative_ate), 3),
         "scale": round(float(outcome.scale), 3),
         "matched": round(float(outcome.matched.sum() / outcome.searched.sum()), 3),
         "nis": round(float(outcome.nis.sum() / outcome.dof.sum()), 3),
@@ -50,7 +50,7 @@ def around(seed: int) -> dict[str, Any]:
     """Once round the room, and half a second more: every eighth place as estimated and in truth, and what was seen."""
     way = rendering.path("round")
     pushed = (0.03,) * 3 + (1.2,) * 3
-    rig = rendering.hand_held(way, std=(0.1,), control_std=pushed)
+    rig = rendering.rig_along_path(way, std=(0.1,), control_std=pushed)
     rng = np.random.default_rng(seed)
     film = rendering.film(rendering.default_room("drawn"), rig, way, frames=ROUND, dt=ROUND_DT, rng=rng)
     search = ActiveSearch(rig.sensors[0].calibration, np.random.default_rng([seed, 1]))
@@ -59,11 +59,11 @@ def around(seed: int) -> dict[str, Any]:
         slam.step(frame)
         poses.append(slam.robots[0].pose.copy())
         true.append(truth.robots[0][:7])
-        old.append(sum(k.inlier and k.landmark.born < frame.number - OLD for k in slam.looks[0]))
+        old.append(sum(k.inlier and k.landmark.first_seen < frame.number - OLD for k in slam.predictions[0]))
     estimate, reference = (Trajectory(ROUND_DT * np.arange(ROUND, dtype=float), np.array(p)) for p in (poses, true))
     stored = slice(0, None, EVERY)
     return {
-        "off": round(100 * aligned(estimate, reference).relative, 3),
+        "off": round(100 * align_trajectory(estimate, reference).relative_ate, 3),
         "landmarks": len(slam.landmarks),
         "old": old[stored],
         "place": np.round(estimate.positions[stored], 4).tolist(),
@@ -74,10 +74,10 @@ def around(seed: int) -> dict[str, Any]:
 def main() -> None:
     """Run everything, and write the file when all of it is done."""
     argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
-    names: list[str | None] = [None, *CONSENSUS]
+    names: list[str | None] = [None, *OUTLIER_REJECTIONS]
     work = [(name, seed) for name in names for seed in SEEDS]
     plain: list[dict[str, float]] = []
-    wrong: dict[str, list[dict[str, float]]] = {name: [] for name in CONSENSUS}
+    wrong: dict[str, list[dict[str, float]]] = {name: [] for name in OUTLIER_REJECTIONS}
     outcomes = []
     for name, seed in progress(work, len(work), "past the wall"):
         outcome = sideways(seed, wrong=name)

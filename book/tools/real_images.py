@@ -25,15 +25,15 @@ from typing import Any
 import numpy as np
 
 from book.tools import layout
-from slamlib.datasets.opening import opened
-from slamlib.evaluation.alignment import Aligned, aligned
+from slamlib.datasets.opening import open_sequence
+from slamlib.evaluation.alignment import AlignedTrajectory, align_trajectory
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.experiments.progress import progress
 from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.results import ImageResult, summary
 from slamlib.vision.run import camera_rig, image_run, options_for
 from slamlib.vision.sequence_run import SequenceRun
-from slamlib.vision.tracking_loss import Lost
+from slamlib.vision.tracking_loss import TrackingLostError
 
 PACKAGE, VERSION = "visp-images-data", "3.5.0-1"
 SHA256 = "8d78de2b5d0ff5536ae5c281b11a5011fd6e95cd717c2e0ebf38bacf57723a9d"
@@ -46,7 +46,7 @@ REFERENCES = {"structure from motion": "visp_cube_sfm.txt", "dots of the cube": 
 COUNT, FPS = 80, 25.0
 
 SEEDS, FEW, NOISE, IMPULSE = tuple(range(1, 21)), tuple(range(1, 6)), 0.1, (0.3, 10.0)  # [px]; [unit/s], [deg/s]
-SAID: dict[str, Any] = {"updates": 25, "consensus": "joint"}  # of the filter's options
+SAID: dict[str, Any] = {"updates": 25, "outlier_rejection": "joint"}  # of the filter's options
 LIGHT = 20  # frames that a test runs again
 # What is changed, by the name that the chapter's table has for it, with a few seeds each.
 CHANGES: dict[str, dict[str, Any]] = {
@@ -55,8 +55,8 @@ CHANGES: dict[str, dict[str, Any]] = {
     "impulses 1, 10": {"impulse": (1.0, 10.0)},
     "impulses 0.3, 30": {"impulse": (0.3, 30.0)},
     "12 updates": {"updates": 12},
-    "gate alone": {"consensus": "each"},
-    "one-point": {"consensus": "one-point"},
+    "gate alone": {"outlier_rejection": "each"},
+    "one-point-ransac": {"outlier_rejection": "one-point-ransac"},
 }
 
 
@@ -148,7 +148,7 @@ def run(
     **said: Any,
 ) -> SequenceRun:
     """The filter on the sequence, a free scale; seed: of where landmarks are begun; said: options of the filter."""
-    source, camera = opened(str(images), str(CALIBRATION), fps=FPS)
+    source, camera = open_sequence(str(images), str(CALIBRATION), fps=FPS)
     rig = camera_rig({**camera, "std": (noise,)}, impulse=impulse)
     search = ActiveSearch(rig.sensors[0].calibration, np.random.default_rng(seed))
     work = image_run(source.part(0, 1, frames), rig, options_for(1.0, **{**SAID, **said}), search)
@@ -157,23 +157,25 @@ def run(
     return work
 
 
-def compared(path: Trajectory, name: str = "structure from motion") -> Aligned:
+def compared(path: Trajectory, name: str = "structure from motion") -> AlignedTrajectory:
     """A path of the camera laid over one of the references (a similarity, its turn from the attitudes)."""
     reference = read_trajectory(DATA / REFERENCES[name])
-    return aligned(path, reference[np.arange(len(path))], by="attitudes")
+    return align_trajectory(path, reference[np.arange(len(path))], rotation_from="orientations")
 
 
 def figures(result: ImageResult) -> dict[str, Any]:
-    """Figures of merit of one run, rounded. `off`: by the reference's name, rms [% of the path], and [degrees]."""
+    """Figures of merit of one run, rounded. `error`: by the reference's name, rms [% of the path], and [degrees]."""
     s = summary(result)
     both = {name: compared(result.trajectory, name) for name in REFERENCES}
     return {
-        "off": {name: [round(100 * a.relative, 2), round(_rms_degrees(a.attitude), 2)] for name, a in both.items()},
+        "off": {
+            name: [round(100 * a.relative_ate, 2), round(_rms_degrees(a.orientation), 2)] for name, a in both.items()
+        },
         "scale": round(both["structure from motion"].similarity.scale, 2),
         "tracked_mean": round(s["tracked_mean"], 1),
         "tracked_least": s["tracked_least"],
         "matched_share": round(s["matched_share"], 3),
-        "believed_share": round(s["believed_share"], 3),
+        "inlier_share": round(s["inlier_share"], 3),
         "nis_per_dof": round(s["nis_per_dof"], 2),
         "landmarks": s["landmarks"],
     }
@@ -186,7 +188,7 @@ def _rms_degrees(angle: Any) -> float:
 def told(result: ImageResult) -> dict[str, Any]:
     """One run frame by frame, for the figures: its aligned path, and what was looked for, matched, believed."""
     c, over = result.columns, compared(result.trajectory)
-    whole = {name: c[name].astype(int).tolist() for name in ("searched", "matched", "believed", "landmarks")}
+    whole = {name: c[name].astype(int).tolist() for name in ("searched", "matched", "inliers", "landmarks")}
     with np.errstate(invalid="ignore", divide="ignore"):
         nis = np.nan_to_num(c["nis"] / c["nis_dof"])
     return {
@@ -208,7 +210,7 @@ def measured(images: Path) -> dict[str, Any]:
             work = run(images, seed=seed, **change)
             row: dict[str, Any] | None = figures(work.result())
             first = first or work
-        except Lost:
+        except TrackingLostError:
             row = None
         found.setdefault(name, []).append(row)
     if first is None:
@@ -234,7 +236,7 @@ def _opencv() -> str:
 def _agreement() -> list[float]:
     """How far the two references are from one another: rms, [% of the path], and [degrees]."""
     over = compared(read_trajectory(DATA / REFERENCES["dots of the cube"]))
-    return [round(100 * over.relative, 2), round(_rms_degrees(over.attitude), 2)]
+    return [round(100 * over.relative_ate, 2), round(_rms_degrees(over.orientation), 2)]
 
 
 def main() -> int:

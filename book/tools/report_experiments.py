@@ -96,7 +96,7 @@ def accurate(**sizes: Any) -> dict[str, Any]:
     found = {name: speed.accuracy(rng(), scene=name, **sizes) for name in ("gentle", "hard")}
     return {
         name: {
-            "together": number(float(f.together.mean())),
+            "batch": number(float(f.batch.mean())),
             "again": number(float(f.again.mean())),
             "gain": [number(v, 3) for v in f.gain],
             "ratios": [number(f.together_ratio, 4), number(f.again_ratio, 4)],

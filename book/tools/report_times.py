@@ -20,7 +20,7 @@ SEEN = {"3 landmarks": 3, "20 landmarks": 20, "all landmarks": None}
 def machine(rng: Rng) -> dict[str, Any]:
     """Times of the ways of a correction, and of FastSLAM's steps; rng: gives a new generator with the same seed."""
     found: dict[str, Any] = {name: times(rng(), name, seen) for name, seen in SEEN.items()}
-    found["run of 92 landmarks"] = {m.way: number(m.seconds, 3) for m in speed.mapping(rng())}
+    found["run of 92 landmarks"] = {m.method: number(m.seconds, 3) for m in speed.mapping(rng())}
     racers = planar_runs.compare(rng(), runs=2, steps=40, particles=PARTICLES)
     found["FastSLAM"] = {racer.name: number(racer.seconds, 3) for racer in racers}
     if mrpt.available():
@@ -53,7 +53,7 @@ def elsewhere(rng: Rng) -> dict[str, Any]:
     with mrpt.compiled() as program:
         for name in ("3 landmarks", "20 landmarks"):
             given = [problem(rng(), *size) for size in sizes(SEEN[name])]
-            runs = [mrpt.correct(program, p, REPEATS) for p in progress(given, len(given), f"MRPT, {name}")]
+            runs = [mrpt.run_update(program, p, REPEATS) for p in progress(given, len(given), f"MRPT, {name}")]
             right = [naive(p)()[0] for p in given]
             found[name] = {
                 method: {

@@ -15,8 +15,15 @@ from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import Pose, compose
 from slamlib.manifolds import Array
 from slamlib.slam import Options, Slam
-from slamlib.vision.stereo import MOVING, Eyes, StereoSettings, VisualOdometry, joined, paired
-from slamlib.vision.stereo.motion_source import Halves, Moving
+from slamlib.vision.stereo import (
+    MOTION_SOURCES,
+    StereoFeatureExtractor,
+    StereoSettings,
+    VisualOdometry,
+    stereo_frame,
+    stereo_rig,
+)
+from slamlib.vision.stereo.motion_source import SplitFeatures, StereoMotionSource
 
 LENS = {"intrinsics": (159.5, 119.5, 260.0, 260.0), "distortion": (0.0,)}
 IMAGE, BASELINE, DT = (320.0, 240.0), 0.12, 1 / 30  # px, m, s
@@ -24,10 +31,10 @@ STD = (0.06, 0.055, 0.05)  # px, of u, v and d, as measured in these rooms
 SEEDS, FRAMES, LIGHT = (1, 2, 3), 150, 10
 ROUND, ROUND_SEEDS, EVERY, WINDOW = 900, (1, 2), 15, 60  # frames
 OLD = 400  # frames: a landmark that was begun so long ago and is seen now closes the loop
-OPTIONS = Options(points="eucPnt", updates=60, first=30, later=5, reproject=False)
+OPTIONS = Options(points="eucPnt", updates=60, max_new_first=30, max_new=5, reproject=False)
 
 
-class Twice(Halves):
+class Twice(SplitFeatures):
     """The report's way: all features give the control, and the same ones correct (E21)."""
 
     odometry_half = landmark_half = None
@@ -37,51 +44,51 @@ class Twice(Halves):
 class Way:
     """Where the motion comes from, and in one of how many frames a landmark is measured: its errors last."""
 
-    moving: Any
-    turns: int = 1
+    motion_source: Any
+    update_interval: int = 1
 
-    def make(self, sensor: SensorSetup) -> Moving:
+    def make(self, sensor: SensorSetup) -> StereoMotionSource:
         """The motion and the front end of a sensor."""
-        settings = StereoSettings(turns=self.turns, enough=30)
-        made: Moving = self.moving(sensor.calibration, sensor.mount, settings)
+        settings = StereoSettings(update_interval=self.update_interval, max_in_view=30)
+        made: StereoMotionSource = self.motion_source(sensor.calibration, sensor.extrinsics, settings)
         return made
 
 
 WAYS = {
     "twice": Way(Twice),
-    "velocity": Way(MOVING["velocity"]),
-    "halves": Way(MOVING["halves"]),
-    "correlated": Way(MOVING["correlated"]),
-    "in turns": Way(MOVING["correlated"], turns=10),
+    "constant-velocity": Way(MOTION_SOURCES["constant-velocity"]),
+    "split-features": Way(MOTION_SOURCES["split-features"]),
+    "correlated": Way(MOTION_SOURCES["correlated"]),
+    "in turns": Way(MOTION_SOURCES["correlated"], update_interval=10),
 }
-Step = tuple[Slam, Moving, Truth]
+Step = tuple[Slam, StereoMotionSource, Truth]
 
 
 def carried(path: str) -> Rig:
     """A robot carried by hand along the path, with two cameras."""
-    return rendering.hand_held(rendering.path(path), baseline=BASELINE, image=IMAGE, parameters=LENS)
+    return rendering.rig_along_path(rendering.path(path), baseline=BASELINE, image=IMAGE, parameters=LENS)
 
 
 def rig_of(path: str) -> Rig:
     """The same with one stereo sensor."""
-    return joined(carried(path), STD)
+    return stereo_rig(carried(path), STD)
 
 
 def film(path: str, frames: int, seed: int) -> list[tuple[Frame, Truth]]:
     """Pairs of pictures, and the truth beside them."""
     rng, way = np.random.default_rng(seed), rendering.path(path)
     made = rendering.film(rendering.default_room(), carried(path), way, frames=frames, dt=DT, rng=rng)
-    return [(paired(frame), truth) for frame, truth in made]
+    return [(stereo_frame(frame), truth) for frame, truth in made]
 
 
 def steps(pairs: list[tuple[Frame, Truth]], path: str, name: str, options: Options = OPTIONS) -> Iterator[Step]:
     """The filter after each pair; it begins where the first pair was taken."""
     rig = rig_of(path)
-    moving = WAYS[name].make(rig.sensors[0])
-    slam = moved_by(moving, rig, options, pairs[0][1].robots[0][:7])
+    motion_source = WAYS[name].make(rig.sensors[0])
+    slam = moved_by(motion_source, rig, options, pairs[0][1].robots[0][:7])
     for i, (frame, truth) in enumerate(pairs):
-        advance(slam, moving, frame, frame.dt if i else 0.0)
-        yield slam, moving, truth
+        advance(slam, motion_source, frame, frame.dt if i else 0.0)
+        yield slam, motion_source, truth
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,9 +128,9 @@ def run(pairs: list[tuple[Frame, Truth]], path: str, name: str, options: Options
     for slam, _, truth in steps(pairs, path, name, options):
         real, pose = truth.robots[0][:7], slam.robots[0].pose
         error = Pose.minus(real, pose)
-        believed = [look for look in slam.looks[0] if look.inlier]
-        nis += [look.nis for look in believed]
-        old.append(sum(look.landmark.born < slam.number - OLD for look in believed))
+        inliers = [prediction for prediction in slam.predictions[0] if prediction.inlier]
+        nis += [prediction.nis for prediction in inliers]
+        old.append(sum(prediction.landmark.first_seen < slam.number - OLD for prediction in inliers))
         if slam.number > pairs[0][0].number:
             P = slam.belief.covariance(slam.robots[0].block)[:6, :6]
             rows.append((error, float(nees(error, P)), real[:3].copy(), pose[:3].copy()))
@@ -134,9 +141,12 @@ def run(pairs: list[tuple[Frame, Truth]], path: str, name: str, options: Options
 def odometry(pairs: list[tuple[Frame, Truth]], path: str) -> dict[str, float]:
     """The same film by visual odometry alone: the motions of all features, one after another, and nothing else."""
     sensor = rig_of(path).sensors[0]
-    moving, poses = VisualOdometry(Eyes(sensor.calibration), sensor.mount), [pairs[0][1].robots[0][:7]]
+    motion_source, poses = (
+        VisualOdometry(StereoFeatureExtractor(sensor.calibration), sensor.extrinsics),
+        [pairs[0][1].robots[0][:7]],
+    )
     for i, (frame, _) in enumerate(pairs):
-        motion = moving.step(frame.scans[0].image)
+        motion = motion_source.step(frame.scans[0].image)
         if i:
             poses.append(poses[-1] if motion is None else compose(poses[-1], motion.pose))
     real, found = np.array([truth.robots[0][:7] for _, truth in pairs]), np.array(poses)
@@ -174,7 +184,7 @@ def around() -> dict[str, Any]:
     runs = {
         "full": ("in turns", OPTIONS),
         "windowed": ("in turns", replace(OPTIONS, window=WINDOW)),
-        "every frame": ("velocity", OPTIONS),
+        "every frame": ("constant-velocity", OPTIONS),
     }
     found: dict[str, Any] = {"frames": ROUND, "window": WINDOW, **{name: [] for name in runs}}
     stored = slice(0, None, EVERY)

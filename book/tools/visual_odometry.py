@@ -15,7 +15,7 @@ from slambook.rendering.stereo_film import stereo_film
 
 from benchmarks import stereo as bench
 from book.tools import layout
-from slamlib.evaluation.alignment import relative_errors
+from slamlib.evaluation.alignment import relative_pose_errors
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import compose
@@ -24,9 +24,16 @@ from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array
 from slamlib.observation.points import observe
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.stereo import Eyes, Motion, Observed, StereoSettings, VisualOdometry, mutual
-from slamlib.vision.stereo.features import within
-from slamlib.vision.stereo.matching import distances
+from slamlib.vision.stereo import (
+    RelativeMotion,
+    StereoFeatureExtractor,
+    StereoFeatures,
+    StereoSettings,
+    VisualOdometry,
+    mutual_nearest,
+)
+from slamlib.vision.stereo.features import within_region
+from slamlib.vision.stereo.matching import hamming_distances
 
 FILE = layout.BOOK / "chapters" / "data" / "visual_odometry.json"
 SEEDS, FRAMES, ROUND, EVERY = (1, 2, 3), 120, 449, 8
@@ -36,16 +43,18 @@ OFFSET = 0.2  # px, of all disparities: with it the excerpt's own sum of z' S^-1
 NEAR, FAR = 3.0, 25.0  # px: a match is right within, and looked for within where a prediction is used
 
 
-def variant(calibration: Calibration, mount: Array, images: list[Array], truth: Array, settings: Any) -> dict[str, Any]:
+def variant(
+    calibration: Calibration, extrinsics: Array, images: list[Array], truth: Array, settings: Any
+) -> dict[str, Any]:
     """Counts of one kind of features, and the error of the last position as a share of the path [%]."""
-    pose, c = bench.odometry(calibration, mount, images, truth[0], settings)
+    pose, c = bench.odometry(calibration, extrinsics, images, truth[0], settings)
     path = np.linalg.norm(np.diff(truth[:, :3], axis=0), axis=1).sum()
     return {
         "stereo": round(float(np.mean(c.stereo))),
         "circular": round(float(np.mean(c.circular))),
-        "believed": round(float(np.mean(c.inliers))),
+        "inliers": round(float(np.mean(c.inliers))),
         "lost": c.lost,
-        "fit": round(float(np.mean(c.fit)), 2),
+        "fit": round(float(np.mean(c.nis_per_dof)), 2),
         "off": round(100 * float(np.linalg.norm(pose[:3] - truth[-1, :3]) / path), 2),
     }
 
@@ -56,7 +65,7 @@ def room() -> dict[str, Any]:
     images = [frame.scans[0].image for frame, _ in film]
     truth = np.array([t.robots[0][:7] for _, t in film])
     sensor = rig.sensors[0]
-    return {n: variant(sensor.calibration, sensor.mount, images, truth, s) for n, s in bench.VARIANTS.items()}
+    return {n: variant(sensor.calibration, sensor.extrinsics, images, truth, s) for n, s in bench.VARIANTS.items()}
 
 
 def street(before: dict[str, Any]) -> dict[str, Any]:
@@ -75,14 +84,18 @@ def street(before: dict[str, Any]) -> dict[str, Any]:
 
 def measured(calibration: Calibration, images: list[Array], truth: Trajectory, offset: float) -> dict[str, Any]:
     """KITTI's measure [%, deg/m], the length by the true one, and z' S^-1 z by its dof; offset [px]: of disparities."""
-    moving, poses, fits = VisualOdometry(Eyes(calibration, StereoSettings(offset=offset))), [truth.poses[0]], []
-    moving.step(images[0])
+    motion_source, poses, fits = (
+        VisualOdometry(StereoFeatureExtractor(calibration, StereoSettings(offset=offset))),
+        [truth.poses[0]],
+        [],
+    )
+    motion_source.step(images[0])
     for image in images[1:]:
-        motion = moving.step(image)
+        motion = motion_source.step(image)
         poses.append(poses[-1] if motion is None else compose(poses[-1], motion.pose))
-        fits += [] if motion is None else [motion.fit]
+        fits += [] if motion is None else [motion.nis_per_dof]
     path = Trajectory(truth.times, np.array(poses))
-    off = relative_errors(path, truth, LENGTHS, step=5)
+    off = relative_pose_errors(path, truth, LENGTHS, step=5)
     return {
         "translation": np.round(100 * off.translation, 2).tolist(),
         "rotation": np.round(np.degrees(off.rotation), 4).tolist(),
@@ -96,16 +109,16 @@ def around(seed: int, frames: int = ROUND) -> dict[str, Any]:
     rig, film, made = stereo_film(frames, "round", seed, STD)
     sensor = rig.sensors[0]
     truth = np.array([t.robots[0][:7] for _, t in film])
-    moving = VisualOdometry(Eyes(sensor.calibration), sensor.mount)
+    motion_source = VisualOdometry(StereoFeatureExtractor(sensor.calibration), sensor.extrinsics)
     pose, P, rows, fits, library = truth[0], np.zeros((6, 6)), [], [], Library(sensor, made)
     for number, (frame, there) in enumerate(film):
-        motion = moving.step(frame.scans[0].image)
+        motion = motion_source.step(frame.scans[0].image)
         if motion is not None:
             pose, J = compose.jac(pose, motion.pose)
             P = J.outer @ P @ J.outer.T + J.inner @ _of_pose(motion) @ J.inner.T
-            fits.append(motion.fit)
+            fits.append(motion.nis_per_dof)
         rows.append([np.linalg.norm(pose[:3] - truth[number, :3]), np.sqrt(np.trace(P[:3, :3]))])
-        library.add(moving.eyes.look(frame.scans[0].image), moving.tracks, there)
+        library.add(motion_source.extractor.extract(frame.scans[0].image), motion_source.tracks, there)
     return {
         "path": round(float(np.linalg.norm(np.diff(truth[:, :3], axis=0), axis=1).sum()), 3),
         "fit": round(float(np.mean(fits)), 2),
@@ -115,7 +128,7 @@ def around(seed: int, frames: int = ROUND) -> dict[str, Any]:
     }
 
 
-def _of_pose(motion: Motion) -> Array:
+def _of_pose(motion: RelativeMotion) -> Array:
     """The control's covariance, of a displacement and a rotation vector, as that of the pose (6, 6)."""
     turn = motion.control.value[3:]
     _, to_q = exponential.jac(turn)
@@ -141,7 +154,7 @@ class Library:
         self.rows: list[list[int]] = []
         self.frames = 0
 
-    def add(self, seen: Observed, tracks: Any, truth: Any) -> None:
+    def add(self, seen: StereoFeatures, tracks: Any, truth: Any) -> None:
         """Match the features of a pair against all that is kept; then keep those that are new."""
         if self.frames % 64 == 0 and self.frames:
             self.rows.append(self.tried(seen, truth))
@@ -152,19 +165,19 @@ class Library:
         self.places = np.concatenate([self.places, self.made.truth_of(truth, seen.values[fresh, :2])])
         self.frames += 1
 
-    def tried(self, seen: Observed, truth: Any) -> list[int]:
+    def tried(self, seen: StereoFeatures, truth: Any) -> list[int]:
         """Points kept, features seen; matches and wrong ones among all; comparisons, matches, wrong ones near."""
-        cost = distances(self.bits, seen.descriptors(0))
-        expected = observe(EUC_POINT, self.sensor.calibration, truth.robots[0][:7], self.sensor.mount, self.places)
+        cost = hamming_distances(self.bits, seen.descriptors(0))
+        expected = observe(EUC_POINT, self.sensor.calibration, truth.robots[0][:7], self.sensor.extrinsics, self.places)
         pixels = np.where(expected.visible[:, None], expected.value, np.nan)
-        there = within(pixels, seen.values, FAR)
+        there = within_region(pixels, seen.values, FAR)
         near = np.where(there, cost, np.inf)
         judged = [self.judged(c, pixels, seen) for c in (cost, near)]
         return [len(self.bits), len(seen), *judged[0], int(there.sum()), *judged[1]]
 
-    def judged(self, cost: Array, pixels: Array, seen: Observed) -> list[int]:
+    def judged(self, cost: Array, pixels: Array, seen: StereoFeatures) -> list[int]:
         """Matches, and how many of them are wrong."""
-        found = mutual(cost, largest=60, ratio=0.85)
+        found = mutual_nearest(cost, largest=60, ratio=0.85)
         off = np.abs(pixels[found[:, 0], :2] - seen.values[found[:, 1], :2]).max(1, initial=0)
         return [len(found), int((~(off <= NEAR)).sum())]
 

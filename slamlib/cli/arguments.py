@@ -20,7 +20,7 @@ def add(parser: argparse.ArgumentParser) -> None:
     """The options that change a preset."""
     parser.add_argument("--frames", type=count, help="how many frames")
     parser.add_argument("--seed", type=int, help="of everything that is drawn")
-    parser.add_argument("--batch", action="store_true", help="correct by all landmarks at once, not one after another")
+    parser.add_argument("--batch", action="store_true", help="update by all landmarks at once, not one after another")
     parser.add_argument("--calibrate", action="store_true", help="estimate the mounts of all sensors but the first")
     parser.add_argument("--noise-in", choices=("control", "truth"), help="what the noise of the motion disturbs")
     parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help=OPTION)
@@ -82,7 +82,7 @@ def _calibrated(rig: Rig) -> Rig:
         )
     first, *others = rig.sensors
     loose = [
-        s if s.estimated else replace(s, estimated=True, position_std=(0.02,), attitude_std=(1.5,)) for s in others
+        s if s.estimated else replace(s, estimated=True, position_std=(0.02,), orientation_std=(1.5,)) for s in others
     ]
     return replace(rig, sensors=(first, *loose))
 

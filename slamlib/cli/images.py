@@ -15,13 +15,13 @@ from slamlib.datasets import opening
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.landmarks import POINTS
 from slamlib.motions import MOTIONS
-from slamlib.slam.data_association.consensus import CONSENSUS
-from slamlib.vision.active_search import Settings
-from slamlib.vision.combined_front_end import front_end_of
-from slamlib.vision.run import IMAGES, PAIRS, camera_rig, image_run, load, opened_stereo, options_for, stereo_run
+from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
+from slamlib.vision.active_search import ActiveSearchSettings
+from slamlib.vision.combined_front_end import make_front_end
+from slamlib.vision.run import IMAGES, PAIRS, camera_rig, image_run, load, open_stereo, options_for, stereo_run
 from slamlib.vision.sequence_run import SequenceKind, SequenceRun
 from slamlib.vision.stereo.detect import StereoSettings
-from slamlib.vision.stereo.motion_source import MOVING
+from slamlib.vision.stereo.motion_source import MOTION_SOURCES
 from slamlib.vision.target import Target
 
 Add = Callable[..., Any]  # add_argument of a group
@@ -49,7 +49,7 @@ class ImageCommand:
     summary: str
     what: Callable[[Add], None]
     how: Callable[[Add], None]
-    begun: Callable[[argparse.Namespace], SequenceRun]
+    new_run: Callable[[argparse.Namespace], SequenceRun]
     epilog: str | None = None
 
     def arguments(self, parser: argparse.ArgumentParser) -> None:
@@ -62,10 +62,10 @@ class ImageCommand:
 
     def execute(self, given: argparse.Namespace) -> int:
         """Run it; a run that stops, by itself or by Ctrl-C, is saved, and can be gone on with."""
-        run = self._resumed(given) if given.resume else self.begun(given)
+        run = self._resumed(given) if given.resume else self.new_run(given)
         if not run.has_map and (given.video or given.live):
             raise SlamlibError("--video and --live show the filter's map: with --odometry-only there is none")
-        return runner.carry_out(run, given, f"run {self.kind.name}")
+        return runner.execute_run(run, given, f"run {self.kind.name}")
 
     def _resumed(self, given: argparse.Namespace) -> SequenceRun:
         if any(getattr(given, name, None) for name in ("source", "left", "right", "calibration")):
@@ -102,7 +102,7 @@ def _search(add: Add, kind: SequenceKind, settings: Any, of: str) -> None:
     add("--patience", type=count, metavar="N", help=f"stop after N {kind.frames} without a match (default 30)")
 
 
-def _said(given: argparse.Namespace, what: str, *names: str) -> dict[str, Any]:
+def _given_options(given: argparse.Namespace, what: str, *names: str) -> dict[str, Any]:
     """The filter's options that the command line says. Raises SlamlibError; what: a parametrization of points."""
     if given.landmark not in POINTS:
         raise UnknownNameError.of(what, given.landmark, POINTS)
@@ -133,13 +133,13 @@ def _how_images(add: Add) -> None:
     add("--lines", metavar="LANDMARK",
         help="also straight edges, in this parametrization, such as idpLin (default: none)")  # fmt: skip
     add("--updates", type=count, metavar="N", help=f"landmarks a frame (default {updates}, more with a target)")
-    add("--consensus", choices=CONSENSUS,
-        help=f"which matches are believed together (default {IMAGES.options.consensus})")  # fmt: skip
-    _search(add, IMAGES, Settings, "active search")
+    add("--outlier-rejection", choices=OUTLIER_REJECTIONS,
+        help=f"how outliers among the matches are rejected (default {IMAGES.options.outlier_rejection})")  # fmt: skip
+    _search(add, IMAGES, ActiveSearchSettings, "active search")
     add("--seed", type=int, default=1, metavar="N", help="of where new landmarks are sought (default 1)")
 
 
-def _begun_images(given: argparse.Namespace) -> SequenceRun:
+def _new_image_run(given: argparse.Namespace) -> SequenceRun:
     """With a free scale, or that of a target."""
     if not given.source or not given.calibration:
         raise SlamlibError("--source and --calibration are wanted, or --resume PATH; see slamlib run images --help")
@@ -147,16 +147,16 @@ def _begun_images(given: argparse.Namespace) -> SequenceRun:
     if motion not in MOTIONS:
         raise UnknownNameError.of("motion", given.motion, [*ALIASES, *MOTIONS])
     opened = {"camera": given.camera, "fps": given.fps, "undistort": given.undistort}
-    source, camera = opening.opened(given.source, given.calibration, **opened)
+    source, camera = opening.open_sequence(given.source, given.calibration, **opened)
     if given.noise is not None:
         camera["std"] = (given.noise,)
     target = None if given.scale == "free" else Target.load(given.scale)
     unit = 1.0 if target is None else target.distance(read(SensorSetup, camera, "camera").calibration)
     rig = camera_rig(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
-    settings = Settings(**assignments(given.search, Settings, "--search"))
-    said = _said(given, "point landmark (for lines there is --lines)", "lines", "updates", "consensus")
+    settings = ActiveSearchSettings(**assignments(given.search, ActiveSearchSettings, "--search"))
+    said = _given_options(given, "point landmark (for lines there is --lines)", "lines", "updates", "outlier_rejection")
     chosen = options_for(unit, 0 if target is None else len(target.points), **said)
-    front_end = front_end_of(chosen, rig.sensors[0].calibration, np.random.default_rng(given.seed), settings)
+    front_end = make_front_end(chosen, rig.sensors[0].calibration, np.random.default_rng(given.seed), settings)
     pictures = source.part(given.start, given.every, given.frames)
     return image_run(pictures, rig, chosen, front_end, scale=target, patience=given.patience or 30)
 
@@ -177,18 +177,18 @@ def _what_pairs(add: Add) -> None:
 
 def _how_pairs(add: Add) -> None:
     """With visual odometry, or alone with it."""
-    add("--motion", choices=MOVING, default="halves",
-        help="where predictions come from: velocity (the robot keeps it), halves (odometry of one half of the "
+    add("--motion", choices=MOTION_SOURCES, default="split-features",
+        help="where predictions come from: constant-velocity, split-features (odometry of one half of the "
              "features, landmarks of the other; default), correlated (all features for both; wants many)")  # fmt: skip
     add("--odometry-only", action="store_true", help="no filter: visual odometry alone, to compare")
-    _impulses(add, PAIRS, "with --motion velocity, ", "{:g} {:g}")
+    _impulses(add, PAIRS, "with --motion constant-velocity, ", "{:g} {:g}")
     noise = " ".join(f"{n:g}" for n in PAIRS.noise)
     add("--noise", nargs="+", type=float, metavar="PX",
         help=f"std of u, v and disparity, or one for all (default: the calibration file's, or {noise})")  # fmt: skip
     points, updates = PAIRS.options.points, PAIRS.options.updates
     add("--landmark", default=points, help=f"parametrization (default {points})")
     for name, text in (
-        ("window", "forget what was not seen for N pairs (default: nothing)"),
+        ("window", "delete landmarks not seen for N pairs (default: none)"),
         ("capacity", "most landmarks: of more, the one unseen for longest goes"),
         ("updates", f"landmarks a pair ({updates})"),
     ):
@@ -196,7 +196,7 @@ def _how_pairs(add: Add) -> None:
     _search(add, PAIRS, StereoSettings, "features")
 
 
-def _begun_pairs(given: argparse.Namespace) -> SequenceRun:
+def _new_stereo_run(given: argparse.Namespace) -> SequenceRun:
     """The filter, or odometry alone."""
     if not given.source and not (given.left and given.right):
         see = "see slamlib run stereo-images --help"
@@ -204,11 +204,11 @@ def _begun_pairs(given: argparse.Namespace) -> SequenceRun:
     if given.source and (given.left or given.right):
         raise SlamlibError("--source has both cameras in it: leave --left and --right out")
     settings = StereoSettings(**assignments(given.search, StereoSettings, "--search"))
-    full = {} if given.capacity is None else {"full": "unseen"}
-    said = _said(given, "point landmark", "window", "capacity", "updates")
+    full = {} if given.capacity is None else {"pruning": "least-recently-seen"}
+    said = _given_options(given, "point landmark", "window", "capacity", "updates")
     options = replace(PAIRS.options, **{**full, **said})
     cameras = tuple(given.cameras) if given.cameras else None
-    source, camera, settings = opened_stereo(
+    source, camera, settings = open_stereo(
         given.source, given.left, given.right, given.calibration,
         cameras=cameras, fps=given.fps, rectify=given.rectify, settings=settings,
     )  # fmt: skip
@@ -216,7 +216,7 @@ def _begun_pairs(given: argparse.Namespace) -> SequenceRun:
         camera = {**camera, "std": _three(given.noise), "noise": None}
     return stereo_run(
         source.part(given.start, given.every, given.frames), camera, options,
-        moving="odometry" if given.odometry_only else given.motion, settings=settings,
+        motion_source="odometry" if given.odometry_only else given.motion, settings=settings,
         impulse=given.impulse, velocity=given.velocity, patience=given.patience or 30,
     )  # fmt: skip
 
@@ -232,13 +232,13 @@ IMAGES_COMMAND = ImageCommand(
     "Run the filter on real pictures: a folder, a glob, a video, or TUM RGB-D, EuRoC and KITTI layouts.",
     _what_images,
     _how_images,
-    _begun_images,
+    _new_image_run,
 )
 PAIRS_COMMAND = ImageCommand(
     PAIRS,
     "Run the filter on real stereo pairs: KITTI and EuRoC layouts, or a left and a right folder, glob or video.",
     _what_pairs,
     _how_pairs,
-    _begun_pairs,
+    _new_stereo_run,
     EXAMPLES,
 )

@@ -102,7 +102,7 @@ def summary(result: Result) -> dict[str, Any]:
         "nees_band": [low, high],
         "nis_per_dof": float(result.nis.sum() / max(result.nis_dof.sum(), 1)),
         "landmarks": int(result.landmarks[-1]),
-        "begun": result.begun,
+        "initialized": result.initialized,
         "deleted": result.deleted,
         "state": int(result.size[-1]),
         "point_error_median": _median(result.point_errors),
@@ -127,7 +127,7 @@ def table(result: Result) -> str:
         share = f"{robot['nees']:.2f}; {robot['nees_inside']:.0%} of the steps inside [{low:.2f}, {high:.2f}]"
         rows.append((f"{robot['name']}: NEES, {DOF} dof", share + " (1 run, 95 %)"))
     rows.append(("NIS per degree of freedom", f"{s['nis_per_dof']:.2f}"))
-    rows.append(("landmarks", f"{s['landmarks']} in the map, {s['begun']} begun, {s['deleted']} deleted"))
+    rows.append(("landmarks", f"{s['landmarks']} in the map, {s['initialized']} initialized, {s['deleted']} deleted"))
     for name in ("point", "line"):
         if s[f"{name}_error_median"] is not None:
             rows.append((f"{name}s: median error", f"{100 * s[f'{name}_error_median']:.1f} cm"))

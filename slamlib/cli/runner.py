@@ -19,10 +19,10 @@ from slamlib.experiments.progress import progress
 from slamlib.vision.results import compared, summary, table
 from slamlib.vision.sequence_run import ImageStep, SequenceRun
 
-MISTAKE, INTERRUPTED = 2, 130
+EXIT_ERROR, EXIT_INTERRUPTED = 2, 130
 JUDGED, ENOUGH = 30, 0.85  # frames, and the share of the matches that is believed in a run that goes well
 REVERSED = (
-    "only {:.0%} of the matches are believed: the path may be reversed (near taken for far, and the motion for its "
+    "only {:.0%} of the matches are inliers: the path may be reversed (near taken for far, and the motion for its "
     "opposite), which one camera can hardly tell when it is moving already in the first picture. Begin where it is at "
     "rest, or say more: a target (--scale FILE), another --velocity"
 )
@@ -39,7 +39,7 @@ def outputs(add: Callable[..., Any]) -> None:
     add("--json", action="store_true", help="print the result as JSON")
 
 
-def carry_out(run: SequenceRun, given: argparse.Namespace, command: str) -> int:
+def execute_run(run: SequenceRun, given: argparse.Namespace, command: str) -> int:
     """Run it to its end, or until something stops it, and say what came of it; the exit status.
 
     What was done is written and saved in both cases. command: the one that goes on with it, "run images"; what stopped
@@ -47,11 +47,11 @@ def carry_out(run: SequenceRun, given: argparse.Namespace, command: str) -> int:
     """
     reference = read_reference(given.reference, run)
     _check_places(given)
-    ended = Ended()
+    ended = RunEnd()
     try:
         _consume(_shown(run, given, ended), given.video, 1 / (run.source.interval * run.source.frames.step))
     except Exception as error:
-        if not run.whole or not given.video:
+        if not run.is_intact or not given.video:
             raise
         ended.by(f"the film cannot be written: {error}")
     if not run.history:
@@ -66,24 +66,24 @@ def carry_out(run: SequenceRun, given: argparse.Namespace, command: str) -> int:
         if reference is not None:
             s["reference"] = compared(run.trajectory(), reference, run.source.interval, run.metric)
     except SlamlibError as error:  # the run is good, whatever the reference
-        ended.status = MISTAKE
+        ended.status = EXIT_ERROR
         print(f"slamlib: {given.reference}: {error}", file=sys.stderr)
     rows = [("source", f"{s['source']} ({s['layout']})"), *table(s), *reference_rows(s["reference"])]
     print(json.dumps(s, indent=2) if given.json else aligned_rows(rows))
-    believed = s["believed_share"]
-    if not run.metric and s["frames"] >= JUDGED and believed is not None and believed < ENOUGH:
-        print(f"slamlib: {REVERSED.format(believed)}", file=sys.stderr)
+    inliers = s["inlier_share"]
+    if not run.metric and s["frames"] >= JUDGED and inliers is not None and inliers < ENOUGH:
+        print(f"slamlib: {REVERSED.format(inliers)}", file=sys.stderr)
     return ended.status
 
 
 @dataclass
-class Ended:
+class RunEnd:
     """How a run ended: the exit status, and why it stopped before its end, or None."""
 
     status: int = 0
     why: str | None = None
 
-    def by(self, why: str, status: int = MISTAKE) -> None:
+    def by(self, why: str, status: int = EXIT_ERROR) -> None:
         """Something stopped it; the first status stays."""
         self.status, self.why = self.status or status, why if self.why is None else f"{self.why}\n{why}"
 
@@ -101,7 +101,7 @@ def _check_places(given: argparse.Namespace) -> None:
 
 def _keep(run: SequenceRun, chosen: str | None, stopped: str | None, command: str) -> None:
     path = chosen or f"slamlib-{command.split()[-1]}.npz"
-    if not run.whole:
+    if not run.is_intact:
         print(f"slamlib: {stopped}; the frame was broken off, and the run cannot be saved", file=sys.stderr)
         return
     run.save(path)
@@ -110,7 +110,7 @@ def _keep(run: SequenceRun, chosen: str | None, stopped: str | None, command: st
         print(f"slamlib: {stopped}\nslamlib: saved {done}", file=sys.stderr)
 
 
-def _shown(run: SequenceRun, given: argparse.Namespace, ended: Ended) -> Iterator[Snapshot | None]:
+def _shown(run: SequenceRun, given: argparse.Namespace, ended: RunEnd) -> Iterator[Snapshot | None]:
     """Step by step; snapshots are made if somebody looks at them. What stops the run ends them, and is told."""
     window, warned = None, False
     if given.live:
@@ -128,13 +128,13 @@ def _shown(run: SequenceRun, given: argparse.Namespace, ended: Ended) -> Iterato
                 if asked:
                     raise KeyboardInterrupt
     except KeyboardInterrupt:
-        ended.by("interrupted", INTERRUPTED)
+        ended.by("interrupted", EXIT_INTERRUPTED)
     except SlamlibError as error:
         ended.by(str(error))
 
 
 def _warn(run: SequenceRun, step: ImageStep) -> bool:
-    if not run.gap.frames:
+    if not run.tracking_loss.frames:
         return False
     what = f"no match in {step.picture.name}: the filter predicts, and stops after {run.patience} such frames in a row"
     print(f"\nslamlib: {what} (said once; they are counted)", file=sys.stderr)

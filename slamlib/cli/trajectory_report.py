@@ -15,7 +15,7 @@ def read_reference(path: str | None, run: SequenceRun) -> Trajectory | None:
     """The path of a file, or None for none; KITTI's form has no times, but a row for each of the whole's pictures."""
     if path is None:
         return None
-    times = run.source.whole.times
+    times = run.source.sequence.times
     rows = _kitti_rows(path)
     if rows and rows != len(times):
         raise SlamlibError(
@@ -40,12 +40,15 @@ def reference_rows(s: dict[str, Any] | None) -> list[tuple[str, str]]:
     if s is None:
         return []
     rows = [
-        ("aligned with reference", f"{s['poses']} poses, scale {s['scale']:.4g}, turn from the {s['turn_from']}"),
         (
-            "error of the place",
-            f"{s['position_rmse']:.4g} rms, {s['position_relative']:.2%} of the path of {s['path_length']:.4g}",
+            "aligned with reference",
+            f"{s['poses']} poses, scale {s['scale']:.4g}, rotation from the {s['rotation_from']}",
         ),
-        ("error of the attitude", f"{s['attitude_rms']:.2f} degrees rms"),
+        (
+            "absolute trajectory error",
+            f"{s['ate']:.4g} RMSE, {s['relative_ate']:.2%} of the path of {s['path_length']:.4g}",
+        ),
+        ("orientation error", f"{s['orientation_rms']:.2f} degrees rms"),
     ]
     p = s.get("parts")
     if p is not None:

@@ -48,7 +48,7 @@ def check(
 
 def random_point(argument: Argument, rng: np.random.Generator) -> Any:
     """A random value for an argument."""
-    return rng.standard_normal(argument.shape) if argument.space is None else argument.space.random(rng)
+    return rng.standard_normal(argument.shape) if argument.manifold is None else argument.manifold.random(rng)
 
 
 def _require(model: Model, what: str, error: float, tolerance: float, found: Any) -> None:

@@ -67,7 +67,7 @@ def _matrix(value: Any) -> sympy.Matrix:
     return sympy.Matrix(value.tolist()) if value.ndim else sympy.Matrix([[value[()]]])
 
 
-class Source:
+class CodeListing:
     """A piece of source text, highlighted where it is displayed."""
 
     def __init__(self, text: str) -> None:
@@ -80,13 +80,13 @@ class Source:
         return self.text
 
 
-def show(thing: Any, *, generated: bool = False) -> Source:
+def show(thing: Any, *, generated: bool = False) -> CodeListing:
     """Source of a model, function, class or module; generated=True gives the NumPy code generated from a model."""
     if not isinstance(thing, Model):
-        return Source(inspect.getsource(thing))
+        return CodeListing(inspect.getsource(thing))
     if not generated:
-        return Source(fingerprint.source(thing.function))
-    return Source("\n\n".join(_functions(thing.code, thing.name)))
+        return CodeListing(fingerprint.source(thing.function))
+    return CodeListing("\n\n".join(_functions(thing.code, thing.name)))
 
 
 def _functions(code: ModuleType, name: str) -> list[str]:

@@ -39,10 +39,10 @@ class Trace:
     def tangent(self) -> list[sympy.Matrix]:
         """Jacobians on the tangent space of each argument, and of the result if it has one."""
         result = self.model.result
-        left = local(result.space, self.value) if result is not None and result.is_manifold else None
+        left = local(result.manifold, self.value) if result is not None and result.is_manifold else None
         found = []
         for argument, symbol, jacobian in zip(self.model.arguments, self.symbols, self.stored, strict=True):
-            right = jacobian * lift(argument.space, symbol) if argument.is_manifold else jacobian
+            right = jacobian * lift(argument.manifold, symbol) if argument.is_manifold else jacobian
             found.append(left * right if left is not None else right)
         return found
 
@@ -98,7 +98,7 @@ def trace(model: Model, *, staged: bool = False) -> Trace:
     result = model.result
     if result is not None and result.shape != value.shape:
         raise SlamlibError(
-            f"{model.name} declares returns={result.space!r} of shape {result.shape} but returns shape {value.shape}"
+            f"{model.name} declares returns={result.manifold!r} of shape {result.shape} but returns shape {value.shape}"
         )
     return Trace(model, symbols, value, inner)
 
@@ -142,29 +142,33 @@ def run(model: Model, symbols: list[Symbols]) -> Symbols:
     return value
 
 
-def lift(space: Any, point: Symbols) -> sympy.Matrix:
+def lift(manifold: Any, point: Symbols) -> sympy.Matrix:
     """d plus(point, step) / d step at step = 0, (size, dof): how stored numbers move with the tangent vector."""
-    if isinstance(space, Product):
-        return sympy.diag(*[lift(part, piece) for part, piece in zip(space.parts, _pieces(space, point), strict=True)])
-    if space.dof == space.size:
-        return sympy.eye(space.size)
-    step = [sympy.Symbol(f"step{i}", real=True) for i in range(space.dof)]
-    moved = sympy.Matrix(space.plus.definition(point, np.array(step, dtype=object)).tolist())
+    if isinstance(manifold, Product):
+        return sympy.diag(
+            *[lift(part, piece) for part, piece in zip(manifold.parts, _pieces(manifold, point), strict=True)]
+        )
+    if manifold.dof == manifold.size:
+        return sympy.eye(manifold.size)
+    step = [sympy.Symbol(f"step{i}", real=True) for i in range(manifold.dof)]
+    moved = sympy.Matrix(manifold.plus.definition(point, np.array(step, dtype=object)).tolist())
     return moved.jacobian(step).subs(dict.fromkeys(step, 0))
 
 
-def local(space: Any, point: Symbols) -> sympy.Matrix:
+def local(manifold: Any, point: Symbols) -> sympy.Matrix:
     """d minus(other, point) / d other at other = point, (dof, size): the tangent vector of a stored change."""
-    if isinstance(space, Product):
-        return sympy.diag(*[local(part, piece) for part, piece in zip(space.parts, _pieces(space, point), strict=True)])
-    if space.dof == space.size:
-        return sympy.eye(space.size)
-    here = [sympy.Symbol(f"here{i}", real=True) for i in range(space.size)]
-    other = [sympy.Symbol(f"other{i}", real=True) for i in range(space.size)]
-    step = sympy.Matrix(space.minus.definition(np.array(other, dtype=object), np.array(here, dtype=object)).tolist())
+    if isinstance(manifold, Product):
+        return sympy.diag(
+            *[local(part, piece) for part, piece in zip(manifold.parts, _pieces(manifold, point), strict=True)]
+        )
+    if manifold.dof == manifold.size:
+        return sympy.eye(manifold.size)
+    here = [sympy.Symbol(f"here{i}", real=True) for i in range(manifold.size)]
+    other = [sympy.Symbol(f"other{i}", real=True) for i in range(manifold.size)]
+    step = sympy.Matrix(manifold.minus.definition(np.array(other, dtype=object), np.array(here, dtype=object)).tolist())
     at_here = step.jacobian(other).subs(dict(zip(other, here, strict=True)))
     return at_here.applyfunc(sympy.simplify).subs(dict(zip(here, point, strict=True)))
 
 
-def _pieces(space: Product, point: Symbols) -> list[Symbols]:
-    return np.split(point, np.cumsum([p.size for p in space.parts])[:-1])
+def _pieces(manifold: Product, point: Symbols) -> list[Symbols]:
+    return np.split(point, np.cumsum([p.size for p in manifold.parts])[:-1])

@@ -14,7 +14,7 @@ from slamlib.errors import SlamlibError
 
 
 @contextmanager
-def whole(path: str | os.PathLike[str]) -> Iterator[Path]:
+def atomic_write(path: str | os.PathLike[str]) -> Iterator[Path]:
     """A path for a file or a folder, beside `path` and with its ending; it becomes `path` only if the block ends well.
 
     A folder takes the place of an older one.
@@ -34,7 +34,7 @@ def whole(path: str | os.PathLike[str]) -> Iterator[Path]:
 
 def write_whole(path: str | os.PathLike[str], content: bytes | str) -> None:
     """Write bytes, or a text in UTF-8 with its line ends as they are."""
-    with whole(path) as partial:
+    with atomic_write(path) as partial:
         partial.write_bytes(content if isinstance(content, bytes) else content.encode("utf-8"))
 
 
@@ -43,7 +43,7 @@ def write_archive(
 ) -> None:
     """Write a compressed .npz of arrays; `header` is the text of a JSON object, with form and version."""
     text = json.dumps({"format": form, "version": version, **header}, default=lambda value: value.tolist())
-    with whole(path) as partial, partial.open("wb") as file:
+    with atomic_write(path) as partial, partial.open("wb") as file:
         np.savez_compressed(file, header=np.array(text), **arrays)
 
 

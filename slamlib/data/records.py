@@ -139,10 +139,10 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Truth:
-    """What really was, at one frame: the robots' states, and the sensors' mounts (7,) on them."""
+    """What really was, at one frame: the robots' states, and the sensors' all_extrinsics (7,) on them."""
 
     robots: tuple[Array, ...]
-    mounts: tuple[Array, ...]
+    extrinsics: tuple[Array, ...]
 
 
 @dataclass(frozen=True, eq=False)

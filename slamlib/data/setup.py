@@ -22,7 +22,7 @@ ZERO = (0.0, 0.0, 0.0)
 # The ordinary camera, for setups that say nothing else of a type of sensor that has an image, or no other parameters.
 IMAGE: Numbers = (640.0, 480.0)
 PARAMETERS: dict[str, Numbers] = {"intrinsics": (320.0, 240.0, 320.0, 320.0), "distortion": (0.0,)}
-NOT_SAID: Numbers = ()
+UNSPECIFIED: Numbers = ()
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class RobotSetup:
     axes, w [deg/s] in the robot's), for motions whose state has one. control: as many numbers as the motion says, in
     metres (or m/s), its angles in degrees (or deg/s), zeros where none is said; control_std the same, the standard
     deviation in one step. The other *_std belong to the start: the simulator draws the true start with them, and the
-    filter is told the mean; attitude_std [deg] is about the robot's own axes.
+    filter is told the mean; orientation_std [deg] is about the robot's own axes.
     """
 
     name: str = "robot"
@@ -42,10 +42,10 @@ class RobotSetup:
     euler: Numbers = ZERO
     velocity: Numbers = (0.0,) * 6
     position_std: Numbers = ZERO
-    attitude_std: Numbers = ZERO
+    orientation_std: Numbers = ZERO
     velocity_std: Numbers = (0.0,) * 6
-    control: Numbers = NOT_SAID
-    control_std: Numbers = NOT_SAID
+    control: Numbers = UNSPECIFIED
+    control_std: Numbers = UNSPECIFIED
 
     @property
     def model(self) -> Motion:
@@ -56,14 +56,18 @@ class RobotSetup:
     def state(self) -> Array:
         """The mean of the state at the start (size,)."""
         pose = pose_of(self.position, self.euler, self.name)
-        return np.concatenate([pose, _mixed(self.velocity, self.name, "velocity")])[: self.model.space.size]
+        return np.concatenate([pose, _mixed(self.velocity, self.name, "velocity")])[: self.model.manifold.size]
 
     @property
     def covariance(self) -> Array:
         """The covariance of the state at the start (dof, dof)."""
-        std = [self.position_std, np.radians(self.attitude_std), _mixed(self.velocity_std, self.name, "velocity_std")]
+        std = [
+            self.position_std,
+            np.radians(self.orientation_std),
+            _mixed(self.velocity_std, self.name, "velocity_std"),
+        ]
         variances = np.concatenate([np.broadcast_to(np.asarray(s, float), (3,)) for s in std[:2]] + [std[2]]) ** 2
-        return np.diag(variances[: self.model.space.dof])
+        return np.diag(variances[: self.model.manifold.dof])
 
     @property
     def nominal(self) -> Array:
@@ -88,7 +92,7 @@ class SensorSetup:
     """A sensor: its type by name, the robot it sits on, where, and its calibration.
 
     position [m] and euler [deg] in the robot's frame; a camera that looks ahead has euler (-90, 0, -90). With
-    estimated=True the mount is a part of the map, with position_std [m] and attitude_std [deg] at first, and the
+    estimated=True the mount is a part of the map, with position_std [m] and orientation_std [deg] at first, and the
     simulator draws the true mount with them. std: of each number of a measurement, or one for all; noise: a
     full covariance instead. image: (width, height) [px]; None: an image without a border. parameters and limits: those
     of the sensor's type. What is not said of the image and the parameters is an ordinary camera's, if it fits the type.
@@ -101,29 +105,31 @@ class SensorSetup:
     euler: Numbers = (-90.0, 0.0, -90.0)
     estimated: bool = False
     position_std: Numbers = ZERO
-    attitude_std: Numbers = ZERO
+    orientation_std: Numbers = ZERO
     std: Numbers = (1.0,)
     noise: tuple[Numbers, ...] | None = None
-    image: Numbers | None = NOT_SAID
+    image: Numbers | None = UNSPECIFIED
     parameters: dict[str, Numbers] = field(default_factory=dict)
     limits: dict[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         kind = sensor(self.type)
-        if self.image is NOT_SAID:
+        if self.image is UNSPECIFIED:
             object.__setattr__(self, "image", IMAGE if kind.pixels else None)
         if not self.parameters and set(kind.parameters) <= set(PARAMETERS):
             object.__setattr__(self, "parameters", {name: PARAMETERS[name] for name in kind.parameters})
 
     @property
-    def mount(self) -> Array:
+    def extrinsics(self) -> Array:
         """Its pose (7,) in the robot's frame, as it is believed at the start."""
         return pose_of(self.position, self.euler, self.name)
 
     @property
     def covariance(self) -> Array:
-        """The covariance of the mount (6, 6) at the start; zero if it is not estimated."""
-        std = [np.broadcast_to(np.asarray(s, float), (3,)) for s in (self.position_std, np.radians(self.attitude_std))]
+        """The covariance of the extrinsics (6, 6) at the start; zero if it is not estimated."""
+        std = [
+            np.broadcast_to(np.asarray(s, float), (3,)) for s in (self.position_std, np.radians(self.orientation_std))
+        ]
         return np.diag(np.concatenate(std) ** 2) if self.estimated else np.zeros((6, 6))
 
     @property

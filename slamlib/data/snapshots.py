@@ -8,7 +8,7 @@ from slamlib.data.records import ByFamily, Scan
 from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array, Image, Mask
 
-_LEFT_OUT: Array = np.zeros(0)
+_OMITTED: Array = np.zeros(0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,12 +31,12 @@ class RobotView:
 
 
 @dataclass(frozen=True, eq=False)
-class Looks:
+class MeasurementView:
     """How a sensor looked at the landmarks of one family (points, segments, ...) in one frame.
 
     One row for each landmark that it expected to see: ids (n,), kinds, what it expected (n, m) (of a segment: its two
     ends in the image) with the covariance (n, d, d) of the innovation, what it measured (n, m) (nan where nothing was
-    looked for or found), masks (n,) chosen, matched, inlier, and z' Z^-1 z (n,) (nan where nothing was matched).
+    looked for or found), masks (n,) chosen, matched, inlier, and z' S^-1 z (n,) (nan where nothing was matched).
 
     What not every look has, and what may be left out: of a segment ends (n, 2, 2), where the filter puts its two ends
     in the image after the frame, with their covariances spreads (n, 2, 2, 2) [px^2], nan for points and for ends out of
@@ -53,18 +53,18 @@ class Looks:
     matched: Mask
     inlier: Mask
     nis: Array
-    ends: Array = field(default_factory=lambda: _LEFT_OUT)
-    spreads: Array = field(default_factory=lambda: _LEFT_OUT)
-    scores: Array = field(default_factory=lambda: _LEFT_OUT)
-    predicted: tuple[Array | None, ...] = ()
-    found: tuple[Array | None, ...] = ()
+    endpoints: Array = field(default_factory=lambda: _OMITTED)
+    endpoint_covariances: Array = field(default_factory=lambda: _OMITTED)
+    scores: Array = field(default_factory=lambda: _OMITTED)
+    predicted_patch: tuple[Array | None, ...] = ()
+    found_patch: tuple[Array | None, ...] = ()
 
     def __post_init__(self) -> None:
         n = len(self.ids)
-        for name, shape in (("ends", (n, 2, 2)), ("spreads", (n, 2, 2, 2)), ("scores", (n,))):
-            if getattr(self, name) is _LEFT_OUT:
+        for name, shape in (("endpoints", (n, 2, 2)), ("endpoint_covariances", (n, 2, 2, 2)), ("scores", (n,))):
+            if getattr(self, name) is _OMITTED:
                 object.__setattr__(self, name, np.full(shape, np.nan))
-        for name in ("predicted", "found"):
+        for name in ("predicted_patch", "found_patch"):
             object.__setattr__(self, name, getattr(self, name) or (None,) * n)
 
 
@@ -72,18 +72,18 @@ class Looks:
 class SensorView(ByFamily):
     """A sensor as it is estimated, what it delivered, and what it looked at.
 
-    mount (7,) on robot number `robot`, with covariance (6, 6), zero where it is given; image (width, height) or None;
-    looks: by the family's name; view.points is view.looks["points"].
+    extrinsics (7,) on robot number `robot`, with covariance (6, 6), zero where it is given; image (width, height) or
+    None; predictions: by the family's name; view.points is view.looks["points"].
     """
 
     _FAMILIES = "looks"
     name: str
     robot: int
-    mount: Array
-    mount_covariance: Array
+    extrinsics: Array
+    extrinsics_covariance: Array
     image: Image | None
     scan: Scan | None
-    looks: dict[str, Looks]
+    predictions: dict[str, MeasurementView]
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,5 +121,5 @@ class Snapshot(ByFamily):
     def camera(self, sensor: int) -> Array:
         """Pose (7,) of a sensor in the world."""
         view = self.sensors[sensor]
-        pose: Array = compose(self.robots[view.robot].pose, view.mount)
+        pose: Array = compose(self.robots[view.robot].pose, view.extrinsics)
         return pose

@@ -42,9 +42,9 @@ def read_pair(paths: list[str], cameras: tuple[int, int] = (0, 1)) -> PairCalibr
     if len(paths) > 2:
         raise SlamlibError(f"a calibration is one file, or one for each of two cameras, not {len(paths)}")
     pair = PairCalibration(*map(read_lens, paths * (3 - len(paths)), cameras))
-    if pair.right.place is None:
+    if pair.right.transform is None:
         raise SlamlibError(f"{' and '.join(paths)}: {NO_BASELINE}")
-    if not np.linalg.norm(pair.place[:3, 3]) > 0:
+    if not np.linalg.norm(pair.transform[:3, 3]) > 0:
         raise SlamlibError(f"{' and '.join(paths)}: both cameras are in one place; {NO_BASELINE}")
     return pair
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.datasets.lens import Lens
-from slamlib.datasets.pictures import Picture, read_image
+from slamlib.datasets.pictures import TimedImage, read_image
 from slamlib.errors import SlamlibError
 
 FPS = 30.0
@@ -22,15 +22,15 @@ Numbers = range | list[int]
 class Sequence:
     """Names and times [s] of all pictures, `interval` [s] between two of them as a rule.
 
-    read(numbers, ascending) yields some of them. told: whether a list says the times, so that they tell which pictures
-    of two cameras belong together; otherwise they are counted.
+    read(numbers, ascending) yields some of them. has_times: whether a list says the times, so that they tell which
+    pictures of two cameras belong together; otherwise they are counted.
     """
 
     names: tuple[str, ...]
     times: tuple[float, ...]
     interval: float
-    read: Callable[[Numbers], Iterator[Picture]]
-    told: bool = False
+    read: Callable[[Numbers], Iterator[TimedImage]]
+    has_times: bool = False
 
 
 @dataclass(frozen=True)
@@ -102,8 +102,8 @@ def listed(paths: list[Path], times: list[float], listing: Path, interval: float
     if missing:
         raise SlamlibError(f"{listing} lists {len(missing)} files that are not there, the first of them {missing[0]}")
 
-    def read(numbers: Numbers) -> Iterator[Picture]:
-        return (Picture(paths[number].name, times[number], read_image(paths[number])) for number in numbers)
+    def read(numbers: Numbers) -> Iterator[TimedImage]:
+        return (TimedImage(paths[number].name, times[number], read_image(paths[number])) for number in numbers)
 
     typical = float(np.median(np.diff(times))) if len(times) > 1 else 1 / FPS
     return Sequence(tuple(path.name for path in paths), tuple(times), interval or typical, read, interval is None)

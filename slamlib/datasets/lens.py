@@ -22,26 +22,28 @@ MODELS = {RADIAL: 8, FISHEYE: 4}
 class Lens:
     """intrinsics (u0, v0, au, av) [px]; image (width, height) [px], or None where the file does not say.
 
-    model: a name of MODELS; distortion: its coefficients in OpenCV's order. place: pose of the camera in the frame that
-    the file gives it in (another camera, a body), as a 4 x 4 matrix, row by row, or None.
-    said: more fields of its SensorSetup, as its std.
+    model: a name of MODELS; distortion: its coefficients in OpenCV's order. transform: pose of the camera in the frame
+    that the file gives it in (another camera, a body), as a 4 x 4 matrix, row by row, or None. extra: more fields of
+    its SensorSetup, as its std.
     """
 
     intrinsics: Numbers
     image: Numbers | None = None
     model: str = RADIAL
     distortion: Numbers = ()
-    place: Numbers | None = field(default=None, repr=False)
-    said: dict[str, Any] = field(default_factory=dict, repr=False)
+    transform: Numbers | None = field(default=None, repr=False)
+    extra: dict[str, Any] = field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
         if len(self.intrinsics) != 4 or not np.isfinite(self.intrinsics).all() or not min(self.intrinsics[2:]) > 0:
             raise SlamlibError(f"intrinsics are (u0, v0, au, av), two of them focal lengths above 0: {self.intrinsics}")
         if self.model not in MODELS:
             raise UnknownNameError.of("model of a lens", self.model, MODELS)
-        most = MODELS[self.model]
-        if len(self.distortion) > most or not np.isfinite(self.distortion).all():
-            raise SlamlibError(f"{self.model}: at most {most} finite coefficients are wanted, got {self.distortion}")
+        max_coefficients = MODELS[self.model]
+        if len(self.distortion) > max_coefficients or not np.isfinite(self.distortion).all():
+            raise SlamlibError(
+                f"{self.model}: at most {max_coefficients} finite coefficients are wanted, got {self.distortion}"
+            )
 
     @property
     def lens(self) -> "Lens":
@@ -85,10 +87,10 @@ class PairCalibration:
     right: Lens
 
     @property
-    def place(self) -> Array:
+    def transform(self) -> Array:
         """Pose of the right camera in the left one's frame (4, 4)."""
-        origin = np.eye(4) if self.left.place is None else np.reshape(self.left.place, (4, 4))
-        found: Array = np.linalg.solve(origin, np.reshape(np.array(self.right.place), (4, 4)))
+        origin = np.eye(4) if self.left.transform is None else np.reshape(self.left.transform, (4, 4))
+        found: Array = np.linalg.solve(origin, np.reshape(np.array(self.right.transform), (4, 4)))
         return found
 
 

@@ -15,13 +15,13 @@ from slamlib.datasets.rectification import (
     rectified_setup,
     why_not_rectified,
 )
-from slamlib.datasets.sources import Source, open_source
+from slamlib.datasets.sources import ImageSource, open_source
 from slamlib.errors import SlamlibError
 
 
-def opened(
+def open_sequence(
     source: str, calibration: str, *, camera: int = 0, fps: float | None = None, undistort: bool = False
-) -> tuple[Source, dict[str, Any]]:
+) -> tuple[ImageSource, dict[str, Any]]:
     """The pictures, and plain data of the SensorSetup that they fit; the first picture is read to know their size.
 
     undistort: free the pictures of the lens's distortion. Raises SlamlibError.
@@ -35,7 +35,7 @@ def opened(
     return remapped(pictures, lens, size)
 
 
-def opened_pairs(
+def open_rectified_pairs(
     source: str | None = None,
     left: str | None = None,
     right: str | None = None,
@@ -44,7 +44,7 @@ def opened_pairs(
     cameras: tuple[int, int] | None = None,
     fps: float | None = None,
     rectify: bool = False,
-) -> tuple[Source, dict[str, Any], float]:
+) -> tuple[ImageSource, dict[str, Any], float]:
     """Rectified pairs, plain data of the stereo SensorSetup that they fit, and the offset [px] of their disparities.
 
     Of a data set's folder, or of a left and a right folder, glob or video. Raises SlamlibError.
@@ -56,7 +56,7 @@ def opened_pairs(
         pairs = open_pairs(open_source(left, fps=fps), open_source(right, fps=fps))
     else:
         raise SlamlibError("--left and --right are wanted, both, or --source for a KITTI or EuRoC folder")
-    known = read_pair(calibration or _kept(source, pairs.layout, numbers), numbers)
+    known = read_pair(calibration or _find_calibration(source, pairs.layout, numbers), numbers)
     check_order(known)
     size = size_of(pairs)
     for lens in (known.left, known.right):
@@ -72,19 +72,21 @@ def opened_pairs(
     return (pairs, *rectified_setup(known, size))
 
 
-def size_of(source: Source) -> tuple[int, int]:
+def size_of(source: ImageSource) -> tuple[int, int]:
     """(width, height) of the first picture, or of both of the first pair."""
     *_, height, width = next(iter(source)).image.shape
     return width, height
 
 
-def remapped(source: Source, known: Lens | PairCalibration, size: tuple[int, int]) -> tuple[Source, dict[str, Any]]:
+def remapped(
+    source: ImageSource, known: Lens | PairCalibration, size: tuple[int, int]
+) -> tuple[ImageSource, dict[str, Any]]:
     """Pictures without their distortion, or rectified pairs, and plain data of the SensorSetup that they fit."""
     change = Undistortion(known, size) if isinstance(known, Lens) else Rectification(known, size)
     return source.through(change, {**source.recipe, "remap": written(known), "size": list(size)}), change.setup
 
 
-def reopen(recipe: dict[str, Any], count: int | None = None) -> Source:
+def reopen(recipe: dict[str, Any], count: int | None = None) -> ImageSource:
     """The source of a recipe, of pictures or of pairs, changed as it was; count: how many, if not as many as before.
 
     Raises SlamlibError if it is not there any more, or has become shorter.
@@ -100,12 +102,12 @@ def reopen(recipe: dict[str, Any], count: int | None = None) -> Source:
     return source.again(recipe, count)
 
 
-def _check_size(lens: Lens, size: tuple[int, int], source: Source) -> None:
+def _check_size(lens: Lens, size: tuple[int, int], source: ImageSource) -> None:
     sized = {} if lens.image is None else {"image": lens.image}
     fitted({**sized, "parameters": {"intrinsics": lens.intrinsics}}, size, source.where)
 
 
-def _kept(source: str | None, layout: str, cameras: tuple[int, int]) -> list[str]:
+def _find_calibration(source: str | None, layout: str, cameras: tuple[int, int]) -> list[str]:
     """The calibration in a data set's folder, one file or one for each camera."""
     for name in DATASETS[layout].calibrations if source else ():
         paths = [str(Path(str(source)) / name.format(camera=camera)) for camera in cameras]

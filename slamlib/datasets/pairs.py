@@ -16,15 +16,15 @@ from typing import Any
 import numpy as np
 
 from slamlib.datasets.dataset import Numbers, Sequence
-from slamlib.datasets.pictures import Picture
-from slamlib.datasets.sources import Source, cameras_at
+from slamlib.datasets.pictures import TimedImage
+from slamlib.datasets.sources import ImageSource, cameras_at
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import matched_times
 from slamlib.manifolds import Array, Indices
 from slamlib.sensors.sensor import Calibration
 
 CAMERAS = ((0, 1), (2, 3))  # left and right; KITTI's 2 and 3 are the coloured ones
-TOGETHER = 0.1  # of the interval: times of one pair may differ by so much
+MAX_TIME_SHARE = 0.1  # of the interval: times of one pair may differ by so much
 
 
 def pair(left: Array, right: Array) -> Array:
@@ -77,25 +77,29 @@ def two_cameras(where: str | os.PathLike[str]) -> tuple[int, int]:
     return found
 
 
-def open_pairs(left: Source, right: Source) -> Source:
+def open_pairs(left: ImageSource, right: ImageSource) -> ImageSource:
     """The pairs of two cameras; no picture is read yet. Raises SlamlibError for lists that do not fit together."""
-    i, j = _by_time(left, right) if left.whole.told and right.whole.told else _by_order(left, right)
-    whole = left.whole
+    i, j = _by_time(left, right) if left.sequence.has_times and right.sequence.has_times else _by_order(left, right)
+    whole = left.sequence
     names, times = (tuple(np.array(values)[i].tolist()) for values in (whole.names, whole.times))
 
-    def read(numbers: Numbers) -> Iterator[Picture]:
+    def read(numbers: Numbers) -> Iterator[TimedImage]:
         rows = np.array(numbers, dtype=int)
-        both = zip(whole.read(i[rows].tolist()), right.whole.read(j[rows].tolist()), strict=True)
-        return (_together(one, other) for one, other in both)
+        both = zip(whole.read(i[rows].tolist()), right.sequence.read(j[rows].tolist()), strict=True)
+        return (_one_pair(one, other) for one, other in both)
 
-    sequence = Sequence(names, times, whole.interval, read, whole.told)
+    sequence = Sequence(names, times, whole.interval, read, whole.has_times)
     recipe = {"left": left.recipe, "right": right.recipe}
-    return Source(left.layout, _where(left, right), range(len(i)), sequence, recipe)
+    return ImageSource(left.layout, _where(left, right), range(len(i)), sequence, recipe)
 
 
-def _by_time(left: Source, right: Source) -> tuple[Indices, Indices]:
+def _by_time(left: ImageSource, right: ImageSource) -> tuple[Indices, Indices]:
     """Rows of pictures of one time; what has no partner is left out."""
-    one, other, tolerance = np.array(left.whole.times), np.array(right.whole.times), TOGETHER * left.interval
+    one, other, tolerance = (
+        np.array(left.sequence.times),
+        np.array(right.sequence.times),
+        MAX_TIME_SHARE * left.interval,
+    )
     i, j = matched_times(one, other, tolerance)
     if not len(i):
         raise SlamlibError(
@@ -105,9 +109,9 @@ def _by_time(left: Source, right: Source) -> tuple[Indices, Indices]:
     return i, j
 
 
-def _by_order(left: Source, right: Source) -> tuple[Indices, Indices]:
+def _by_order(left: ImageSource, right: ImageSource) -> tuple[Indices, Indices]:
     """All rows, if there are as many left as right, and the numbers that count in their names agree."""
-    one, other = left.whole.names, right.whole.names
+    one, other = left.sequence.names, right.sequence.names
     if len(one) != len(other):
         alone = [name for name in one if name not in set(other)] + [name for name in other if name not in set(one)]
         which = f" (alone: {', '.join(alone[:3])}{', ...' if len(alone) > 3 else ''})" if len(alone) < len(one) else ""
@@ -134,12 +138,12 @@ def _counted(names: tuple[str, ...]) -> list[tuple[int, ...]]:
     return [column for column in zip(*numbers, strict=True) if len(set(column)) > 1]
 
 
-def _together(left: Picture, right: Picture) -> Picture:
+def _one_pair(left: TimedImage, right: TimedImage) -> TimedImage:
     try:
         return replace(left, image=pair(left.image, right.image))
     except SlamlibError as error:
         raise SlamlibError(f"{left.name} and {right.name}: {error}") from None
 
 
-def _where(left: Source, right: Source) -> str:
+def _where(left: ImageSource, right: ImageSource) -> str:
     return left.where if left.where == right.where else f"{left.where}, {right.where}"

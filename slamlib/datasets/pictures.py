@@ -16,7 +16,7 @@ ENDINGS = (".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".w
 
 
 @dataclass(frozen=True, eq=False)
-class Picture:
+class TimedImage:
     """One instant: the file's name (of a video, its number in it), time [s], grey values (h, w) of type uint8."""
 
     name: str

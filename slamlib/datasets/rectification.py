@@ -23,9 +23,9 @@ SLANT, ASIDE, UNLIKE = 0.002, 0.01, 0.002  # rad; share of the baseline; share o
 
 def why_not_rectified(pair: PairCalibration) -> str | None:
     """What keeps two cameras from being a rectified pair, or None."""
-    x, *aside = pair.place[:3, 3].tolist()
+    x, *aside = pair.transform[:3, 3].tolist()
     (_, v, a, b), (_, v_right, a_right, b_right) = pair.left.intrinsics, pair.right.intrinsics
-    turned = float(np.linalg.norm(pair.place[:3, :3] - np.eye(3))) / np.sqrt(2)
+    turned = float(np.linalg.norm(pair.transform[:3, :3] - np.eye(3))) / np.sqrt(2)
     if any((*pair.left.distortion, *pair.right.distortion)):
         return "the lenses distort"
     if turned > SLANT:
@@ -39,9 +39,10 @@ def why_not_rectified(pair: PairCalibration) -> str | None:
 
 def check_order(pair: PairCalibration) -> None:
     """Raise SlamlibError if the right camera is to the left of the left one."""
-    if not pair.place[0, 3] > 0:
+    if not pair.transform[0, 3] > 0:
         raise SlamlibError(
-            f"the right camera is {pair.place[0, 3]:.3g} m to the right of the left one, by the calibration: left and "
+            f"the right camera is {pair.transform[0, 3]:.3g} m to the right of the left one, by the calibration: left "
+            "and "
             "right are exchanged; give --left and --right (or --cameras, or the two files) the other way round"
         )
 
@@ -51,9 +52,9 @@ def rectified_setup(pair: PairCalibration, size: tuple[int, int]) -> tuple[dict[
 
     size: (width, height) of the pictures. Columns of the two principal points that differ are the offset.
     """
-    parameters = {"intrinsics": pair.left.intrinsics, "baseline": (float(pair.place[0, 3]),)}
+    parameters = {"intrinsics": pair.left.intrinsics, "baseline": (float(pair.transform[0, 3]),)}
     setup = {"name": "stereo", "type": "stereo", "image": tuple(map(float, size)), "parameters": parameters}
-    return {**setup, **pair.left.said}, pair.right.intrinsics[0] - pair.left.intrinsics[0]
+    return {**setup, **pair.left.extra}, pair.right.intrinsics[0] - pair.left.intrinsics[0]
 
 
 class _Remapping:
@@ -70,7 +71,7 @@ class _Remapping:
             new = ideal(zoom).matrix
             return [_maps(lens, new, size, turn) for lens, turn in zip(lenses, turns, strict=True)]
 
-        zoom = _least_zoom(lambda zoom: all(_inside(place, size) for place in places(zoom)))
+        zoom = _least_zoom(lambda zoom: all(_inside(transform, size) for transform in places(zoom)))
         if zoom is None:
             seen = "does not describe" if len(lenses) == 1 else "see nothing in common in"
             raise SlamlibError(f"{' and '.join(map(str, lenses))} {seen} pictures of {size[0]}x{size[1]} pixels")
@@ -104,23 +105,23 @@ class Rectification(_Remapping):
 
     def __init__(self, pair: PairCalibration, size: tuple[int, int]) -> None:
         """size: (width, height) of both pictures. Raises SlamlibError for lenses that make no sense."""
-        turns, baseline = _turns(pair.place)
+        turns, baseline = _turns(pair.transform)
         lenses = pair.left, pair.right
         centre = np.mean([_centre(lens, turn) for lens, turn in zip(lenses, turns, strict=True)], axis=0)
         focal = float(np.mean([lens.intrinsics[2:] for lens in lenses]))
         super().__init__(lenses, turns, lambda zoom: _ideal(focal, zoom, centre, size), size)
-        left, right = replace(self.lens, said=pair.left.said), replace(self.lens, place=shifted(baseline))
+        left, right = replace(self.lens, extra=pair.left.extra), replace(self.lens, transform=shifted(baseline))
         self.setup, _ = rectified_setup(PairCalibration(left, right), size)
 
 
-def _turns(place: Array) -> tuple[list[Array], float]:
+def _turns(transform: Array) -> tuple[list[Array], float]:
     """Rotations (3, 3) of the rays of the left and of the right camera to the rectified ones, and the baseline [m]."""
-    x = place[:3, 3] / np.linalg.norm(place[:3, 3])
-    ahead = np.array([0.0, 0, 1]) + place[:3, 2]
+    x = transform[:3, 3] / np.linalg.norm(transform[:3, 3])
+    ahead = np.array([0.0, 0, 1]) + transform[:3, 2]
     y = np.cross(ahead, x)
     y /= np.linalg.norm(y)
     new = np.stack([x, y, np.cross(x, y)])  # rows: the new axes in the left camera's frame
-    return [new, new @ place[:3, :3]], float(np.linalg.norm(place[:3, 3]))
+    return [new, new @ transform[:3, :3]], float(np.linalg.norm(transform[:3, 3]))
 
 
 def _centre(lens: Lens, turn: Array) -> Array:

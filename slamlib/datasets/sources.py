@@ -20,17 +20,17 @@ from typing import Any
 
 from slamlib.datasets.dataset import Dataset, Numbers, Sequence
 from slamlib.datasets.formats import DATASETS
-from slamlib.datasets.pictures import Picture
+from slamlib.datasets.pictures import TimedImage
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Image
 
 
 @dataclass(frozen=True, eq=False)
-class Source:
+class ImageSource:
     """A sized iterable of pictures, all of one size; each round reads them anew.
 
     layout: its name; where: the absolute path; frames: the numbers of its pictures in the whole sequence;
-    whole: names and times of the whole, with the typical time between two neighbours; recipe: plain data to open the
+    sequence: names and times of the whole, with the typical time between two neighbours; recipe: plain data to open the
     same again.
     Iterating raises SlamlibError, which names the picture, for one that cannot be read or has another size.
     """
@@ -38,7 +38,7 @@ class Source:
     layout: str
     where: str
     frames: range
-    whole: Sequence
+    sequence: Sequence
     recipe: dict[str, Any]
 
     def __len__(self) -> int:
@@ -47,11 +47,11 @@ class Source:
     @property
     def interval(self) -> float:
         """Typical time [s] between two neighbours of the whole sequence."""
-        return self.whole.interval
+        return self.sequence.interval
 
-    def __iter__(self) -> Iterator[Picture]:
-        first: Picture | None = None
-        for picture in self.whole.read(self.frames):
+    def __iter__(self) -> Iterator[TimedImage]:
+        first: TimedImage | None = None
+        for picture in self.sequence.read(self.frames):
             first = first or picture
             if picture.image.shape != first.image.shape:
                 raise SlamlibError(
@@ -60,7 +60,7 @@ class Source:
                 )
             yield picture
 
-    def part(self, start: int = 0, every: int = 1, count: int | None = None) -> "Source":
+    def part(self, start: int = 0, every: int = 1, count: int | None = None) -> "ImageSource":
         """From picture number `start` on (0: the first), each so many-th, at most `count` of them."""
         if start < 0 or every < 1 or (count is not None and count < 1):
             raise SlamlibError(f"start is 0 or more, every and frames 1 or more, got {start}, {every}, {count}")
@@ -70,7 +70,7 @@ class Source:
         chosen = [frames.start, frames.stop, frames.step]
         return replace(self, frames=frames, recipe={**self.recipe, "frames": chosen})
 
-    def again(self, recipe: dict[str, Any], count: int | None = None) -> "Source":
+    def again(self, recipe: dict[str, Any], count: int | None = None) -> "ImageSource":
         """Of the whole, the part of a recipe, or `count` pictures from its first one on. Raises SlamlibError."""
         chosen = range(*recipe.get("frames", (len(self),)))
         if chosen[-1] >= len(self):
@@ -79,35 +79,35 @@ class Source:
             return self
         return self.part(chosen.start, chosen.step, len(chosen) if count is None else count)
 
-    def through(self, change: Callable[[Array], Array], recipe: dict[str, Any]) -> "Source":
+    def through(self, change: Callable[[Array], Array], recipe: dict[str, Any]) -> "ImageSource":
         """The same pictures, each changed, as by an undistortion; recipe: plain data that tells of the change too."""
 
-        def read(frames: Numbers) -> Iterator[Picture]:
-            return (replace(picture, image=change(picture.image)) for picture in self.whole.read(frames))
+        def read(frames: Numbers) -> Iterator[TimedImage]:
+            return (replace(picture, image=change(picture.image)) for picture in self.sequence.read(frames))
 
-        return replace(self, whole=replace(self.whole, read=read), recipe=recipe)
+        return replace(self, sequence=replace(self.sequence, read=read), recipe=recipe)
 
 
-def of_pictures(pictures: list[Picture], interval: float) -> Source:
+def of_pictures(pictures: list[TimedImage], interval: float) -> ImageSource:
     """A source of pictures that are in memory, `interval` [s] apart as a rule; it cannot be opened again."""
     names, times = zip(*((p.name, p.time) for p in pictures), strict=True) if pictures else ((), ())
     whole = Sequence(names, times, interval, lambda frames: (pictures[i] for i in frames))
-    return Source("memory", "memory", range(len(pictures)), whole, {})
+    return ImageSource("memory", "memory", range(len(pictures)), whole, {})
 
 
-def of_film(film: Any, sensor: int = 0) -> Source:
+def of_film(film: Any, sensor: int = 0) -> ImageSource:
     """The images of one sensor of a rendered film (slambook.rendering), made anew each time they are read."""
 
-    def read(frames: Numbers) -> Iterator[Picture]:
+    def read(frames: Numbers) -> Iterator[TimedImage]:
         for i, (frame, _) in zip(range(frames[-1] + 1), film, strict=False):
             if i in frames:
-                yield Picture(names[i], times[i], frame.scans[sensor].image)
+                yield TimedImage(names[i], times[i], frame.scans[sensor].image)
 
     names, times = tuple(f"frame {n + 1}" for n in range(len(film))), tuple(accumulate([film.dt] * len(film)))
-    return Source("film", "a rendered film", range(len(film)), Sequence(names, times, film.dt, read), {})
+    return ImageSource("film", "a rendered film", range(len(film)), Sequence(names, times, film.dt, read), {})
 
 
-def open_source(text: str | os.PathLike[str], *, fps: float | None = None, camera: int = 0) -> Source:
+def open_source(text: str | os.PathLike[str], *, fps: float | None = None, camera: int = 0) -> ImageSource:
     """The pictures at a path or a glob; no picture is read yet, but of a video's header.
 
     fps: pictures a second, where there are no times, or in place of a video's own. camera: its number, in layouts with
@@ -123,7 +123,7 @@ def open_source(text: str | os.PathLike[str], *, fps: float | None = None, camer
         raise SlamlibError(f"{text} ({dataset.name}) has no camera {camera}; it has {', '.join(map(str, cameras))}")
     whole = dataset.open(cameras[camera], fps)
     recipe = {"text": where, "fps": fps, "camera": camera}
-    return Source(dataset.name, where, range(len(whole.times)), whole, recipe)
+    return ImageSource(dataset.name, where, range(len(whole.times)), whole, recipe)
 
 
 def cameras_at(where: str | os.PathLike[str]) -> list[int]:

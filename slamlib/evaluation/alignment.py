@@ -11,7 +11,7 @@ from slamlib.geometry.quaternion import best_pivot, from_rotation, product, rota
 from slamlib.kalman.linalg import finite
 from slamlib.manifolds import Array, Indices
 
-STRAIGHT = 0.05  # a path that is narrower than this share of its length says too little about the turn around it
+STRAIGHT_PATH = 0.05  # a path that is narrower than this share of its length says too little about the turn around it
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +44,7 @@ def align(points: Array, reference: Array, *, scale: bool = True) -> Similarity:
     one: R = U S V', where S = diag(1, 1, det U det V) keeps R from being a reflection. And s = tr(R' M) / sum |x_i|^2.
 
     Raises SlamlibError where the points do not determine it: fewer than three, or all on one line, around which every
-    turn fits as well; there use `aligned`, which takes the turn from the attitudes.
+    turn fits as well; there use `align_trajectory`, which takes the turn from the attitudes.
     """
     x, y = _pairs(points, reference)
     (mean_x, x), (mean_y, y) = _centred(x), _centred(y)
@@ -53,9 +53,9 @@ def align(points: Array, reference: Array, *, scale: bool = True) -> Similarity:
     if size[1] <= 1e-10 * size[0] or not size[0] > 0:
         raise SlamlibError(
             "align: the points lie on one line (or in one place), and any turn around it fits as well as any other: "
-            "the attitudes have to say which, see slamlib.evaluation.alignment.aligned(..., by='attitudes')"
+            "the attitudes have to say which, see slamlib.evaluation.alignment.align_trajectory(..., by='attitudes')"
         )
-    return _given_turn(_nearest_rotation(M), x, y, mean_x, mean_y, scale)
+    return _given_rotation(_nearest_rotation(M), x, y, mean_x, mean_y, scale)
 
 
 def _nearest_rotation(M: Array) -> Array:
@@ -66,7 +66,7 @@ def _nearest_rotation(M: Array) -> Array:
     return turn
 
 
-def _given_turn(R: Array, x: Array, y: Array, mean_x: Array, mean_y: Array, scale: bool) -> Similarity:
+def _given_rotation(R: Array, x: Array, y: Array, mean_x: Array, mean_y: Array, scale: bool) -> Similarity:
     """Best scale and translation for a rotation; x, y centred."""
     spread = (x * x).sum()
     if scale and not spread > 0:
@@ -93,12 +93,12 @@ def straightness(points: Array) -> float:
     return float(size[1] / size[0]) if size[0] > 0 else 0.0
 
 
-def by_positions(estimate: Trajectory, reference: Trajectory, scale: bool) -> Similarity:
+def align_by_positions(estimate: Trajectory, reference: Trajectory, scale: bool) -> Similarity:
     """All of it from the positions."""
     return align(estimate.positions, reference.positions, scale=scale)
 
 
-def by_attitudes(estimate: Trajectory, reference: Trajectory, scale: bool) -> Similarity:
+def align_by_orientations(estimate: Trajectory, reference: Trajectory, scale: bool) -> Similarity:
     """The turn from the attitudes, scale and translation from the positions.
 
     The turn R makes sum |Q_i - R P_i|^2 least, P_i and Q_i being rotation matrices of the two: as in `align`, with
@@ -109,59 +109,62 @@ def by_attitudes(estimate: Trajectory, reference: Trajectory, scale: bool) -> Si
     turn = _nearest_rotation((Q @ P.swapaxes(-1, -2)).sum(0))
     x, y = _pairs(estimate.positions, reference.positions)
     (mean_x, x), (mean_y, y) = _centred(x), _centred(y)
-    return _given_turn(turn, x, y, mean_x, mean_y, scale)
+    return _given_rotation(turn, x, y, mean_x, mean_y, scale)
 
 
-WAYS = {"positions": by_positions, "attitudes": by_attitudes}
+ALIGNMENTS = {"positions": align_by_positions, "orientations": align_by_orientations}
 
 
 @dataclass(frozen=True, eq=False)
-class Aligned:
+class AlignedTrajectory:
     """An estimate laid over its reference, pair by pair, and what remains.
 
-    position (n,): distances in the reference's unit; attitude (n,) [rad]; path: the reference's length; by: where the
-    turn was taken from; straightness: of the reference.
+    position (n,): distances in the reference's unit; orientation (n,) [rad]; path: the reference's length;
+    rotation_from: where the turn was taken from; straightness: of the reference.
     """
 
     similarity: Similarity
     estimate: Trajectory
     position: Array
-    attitude: Array
+    orientation: Array
     path: float
-    by: str
+    rotation_from: str
     straightness: float
 
     @property
-    def rmse(self) -> float:
+    def ate(self) -> float:
         """Absolute trajectory error: root mean square of the distances (Sturm and others, 2012)."""
         return float(np.sqrt((self.position**2).mean()))
 
     @property
-    def relative(self) -> float:
+    def relative_ate(self) -> float:
         """The same by the length of the path (0.01 is 1 %)."""
-        return self.rmse / self.path if self.path > 0 else np.nan
+        return self.ate / self.path if self.path > 0 else np.nan
 
 
-def aligned(estimate: Trajectory, reference: Trajectory, *, scale: bool = True, by: str | None = None) -> Aligned:
+def align_trajectory(
+    estimate: Trajectory, reference: Trajectory, *, scale: bool = True, rotation_from: str | None = None
+) -> AlignedTrajectory:
     """Lay an estimate over its reference (pairs, row by row) and measure what remains.
 
-    by: whether the "positions" or the "attitudes" say the turn; None: the positions, but for a path that is nearly
-    straight (STRAIGHT) the attitudes, since positions hardly tell the turn around it. Raises SlamlibError.
+    rotation_from: whether the "positions" or the "orientations" say the turn; None: the positions, but for a path that
+    is nearly straight (STRAIGHT_PATH) the attitudes, since positions hardly tell the turn around it. Raises
+    SlamlibError.
     """
-    if by is not None and by not in WAYS:
-        raise SlamlibError(f"aligned: by is one of {', '.join(WAYS)}, or None, got {by!r}")
+    if rotation_from is not None and rotation_from not in ALIGNMENTS:
+        raise SlamlibError(f"aligned: by is one of {', '.join(ALIGNMENTS)}, or None, got {rotation_from!r}")
     _check_pairs(estimate, reference)
     narrow = straightness(reference.positions)
-    chosen = by or ("positions" if narrow > STRAIGHT else "attitudes")
-    similarity = WAYS[chosen](estimate, reference, scale)
+    chosen = rotation_from or ("positions" if narrow > STRAIGHT_PATH else "orientations")
+    similarity = ALIGNMENTS[chosen](estimate, reference, scale)
     moved = similarity.moved(estimate)
     distance = np.linalg.norm(moved.positions - reference.positions, axis=1)
-    off = product(reference.poses[:, 3:] * [1, -1, -1, -1], moved.poses[:, 3:])
-    return Aligned(similarity, moved, distance, angles(off), float(reference.distances[-1]), chosen, narrow)
+    error = product(reference.poses[:, 3:] * [1, -1, -1, -1], moved.poses[:, 3:])
+    return AlignedTrajectory(similarity, moved, distance, angles(error), float(reference.distances[-1]), chosen, narrow)
 
 
 @dataclass(frozen=True, eq=False)
-class Relative:
+class RelativePoseErrors:
     """Errors over parts of the path: lengths (k,) [m], for each the number of parts, and two means over them.
 
     translation (k,): error per length of the path (0.01 is 1 %); rotation (k,): [rad/m]. nan where no part is so long.
@@ -176,9 +179,9 @@ class Relative:
 KITTI_LENGTHS: tuple[float, ...] = (100.0, 200.0, 300.0, 400.0, 500.0, 600.0, 700.0, 800.0)
 
 
-def relative_errors(
+def relative_pose_errors(
     estimate: Trajectory, reference: Trajectory, lengths: tuple[float, ...] = KITTI_LENGTHS, step: int = 10
-) -> Relative:
+) -> RelativePoseErrors:
     """KITTI's measure: the motion over each part of a given length, against the true one.
 
     The two are pairs, row by row, of the same body (one camera, say), and in one unit; no alignment is needed. Parts
@@ -190,22 +193,22 @@ def relative_errors(
     if not along[-1] > min(lengths):
         raise SlamlibError(f"the path is {along[-1]:.4g} long, shorter than all of {lengths}: give shorter lengths")
     starts = np.arange(0, len(along), step)
-    found = [_parts(estimate, reference, along, starts, length) for length in lengths]
+    found = [_segment_errors(estimate, reference, along, starts, length) for length in lengths]
     counts, translation, turn = (np.array(column) for column in zip(*found, strict=True))
-    return Relative(np.array(lengths), counts, translation, turn)
+    return RelativePoseErrors(np.array(lengths), counts, translation, turn)
 
 
-def _parts(
+def _segment_errors(
     estimate: Trajectory, reference: Trajectory, along: Array, starts: Indices, length: float
 ) -> tuple[int, float, float]:
-    ends = np.searchsorted(along, along[starts] + length, side="right")
-    i, j = starts[ends < len(along)], ends[ends < len(along)]
+    stops = np.searchsorted(along, along[starts] + length, side="right")
+    i, j = starts[stops < len(along)], stops[stops < len(along)]
     if not len(i):
         return 0, np.nan, np.nan
-    off = compose(
+    error = compose(
         inverse(relative(reference.poses[i], reference.poses[j])), relative(estimate.poses[i], estimate.poses[j])
     )
-    moved, turned = np.linalg.norm(off[:, :3], axis=1), angles(off[:, 3:])
+    moved, turned = np.linalg.norm(error[:, :3], axis=1), angles(error[:, 3:])
     return len(i), float(moved.mean() / length), float(turned.mean() / length)
 
 

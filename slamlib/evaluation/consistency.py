@@ -25,7 +25,7 @@ def nees(error: Array, covariance: Array) -> Array:
 
 
 def nis(innovation: Array, covariance: Array) -> Array:
-    """Normalized innovation squared z' Z^-1 z; innovation (..., m), covariance (..., m, m). Expected value m."""
+    """Normalized innovation squared z' S^-1 z; innovation (..., m), covariance (..., m, m). Expected value m."""
     return _squared(innovation, covariance, "nis", "covariance")
 
 

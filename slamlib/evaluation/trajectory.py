@@ -15,7 +15,7 @@ from slamlib.data.files import write_whole
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.pose import compose, relative
 from slamlib.geometry.quaternion import best_pivot, from_rotation
-from slamlib.kalman.linalg import finite, frozen, numbers
+from slamlib.kalman.linalg import finite, numbers, read_only_copy
 from slamlib.manifolds import Array, Indices
 
 
@@ -41,8 +41,8 @@ class Trajectory:
         length = np.linalg.norm(poses[:, 3:], axis=1, keepdims=True)
         if (np.abs(length - 1) > 0.01).any():
             raise SlamlibError("Trajectory: poses are (x, y, z, w, x, y, z), their last four numbers of length one")
-        object.__setattr__(self, "times", frozen(times))
-        object.__setattr__(self, "poses", frozen(np.concatenate([poses[:, :3], poses[:, 3:] / length], axis=1)))
+        object.__setattr__(self, "times", read_only_copy(times))
+        object.__setattr__(self, "poses", read_only_copy(np.concatenate([poses[:, :3], poses[:, 3:] / length], axis=1)))
 
     def __len__(self) -> int:
         return len(self.times)
@@ -66,9 +66,9 @@ class Trajectory:
         """The same, as seen from its first pose."""
         return Trajectory(self.times, relative(self.poses[0], self.poses))
 
-    def mounted(self, mount: Array) -> "Trajectory":
-        """Of what sits at `mount` (7,) in the moving frame: of a camera, where this is of the robot."""
-        return Trajectory(self.times, compose(self.poses, mount))
+    def sensor_trajectory(self, extrinsics: Array) -> "Trajectory":
+        """Of what sits at `extrinsics` (7,) in the moving frame: of a camera, where this is of the robot."""
+        return Trajectory(self.times, compose(self.poses, extrinsics))
 
 
 def write_tum(path: str | os.PathLike[str], trajectory: Trajectory) -> None:

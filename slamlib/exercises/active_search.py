@@ -54,10 +54,10 @@ def _mask(candidate: Any, centre: Array, E: Array, R: Array, share: float, size:
     return found
 
 
-def _distances(shape: tuple[int, ...], centre: Array, Z: Array) -> Array:
+def _distances(shape: tuple[int, ...], centre: Array, S: Array) -> Array:
     v, u = np.indices(shape)
     z = np.stack([u, v], axis=-1) - centre
-    return np.asarray((z * (z @ np.linalg.inv(Z))).sum(-1))
+    return np.asarray((z * (z @ np.linalg.inv(S))).sum(-1))
 
 
 @exercise("active_search.2", "how well a patch can be found again")

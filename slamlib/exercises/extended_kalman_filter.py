@@ -24,8 +24,8 @@ def range_bias(candidate: Any) -> None:
         holds(found > 0, "a robot beside its place is farther away, never nearer", f"found {found:.4g}")
         total, step = 0.0, 1e-3
         for variance, axis in zip(*_axes(P), strict=True):  # the trace, along the principal axes of P
-            ends = [np.hypot(*(x + s * axis - landmark)) for s in (-step, 0, step)]
-            total += variance * (ends[0] - 2 * ends[1] + ends[2]) / step**2 / 2
+            stops = [np.hypot(*(x + s * axis - landmark)) for s in (-step, 0, step)]
+            total += variance * (stops[0] - 2 * stops[1] + stops[2]) / step**2 / 2
         same(found, total, "half the trace of second derivatives times P", given=f"P = {P}", tolerance=1e-5)
         farther = candidate(x, x + 2 * (landmark - x), P)
         same(farther, found / 2, "half the bias at twice the distance")

@@ -33,9 +33,9 @@ def _motion(moved: Any, turned: Any) -> Array:
 
 
 def _seen(R: Array, S: Array, p: Array, t: Array, world: Array, e: Array, f: Array) -> Array:
-    """A point of the world in the camera, of a robot (p, R) off by e and a mount (t, S) off by f."""
-    robot, mount = R @ _turn(e[3:]), S @ _turn(f[3:])
-    inside: Array = mount.T @ (robot.T @ (world - p - e[:3]) - t - f[:3])
+    """A point of the world in the camera, of a robot (p, R) off by e and a extrinsics (t, S) off by f."""
+    robot, extrinsics = R @ _turn(e[3:]), S @ _turn(f[3:])
+    inside: Array = extrinsics.T @ (robot.T @ (world - p - e[:3]) - t - f[:3])
     return inside
 
 
@@ -53,9 +53,9 @@ def two_jacobians(candidate: Any) -> None:
         jacobian_matches(by_mount, partial(moved, zero), zero, "the derivative by the mount")
         jacobian_matches(by_robot, partial(moved, f=zero), zero, "the derivative by the robot")
         tau, alpha = rng.standard_normal((2, 3))
-        robot, mount = np.concatenate([-R @ tau, -alpha]), np.concatenate([tau + np.cross(alpha, t), S.T @ alpha])
+        robot, extrinsics = np.concatenate([-R @ tau, -alpha]), np.concatenate([tau + np.cross(alpha, t), S.T @ alpha])
         what = "a robot and a mount that move against each other leave the camera, and the point in it, in place"
-        same(by_robot @ robot + by_mount @ mount, np.zeros(3), what)
+        same(by_robot @ robot + by_mount @ extrinsics, np.zeros(3), what)
 
 
 @exercise("many.2", "what a motion cannot show")
@@ -84,7 +84,7 @@ def blind(candidate: Any) -> None:
 
 
 @exercise("many.3", "which way round")
-def mounts(candidate: Any) -> None:
+def extrinsics(candidate: Any) -> None:
     """A point that the inertial sensor places is placed by the cameras where the given matrices say."""
     rng = np.random.default_rng(183)
     for _ in range(3):

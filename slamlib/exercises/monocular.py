@@ -22,8 +22,10 @@ def parallax(candidate: Any) -> None:
         u = f * b * rng.uniform(0, 1) + sigma_u * rng.standard_normal(n)
         given = f"{n} looks"
         found = array_of(_numbers(candidate(u, b, f, sigma_u, rho_0, sigma_0)), (2,), "mean and standard deviation")
-        looks = [(np.array([[f * x]]), np.array([y]), np.array([[sigma_u**2]])) for x, y in zip(b, u, strict=True)]
-        mean, P = least_squares(np.array([rho_0]), np.array([[sigma_0**2]]), looks)
+        predictions = [
+            (np.array([[f * x]]), np.array([y]), np.array([[sigma_u**2]])) for x, y in zip(b, u, strict=True)
+        ]
+        mean, P = least_squares(np.array([rho_0]), np.array([[sigma_0**2]]), predictions)
         same(found[1], np.sqrt(P[0, 0]), "the standard deviation is that of least squares", given=given)
         same(found[0], mean[0], "the mean is that of least squares", given=given)
 

@@ -125,8 +125,8 @@ def jacobian_matches(
 def differences(function: Callable[[Array], Any], at: Array) -> Array:
     """Jacobian of a function of one vector by central differences, about nine digits."""
     at = np.asarray(at, dtype=float)
-    ends = [(np.asarray(function(at + step)), np.asarray(function(at - step))) for step in 1e-6 * np.eye(at.size)]
-    return np.stack([(ahead - behind) / 2e-6 for ahead, behind in ends], axis=-1)
+    stops = [(np.asarray(function(at + step)), np.asarray(function(at - step))) for step in 1e-6 * np.eye(at.size)]
+    return np.stack([(ahead - behind) / 2e-6 for ahead, behind in stops], axis=-1)
 
 
 def pair(value: Any, what: str) -> tuple[Any, Any]:

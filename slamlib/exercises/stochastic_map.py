@@ -61,10 +61,10 @@ def rows_after(candidate: Any) -> None:
         left = [i for i in range(len(sizes)) if i not in removed]
         holds(sorted(found) == left, "every survivor is in it, and nobody else", f"found {sorted(found)} for {given}")
         holds(all(isinstance(s, slice) for s in found.values()), "its values are slices", f"not for {given}")
-        ends = np.cumsum([0, *sizes])
-        old = [slice(int(a), int(b)) for a, b in pairwise(ends)]
-        P = rng.standard_normal((ends[-1], ends[-1]))
-        out = [row for i in removed for row in range(ends[i], ends[i + 1])]
+        stops = np.cumsum([0, *sizes])
+        old = [slice(int(a), int(b)) for a, b in pairwise(stops)]
+        P = rng.standard_normal((stops[-1], stops[-1]))
+        out = [row for i in removed for row in range(stops[i], stops[i + 1])]
         smaller = np.delete(np.delete(P, out, 0), out, 1)
         for i in left:
             for j in left:

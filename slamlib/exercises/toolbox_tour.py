@@ -31,14 +31,14 @@ def unseen(candidate: Any) -> None:
     for n, hidden, count in ((7, 3, 2), (5, 0, 3), (6, 6, 1), (9, 1, 8)):
         basis = np.linalg.qr(rng.standard_normal((n, n)))[0]
         seen = basis[:, hidden:]
-        looks = np.array([rng.standard_normal((2, n - hidden)) @ seen.T for _ in range(count)])
+        predictions = np.array([rng.standard_normal((2, n - hidden)) @ seen.T for _ in range(count)])
         given = f"{count} looks at {n} numbers, {hidden} of them hidden"
-        found = array_of(candidate(looks), (n, hidden), "the directions")
+        found = array_of(candidate(predictions), (n, hidden), "the directions")
         same(found.T @ found, np.eye(hidden), "the directions are orthonormal", given=given)
-        for look in looks:
-            same(look @ found, np.zeros((2, hidden)), "no look sees them", given=given)
-    looks = np.array([[[1.0, 0, 0]], [[0, 1000.0, 0]]])
-    found = array_of(candidate(looks), (3, 1), "what two looks of one number leave")
+        for prediction in predictions:
+            same(prediction @ found, np.zeros((2, hidden)), "no look sees them", given=given)
+    predictions = np.array([[[1.0, 0, 0]], [[0, 1000.0, 0]]])
+    found = array_of(candidate(predictions), (3, 1), "what two looks of one number leave")
     same(np.abs(found[:, 0]), [0, 0, 1], "each look is used, whatever its scale")
 
 

@@ -51,8 +51,10 @@ def closes(candidate: Any) -> None:
         found = np.asarray(candidate(old, left, right, new))
         if found.ndim != 1 or (found.size and found.dtype.kind not in "iu"):
             raise Rejected(f"your function should return whole numbers (c,), got {found.dtype} of shape {found.shape}")
-        ends = [(right[old[i]] if old[i] >= 0 else -1, new[left[i]] if left[i] >= 0 else -2) for i in found.astype(int)]
-        holds(all(a == b and a >= 0 for a, b in ends), "each of them comes back to itself", f"not all do, for {given}")
+        stops = [
+            (right[old[i]] if old[i] >= 0 else -1, new[left[i]] if left[i] >= 0 else -2) for i in found.astype(int)
+        ]
+        holds(all(a == b and a >= 0 for a, b in stops), "each of them comes back to itself", f"not all do, for {given}")
         others = np.setdiff1d(np.arange(n), found)
         kept = [i for i in others if min(old[i], left[i]) >= 0 and right[old[i]] == new[left[i]] >= 0]
         holds(not kept, "none that closes the cycle is forgotten", f"{len(kept)} are, for {given}")
@@ -80,12 +82,12 @@ def control(candidate: Any) -> None:
     rng = np.random.default_rng(213)
     for number in range(6):
         turn, shift = rotation(UnitQuaternion.random(rng)), rng.uniform(-1, 1, 3)
-        mount = np.concatenate([rng.uniform(-1, 1, 3), UnitQuaternion.random(rng)])
+        extrinsics = np.concatenate([rng.uniform(-1, 1, 3), UnitQuaternion.random(rng)])
         turn = np.eye(3) if number == 0 else turn
-        mount = np.array([0.0, 0, 0, 1, 0, 0, 0]) if number < 2 else mount
+        extrinsics = np.array([0.0, 0, 0, 1, 0, 0, 0]) if number < 2 else extrinsics
         given = "a camera at the robot's origin" if number < 2 else "a camera on a mount"
-        moved, R = pair(candidate(turn, shift, mount), "the displacement and the rotation matrix")
+        moved, R = pair(candidate(turn, shift, extrinsics), "the displacement and the rotation matrix")
         moved, R = array_of(moved, (3,), "the displacement"), rotation_matrix(R, "the rotation")
         points = rng.uniform(-5, 5, (8, 3))  # of the old robot's frame
-        before, after = to_frame(mount, points), to_frame(mount, (points - moved) @ R)
+        before, after = to_frame(extrinsics, points), to_frame(extrinsics, (points - moved) @ R)
         same(after, before @ turn.T + shift, "points are seen where PnP says that they are", given=given)

@@ -37,8 +37,8 @@ def distance_point(candidate: Any) -> None:
     kind = candidate()
     if not isinstance(kind, PointLandmark):
         raise Rejected(f"your function should return a PointLandmark, but returned {type(kind).__name__}")
-    seven = isinstance(kind.space, Euclidean) and kind.space.size == 7
-    holds(seven, "the landmark has seven numbers", f"its space is {kind.space!r}: give as_space(7)")
+    seven = isinstance(kind.manifold, Euclidean) and kind.manifold.size == 7
+    holds(seven, "the landmark has seven numbers", f"its space is {kind.manifold!r}: give as_space(7)")
     try:
         check_landmark(kind, silent=True)
     except CheckError as error:

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import whole
+from slamlib.data.files import atomic_write
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import Consistency
 from slamlib.experiments.presets import Preset
@@ -41,7 +41,7 @@ class Experiment:
     nis: Array
     nis_dof: Array
     landmarks: Array
-    begun: Array
+    initialized: Array
     deleted: Array
     seconds: Array
     map_error: Array
@@ -76,16 +76,16 @@ def _each(preset: Preset, runs: int, seed: int, jobs: int | None, folder: Path |
     """The rows of all runs, in their order, as they are finished."""
     seeds = [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(seed).spawn(runs)]
     if jobs == 1:
-        yield from (one(preset, s, folder) for s in seeds)
+        yield from (run_once(preset, s, folder) for s in seeds)
         return
     try:
         from joblib import Parallel, delayed
     except ImportError:
         raise SlamlibError("several runs at once need joblib: pip install 'slamlib[experiments]', or jobs=1") from None
-    yield from Parallel(n_jobs=jobs, return_as="generator")(delayed(one)(preset, s, folder) for s in seeds)
+    yield from Parallel(n_jobs=jobs, return_as="generator")(delayed(run_once)(preset, s, folder) for s in seeds)
 
 
-def one(preset: Preset, seed: int, folder: Path | None = None) -> tuple[Array, ...]:
+def run_once(preset: Preset, seed: int, folder: Path | None = None) -> tuple[Array, ...]:
     """One run's row, from its file if there is one."""
     path = None if folder is None else folder / f"{preset.name}-{_digest(preset)}-{seed}.npz"
     if path and path.is_file():
@@ -93,7 +93,7 @@ def one(preset: Preset, seed: int, folder: Path | None = None) -> tuple[Array, .
             return tuple(file[name] for name in NAMES)
     row = _row(preset, seed)
     if path:
-        with whole(path) as partial, partial.open("wb") as stream:
+        with atomic_write(path) as partial, partial.open("wb") as stream:
             arrays: dict[str, Any] = dict(zip(NAMES, row, strict=True))
             np.savez_compressed(stream, **arrays)
     return row
@@ -112,7 +112,7 @@ def _row(preset: Preset, seed: int) -> tuple[Array, ...]:
             result.nis,
             result.nis_dof,
             result.landmarks[-1],
-            result.begun,
+            result.initialized,
             result.deleted,
             np.median(result.seconds),
             np.median(away) if len(away) else np.nan,

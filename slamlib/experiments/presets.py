@@ -105,7 +105,7 @@ def default() -> Preset:
     lens = {"intrinsics": (320.0, 240.0, 320.0, 320.0), "distortion": (-0.3, 0.1)}
     # The polynomial folds back inside the image's corners: points are believed up to the radius where it is monotone.
     camera = replace(CAMERA, parameters=lens, limits={"radius": 1.2})
-    return Preset("default", Rig((ROBOT,), (camera,)), Options(first=5, inverse_distance=PRIOR), frames=800)
+    return Preset("default", Rig((ROBOT,), (camera,)), Options(max_new_first=5, inverse_distance=PRIOR), frames=800)
 
 
 def points() -> Preset:
@@ -117,7 +117,7 @@ def lines() -> Preset:
     """userDataLin: one round about a house of 23 edges, looking at it."""
     robot = replace(ROBOT, position=(-5.0, 0.0, 0.0), euler=(0.0, 0.0, -90.0), control_std=(0.002,) * 3 + (0.02,) * 3)
     camera = replace(CAMERA, position=(0.0, 0.0, 1.5), euler=(-90.0, 0.0, 0.0))
-    options = Options(points=None, lines="idpLin", first=1, inverse_distance=(0.1, 0.5), minimum_length=10.0)
+    options = Options(points=None, lines="idpLin", max_new_first=1, inverse_distance=(0.1, 0.5), minimum_length=10.0)
     return Preset("lines", Rig((robot,), (camera,)), options, (("house", {"x": -2, "y": -2, "z": 0}),))
 
 
@@ -153,7 +153,7 @@ def self_calibration() -> Preset:
     much, and that it is not when the left camera maps alone at first.
     """
     return replace(
-        points(), name="self_calibration", rig=_pair(estimated=True, position_std=(0.02,), attitude_std=(1.5,))
+        points(), name="self_calibration", rig=_pair(estimated=True, position_std=(0.02,), orientation_std=(1.5,))
     )
 
 
@@ -169,7 +169,7 @@ def points_and_lines() -> Preset:
     """Points and lines in one run: the cloister with the house in its middle (manual, section 6)."""
     camera = replace(CAMERA, position=(0.0, 0.0, 1.0))
     looking_in = replace(camera, name="left camera", euler=(-90.0, 0.0, 0.0))
-    options = Options(points="ahmPnt", lines="ahmLin", first=5, inverse_distance=PRIOR, updates=20)
+    options = Options(points="ahmPnt", lines="ahmLin", max_new_first=5, inverse_distance=PRIOR, updates=20)
     worlds = (("thickCloister", {"n": 7}), ("house", {"x": -2, "y": -2, "z": 0}))
     return Preset("points_and_lines", Rig((ROBOT,), (camera, looking_in)), options, worlds)
 

@@ -25,8 +25,8 @@ class Result:
 
     errors (n, r, 6): true pose minus estimate, in the tangent space; sigmas (n, r, 6): what the filter says of them;
     nees (n, r), 6 degrees of freedom. nis (n,) and its degrees of freedom nis_dof (n,): of all innovations believed.
-    landmarks, size, seconds (n,): of the map, of the state, and of the processor. begun, deleted: in the whole run.
-    point_errors, segment_errors: distances [m] of the landmarks in the final map from the truth.
+    landmarks, size, seconds (n,): of the map, of the state, and of the processor. initialized, deleted: in the whole
+    run. point_errors, segment_errors: distances [m] of the landmarks in the final map from the truth.
     """
 
     preset: Preset
@@ -38,7 +38,7 @@ class Result:
     landmarks: Array
     size: Array
     seconds: Array
-    begun: int
+    initialized: int
     deleted: int
     point_errors: Array
     segment_errors: Array
@@ -60,7 +60,7 @@ class Run:
         self.preset = preset if seed is None else replace(preset, seed=seed)
         self.slam = self.preset.slam()
         self._history: list[list[Any]] = []
-        self._begun = self._deleted = 0
+        self._initialized = self._deleted = 0
 
     def __len__(self) -> int:
         """Frames still to do."""
@@ -83,7 +83,7 @@ class Run:
         return self.result()
 
     def _remember(self, truth: Truth, report: Report, seconds: float) -> None:
-        self._begun += len(report.begun)
+        self._initialized += len(report.initialized)
         self._deleted += len(report.deleted)
         errors, sigmas, nees = [], [], []
         for robot, state in zip(self.slam.robots, truth.robots, strict=True):
@@ -92,8 +92,10 @@ class Run:
             errors.append(e.tolist())
             sigmas.append(np.sqrt(P.diagonal()).tolist())
             nees.append(_nees(e, P))
-        believed = [look for looks in self.slam.looks for look in looks if look.inlier]
-        nis, dof = sum(look.nis for look in believed), sum(len(look.Z) for look in believed)
+        inliers = [
+            prediction for predictions in self.slam.predictions for prediction in predictions if prediction.inlier
+        ]
+        nis, dof = sum(prediction.nis for prediction in inliers), sum(len(prediction.S) for prediction in inliers)
         row = [errors, sigmas, nees, nis, dof, len(self.slam.landmarks), self.slam.belief.size, seconds]
         self._history.append(row)
 
@@ -107,7 +109,7 @@ class Run:
         snapshot, world = self.slam.snapshot(), self.preset.world
         return Result(
             preset=self.preset,
-            begun=self._begun,
+            initialized=self._initialized,
             deleted=self._deleted,
             point_errors=point_errors(snapshot, world),
             segment_errors=line_errors(snapshot, world),
@@ -116,7 +118,7 @@ class Run:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all of it to one file, whole or not at all."""
-        counts = {"begun": self._begun, "deleted": self._deleted}
+        counts = {"initialized": self._initialized, "deleted": self._deleted}
         self.slam.save(path, preset=self.preset.to_dict(), history=self._history, **counts)
 
     @classmethod
@@ -127,7 +129,7 @@ class Run:
             raise SlamlibError(f"{path} holds a filter, but not the experiment that it belongs to: use Slam.load")
         run = cls(Preset.from_dict(extra["preset"]))
         run.slam, run._history = slam, extra["history"]
-        run._begun, run._deleted = extra["begun"], extra["deleted"]
+        run._initialized, run._deleted = extra["initialized"], extra["deleted"]
         return run
 
 
@@ -151,9 +153,9 @@ def line_errors(snapshot: Snapshot, world: World) -> Array:
     """For each estimated line, the larger distance [m] (k,) of the true segment's two ends from it."""
     row = {int(number): i for i, number in enumerate(world.segments.ids)}
     found = []
-    for number, ends in zip(snapshot.segments.ids, snapshot.segments.geometry, strict=True):
+    for number, endpoints in zip(snapshot.segments.ids, snapshot.segments.geometry, strict=True):
         if int(number) in row:
-            along = (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0])
-            away = world.segments.values[row[int(number)]].reshape(2, 3) - ends[0]
+            along = (endpoints[1] - endpoints[0]) / np.linalg.norm(endpoints[1] - endpoints[0])
+            away = world.segments.values[row[int(number)]].reshape(2, 3) - endpoints[0]
             found.append(np.linalg.norm(away - np.outer(away @ along, along), axis=1).max())
     return np.array(found)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from slamlib.analytic import arctan_ratio, sqrt, stumpff
-from slamlib.manifolds import Manifold
+from slamlib.manifolds import CustomManifold
 from slamlib.model import model
 
 
@@ -65,7 +65,7 @@ def minus(q, origin):
     return logarithm(product(conjugate(origin), q))
 
 
-UnitQuaternion = Manifold("unit quaternion", size=4, dof=3, plus=plus, minus=minus)
+UnitQuaternion = CustomManifold("unit quaternion", size=4, dof=3, plus=plus, minus=minus)
 
 
 @model(q=UnitQuaternion)

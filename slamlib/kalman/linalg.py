@@ -16,7 +16,9 @@ from numpy.typing import ArrayLike
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
 from slamlib.manifolds import Array, Indices
 
-quiet = np.errstate(over="ignore", invalid="ignore")  # results are checked: an overflow is an error, not a warning
+quiet_floats = np.errstate(
+    over="ignore", invalid="ignore"
+)  # results are checked: an overflow is an error, not a warning
 
 # Sizes from which the triangular product of BLAS repays its mirroring: benchmarks/covariance_update.py.
 _LARGE = 400
@@ -46,18 +48,18 @@ def finite(value: ArrayLike, shape: tuple[int, ...], function: str, argument: st
     return array
 
 
-def frozen(array: ArrayLike) -> Array:
+def read_only_copy(array: ArrayLike) -> Array:
     """A read-only copy, of floats."""
-    return sealed(np.array(array, dtype=float))
+    return read_only(np.array(array, dtype=float))
 
 
-def sealed(array: Array) -> Array:
+def read_only(array: Array) -> Array:
     """The array itself, from now on read-only: for those that nobody else holds."""
     array.flags.writeable = False
     return array
 
 
-def not_overflown(function: str, *results: Array) -> None:
+def check_overflow(function: str, *results: Array) -> None:
     """Raise NonFiniteError where finite arguments gave a covariance beyond the range of floating point."""
     if not all(np.isfinite(result).all() for result in results):
         raise NonFiniteError(f"{function}: the covariance overflows; choose units in which the numbers are smaller")
@@ -155,7 +157,7 @@ def _mirror(matrix: Array) -> None:
         np.copyto(corner.T, corner, where=_BELOW[:size, :size])
 
 
-def exchange(matrix: Array, old: slice, rows: Array, corner: Array) -> Array:
+def replace_rows(matrix: Array, old: slice, rows: Array, corner: Array) -> Array:
     """A symmetric matrix with the rows and columns `old` taken out and others put there: `rows` (k, n), whose columns
     `old` are not used, and `corner` (k, k)."""
     head, tail = slice(0, old.start), slice(old.stop, len(matrix))

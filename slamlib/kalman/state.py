@@ -9,30 +9,30 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.kalman import linalg
-from slamlib.manifolds import Array, Euclidean, Space
+from slamlib.manifolds import Array, Euclidean, Manifold
 
 
 class Block:
     """A handle to one part of the belief; its mean is read-only, its covariance is belief.covariance(block)."""
 
-    def __init__(self, space: Space, mean: Array, start: int) -> None:
+    def __init__(self, manifold: Manifold, mean: Array, start: int) -> None:
         self.start = start
-        self.take(space, mean)
+        self.set_mean(manifold, mean)
 
-    def take(self, space: Space, mean: Array) -> None:
+    def set_mean(self, manifold: Manifold, mean: Array) -> None:
         """Become a point of another space; dof are its estimated degrees of freedom."""
-        self.space, self.dof = space, space.dof
-        self.layout: Layout | None
-        self._own, self.layout, self.place = mean, None, slice(0)
+        self.manifold, self.dof = manifold, manifold.dof
+        self.layout: StateLayout | None
+        self._own, self.layout, self.slice_in_flat = mean, None, slice(0)
 
-    def lie(self, layout: "Layout", place: slice) -> None:
+    def bind(self, layout: "StateLayout", rows: slice) -> None:
         """From now on the mean is this piece of the layout's numbers, and changes with them."""
-        self.layout, self.place = layout, place
+        self.layout, self.slice_in_flat = layout, rows
 
     @property
     def mean(self) -> Array:
         """The present mean (size,): an array that never changes, for the next mean is another one."""
-        return self._own if self.layout is None else self.layout.flat[self.place]
+        return self._own if self.layout is None else self.layout.flat[self.slice_in_flat]
 
     @mean.setter
     def mean(self, mean: Array) -> None:
@@ -40,8 +40,8 @@ class Block:
             self._own = mean
         else:
             flat = self.layout.flat.copy()
-            flat[self.place] = mean
-            self.layout.flat = linalg.sealed(flat)
+            flat[self.slice_in_flat] = mean
+            self.layout.flat = linalg.read_only(flat)
 
     @property
     def slice(self) -> slice:
@@ -49,14 +49,14 @@ class Block:
         return slice(self.start, self.start + self.dof)
 
     def __repr__(self) -> str:
-        return f"<block {self.space!r} at {self.start}>"
+        return f"<block {self.manifold!r} at {self.start}>"
 
 
 # How a step (size of the covariance,) moves all means at once: from the blocks and the step to each block's new mean.
 Retraction = Callable[[Sequence[Block], Array], Sequence[Array]]
 
 
-class Layout:
+class StateLayout:
     """How blocks lie among the rows of the covariance: vectors, which are moved in one sum, and points of manifolds.
 
     flat: the vectors' means in one read-only array, one after the other; rows: of the covariance, of these numbers.
@@ -64,16 +64,16 @@ class Layout:
 
     def __init__(self, blocks: Iterable[Block]) -> None:
         self.blocks = blocks = list(blocks)
-        are_vectors = [type(block.space) is Euclidean for block in blocks]
+        are_vectors = [type(block.manifold) is Euclidean for block in blocks]
         vectors = [block for block, is_vector in zip(blocks, are_vectors, strict=True) if is_vector]
         self.points = [block for block, is_vector in zip(blocks, are_vectors, strict=True) if not is_vector]
         dofs = np.array([block.dof for block in blocks], dtype=int)
         self.rows = np.flatnonzero(np.repeat(np.array(are_vectors, dtype=bool), dofs))
-        self.flat = linalg.sealed(np.concatenate([np.zeros(0), *(block.mean for block in vectors)]))
-        for block, place in zip(vectors, pairwise(accumulate((v.dof for v in vectors), initial=0)), strict=True):
-            block.lie(self, slice(*place))
+        self.flat = linalg.read_only(np.concatenate([np.zeros(0), *(block.mean for block in vectors)]))
+        for block, rows in zip(vectors, pairwise(accumulate((v.dof for v in vectors), initial=0)), strict=True):
+            block.bind(self, slice(*rows))
 
-    def moved(self, step: Array, retraction: Retraction | None = None) -> tuple[Array, list[Array]]:
+    def retract(self, step: Array, retraction: Retraction | None = None) -> tuple[Array, list[Array]]:
         """The vectors' means, and each point's, after a step (size of the covariance,); nothing is changed yet.
 
         retraction: None moves each block by its own plus.
@@ -82,24 +82,24 @@ class Layout:
             means = dict(zip(self.blocks, retraction(self.blocks, step), strict=True))
             vectors = [np.asarray(mean) for block, mean in means.items() if block.layout is self]
             flat = np.concatenate([np.zeros(0), *vectors])
-            return linalg.sealed(flat), [linalg.frozen(means[block]) for block in self.points]
-        points = [linalg.frozen(block.space.plus(block.mean, step[block.slice])) for block in self.points]
-        return linalg.sealed(self.flat + step.take(self.rows)), points
+            return linalg.read_only(flat), [linalg.read_only_copy(means[block]) for block in self.points]
+        points = [linalg.read_only_copy(block.manifold.plus(block.mean, step[block.slice])) for block in self.points]
+        return linalg.read_only(self.flat + step.take(self.rows)), points
 
-    def move(self, flat: Array, points: Iterable[Array]) -> None:
-        """Take over what `moved` gave."""
+    def assign(self, flat: Array, points: Iterable[Array]) -> None:
+        """Take over what `retract` gave."""
         self.flat = flat
         for block, mean in zip(self.points, points, strict=True):
             block.mean = mean
 
 
-def means_of(blocks: Sequence[Block]) -> Array:
+def stacked_means(blocks: Sequence[Block]) -> Array:
     """Means (n, size) of blocks of one space; of vectors that lie in one belief, all at once."""
     layouts = {block.layout for block in blocks}
     layout = layouts.pop()
     if layouts or layout is None:
         return np.array([block.mean for block in blocks])
-    places = np.array([block.place.start for block in blocks])[:, None] + np.arange(blocks[0].dof)
+    places = np.array([block.slice_in_flat.start for block in blocks])[:, None] + np.arange(blocks[0].dof)
     return layout.flat.take(places)
 
 
@@ -110,13 +110,13 @@ class BeliefSnapshot:
     means: tuple[Array, ...]
     slices: tuple[slice, ...]
     covariance: Array
-    spaces: tuple[Space, ...] = field(repr=False)
+    manifolds: tuple[Manifold, ...] = field(repr=False)
     blocks: tuple[Block, ...] = field(repr=False)
     belief: Any = field(repr=False)
 
 
-def point_of(space: Space, mean: ArrayLike, function: str) -> Array:
+def checked_mean(manifold: Manifold, mean: ArrayLike, function: str) -> Array:
     """A read-only copy of a mean that is checked to be a point of its space."""
-    point = linalg.finite(mean, (space.size,), function, "mean")
-    space.check(point, f"{function}: mean")
-    return linalg.frozen(point)
+    point = linalg.finite(mean, (manifold.size,), function, "mean")
+    manifold.check(point, f"{function}: mean")
+    return linalg.read_only_copy(point)

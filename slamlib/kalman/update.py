@@ -16,12 +16,12 @@ from numpy.typing import ArrayLike
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
 from slamlib.kalman import linalg
-from slamlib.kalman.state import Layout, Retraction
+from slamlib.kalman.state import Retraction, StateLayout
 from slamlib.manifolds import Array, Indices
 
 
 @dataclass(frozen=True)
-class Observation:
+class LinearizedMeasurement:
     """What one measurement says: Jacobians (m, dof) by each block it depends on, innovation (m,), noise (m, m)."""
 
     blocks: Sequence[Any]
@@ -31,7 +31,7 @@ class Observation:
 
 
 @dataclass(frozen=True)
-class Correction:
+class UpdateResult:
     """What a correction found: the innovation z, its covariance S, and nis = z' S^-1 z."""
 
     innovation: Array
@@ -40,7 +40,7 @@ class Correction:
 
 
 @dataclass(frozen=True)
-class Stacked:
+class StackedMeasurements:
     """Several observations as one: z (m,), R (m, m), and H (m, k) by the k touched degrees of freedom alone."""
 
     z: Array
@@ -54,57 +54,59 @@ class Stacked:
         return half + half.T + self.R
 
 
-def stack(observations: Sequence[Observation], function: str, own: Callable[..., None]) -> Stacked:
+def stack_measurements(
+    measurements: Sequence[LinearizedMeasurement], function: str, own: Callable[..., None]
+) -> StackedMeasurements:
     """All innovations in one vector, all Jacobians in one matrix, all noises in one block-diagonal matrix.
 
     own: raises where a block is not one of the belief.
     """
-    if not len(observations):
-        raise SlamlibError(f"{function}: no observation given; leave the call out when nothing was seen")
+    if not len(measurements):
+        raise SlamlibError(f"{function}: no measurement given; leave the call out when nothing was seen")
     noises: dict[tuple[int, int], Array] = {}
     parts = []
-    for i, observation in enumerate(observations):
-        own(observation.blocks)
-        parts.append(_checked(observation, function, f" of observation {i}" if len(observations) > 1 else "", noises))
-    ends = [0, *accumulate(len(z) for z, _, _ in parts)]
-    columns, touched = _columns(observations)
-    H, R = np.zeros((ends[-1], len(touched))), np.zeros((ends[-1],) * 2)
-    for observation, (_, jacobians, noise), (start, stop) in zip(observations, parts, pairwise(ends), strict=True):
+    for i, measurement in enumerate(measurements):
+        own(measurement.blocks)
+        parts.append(_checked(measurement, function, f" of measurement {i}" if len(measurements) > 1 else "", noises))
+    stops = [0, *accumulate(len(z) for z, _, _ in parts)]
+    columns, touched = _columns(measurements)
+    H, R = np.zeros((stops[-1], len(touched))), np.zeros((stops[-1],) * 2)
+    for measurement, (_, jacobians, noise), (start, stop) in zip(measurements, parts, pairwise(stops), strict=True):
         R[start:stop, start:stop] = noise
-        for block, J in zip(observation.blocks, jacobians, strict=True):
+        for block, J in zip(measurement.blocks, jacobians, strict=True):
             H[start:stop, columns[block] : columns[block] + block.dof] += J
-    return Stacked(np.concatenate([z for z, _, _ in parts]), H, R, touched)
+    return StackedMeasurements(np.concatenate([z for z, _, _ in parts]), H, R, touched)
 
 
 def _checked(
-    observation: Observation, function: str, name: str, noises: dict[tuple[int, int], Array]
+    measurement: LinearizedMeasurement, function: str, name: str, noises: dict[tuple[int, int], Array]
 ) -> tuple[Array, list[Array], Array]:
     """Innovation, Jacobians and noise of one observation; noises: those that were checked already."""
-    z = linalg.numbers(observation.innovation, function, f"innovation{name}")
+    z = linalg.numbers(measurement.innovation, function, f"innovation{name}")
     if z.ndim != 1 or not z.size:
         raise ShapeError(f"{function}: innovation{name} should have shape (m,), m at least 1, but has shape {z.shape}")
     z = linalg.finite(z, z.shape, function, f"innovation{name}")
-    key = (id(observation.noise), len(z))  # landmarks mostly share one R
+    key = (id(measurement.noise), len(z))  # landmarks mostly share one R
     if key not in noises:
-        noises[key] = linalg.covariance(observation.noise, len(z), function, f"R{name}")
-    return z, compact(observation, len(z), function, name), noises[key]
+        noises[key] = linalg.covariance(measurement.noise, len(z), function, f"R{name}")
+    return z, checked_jacobians(measurement, len(z), function, name), noises[key]
 
 
-def _columns(observations: Sequence[Observation]) -> tuple[dict[Any, int], Indices]:
+def _columns(measurements: Sequence[LinearizedMeasurement]) -> tuple[dict[Any, int], Indices]:
     """Where each touched block begins in the stacked Jacobian, and the covariance's rows that belong to its columns."""
     columns: dict[Any, int] = {}
     end = 0
-    for observation in observations:
-        for block in observation.blocks:
+    for measurement in measurements:
+        for block in measurement.blocks:
             if block not in columns:
                 columns[block] = end
                 end += block.dof
     return columns, np.concatenate([np.arange(b.start, b.start + b.dof) for b in columns])
 
 
-def compact(observation: Observation, rows: int, function: str, name: str = "") -> list[Array]:
+def checked_jacobians(measurement: LinearizedMeasurement, rows: int, function: str, name: str = "") -> list[Array]:
     """The Jacobians of an observation, one a block, each checked to be (rows, dof of its block) and finite."""
-    blocks, jacobians = observation.blocks, observation.jacobians
+    blocks, jacobians = measurement.blocks, measurement.jacobians
     if not len(blocks) or len(blocks) != len(jacobians):
         raise SlamlibError(
             f"{function}: {len(blocks)} blocks but {len(jacobians)} Jacobians{name}; give one Jacobian for each block"
@@ -113,18 +115,18 @@ def compact(observation: Observation, rows: int, function: str, name: str = "") 
     return [linalg.finite(J, (rows, b.dof), function, f"Jacobian {i}{name}") for i, (b, J) in pairs]
 
 
-def blame(S: Array, observations: Sequence[Observation]) -> str:
+def describe_singular(S: Array, measurements: Sequence[LinearizedMeasurement]) -> str:
     """Which observation, and which of its numbers, is known for certain by prediction and measurement alike."""
     row = int(np.argmax(np.abs(np.linalg.eigh(S)[1][:, 0])))
-    ends = np.cumsum([len(o.innovation) for o in observations])
-    i = int(np.searchsorted(ends, row, side="right"))
-    number = row - int(ends[i]) + len(observations[i].innovation)
-    return f"number {number} of observation {i} (of {', '.join(map(repr, observations[i].blocks))})"
+    stops = np.cumsum([len(o.innovation) for o in measurements])
+    i = int(np.searchsorted(stops, row, side="right"))
+    number = row - int(stops[i]) + len(measurements[i].innovation)
+    return f"number {number} of measurement {i} (of {', '.join(map(repr, measurements[i].blocks))})"
 
 
 def _batch(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
     """Step, rows W with P - W'W the corrected covariance, and nis; from one Cholesky factor of S."""
-    factor = linalg.cholesky(S, "correct", "the innovation covariance")
+    factor = linalg.cholesky(S, "update", "the innovation covariance")
     W = linalg.solve_lower(factor, HP)
     white = linalg.solve_lower(factor, z)
     return white @ W, W, float(white @ white)
@@ -132,7 +134,7 @@ def _batch(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array) 
 
 def _scalar(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
     """The same, one number after another, after whitening by the factor of R."""
-    factor = linalg.cholesky(R, "correct", "R (which method='scalar' whitens by)")
+    factor = linalg.cholesky(R, "update", "R (which method='scalar' whitens by)")
     H, HP, z = (linalg.solve_lower(factor, a) for a in (H, HP, z))
     step, rows, nis = np.zeros(HP.shape[1]), np.zeros_like(HP), 0.0
     for j, h in enumerate(H):
@@ -148,18 +150,18 @@ def _scalar(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array)
 _METHODS: dict[str, Callable[..., tuple[Array, Array, float]]] = {"batch": _batch, "scalar": _scalar}
 
 
-def solve(
-    method: str, HP: Array, S: Array, stacked: Stacked, given: Sequence[Observation]
+def solve_update(
+    method: str, HP: Array, S: Array, stacked: StackedMeasurements, given: Sequence[LinearizedMeasurement]
 ) -> tuple[Array, Array, float]:
     """Step, lost rows and nis by the method of this name: "batch" or "scalar"."""
     if method not in _METHODS:
         raise UnknownNameError.of("method", method, _METHODS)
-    linalg.not_overflown("correct", S)
+    linalg.check_overflow("update", S)
     try:
         return _METHODS[method](HP, stacked.H, stacked.touched, S, stacked.R, stacked.z)
     except CovarianceError as error:
         singular = stacked.R if method == "scalar" else S
-        which = blame(singular, given) if given else "a measurement"
+        which = describe_singular(singular, given) if given else "a measurement"
         raise CovarianceError(
             f"{error}: {which} is claimed to be known exactly; nothing was changed. Give R > 0."
         ) from None
@@ -168,16 +170,16 @@ def solve(
 _ROWS = 32  # of W that there is room for at first
 
 
-class Series:
+class SequentialUpdate:
     """Corrections in progress; made by Belief.series."""
 
-    def __init__(self, covariance: Array, layout: Layout, retraction: Retraction | None = None) -> None:
+    def __init__(self, covariance: Array, layout: StateLayout, retraction: Retraction | None = None) -> None:
         """covariance (n, n): corrected in place by `finish`."""
         self._P, self._layout, self._retraction = covariance, layout, retraction
         self._store, self._count = np.empty((_ROWS, len(covariance))), 0  # W is its first rows
 
-    def correct(self, columns: Indices, H: Array, innovation: Array, R: Array, gate: float = np.inf) -> Correction:
-        """As Belief.correct_rows, at the present means; changes nothing unless its nis is below the gate.
+    def update(self, columns: Indices, H: Array, innovation: Array, R: Array, gate: float = np.inf) -> UpdateResult:
+        """As Belief.update_rows, at the present means; changes nothing unless its nis is below the gate.
 
         columns (k,), H (d, k), innovation (d,), R (d, d). Raises CovarianceError, NonFiniteError.
         """
@@ -187,14 +189,14 @@ class Series:
             HP -= (H @ taken.take(columns, axis=1).T) @ taken
         half = HP.take(columns, axis=1) @ H.T / 2
         S = half + half.T + R
-        factor = linalg.cholesky(S, "correct", "the innovation covariance")
+        factor = linalg.cholesky(S, "update", "the innovation covariance")
         white = linalg.solve_lower(factor, np.concatenate([HP, innovation[:, None]], axis=1))
         W, z = white[:, :-1], white[:, -1]
         nis = float(z @ z)
         if nis < gate:
             self._move(z @ W)
             self._take(W)
-        return Correction(innovation, S, nis)
+        return UpdateResult(innovation, S, nis)
 
     def _take(self, rows: Array) -> None:
         """More rows of W, in a store that doubles when it is full."""
@@ -205,8 +207,8 @@ class Series:
 
     def _move(self, step: Array) -> None:
         if not np.isfinite(step).all():
-            raise NonFiniteError("correct: the step overflows; choose units in which the numbers are smaller")
-        self._layout.move(*self._layout.moved(step, self._retraction))
+            raise NonFiniteError("update: the step overflows; choose units in which the numbers are smaller")
+        self._layout.assign(*self._layout.retract(step, self._retraction))
 
     def finish(self) -> None:
         """The covariance becomes that of the present means, which stay as they are."""

@@ -7,7 +7,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import ahm_point
 from slamlib.landmarks.line import LineLandmark
-from slamlib.manifolds import as_space
+from slamlib.manifolds import as_manifold
 from slamlib.model import model
 
 
@@ -33,4 +33,4 @@ def point_at(landmark, abscissa):
     return np.concatenate([h[:3] + h[3] * landmark[:3], h[3:]])
 
 
-AHM_LINE = LineLandmark("ahmLin", as_space(11), to_frame, from_frame, point_at, (0, 1))
+AHM_LINE = LineLandmark("ahmLin", as_manifold(11), to_frame, from_frame, point_at, (0, 1))

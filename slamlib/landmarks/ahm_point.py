@@ -5,7 +5,7 @@ import numpy as np
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.point import PointLandmark
-from slamlib.manifolds import as_space
+from slamlib.manifolds import as_manifold
 from slamlib.model import model
 
 
@@ -29,4 +29,4 @@ def to_point(landmark):
     return landmark[:3] + landmark[3:6] / landmark[6]
 
 
-AHM_POINT = PointLandmark("ahmPnt", as_space(7), to_frame, from_frame, to_point)
+AHM_POINT = PointLandmark("ahmPnt", as_manifold(7), to_frame, from_frame, to_point)

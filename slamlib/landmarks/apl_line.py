@@ -6,7 +6,7 @@ from slamlib.geometry import plucker
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.line import LineLandmark
-from slamlib.manifolds import as_space
+from slamlib.manifolds import as_manifold
 from slamlib.model import model
 
 
@@ -38,4 +38,4 @@ def constrain(landmark, eye):
     return np.concatenate([anchor, plucker.constrain(landmark[3:], eye - anchor)])
 
 
-APL_LINE = LineLandmark("aplLin", as_space(9), to_frame, from_frame, point_at, (-8, 8), constrain)
+APL_LINE = LineLandmark("aplLin", as_manifold(9), to_frame, from_frame, point_at, (-8, 8), constrain)

@@ -16,7 +16,7 @@ from slamlib.landmarks.line import LineLandmark
 from slamlib.manifolds import Array, Mask
 
 
-class Seen(NamedTuple):
+class ObservedEndpoints(NamedTuple):
     """Abscissas (..., 2) of a measured segment's ends, in ascending order, and the mask (...) of those to be used."""
 
     abscissas: Array
@@ -24,7 +24,7 @@ class Seen(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Extension:
+class EndpointExtension:
     """How ends follow a measurement: never (extend=False), or by the rule of eq. (li-extension).
 
     While the larger of the two ends' standard deviations in the image is at least `switch` [px], a measurement replaces
@@ -38,8 +38,8 @@ class Extension:
         if not self.switch >= 0:
             raise SlamlibError(f"Extension: switch is a standard deviation in pixels, not {self.switch}")
 
-    def update(self, abscissas: Array, seen: Seen, spread: Array) -> Array:
-        """New abscissas (..., 2), from the old ones, a measured segment's, and `spread` (...) [px]."""
+    def update(self, abscissas: Array, seen: ObservedEndpoints, spread: Array) -> Array:
+        """New abscissas (..., 2), from the old ones, a measured segment's, and `largest_std` (...) [px]."""
         old = np.sort(np.asarray(abscissas, dtype=float), axis=-1)
         if not self.extend:
             return old
@@ -54,7 +54,7 @@ class Extension:
         return np.where(np.asarray(seen.usable)[..., None], follow, old)
 
 
-def ends(kind: LineLandmark, landmark: Array, abscissas: Array) -> Array:
+def endpoints_at(kind: LineLandmark, landmark: Array, abscissas: Array) -> Array:
     """Homogeneous points (..., 2, 4) of the world at two abscissas (..., 2) of landmarks (..., size)."""
     return kind.point_at(np.asarray(landmark)[..., None, :], abscissas)
 
@@ -71,9 +71,9 @@ def abscissas_of(kind: LineLandmark, landmark: Array, points: Array) -> Array:
         return ((found - start[..., None, :]) @ along[..., None])[..., 0] / (along * along).sum(-1)[..., None]
 
 
-def seen_ends(
+def observed_endpoints(
     kind: LineLandmark, landmark: Array, camera: Array, rays: Array, *, smallest_angle: float = np.radians(10)
-) -> Seen:
+) -> ObservedEndpoints:
     """Where the rays (..., 6) of a measured segment's ends, from the pose `camera` (7,), meet the landmark.
 
     Not usable where a ray makes less than `smallest_angle` [rad] with the line, and where they meet behind the camera.
@@ -87,9 +87,9 @@ def seen_ends(
     wide = sine > np.sin(smallest_angle) * np.linalg.norm(ray, axis=-1) * np.linalg.norm(v, axis=-1)
     found = np.sort(abscissas_of(kind, landmark, hmg_point.from_frame(camera, point)), axis=-1)
     usable = (wide & (point[..., 3] > 0)).all(-1) & np.isfinite(found).all(-1)
-    return Seen(found, usable)
+    return ObservedEndpoints(found, usable)
 
 
-def spread(covariance: Array) -> Array:
+def largest_std(covariance: Array) -> Array:
     """Standard deviation (...) [px] in the worst direction, of covariances (..., 2, 2) of points in the image."""
     return np.sqrt(np.maximum(np.linalg.eigvalsh(covariance)[..., -1], 0))

@@ -6,7 +6,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.geometry.pose import from_frame as into_world
 from slamlib.geometry.pose import to_frame as into_frame
 from slamlib.landmarks.point import PointLandmark
-from slamlib.manifolds import as_space
+from slamlib.manifolds import as_manifold
 from slamlib.model import model
 
 
@@ -28,4 +28,4 @@ def to_point(landmark):
     return landmark
 
 
-EUC_POINT = PointLandmark("eucPnt", as_space(3), to_frame, from_frame, to_point)
+EUC_POINT = PointLandmark("eucPnt", as_manifold(3), to_frame, from_frame, to_point)

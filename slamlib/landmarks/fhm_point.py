@@ -5,18 +5,18 @@ import numpy as np
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.point import PointLandmark
-from slamlib.manifolds import Product, as_space
+from slamlib.manifolds import Product, as_manifold
 from slamlib.model import model
 
-FramedPoint = Product("framed point", Pose, as_space(3))
+FramedPoint = Product("framed point", Pose, as_manifold(3))
 
 
 @model(pose=Pose, landmark=FramedPoint)
 def to_frame(pose, landmark):
     """Homogeneous point in the frame `pose`. Chapter 11, eq. (pt-fhm)."""
-    origin, attitude = landmark[:3], landmark[3:7]
+    origin, orientation = landmark[:3], landmark[3:7]
     (u, v), inverse_depth = landmark[7:9], landmark[9:]
-    h = rotation(attitude) @ np.array([u, v, 1]) + inverse_depth * (origin - pose[:3])
+    h = rotation(orientation) @ np.array([u, v, 1]) + inverse_depth * (origin - pose[:3])
     return np.concatenate([rotation(pose[3:]).T @ h, inverse_depth])
 
 
@@ -30,9 +30,9 @@ def from_frame(pose, point):
 @model(landmark=FramedPoint)
 def to_point(landmark):
     """The point in the world [m]. Chapter 11, eq. (pt-fhm)."""
-    origin, attitude = landmark[:3], landmark[3:7]
+    origin, orientation = landmark[:3], landmark[3:7]
     u, v, inverse_depth = landmark[7:]
-    return origin + rotation(attitude) @ np.array([u, v, 1]) / inverse_depth
+    return origin + rotation(orientation) @ np.array([u, v, 1]) / inverse_depth
 
 
 FHM_POINT = PointLandmark("fhmPnt", FramedPoint, to_frame, from_frame, to_point)

@@ -6,7 +6,7 @@ from slamlib.geometry.plucker import join
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import hmg_point
 from slamlib.landmarks.line import LineLandmark
-from slamlib.manifolds import as_space
+from slamlib.manifolds import as_manifold
 from slamlib.model import model
 
 
@@ -30,4 +30,4 @@ def point_at(landmark, abscissa):
     return (1 - abscissa) * second[3] * first + abscissa * first[3] * second
 
 
-HMG_LINE = LineLandmark("hmgLin", as_space(8), to_frame, from_frame, point_at, (0, 1))
+HMG_LINE = LineLandmark("hmgLin", as_manifold(8), to_frame, from_frame, point_at, (0, 1))

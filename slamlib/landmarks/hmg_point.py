@@ -5,7 +5,7 @@ import numpy as np
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.point import PointLandmark
-from slamlib.manifolds import as_space
+from slamlib.manifolds import as_manifold
 from slamlib.model import model
 
 
@@ -29,4 +29,4 @@ def to_point(landmark):
     return landmark[:3] / landmark[3]
 
 
-HMG_POINT = PointLandmark("hmgPnt", as_space(4), to_frame, from_frame, to_point)
+HMG_POINT = PointLandmark("hmgPnt", as_manifold(4), to_frame, from_frame, to_point)

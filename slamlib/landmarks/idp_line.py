@@ -8,7 +8,7 @@ from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import idp_point
 from slamlib.landmarks.idp_point import angles_of, direction
 from slamlib.landmarks.line import LineLandmark
-from slamlib.manifolds import as_space
+from slamlib.manifolds import as_manifold
 from slamlib.model import model
 
 
@@ -36,4 +36,4 @@ def point_at(landmark, abscissa):
     return np.concatenate([h + w * landmark[:3], np.array([w])])
 
 
-IDP_LINE = LineLandmark("idpLin", as_space(9), to_frame, from_frame, point_at, (0, 1))
+IDP_LINE = LineLandmark("idpLin", as_manifold(9), to_frame, from_frame, point_at, (0, 1))

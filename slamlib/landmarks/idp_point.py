@@ -6,7 +6,7 @@ from slamlib.analytic import arctan2, cos, sin, sqrt
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.point import PointLandmark
-from slamlib.manifolds import as_space
+from slamlib.manifolds import as_manifold
 from slamlib.model import model
 
 
@@ -45,4 +45,4 @@ def to_point(landmark):
     return landmark[:3] + direction(landmark[3:5]) / landmark[5]
 
 
-IDP_POINT = PointLandmark("idpPnt", as_space(6), to_frame, from_frame, to_point)
+IDP_POINT = PointLandmark("idpPnt", as_manifold(6), to_frame, from_frame, to_point)

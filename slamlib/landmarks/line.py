@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from slamlib.manifolds import Space
+from slamlib.manifolds import Manifold
 from slamlib.model import Model
 
 
@@ -18,7 +18,7 @@ class LineLandmark:
     """
 
     name: str
-    space: Space
+    manifold: Manifold
     to_frame: Model
     from_frame: Model
     point_at: Model

@@ -88,7 +88,7 @@ def _seen(
 ) -> tuple[Array, ...]:
     """Homogeneous point in the camera, its Jacobian by all that the covariance is of, and the covariance."""
     point, J = kind.to_frame.jac(camera, mean)
-    P, dof = np.asarray(covariance), kind.space.dof
+    P, dof = np.asarray(covariance), kind.manifold.dof
     if by is not None:
         return point, J.landmark @ by[:dof] + J.pose @ by[dof:], P
     if P.shape[-2:] == (dof, dof):

@@ -3,7 +3,7 @@
 from slamlib.geometry import plucker
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks.line import LineLandmark
-from slamlib.manifolds import as_space
+from slamlib.manifolds import as_manifold
 from slamlib.model import model
 
 
@@ -31,4 +31,4 @@ def constrain(landmark, eye):
     return plucker.constrain(landmark, eye)
 
 
-PLK_LINE = LineLandmark("plkLin", as_space(6), to_frame, from_frame, point_at, (-8, 8), constrain)
+PLK_LINE = LineLandmark("plkLin", as_manifold(6), to_frame, from_frame, point_at, (-8, 8), constrain)

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from slamlib.manifolds import Space
+from slamlib.manifolds import Manifold
 from slamlib.model import Model
 
 
@@ -16,7 +16,7 @@ class PointLandmark:
     """
 
     name: str
-    space: Space
+    manifold: Manifold
     to_frame: Model
     from_frame: Model
     to_point: Model

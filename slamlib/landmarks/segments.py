@@ -46,8 +46,8 @@ def clip(first: Array, second: Array, planes: Array) -> tuple[Array, Array, Mask
     at = at_first / np.where(change == 0, 1, change)
     start, end = np.where(enters, at, 0).max(-1), np.where(leaves, at, 1).min(-1)
     seen = (start <= end) & ~((at_first < 0) & (at_second < 0)).any(-1)
-    ends = [(1 - s)[..., None] * first[..., :3] + s[..., None] * second[..., :3] for s in (start, end)]
-    return ends[0], ends[1], seen
+    endpoints = [(1 - s)[..., None] * first[..., :3] + s[..., None] * second[..., :3] for s in (start, end)]
+    return endpoints[0], endpoints[1], seen
 
 
 def visible(
@@ -74,8 +74,8 @@ def visible(
 
 def trim(segment: Array, image: ArrayLike, *, minimum_length: float = 1.0, margin: float = 0.0) -> Segment:
     """The part inside the image of segments (..., 4) that are pixels already."""
-    ends = _pixel(np.asarray(segment)[..., :2]), _pixel(np.asarray(segment)[..., 2:])
-    return visible(*ends, PIXELS, image, minimum_length=minimum_length, margin=margin)
+    endpoints = _pixel(np.asarray(segment)[..., :2]), _pixel(np.asarray(segment)[..., 2:])
+    return visible(*endpoints, PIXELS, image, minimum_length=minimum_length, margin=margin)
 
 
 def span(line: Array, image: ArrayLike) -> Segment:

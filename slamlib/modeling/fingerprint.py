@@ -28,7 +28,7 @@ def _lines(model: Any, seen: set[int]) -> list[str]:
     seen.add(id(model))
     lines = [source(model.function), repr(model.arguments), repr(model.result)]
     for argument in [*model.arguments, *([model.result] if model.result else [])]:
-        lines += [line for m in _space_models(argument.space) for line in _lines(m, seen)]
+        lines += [line for m in _manifold_models(argument.manifold) for line in _lines(m, seen)]
     for name in sorted(_names(model.function.__code__)):
         value = model.function.__globals__.get(name)
         if hasattr(value, "definition"):
@@ -50,7 +50,7 @@ def _names(code: CodeType) -> set[str]:
     return set(code.co_names).union(*map(_names, inner))
 
 
-def _space_models(space: Any) -> list[Any]:
-    parts = getattr(space, "parts", [])
-    own = [m for m in (getattr(space, "plus", None), getattr(space, "minus", None)) if hasattr(m, "definition")]
-    return own + [m for part in parts for m in _space_models(part)]
+def _manifold_models(manifold: Any) -> list[Any]:
+    parts = getattr(manifold, "parts", [])
+    own = [m for m in (getattr(manifold, "plus", None), getattr(manifold, "minus", None)) if hasattr(m, "definition")]
+    return own + [m for part in parts for m in _manifold_models(part)]

@@ -31,11 +31,13 @@ class Kernel:
         self, function: Callable[..., Any], name: str, arguments: list["Argument"], shapes: list[Shape]
     ) -> None:
         self.function, self.name, self.arguments, self.shapes = function, name, arguments, shapes
-        ends = np.cumsum([0, *map(math.prod, shapes)]).tolist()
-        self.pieces = [slice(a, b) for a, b in pairwise(ends)]
+        stops = np.cumsum([0, *map(math.prod, shapes)]).tolist()
+        self.pieces = [slice(a, b) for a, b in pairwise(stops)]
         self.single_shapes = [a.shape for a in arguments]
-        manifolds = [(i, a.name, a.space) for i, a in enumerate(arguments) if a.is_manifold and a.space is not None]
-        self.points = [(i, space, f"{name}: argument '{argument}'") for i, argument, space in manifolds]
+        manifolds = [
+            (i, a.name, a.manifold) for i, a in enumerate(arguments) if a.is_manifold and a.manifold is not None
+        ]
+        self.points = [(i, manifold, f"{name}: argument '{argument}'") for i, argument, manifold in manifolds]
         self.written: list[int] | None = None
 
     def single(self, arguments: list[Array]) -> list[Array] | None:
@@ -48,8 +50,8 @@ class Kernel:
             if not isfinite(sum(row)):
                 return None
             numbers.append(row)
-        for i, space, what in self.points:
-            space.check(arguments[i], what)
+        for i, manifold, what in self.points:
+            manifold.check(arguments[i], what)
         return self._one(numbers, _FLOAT)
 
     def __call__(self, arguments: list[Array]) -> list[Array]:

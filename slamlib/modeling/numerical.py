@@ -14,11 +14,11 @@ def complex_step(model: Any, place: Sequence[Array], index: int, step: float = 1
     place: one array for each argument; index: which argument.
     """
     here = model.definition(*place)
-    space = model.result.space if model.result is not None else None
+    manifold = model.result.manifold if model.result is not None else None
 
     def slope(direction: Array) -> Array:
         moved = model.definition(*_moved(model.arguments[index], place, index, 1j * step * direction))
-        found: Array = np.imag(space.minus(moved, here.astype(complex)) if space else moved) / step
+        found: Array = np.imag(manifold.minus(moved, here.astype(complex)) if manifold else moved) / step
         return found
 
     return _columns(model.arguments[index], slope)
@@ -27,11 +27,11 @@ def complex_step(model: Any, place: Sequence[Array], index: int, step: float = 1
 def central_difference(model: Any, place: Sequence[Array], index: int, step: float = 1e-6) -> Array:
     """The same by central differences: about nine digits, also of what has no definition in one formula."""
     function, result = getattr(model, "definition", model), getattr(model, "result", None)
-    space = None if result is None else result.space
+    manifold = None if result is None else result.manifold
 
     def slope(direction: Array) -> Array:
-        ends = [function(*_moved(model.arguments[index], place, index, sign * step * direction)) for sign in (1, -1)]
-        found: Array = (space.minus(*ends) if space else ends[0] - ends[1]) / (2 * step)
+        stops = [function(*_moved(model.arguments[index], place, index, sign * step * direction)) for sign in (1, -1)]
+        found: Array = (manifold.minus(*stops) if manifold else stops[0] - stops[1]) / (2 * step)
         return found
 
     return _columns(model.arguments[index], slope)
@@ -39,7 +39,7 @@ def central_difference(model: Any, place: Sequence[Array], index: int, step: flo
 
 def _moved(argument: Any, place: Sequence[Array], index: int, direction: Any) -> list[Array]:
     moved = list(place)
-    moved[index] = argument.space.plus(place[index], direction) if argument.space else place[index] + direction
+    moved[index] = argument.manifold.plus(place[index], direction) if argument.manifold else place[index] + direction
     return moved
 
 

@@ -8,18 +8,18 @@ from slamlib.manifolds import Euclidean, Product
 from slamlib.model import model
 from slamlib.motions.motion import Motion
 
-Moving = Product("pose and velocities", Pose, Euclidean(6))
+MovingPose = Product("pose and velocities", Pose, Euclidean(6))
 
 
-@model(state=Moving, control=6, dt=(), returns=Moving)
+@model(state=MovingPose, control=6, dt=(), returns=MovingPose)
 def step(state, control, dt):
     """State (pose, v [m/s] in world axes, omega [rad/s] in the body's) after dt [s] and impulses added to both.
 
     The position and attitude move with the velocities before the impulse, exactly. Chapter 7, eq. (mo-constvel).
     """
-    position, attitude, velocity, spin = state[:3], state[3:7], state[7:10], state[10:]
-    moved = [position + velocity * dt, plus(attitude, spin * dt)]
+    position, orientation, velocity, spin = state[:3], state[3:7], state[7:10], state[10:]
+    moved = [position + velocity * dt, plus(orientation, spin * dt)]
     return np.concatenate([*moved, velocity + control[:3], spin + control[3:]])
 
 
-CONSTANT_VELOCITY = Motion("constVel", Moving, control=6, step=step)
+CONSTANT_VELOCITY = Motion("constVel", MovingPose, control=6, step=step)

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from slamlib.manifolds import Space
+from slamlib.manifolds import Manifold
 from slamlib.model import Model
 
 
@@ -14,7 +14,7 @@ class Motion:
     """
 
     name: str
-    space: Space
+    manifold: Manifold
     control: int
     step: Model
     angles: tuple[int, ...] = (3, 4, 5)

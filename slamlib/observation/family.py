@@ -14,7 +14,7 @@ import numpy as np
 
 from slamlib.geometry.pose import compose
 from slamlib.kalman import state
-from slamlib.kalman.linalg import sealed
+from slamlib.kalman.linalg import read_only
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.sensors.sensor import Calibration
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:  # the filter is above this folder; only the checker of types 
     from slamlib.slam.options import Options
 
 
-class Expected(NamedTuple):
+class PredictedBatch(NamedTuple):
     """n landmarks of one kind in view of one sensor.
 
     value (n, m): their measurements; inner (n, q): what the innovation is computed from, with its Jacobian
@@ -34,19 +34,19 @@ class Expected(NamedTuple):
 
     landmarks: list["Landmark"]
     value: Array
-    inner: Array
-    by: Array
+    innovation_input: Array
+    jacobian: Array
     columns: Indices
     options: "Options | None" = None
 
-    def take(self, rows: list[int]) -> "Expected":
+    def take(self, rows: list[int]) -> "PredictedBatch":
         """Some of the landmarks, in this order."""
-        value, inner, by = (array.take(rows, axis=0) for array in (self.value, self.inner, self.by))
+        value, inner, by = (array.take(rows, axis=0) for array in (self.value, self.innovation_input, self.jacobian))
         landmarks = [self.landmarks[i] for i in rows]
-        return Expected(landmarks, value, inner, by, self.columns.take(rows, axis=0), self.options)
+        return PredictedBatch(landmarks, value, inner, by, self.columns.take(rows, axis=0), self.options)
 
     @classmethod
-    def nothing(cls, size: int) -> "Expected":
+    def nothing(cls, size: int) -> "PredictedBatch":
         """No landmark in view, of those whose measurements have `size` numbers."""
         return cls([], np.zeros((0, size)), np.zeros((0, size)), np.zeros((0, size, 0)), np.zeros((0, 0), dtype=int))
 
@@ -68,14 +68,14 @@ class Viewpoint(NamedTuple):
 
     sensor: "MountedSensor"
     pose: Array
-    at: Array
-    by: Array
+    linearization_pose: Array
+    jacobian: Array
     linearization: "Linearization | None"
 
     def linearized(self, landmarks: list["Landmark"]) -> Array:
         """Means (n, size) of landmarks of one kind at which their Jacobians are taken."""
         if self.linearization is None:
-            return means_of(landmarks)
+            return landmark_means(landmarks)
         return np.array([self.linearization.at(landmark.block) for landmark in landmarks])
 
 
@@ -83,42 +83,42 @@ def viewpoint(sensor: "MountedSensor", robot: Array | None = None) -> Viewpoint:
     """Where the sensor is, by its robot's pose and its own mount; robot (7,): another pose of its robot."""
     linearization, pose = sensor.linearization, sensor.robot.pose if robot is None else robot
     is_estimated = sensor.block is not None
-    now, by = _composed(pose.tobytes(), sensor.mount.tobytes(), is_estimated)
+    now, by = _composed(pose.tobytes(), sensor.extrinsics.tobytes(), is_estimated)
     if linearization is None:
         return Viewpoint(sensor, now, now, by, None)
-    mount = sensor.given if sensor.block is None else linearization.at(sensor.block)
-    at, by = _composed(linearization.at(sensor.robot.block)[:7].tobytes(), mount.tobytes(), is_estimated)
+    extrinsics = sensor.given if sensor.block is None else linearization.at(sensor.block)
+    at, by = _composed(linearization.at(sensor.robot.block)[:7].tobytes(), extrinsics.tobytes(), is_estimated)
     return Viewpoint(sensor, now, at, by, linearization)
 
 
 @lru_cache(maxsize=8)  # by the numbers themselves: one frame asks several times between two measurement updates
-def _composed(robot: bytes, mount: bytes, is_estimated: bool) -> tuple[Array, Array]:
-    pose, J = compose.jac(np.frombuffer(robot), np.frombuffer(mount))
-    return sealed(pose), sealed(np.concatenate(J, axis=1) if is_estimated else J.outer)
+def _composed(robot: bytes, extrinsics: bytes, is_estimated: bool) -> tuple[Array, Array]:
+    pose, J = compose.jac(np.frombuffer(robot), np.frombuffer(extrinsics))
+    return read_only(pose), read_only(np.concatenate(J, axis=1) if is_estimated else J.outer)
 
 
-def means_of(landmarks: list["Landmark"]) -> Array:
+def landmark_means(landmarks: list["Landmark"]) -> Array:
     """Means (n, size) of landmarks of one kind."""
-    return state.means_of([landmark.block for landmark in landmarks])
+    return state.stacked_means([landmark.block for landmark in landmarks])
 
 
-def rows_of(landmarks: list["Landmark"]) -> Indices:
+def state_rows(landmarks: list["Landmark"]) -> Indices:
     """Rows (n, dof) of the joint covariance of landmarks of one kind."""
     starts: Indices = np.array([landmark.block.start for landmark in landmarks])
     return starts[:, None] + np.arange(landmarks[0].block.dof)
 
 
-def columns_of(sensor: "MountedSensor", landmarks: list["Landmark"]) -> Indices:
+def state_columns(sensor: "MountedSensor", landmarks: list["Landmark"]) -> Indices:
     """Rows (n, k) of the joint covariance that a measurement of each landmark, all of one kind, depends on."""
-    shared, own = sensor.columns, rows_of(landmarks)
+    shared, own = sensor.columns, state_rows(landmarks)
     columns = np.empty((len(own), len(shared) + own.shape[1]), dtype=int)
     columns[:, : len(shared)], columns[:, len(shared) :] = shared, own
     return columns
 
 
-def by_columns(view: Viewpoint, camera: Array, landmark: Array) -> Array:
+def columns_jacobian(view: Viewpoint, camera: Array, landmark: Array) -> Array:
     """Jacobians by the sensor's pose (..., q, 6) and by the landmark (..., q, dof) as one by its rows (..., q, k)."""
-    return np.concatenate([product(camera, view.by), landmark], axis=-1)
+    return np.concatenate([product(camera, view.jacobian), landmark], axis=-1)
 
 
 def product(left: Array, right: Array) -> Array:
@@ -147,7 +147,7 @@ class Family:
     exact: Any = None
     parts: int = 1
 
-    def new(self, options: "Options") -> Any:
+    def new_kind(self, options: "Options") -> Any:
         """The parametrization of new landmarks, or None for none."""
         name = options.parametrization_of(self.name)
         return self.parametrizations[name] if name else None
@@ -156,7 +156,7 @@ class Family:
         """Numbers in a measurement of one landmark."""
         return calibration.sensor.size
 
-    def sees(self, sensor: "MountedSensor") -> bool:
+    def supports(self, sensor: "MountedSensor") -> bool:
         """Whether a sensor measures landmarks of this family; it has `calibration`."""
         raise NotImplementedError
 
@@ -169,24 +169,24 @@ class Family:
         (n, m, 6) by the pose and (n, m, dof) by the landmark, as `jacobians.camera` and `jacobians.landmark`."""
         raise NotImplementedError
 
-    def expect(self, view: Viewpoint, landmarks: list["Landmark"], options: "Options") -> Expected:
+    def predict_batch(self, view: Viewpoint, landmarks: list["Landmark"], options: "Options") -> PredictedBatch:
         """What the sensor should measure of landmarks of one kind; those out of view are left out."""
-        kind, calibration, means = landmarks[0].kind, view.sensor.calibration, means_of(landmarks)
+        kind, calibration, means = landmarks[0].kind, view.sensor.calibration, landmark_means(landmarks)
         value, visible, J = self.observe(kind, calibration, view.pose, means)
         if view.linearization is not None:
-            J = self.observe(kind, calibration, view.at, view.linearized(landmarks))[2]
+            J = self.observe(kind, calibration, view.linearization_pose, view.linearized(landmarks))[2]
         seen = np.flatnonzero(visible)
         if not len(seen):
-            return Expected.nothing(self.size(calibration))
+            return PredictedBatch.nothing(self.size(calibration))
         looked, value = [landmarks[i] for i in seen.tolist()], value.take(seen, axis=0)
-        by = by_columns(view, J.camera.take(seen, axis=0), J.landmark.take(seen, axis=0))
-        return Expected(looked, value, value, by, columns_of(view.sensor, looked), options)
+        by = columns_jacobian(view, J.camera.take(seen, axis=0), J.landmark.take(seen, axis=0))
+        return PredictedBatch(looked, value, value, by, state_columns(view.sensor, looked), options)
 
-    def innovate(self, sensor: "MountedSensor", expected: Expected, measured: Array) -> Innovation:
+    def batch_innovation(self, sensor: "MountedSensor", expected: PredictedBatch, measured: Array) -> Innovation:
         """Measured minus expected (n, m), in the space of the measurement."""
-        z = sensor.calibration.sensor.space.minus(measured, expected.value)
+        z = sensor.calibration.sensor.manifold.minus(measured, expected.value)
         noise = sensor.calibration.noise
-        return Innovation(z, expected.by, noise[None].repeat(len(z), axis=0))
+        return Innovation(z, expected.jacobian, noise[None].repeat(len(z), axis=0))
 
     def innovation(
         self, view: Viewpoint, landmark: "Landmark", measured: Array, options: "Options"
@@ -197,16 +197,16 @@ class Family:
         if not visible:
             return None
         if view.linearization is not None:
-            J = self.observe(kind, calibration, view.at, view.linearization.at(landmark.block))[2]
-        z = calibration.sensor.space.minus(measured, value)
-        return Innovation(z, by_columns(view, J.camera, J.landmark), calibration.noise)
+            J = self.observe(kind, calibration, view.linearization_pose, view.linearization.at(landmark.block))[2]
+        z = calibration.sensor.manifold.minus(measured, value)
+        return Innovation(z, columns_jacobian(view, J.camera, J.landmark), calibration.noise)
 
-    def inner(self, calibration: Calibration, in_frame: Array) -> Array:
+    def innovation_input(self, calibration: Calibration, in_frame: Array) -> Array:
         """What the innovation is computed from, of landmarks in the sensor's frame (..., q), as kind.to_frame has it;
         nan where it cannot see them."""
         return in_frame
 
-    def begin(
+    def initialize(
         self, sensor: "MountedSensor", kind: Any, value: Array, options: "Options"
     ) -> tuple[Array, Array, list[Array]]:
         """Mean (size,), own noise (dof, dof) and Jacobians (dof, 6) by robot and mount of a new landmark."""
@@ -216,7 +216,7 @@ class Family:
         """Where the two ends of a new landmark are, of a family that has ends."""
         return None
 
-    def corrected(
+    def after_update(
         self,
         belief: "Belief",
         sensor: "MountedSensor",
@@ -226,7 +226,7 @@ class Family:
     ) -> None:
         """What happens to landmarks of one kind after a measurement update: nothing."""
 
-    def lost(self, belief: "Belief", landmarks: list["Landmark"]) -> set["Landmark"]:
+    def invalid(self, belief: "Belief", landmarks: list["Landmark"]) -> set["Landmark"]:
         """The landmarks, of one kind, that cannot be where they are estimated: none."""
         return set()
 
@@ -244,4 +244,4 @@ class Family:
         """
         value, visible, _ = self.observe(self.exact, sensor.calibration, camera, places)
         rows = np.flatnonzero(visible)
-        return rows, sensor.calibration.sensor.space.plus(value[rows], noise[rows])
+        return rows, sensor.calibration.sensor.manifold.plus(value[rows], noise[rows])

@@ -19,12 +19,12 @@ from slamlib.model import Model
 from slamlib.observation.points import Observation, named
 from slamlib.sensors.sensor import Calibration
 
-Reading = Callable[[Calibration, Array, Array], tuple[Array, Array, Array]]
-_SAME = np.eye(4)
+Residual = Callable[[Calibration, Array, Array], tuple[Array, Array, Array]]
+_NO_DISTORTION = np.eye(4)
 
 
 def observe_line(
-    kind: LineLandmark, calibration: Calibration, robot: Array, mount: Array, landmarks: Array
+    kind: LineLandmark, calibration: Calibration, robot: Array, extrinsics: Array, landmarks: Array
 ) -> Observation:
     """Expected image lines (..., 3), homogeneous and undistorted, of landmarks (..., size), with Jacobians.
 
@@ -32,14 +32,14 @@ def observe_line(
     (slamlib.landmarks.segments). Raises SlamlibError for a sensor that sees no lines. Chapter 12, eq. (li-project).
     """
     project = _sees_lines(calibration, f"observe {kind.name}")
-    camera, by_camera = compose.jac(robot, mount)
+    camera, by_camera = compose.jac(robot, extrinsics)
     line, by_frame = kind.to_frame.jac(camera, landmarks)
     names = [n for n in project.parameters if n in calibration.given]
     value, by_sensor = project.jac(line, **{n: calibration.padded[n] for n in names})
     to_camera = by_sensor[0] @ by_frame.pose
     parts = {
         "robot": to_camera @ by_camera.outer,
-        "mount": to_camera @ by_camera.inner,
+        "extrinsics": to_camera @ by_camera.inner,
         "landmark": by_sensor[0] @ by_frame.landmark,
         **{n: getattr(by_sensor, n)[..., : len(calibration.given[n])] for n in names},
     }
@@ -47,28 +47,28 @@ def observe_line(
 
 
 def initialize_line(
-    kind: LineLandmark, calibration: Calibration, robot: Array, mount: Array, segment: Array, prior: Array
+    kind: LineLandmark, calibration: Calibration, robot: Array, extrinsics: Array, segment: Array, prior: Array
 ) -> tuple[Array, Any]:
     """The landmark of a segment (..., 4), two pixels, and of the two numbers `prior` that it does not tell; Jacobians.
 
-    jacobians.robot (..., dof, 6), .mount (..., dof, 6), .measurement (..., dof, 4), .unmeasured (..., dof, 2), and one
-    for each parameter of the camera. Each endpoint is undistorted by itself. Raises SlamlibError for a sensor that sees
-    no lines. Chapter 12, eq. (li-chain).
+    jacobians.robot (..., dof, 6), .extrinsics (..., dof, 6), .measurement (..., dof, 4), .unmeasured (..., dof, 2), and
+    one for each parameter of the camera. Each endpoint is undistorted by itself. Raises SlamlibError for a sensor that
+    sees no lines. Chapter 12, eq. (li-chain).
     """
     _sees_lines(calibration, f"initialize {kind.name}")
     segment = np.asarray(segment, dtype=float)
     if segment.shape[-1:] != (4,):
         raise ShapeError.of("initialize_line", "segment", (4,), segment.shape)
-    camera, by_camera = compose.jac(robot, mount)
-    ends = segment.reshape(*segment.shape[:-1], 2, 2)
-    points, by_sensor = calibration.back_project_jac(ends, np.ones((*ends.shape[:-1], 1)))
+    camera, by_camera = compose.jac(robot, extrinsics)
+    endpoints = segment.reshape(*segment.shape[:-1], 2, 2)
+    points, by_sensor = calibration.back_project_jac(endpoints, np.ones((*endpoints.shape[:-1], 1)))
     rays = points[..., :3].reshape(*segment.shape[:-1], 6)
     landmark, by_frame = kind.from_frame.jac(camera, rays, prior)
     by_pixels = np.zeros((*segment.shape[:-1], 6, 4))
     by_pixels[..., :3, :2], by_pixels[..., 3:, 2:] = by_sensor[0][..., 0, :3, :], by_sensor[0][..., 1, :3, :]
     parts = {
         "robot": by_frame.pose @ by_camera.outer,
-        "mount": by_frame.pose @ by_camera.inner,
+        "extrinsics": by_frame.pose @ by_camera.inner,
         "measurement": by_frame.rays @ by_pixels,
         "unmeasured": by_frame.prior,
         **{n: by_frame.rays @ _stacked(getattr(by_sensor, n)) for n in calibration.given},
@@ -102,35 +102,37 @@ def rays_of(calibration: Calibration, segment: Array) -> tuple[Array, Array]:
     return points[..., :3].reshape(*lead, 6), by
 
 
-def straight(calibration: Calibration, segment: Array) -> tuple[Array, Array]:
+def undistort_segments(calibration: Calibration, segment: Array) -> tuple[Array, Array]:
     """Segments (..., 4) as a lens without distortion would have seen their ends, and the Jacobians (..., 4, 4)."""
-    if not _bends(calibration):
-        return segment, _SAME
+    if not _distorts(calibration):
+        return segment, _NO_DISTORTION
     rays, by_pixels = rays_of(calibration, segment)
     lead = segment.shape[:-1]
     points = np.concatenate([rays.reshape(*lead, 2, 3), np.ones((*lead, 2, 1))], axis=-1)
-    ideal, J = calibration.sensor.project.jac(points, **_unbent(calibration))
+    ideal, J = calibration.sensor.project.jac(points, **_without_distortion(calibration))
     by = np.zeros((*lead, 4, 6))
     by[..., :2, :3], by[..., 2:, 3:] = J.point[..., 0, :, :3], J.point[..., 1, :, :3]
     return ideal.reshape(*lead, 4), by @ by_pixels
 
 
-def bent(calibration: Calibration, segment: Array) -> Array:
-    """The inverse of `straight`: where the lens puts the ends of ideal segments (..., 4)."""
-    if not _bends(calibration):
+def distort_segments(calibration: Calibration, segment: Array) -> Array:
+    """The inverse of `undistort_segments`: where the lens puts the ends of ideal segments (..., 4)."""
+    if not _distorts(calibration):
         return segment
-    ends = segment.reshape(*segment.shape[:-1], 2, 2)
-    rays = calibration.sensor.back_project(ends, np.ones((*ends.shape[:-1], 1)), **_unbent(calibration))
+    endpoints = segment.reshape(*segment.shape[:-1], 2, 2)
+    rays = calibration.sensor.back_project(
+        endpoints, np.ones((*endpoints.shape[:-1], 1)), **_without_distortion(calibration)
+    )
     return calibration.project(rays).reshape(segment.shape)
 
 
-def _unbent(calibration: Calibration) -> dict[str, Array]:
+def _without_distortion(calibration: Calibration) -> dict[str, Array]:
     """The parameters, with those that the image of a line does not know, the lens's, at zero."""
     project_line: Any = calibration.sensor.project_line
     return {n: v if n in project_line.parameters else np.zeros_like(v) for n, v in calibration.padded.items()}
 
 
-def _bends(calibration: Calibration) -> bool:
+def _distorts(calibration: Calibration) -> bool:
     project_line: Any = calibration.sensor.project_line
     return any(v.any() for n, v in calibration.given.items() if n not in project_line.parameters)
 
@@ -144,14 +146,14 @@ def _image_line(calibration: Calibration, line: Array) -> tuple[Array, Array]:
 
 def _distances(calibration: Calibration, line: Array, segment: Array) -> tuple[Array, Array, Array]:
     image, by_line = _image_line(calibration, line)
-    y, by_segment = straight(calibration, segment)
+    y, by_segment = undistort_segments(calibration, segment)
     z, J = distances.jac(image, y)
     return z, J.line @ by_line, J.segment @ by_segment
 
 
 def _rho_theta(calibration: Calibration, line: Array, segment: Array) -> tuple[Array, Array, Array]:
     image, by_line = _image_line(calibration, line)
-    y, by_segment = straight(calibration, segment)
+    y, by_segment = undistort_segments(calibration, segment)
     same = oriented(image, y)
     sign = np.where((same == image).all(-1), 1.0, -1.0)[..., None, None]
     z, J = rho_theta.jac(same, y, calibration.image / 2)
@@ -165,4 +167,4 @@ def _angles(calibration: Calibration, line: Array, segment: Array) -> tuple[Arra
 
 
 # Each gives z (..., 2), measured minus expected, and its Jacobians by the line (..., 2, 6) and the segment (..., 2, 4).
-READINGS: dict[str, Reading] = {"ortDst": _distances, "rhoThe": _rho_theta, "angles": _angles}
+RESIDUALS: dict[str, Residual] = {"ortDst": _distances, "rhoThe": _rho_theta, "angles": _angles}

@@ -18,7 +18,7 @@ from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import WORLD, beyond_infinity, should_convert, to_euclidean
 from slamlib.landmarks.point import PointLandmark
 from slamlib.manifolds import Array, Indices, Mask
-from slamlib.observation.family import Family, columns_of, means_of, product, rows_of, viewpoint
+from slamlib.observation.family import Family, landmark_means, product, state_columns, state_rows, viewpoint
 from slamlib.sensors.sensor import Calibration
 
 if TYPE_CHECKING:
@@ -26,15 +26,17 @@ if TYPE_CHECKING:
     from slamlib.slam.entities import Landmark, MountedSensor
     from slamlib.slam.options import Options
 
-AHEAD = np.array([0.25, 0.5, 1, 1])  # stands in for points that cannot be measured, so that their rows are finite
+PLACEHOLDER_POINT = np.array(
+    [0.25, 0.5, 1, 1]
+)  # stands in for points that cannot be measured, so that their rows are finite
 
 
 @dataclass(frozen=True)
 class Observation:
     """What a sensor should measure of landmarks: values (..., m), the mask of those it sees, and Jacobians.
 
-    jacobians.robot (..., m, 6), .mount (..., m, 6), .landmark (..., m, dof), and one for each parameter of the sensor.
-    The rows of landmarks that are not seen hold numbers without a meaning.
+    jacobians.robot (..., m, 6), .extrinsics (..., m, 6), .landmark (..., m, dof), and one for each parameter of the
+    sensor. The rows of landmarks that are not seen hold numbers without a meaning.
     """
 
     value: Array
@@ -42,12 +44,14 @@ class Observation:
     jacobians: Any
 
 
-def observe(kind: PointLandmark, calibration: Calibration, robot: Array, mount: Array, landmarks: Array) -> Observation:
-    """Expected measurements of landmarks (..., size) from a robot's pose (7,) with the sensor mounted at `mount` (7,).
+def observe(
+    kind: PointLandmark, calibration: Calibration, robot: Array, extrinsics: Array, landmarks: Array
+) -> Observation:
+    """Expected measurements of landmarks (..., size) from a robot's pose (7,) and the sensor's extrinsics (7,) on it.
 
     Raises SlamlibError for what is no point. Chapter 8, the chain rule of (ph-chain).
     """
-    camera, by_camera = compose.jac(robot, mount)
+    camera, by_camera = compose.jac(robot, extrinsics)
     found = observe_from(kind, calibration, camera, landmarks)
     by_pose, *others = found.jacobians
     parts = {**_through(by_camera, by_pose), **dict(zip(found.jacobians._fields[1:], others, strict=True))}
@@ -59,7 +63,9 @@ def observe_from(kind: PointLandmark, calibration: Calibration, camera: Array, l
     _check_point(kind, calibration, "observe")
     point, by_frame = kind.to_frame.jac(camera, landmarks)
     seen = calibration.visible(point)
-    value, by_sensor = calibration.project_jac(point if seen.all() else np.where(seen[..., None], point, AHEAD))
+    value, by_sensor = calibration.project_jac(
+        point if seen.all() else np.where(seen[..., None], point, PLACEHOLDER_POINT)
+    )
     parts = {
         "camera": product(by_sensor.point, by_frame.pose),
         "landmark": product(by_sensor.point, by_frame[1]),
@@ -69,17 +75,22 @@ def observe_from(kind: PointLandmark, calibration: Calibration, camera: Array, l
 
 
 def initialize(
-    kind: PointLandmark, calibration: Calibration, robot: Array, mount: Array, measurement: Array, *unmeasured: Array
+    kind: PointLandmark,
+    calibration: Calibration,
+    robot: Array,
+    extrinsics: Array,
+    measurement: Array,
+    *unmeasured: Array,
 ) -> tuple[Array, Any]:
     """The landmark of a measurement (..., m) and of what it does not tell (..., u), and Jacobians.
 
-    jacobians.robot (..., dof, 6), .mount (..., dof, 6), .measurement (..., dof, m), .unmeasured (..., dof, u) if the
-    sensor leaves something open, and one for each parameter of the sensor. Raises SlamlibError for what is no point,
-    and for an `unmeasured` that is missing, not wanted, or a negative inverse distance.
+    jacobians.robot (..., dof, 6), .extrinsics (..., dof, 6), .measurement (..., dof, m), .unmeasured (..., dof, u) if
+    the sensor leaves something open, and one for each parameter of the sensor. Raises SlamlibError for what is no
+    point, and for an `unmeasured` that is missing, not wanted, or a negative inverse distance.
     """
     _check_point(kind, calibration, "initialize")
     _check_open(calibration, unmeasured)
-    camera, by_camera = compose.jac(robot, mount)
+    camera, by_camera = compose.jac(robot, extrinsics)
     point, by_sensor = calibration.back_project_jac(measurement, *unmeasured)
     if unmeasured and (point[..., 3] < 0).any():
         raise SlamlibError("initialize: the prior puts a point beyond infinity: its inverse distance is negative")
@@ -126,7 +137,7 @@ def _seen_again(kind: PointLandmark, camera: Array, point: Array, landmark: Arra
 def _through(by_camera: Any, by_pose: Array) -> dict[str, Array]:
     """Jacobians by the robot and by the mount of something, from its Jacobian by the camera's pose."""
     both = product(by_pose, np.concatenate([by_camera.outer, by_camera.inner], axis=-1))
-    return {"robot": both[..., :6], "mount": both[..., 6:]}
+    return {"robot": both[..., :6], "extrinsics": both[..., 6:]}
 
 
 def named(parts: dict[str, Array]) -> Any:
@@ -147,7 +158,7 @@ class PointFamily(Family):
     parametrizations = POINTS
     exact = EUC_POINT
 
-    def sees(self, sensor: "MountedSensor") -> bool:
+    def supports(self, sensor: "MountedSensor") -> bool:
         """Every sensor measures points."""
         return True
 
@@ -163,12 +174,12 @@ class PointFamily(Family):
         found = observe_from(kind, calibration, camera, means)
         return found.value, found.visible, found.jacobians
 
-    def inner(self, calibration: Calibration, in_frame: Array) -> Array:
+    def innovation_input(self, calibration: Calibration, in_frame: Array) -> Array:
         """Measurements expected of homogeneous points (..., 4) in the sensor's frame; nan where it cannot see them."""
         seen = calibration.visible(in_frame)[..., None]
-        return np.where(seen, calibration.project(np.where(seen, in_frame, AHEAD)), np.nan)
+        return np.where(seen, calibration.project(np.where(seen, in_frame, PLACEHOLDER_POINT)), np.nan)
 
-    def begin(
+    def initialize(
         self, sensor: "MountedSensor", kind: PointLandmark, value: Array, options: "Options"
     ) -> tuple[Array, Array, list[Array]]:
         """Mean, own noise and Jacobians by robot and mount of a point that is seen for the first time. Chapter 15."""
@@ -176,13 +187,13 @@ class PointFamily(Family):
         calibration = sensor.calibration
         asks = len(calibration.sensor.back_project.arguments) - 1 - len(calibration.sensor.parameters)
         prior = [np.array([mean])] * asks
-        x, J = initialize(kind, calibration, sensor.robot.pose, sensor.mount, value, *prior)
+        x, J = initialize(kind, calibration, sensor.robot.pose, sensor.extrinsics, value, *prior)
         own = J.measurement @ calibration.noise @ J.measurement.T
         if asks:
             own = own + J.unmeasured @ J.unmeasured.T * std**2
-        return x, own, [J.robot, J.mount]
+        return x, own, [J.robot, J.extrinsics]
 
-    def corrected(
+    def after_update(
         self,
         belief: "Belief",
         sensor: "MountedSensor",
@@ -195,25 +206,25 @@ class PointFamily(Family):
         if not options.convert or kind is EUC_POINT:
             return
         view = viewpoint(sensor)
-        columns, dof = columns_of(sensor, landmarks), landmarks[0].block.dof
+        columns, dof = state_columns(sensor, landmarks), landmarks[0].block.dof
         T = np.zeros((dof + 6, columns.shape[1]))  # from (robot, mount, landmark) to (landmark, camera)
-        T[:dof, -dof:], T[dof:, :-dof] = np.eye(dof), view.by
-        means, P = means_of(landmarks), principal_blocks(belief.matrix, columns)
+        T[:dof, -dof:], T[dof:, :-dof] = np.eye(dof), view.jacobian
+        means, P = landmark_means(landmarks), principal_blocks(belief.matrix, columns)
         ripe = should_convert(kind, means, P, view.pose, options.convert_below, T)
         for landmark, is_ripe in zip(landmarks, ripe.tolist(), strict=True):
             if is_ripe:
-                belief.replace(landmark.block, EUC_POINT.space, *to_euclidean(kind, landmark.block.mean))
+                belief.replace(landmark.block, EUC_POINT.manifold, *to_euclidean(kind, landmark.block.mean))
                 landmark.kind = EUC_POINT
 
-    def lost(self, belief: "Belief", landmarks: list["Landmark"]) -> set["Landmark"]:
+    def invalid(self, belief: "Belief", landmarks: list["Landmark"]) -> set["Landmark"]:
         """The landmarks, of one kind, that lie beyond infinity: no point is there. Chapter 11."""
         kind = landmarks[0].kind
         if kind is EUC_POINT:
             return set()
-        means = means_of(landmarks)
+        means = landmark_means(landmarks)
         if (kind.to_frame(WORLD, means)[:, 3] >= 0).all():
             return set()  # as mostly: quick, without Jacobians
-        beyond = beyond_infinity(kind, means, principal_blocks(belief.matrix, rows_of(landmarks)))
+        beyond = beyond_infinity(kind, means, principal_blocks(belief.matrix, state_rows(landmarks)))
         return {landmarks[i] for i in np.flatnonzero(beyond)}
 
     def geometry(self, belief: "Belief", landmarks: list["Landmark"]) -> tuple[Array, Array, Mask]:
@@ -232,7 +243,7 @@ class PointFamily(Family):
         calibration = sensor.calibration
         inside = EUC_POINT.to_frame(camera, places)
         seen = np.flatnonzero(calibration.visible(inside) & ~sensor.hidden(places, camera))
-        values = calibration.sensor.space.plus(calibration.project(inside[seen]), noise[seen])
+        values = calibration.sensor.manifold.plus(calibration.project(inside[seen]), noise[seen])
         delivered = calibration.inside(values)
         return seen[delivered], values[delivered]
 

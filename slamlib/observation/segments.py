@@ -11,18 +11,18 @@ from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.line import LineLandmark
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation.family import (
-    Expected,
     Family,
     Innovation,
+    PredictedBatch,
     Viewpoint,
-    by_columns,
-    columns_of,
-    means_of,
-    rows_of,
+    columns_jacobian,
+    landmark_means,
+    state_columns,
+    state_rows,
     viewpoint,
 )
-from slamlib.observation.lines import READINGS, bent, initialize_line, rays_of
-from slamlib.observation.points import AHEAD
+from slamlib.observation.lines import RESIDUALS, distort_segments, initialize_line, rays_of
+from slamlib.observation.points import PLACEHOLDER_POINT
 from slamlib.sensors.sensor import Calibration
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from slamlib.slam.entities import Landmark, MountedSensor
     from slamlib.slam.options import Options
 
-SETTLED = 0.1  # of a segment's length: the largest standard deviation of an end of a line that has converged
+CONVERGED_RATIO = 0.1  # of a segment's length: the largest standard deviation of an end of a line that has converged
 
 
 class LineFamily(Family):
@@ -46,7 +46,7 @@ class LineFamily(Family):
         """A segment is two pixels."""
         return 4
 
-    def sees(self, sensor: "MountedSensor") -> bool:
+    def supports(self, sensor: "MountedSensor") -> bool:
         """Lines are for cameras that map them to straight lines, and have an image."""
         return sensor.calibration.sensor.project_line is not None and sensor.calibration.image is not None
 
@@ -54,25 +54,34 @@ class LineFamily(Family):
         """Mask of the segments (n, 4) that a landmark may begin with: long enough."""
         return segments.length(values) >= options.minimum_length
 
-    def expect(self, view: Viewpoint, landmarks: list["Landmark"], options: "Options") -> Expected:
+    def predict_batch(self, view: Viewpoint, landmarks: list["Landmark"], options: "Options") -> PredictedBatch:
         """The segments that the camera should see, between the lines' ends; those out of view are left out."""
-        kind, means = landmarks[0].kind, means_of(landmarks)
-        ends = hmg_point.to_frame(view.pose, endpoints.ends(kind, means, np.array([lm.abscissas for lm in landmarks])))
+        kind, means = landmarks[0].kind, landmark_means(landmarks)
+        end_points = hmg_point.to_frame(
+            view.pose, endpoints.endpoints_at(kind, means, np.array([lm.abscissas for lm in landmarks]))
+        )
         calibration, least = view.sensor.calibration, options.minimum_length
         intrinsics = calibration.given["intrinsics"]
-        found = segments.visible(ends[:, 0], ends[:, 1], intrinsics, calibration.image, minimum_length=least)
+        found = segments.visible(
+            end_points[:, 0], end_points[:, 1], intrinsics, calibration.image, minimum_length=least
+        )
         seen = found.seen
         looked = [landmark for landmark, s in zip(landmarks, seen.tolist(), strict=True) if s]
         if not looked:
-            return Expected.nothing(4)
+            return PredictedBatch.nothing(4)
         line, by = self._in_frame(view, kind, means[seen], looked)
-        return Expected(
-            looked, bent(calibration, found.pixels[seen]), line, by, columns_of(view.sensor, looked), options
+        return PredictedBatch(
+            looked,
+            distort_segments(calibration, found.pixels[seen]),
+            line,
+            by,
+            state_columns(view.sensor, looked),
+            options,
         )
 
-    def innovate(self, sensor: "MountedSensor", expected: Expected, measured: Array) -> Innovation:
+    def batch_innovation(self, sensor: "MountedSensor", expected: PredictedBatch, measured: Array) -> Innovation:
         """How far the measured segments (n, 4) are off the expected lines (n, 2), by the residual of the options."""
-        return line_innovation(sensor, expected.inner, expected.by, measured, expected.options)
+        return line_innovation(sensor, expected.innovation_input, expected.jacobian, measured, expected.options)
 
     def innovation(self, view: Viewpoint, landmark: "Landmark", measured: Array, options: "Options") -> Innovation:
         """The innovation of one line at the present means. A line has no border: whoever saw it, sees it."""
@@ -85,23 +94,23 @@ class LineFamily(Family):
         if view.linearization is not None:
             is_one = means.ndim == 1
             points = view.linearization.at(landmarks.block) if is_one else view.linearized(landmarks)
-            J = kind.to_frame.jac(view.at, points)[1]
-        return line, by_columns(view, J.pose, J.landmark)
+            J = kind.to_frame.jac(view.linearization_pose, points)[1]
+        return line, columns_jacobian(view, J.pose, J.landmark)
 
-    def begin(
+    def initialize(
         self, sensor: "MountedSensor", kind: LineLandmark, value: Array, options: "Options"
     ) -> tuple[Array, Array, list[Array]]:
         """Mean, own noise and Jacobians by robot and mount of a line that is seen for the first time. Chapter 15."""
         means, stds = (np.array(numbers) for numbers in options.line_prior(kind.name))
-        x, J = initialize_line(kind, sensor.calibration, sensor.robot.pose, sensor.mount, value, means)
+        x, J = initialize_line(kind, sensor.calibration, sensor.robot.pose, sensor.extrinsics, value, means)
         own = J.measurement @ _noise(sensor) @ J.measurement.T + J.unmeasured @ np.diag(stds**2) @ J.unmeasured.T
-        return x, own, [J.robot, J.mount]
+        return x, own, [J.robot, J.extrinsics]
 
     def abscissas(self, kind: LineLandmark) -> Array:
         """Where the two ends of a new line are."""
         return np.array(kind.abscissas, dtype=float)
 
-    def corrected(
+    def after_update(
         self,
         belief: "Belief",
         sensor: "MountedSensor",
@@ -115,14 +124,18 @@ class LineFamily(Family):
         if kind.constrain is not None:
             for landmark in landmarks:
                 mean, J = kind.constrain.jac(landmark.block.mean, camera[:3])
-                belief.replace(landmark.block, landmark.block.space, mean, J.landmark)
-        rule = endpoints.Extension(options.extend, options.extend_switch)
+                belief.replace(landmark.block, landmark.block.manifold, mean, J.landmark)
+        rule = endpoints.EndpointExtension(options.extend, options.extend_switch)
         if not rule.extend:
             return
-        found = endpoints.seen_ends(kind, means_of(landmarks), camera, rays_of(sensor.calibration, measured)[0])
+        found = endpoints.observed_endpoints(
+            kind, landmark_means(landmarks), camera, rays_of(sensor.calibration, measured)[0]
+        )
         old = np.array([landmark.abscissas for landmark in landmarks])
-        spreads = _spread(belief, sensor, camera, landmarks, np.where(found.usable[:, None], found.abscissas, old))
-        for landmark, new in zip(landmarks, rule.update(old, found, spreads), strict=True):
+        endpoint_covariances = _endpoint_std(
+            belief, sensor, camera, landmarks, np.where(found.usable[:, None], found.abscissas, old)
+        )
+        for landmark, new in zip(landmarks, rule.update(old, found, endpoint_covariances), strict=True):
             landmark.abscissas = new
 
     def geometry(self, belief: "Belief", landmarks: list["Landmark"]) -> tuple[Array, Array, Mask]:
@@ -135,7 +148,7 @@ class LineFamily(Family):
                 x, w = h[end, :3] / h[end, 3], h[end, 3]
                 by = (J.landmark[end, :3] - np.outer(x, J.landmark[end, 3])) / w
                 geometry[i, end], covariance[i, end] = x, by @ P @ by.T
-        return geometry, covariance, settled(geometry, covariance)
+        return geometry, covariance, endpoints_converged(geometry, covariance)
 
     def check(self, name: str, calibration: Calibration) -> None:
         """Raise SlamlibError for a camera that maps lines to lines, and has no image to cut them at."""
@@ -150,11 +163,11 @@ class LineFamily(Family):
         noise only, along its own segment, which leaves its distance from the line as it was to the first order.
         """
         calibration = sensor.calibration
-        ends, seen = sensor.longest_seen(places.reshape(-1, 2, 3), camera)
-        inside = EUC_POINT.to_frame(camera, ends)
+        end_points, seen = sensor.longest_seen(places.reshape(-1, 2, 3), camera)
+        inside = EUC_POINT.to_frame(camera, end_points)
         planes = segments.frustum(calibration.given["intrinsics"], calibration.image)
         *cut, within = segments.clip(inside[:, 0], inside[:, 1], planes)
-        points = np.concatenate([np.stack(cut, 1), np.ones((len(ends), 2, 1))], -1)
+        points = np.concatenate([np.stack(cut, 1), np.ones((len(end_points), 2, 1))], -1)
         rows = np.flatnonzero(seen & within & calibration.visible(points).all(-1))
         exact = calibration.project(points[rows]).reshape(-1, 4)
         measured = segments.trim(exact + noise[rows].reshape(-1, 4), tuple(calibration.image), minimum_length=0)
@@ -168,7 +181,7 @@ LINE_FAMILY = LineFamily()
 
 def line_innovation(sensor: "MountedSensor", line: Array, by: Array, measured: Array, options: Any) -> Innovation:
     """Innovation of measured segments (..., 4) at lines (..., 6) of the sensor's frame, with Jacobians `by`."""
-    z, by_line, by_segment = READINGS[options.innovation](sensor.calibration, line, measured)
+    z, by_line, by_segment = RESIDUALS[options.innovation](sensor.calibration, line, measured)
     return Innovation(z, -by_line @ by, by_segment @ _noise(sensor) @ by_segment.swapaxes(-1, -2))
 
 
@@ -179,21 +192,21 @@ def _noise(sensor: "MountedSensor") -> Array:
     return noise
 
 
-def _spread(
+def _endpoint_std(
     belief: "Belief", sensor: "MountedSensor", camera: Array, landmarks: list["Landmark"], abscissas: Array
 ) -> Array:
     """The larger standard deviation of the lines' two ends in the image (n,) [px]; inf where one is not in view."""
-    h, J = landmarks[0].kind.point_at.jac(means_of(landmarks)[:, None, :], abscissas)
+    h, J = landmarks[0].kind.point_at.jac(landmark_means(landmarks)[:, None, :], abscissas)
     point, F = hmg_point.to_frame.jac(camera, h)
     seen = sensor.calibration.visible(point)
-    by_point = sensor.calibration.project_jac(np.where(seen[..., None], point, AHEAD))[1].point
+    by_point = sensor.calibration.project_jac(np.where(seen[..., None], point, PLACEHOLDER_POINT))[1].point
     H = by_point @ F.landmark @ J.landmark
-    P = principal_blocks(belief.matrix, rows_of(landmarks))
-    spread = endpoints.spread(H @ P[:, None] @ H.swapaxes(-1, -2))
+    P = principal_blocks(belief.matrix, state_rows(landmarks))
+    spread = endpoints.largest_std(H @ P[:, None] @ H.swapaxes(-1, -2))
     return np.where(seen, spread, np.inf).max(-1)
 
 
-def settled(geometry: Array, covariance: Array) -> Mask:
+def endpoints_converged(geometry: Array, covariance: Array) -> Mask:
     """Mask (n,) of the segments (n, 2, 3) whose ends, of covariance (n, 2, 3, 3), are known well beside their length.
 
     A new line is known in the plane of its first image alone: its ends may lie anywhere along their rays.
@@ -202,5 +215,5 @@ def settled(geometry: Array, covariance: Array) -> Mask:
     known = np.isfinite(geometry).all((-2, -1))
     worst = np.linalg.eigvalsh(covariance[known])[..., -1].max(-1)
     length = np.linalg.norm(geometry[known, 1] - geometry[known, 0], axis=-1)
-    found[known] = np.sqrt(worst.clip(0)) < SETTLED * length
+    found[known] = np.sqrt(worst.clip(0)) < CONVERGED_RATIO * length
     return found

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
-from slamlib.kalman.linalg import covariance, finite, frozen, numbers
-from slamlib.manifolds import Array, Mask, Space, as_space
+from slamlib.kalman.linalg import covariance, finite, numbers, read_only_copy
+from slamlib.manifolds import Array, Manifold, Mask, as_manifold
 from slamlib.model import Formula, Model
 
 
@@ -47,10 +47,10 @@ class Sensor:
         return int(self.back_project.arguments[0].size)
 
     @cached_property
-    def space(self) -> Space:
+    def manifold(self) -> Manifold:
         """Where measurements live: their difference is space.minus(measured, expected)."""
         result = getattr(self.project, "result", None)
-        return result.space if result is not None else as_space(self.size)
+        return result.manifold if result is not None else as_manifold(self.size)
 
 
 class Calibration:
@@ -91,7 +91,7 @@ class Calibration:
                 f"{sensor.name}: its measurements are no pixels, so there is no image to bound them; leave image out, "
                 "and bound the view by limits (a type that measures pixels says so: Sensor(..., pixels=True))"
             )
-        size = None if image is None else frozen(finite(image, (2,), sensor.name, "image"))
+        size = None if image is None else read_only_copy(finite(image, (2,), sensor.name, "image"))
         if size is not None and not (size > 0).all():
             raise SlamlibError(f"{sensor.name}: an image has a width and a height above zero, got {image}")
         largest = {a.name: a.size for a in sensor.project.arguments}
@@ -100,9 +100,9 @@ class Calibration:
             sensor=sensor,
             limits={n: _limit(sensor.name, n, v) for n, v in (limits or {}).items()},
             image=size,
-            noise=frozen(covariance(noise, sensor.size, sensor.name, "noise")),
+            noise=read_only_copy(covariance(noise, sensor.size, sensor.name, "noise")),
             given=given,
-            padded={n: frozen(np.pad(v, (0, largest[n] - len(v)))) for n, v in given.items()},
+            padded={n: read_only_copy(np.pad(v, (0, largest[n] - len(v)))) for n, v in given.items()},
         )
         sensor.check(self)
 
@@ -173,4 +173,4 @@ def _given(sensor: str, name: str, value: ArrayLike, largest: int) -> Array:
     array = np.atleast_1d(numbers(value, sensor, name))
     if array.ndim != 1 or len(array) > largest:
         raise ShapeError(f"{sensor}: {name} has at most {largest} numbers, got shape {array.shape}")
-    return frozen(finite(array, array.shape, sensor, name))
+    return read_only_copy(finite(array, array.shape, sensor, name))

@@ -3,10 +3,17 @@
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array, Space
+from slamlib.manifolds import Array, Manifold
 from slamlib.observation import FAMILIES
 
-KINDS = ("start", "control", "mount", "points", "segments", "faults")  # other families of landmarks come after these
+KINDS = (
+    "start",
+    "control",
+    "extrinsics",
+    "points",
+    "segments",
+    "faults",
+)  # other families of landmarks come after these
 
 Streams = dict[str, np.random.Generator]
 
@@ -27,9 +34,9 @@ def streams(rng: np.random.Generator, count: int) -> list[Streams]:
     ]
 
 
-def drawn(space: Space, mean: Array, covariance: Array, rng: np.random.Generator) -> Array:
+def drawn(manifold: Manifold, mean: Array, covariance: Array, rng: np.random.Generator) -> Array:
     """A point (size,) of a Gaussian in the space's tangent: mean (size,), covariance (dof, dof)."""
-    return space.plus(mean, root(covariance) @ rng.standard_normal(space.dof))
+    return manifold.plus(mean, root(covariance) @ rng.standard_normal(manifold.dof))
 
 
 def root(covariance: Array) -> Array:

@@ -99,7 +99,7 @@ def _packed(pairs: Pairs, rig: Rig, world: World) -> Arrays:
             none = Features.none(family.size(sensor.calibration))
             arrays |= _features(f"sensor{j}.{x}", [f.scans[j].features.get(x, none) for f in frames], none)
         if truths:
-            arrays[f"truth.mount{j}"] = np.array([t.mounts[j] for t in truths])
+            arrays[f"truth.mount{j}"] = np.array([t.extrinsics[j] for t in truths])
     return arrays
 
 
@@ -167,5 +167,5 @@ def _truths(arrays: Arrays, rig: Rig, count: int, known: bool) -> list[Truth | N
     if not known:
         return [None] * count
     names = [f"truth.robot{i}" for i in range(len(rig.robots))], [f"truth.mount{j}" for j in range(len(rig.sensors))]
-    states, mounts = (zip(*(arrays[name] for name in kind), strict=True) for kind in names)
-    return [Truth(tuple(s), tuple(m)) for s, m in zip(states, mounts, strict=True)]
+    states, all_extrinsics = (zip(*(arrays[name] for name in kind), strict=True) for kind in names)
+    return [Truth(tuple(s), tuple(m)) for s, m in zip(states, all_extrinsics, strict=True)]

@@ -6,7 +6,7 @@ from typing import Any
 from slamlib.data.records import Control
 from slamlib.data.setup import RobotSetup
 from slamlib.errors import ShapeError, SlamlibError
-from slamlib.kalman.linalg import finite, frozen, numbers
+from slamlib.kalman.linalg import finite, numbers, read_only_copy
 from slamlib.manifolds import Array
 from slamlib.simulation.draws import Streams, drawn, root
 
@@ -21,16 +21,16 @@ class SimulatedRobot:
 
     def __init__(self, setup: RobotSetup, plan: Plan, shares: tuple[float, float], streams: Streams) -> None:
         self.motion, self.plan, self.shares, self.rng = setup.model, plan, shares, streams["control"]
-        self.covariance = frozen(setup.noise)
+        self.covariance = read_only_copy(setup.noise)
         self.root = root(setup.noise)
-        self.state = frozen(drawn(self.motion.space, setup.state, setup.covariance, streams["start"]))
+        self.state = read_only_copy(drawn(self.motion.manifold, setup.state, setup.covariance, streams["start"]))
 
     def move(self, number: int, dt: float) -> Control:
         """Go one step; the control that the estimator is told, with the noise that it is told."""
         wanted = self.plan(number)
         noise = self.root @ self.rng.standard_normal(len(self.root))
         in_truth, in_control = self.shares
-        self.state = frozen(self.motion.step(self.state, wanted + in_truth * noise, dt))
+        self.state = read_only_copy(self.motion.step(self.state, wanted + in_truth * noise, dt))
         return Control(wanted + in_control * noise, self.covariance)
 
 
@@ -56,5 +56,5 @@ def _plan(given: Any, robot: RobotSetup, frames: int) -> Plan:
     table = numbers(given, robot.name, "controls")
     if table.ndim != 2 or len(table) < frames or table.shape[1] != size:
         raise ShapeError(f"{robot.name}: controls should have shape ({frames}, {size}) or more rows, got {table.shape}")
-    table = frozen(finite(table, table.shape, robot.name, "controls"))
+    table = read_only_copy(finite(table, table.shape, robot.name, "controls"))
     return lambda number: table[number - 1]

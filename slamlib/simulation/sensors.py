@@ -5,7 +5,7 @@ import numpy as np
 from slamlib.data.records import Features, Scan, World
 from slamlib.data.setup import SensorSetup
 from slamlib.geometry.pose import Pose, compose
-from slamlib.kalman.linalg import frozen
+from slamlib.kalman.linalg import read_only_copy
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation import FAMILIES, Family
 from slamlib.simulation.draws import Streams, drawn, root
@@ -23,8 +23,8 @@ class SimulatedSensor:
     def __init__(self, setup: SensorSetup, world: World, faults: Faults, shortest: float, streams: Streams) -> None:
         self.robot, self.world, self.faults, self.shortest = setup.robot, world, faults, shortest
         self.calibration, self.streams = setup.calibration, streams
-        self.mount = frozen(drawn(Pose, setup.mount, setup.covariance, streams["mount"]))
-        self.space = self.calibration.sensor.space
+        self.extrinsics = read_only_copy(drawn(Pose, setup.extrinsics, setup.covariance, streams["extrinsics"]))
+        self.manifold = self.calibration.sensor.manifold
         self.root = root(self.calibration.noise)
         self.clutter = Clutter(self.calibration, _reach(world)) if faults.outlier else None
         for name, family in FAMILIES.items():
@@ -33,12 +33,12 @@ class SimulatedSensor:
 
     def scan(self, robot: Array) -> Scan:
         """What it delivers when its robot is at a pose (7,)."""
-        camera = compose(robot, self.mount)
+        camera = compose(robot, self.extrinsics)
         return Scan({name: self._features(family, camera) for name, family in FAMILIES.items()})
 
     def _features(self, family: Family, camera: Array) -> Features:
         things, size = self.world.features[family.name], len(self.root)
-        if not len(things) or not family.sees(self):  # type: ignore[arg-type]  # both have a calibration
+        if not len(things) or not family.supports(self):  # type: ignore[arg-type]  # both have a calibration
             return Features.none(family.size(self.calibration))
         shape = (len(things), size) if family.parts == 1 else (len(things), family.parts, size)
         noise = self.streams[family.name].standard_normal(shape) @ self.root

@@ -64,5 +64,5 @@ def _frame(number: int, dt: float, robots: list[SimulatedRobot], sensors: list[S
     """All robots move, then all sensors look."""
     controls = tuple(robot.move(number, dt) for robot in robots)
     scans = tuple(sensor.scan(robots[sensor.robot].state[:7]) for sensor in sensors)
-    truth = Truth(tuple(r.state for r in robots), tuple(s.mount for s in sensors))
+    truth = Truth(tuple(r.state for r in robots), tuple(s.extrinsics for s in sensors))
     return Frame(number, dt, controls, scans), truth

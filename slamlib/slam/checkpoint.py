@@ -28,7 +28,7 @@ def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
         "options": slam.options.to_dict(),
         "number": slam.number,
         "time": slam.time,
-        "frames_of": slam.frames_of,
+        "frame_counts": slam.frame_counts,
         "robots": [order[id(r.block)] for r in slam.robots],
         "sensors": [None if s.block is None else order[id(s.block)] for s in slam.sensors],
         "sizes": [len(block.mean) for block in slam.belief.blocks],
@@ -62,12 +62,12 @@ def load(path: str | os.PathLike[str], front_ends: Any, make: Any) -> tuple[Any,
     """The filter of a file, made by make(rig, options, front_ends=...), and the caller's extra data."""
     header, arrays = read(path)
     slam = make(Rig.from_dict(header["rig"]), Options.from_dict(header["options"]), front_ends=front_ends)
-    ends = np.cumsum(header["sizes"])
-    means = np.split(arrays["means"], ends[:-1])
+    stops = np.cumsum(header["sizes"])
+    means = np.split(arrays["means"], stops[:-1])
     own = {i: r.block for i, r in zip(header["robots"], slam.robots, strict=True)}
     own |= {i: s.block for i, s in zip(header["sensors"], slam.sensors, strict=True) if i is not None}
     kinds = {row["block"]: parametrization(row["kind"]) for row in header["landmarks"]}
-    blocks = {i: slam.belief.add(kinds[i].space, means[i], np.eye(kinds[i].space.dof)) for i in sorted(kinds)}
+    blocks = {i: slam.belief.add(kinds[i].manifold, means[i], np.eye(kinds[i].manifold.dof)) for i in sorted(kinds)}
     slam.belief.overwrite({**own, **blocks}, dict(enumerate(means)), arrays["P"])
     for row, abscissas in zip(header["landmarks"], arrays["abscissas"], strict=True):
         block, known = row["block"], None if np.isnan(abscissas).any() else abscissas
@@ -77,5 +77,5 @@ def load(path: str | os.PathLike[str], front_ends: Any, make: Any) -> tuple[Any,
         slam.landmarks.append(landmark)
     for front_end, state in zip(slam.front_ends, header["front_ends"], strict=True):
         front_end.restore(state)
-    slam.number, slam.time, slam.frames_of = header["number"], header["time"], header["frames_of"]
+    slam.number, slam.time, slam.frame_counts = header["number"], header["time"], header["frame_counts"]
     return slam, header["extra"]

@@ -45,14 +45,14 @@ class MountedSensor:
     linearization: Linearization | None = None
 
     @property
-    def mount(self) -> Array:
+    def extrinsics(self) -> Array:
         """Pose (7,) in the robot's frame."""
         return self.given if self.block is None else self.block.mean
 
     @property
     def camera(self) -> Array:
         """Pose (7,) in the world, as it is estimated now."""
-        pose: Array = compose(self.robot.pose, self.mount)
+        pose: Array = compose(self.robot.pose, self.extrinsics)
         return pose
 
     @property
@@ -72,21 +72,21 @@ class Landmark:
     """A landmark in the map: its parametrization, its block, its history; of a line the abscissas of its two ends.
 
     searched, matched, inliers: how often it was looked for, found, and believed. sensor: the number of the one that
-    began it; signature: what that one's front end keeps of its looks. seen: the frame in which it was believed last,
-    born: the one in which it was begun.
+    began it; signature: what that one's front end keeps of its looks. last_seen: the frame in which it was believed
+    last, first_seen: the one in which it was begun.
     """
 
     id: int
     kind: Any
     block: Block
-    born: int
+    first_seen: int
     searched: int = 1
     matched: int = 1
     inliers: int = 1
     abscissas: Array | None = None
     sensor: int = 0
     signature: Any = field(default=None, repr=False)
-    seen: int = 0
+    last_seen: int = 0
 
     def __post_init__(self) -> None:
-        self.seen = max(self.seen, self.born)
+        self.last_seen = max(self.last_seen, self.first_seen)

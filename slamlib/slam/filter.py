@@ -17,19 +17,19 @@ from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.observation import FAMILIES, Family
 from slamlib.slam import checkpoint
-from slamlib.slam.data_association.consensus import CONSENSUS
-from slamlib.slam.data_association.front_end import FrontEnd, Identity, Sight
+from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
+from slamlib.slam.data_association.front_end import FrontEnd, FrontEndInput, KnownAssociation
 from slamlib.slam.entities import Landmark, MountedSensor, Robot
 from slamlib.slam.linearization import Linearization
-from slamlib.slam.map_management import is_bad, makes_room, out_of_window
+from slamlib.slam.map_management import is_bad, out_of_window, prune_candidate
 from slamlib.slam.measurement_update import (
-    Look,
-    choose_and_match,
-    correct_in_batch,
-    correct_in_sequence,
-    expect_all,
-    follow,
-    groups,
+    PredictedMeasurement,
+    after_update,
+    group_by_kind,
+    predict_measurements,
+    select_and_match,
+    update_in_batch,
+    update_sequentially,
 )
 from slamlib.slam.options import Options
 from slamlib.slam.robot_measurements import RobotUpdate, update_by_robot
@@ -40,14 +40,14 @@ from slamlib.slam.snapshot import snapshot_of
 class Report:
     """What one step did: ids of the landmarks begun and deleted, and of those that the capacity kept out."""
 
-    begun: tuple[int, ...] = ()
+    initialized: tuple[int, ...] = ()
     deleted: tuple[int, ...] = ()
     refused: tuple[int, ...] = ()
 
 
 @dataclass(eq=False)
 class _Events:
-    begun: list[int] = field(default_factory=list)
+    initialized: list[int] = field(default_factory=list)
     deleted: list[int] = field(default_factory=list)
     refused: list[int] = field(default_factory=list)
 
@@ -61,23 +61,23 @@ class Slam:
         """front_ends: one for each sensor, that finds its measurements (default: Identity)."""
         self.rig, self.options = rig, options or Options()
         self.belief = Belief()
-        self.robots = [Robot(r.name, r.model, self.belief.add(r.model.space, r.state, r.covariance), r.noise)
+        self.robots = [Robot(r.name, r.model, self.belief.add(r.model.manifold, r.state, r.covariance), r.noise)
                        for r in rig.robots]  # fmt: skip
         self.sensors = [self._mounted(s) for s in rig.sensors]
-        self.front_ends: list[FrontEnd] = list(front_ends or [Identity()] * len(self.sensors))
+        self.front_ends: list[FrontEnd] = list(front_ends or [KnownAssociation()] * len(self.sensors))
         if len(self.front_ends) != len(self.sensors):
             raise SlamlibError(f"Slam: {len(self.sensors)} sensors need as many front ends, got {len(self.front_ends)}")
         self.families: dict[str, Family] = dict(FAMILIES)
         self.landmarks: list[Landmark] = []
         self.number, self.time = 0, 0.0
-        self.frames_of = [0] * len(self.sensors)
+        self.frame_counts = [0] * len(self.sensors)
         self.scans: list[Scan | None] = [None] * len(self.sensors)
-        self.looks: list[list[Look]] = [[] for _ in self.sensors]
+        self.predictions: list[list[PredictedMeasurement]] = [[] for _ in self.sensors]
         self.absolute: list[RobotUpdate] = []
 
     def _mounted(self, setup: Any) -> MountedSensor:
-        block = self.belief.add(Pose, setup.mount, setup.covariance) if setup.estimated else None
-        return MountedSensor(setup.name, self.robots[setup.robot], setup.calibration, setup.mount, block)
+        block = self.belief.add(Pose, setup.extrinsics, setup.covariance) if setup.estimated else None
+        return MountedSensor(setup.name, self.robots[setup.robot], setup.calibration, setup.extrinsics, block)
 
     @property
     def linearization(self) -> Linearization | None:
@@ -104,15 +104,22 @@ class Slam:
         self.absolute = [self._absolute(measurement) for measurement in frame.absolute]
         for i, scan in enumerate(frame.scans):
             if update:
-                self._correct(i, scan)
+                self._update(i, scan)
             else:
-                looks = expect_all(self.belief, self.sensors[i], self.families, self.landmarks, self.options)
-                self.scans[i], self.looks[i] = scan, looks
-            self._delete(self.looks[i], events)
-            self._begin(i, scan, events, self.options.first if first or not self.frames_of[i] else self.options.later)
-        return Report(tuple(events.begun), tuple(events.deleted), tuple(events.refused))
+                predictions = predict_measurements(
+                    self.belief, self.sensors[i], self.families, self.landmarks, self.options
+                )
+                self.scans[i], self.predictions[i] = scan, predictions
+            self._delete(self.predictions[i], events)
+            self._initialize(
+                i,
+                scan,
+                events,
+                self.options.max_new_first if first or not self.frame_counts[i] else self.options.max_new,
+            )
+        return Report(tuple(events.initialized), tuple(events.deleted), tuple(events.refused))
 
-    def wait(self, controls: Sequence[Control | None], dt: float) -> None:
+    def predict(self, controls: Sequence[Control | None], dt: float) -> None:
         """Time passes without a frame: all robots move, and no sensor looks."""
         self.time += dt
         for robot, control in zip(self.robots, controls, strict=True):
@@ -160,29 +167,33 @@ class Slam:
         robot = self.robots[measurement.robot]
         return update_by_robot(self.belief, robot, measurement, self.options, self.linearization)
 
-    def _correct(self, i: int, scan: Scan) -> None:
+    def _update(self, i: int, scan: Scan) -> None:
         sensor = self.sensors[i]
-        looks = expect_all(self.belief, sensor, self.families, self.landmarks, self.options)
-        matched = choose_and_match(Sight(scan, sensor, looks), self.front_ends[i], self.options)
-        correct = correct_in_sequence if self.options.reproject else correct_in_batch
-        for group in CONSENSUS[self.options.consensus](self.belief, sensor, matched, self.options):
-            correct(self.belief, sensor, group, self.options)
-        for look in matched:
-            if look.inlier:
-                look.landmark.seen = self.number
-        follow(self.belief, sensor, matched, self.options)
-        self.scans[i], self.looks[i] = scan, looks
+        predictions = predict_measurements(self.belief, sensor, self.families, self.landmarks, self.options)
+        matched = select_and_match(FrontEndInput(scan, sensor, predictions), self.front_ends[i], self.options)
+        update = update_sequentially if self.options.reproject else update_in_batch
+        for group in OUTLIER_REJECTIONS[self.options.outlier_rejection](self.belief, sensor, matched, self.options):
+            update(self.belief, sensor, group, self.options)
+        for prediction in matched:
+            if prediction.inlier:
+                prediction.landmark.last_seen = self.number
+        after_update(self.belief, sensor, matched, self.options)
+        self.scans[i], self.predictions[i] = scan, predictions
 
-    def _delete(self, looks: list[Look], events: _Events) -> None:
+    def _delete(self, predictions: list[PredictedMeasurement], events: _Events) -> None:
         """Landmarks that are not found where they should be, or found to be wrong, and points beyond infinity, go."""
-        bad = {look.landmark for look in looks if look.chosen and is_bad(look.landmark, self.options)}
+        bad = {
+            prediction.landmark
+            for prediction in predictions
+            if prediction.chosen and is_bad(prediction.landmark, self.options)
+        }
         bad.update(out_of_window(self.landmarks, self.number, self.options))
-        for group in groups(self.landmarks):
+        for group in group_by_kind(self.landmarks):
             for family in self.families.values():
                 if isinstance(group[0].kind, family.kinds):
-                    bad |= family.lost(self.belief, group)
+                    bad |= family.invalid(self.belief, group)
         for landmark in [lm for lm in self.landmarks if lm in bad] if bad else ():
-            self.forget(landmark)
+            self.prune(landmark)
             events.deleted.append(landmark.id)
 
     def snapshot(self) -> Snapshot:
@@ -205,42 +216,42 @@ class Slam:
         """The same, with the extra data that were saved beside it."""
         return checkpoint.load(path, front_ends, cls)
 
-    def forget(self, landmark: Landmark) -> None:
+    def prune(self, landmark: Landmark) -> None:
         """Take a landmark out of the map: what remains is the marginal of the rest."""
         self.belief.remove(landmark.block)
         self.landmarks.remove(landmark)
 
-    def _begin(self, i: int, scan: Scan, events: _Events, count: int) -> None:
+    def _initialize(self, i: int, scan: Scan, events: _Events, count: int) -> None:
         sensor = self.sensors[i]
-        sight = Sight(scan, sensor, self.looks[i])
-        self.frames_of[i] += 1
+        inputs = FrontEndInput(scan, sensor, self.predictions[i])
+        self.frame_counts[i] += 1
         for family in self.families.values():
-            kind = family.new(self.options)
-            if kind is None or not family.sees(sensor):
+            kind = family.new_kind(self.options)
+            if kind is None or not family.supports(sensor):
                 continue
             known = {landmark.id for landmark in self.landmarks}
             usable = partial(family.usable, sensor, options=self.options)
-            found = self.front_ends[i].detect(sight, family.name, known, usable, count)
+            found = self.front_ends[i].detect(inputs, family.name, known, usable, count)
             for number, value, signature in found:
-                self._begin_one(family, i, kind, number, value, signature, events)
+                self._initialize_one(family, i, kind, number, value, signature, events)
 
     def _has_room(self, events: _Events) -> bool:
         """Whether one more landmark may be begun; at the capacity, another one may have to go for it."""
         if self.options.capacity is None or len(self.landmarks) < self.options.capacity:
             return True
-        given_up = makes_room(self.landmarks, self.number, self.options)
+        given_up = prune_candidate(self.landmarks, self.number, self.options)
         if given_up is None:
             return False
-        self.forget(given_up)
+        self.prune(given_up)
         events.deleted.append(given_up.id)
         return True
 
-    def _begin_one(
+    def _initialize_one(
         self, family: Family, i: int, kind: Any, number: int, value: Array, signature: Any, events: _Events
     ) -> None:
         sensor = self.sensors[i]
         try:
-            x, noise, jacobians = family.begin(sensor, kind, value, self.options)
+            x, noise, jacobians = family.initialize(sensor, kind, value, self.options)
         except SingularPointError:
             return  # this parametrization cannot hold what is there; it may from the next place
         if not self._has_room(events):
@@ -248,6 +259,6 @@ class Slam:
             return
         blocks = sensor.blocks
         pads = [np.pad(J, ((0, 0), (0, b.dof - J.shape[1]))) for b, J in zip(blocks, jacobians, strict=False)]
-        block = self.belief.add(kind.space, x, noise, given=blocks, jacobians=pads)
+        block = self.belief.add(kind.manifold, x, noise, given=blocks, jacobians=pads)
         self.landmarks.append(Landmark(number, kind, block, self.number, 1, 1, 1, family.abscissas(kind), i, signature))
-        events.begun.append(number)
+        events.initialized.append(number)

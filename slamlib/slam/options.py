@@ -8,10 +8,10 @@ from slamlib.data.plain import OneOf, Range, check, read, written
 from slamlib.landmarks import LINES, POINTS
 from slamlib.landmarks.linearity import THRESHOLD
 from slamlib.observation import FAMILIES
-from slamlib.observation.lines import READINGS
-from slamlib.slam.data_association.consensus import CONSENSUS
-from slamlib.slam.data_association.gates import CHOICES
-from slamlib.slam.map_management import FULL
+from slamlib.observation.lines import RESIDUALS
+from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
+from slamlib.slam.data_association.gates import SELECTIONS
+from slamlib.slam.map_management import PRUNING_RULES
 
 Count = Annotated[int, Range(ge=0)]
 NotNegative = Annotated[float, Range(ge=0)]
@@ -29,19 +29,21 @@ class Options:
     points, lines: parametrization of new landmarks, or None for none of them (init.initType). others: the same for
         other families of landmarks, by the family's name (slamlib.observation.FAMILIES).
     capacity: largest number of landmarks, or None for no limit (map.numLmks).
-    full: what happens to new landmarks at the capacity: None refuses them; "unseen": the landmark that was not seen for
-        longest makes room; "useless": the one that was looked for in vain the largest share of times does.
+    pruning: what happens to new landmarks at the capacity: None refuses them; "least-recently-seen": the landmark that
+        was not seen for longest makes room; "least-reliable": the one that was looked for in vain the largest share of
+        times does.
     window: a landmark that was not seen in more frames than this is forgotten; None: it is remembered for ever.
     updates: most landmarks that one sensor corrects in one frame (correct.nUpdates).
-    choose: "information": those whose innovation covariance has the largest determinant; "order": the oldest.
+    selection: "information": those whose innovation covariance has the largest determinant; "order": the oldest.
     reproject: one landmark after another, each expected anew at the mean of that moment; False: all in one batch, with
         Jacobians at the predicted mean (correct.reprojectLmks).
     gate: probability with which a true measurement passes, for the innovation's own degrees of freedom (MD2th); 1: all.
-    consensus: which matches of a frame are believed together: "each" is judged by the gate alone; "joint": the largest
-        jointly compatible set; "one-point": those that agree with what one of them says of the camera.
+    outlier_rejection: which matches of a frame are believed together: "individual" is judged by the gate alone;
+        "joint": the largest jointly compatible set; "one-point-ransac": those that agree with what one of them says of
+        the camera.
     convert, convert_below: whether, and below which linearity index, points become Euclidean ones (reparametrize,
         linTestIdp).
-    first, later: new landmarks of one sensor in its first frame, and in every other (init.nbrInits).
+    max_new_first, max_new: new landmarks of one sensor in its first frame, and in every other (init.nbrInits).
     inverse_distance: mean and standard deviation [1/m] of what a bearing does not tell (init.idpPnt.nonObs*).
     line_priors: by the name of a parametrization, means and standard deviations of the two numbers that a segment does
         not tell (init.plkLin.nonObs*); lines that are not named take inverse_distance for both ends.
@@ -50,36 +52,37 @@ class Options:
     extend, extend_switch: how the ends of lines follow what is seen (correct.lines.extPolicy, extSwitch).
     minimum_length: [px] of a segment (obs.lines.minLength). margin: share of the image's width in which no point is
         initialized, at every border.
-    search_first, keep_matched, keep_inliers: a landmark that was looked for at least `search_first` times goes if it
-        was found in less than `keep_matched` of them, or if fewer than `keep_inliers` of those passed the gate.
+    min_searches, min_matched_ratio, min_inlier_ratio: a landmark that was looked for at least `min_searches` times goes
+        if it was found in less than `min_matched_ratio` of them, or if fewer than `min_inlier_ratio` of those passed
+        the gate.
     """
 
     points: Annotated[str, OneOf(POINTS)] | None = "idpPnt"
     lines: Annotated[str, OneOf(LINES)] | None = None
     capacity: Annotated[int, Range(gt=0)] | None = None
-    full: Annotated[str, OneOf(FULL)] | None = None
+    pruning: Annotated[str, OneOf(PRUNING_RULES)] | None = None
     window: Annotated[int, Range(gt=0)] | None = None
     updates: Count = 10
-    choose: Annotated[str, OneOf(CHOICES)] = "information"
+    selection: Annotated[str, OneOf(SELECTIONS)] = "information"
     reproject: bool = True
     gate: Annotated[float, Range(gt=0, le=1)] = 0.99
-    consensus: Annotated[str, OneOf(CONSENSUS)] = "each"
+    outlier_rejection: Annotated[str, OneOf(OUTLIER_REJECTIONS)] = "individual"
     convert: bool = True
     convert_below: NotNegative = THRESHOLD
-    first: Count = 10
-    later: Count = 1
+    max_new_first: Count = 10
+    max_new: Count = 1
     inverse_distance: tuple[Finite, Positive] = (0.01, 0.5)
     line_priors: dict[Annotated[str, OneOf(LINES)], Prior] = field(
         default_factory=lambda: {"plkLin": PLUCKER, "aplLin": PLUCKER}
     )
-    innovation: Annotated[str, OneOf(READINGS)] = "ortDst"
+    innovation: Annotated[str, OneOf(RESIDUALS)] = "ortDst"
     extend: bool = True
     extend_switch: NotNegative = 10.0
     minimum_length: Annotated[float, Range(ge=0, unit="px")] = 20.0
     margin: Annotated[float, Range(ge=0, lt=0.5)] = 0.04
-    search_first: Count = 10
-    keep_matched: Share = 0.1
-    keep_inliers: Share = 0.5
+    min_searches: Count = 10
+    min_matched_ratio: Share = 0.1
+    min_inlier_ratio: Share = 0.5
     others: dict[Annotated[str, OneOf(FAMILIES)], str] | None = None
 
     def __post_init__(self) -> None:

@@ -36,12 +36,12 @@ def update_by_robot(
     if linearization is not None:
         J = measurement.model.jac(linearization.at(robot.block)[:7])[1]
     result = measurement.model.result
-    space = (result.space if result else None) or Euclidean(len(value))
-    z = space.minus(measurement.value, value)
+    manifold = (result.manifold if result else None) or Euclidean(len(value))
+    z = manifold.minus(measurement.value, value)
     H = np.pad(J[0], ((0, 0), (0, robot.block.dof - POSE)))
     S = belief.innovation_covariance([robot.block], [H], measurement.covariance)
     nis = float(z @ np.linalg.solve(S, z))
     inlier = nis < gate(options.gate, len(z))
     if inlier:
-        belief.correct([robot.block], [H], z, measurement.covariance)
+        belief.update([robot.block], [H], z, measurement.covariance)
     return RobotUpdate(measurement.name, z, S, nis, inlier)

@@ -5,14 +5,14 @@ from typing import Any
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.data.snapshots import Looks, MapView, RobotView, SensorView, Snapshot
+from slamlib.data.snapshots import MapView, MeasurementView, RobotView, SensorView, Snapshot
 from slamlib.landmarks import hmg_point
 from slamlib.manifolds import Array
 from slamlib.observation import Family
-from slamlib.observation.family import by_columns, columns_of, means_of, viewpoint
-from slamlib.observation.points import AHEAD
+from slamlib.observation.family import columns_jacobian, landmark_means, state_columns, viewpoint
+from slamlib.observation.points import PLACEHOLDER_POINT
 from slamlib.slam.entities import POSE, Landmark, MountedSensor
-from slamlib.slam.measurement_update import groups
+from slamlib.slam.measurement_update import group_by_kind
 
 
 def snapshot_of(slam: Any) -> Snapshot:
@@ -25,31 +25,35 @@ def snapshot_of(slam: Any) -> Snapshot:
 
 def _sensor_view(slam: Any, i: int, sensor: MountedSensor) -> SensorView:
     covariance = np.zeros((POSE, POSE)) if sensor.block is None else slam.belief.covariance(sensor.block)
-    looks = {f.name: _looks(slam, i, f.name, f.size(sensor.calibration)) for f in slam.families.values()}
+    predictions = {
+        f.name: _measurement_view(slam, i, f.name, f.size(sensor.calibration)) for f in slam.families.values()
+    }
     robot = slam.robots.index(sensor.robot)
     image = sensor.calibration.image
-    return SensorView(sensor.name, robot, sensor.mount.copy(), covariance, image, slam.scans[i], looks)
+    return SensorView(sensor.name, robot, sensor.extrinsics.copy(), covariance, image, slam.scans[i], predictions)
 
 
-def _looks(slam: Any, i: int, family: str, size: int) -> Looks:
-    own = [look for look in slam.looks[i] if look.family.name == family]
-    ends, spreads = ends_in_image(slam.belief, slam.sensors[i], [look.landmark for look in own])
-    d = len(own[0].Z) if own else 2
-    return Looks(
-        ids=np.array([look.landmark.id for look in own], dtype=int),
-        kinds=tuple(look.landmark.kind.name for look in own),
-        expected=np.array([look.value for look in own]).reshape(len(own), size),
-        covariance=np.array([look.Z for look in own]).reshape(len(own), d, d),
-        measured=np.array([look.measured for look in own]).reshape(len(own), size),
-        chosen=np.array([look.chosen for look in own], dtype=bool),
-        matched=np.array([look.matched for look in own], dtype=bool),
-        inlier=np.array([look.inlier for look in own], dtype=bool),
-        nis=np.array([look.nis for look in own]),
-        ends=ends,
-        spreads=spreads,
-        scores=np.array([look.score for look in own], dtype=float),
-        predicted=tuple(_array(look.predicted) for look in own),
-        found=tuple(_array(look.found) for look in own),
+def _measurement_view(slam: Any, i: int, family: str, size: int) -> MeasurementView:
+    own = [prediction for prediction in slam.predictions[i] if prediction.family.name == family]
+    endpoints, endpoint_covariances = endpoints_in_image(
+        slam.belief, slam.sensors[i], [prediction.landmark for prediction in own]
+    )
+    d = len(own[0].S) if own else 2
+    return MeasurementView(
+        ids=np.array([prediction.landmark.id for prediction in own], dtype=int),
+        kinds=tuple(prediction.landmark.kind.name for prediction in own),
+        batch=np.array([prediction.value for prediction in own]).reshape(len(own), size),
+        covariance=np.array([prediction.S for prediction in own]).reshape(len(own), d, d),
+        measured=np.array([prediction.measured for prediction in own]).reshape(len(own), size),
+        chosen=np.array([prediction.chosen for prediction in own], dtype=bool),
+        matched=np.array([prediction.matched for prediction in own], dtype=bool),
+        inlier=np.array([prediction.inlier for prediction in own], dtype=bool),
+        nis=np.array([prediction.nis for prediction in own]),
+        endpoints=endpoints,
+        endpoint_covariances=endpoint_covariances,
+        scores=np.array([prediction.score for prediction in own], dtype=float),
+        predicted=tuple(_array(prediction.predicted) for prediction in own),
+        found=tuple(_array(prediction.found_patch) for prediction in own),
     )
 
 
@@ -63,7 +67,7 @@ def _array(patch: Any) -> Array | None:
     return None if patch is None else np.asarray(patch)
 
 
-def ends_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
+def endpoints_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
     """The two ends of lines in the image (n, 2, 2) [px] and their covariances (n, 2, 2, 2), as the filter has them now.
 
     The covariance is H P H' of robot, mount and line together, at ends that stay where they are on the line (in the
@@ -71,23 +75,26 @@ def ends_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[Landmar
     the line, so this is no region in which its end should be found. nan: points, lines that were forgotten, ends that
     lie out of view.
     """
-    ends, spreads = np.full((len(landmarks), 2, 2), np.nan), np.full((len(landmarks), 2, 2, 2), np.nan)
+    endpoints, endpoint_covariances = (
+        np.full((len(landmarks), 2, 2), np.nan),
+        np.full((len(landmarks), 2, 2, 2), np.nan),
+    )
     alive, row = set(belief.blocks), {landmark: i for i, landmark in enumerate(landmarks)}
-    for group in groups(lm for lm in landmarks if lm.abscissas is not None and lm.block in alive):
+    for group in group_by_kind(lm for lm in landmarks if lm.abscissas is not None and lm.block in alive):
         rows = [row[landmark] for landmark in group]
-        ends[rows], spreads[rows] = _of_one_kind(belief, sensor, group)
-    return ends, spreads
+        endpoints[rows], endpoint_covariances[rows] = _of_one_kind(belief, sensor, group)
+    return endpoints, endpoint_covariances
 
 
 def _of_one_kind(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
     kind, abscissas = landmarks[0].kind, np.array([landmark.abscissas for landmark in landmarks])
     view = viewpoint(sensor)
-    h, by_line = kind.point_at.jac(means_of(landmarks)[:, None, :], abscissas)
+    h, by_line = kind.point_at.jac(landmark_means(landmarks)[:, None, :], abscissas)
     point, F = hmg_point.to_frame.jac(view.pose, h)
     ahead = sensor.calibration.visible(point)
-    pixel, by_sensor = sensor.calibration.project_jac(np.where(ahead[..., None], point, AHEAD))
-    by = by_columns(view, F.pose, F.landmark @ by_line.landmark)
-    H, columns = by_sensor.point @ by, columns_of(sensor, landmarks)
+    pixel, by_sensor = sensor.calibration.project_jac(np.where(ahead[..., None], point, PLACEHOLDER_POINT))
+    by = columns_jacobian(view, F.pose, F.landmark @ by_line.landmark)
+    H, columns = by_sensor.point @ by, state_columns(sensor, landmarks)
     P = belief.matrix[columns[:, :, None], columns[:, None, :]]
     seen = (ahead & sensor.calibration.inside(pixel))[..., None]
     covariance = H @ P[:, None] @ H.swapaxes(-1, -2)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from slamlib.belief import Belief, Observation
+from slamlib.belief import Belief, LinearizedMeasurement
 from slamlib.data.records import Frame
 from slamlib.data.setup import ZERO, Rig
 from slamlib.errors import SlamlibError
@@ -26,7 +26,7 @@ from slamlib.slam.filter import Report, Slam
 from slamlib.slam.options import Options
 
 
-def _space(points: int) -> Product:
+def _submap_manifold(points: int) -> Product:
     return Product("submap", Pose, Euclidean(3 * points)) if points else Product("submap", Pose)
 
 
@@ -93,7 +93,7 @@ class Atlas:
         jacobians = [np.pad(by_base, ((0, 0), (0, block.dof - POSE))) for block in given]
         own = by_map @ submap.covariance @ by_map.T
         mean = np.concatenate([pose, points.ravel()])
-        self.blocks.append(self.belief.add(_space(n), mean, own, given=given, jacobians=jacobians))
+        self.blocks.append(self.belief.add(_submap_manifold(n), mean, own, given=given, jacobians=jacobians))
         self.ids.append(submap.ids)
 
     def shared(self) -> list[tuple[int, int, int, int]]:
@@ -108,7 +108,7 @@ class Atlas:
                     first[point] = (number, row)
         return pairs
 
-    def tie(self, pairs: Sequence[tuple[int, int, int, int]] | None = None) -> int:
+    def merge_duplicates(self, pairs: Sequence[tuple[int, int, int, int]] | None = None) -> int:
         """Two points of two maps are one: their difference is measured to be zero, without noise. Eq. (ms-tie).
 
         pairs: default `shared`, by their ids. All at once; the later of each two is then forgotten, since it is the
@@ -116,32 +116,33 @@ class Atlas:
         """
         pairs = self.shared() if pairs is None else list(pairs)
         if pairs:
-            self.belief.correct_all([self._tied(*pair) for pair in pairs])
+            self.belief.update_all([self._equality_constraint(*pair) for pair in pairs])
             for number in {later for _, _, later, _ in pairs}:
                 self._drop(number, [row for _, _, later, row in pairs if later == number])
         return len(pairs)
 
-    def _tied(self, first: int, i: int, later: int, j: int) -> Observation:
+    def _equality_constraint(self, first: int, i: int, later: int, j: int) -> LinearizedMeasurement:
         blocks = [self.blocks[first], self.blocks[later]]
         jacobians = [np.zeros((3, block.dof)) for block in blocks]
         for J, row, sign in zip(jacobians, (i, j), (-1, 1), strict=True):
             J[:, POSE + 3 * row : POSE + 3 * row + 3] = sign * np.eye(3)
         innovation = self.points(first)[i] - self.points(later)[j]
-        return Observation(blocks, jacobians, innovation, np.zeros((3, 3)))
+        return LinearizedMeasurement(blocks, jacobians, innovation, np.zeros((3, 3)))
 
     def _drop(self, number: int, rows: list[int]) -> None:
         """Forget points of one map."""
         block, kept = self.blocks[number], np.setdiff1d(np.arange(len(self.ids[number])), rows)
         places = np.concatenate([np.arange(POSE), (POSE + 3 * kept[:, None] + np.arange(3)).ravel()]).astype(int)
         mean = np.concatenate([block.mean[:7], self.points(number)[kept].ravel()])
-        self.belief.replace(block, _space(len(kept)), mean, np.eye(block.dof)[places])
+        self.belief.replace(block, _submap_manifold(len(kept)), mean, np.eye(block.dof)[places])
         self.ids[number] = self.ids[number][kept]
 
 
-class ManyMaps:
+class SubmapSlam:
     """The loop around the loop: a filter that is closed and begun anew whenever its map is full.
 
-    slam: the filter of the present map; atlas: the finished ones. Close the last one (`close`) before you `tie`.
+    slam: the filter of the present map; atlas: the finished ones. Close the last one (`close`) before you
+    `merge_duplicates`.
     """
 
     def __init__(
@@ -149,23 +150,25 @@ class ManyMaps:
         rig: Rig,
         options: Options | None = None,
         *,
-        most: int = 30,
+        max_landmarks: int = 30,
         front_ends: Callable[[], Sequence[FrontEnd]] | None = None,
     ) -> None:
-        """most: landmarks of a map, with which it is closed. front_ends(): makes those of the next map.
+        """max_landmarks: landmarks of a map, with which it is closed. front_ends(): makes those of the next map.
 
         Raises SlamlibError for several robots, for a robot whose state is more than a pose, and for mounts that are
         estimated: their maps would not be independent of each other.
         """
-        if len(rig.robots) != 1 or rig.robots[0].model.space.dof != POSE:
-            raise SlamlibError("ManyMaps: a rig of one robot whose state is its pose is wanted (motion='odometry')")
+        if len(rig.robots) != 1 or rig.robots[0].model.manifold.dof != POSE:
+            raise SlamlibError("SubmapSlam: a rig of one robot whose state is its pose is wanted (motion='odometry')")
         if any(sensor.estimated for sensor in rig.sensors):
-            raise SlamlibError("ManyMaps: a mount that is estimated ties all maps together; let one map learn it first")
-        if most < 1:
-            raise SlamlibError(f"ManyMaps: most is the number of landmarks of a map, 1 or more, got {most}")
-        self.rig, self.options, self.most = rig, options or Options(), most
+            raise SlamlibError(
+                "SubmapSlam: estimated extrinsics tie all maps together; let one map estimate them first"
+            )
+        if max_landmarks < 1:
+            raise SlamlibError(f"SubmapSlam: most is the number of landmarks of a map, 1 or more, got {max_landmarks}")
+        self.rig, self.options, self.max_landmarks = rig, options or Options(), max_landmarks
         self.front_ends, self.atlas = front_ends, Atlas()
-        self.slam = self._begun(rig)
+        self.slam = self._new_filter(rig)
 
     @property
     def pose(self) -> Array:
@@ -176,15 +179,15 @@ class ManyMaps:
     def step(self, frame: Frame) -> Report:
         """One frame; then the map is closed if it is full."""
         report = self.slam.step(frame)
-        if len(self.slam.landmarks) >= self.most:
+        if len(self.slam.landmarks) >= self.max_landmarks:
             self.close()
         return report
 
     def close(self) -> None:
         """Join the present map to the atlas, and begin the next where the robot is: in a frame in which it knows it."""
         self.atlas.join(Submap.of(self.slam))
-        start = replace(self.rig.robots[0], position=ZERO, euler=ZERO, position_std=ZERO, attitude_std=ZERO)
-        self.slam = self._begun(replace(self.rig, robots=(start,)))
+        start = replace(self.rig.robots[0], position=ZERO, euler=ZERO, position_std=ZERO, orientation_std=ZERO)
+        self.slam = self._new_filter(replace(self.rig, robots=(start,)))
 
-    def _begun(self, rig: Rig) -> Slam:
+    def _new_filter(self, rig: Rig) -> Slam:
         return Slam(rig, self.options, front_ends=self.front_ends() if self.front_ends else None)

@@ -31,9 +31,9 @@ FORWARDS = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, -0.5])  # a camera that looks al
 def point_properties(judge: Judge, kind: PointLandmark) -> None:
     """Interface first; then the models one by one; then how they fit together."""
     shapes = {
-        "to_frame": [("pose", Pose.size), ("landmark", kind.space.size)],
+        "to_frame": [("pose", Pose.size), ("landmark", kind.manifold.size)],
         "from_frame": [("pose", Pose.size), ("point", 4)],
-        "to_point": [("landmark", kind.space.size)],
+        "to_point": [("landmark", kind.manifold.size)],
     }
     if not interface(judge, kind, shapes):
         return
@@ -47,7 +47,7 @@ def point_properties(judge: Judge, kind: PointLandmark) -> None:
     if _undefined(judge):
         return
     landmarks = [kind.from_frame(*place) for place in made]
-    moved = [kind.space.plus(x, 0.02 * rng.standard_normal(kind.space.dof)) for x in landmarks]
+    moved = [kind.manifold.plus(x, 0.02 * rng.standard_normal(kind.manifold.dof)) for x in landmarks]
     odd = [x for place in nasty if (x := _made(kind, *place)) is not None]
     seen = [(Pose.random(rng), x) for x in moved]
     awkward = [(pose, x) for pose, x in zip(poses, landmarks, strict=False)] + [(Pose.random(rng), x) for x in odd]
@@ -156,9 +156,9 @@ def _infinity(judge: Judge, kind: PointLandmark, poses: list[Array]) -> None:
 def line_properties(judge: Judge, kind: LineLandmark) -> None:
     """Interface first; then the models one by one; then how they fit together."""
     shapes = {
-        "to_frame": [("pose", Pose.size), ("landmark", kind.space.size)],
+        "to_frame": [("pose", Pose.size), ("landmark", kind.manifold.size)],
         "from_frame": [("pose", Pose.size), ("rays", 6), ("prior", 2)],
-        "point_at": [("landmark", kind.space.size), ("abscissa", 1)],
+        "point_at": [("landmark", kind.manifold.size), ("abscissa", 1)],
     }
     if not interface(judge, kind, shapes):
         return

@@ -25,7 +25,7 @@ NO_LINES = "a sensor that sees no lines says so"
 THROUGH = "a line just initialized goes through both ends of its segment"
 FINITE = "at nasty places all numbers are finite, or it is refused"
 
-FRAMES = [Argument("robot", Pose), Argument("mount", Pose)]
+FRAMES = [Argument("robot", Pose), Argument("extrinsics", Pose)]
 Place = list[Array]
 
 
@@ -102,19 +102,19 @@ def _observed(kind: LineLandmark, calibration: Calibration) -> _Chain:
         seen = observe_line(kind, camera, *place)
         return seen.value, seen.jacobians
 
-    def definition(robot: Array, mount: Array, landmark: Array, *given: Array) -> Array:
-        line = kind.to_frame.definition(compose.definition(robot, mount), landmark)
+    def definition(robot: Array, extrinsics: Array, landmark: Array, *given: Array) -> Array:
+        line = kind.to_frame.definition(compose.definition(robot, extrinsics), landmark)
         own = {n: np.append(g, padded[n][len(g) :]) for n, g in zip(names, given, strict=True)}
         return project.definition(line, *(padded | own).values())
 
-    chain = _Chain(run, [*FRAMES, Argument("landmark", kind.space)], calibration, names)
+    chain = _Chain(run, [*FRAMES, Argument("landmark", kind.manifold)], calibration, names)
     chain.definition = definition
     return chain
 
 
 def _refused(judge: Judge, kind: LineLandmark, calibration: Calibration, name: str) -> None:
     try:
-        observe_line(kind, calibration, IDENTITY, IDENTITY, kind.space.random(judge.rng))
+        observe_line(kind, calibration, IDENTITY, IDENTITY, kind.manifold.random(judge.rng))
     except SlamlibError as error:
         told = kind.name in str(error) and calibration.sensor.name in str(error)
         judge.require(NO_LINES, name, told, f"the error does not name both: {error}", {})
@@ -145,17 +145,17 @@ def _seen_again(
     judge: Judge, kind: LineLandmark, calibration: Calibration, place: Place, landmark: Array, G: Any, name: str
 ) -> None:
     """The line where it was measured; then in a belief beside the robot, corrected by the distances of both ends."""
-    robot, mount, segment, _ = place
-    where = {"robot": robot, "mount": mount, "measurement": segment}
-    seen, ends = observe_line(kind, calibration, robot, mount, landmark), _ideal(calibration, segment)
-    off, D = distances.jac(seen.value, ends)
+    robot, extrinsics, segment, _ = place
+    where = {"robot": robot, "extrinsics": extrinsics, "measurement": segment}
+    seen, endpoints = observe_line(kind, calibration, robot, extrinsics, landmark), _ideal(calibration, segment)
+    off, D = distances.jac(seen.value, endpoints)
     if not judge.compare(THROUGH, name, off, np.zeros(2), where, argument="measurement", tolerance=1e-7):
         return
     belief, at = with_robot(judge, robot)
     own = G.measurement @ G.measurement.T + 0.04 * G.unmeasured @ G.unmeasured.T
-    block = belief.add(kind.space, landmark, (own + own.T) / 2, given=[at], jacobians=[G.robot])
+    block = belief.add(kind.manifold, landmark, (own + own.T) / 2, given=[at], jacobians=[G.robot])
     H = [-D.line @ J for J in (seen.jacobians.robot, seen.jacobians.landmark)]
-    belief.correct([at, block], H, judge.rng.standard_normal(2), np.eye(2))
+    belief.update([at, block], H, judge.rng.standard_normal(2), np.eye(2))
     stays_positive(judge, belief, name, where)
 
 
@@ -191,26 +191,26 @@ def _batch(judge: Judge, chain: _Chain, places: list[Place], name: str) -> None:
 
 def _nasty(judge: Judge, kind: LineLandmark, observed: _Chain, ordinary: Place, name: str) -> None:
     """Lines at infinity, behind the camera and through its centre; segments without a length."""
-    robot, mount, segment, _ = ordinary
+    robot, extrinsics, segment, _ = ordinary
     calibration = observed.calibration
-    ends = segment.reshape(2, 2)
-    point = np.tile(ends[0], 2)
+    endpoints = segment.reshape(2, 2)
+    point = np.tile(endpoints[0], 2)
     priors = [np.array(p) for p in ([0.0, 0.0], [0.1, 0.0], [0.0, 0.1], [-0.1, 0.2], [-0.2, -0.1], [1e-9, 1e-9])]
-    for s, p in [*((segment, p) for p in priors), (point, np.array([0.1, 0.2])), (ends[::-1].ravel(), priors[1])]:
-        where = {"robot": robot, "mount": mount, "measurement": s, "unmeasured": p}
-        landmark = _finite(judge, name, where, initialize_line, kind, calibration, robot, mount, s, p)
+    for s, p in [*((segment, p) for p in priors), (point, np.array([0.1, 0.2])), (endpoints[::-1].ravel(), priors[1])]:
+        where = {"robot": robot, "extrinsics": extrinsics, "measurement": s, "unmeasured": p}
+        landmark = _finite(judge, name, where, initialize_line, kind, calibration, robot, extrinsics, s, p)
         if landmark is None:
             continue
-        for camera in _cameras(kind, landmark, robot, mount):
+        for camera in _cameras(kind, landmark, robot, extrinsics):
             place = [camera, IDENTITY, landmark]
             where = dict(zip(observed.parameters, place, strict=False))
             if _finite(judge, name, where, observed.run, calibration, *place) is not None:
                 _derivatives(judge, observed, place, name)
 
 
-def _cameras(kind: LineLandmark, landmark: Array, robot: Array, mount: Array) -> list[Array]:
+def _cameras(kind: LineLandmark, landmark: Array, robot: Array, extrinsics: Array) -> list[Array]:
     """Where it was measured, the same looking back, from a point of the line itself, and from the world's origin."""
-    here = compose(robot, mount)
+    here = compose(robot, extrinsics)
     w, x, y, z = here[3:]
     behind = np.array([*here[:3], -y, -z, w, x])  # half a turn about its own axis that points down
     point = kind.point_at.definition(landmark, 0.3)

@@ -94,16 +94,16 @@ def _single(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> Non
 
 def _onto(argument: Any, value: Array) -> Array:
     """A value rounded to single precision, put back onto its space: the rounded quaternion of unit length."""
-    for start, part in _parts(argument.space) if argument.space is not None else ():
+    for start, part in _parts(argument.manifold) if argument.manifold is not None else ():
         if part.dof < part.size:
             piece = slice(start, start + part.size)
             value[piece] /= np.linalg.norm(value[piece])
     return value
 
 
-def _parts(space: Any, start: int = 0) -> Iterable[tuple[int, Any]]:
-    for part in getattr(space, "parts", ()):
+def _parts(manifold: Any, start: int = 0) -> Iterable[tuple[int, Any]]:
+    for part in getattr(manifold, "parts", ()):
         yield from _parts(part, start)
         start += part.size
-    if not hasattr(space, "parts"):
-        yield start, space
+    if not hasattr(manifold, "parts"):
+        yield start, manifold

@@ -18,8 +18,10 @@ DEFINED = "a measurement makes a landmark"
 REFUSED = "a measurement that it cannot hold is refused, not turned round"
 AGAIN = "a landmark just initialized is seen again where it was measured"
 VISIBLE = "a landmark just initialized is visible"
-DERIVATIVES = "that holds whatever the robot, the mount and the parameters are: H G_y = 1, H_x + H G_x = 0, H G_u = 0"
-POSITIVE = "initialize and correct keep the covariance symmetric and positive"
+DERIVATIVES = (
+    "that holds whatever the robot, the extrinsics and the parameters are: H G_y = 1, H_x + H G_x = 0, H G_u = 0"
+)
+POSITIVE = "initialize and update keep the covariance symmetric and positive"
 
 
 def pair_properties(judge: Judge, kind: PointLandmark, calibration: Calibration) -> None:
@@ -27,12 +29,12 @@ def pair_properties(judge: Judge, kind: PointLandmark, calibration: Calibration)
     rng, sensor = judge.rng, calibration.sensor
     name = f"{kind.name} x {sensor.name}"
     for point in visible_points(calibration, rng, 12):
-        robot, mount, hidden = Pose.random(rng), Pose.random(rng), unmeasured(calibration, rng)
+        robot, extrinsics, hidden = Pose.random(rng), Pose.random(rng), unmeasured(calibration, rng)
         y = calibration.project(point)
-        where = {"robot": robot, "mount": mount, "measurement": y}
+        where = {"robot": robot, "extrinsics": extrinsics, "measurement": y}
         try:
-            landmark, G = initialize(kind, calibration, robot, mount, y, *hidden)
-            seen = observe(kind, calibration, robot, mount, landmark)
+            landmark, G = initialize(kind, calibration, robot, extrinsics, y, *hidden)
+            seen = observe(kind, calibration, robot, extrinsics, landmark)
         except SingularPointError:
             judge.hold(REFUSED)
             continue
@@ -80,7 +82,7 @@ def _filter(
     own = G.measurement @ R @ G.measurement.T
     if hasattr(G, "unmeasured"):
         own = own + 0.04 * G.unmeasured @ G.unmeasured.T
-    block = belief.add(kind.space, landmark, (own + own.T) / 2, given=[at], jacobians=[G.robot])
+    block = belief.add(kind.manifold, landmark, (own + own.T) / 2, given=[at], jacobians=[G.robot])
     innovation = np.linalg.cholesky(R) @ judge.rng.standard_normal(len(R))
-    belief.correct([at, block], [H.robot, H.landmark], innovation, R)
+    belief.update([at, block], [H.robot, H.landmark], innovation, R)
     stays_positive(judge, belief, name, {"robot": robot})

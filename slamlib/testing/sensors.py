@@ -131,7 +131,7 @@ def _measurable(judge: Judge, calibration: Calibration, point: Array) -> None:
 def difference(sensor: Any, a: Array, b: Array) -> Array:
     """Measurement minus measurement, on the space of the measurement if that is not a vector."""
     result = getattr(sensor.project, "result", None)
-    return result.space.minus(a, b) if result is not None and result.space is not None else a - b
+    return result.manifold.minus(a, b) if result is not None and result.manifold is not None else a - b
 
 
 def _undo(judge: Judge, calibration: Calibration, measured: list[tuple[Array, ...]]) -> None:

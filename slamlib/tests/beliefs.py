@@ -41,5 +41,5 @@ def grown(belief, rng, *sizes):
 
 def state(belief):
     """All of a belief, for comparison bit by bit."""
-    parts = [(id(b), b.space, b.start, b.mean.tobytes()) for b in belief.blocks]
+    parts = [(id(b), b.manifold, b.start, b.mean.tobytes()) for b in belief.blocks]
     return parts, belief.matrix.tobytes(), belief.matrix.shape

@@ -11,7 +11,7 @@ import numpy as np
 
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import rotation
-from slamlib.manifolds import Space, as_space
+from slamlib.manifolds import Manifold, as_manifold
 from slamlib.model import Model, model
 from slamlib.observation.family import Family
 
@@ -21,7 +21,7 @@ class PlaneLandmark:
     """A way to hold a plane: to_frame(pose, landmark) and from_frame(pose, foot) give feet of perpendiculars (3,)."""
 
     name: str
-    space: Space
+    manifold: Manifold
     to_frame: Model
     from_frame: Model
 
@@ -39,7 +39,7 @@ def from_frame(pose, foot):
     return turned * (1 + turned @ pose[:3] / (turned @ turned))
 
 
-FOOT_PLANE = PlaneLandmark("footPln", as_space(3), to_frame, from_frame)
+FOOT_PLANE = PlaneLandmark("footPln", as_manifold(3), to_frame, from_frame)
 
 
 class PlaneFamily(Family):
@@ -50,7 +50,7 @@ class PlaneFamily(Family):
     parametrizations = {"footPln": FOOT_PLANE}  # noqa: RUF012
     exact = FOOT_PLANE
 
-    def sees(self, sensor):
+    def supports(self, sensor):
         """Whether it measures three coordinates."""
         return sensor.calibration.sensor.size == 3 and not sensor.calibration.sensor.pixels
 
@@ -59,9 +59,9 @@ class PlaneFamily(Family):
         value, J = kind.to_frame.jac(camera, means)
         return value, np.ones(value.shape[:-1], dtype=bool), SimpleNamespace(camera=J.pose, landmark=J.landmark)
 
-    def begin(self, sensor, kind, value, options):
+    def initialize(self, sensor, kind, value, options):
         """All of it is measured."""
-        camera, by = compose.jac(sensor.robot.pose, sensor.mount)
+        camera, by = compose.jac(sensor.robot.pose, sensor.extrinsics)
         x, J = kind.from_frame.jac(camera, value)
         return x, J.foot @ sensor.calibration.noise @ J.foot.T, [J.pose @ by.outer, J.pose @ by.inner]
 

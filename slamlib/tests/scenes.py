@@ -6,12 +6,12 @@ import numpy as np
 
 from slamlib.data.records import Features, Scan, Truth, World
 from slamlib.data.setup import SensorSetup
-from slamlib.data.snapshots import Looks, MapView, RobotView, SensorView, Snapshot
+from slamlib.data.snapshots import MapView, MeasurementView, RobotView, SensorView, Snapshot
 from slamlib.geometry.quaternion import exponential
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.observation.points import observe
 
-NO_LOOKS = Looks(
+NO_LOOKS = MeasurementView(
     np.zeros(0, np.int64),
     (),
     np.zeros((0, 4)),
@@ -43,7 +43,7 @@ def truth(number: int, setup: SensorSetup | None = None) -> Truth:
     turn = np.radians(-90 + 0.9 * number)
     position = 5.1 * np.array([np.cos(turn), np.sin(turn), 0.0])
     pose = np.concatenate([position, exponential(np.array([0, 0, turn + np.pi / 2]))])
-    return Truth((pose,), ((setup or SensorSetup(position=(0, 0, 0.6))).mount,))
+    return Truth((pose,), ((setup or SensorSetup(position=(0, 0, 0.6))).extrinsics,))
 
 
 def random_covariances(rng: np.random.Generator, count: int, std: float) -> np.ndarray:
@@ -65,22 +65,26 @@ def snapshot(number: int = 40, seed: int = 1, setup: SensorSetup | None = None) 
     ray = (means[0] - pose[:3]) / np.linalg.norm(means[0] - pose[:3])
     means[0], shapes[0] = pose[:3] + 80 * ray, 1e4 * np.outer(ray, ray) + 1e-2 * np.eye(3)
     points = MapView(all_there.points.ids, ("x",) * count, means, shapes, converged)
-    ends = all_there.segments.values.reshape(-1, 2, 3) + 0.03 * rng.normal(size=(len(all_there.segments), 2, 3))
-    spread = random_covariances(rng, 2 * len(ends), 0.04).reshape(-1, 2, 3, 3)
-    lines = MapView(all_there.segments.ids, ("y",) * len(ends), ends, spread, np.arange(len(ends)) % 3 > 0)
-    sensor, looks = setup.calibration, NO_LOOKS
-    seen = observe(EUC_POINT, sensor, pose, setup.mount, means)
+    endpoints = all_there.segments.values.reshape(-1, 2, 3) + 0.03 * rng.normal(size=(len(all_there.segments), 2, 3))
+    spread = random_covariances(rng, 2 * len(endpoints), 0.04).reshape(-1, 2, 3, 3)
+    lines = MapView(
+        all_there.segments.ids, ("y",) * len(endpoints), endpoints, spread, np.arange(len(endpoints)) % 3 > 0
+    )
+    sensor, predictions = setup.calibration, NO_LOOKS
+    seen = observe(EUC_POINT, sensor, pose, setup.extrinsics, means)
     some = np.flatnonzero(seen.visible)
-    looks = _looks(rng, points, some, seen.value[some], 60.0 if setup.image else 0.01)
-    scan = Scan({"points": Features(looks.ids[looks.matched], looks.measured[looks.matched])})
+    predictions = _looks(rng, points, some, seen.value[some], 60.0 if setup.image else 0.01)
+    scan = Scan({"points": Features(predictions.ids[predictions.matched], predictions.measured[predictions.matched])})
     image = None if setup.image is None else np.array(setup.image)
     view = SensorView(
-        setup.name, 0, setup.mount, np.zeros((6, 6)), image, scan, {"points": looks, "segments": NO_LOOKS}
+        setup.name, 0, setup.extrinsics, np.zeros((6, 6)), image, scan, {"points": predictions, "segments": NO_LOOKS}
     )
     return Snapshot(number, 0.1 * number, (robot,), (view,), {"points": points, "segments": lines}, 6 + 3 * count)
 
 
-def _looks(rng: np.random.Generator, points: MapView, some: np.ndarray, expected: np.ndarray, variance: float) -> Looks:
+def _looks(
+    rng: np.random.Generator, points: MapView, some: np.ndarray, expected: np.ndarray, variance: float
+) -> MeasurementView:
     size, count = expected.shape[1], len(some)
     root = np.sqrt(variance) * rng.normal(size=(count, size, size))
     covariance = root @ np.swapaxes(root, 1, 2) + 0.1 * variance * np.eye(size)
@@ -88,7 +92,9 @@ def _looks(rng: np.random.Generator, points: MapView, some: np.ndarray, expected
     matched = np.arange(count) % 4 > 0
     inlier = matched & (np.arange(count) % 5 > 0)
     measured = np.where(matched[:, None], expected + np.where(inlier, 1, 4)[:, None] * step[..., 0], np.nan)
-    return Looks(points.ids[some], ("x",) * count, expected, covariance, measured, matched, matched, inlier, 2 * inlier)
+    return MeasurementView(
+        points.ids[some], ("x",) * count, expected, covariance, measured, matched, matched, inlier, 2 * inlier
+    )
 
 
 def with_segments(shown: Snapshot) -> Snapshot:
@@ -99,16 +105,28 @@ def with_segments(shown: Snapshot) -> Snapshot:
     expected = np.array([[100, 80, 300, 90], [340, 300, 360, 100], [420, 400, 620, 300]], float)
     measured = expected + np.array([[np.nan], [3.0], [30.0]])
     matched, inlier = np.array([False, True, True]), np.array([False, True, False])
-    ends = expected.reshape(-1, 2, 2) + 2.0
-    ends[2, 1] = np.nan
-    spreads = np.where(np.isnan(ends)[..., None], np.nan, np.array([[90.0, 30.0], [30.0, 40.0]]))
+    endpoints = expected.reshape(-1, 2, 2) + 2.0
+    endpoints[2, 1] = np.nan
+    endpoint_covariances = np.where(np.isnan(endpoints)[..., None], np.nan, np.array([[90.0, 30.0], [30.0, 40.0]]))
     number, chosen = shown.segments.ids[[0, 1, 2]], np.ones(3, bool)
-    looks = Looks(
-        number, ("y",) * 3, expected, np.ones((3, 2, 2)), measured, chosen, matched, inlier, inlier, ends, spreads
+    predictions = MeasurementView(
+        number,
+        ("y",) * 3,
+        expected,
+        np.ones((3, 2, 2)),
+        measured,
+        chosen,
+        matched,
+        inlier,
+        inlier,
+        endpoints,
+        endpoint_covariances,
     )
     view = shown.sensors[0]
     scan = Scan({**view.scan.features, "segments": Features(number[1:], measured[1:])})
-    return replace(shown, sensors=(replace(view, looks={**view.looks, "segments": looks}, scan=scan),))
+    return replace(
+        shown, sensors=(replace(view, predictions={**view.predictions, "segments": predictions}, scan=scan),)
+    )
 
 
 def photograph(number: int = 0, width: int = 640, height: int = 480) -> np.ndarray:
@@ -124,15 +142,15 @@ def photograph(number: int = 0, width: int = 640, height: int = 480) -> np.ndarr
 def with_photograph(shown: Snapshot) -> Snapshot:
     """The same as a front end leaves it that looks at images: an image, scores, patches, some looked for in vain."""
     view, rng = shown.sensors[0], np.random.default_rng(shown.number)
-    looks, image = view.points, photograph(shown.number)
-    count = len(looks.ids)
-    chosen = looks.matched | (np.arange(count) % 8 == 0)
-    scores = np.where(chosen, np.where(looks.inlier, 0.95, 0.6), np.nan)
-    patches = [rng.uniform(0, 255, (11, 11)).round() if m else None for m in looks.matched]
+    predictions, image = view.points, photograph(shown.number)
+    count = len(predictions.ids)
+    chosen = predictions.matched | (np.arange(count) % 8 == 0)
+    scores = np.where(chosen, np.where(predictions.inlier, 0.95, 0.6), np.nan)
+    patches = [rng.uniform(0, 255, (11, 11)).round() if m else None for m in predictions.matched]
     found = [None if p is None else (0.5 * p + 40).astype(np.uint8) for p in patches]
-    seen = replace(looks, chosen=chosen, scores=scores, predicted=tuple(patches), found=tuple(found))
+    seen = replace(predictions, chosen=chosen, scores=scores, predicted_patch=tuple(patches), found_patch=tuple(found))
     scan = Scan(view.scan.features, image)
-    return replace(shown, sensors=(replace(view, looks={**view.looks, "points": seen}, scan=scan),))
+    return replace(shown, sensors=(replace(view, predictions={**view.predictions, "points": seen}, scan=scan),))
 
 
 def run(frames: int) -> tuple[list[Snapshot], list[Truth]]:

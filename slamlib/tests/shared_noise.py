@@ -21,7 +21,7 @@ import numpy as np
 from slamlib.belief import Belief, Block
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import Pose
-from slamlib.kalman.update import Observation
+from slamlib.kalman.update import LinearizedMeasurement
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array
 from slamlib.motions import ODOMETRY
@@ -39,9 +39,9 @@ APART = 0.03
 class SharedNoise:
     """EKF-SLAM of stereo points with ids. belief: of pose, landmarks, and noises of the present pair."""
 
-    def __init__(self, calibration: Calibration, mount: Array = ORIGIN, pose: Array = ORIGIN) -> None:
+    def __init__(self, calibration: Calibration, extrinsics: Array = ORIGIN, pose: Array = ORIGIN) -> None:
         """pose (7,): of the robot in the first pair; it is known there, as the world's frame."""
-        self.calibration, self.mount = calibration, mount
+        self.calibration, self.extrinsics = calibration, extrinsics
         self.belief = Belief()
         self.robot = self.belief.add(Pose, pose, np.zeros((6, 6)))
         self.landmarks: dict[int, Block] = {}
@@ -60,20 +60,20 @@ class SharedNoise:
         self.ids, self.values, self.noise = ids, values, noise
         seen = np.ones(len(ids), dtype=bool) if mapped is None else mapped
         known = np.array([number in self.landmarks for number in ids.tolist()], dtype=bool)
-        self._correct(np.flatnonzero(known), noise)
+        self._update(np.flatnonzero(known), noise)
         for row in np.flatnonzero(seen & ~known).tolist():
-            self._begin(row, noise)
+            self._initialize(row, noise)
 
     def _noises(self, count: int) -> Block:
         return self.belief.add(3 * count, np.zeros(3 * count), np.kron(np.eye(count), self.calibration.noise))
 
     def _move(self, ids: Array, values: Array, before: Block, noise: Block) -> None:
         _, a, b = np.intersect1d(self.ids, ids, return_indices=True)
-        found = motion_between(self.calibration, self.values[a], values[b], self.mount)
+        found = motion_between(self.calibration, self.values[a], values[b], self.extrinsics)
         if found is None:
             raise SlamlibError(f"SharedNoise: no motion is found from {len(a)} common points; give it eight or more")
         a, b = a[found.inliers], b[found.inliers]
-        by_old, by_new = derivatives(self.calibration, self.mount, self.values[a], values[b], found.pose)
+        by_old, by_new = derivatives(self.calibration, self.extrinsics, self.values[a], values[b], found.pose)
         axes = control_axes(found.pose)
         old, new = _spread(axes @ by_old, a, len(self.ids)), _spread(axes @ by_new, b, len(ids))
         control = found.control.value - old @ before.mean
@@ -85,24 +85,26 @@ class SharedNoise:
         self.belief.remove(self.robot)
         self.robot = moved
 
-    def _correct(self, rows: Array, noise: Block) -> None:
+    def _update(self, rows: Array, noise: Block) -> None:
         if not len(rows):
             return
         blocks = [self.landmarks[int(self.ids[row])] for row in rows]
         points = np.array([block.mean for block in blocks])
-        seen = observe(EUC_POINT, self.calibration, self.robot.mean, self.mount, points)
+        seen = observe(EUC_POINT, self.calibration, self.robot.mean, self.extrinsics, points)
         z = self.values[rows] - seen.value - noise.mean.reshape(-1, 3)[rows]
         by = zip(seen.jacobians.robot, seen.jacobians.landmark, self._own(rows), strict=True)
         pairs = zip(blocks, by, z, strict=True)
         own = APART * self.calibration.noise
-        self.belief.correct_all([Observation([self.robot, block, noise], list(J), one, own) for block, J, one in pairs])
+        self.belief.update_all(
+            [LinearizedMeasurement([self.robot, block, noise], list(J), one, own) for block, J, one in pairs]
+        )
 
-    def _begin(self, row: int, noise: Block) -> None:
+    def _initialize(self, row: int, noise: Block) -> None:
         value = self.values[row] - noise.mean.reshape(-1, 3)[row]
-        point, J = initialize(EUC_POINT, self.calibration, self.robot.mean, self.mount, value)
+        point, J = initialize(EUC_POINT, self.calibration, self.robot.mean, self.extrinsics, value)
         by_noise = -J.measurement @ self._own(np.array([row]))[0]
         self.landmarks[int(self.ids[row])] = self.belief.add(
-            EUC_POINT.space, point, np.zeros((3, 3)), given=[self.robot, noise], jacobians=[J.robot, by_noise]
+            EUC_POINT.manifold, point, np.zeros((3, 3)), given=[self.robot, noise], jacobians=[J.robot, by_noise]
         )
 
     def _own(self, rows: Array) -> Array:

@@ -53,4 +53,4 @@ def _arrays(frame, truth):
         for features in (scan.points, scan.segments):
             yield from (features.ids, features.values)
     if truth is not None:
-        yield from (*truth.robots, *truth.mounts)
+        yield from (*truth.robots, *truth.extrinsics)

@@ -21,17 +21,17 @@ def calibration(std=0.2, image=(320, 240)):
     return Calibration(STEREO, noise, image=image, intrinsics=LENS["intrinsics"], baseline=[0.12])
 
 
-def points_seen(rng, count, mount=ORIGIN):
+def points_seen(rng, count, extrinsics=ORIGIN):
     """Points (n, 3) of the robot's frame, one to five metres in front of a camera of `calibration`."""
     depth = rng.uniform(1.2, 5.0, count)
     rays = np.stack([rng.uniform(-0.45, 0.45, count), rng.uniform(-0.3, 0.3, count), np.ones(count)], axis=1)
     homogeneous = np.concatenate([rays * depth[:, None], np.ones((count, 1))], axis=1)
-    return EUC_POINT.to_frame(inverse(mount), homogeneous[:, :3])[:, :3]
+    return EUC_POINT.to_frame(inverse(extrinsics), homogeneous[:, :3])[:, :3]
 
 
-def seen_from(points, robot, mount=ORIGIN):
+def seen_from(points, robot, extrinsics=ORIGIN):
     """Exact measurements (n, 3) of points of the world from a robot's pose (7,)."""
-    return calibration(0.2).project(EUC_POINT.to_frame(compose(robot, mount), points))
+    return calibration(0.2).project(EUC_POINT.to_frame(compose(robot, extrinsics), points))
 
 
 def kitti(count=51):

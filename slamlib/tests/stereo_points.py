@@ -13,11 +13,13 @@ from slamlib.vision.stereo import motion_between
 from slamlib.vision.stereo.geometry import ORIGIN
 
 STILL = Control(np.zeros(6), np.zeros((6, 6)))
-EVERYTHING = Options(points="eucPnt", updates=1000, first=1000, later=1000, reproject=False, gate=1.0, margin=0.0)
+EVERYTHING = Options(
+    points="eucPnt", updates=1000, max_new_first=1000, max_new=1000, reproject=False, gate=1.0, margin=0.0
+)
 VELOCITY = {"motion": "constVel", "control_std": (0.02,) * 3 + (1.0,) * 3, "velocity_std": (0.05,) * 3 + (3.0,) * 3}
 
 
-def way(steps):
+def true_path(steps):
     """Poses (steps, 7), some 3 cm and half a degree apart."""
     poses = [ORIGIN]
     for k in range(steps - 1):
@@ -30,7 +32,7 @@ def way(steps):
 def simulate(rng, steps, count, std):
     """Ids (n,) and measurements (n, 3) of the points in view at each step, with white noise."""
     made, points, seen = calibration(std), points_seen(rng, count, MOUNT), []
-    for pose in way(steps):
+    for pose in true_path(steps):
         exact = seen_from(points, pose, MOUNT)
         values = exact + rng.normal(0, std, exact.shape)
         inside = made.inside(exact, 5.0) & made.inside(values)
@@ -38,7 +40,7 @@ def simulate(rng, steps, count, std):
     return seen
 
 
-def told(std, old, new, used):
+def as_control(std, old, new, used):
     """The motion (as a control) between two steps' measurements, from the new ones that the mask has."""
     (before, first), (now, second) = old, (new[0][used], new[1][used])
     _, a, b = np.intersect1d(before, now, return_indices=True)
@@ -78,12 +80,12 @@ def even(ids):
 
 # Each way takes the data and the standard deviation. E21 is "twice": all matches move the robot and correct the map.
 WAYS = {
-    "twice": lambda d, s: filtered(d, s, lambda k, old, new: told(s, old, new, new[0] > 0)),
-    "nothing told": lambda d, s: filtered(d, s, lambda k, old, new: hardly(told(s, old, new, new[0] > 0))),
-    "velocity": lambda d, s: filtered(d, s, lambda k, old, new: None, **VELOCITY),
-    "halves": lambda d, s: filtered(d, s, lambda k, old, new: told(s, old, new, ~even(new[0])), even),
-    "halves, each pair once": lambda d, s: filtered(
-        d, s, lambda k, old, new: told(s, old, new, ~even(new[0]) & ((new[0] // 2 + k) % 2 == 0)), even
+    "twice": lambda d, s: filtered(d, s, lambda k, old, new: as_control(s, old, new, new[0] > 0)),
+    "nothing told": lambda d, s: filtered(d, s, lambda k, old, new: hardly(as_control(s, old, new, new[0] > 0))),
+    "constant-velocity": lambda d, s: filtered(d, s, lambda k, old, new: None, **VELOCITY),
+    "split-features": lambda d, s: filtered(d, s, lambda k, old, new: as_control(s, old, new, ~even(new[0])), even),
+    "split-features, each pair once": lambda d, s: filtered(
+        d, s, lambda k, old, new: as_control(s, old, new, ~even(new[0]) & ((new[0] // 2 + k) % 2 == 0)), even
     ),
     "correlated": shared,
     "correlated, half of it mapped": lambda d, s: shared(d, s, even),
@@ -98,5 +100,5 @@ def hardly(control):
 def run(name, data, std):
     """Errors (steps - 1, 6) and covariances (steps - 1, 6, 6) after the first step."""
     poses, covariances = zip(*WAYS[name](data, std), strict=True)
-    errors = [Pose.minus(true, pose) for true, pose in zip(way(len(data)), poses, strict=True)]
+    errors = [Pose.minus(true, pose) for true, pose in zip(true_path(len(data)), poses, strict=True)]
     return np.array(errors[1:]), np.array(covariances[1:])

@@ -6,8 +6,8 @@ import pytest
 from slamlib.belief import Belief
 from slamlib.data.records import Features, Scan
 from slamlib.evaluation.consistency import chi2_cdf
-from slamlib.slam.data_association.front_end import Identity, Sight
-from slamlib.slam.data_association.gates import CHOICES, gate, innovation_covariances, normalized
+from slamlib.slam.data_association.front_end import FrontEndInput, KnownAssociation
+from slamlib.slam.data_association.gates import SELECTIONS, gate, innovation_covariances, mahalanobis_squared
 
 
 @pytest.fixture
@@ -42,29 +42,29 @@ def test_rows_correct_as_blocks_do(rng):
         belief.add(2, r.random(2), spd(r, 2))
         beliefs.append(belief)
     H, R, z = rng.standard_normal((2, 5)), spd(rng, 2), rng.standard_normal(2)
-    a = beliefs[0].correct(beliefs[0].blocks, [H[:, :3], H[:, 3:]], z, R)
-    b = beliefs[1].correct_rows(np.arange(5), H, z, R)
+    a = beliefs[0].update(beliefs[0].blocks, [H[:, :3], H[:, 3:]], z, R)
+    b = beliefs[1].update_rows(np.arange(5), H, z, R)
     assert a.nis == b.nis
     assert np.array_equal(beliefs[0].matrix, beliefs[1].matrix)
     before = beliefs[1].matrix.copy()
-    with beliefs[1].series() as series:
-        assert series.correct(np.arange(5), H, 100 * z, R, 9.0).nis > 9
+    with beliefs[1].sequential_update() as sequence:
+        assert sequence.update(np.arange(5), H, 100 * z, R, 9.0).nis > 9
     assert np.array_equal(before, beliefs[1].matrix)
 
 
 def test_the_most_uncertain_expectations_come_first():
-    Z = np.array([np.diag(d) for d in ([1.0, 1.0], [4.0, 2.0], [3.0, 3.0], [4.0, 2.0])])
-    assert CHOICES["information"](Z, 3).tolist() == [2, 1, 3]
-    assert CHOICES["order"](Z, 2).tolist() == [0, 1]
-    assert CHOICES["information"](Z, 10).tolist() == [2, 1, 3, 0]
+    S = np.array([np.diag(d) for d in ([1.0, 1.0], [4.0, 2.0], [3.0, 3.0], [4.0, 2.0])])
+    assert SELECTIONS["information"](S, 3).tolist() == [2, 1, 3]
+    assert SELECTIONS["order"](S, 2).tolist() == [0, 1]
+    assert SELECTIONS["information"](S, 10).tolist() == [2, 1, 3, 0]
 
 
 @pytest.mark.parametrize("dof", [1, 2, 3])
 def test_a_gate_lets_its_share_of_the_truth_pass(dof, rng):
     """20000 draws: the share is binomial, with a standard deviation of 0.0007 for p = 0.99."""
-    Z = spd(rng, dof)
-    z = rng.multivariate_normal(np.zeros(dof), Z, size=20000)
-    share = (normalized(z, np.broadcast_to(Z, (20000, dof, dof))) < gate(0.99, dof)).mean()
+    S = spd(rng, dof)
+    z = rng.multivariate_normal(np.zeros(dof), S, size=20000)
+    share = (mahalanobis_squared(z, np.broadcast_to(S, (20000, dof, dof))) < gate(0.99, dof)).mean()
     assert abs(share - 0.99) < 4 * np.sqrt(0.99 * 0.01 / 20000)
 
 
@@ -84,10 +84,15 @@ def test_identity_matches_by_id_and_begins_with_the_lowest():
         def __init__(self, number):
             self.landmark = type("L", (), {"id": number})
 
-    measured, found = Identity().match(Sight(scan, None, []), "points", [Wanted(9), Wanted(4), Wanted(3)])
+    measured, found = KnownAssociation().match(
+        FrontEndInput(scan, None, []), "points", [Wanted(9), Wanted(4), Wanted(3)]
+    )
     assert found.tolist() == [True, False, True]
     assert measured[[0, 2], 0].tolist() == [9, 3]
     assert np.isnan(measured[1]).all()
-    fresh = Identity().detect(Sight(scan, None, []), "points", {3}, lambda values: values[:, 0] != 5, 2)
+    fresh = KnownAssociation().detect(FrontEndInput(scan, None, []), "points", {3}, lambda values: values[:, 0] != 5, 2)
     assert [number for number, _, _ in fresh] == [7, 9]
-    assert Identity().detect(Sight(Scan(), None, []), "points", set(), lambda v: np.ones(len(v), bool), 3) == []
+    assert (
+        KnownAssociation().detect(FrontEndInput(Scan(), None, []), "points", set(), lambda v: np.ones(len(v), bool), 3)
+        == []
+    )

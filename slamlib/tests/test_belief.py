@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from benchmarks import covariance_update
-from slamlib.belief import Belief, Observation
+from slamlib.belief import Belief, LinearizedMeasurement
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnitError, UnknownNameError
 from slamlib.geometry.pose import Pose
 from slamlib.kalman import linalg, update
-from slamlib.kalman.state import means_of
+from slamlib.kalman.state import stacked_means
 from slamlib.tests.beliefs import Circle, grown, random_covariance, state
 from slamlib.tests.reference import cases
 
@@ -68,7 +68,7 @@ def test_asymmetry_of_rounding_is_taken_out():
     belief.predict(block, [0, 0], np.eye(2), [[1, 1e-14], [0, 1]])
     assert np.array_equal(belief.matrix, belief.matrix.T)
     R = np.array([[1, 1e-14], [0, 1]])
-    S = belief.correct([block], [np.eye(2)], [0, 0], R).covariance
+    S = belief.update([block], [np.eye(2)], [0, 0], R).covariance
     assert np.array_equal(S, S.T)
 
 
@@ -94,7 +94,7 @@ def test_remove_is_the_marginal_and_other_handles_stay_right(rng):
     with pytest.raises(SlamlibError, match=r"no block of this belief \(was it removed\?\)"):
         belief.covariance(b)
     with pytest.raises(SlamlibError, match="no block"):
-        belief.correct([a, b], [np.eye(2), np.eye(2, 3)], np.zeros(2), np.eye(2))
+        belief.update([a, b], [np.eye(2), np.eye(2, 3)], np.zeros(2), np.eye(2))
 
 
 def test_replace_turns_rows_and_columns(rng):
@@ -135,7 +135,7 @@ def test_a_linear_filter_is_batch_least_squares(rng, method):
             motion = np.zeros((2, 80))
             motion[:, 2 * k - 2 : 2 * k], motion[:, 2 * k : 2 * k + 2] = -F, np.eye(2)
             rows, right, weights = [*rows, motion], [*right, np.zeros(2)], [*weights, Q]
-        belief.correct([block], [H], measured - H @ block.mean, R, method=method)
+        belief.update([block], [H], measured - H @ block.mean, R, method=method)
         seen = np.zeros((2, 80))
         seen[:, 2 * k : 2 * k + 2] = H
         rows, right, weights = [*rows, seen], [*right, measured], [*weights, R]
@@ -154,7 +154,7 @@ def test_correct_is_the_textbook_filter(rng, method, diagonal):
     jacobians = [rng.standard_normal((3, 2)), rng.standard_normal((3, 4))]
     R = np.diag([1.0, 2, 3]) if diagonal else random_covariance(rng, 3)
     x, P, H, z = vector(belief), belief.matrix.copy(), full(belief, [a, c], jacobians), rng.standard_normal(3)
-    found = belief.correct([a, c], jacobians, z, R, method=method)
+    found = belief.update([a, c], jacobians, z, R, method=method)
     x, P_after = textbook(x, P, H, z, R)
     S = H @ P @ H.T + R
     assert np.allclose(vector(belief), x, rtol=0, atol=1e-12)
@@ -175,13 +175,13 @@ def test_several_observations_at_once_are_one_after_another(rng, method):
     for i in (1, 3, 2):
         jacobians, R = [rng.standard_normal((2, 3)), rng.standard_normal((2, 2))], random_covariance(rng, 2)
         before[i] = jacobians, R, rng.standard_normal(2)
-        observations.append(Observation([first[0], first[i]], jacobians, before[i][2], R))
+        observations.append(LinearizedMeasurement([first[0], first[i]], jacobians, before[i][2], R))
     x = vector(in_turn)
-    at_once.correct_all(observations, method=method)
+    at_once.update_all(observations, method=method)
     for i, (jacobians, R, z) in before.items():
         blocks = [second[0], second[i]]
         moved = full(in_turn, blocks, jacobians) @ (vector(in_turn) - x)  # the innovation runs along (E16)
-        in_turn.correct(blocks, jacobians, z - moved, R, method=method)
+        in_turn.update(blocks, jacobians, z - moved, R, method=method)
     assert np.allclose(vector(at_once), vector(in_turn), rtol=0, atol=1e-12)
     assert np.allclose(at_once.matrix, in_turn.matrix, rtol=0, atol=1e-12)
 
@@ -189,7 +189,7 @@ def test_several_observations_at_once_are_one_after_another(rng, method):
 def test_joseph_form_is_the_same_for_the_optimal_gain_and_right_for_any(rng):
     belief, P, H, R = Belief(), random_covariance(rng, 4), rng.standard_normal((2, 4)), random_covariance(rng, 2)
     block = belief.add(4, np.zeros(4), P)
-    belief.correct([block], [H], np.ones(2), R)
+    belief.update([block], [H], np.ones(2), R)
     K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
     assert np.allclose(linalg.joseph(P, H, R, K), belief.matrix, rtol=0, atol=1e-13)
     e, v = rng.multivariate_normal(np.zeros(4), P, 20000), rng.multivariate_normal(np.zeros(2), R, 20000)
@@ -207,7 +207,7 @@ def test_the_innovation_covariance_is_what_correct_uses(rng):
     jacobians, R = [rng.standard_normal((2, 2)), rng.standard_normal((2, 4))], np.eye(2)
     S, before = belief.innovation_covariance([a, c], jacobians, R), belief.matrix.copy()
     assert np.array_equal(belief.matrix, before)
-    assert np.array_equal(S, belief.correct([a, c], jacobians, np.zeros(2), R).covariance)
+    assert np.array_equal(S, belief.update([a, c], jacobians, np.zeros(2), R).covariance)
 
 
 def test_a_block_may_be_named_twice(rng):
@@ -223,7 +223,7 @@ def test_a_manifold_is_corrected_on_its_tangent():
     belief, circle = Belief(), Circle()
     heading = belief.add(circle, [1, 0], 0.04)
     place = belief.add(1, [5], 1)
-    found = belief.correct([heading], [np.ones((1, 1))], [0.5], 0.01)
+    found = belief.update([heading], [np.ones((1, 1))], [0.5], 0.01)
     assert np.allclose(heading.mean, [np.cos(0.4), np.sin(0.4)])
     assert np.isclose(belief.covariance(heading)[0, 0], 0.008)
     assert (place.mean, belief.size, found.nis) == (5, 2, pytest.approx(5))
@@ -234,7 +234,7 @@ def test_the_reset_is_of_the_order_of_the_correction(rng):
     belief, P = Belief(), np.diag([1, 1, 1, 4, 400, 40]) * 1e-4 + 1e-5
     pose = belief.add(Pose, [0, 0, 0, 1, 0, 0, 0], P)
     H = np.hstack([np.zeros((3, 3)), np.eye(3)])
-    belief.correct([pose], [H], [0.1, 0, 0], np.eye(3) * 1e-2)
+    belief.update([pose], [H], [0.1, 0, 0], np.eye(3) * 1e-2)
     turned, before = 2 * np.arcsin(np.linalg.norm(pose.mean[4:])), belief.matrix.copy()
     x, y, z = 2 * pose.mean[4:]
     G = np.eye(6)
@@ -253,7 +253,7 @@ def test_snapshot_and_restore(rng):
     belief.remove(b)
     d = belief.add(1, [0], 1, given=[a], jacobians=[np.ones((1, 2))])
     belief.replace(c, 1, [3], np.ones((1, 2)))
-    belief.correct([a, d], [np.eye(2), np.ones((2, 1))], [1, 2], 1)
+    belief.update([a, d], [np.eye(2), np.ones((2, 1))], [1, 2], 1)
     belief.restore(saved)
     assert belief.blocks == (a, b, c)
     assert [x.slice for x in belief.blocks] == list(saved.slices) == [slice(0, 2), slice(2, 5), slice(5, 7)]
@@ -322,51 +322,53 @@ WRONG = {
     "predict: mean": (lambda b, x: b.predict(x[0], 0, I2, I2), ShapeError, r"predict: mean .* \(2,\), but .* \(\)"),
     "predict: overflow": (lambda b, x: b.predict(x[0], Z2, I2 * 1e200, I2), NonFiniteError, "predict: the covariance"),
     "correct: z": (
-        lambda b, x: b.correct(x[:1], [I2], [0, np.inf], I2),
+        lambda b, x: b.update(x[:1], [I2], [0, np.inf], I2),
         NonFiniteError,
         "correct: innovation holds inf",
     ),
-    "correct: scalar z": (lambda b, x: b.correct(x[:1], [I2], 0, I2), ShapeError, r"shape \(m,\), m at least 1"),
-    "correct: no z": (lambda b, x: b.correct(x[:1], [I2], [], I2), ShapeError, r"but has shape \(0,\)"),
+    "correct: scalar z": (lambda b, x: b.update(x[:1], [I2], 0, I2), ShapeError, r"shape \(m,\), m at least 1"),
+    "correct: no z": (lambda b, x: b.update(x[:1], [I2], [], I2), ShapeError, r"but has shape \(0,\)"),
     "correct: H": (
-        lambda b, x: b.correct(x[:1], [J23], Z2, I2),
+        lambda b, x: b.update(x[:1], [J23], Z2, I2),
         ShapeError,
         r"Jacobian 0 .* \(2, 2\), but .* \(2, 3\)",
     ),
-    "correct: no block": (lambda b, x: b.correct([], [], Z2, I2), SlamlibError, "0 blocks but 0 Jacobians"),
-    "correct: not a list": (lambda b, x: b.correct(x[0], I2, Z2, I2), SlamlibError, "give a list of blocks"),
+    "correct: no block": (lambda b, x: b.update([], [], Z2, I2), SlamlibError, "0 blocks but 0 Jacobians"),
+    "correct: not a list": (lambda b, x: b.update(x[0], I2, Z2, I2), SlamlibError, "give a list of blocks"),
     "add: not a list": (lambda b, x: b.add(2, Z2, I2, given=x[0], jacobians=I2), SlamlibError, "give a list of blocks"),
-    "correct: R": (lambda b, x: b.correct(x[:1], [I2], Z2, np.eye(3)), ShapeError, r"R .* \(2, 2\), but .* \(3, 3\)"),
-    "correct: R < 0": (lambda b, x: b.correct(x[:1], [I2], Z2, -I2), CovarianceError, "R has the negative eigenvalue"),
+    "correct: R": (lambda b, x: b.update(x[:1], [I2], Z2, np.eye(3)), ShapeError, r"R .* \(2, 2\), but .* \(3, 3\)"),
+    "correct: R < 0": (lambda b, x: b.update(x[:1], [I2], Z2, -I2), CovarianceError, "R has the negative eigenvalue"),
     "correct: S": (
-        lambda b, x: b.correct(x[:1], [I2[[0, 0]]], Z2, np.zeros((2, 2))),
+        lambda b, x: b.update(x[:1], [I2[[0, 0]]], Z2, np.zeros((2, 2))),
         CovarianceError,
         r"number [01] of observation 0 \(of <block Euclidean\(2\) at 0>\) is claimed to be known exactly",
     ),
     "correct: scalar": (
-        lambda b, x: b.correct(x[:1], [I2], Z2, np.diag([1.0, 0]), method="scalar"),
+        lambda b, x: b.update(x[:1], [I2], Z2, np.diag([1.0, 0]), method="scalar"),
         CovarianceError,
         "number 1 of observation 0",
     ),
-    "correct: method": (lambda b, x: b.correct(x[:1], [I2], Z2, I2, method="btach"), UnknownNameError, "mean 'batch'"),
+    "correct: method": (lambda b, x: b.update(x[:1], [I2], Z2, I2, method="btach"), UnknownNameError, "mean 'batch'"),
     "correct: overflow": (
-        lambda b, x: b.correct(x[:1], [I2 * 1e200], Z2, I2),
+        lambda b, x: b.update(x[:1], [I2 * 1e200], Z2, I2),
         NonFiniteError,
         "correct: the covariance",
     ),
     "correct: mean": (
-        lambda b, x: b.correct(x[:1], [I2 * 1e-5], [1e308, 1e308], I2 * 1e-20),
+        lambda b, x: b.update(x[:1], [I2 * 1e-5], [1e308, 1e308], I2 * 1e-20),
         NonFiniteError,
         "correct: the corrected means",
     ),
-    "correct_all: none": (lambda b, x: b.correct_all([]), SlamlibError, "leave the call out"),
-    "correct_all: third": (
-        lambda b, x: b.correct_all([Observation(x[:1], [I2], Z2, R) for R in (I2, I2, SKEWED)]),
+    "update_all: none": (lambda b, x: b.update_all([]), SlamlibError, "leave the call out"),
+    "update_all: third": (
+        lambda b, x: b.update_all([LinearizedMeasurement(x[:1], [I2], Z2, R) for R in (I2, I2, SKEWED)]),
         CovarianceError,
         "R of observation 2 is not symmetric",
     ),
-    "correct_all: second": (
-        lambda b, x: b.correct_all([Observation(x[:1], [I2], Z2, I2), Observation(x[1:2], [I2], Z2, I2)]),
+    "update_all: second": (
+        lambda b, x: b.update_all(
+            [LinearizedMeasurement(x[:1], [I2], Z2, I2), LinearizedMeasurement(x[1:2], [I2], Z2, I2)]
+        ),
         ShapeError,
         "correct: Jacobian 0 of observation 1",
     ),
@@ -391,30 +393,30 @@ def test_a_call_that_fails_says_why_and_changes_nothing(rng, wrong):
 
 
 @pytest.mark.parametrize(("space", "error"), [(Broken(), ZeroDivisionError), (Lost(), NonFiniteError)])
-def test_a_space_that_fails_changes_nothing(rng, space, error):
+def test_a_space_that_fails_changes_nothing(rng, manifold, error):
     belief = Belief()
     blocks = grown(belief, rng, 2)
-    belief.add(space, [1, 0], 1)
+    belief.add(manifold, [1, 0], 1)
     before = state(belief)
     with pytest.raises(error):
-        belief.correct(blocks, [I2], [1, 1], I2)
+        belief.update(blocks, [I2], [1, 1], I2)
     assert state(belief) == before
 
 
 def test_a_number_without_noise_is_allowed_where_it_is_news():
     belief = Belief()
     block = belief.add(2, [0, 0], np.eye(2))
-    belief.correct([block], [I2], [3, 1], np.diag([0.0, 1]))
+    belief.update([block], [I2], [3, 1], np.diag([0.0, 1]))
     assert np.allclose(block.mean, [3, 0.5])
     assert np.allclose(belief.matrix, np.diag([0, 0.5]))
-    with pytest.raises(CovarianceError, match="number 0 of observation 0"):
-        belief.correct([block], [I2], [0, 0], np.diag([0.0, 1]))
+    with pytest.raises(CovarianceError, match="number 0 of measurement 0"):
+        belief.update([block], [I2], [0, 0], np.diag([0.0, 1]))
 
 
 def test_mixed_units_are_not_taken_for_singular():
     belief = Belief()
     block = belief.add(2, [0, 0], np.diag([1e10, 1e-14]))
-    belief.correct([block], [I2], [0, 0], np.diag([1e10, 1e-14]))
+    belief.update([block], [I2], [0, 0], np.diag([1e10, 1e-14]))
     assert np.allclose(belief.matrix, np.diag([5e9, 5e-15]), atol=0)
 
 
@@ -424,7 +426,7 @@ def test_near_copies_without_noise_are_singular():
     block = belief.add(3, np.zeros(3), random_covariance(np.random.default_rng(0), 3))
     h = np.array([0.1, 0.2, 0.3])
     with pytest.raises(CovarianceError, match="not positive definite"):
-        belief.correct([block], [np.array([h, h * 3])], [0, 0], 0)
+        belief.update([block], [np.array([h, h * 3])], [0, 0], 0)
 
 
 def test_a_factor_of_nan_is_an_error(monkeypatch):
@@ -459,17 +461,17 @@ def test_means_of_many_blocks_are_the_means_of_each(rng):
     columns, H = np.arange(18), rng.standard_normal((2, 18))
     chosen = [blocks[2], blocks[0]]
     for change in (
-        lambda: belief.correct_rows(columns, H, np.ones(2), np.eye(2)),
+        lambda: belief.update_rows(columns, H, np.ones(2), np.eye(2)),
         lambda: belief.predict(blocks[2], np.ones(3), np.eye(3), np.eye(3)),
         lambda: belief.remove(blocks[1]),
         lambda: belief.replace(pose, 3, np.zeros(3), np.eye(3, 6)),
     ):
         kept, numbers = blocks[0].mean, blocks[0].mean.tolist()
         change()
-        assert np.array_equal(means_of(chosen), [block.mean for block in chosen])
+        assert np.array_equal(stacked_means(chosen), [block.mean for block in chosen])
         assert kept.tolist() == numbers
-    assert np.array_equal(means_of([blocks[0], stranger]), [blocks[0].mean, stranger.mean])
-    assert np.array_equal(blocks[2].mean, means_of(chosen)[0])
+    assert np.array_equal(stacked_means([blocks[0], stranger]), [blocks[0].mean, stranger.mean])
+    assert np.array_equal(blocks[2].mean, stacked_means(chosen)[0])
 
 
 def test_blas_on_a_view_updates_a_copy():
@@ -520,7 +522,7 @@ def test_large_states_take_the_path_of_blas(rng, monkeypatch):
     belief, n = Belief(), 60
     block = belief.add(n, np.zeros(n), random_covariance(rng, n))
     P, H, R = belief.matrix.copy(), rng.standard_normal((4, n)), np.eye(4)
-    belief.correct([block], [H], np.ones(4), R)
+    belief.update([block], [H], np.ones(4), R)
     x, P = textbook(np.zeros(n), P, H, np.ones(4), R)
     assert np.allclose(block.mean, x, rtol=0, atol=1e-11)
     assert np.allclose(belief.matrix, P, rtol=0, atol=1e-11)
@@ -568,7 +570,7 @@ def test_correct_as_the_toolbox_does(method):
         H[:, r] = given["H"]
         # The toolbox takes the innovation's covariance Z; what is left of it is the noise.
         R = given["Z"] - H @ belief.matrix @ H.T
-        belief.correct([block], [H], given["z"].ravel(), (R + R.T) / 2, method=method)
+        belief.update([block], [H], given["z"].ravel(), (R + R.T) / 2, method=method)
         assert np.allclose(block.mean, expected["x_after"][used, 0], rtol=1e-10, atol=1e-10)
         assert np.allclose(belief.matrix, expected["P_after"][np.ix_(used, used)], rtol=1e-10, atol=1e-10)
 
@@ -578,6 +580,6 @@ def test_add_as_the_toolbox_does():
         belief, _, used = from_toolbox(given)
         n = belief.size
         # The toolbox is given the new rows themselves (here not those of any covariance): what adding does with them.
-        P = linalg.exchange(belief.matrix, slice(n, n), given["P_LX"], given["P_LL"])
+        P = linalg.replace_rows(belief.matrix, slice(n, n), given["P_LX"], given["P_LL"])
         order = np.concatenate([used, expected["r"].ravel().astype(int) - 1])
         assert np.allclose(P, expected["P_after"][np.ix_(order, order)], rtol=1e-12, atol=1e-12)

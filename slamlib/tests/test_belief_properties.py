@@ -5,7 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 
-from slamlib.belief import Belief, Observation
+from slamlib.belief import Belief, LinearizedMeasurement
 from slamlib.errors import SlamlibError
 from slamlib.tests.beliefs import Circle, grown, state
 
@@ -13,8 +13,8 @@ SIZES = st.sampled_from([1, 2, 3, Circle()])
 SCALES = st.sampled_from([1e-3, 1.0, 30.0])
 
 
-def dof_of(space):
-    return space if isinstance(space, int) else space.dof
+def dof_of(manifold):
+    return manifold if isinstance(manifold, int) else manifold.dof
 
 
 def semidefinite(rng, n, scale):
@@ -30,8 +30,8 @@ class Driver:
         self.draw, self.rng = draw, np.random.default_rng(seed)
         self.belief, self.P, self.largest = Belief(), np.zeros((0, 0)), 0.0
 
-    def point(self, space):
-        return np.array([0.6, 0.8]) if isinstance(space, Circle) else self.rng.standard_normal(dof_of(space))
+    def point(self, manifold):
+        return np.array([0.6, 0.8]) if isinstance(manifold, Circle) else self.rng.standard_normal(dof_of(manifold))
 
     def some(self):
         return self.draw(st.lists(st.sampled_from(self.belief.blocks), min_size=1, max_size=3, unique=True))
@@ -44,11 +44,11 @@ class Driver:
         return own, full
 
     def add(self):
-        space = self.draw(SIZES)
-        n, blocks = dof_of(space), self.some() if self.belief.blocks and self.draw(st.booleans()) else []
+        manifold = self.draw(SIZES)
+        n, blocks = dof_of(manifold), self.some() if self.belief.blocks and self.draw(st.booleans()) else []
         noise = semidefinite(self.rng, n, self.draw(SCALES))
         own, full = self.jacobians(n, blocks)
-        self.belief.add(space, self.point(space), noise, given=blocks, jacobians=own)
+        self.belief.add(manifold, self.point(manifold), noise, given=blocks, jacobians=own)
         self.P = np.block([[self.P, self.P @ full.T], [full @ self.P, full @ self.P @ full.T + noise]])
 
     def remove(self):
@@ -58,13 +58,13 @@ class Driver:
         self.P = self.P[np.ix_(keep, keep)]
 
     def replace(self):
-        block, space = self.draw(st.sampled_from(self.belief.blocks)), self.draw(SIZES)
-        J, n = self.rng.standard_normal((dof_of(space), block.dof)), len(self.P)
+        block, manifold = self.draw(st.sampled_from(self.belief.blocks)), self.draw(SIZES)
+        J, n = self.rng.standard_normal((dof_of(manifold), block.dof)), len(self.P)
         head, tail = np.eye(n)[: block.start], np.eye(n)[block.slice.stop :]
         middle = np.zeros((len(J), n))
         middle[:, block.slice] = J
         left = np.concatenate([head, middle, tail])
-        self.belief.replace(block, space, self.point(space), J)
+        self.belief.replace(block, manifold, self.point(manifold), J)
         self.P = left @ self.P @ left.T
 
     def predict(self):
@@ -72,10 +72,10 @@ class Driver:
         F, Q = self.rng.standard_normal((block.dof,) * 2), semidefinite(self.rng, block.dof, self.draw(SCALES))
         big_F, big_Q = np.eye(len(self.P)), np.zeros_like(self.P)
         big_F[block.slice, block.slice], big_Q[block.slice, block.slice] = F, Q
-        self.belief.predict(block, self.point(block.space), F, Q)
+        self.belief.predict(block, self.point(block.manifold), F, Q)
         self.P = big_F @ self.P @ big_F.T + big_Q
 
-    def correct(self):
+    def update(self):
         many, method = self.draw(st.integers(1, 3)), self.draw(st.sampled_from(["batch", "scalar"]))
         observations, rows, noise = [], [], []
         for _ in range(many):
@@ -83,14 +83,14 @@ class Driver:
             own, full = self.jacobians(m, blocks)
             scale = self.draw(SCALES)
             R = semidefinite(self.rng, m, scale) + scale**2 * 1e-3 * np.eye(m)
-            observations.append(Observation(blocks, own, self.rng.standard_normal(m), R))
+            observations.append(LinearizedMeasurement(blocks, own, self.rng.standard_normal(m), R))
             rows, noise = [*rows, full], [*noise, R]
         H, R, row = np.concatenate(rows), np.zeros((sum(map(len, noise)),) * 2), 0
         for part in noise:
             R[row : row + len(part), row : row + len(part)] = part
             row += len(part)
         S = H @ self.P @ H.T + R
-        found = self.belief.correct_all(observations, method=method)
+        found = self.belief.update_all(observations, method=method)
         K = np.linalg.solve(S, H @ self.P).T
         left = np.eye(len(self.P)) - K @ H
         self.P = left @ self.P @ left.T + K @ R @ K.T
@@ -107,7 +107,7 @@ class Driver:
         assert not len(P) or np.linalg.eigvalsh(P)[0] >= -1e-12 * self.largest
         starts = np.cumsum([0, *(b.dof for b in self.belief.blocks)])
         assert [b.start for b in self.belief.blocks] == list(starts[:-1])
-        assert all(np.isfinite(b.mean).all() and b.mean.shape == (b.space.size,) for b in self.belief.blocks)
+        assert all(np.isfinite(b.mean).all() and b.mean.shape == (b.manifold.size,) for b in self.belief.blocks)
 
 
 @settings(max_examples=150, deadline=None, derandomize=True)
@@ -143,17 +143,17 @@ def any_call(draw, belief, blocks):
     """One call with arguments that may be right."""
     a, b = blocks
     lists = st.sampled_from([[a], [b], [a, b], [b, b], [], [Belief().add(1, [0], 1)]])
-    given, space = draw(lists), draw(st.sampled_from([1, 2, Circle()]))
-    n, m = dof_of(space), draw(st.integers(1, 2))
-    size = space if isinstance(space, int) else space.size
+    given, manifold = draw(lists), draw(st.sampled_from([1, 2, Circle()]))
+    n, m = dof_of(manifold), draw(st.integers(1, 2))
+    size = manifold if isinstance(manifold, int) else manifold.size
     observation = [draw(array((m, x.dof))) for x in given]
     method = draw(st.sampled_from(["batch", "scalar", "other"]))
     jacobians = [draw(array((n, x.dof))) for x in given]
     calls = {
-        "add": lambda: belief.add(space, draw(array((size,))), draw(square(n)), given=given, jacobians=jacobians),
-        "replace": lambda: belief.replace(a, space, draw(array((size,))), draw(array((n, a.dof)))),
+        "add": lambda: belief.add(manifold, draw(array((size,))), draw(square(n)), given=given, jacobians=jacobians),
+        "replace": lambda: belief.replace(a, manifold, draw(array((size,))), draw(array((n, a.dof)))),
         "predict": lambda: belief.predict(b, draw(array((b.dof,))), draw(array((b.dof,) * 2)), draw(square(b.dof))),
-        "correct": lambda: belief.correct(given, observation, draw(array((m,))), draw(square(m)), method=method),
+        "correct": lambda: belief.update(given, observation, draw(array((m,))), draw(square(m)), method=method),
         "gate": lambda: belief.innovation_covariance(given, observation, draw(square(m))),
     }
     return calls[draw(st.sampled_from(sorted(calls)))]

@@ -120,8 +120,11 @@ CAMERA = next(example(s) for s in SENSORS.values() if s.project_line)
 @pytest.mark.parametrize(
     ("function", "argument"),
     [
-        *(("observe_line", a) for a in ("robot", "mount", "landmark", "intrinsics")),
-        *(("initialize_line", a) for a in ("robot", "mount", "measurement", "unmeasured", "intrinsics", "distortion")),
+        *(("observe_line", a) for a in ("robot", "extrinsics", "landmark", "intrinsics")),
+        *(
+            ("initialize_line", a)
+            for a in ("robot", "extrinsics", "measurement", "unmeasured", "intrinsics", "distortion")
+        ),
     ],
 )
 def test_a_jacobian_that_a_pair_with_lines_lacks_is_named(monkeypatch, function, argument):
@@ -140,8 +143,8 @@ def image_of_the_direction(line, intrinsics):
 def swapped(function):
     """Takes the ends of a segment for each other's columns and rows."""
 
-    def mistaken(kind, calibration, robot, mount, segment, prior):
-        return function(kind, calibration, robot, mount, np.asarray(segment)[..., [1, 0, 3, 2]], prior)
+    def mistaken(kind, calibration, robot, extrinsics, segment, prior):
+        return function(kind, calibration, robot, extrinsics, np.asarray(segment)[..., [1, 0, 3, 2]], prior)
 
     return mistaken
 
@@ -157,8 +160,8 @@ def test_a_line_that_misses_its_segment_is_found(monkeypatch):
 
 
 def test_numbers_without_a_value_are_found_at_nasty_places(monkeypatch):
-    def lost_at_the_centre(kind, calibration, robot, mount, landmark):
-        found = lines.observe_line(kind, calibration, robot, mount, landmark)
+    def lost_at_the_centre(kind, calibration, robot, extrinsics, landmark):
+        found = lines.observe_line(kind, calibration, robot, extrinsics, landmark)
         through_centre = np.abs(found.value).max() < 1e-6
         return dataclasses.replace(found, value=found.value * (np.nan if through_centre else 1))
 

@@ -101,15 +101,15 @@ def test_only_the_ratio_of_the_homogeneous_point_matters(calibration, rng):
 
 @ALL
 def test_initialize_and_observe_undo_each_other(calibration, rng):
-    robot, mount = Pose.random(rng), Pose.random(rng)
+    robot, extrinsics = Pose.random(rng), Pose.random(rng)
     y = calibration.project(homogeneous(ahead(rng, 8)))
     for kind in (EUC_POINT, AHM_POINT):
-        landmarks, J = initialize(kind, calibration, robot, mount, y)
-        seen = observe(kind, calibration, robot, mount, landmarks)
+        landmarks, J = initialize(kind, calibration, robot, extrinsics, y)
+        seen = observe(kind, calibration, robot, extrinsics, landmarks)
         assert seen.visible.all()
         assert seen.value == pytest.approx(y, rel=1e-9)
         assert seen.jacobians.landmark @ J.measurement == pytest.approx(np.tile(np.eye(3), (8, 1, 1)), abs=1e-8)
-        for name in ("robot", "mount", *calibration.given):
+        for name in ("robot", "extrinsics", *calibration.given):
             total = getattr(seen.jacobians, name) + seen.jacobians.landmark @ getattr(J, name)
             assert total == pytest.approx(np.zeros_like(total), abs=1e-7 * np.abs(seen.jacobians.robot).max())
 
@@ -261,10 +261,10 @@ def test_pitch_is_minus_the_arcsine_of_height_over_range(rng):
 
 
 def test_the_difference_of_two_yaws_is_the_short_way_round():
-    space = range_bearing.project.result.space
-    step = space.minus(np.array([5, np.radians(-179), 0.1]), np.array([4, np.radians(179), 0.3]))
+    manifold = range_bearing.project.result.manifold
+    step = manifold.minus(np.array([5, np.radians(-179), 0.1]), np.array([4, np.radians(179), 0.3]))
     assert step == pytest.approx([1, np.radians(2), -0.2])
-    turns = space.minus(np.array([[1, 7.0, 0], [1, -9.0, 0], [1, 0.3, 0]]), np.array([1, 0, 0]))[:, 1]
+    turns = manifold.minus(np.array([[1, 7.0, 0], [1, -9.0, 0], [1, 0.3, 0]]), np.array([1, 0, 0]))[:, 1]
     assert turns == pytest.approx([7 - 2 * np.pi, -9 + 2 * np.pi, 0.3])
 
 

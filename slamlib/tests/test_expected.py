@@ -12,14 +12,16 @@ from slamlib.landmarks.linearity import euclidean_index
 from slamlib.model import model
 from slamlib.modeling import kernel
 from slamlib.motions import motion
-from slamlib.observation.family import by_columns, viewpoint
+from slamlib.observation.family import columns_jacobian, viewpoint
 from slamlib.observation.points import observe, observe_from
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.entities import MountedSensor, Robot
 from slamlib.tests.beliefs import random_covariance
 
-AHEAD = np.array([0.0, 0, 0, 0.1, -0.2, 1, 0.2])  # an anchored point in the view of a camera near the origin
+PLACEHOLDER_POINT = np.array(
+    [0.0, 0, 0, 0.1, -0.2, 1, 0.2]
+)  # an anchored point in the view of a camera near the origin
 
 
 @pytest.fixture
@@ -38,9 +40,9 @@ def mounted(rng, *, estimated):
     belief, odometry = Belief(), motion("odometry")
     near = np.array([0.0, 0, 0, 1, 0, 0, 0])
     robot = Robot("robot", odometry, belief.add(Pose, Pose.plus(near, 0.1 * rng.standard_normal(6)), np.eye(6)), None)
-    mount = Pose.plus(near, 0.1 * rng.standard_normal(6))
-    block = belief.add(Pose, mount, np.eye(6)) if estimated else None
-    return belief, MountedSensor("camera", robot, camera(), mount, block)
+    extrinsics = Pose.plus(near, 0.1 * rng.standard_normal(6))
+    block = belief.add(Pose, extrinsics, np.eye(6)) if estimated else None
+    return belief, MountedSensor("camera", robot, camera(), extrinsics, block)
 
 
 @pytest.mark.parametrize("estimated", [False, True])
@@ -51,14 +53,14 @@ def test_the_viewpoint_a_sensor_follows_every_change(rng, estimated):
         for block in blocks:
             moved = Pose.plus(block.mean, 1e-12 + 0.1 * rng.standard_normal(6))
             belief.predict(block, moved, np.eye(6), np.eye(6))
-            pose, J = compose.jac(sensor.robot.pose, sensor.mount)
+            pose, J = compose.jac(sensor.robot.pose, sensor.extrinsics)
             for _ in range(2):
                 assert np.array_equal(viewpoint(sensor).pose, pose)
-                assert np.array_equal(viewpoint(sensor).by, np.concatenate(list(J)[: len(blocks)], axis=1))
+                assert np.array_equal(viewpoint(sensor).jacobian, np.concatenate(list(J)[: len(blocks)], axis=1))
     sensor.given = Pose.random(rng)
     assert np.array_equal(viewpoint(sensor).pose, sensor.camera)
     before, place = belief.snapshot(), viewpoint(sensor)
-    belief.correct(blocks[:1], [np.eye(6)], np.full(6, 0.1), np.eye(6))
+    belief.update(blocks[:1], [np.eye(6)], np.full(6, 0.1), np.eye(6))
     assert not np.array_equal(viewpoint(sensor).pose, place.pose)
     belief.restore(before)
     assert np.array_equal(viewpoint(sensor).pose, place.pose)
@@ -70,16 +72,16 @@ def test_the_viewpoint_a_sensor_follows_every_change(rng, estimated):
 @pytest.mark.parametrize("lead", [(), (2,), (30,)])
 def test_jacobians_by_the_place_are_those_by_robot_and_mount(rng, estimated, lead):
     _, sensor = mounted(rng, estimated=estimated)
-    points = AHEAD + 0.01 * rng.standard_normal((*lead, 7))
-    whole = observe(AHM_POINT, sensor.calibration, sensor.robot.pose, sensor.mount, points)
+    points = PLACEHOLDER_POINT + 0.01 * rng.standard_normal((*lead, 7))
+    whole = observe(AHM_POINT, sensor.calibration, sensor.robot.pose, sensor.extrinsics, points)
     place = viewpoint(sensor)
     found = observe_from(AHM_POINT, sensor.calibration, place.pose, points)
     J = whole.jacobians
-    expected = np.concatenate([J.robot, J.mount, J.landmark] if estimated else [J.robot, J.landmark], axis=-1)
+    expected = np.concatenate([J.robot, J.extrinsics, J.landmark] if estimated else [J.robot, J.landmark], axis=-1)
     assert np.array_equal(found.visible, whole.visible)
     assert np.all(whole.visible)
     assert np.allclose(found.value, whole.value, rtol=0, atol=1e-12)
-    by = by_columns(place, found.jacobians.camera, found.jacobians.landmark)
+    by = columns_jacobian(place, found.jacobians.camera, found.jacobians.landmark)
     assert np.allclose(by, expected, rtol=1e-12, atol=1e-10)
 
 
@@ -129,14 +131,14 @@ def test_one_item_is_checked_as_many_are():
     with pytest.raises(NonFiniteError, match=r"argument 'landmark' holds nan at index \(2,\)"):
         AHM_POINT.to_frame(np.array([0.0, 0, 0, 1, 0, 0, 0]), np.array([0, 0, np.nan, 1, 1, 1, 1]))
     with pytest.raises(UnitError, match="to_frame: argument 'pose'"):
-        AHM_POINT.to_frame(np.array([0.0, 0, 0, 1, 1, 0, 0]), AHEAD)
+        AHM_POINT.to_frame(np.array([0.0, 0, 0, 1, 1, 0, 0]), PLACEHOLDER_POINT)
     with pytest.raises(SingularPointError, match="inverses is not defined"):
         inverses(np.array([0.0, 1]))
     assert np.array_equal(inverses(np.array([1e308, 1e-308]))[2:], [1 / 1e-308])  # finite, however large together
 
 
 def test_an_index_by_other_coordinates_is_that_of_their_covariance(rng):
-    means, pose = AHEAD + 0.01 * rng.standard_normal((3, 7)), np.array([0.0, 0, 0, 1, 0, 0, 0])
+    means, pose = PLACEHOLDER_POINT + 0.01 * rng.standard_normal((3, 7)), np.array([0.0, 0, 0, 1, 0, 0, 0])
     P, T = np.array([random_covariance(rng, 15) for _ in means]), rng.standard_normal((13, 15))
     expected = euclidean_index(AHM_POINT, means, T @ P @ T.T, pose)
     assert np.allclose(euclidean_index(AHM_POINT, means, P, pose, T), expected, rtol=1e-9, atol=0)
@@ -145,7 +147,7 @@ def test_an_index_by_other_coordinates_is_that_of_their_covariance(rng):
 @pytest.mark.parametrize("d", [1, 2, 3, 4])
 def test_small_algebra_of_many_matrices(rng, d):
     matrices, z = np.array([random_covariance(rng, d) for _ in range(5)]), rng.standard_normal((5, d))
-    expected = [x @ np.linalg.solve(Z, x) for x, Z in zip(z, matrices, strict=True)]
+    expected = [x @ np.linalg.solve(S, x) for x, S in zip(z, matrices, strict=True)]
     assert np.allclose(linalg.quadratic_forms(z, matrices), expected, rtol=1e-9, atol=0)
     assert np.allclose(linalg.log_determinants(matrices), np.linalg.slogdet(matrices)[1], rtol=0, atol=1e-10)
     whole, rows = random_covariance(rng, 9), rng.integers(0, 9, (5, d))

@@ -10,14 +10,14 @@ from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.experiments.presets import preset
 from slamlib.slam import Options, Slam
 from slamlib.slam.entities import Landmark
-from slamlib.slam.map_management import makes_room, out_of_window
+from slamlib.slam.map_management import out_of_window, prune_candidate
 
 FRAMES = 90
 
 
 def mark(number, seen, inliers=10):
     """A landmark with a history, and no place in a map."""
-    return Landmark(number, None, None, born=1, searched=10, matched=10, inliers=inliers, seen=seen)
+    return Landmark(number, None, None, first_seen=1, searched=10, matched=10, inliers=inliers, last_seen=seen)
 
 
 def run(frames=FRAMES, **options):
@@ -30,55 +30,57 @@ def run(frames=FRAMES, **options):
 
 def test_the_longest_unseen_makes_room():
     rows = [mark(1, 7), mark(2, 4), mark(3, 8, inliers=0), mark(4, 4, inliers=3)]
-    assert makes_room(rows, 9, Options(full="unseen")).id == 4
-    assert makes_room(rows, 9, Options(full="useless")).id == 3
-    assert makes_room(rows, 9, Options()) is None
+    assert prune_candidate(rows, 9, Options(pruning="least-recently-seen")).id == 4
+    assert prune_candidate(rows, 9, Options(pruning="least-reliable")).id == 3
+    assert prune_candidate(rows, 9, Options()) is None
 
 
 def test_what_was_seen_in_this_frame_does_not_make_room():
-    assert makes_room([mark(1, 9, inliers=0), mark(2, 9)], 9, Options(full="useless")) is None
+    assert prune_candidate([mark(1, 9, inliers=0), mark(2, 9)], 9, Options(pruning="least-reliable")) is None
 
 
 def test_a_window_counts_from_the_last_look_that_was_believed():
     rows = [mark(1, 3), mark(2, 5), mark(3, 3)]
     assert [lm.id for lm in out_of_window(rows, 8, Options(window=4))] == [1, 3]
     assert not out_of_window(rows, 8, Options())
-    assert [lm.seen for lm in rows] == [3, 5, 3]  # asking changes nothing
+    assert [lm.last_seen for lm in rows] == [3, 5, 3]  # asking changes nothing
 
 
 def test_a_landmark_out_of_the_window_is_gone():
     slam, reports = run(window=5)
-    assert all(slam.number - landmark.seen <= 5 for landmark in slam.landmarks)
+    assert all(slam.number - landmark.last_seen <= 5 for landmark in slam.landmarks)
     assert sum(len(report.deleted) for report in reports) > 10
     full, _ = run()
     assert len(full.landmarks) > len(slam.landmarks) + 10
 
 
-@pytest.mark.parametrize("rule", ["unseen", "useless"])
+@pytest.mark.parametrize("rule", ["least-recently-seen", "least-reliable"])
 def test_a_full_map_does_not_starve(rule):
     starved, _ = run(capacity=12)
-    slam, reports = run(capacity=12, full=rule)
+    slam, reports = run(capacity=12, pruning=rule)
     assert len(slam.landmarks) <= 12
-    assert max(landmark.born for landmark in slam.landmarks) > max(landmark.born for landmark in starved.landmarks)
+    assert max(landmark.first_seen for landmark in slam.landmarks) > max(
+        landmark.first_seen for landmark in starved.landmarks
+    )
     assert sum(len(report.refused) for report in reports) < FRAMES
-    inliers = [sum(look.inlier for look in s.looks[0]) for s in (starved, slam)]
+    inliers = [sum(prediction.inlier for prediction in s.predictions[0]) for s in (starved, slam)]
     assert inliers[1] > inliers[0]
 
 
 def test_defaults_change_nothing_and_are_not_written():
-    assert {"window", "full"}.isdisjoint(Options().to_dict())
-    told = Options(window=7, full="unseen", capacity=3)
+    assert {"window", "pruning"}.isdisjoint(Options().to_dict())
+    told = Options(window=7, pruning="least-recently-seen", capacity=3)
     assert Options.from_dict(json.loads(json.dumps(told.to_dict()))) == told
     with pytest.raises(UnknownNameError, match="did you mean 'unseen'"):
-        Options(full="unsen")
+        Options(pruning="unsen")
 
 
 def test_a_saved_filter_remembers_when_it_saw_what(tmp_path):
     slam, _ = run(30)
     slam.save(tmp_path / "slam.npz")
     again = Slam.load(tmp_path / "slam.npz")
-    assert [lm.seen for lm in again.landmarks] == [lm.seen for lm in slam.landmarks]
-    assert len({lm.seen for lm in again.landmarks}) > 1
+    assert [lm.last_seen for lm in again.landmarks] == [lm.last_seen for lm in slam.landmarks]
+    assert len({lm.last_seen for lm in again.landmarks}) > 1
 
 
 def test_files_of_before_are_refused_with_what_to_do(tmp_path):

@@ -48,7 +48,7 @@ def test_value_and_jacobians_are_those_of_the_definition(model):
 @pytest.mark.parametrize("model", MODELS, ids=lambda m: m.name)
 def test_jacobians_agree_with_central_differences_too(model, rng):
     draw = sample(model) or (
-        lambda r: [r.standard_normal(a.shape) if a.space is None else a.space.random(r) for a in model.arguments]
+        lambda r: [r.standard_normal(a.shape) if a.manifold is None else a.manifold.random(r) for a in model.arguments]
     )
     arguments = draw(rng)
     _, jacobians = model.jac(*arguments)
@@ -60,7 +60,7 @@ def test_jacobians_agree_with_central_differences_too(model, rng):
 @pytest.mark.parametrize("model", MODELS, ids=lambda m: m.name)
 def test_a_batch_is_a_loop(model, rng):
     draw = sample(model) or (
-        lambda r: [r.standard_normal(a.shape) if a.space is None else a.space.random(r) for a in model.arguments]
+        lambda r: [r.standard_normal(a.shape) if a.manifold is None else a.manifold.random(r) for a in model.arguments]
     )
     items = [draw(rng) for _ in range(4)]
     value, jacobians = model.jac(*(np.array([item[k] for item in items]) for k in range(len(items[0]))))

@@ -11,22 +11,22 @@ from slambook import rendering
 from slamlib.data.records import Frame, Scan
 from slamlib.data.setup import SensorSetup
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.alignment import aligned
+from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import compose
 from slamlib.slam import Options, Slam
-from slamlib.slam.data_association.front_end import Sight
-from slamlib.vision.active_search import ActiveSearch, Settings
-from slamlib.vision.front_end import Rest
+from slamlib.slam.data_association.front_end import FrontEndInput
+from slamlib.vision.active_search import ActiveSearch, ActiveSearchSettings
+from slamlib.vision.front_end import Backoff
 
 FRAMES, DT = 45, 1 / 30
-OPTIONS = Options(updates=12, first=12, later=3, keep_matched=0.5, inverse_distance=(0.4, 0.4))
+OPTIONS = Options(updates=12, max_new_first=12, max_new=3, min_matched_ratio=0.5, inverse_distance=(0.4, 0.4))
 
 
 @pytest.fixture(scope="module")
 def film():
     path = rendering.path("sideways")
-    rig = rendering.hand_held(path, std=(0.1,))
+    rig = rendering.rig_along_path(path, std=(0.1,))
     made = rendering.film(
         rendering.default_room("drawn"), rig, path, frames=FRAMES, dt=DT, rng=np.random.default_rng(5)
     )
@@ -35,7 +35,7 @@ def film():
 
 def filter_of(film, **settings):
     calibration = film.rig.sensors[0].calibration
-    front_end = ActiveSearch(calibration, np.random.default_rng(3), Settings(**settings))
+    front_end = ActiveSearch(calibration, np.random.default_rng(3), ActiveSearchSettings(**settings))
     return Slam(film.rig, OPTIONS, front_ends=[front_end])
 
 
@@ -44,26 +44,28 @@ def done(film):
     slam, rows = filter_of(film), []
     for frame, truth in film.steps:
         slam.step(frame)
-        chosen = [look for look in slam.looks[0] if look.chosen]
+        chosen = [prediction for prediction in slam.predictions[0] if prediction.chosen]
         rows.append([slam.robots[0].pose.copy(), truth.robots[0][:7], chosen])
     return SimpleNamespace(slam=slam, poses=np.array([r[0] for r in rows]), truth=np.array([r[1] for r in rows]),
-                           chosen=[look for r in rows for look in r[2]])  # fmt: skip
+                           chosen=[prediction for r in rows for prediction in r[2]])  # fmt: skip
 
 
 def test_the_room_is_tracked_and_the_path_recovered_up_to_scale(done):
     times = DT * np.arange(FRAMES)
-    found = aligned(Trajectory(times, done.poses), Trajectory(times, done.truth))
-    assert found.relative < 0.02
-    assert np.mean([look.matched for look in done.chosen]) > 0.85
-    inliers = [look for look in done.chosen if look.inlier]
-    assert len(inliers) > 0.95 * sum(look.matched for look in done.chosen)
-    assert np.mean([look.nis for look in inliers]) < 2  # two degrees of freedom: not too sure of the measurements
+    found = align_trajectory(Trajectory(times, done.poses), Trajectory(times, done.truth))
+    assert found.relative_ate < 0.02
+    assert np.mean([prediction.matched for prediction in done.chosen]) > 0.85
+    inliers = [prediction for prediction in done.chosen if prediction.inlier]
+    assert len(inliers) > 0.95 * sum(prediction.matched for prediction in done.chosen)
+    assert (
+        np.mean([prediction.nis for prediction in inliers]) < 2
+    )  # two degrees of freedom: not too sure of the measurements
 
 
 def on_one_surface(film, truth, pixel, half=6):
     """Whether the patch around a pixel shows one rectangle of the room only."""
     around = pixel + half * np.stack(np.meshgrid([-1, 0, 1], [-1, 0, 1]), -1).reshape(-1, 2)
-    _, surface = film.renderer.cast(compose(truth.robots[0][:7], truth.mounts[0]), around)
+    _, surface = film.renderer.cast(compose(truth.robots[0][:7], truth.extrinsics[0]), around)
     return len(set(np.asarray(surface).tolist())) == 1
 
 
@@ -75,11 +77,15 @@ def test_what_is_matched_is_what_was_seen_before(film):
     slam, begun, away = filter_of(film), {}, []
     for frame, truth in film.steps[:20]:
         report = slam.step(frame)
-        looks = [look for look in slam.looks[0] if look.inlier and look.landmark.id in begun]
-        now = film.truth_of(truth, np.array([look.measured for look in looks]).reshape(-1, 2))
-        away += [np.linalg.norm(p - begun[look.landmark.id]) for look, p in zip(looks, now, strict=True)]
+        predictions = [
+            prediction for prediction in slam.predictions[0] if prediction.inlier and prediction.landmark.id in begun
+        ]
+        now = film.truth_of(truth, np.array([prediction.measured for prediction in predictions]).reshape(-1, 2))
+        away += [
+            np.linalg.norm(p - begun[prediction.landmark.id]) for prediction, p in zip(predictions, now, strict=True)
+        ]
         for landmark in slam.landmarks:
-            if landmark.id in report.begun and on_one_surface(film, truth, landmark.signature.pixel):
+            if landmark.id in report.initialized and on_one_surface(film, truth, landmark.signature.pixel):
                 begun[landmark.id] = film.truth_of(truth, landmark.signature.pixel[None])[0]
     assert len(away) > 100
     assert np.median(away) < 0.002  # [m]; a pixel is about 1 cm of the wall
@@ -111,15 +117,15 @@ def test_dark_frames_are_predictions(film):
     dark = Scan(image=np.zeros((240, 320), np.uint8))
     for number in range(9, 12):
         report = slam.step(Frame(number, DT, (None,), (dark,)))
-        assert not report.begun
-        assert not any(look.matched for look in slam.looks[0])
+        assert not report.initialized
+        assert not any(prediction.matched for prediction in slam.predictions[0])
     assert np.trace(slam.belief.covariance(slam.robots[0].block)[:3, :3]) > spread
     slam.step(film.steps[11][0])  # the light is on again
-    assert sum(look.matched for look in slam.looks[0]) > known / 4
+    assert sum(prediction.matched for prediction in slam.predictions[0]) > known / 4
 
 
 def test_landmarks_that_are_hidden_rest_longer_and_longer():
-    rest, waits = Rest(), []
+    rest, waits = Backoff(), []
     for _ in range(7):
         rest = rest.longer(16)
         waits.append(0)
@@ -133,7 +139,7 @@ def test_new_landmarks_begin_in_cells_of_their_own_with_texture(film):
     slam = filter_of(film)
     slam.step(frame)
     front_end, pixels = slam.front_ends[0], np.array([lm.signature.pixel for lm in slam.landmarks])
-    assert len(pixels) == OPTIONS.first
+    assert len(pixels) == OPTIONS.max_new_first
     assert front_end.grid.occupied(pixels).sum() == len(pixels)
     assert len({lm.id for lm in slam.landmarks}) == len(pixels)
     assert min(lm.signature.quality for lm in slam.landmarks) >= front_end.settings.quality
@@ -141,7 +147,7 @@ def test_new_landmarks_begin_in_cells_of_their_own_with_texture(film):
 
 def test_nothing_begins_when_enough_is_in_view_or_nothing_is_good_enough(film):
     frames = [frame for frame, _ in film.steps[:3]]
-    few, picky = filter_of(film, enough=5), filter_of(film, quality=1e9)
+    few, picky = filter_of(film, max_in_view=5), filter_of(film, quality=1e9)
     for frame in frames:
         few.step(frame)
         picky.step(frame)
@@ -152,17 +158,17 @@ def test_nothing_begins_when_enough_is_in_view_or_nothing_is_good_enough(film):
 def test_adopted_places_need_not_be_corners(film):
     slam = filter_of(film)
     frame, _ = film.steps[0]
-    sight = Sight(frame.scans[0], slam.sensors[0], [])
-    inside, outside = slam.front_ends[0].adopt(sight, "points", np.array([[100.0, 80.0], [2.0, 2.0]]))
+    inputs = FrontEndInput(frame.scans[0], slam.sensors[0], [])
+    inside, outside = slam.front_ends[0].initialize_at(inputs, "points", np.array([[100.0, 80.0], [2.0, 2.0]]))
     assert inside[1].tolist() == [100, 80]
     assert outside is None
 
 
 def test_a_look_keeps_what_was_searched_and_found(done):
-    matched = [look for look in done.chosen if look.matched]
-    assert {look.predicted.shape for look in matched} == {(11, 11)}
-    assert {look.found.shape for look in matched} == {(11, 11)}
-    assert all(look.score >= Settings().threshold for look in matched)
+    matched = [prediction for prediction in done.chosen if prediction.matched]
+    assert {prediction.predicted_patch.shape for prediction in matched} == {(11, 11)}
+    assert {prediction.found_patch.shape for prediction in matched} == {(11, 11)}
+    assert all(prediction.score >= ActiveSearchSettings().threshold for prediction in matched)
 
 
 def test_the_image_must_be_the_calibrated_one(film):
@@ -179,16 +185,16 @@ def test_the_image_must_be_the_calibrated_one(film):
 def test_the_camera_of_a_mounted_sensor_is_robot_and_mount(film):
     slam = filter_of(film)
     sensor = slam.sensors[0]
-    np.testing.assert_array_equal(sensor.camera, compose(sensor.robot.pose, sensor.mount))
+    np.testing.assert_array_equal(sensor.camera, compose(sensor.robot.pose, sensor.extrinsics))
 
 
 def test_no_corner_is_begun_twice(film, done):
     """Also not from the other side of a cell's border: places of landmarks that begin are a patch apart."""
-    slam, size = filter_of(film), Settings().patch
+    slam, size = filter_of(film), ActiveSearchSettings().patch
     for frame, _ in film.steps[:15]:
         report = slam.step(frame)
-        begun = [lm.signature.pixel for lm in slam.landmarks if lm.id in report.begun]
-        expected = [look.value for look in slam.looks[0]]
+        begun = [lm.signature.pixel for lm in slam.landmarks if lm.id in report.initialized]
+        expected = [prediction.value for prediction in slam.predictions[0]]
         for i, pixel in enumerate(begun):
             others = np.array(begun[:i] + expected).reshape(-1, 2)
             assert (np.abs(others - pixel).max(-1) >= size).all()

@@ -41,8 +41,8 @@ def test_from_where_it_was_taken_it_is_the_template():
     point = IDEAL.sensor.back_project(pixel, np.array([0.3]), **IDEAL.padded)
     np.testing.assert_allclose(own.predicted(FIRST, IDEAL, point), own.template.pixels, atol=1e-6)
     assert own.predicted(FIRST, IDEAL, point, size=15).shape == (15, 15)
-    assert own.turned(FIRST, point) < 1e-7
-    assert own.grown(FIRST, point) == 1
+    assert own.angle_change(FIRST, point) < 1e-7
+    assert own.scale_change(FIRST, point) == 1
 
 
 def test_between_pixels_the_template_is_cut_there():
@@ -109,7 +109,7 @@ def test_what_is_too_oblique_is_not_predicted(degrees):
     own, point = Appearance.taken(picture(FIRST), (159.5, 119.5), FIRST), np.array([0, 0, 1, 0.5])
     a = np.radians(degrees)
     camera = posed([2 * np.sin(a), 0, 2 - 2 * np.cos(a)], [0, -a, 0])
-    np.testing.assert_allclose(own.turned(camera, point), a, atol=1e-9)
+    np.testing.assert_allclose(own.angle_change(camera, point), a, atol=1e-9)
     assert recognizable([own], camera, point[None])[0] == (degrees < 60)
     if degrees > 60:
         assert own.predicted(camera, IDEAL, point) is None
@@ -123,7 +123,10 @@ def test_what_is_predicted_was_recognizable():
     for _ in range(60):
         camera = posed(rng.uniform(-2, 1.5, 3), rng.uniform(-0.5, 0.5, 3))
         # the one goes by distances, the other by the map at its very pixel
-        if own.predicted(camera, IDEAL, point, limits=LIMITS) is not None and 0.6 < own.grown(camera, point) < 1.7:
+        if (
+            own.predicted(camera, IDEAL, point, limits=LIMITS) is not None
+            and 0.6 < own.scale_change(camera, point) < 1.7
+        ):
             assert recognizable([own], camera, point[None]).all()
 
 
@@ -132,8 +135,8 @@ def test_an_infinitely_far_point_turns_with_the_camera_alone():
     own = Appearance.taken(image, (159.5, 119.5), FIRST)
     near, far = (own.predicted(posed(p, [0, 0, 0.4]), IDEAL, point) for p in ([0, 0, 0], [9, 9, 9]))
     np.testing.assert_allclose(near, far, atol=1e-9)
-    assert own.turned(posed([9, 9, 9], [0, 0, 0.4]), point) == 0
-    assert not own.due(SURE, posed([9, 9, 9], [0, 0, 0.4]), point)
+    assert own.angle_change(posed([9, 9, 9], [0, 0, 0.4]), point) == 0
+    assert not own.needs_renewal(SURE, posed([9, 9, 9], [0, 0, 0.4]), point)
 
 
 @pytest.mark.parametrize(
@@ -148,9 +151,9 @@ def test_an_infinitely_far_point_turns_with_the_camera_alone():
 )
 def test_a_patch_is_renewed_when_the_view_has_changed_and_the_match_is_sure(camera, due):
     own, point = Appearance.taken(picture(FIRST), (159.5, 119.5), FIRST), np.array([0, 0, 1, 0.5])
-    assert own.due(SURE, camera, point) == due
-    assert not own.due(Match(np.zeros(2), 0.85, 0.1), camera, point)
-    assert not own.due(Match(np.zeros(2), 0.95, 0.85), camera, point)
+    assert own.needs_renewal(SURE, camera, point) == due
+    assert not own.needs_renewal(Match(np.zeros(2), 0.85, 0.1), camera, point)
+    assert not own.needs_renewal(Match(np.zeros(2), 0.95, 0.85), camera, point)
 
 
 def test_renewed_patches_stay_on_the_landmark():
@@ -168,7 +171,7 @@ def test_renewed_patches_stay_on_the_landmark():
             found = None if template is None else search(image, template, place, 4 * np.eye(2))
             if found is not None and found.score > 0.9:
                 away.append([a, np.linalg.norm(found.pixel - place)])
-                if signatures[i].due(found, camera, points[i]):
+                if signatures[i].needs_renewal(found, camera, points[i]):
                     signatures[i] = signatures[i].renewed(image, found, template, camera)
     assert 3 < np.mean([len(s.all) for s in signatures]) < 9
     a, away = np.array(away).T
@@ -183,7 +186,7 @@ def test_the_patch_seen_most_as_now_is_used():
     )
     own = Appearance.taken(picture(FIRST), (159.5, 119.5), FIRST)
     for camera in cameras[1:]:
-        assert own.due(SURE, camera, point)
+        assert own.needs_renewal(SURE, camera, point)
         image, place = picture(camera), true_pixel(camera, point)
         own = own.renewed(image, Match(place, 0.95, 0.1), cut(image, place, 11), camera)
         np.testing.assert_allclose(own.pixel, place, atol=0.02)
@@ -193,7 +196,7 @@ def test_the_patch_seen_most_as_now_is_used():
         np.testing.assert_allclose(
             own.predicted(camera, IDEAL, point), cut(picture(camera), true_pixel(camera, point), 11).pixels, atol=6
         )
-        assert not own.due(SURE, camera, point)
+        assert not own.needs_renewal(SURE, camera, point)
 
 
 def test_a_landmark_near_the_border_keeps_what_there_is_and_none_without_its_template():
@@ -210,7 +213,7 @@ def test_a_landmark_near_the_border_keeps_what_there_is_and_none_without_its_tem
 def test_files_lose_nothing(kind):
     image = photograph("camera").astype(kind) + (0 if kind is np.uint8 else kind(0.1))
     own = Appearance.taken(image, (100.123456789, 50 + 1 / 3), posed([0.1, 1 / 3, 2], [0.1, 0.2, 0.3]), 13, 1234.5)
-    own = Appearance.taken(image, (100, 50), FIRST, 13, elder=own)
+    own = Appearance.taken(image, (100, 50), FIRST, 13, previous=own)
     again = Appearance.unpack(json.loads(json.dumps(own.pack())))
     assert again.pixels.dtype == own.pixels.dtype
     assert len(again.all) == 2

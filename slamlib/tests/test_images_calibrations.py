@@ -63,7 +63,7 @@ def test_euroc_and_kalibr(tmp_path):
     lens = read_lens(path)
     assert (lens.intrinsics, lens.image) == ((367.215, 248.375, 458.654, 457.296), (752, 480))
     assert lens.distortion == (-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05)
-    np.testing.assert_allclose(np.reshape(lens.place, (4, 4))[:3, 3], [-0.02, -0.06, 0.01])
+    np.testing.assert_allclose(np.reshape(lens.transform, (4, 4))[:3, 3], [-0.02, -0.06, 0.01])
     with pytest.raises(SlamlibError, match="--undistort"):
         read_calibration(path)
     radial = write(tmp_path, EUROC.replace("0.00019359, 1.76187114e-05", "0, 0.0"))
@@ -81,7 +81,7 @@ def test_euroc_and_kalibr(tmp_path):
 def test_kitti(tmp_path):
     path = write(tmp_path, KITTI)
     assert read_calibration(path)["parameters"]["intrinsics"] == (607.1928, 185.2157, 718.856, 718.856)
-    baseline = np.reshape(read_lens(path, 1).place, (4, 4))[:3, 3]
+    baseline = np.reshape(read_lens(path, 1).transform, (4, 4))[:3, 3]
     np.testing.assert_allclose(baseline, [0.5371657, 0, 0], atol=1e-6)
     bare = write(tmp_path, KITTI.replace("P0: ", "").replace("P1: ", ""))
     assert read_lens(bare, 1) == read_lens(path, 1)
@@ -257,4 +257,4 @@ def test_real_calibrations():
     visp = read_calibration(DATA / "mono_visp_cube" / "calib.txt")
     assert (visp["image"], visp["parameters"]["intrinsics"]) == ((384, 288), (192, 144, 576.63, 554.99))
     kitti = read_lens(DATA / "stereo_kitti_a" / "calib.txt", 1)
-    assert np.reshape(kitti.place, (4, 4))[0, 3] == pytest.approx(0.537, abs=1e-3)
+    assert np.reshape(kitti.transform, (4, 4))[0, 3] == pytest.approx(0.537, abs=1e-3)

@@ -12,14 +12,14 @@ from slamlib.datasets.calibrations import read_pair
 from slamlib.datasets.lens import Lens, PairCalibration
 from slamlib.datasets.opening import reopen
 from slamlib.datasets.pairs import open_pairs
-from slamlib.datasets.pictures import Picture
+from slamlib.datasets.pictures import TimedImage
 from slamlib.datasets.rectification import Rectification, rectified_setup, why_not_rectified
 from slamlib.datasets.sources import of_pictures
 from slamlib.errors import SlamlibError
 from slamlib.tests.pictures import KALIBR
-from slamlib.vision.run import PAIRS, load, opened_stereo, stereo_run
+from slamlib.vision.run import PAIRS, load, open_stereo, stereo_run
 from slamlib.vision.stereo import StereoSettings
-from slamlib.vision.stereo.features import observe
+from slamlib.vision.stereo.features import extract_features
 from slamlib.vision.stereo.matching import check_pair, survey
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads, rectifies and searches the pictures")
@@ -55,9 +55,9 @@ def written(folder, name, text):
 def test_kitti_and_the_coloured_pair(tmp_path):
     rows = [f"P{i}: 700 0 600 {x} 0 700 180 {y} 0 0 1 0" for i, (x, y) in enumerate(((0, 0), (-375, 0), (45, 0.2)))]
     path = written(tmp_path, "calib.txt", "\n".join([*rows, "P3: 700 0 600 -330 0 700 180 2.2 0 0 1 0"]))
-    assert read_pair([path]).place[0, 3] == pytest.approx(375 / 700)
+    assert read_pair([path]).transform[0, 3] == pytest.approx(375 / 700)
     colour = read_pair([path], (2, 3))
-    assert colour.place[0, 3] == pytest.approx(375 / 700)
+    assert colour.transform[0, 3] == pytest.approx(375 / 700)
     assert why_not_rectified(colour) is None  # 2 px at 1 m: KITTI's own rows are so far apart
     setup, offset = rectified_setup(colour, (1241, 376))
     assert setup["parameters"] == {"intrinsics": (600, 180, 700, 700), "baseline": (pytest.approx(375 / 700),)}
@@ -77,20 +77,20 @@ def test_slamlibs_own_and_plain_files(tmp_path):
         assert SensorSetup(**setup).calibration.noise[0, 0] == pytest.approx(0.16)
     two = Rig((RobotSetup(),), (SensorSetup("left"), SensorSetup("right", position=(0.0, -0.1, 0.0))))
     found = read_pair([written(tmp_path, "d.json", json.dumps(two.to_dict()))])
-    np.testing.assert_allclose(found.place, place(np.eye(3), [0.1, 0, 0]), atol=1e-12)
+    np.testing.assert_allclose(found.transform, place(np.eye(3), [0.1, 0, 0]), atol=1e-12)
 
 
 def test_kalibrs_and_opencvs_files_of_two_cameras(tmp_path):
     found = read_pair([written(tmp_path, "camchain.yaml", CHAIN)])
     assert (found.left.model, found.right.model) == ("equidistant", "radial-tangential")
-    np.testing.assert_allclose(found.place, place(np.eye(3), [0.11, 0, 0]), atol=1e-12)
+    np.testing.assert_allclose(found.transform, place(np.eye(3), [0.11, 0, 0]), atol=1e-12)
     storage = cv2.FileStorage(str(tmp_path / "stereo.yml"), cv2.FILE_STORAGE_WRITE)
     moved = np.linalg.inv(place())
     for name, value in (("M1", K), ("D1", np.zeros(5)), ("M2", K), ("D2", np.zeros(5)), ("R", moved[:3, :3])):
         storage.write(name, value)
     storage.write("T", moved[:3, 3:].copy())
     storage.release()
-    np.testing.assert_allclose(read_pair([str(tmp_path / "stereo.yml")]).place, place(), atol=1e-12)
+    np.testing.assert_allclose(read_pair([str(tmp_path / "stereo.yml")]).transform, place(), atol=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -101,7 +101,7 @@ def test_kalibrs_and_opencvs_files_of_two_cameras(tmp_path):
     ],
 )
 def test_rectified_pixels_are_those_of_a_stereo_sensor(left, right):
-    change = Rectification(PairCalibration(left, replace(right, place=tuple(place().ravel()))), SIZE)
+    change = Rectification(PairCalibration(left, replace(right, transform=tuple(place().ravel()))), SIZE)
     sensor = SensorSetup(**change.setup).calibration
     assert sensor.given["baseline"][0] == pytest.approx(np.linalg.norm(SHIFT))
     rng = np.random.default_rng(1)
@@ -144,13 +144,15 @@ def test_two_principal_points_are_an_offset_of_the_disparities():
     _, film, _ = stereo_film(1)
     image = film[0][0].scans[0].image
     moved = np.stack([image[0], np.roll(image[1], 6, axis=1)])  # as if the right principal point were 6 px further
-    plain, shifted = observe(image, StereoSettings()), observe(moved, StereoSettings(offset=6.0))
+    plain, shifted = extract_features(image, StereoSettings()), extract_features(moved, StereoSettings(offset=6.0))
     one = {tuple(v[:2]): v[2] for v in plain.values}
     both = [(v[2], one[tuple(v[:2])]) for v in shifted.values if tuple(v[:2]) in one]
     assert len(both) > 0.8 * len(plain)
     np.testing.assert_allclose(*np.array(both).T, atol=0.02)
     coarse = StereoSettings(offset=6.0, patch=0)
-    assert np.median(observe(moved, coarse).values[:, 2]) == pytest.approx(np.median(plain.values[:, 2]), abs=1)
+    assert np.median(extract_features(moved, coarse).values[:, 2]) == pytest.approx(
+        np.median(plain.values[:, 2]), abs=1
+    )
 
 
 def test_a_survey_of_pairs():
@@ -166,9 +168,9 @@ def test_a_survey_of_pairs():
 
 
 def sequence(times, told=True):
-    pictures = [Picture(f"{i}.png", t, np.full((4, 6), i, np.uint8)) for i, t in enumerate(times)]
+    pictures = [TimedImage(f"{i}.png", t, np.full((4, 6), i, np.uint8)) for i, t in enumerate(times)]
     source = of_pictures(pictures, 0.1)
-    object.__setattr__(source.whole, "told", told)
+    object.__setattr__(source.sequence, "told", told)
     return source
 
 
@@ -179,7 +181,7 @@ def test_pictures_belong_together_by_their_times():
     with pytest.raises(SlamlibError, match="do not match"):
         open_pairs(sequence([0.0, 0.1]), sequence([5.0, 5.1]))
     with pytest.raises(SlamlibError, match="has 2 pictures, and memory has 3"):
-        open_pairs(sequence([0.0, 0.1], told=False), sequence([0.0, 0.1, 0.2], told=False))
+        open_pairs(sequence([0.0, 0.1], has_times=False), sequence([0.0, 0.1, 0.2], has_times=False))
 
 
 def folders(tmp_path, film):
@@ -196,8 +198,8 @@ def folders(tmp_path, film):
 def test_a_run_from_python(tmp_path):
     _, film, _ = stereo_film(4)
     (left, right), calibration = folders(tmp_path, film)
-    source, camera, settings = opened_stereo(left=left, right=right, calibration=calibration, fps=30)
-    run = stereo_run(source, camera, moving="halves", settings=settings)
+    source, camera, settings = open_stereo(left=left, right=right, calibration=calibration, fps=30)
+    run = stereo_run(source, camera, motion_source="split-features", settings=settings)
     steps = iter(run)
     assert [next(steps).picture.name for _ in range(2)] == ["left_0.png", "left_1.png"]
     run.save(tmp_path / "run.npz")
@@ -212,7 +214,7 @@ def test_a_run_from_python(tmp_path):
     (tmp_path / "right" / "right_3.png").unlink()
     with pytest.raises(SlamlibError, match="had more when the run was saved"):
         reopen(recipe)
-    with pytest.raises(SlamlibError, match="did you mean 'halves'"):
-        stereo_run(source, camera, moving="halfs")
+    with pytest.raises(SlamlibError, match="did you mean 'split-features'"):
+        stereo_run(source, camera, motion_source="split-feature")
     with pytest.raises(SlamlibError, match=r"left_0.png: the pair is 320x240, and the calibration of 100x80"):
         list(stereo_run(source, {**camera, "image": (100.0, 80.0)}))

@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 
 from slamlib.data.setup import SensorSetup
-from slamlib.datasets.pictures import Picture
+from slamlib.datasets.pictures import TimedImage
 from slamlib.datasets.sources import of_pictures
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.alignment import aligned
+from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import compose, to_frame
 from slamlib.geometry.quaternion import exponential
 from slamlib.vision.results import COLUMNS, PARTS, summary, table
 from slamlib.vision.run import IMAGES, camera_rig, image_run, load, options_for
 from slamlib.vision.target import Target
-from slamlib.vision.tracking_loss import Lost
+from slamlib.vision.tracking_loss import TrackingLostError
 
 CAMERA = {
     "image": (64, 48),
@@ -34,7 +34,7 @@ def true_path():
     turn = exponential(np.stack([0 * np.arange(COUNT), 0 * np.arange(COUNT), -0.004 * np.arange(COUNT)], axis=1))
     x = np.arange(COUNT) * 0.02
     robot = np.concatenate([np.stack([0.3 * x, -x, 0.2 * np.sin(3 * x)], axis=1), turn], axis=1)
-    return Trajectory(DT * np.arange(COUNT), compose(robot, SensorSetup().mount))
+    return Trajectory(DT * np.arange(COUNT), compose(robot, SensorSetup().extrinsics))
 
 
 def world():
@@ -52,30 +52,30 @@ class Told:
     def check(self, scan):
         pass
 
-    def findable(self, sight):
-        return sight.looks
+    def searchable(self, inputs):
+        return inputs.predictions
 
-    def _pixels(self, sight, numbers):
-        pose = self.path.poses[int(sight.scan.image[0, 0])]
+    def _pixels(self, inputs, numbers):
+        pose = self.path.poses[int(inputs.scan.image[0, 0])]
         seen = np.concatenate([to_frame(pose, self.points[numbers]), np.ones((len(numbers), 1))], axis=1)
         pixels = CALIBRATION.project(seen) + self.rng.normal(0, 0.1, (len(seen), 2))
         return pixels, CALIBRATION.visible(seen) & CALIBRATION.inside(pixels)
 
-    def match(self, sight, family, looks):
-        if sight.scan.image[0, 0] == DARK:
-            return np.full((len(looks), 2), np.nan), np.zeros(len(looks), dtype=bool)
-        pixels, seen = self._pixels(sight, np.array([look.landmark.signature for look in looks]))
+    def match(self, inputs, family, predictions):
+        if inputs.scan.image[0, 0] == DARK:
+            return np.full((len(predictions), 2), np.nan), np.zeros(len(predictions), dtype=bool)
+        pixels, seen = self._pixels(inputs, np.array([prediction.landmark.signature for prediction in predictions]))
         return np.where(seen[:, None], pixels, np.nan), seen
 
-    def detect(self, sight, family, known, usable, count):
-        if sight.scan.image[0, 0] == DARK:
+    def detect(self, inputs, family, known, usable, count):
+        if inputs.scan.image[0, 0] == DARK:
             return []
-        pixels, seen = self._pixels(sight, np.arange(len(self.points)))
+        pixels, seen = self._pixels(inputs, np.arange(len(self.points)))
         seen &= usable(pixels)
         fresh = [n for n in self.rng.permutation(len(seen)).tolist() if seen[n] and n not in known]
         return [(n, pixels[n], n) for n in fresh[:count]]
 
-    def adopt(self, sight, family, values):
+    def initialize_at(self, inputs, family, values):
         """Each pixel's point is the world's whose number comes next: targets in these tests are its first points."""
         return [(n, pixel, n) if pixel[0] > 3 else None for n, pixel in enumerate(values)]
 
@@ -95,19 +95,21 @@ class Told:
 def pictures(dark=(), count=COUNT):
     """Pictures whose brightness is their number."""
     shades = [DARK if i in dark else i for i in range(count)]
-    return of_pictures([Picture(f"{i}.png", DT * i, np.full((48, 64), s, np.uint8)) for i, s in enumerate(shades)], DT)
+    return of_pictures(
+        [TimedImage(f"{i}.png", DT * i, np.full((48, 64), s, np.uint8)) for i, s in enumerate(shades)], DT
+    )
 
 
-def begun(dark=(), **options):
+def started(dark=(), **options):
     return image_run(pictures(dark), camera_rig(CAMERA), OPTIONS, Told(), **options)
 
 
 def error(run, scale=True):
-    return aligned(run.trajectory(), true_path()[np.arange(len(run.history))], scale=scale)
+    return align_trajectory(run.trajectory(), true_path()[np.arange(len(run.history))], scale=scale)
 
 
 def test_a_run_of_all_pictures():
-    run = begun()
+    run = started()
     assert len(run) == COUNT
     steps = list(run)
     assert len(run) == 0
@@ -116,12 +118,12 @@ def test_a_run_of_all_pictures():
     assert steps[3].picture.name == "3.png"
     assert set(steps[5].row) == set(COLUMNS)
     found = error(run)
-    assert found.relative < 0.02
+    assert found.relative_ate < 0.02
     assert 0.2 < found.similarity.scale < 5
     result = run.result()
     assert result.matched[0] == 0
     assert (result.matched[1:] > 5).all()
-    assert result.gaps == 0
+    assert result.frames_without_match == 0
     assert 0.5 < result.nis[5:].sum() / result.nis_dof[5:].sum() < 1.5
     s = summary(result)
     assert s["frames"] == COUNT
@@ -133,14 +135,14 @@ def test_a_run_of_all_pictures():
 
 
 def test_going_on_is_the_same_as_not_stopping(tmp_path):
-    whole, cut = begun({20, 21}), begun({20, 21})
+    whole, cut = started({20, 21}), started({20, 21})
     list(whole)
     steps = iter(cut)
     for _ in range(21):
         next(steps)
     cut.save(tmp_path / "run.npz")
     again = load(tmp_path / "run.npz", source=pictures({20, 21}), front_end=lambda calibration: Told(seed=9))
-    assert (len(again), again.gap.frames) == (COUNT - 21, 1)
+    assert (len(again), again.tracking_loss.frames) == (COUNT - 21, 1)
     list(again)
     assert np.array_equal(whole.trajectory().poses, again.trajectory().poses)
     assert np.array_equal(whole.slam.belief.matrix, again.slam.belief.matrix)
@@ -154,7 +156,7 @@ def test_going_on_is_the_same_as_not_stopping(tmp_path):
 
 
 def test_what_is_broken_off_in_the_middle_is_not_saved(tmp_path):
-    run = begun()
+    run = started()
     steps = iter(run)
     next(steps)
     run.slam.front_ends[0].match = None  # fails
@@ -166,35 +168,37 @@ def test_what_is_broken_off_in_the_middle_is_not_saved(tmp_path):
 
 
 def test_frames_without_matches_are_predictions():
-    run = begun({15, 16, 17})
-    gaps = [run.gap.frames for _ in run]
+    run = started({15, 16, 17})
+    gaps = [run.tracking_loss.frames for _ in run]
     assert gaps[14:19] == [0, 1, 2, 3, 0]
-    assert run.result().gaps == 3
-    assert error(run).relative < 0.03
+    assert run.result().frames_without_match == 3
+    assert error(run).relative_ate < 0.03
     moved = np.linalg.norm(np.diff(run.trajectory().positions, axis=0), axis=1)
     assert (moved[14:17] > 0.25 * np.median(moved)).all()
 
 
 def test_missing_pictures_pass_as_dark_ones_do():
     spoilt = set(range(15, 23))
-    dark = begun(spoilt)
+    dark = started(spoilt)
     there = [p for i, p in enumerate(pictures()) if i not in spoilt]
     missing = image_run(of_pictures(there, DT), camera_rig(CAMERA), OPTIONS, Told())
     seen = []
     for run in (dark, missing):
         step = next(step for step in run if step.picture.name == "23.png")
         assert (step.number, run.slam.time) == (24 if run is dark else 16, pytest.approx(23 * DT))
-        seen.append({look.landmark.signature: look for look in run.slam.looks[0]})
+        seen.append({prediction.landmark.signature: prediction for prediction in run.slam.predictions[0]})
     assert len(seen[0]) > 10
     assert seen[0].keys() == seen[1].keys()
-    for name, look in seen[0].items():
-        np.testing.assert_allclose(look.value, seen[1][name].value, atol=1e-9)
-        np.testing.assert_allclose(look.Z, seen[1][name].Z, rtol=1e-9)
+    for name, prediction in seen[0].items():
+        np.testing.assert_allclose(prediction.value, seen[1][name].value, atol=1e-9)
+        np.testing.assert_allclose(prediction.S, seen[1][name].S, rtol=1e-9)
 
 
 def test_a_gap_that_lasts_ends_the_run_and_nothing_is_lost(tmp_path):
-    run = begun(set(range(10, 25)), patience=6)
-    with pytest.raises(Lost, match=r"6 frames in a row without a match, from frame 11 on; was there a cut"):
+    run = started(set(range(10, 25)), patience=6)
+    with pytest.raises(
+        TrackingLostError, match=r"6 frames in a row without a match, from frame 11 on; was there a cut"
+    ):
         list(run)
     assert len(run.history) == 16
     run.save(tmp_path / "run.npz")
@@ -205,55 +209,55 @@ def test_a_gap_that_lasts_ends_the_run_and_nothing_is_lost(tmp_path):
 
 
 def test_after_a_cut_new_landmarks_do_not_hide_that_the_old_ones_are_gone():
-    run = begun(patience=8)
+    run = started(patience=8)
     for step in run:
         if step.number == 12:  # another place, where nothing known is in view
             run.slam.front_ends[0].points = run.slam.front_ends[0].points * [1, 1, 1] + [0, 0, 50]
             run.slam.front_ends[0].points[40:] = world()[40:]
             known = {lm.signature for lm in run.slam.landmarks}
             run.slam.front_ends[0].points[sorted(known)] += 50
-        if run.gap.frames == 7:
+        if run.tracking_loss.frames == 7:
             break
-    assert run.result().begun[12:].sum() > 0
-    assert run.gap.first == 13
-    with pytest.raises(Lost):
+    assert run.result().initialized[12:].sum() > 0
+    assert run.tracking_loss.first == 13
+    with pytest.raises(TrackingLostError):
         list(run)
 
 
 def test_a_dark_beginning_keeps_the_start_known():
-    run = begun(set(range(5)), patience=30)
+    run = started(set(range(5)), patience=30)
     list(run)
     result = run.result()
-    assert result.begun[:6].tolist() == [0, 0, 0, 0, 0, OPTIONS.first]
+    assert result.initialized[:6].tolist() == [0, 0, 0, 0, 0, OPTIONS.max_new_first]
     np.testing.assert_array_equal(result.trajectory.positions[:6], 0)
-    with pytest.raises(Lost, match="is there light, and texture"):
-        list(begun(set(range(COUNT)), patience=10))
+    with pytest.raises(TrackingLostError, match="is there light, and texture"):
+        list(started(set(range(COUNT)), patience=10))
 
 
 def test_over_a_longer_time_more_impulses():
     there = pictures()
     sparse = of_pictures([p for i, p in enumerate(there) if i not in (20, 21, 22)], DT)
-    spreads = []
+    endpoint_covariances = []
     for source in (there, sparse):
         run = image_run(source, camera_rig(CAMERA), OPTIONS, Told())
         seen = []
-        correct = run.slam._correct
-        run.slam._correct = lambda i, scan, s=run.slam, c=correct, a=seen: (
+        correct = run.slam._update
+        run.slam._update = lambda i, scan, s=run.slam, c=correct, a=seen: (
             a.append(s.belief.covariance(s.robots[0].block)[6:9, 6:9].trace()), c(i, scan)
         )  # fmt: skip
         list(run)
-        spreads.append(seen)
+        endpoint_covariances.append(seen)
     impulse = 3 * IMPULSE[0] ** 2
-    assert spreads[0][20] < 2.5 * impulse
-    assert spreads[1][20] > 3.9 * impulse
+    assert endpoint_covariances[0][20] < 2.5 * impulse
+    assert endpoint_covariances[1][20] > 3.9 * impulse
 
 
 def test_a_picture_of_another_size_is_refused_before_the_filter_moves():
-    source = of_pictures([Picture("a.png", 0.0, np.zeros((24, 32), np.uint8))], DT)
+    source = of_pictures([TimedImage("a.png", 0.0, np.zeros((24, 32), np.uint8))], DT)
     run = image_run(source, camera_rig(CAMERA), OPTIONS, Told())
     with pytest.raises(SlamlibError, match=r"a\.png is 32x24, and the calibration is of 64x48"):
         list(run)
-    assert run.whole
+    assert run.is_intact
     for what in (run.result, run.trajectory):
         with pytest.raises(SlamlibError, match="nothing has been run"):
             what()
@@ -287,12 +291,12 @@ def test_a_target_gives_the_true_scale_and_the_place():
     run, known = with_target()
     first = next(iter(run))
     assert first.row["searched"] == 0
-    assert first.row["landmarks"] == len(known.points) + OPTIONS.first
+    assert first.row["landmarks"] == len(known.points) + OPTIONS.max_new_first
     P = run.slam.belief.covariance(run.slam.robots[0].block)
     assert np.sqrt(P[:3, :3].diagonal()).max() < 0.1
     np.testing.assert_allclose(run.trajectory().positions[0], 0, atol=4 * np.sqrt(P[:3, :3].diagonal().max()))
     list(run)
-    found = aligned(run.trajectory(), true_path(), scale=True)
+    found = align_trajectory(run.trajectory(), true_path(), scale=True)
     assert found.similarity.scale == pytest.approx(1, abs=0.05)
     off = np.linalg.norm(run.trajectory().positions - true_path().positions, axis=1)  # without any alignment
     assert off.max() < 0.15
@@ -313,7 +317,7 @@ def test_the_uncertainty_of_the_start_is_that_of_the_pixels():
         next(iter(run))
         from slamlib.geometry.pose import Pose, inverse
 
-        true = compose(true_path().poses[0], inverse(SensorSetup().mount))
+        true = compose(true_path().poses[0], inverse(SensorSetup().extrinsics))
         e = Pose.minus(true, run.slam.robots[0].pose)
         squared.append(e @ np.linalg.solve(run.slam.belief.covariance(run.slam.robots[0].block)[:6, :6], e))
     assert 4.5 < np.mean(squared) < 8.0  # 6 degrees of freedom, 99.9 % band of 60 draws about [4.7, 7.5]
@@ -359,7 +363,7 @@ def test_targets_that_say_too_little_or_do_not_fit():
     with pytest.raises(SlamlibError, match="too near the picture's border"):
         next(iter(run))
     run = image_run(
-        pictures(), camera_rig(CAMERA), OPTIONS, type("Other", (Told,), {"adopt": property()})(), scale=known
+        pictures(), camera_rig(CAMERA), OPTIONS, type("Other", (Told,), {"initialize_at": property()})(), scale=known
     )
-    with pytest.raises(SlamlibError, match="has no `adopt`"):
+    with pytest.raises(SlamlibError, match="has no `initialize_at`"):
         next(iter(run))

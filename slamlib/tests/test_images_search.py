@@ -22,13 +22,13 @@ def random_covariance(rng: np.random.Generator) -> np.ndarray:
     """Ellipses from one pixel to twenty, of any direction."""
     axes, turn = np.exp(rng.uniform(0, 2, 2)), rng.uniform(0, np.pi)
     R = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
-    Z = R @ np.diag(axes**2) @ R.T
-    return (Z + Z.T) / 2
+    S = R @ np.diag(axes**2) @ R.T
+    return (S + S.T) / 2
 
 
-def least(pixels: np.ndarray, centre: np.ndarray, Z: np.ndarray) -> np.ndarray:
-    """The least z' Z^-1 z (n,) of all the places to which each pixel (n, 2) is the nearest: its square."""
-    A, corners = np.linalg.inv(Z), 0.5 * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+def least(pixels: np.ndarray, centre: np.ndarray, S: np.ndarray) -> np.ndarray:
+    """The least z' S^-1 z (n,) of all the places to which each pixel (n, 2) is the nearest: its square."""
+    A, corners = np.linalg.inv(S), 0.5 * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     away = np.asarray(pixels, float) - centre
     values = [np.where((np.abs(away) <= 0.5).all(-1), 0, np.inf)]
     for start, end in zip(corners, np.roll(corners, -1, axis=0), strict=True):
@@ -42,11 +42,11 @@ def least(pixels: np.ndarray, centre: np.ndarray, Z: np.ndarray) -> np.ndarray:
 @given(seeds, centres, st.sampled_from([0.5, 0.95, 0.99]), st.floats(0.01, 1))
 def test_looked_at_are_the_pixels_nearest_to_the_ellipse_whose_window_is_in_the_image(seed, centre, probability, small):
     rng = np.random.default_rng(seed)
-    image, Z = rng.uniform(0, 255, (50, 70)), small * random_covariance(rng)
+    image, S = rng.uniform(0, 255, (50, 70)), small * random_covariance(rng)
     u, v = (x.ravel() for x in grid(50, 70))
-    expected = least(np.stack([u, v], axis=-1), centre, Z) <= gate(probability, 2)
+    expected = least(np.stack([u, v], axis=-1), centre, S) <= gate(probability, 2)
     expected &= (u >= 5) & (u <= 64) & (v >= 4) & (v <= 45)
-    scores = score_map(image, rng.uniform(0, 255, (9, 11)), centre, Z, probability)
+    scores = score_map(image, rng.uniform(0, 255, (9, 11)), centre, S, probability)
     looked = np.zeros((50, 70), bool)
     if scores is not None:
         (u0, v0), (rows, columns) = scores.corner, scores.inside.shape
@@ -57,13 +57,13 @@ def test_looked_at_are_the_pixels_nearest_to_the_ellipse_whose_window_is_in_the_
 @given(seeds, centres)
 def test_scores_are_those_of_zncc_and_the_best_is_returned(seed, centre):
     rng = np.random.default_rng(seed)
-    image, Z, template = rng.uniform(0, 255, (50, 70)), random_covariance(rng), rng.uniform(0, 255, (9, 9))
-    scores = score_map(image, template, centre, Z)
+    image, S, template = rng.uniform(0, 255, (50, 70)), random_covariance(rng), rng.uniform(0, 255, (9, 9))
+    scores = score_map(image, template, centre, S)
     assume(scores is not None)
     (u, v), (rows, columns) = scores.corner, scores.values.shape
     windows = np.lib.stride_tricks.sliding_window_view(image, (9, 9))[v - 4 : v - 4 + rows, u - 4 : u - 4 + columns]
     np.testing.assert_allclose(scores.values, zncc(windows, template), atol=1e-12)
-    match = search(image, template, centre, Z)
+    match = search(image, template, centre, S)
     assert match.score == scores.values[scores.inside].max()
     row, column = np.argwhere(scores.inside & (scores.values == match.score))[0]
     far = scores.inside.copy()
@@ -75,12 +75,12 @@ def test_scores_are_those_of_zncc_and_the_best_is_returned(seed, centre):
 @given(seeds, centres, st.floats(0.01, 1))
 def test_nothing_outside_of_the_ellipse_is_returned_but_by_the_fraction_of_a_pixel(seed, centre, small):
     rng = np.random.default_rng(seed)
-    image, Z = rng.uniform(0, 255, (50, 70)), small * random_covariance(rng)
-    match = search(image, rng.uniform(0, 255, (9, 9)), centre, Z)
+    image, S = rng.uniform(0, 255, (50, 70)), small * random_covariance(rng)
+    match = search(image, rng.uniform(0, 255, (9, 9)), centre, S)
     assume(match is not None)
     around = np.rint(match.pixel) + np.stack(np.meshgrid([-1, 0, 1], [-1, 0, 1]), axis=-1).reshape(-1, 2)
     near = around[np.abs(around - match.pixel).max(1) <= 1]
-    assert least(near, centre, Z).min() <= gate(0.99, 2) * (1 + 1e-9)
+    assert least(near, centre, S).min() <= gate(0.99, 2) * (1 + 1e-9)
 
 
 @given(seeds)
@@ -96,12 +96,12 @@ def test_the_ellipse_is_pi_quarters_of_its_rectangle():
     # errata E59: and holds the truth with the probability of chi-square with two degrees of freedom, 9 -> 98.89 %
     rng, ratios = np.random.default_rng(1), []
     for _ in range(50):
-        Z = np.diag(rng.uniform(60, 90, 2) ** 2)
-        _, mask = ellipse((2000, 2000), (9, 9), rng.uniform(900, 1100, 2), Z, 9.0, np.inf)
+        S = np.diag(rng.uniform(60, 90, 2) ** 2)
+        _, mask = ellipse((2000, 2000), (9, 9), rng.uniform(900, 1100, 2), S, 9.0, np.inf)
         ratios.append(mask.mean())
     assert abs(np.mean(ratios) / (np.pi / 4) - 1) < 0.01
-    drawn = rng.multivariate_normal([0, 0], Z, 200_000)
-    inside = ((drawn @ np.linalg.inv(Z)) * drawn).sum(1) <= 9
+    drawn = rng.multivariate_normal([0, 0], S, 200_000)
+    inside = ((drawn @ np.linalg.inv(S)) * drawn).sum(1) <= 9
     assert abs(inside.mean() - 0.9889) < 0.001
 
 
@@ -112,9 +112,9 @@ def test_a_patch_is_found_where_it_was_taken(name):
         patch = cut(image, place, 11)
         if patch.centred.std() < 1:  # a clear sky
             continue
-        Z = random_covariance(rng)
-        Z *= min(1.0, 100 / Z.max())
-        match = search(0.5 * image + 20, patch, rng.multivariate_normal(place, Z / 9), Z)
+        S = random_covariance(rng)
+        S *= min(1.0, 100 / S.max())
+        match = search(0.5 * image + 20, patch, rng.multivariate_normal(place, S / 9), S)
         # the nearest whole pixel has the score 1; the paraboloid moves it by less than one
         assert match.score > 1 - 1e-9
         assert np.abs(match.pixel - place).max() <= 1
@@ -129,9 +129,9 @@ def test_a_patch_of_a_real_sequence_is_found_in_the_next_images():
             corner = best_corner(a, grid_.rectangle(tuple(cell)))
             if corner is None:
                 continue
-            patch, Z = cut(a, corner.pixel, 11), 16 * np.eye(2)
-            there = search(b, patch, corner.pixel, Z)
-            back = search(a, cut(b, there.pixel, 11), there.pixel, Z)
+            patch, S = cut(a, corner.pixel, 11), 16 * np.eye(2)
+            there = search(b, patch, corner.pixel, S)
+            back = search(a, cut(b, there.pixel, 11), there.pixel, S)
             if there.score > 0.9 and there.ratio < 0.9:
                 away.append(np.linalg.norm(back.pixel - corner.pixel))
     assert len(away) > 500
@@ -265,9 +265,9 @@ def test_misuse_is_named():
         search(image, np.zeros((9, 9, 3)), (20, 20), np.eye(2))
     with pytest.raises(SlamlibError, match="odd sizes"):
         search(image, template[:10, :9], (20, 20), np.eye(2))
-    for Z in ([[1, 2], [2, 1]], [[1, 0.5], [0, 1]], [[0, 0], [0, 0]], [[-1, 0], [0, -1]]):
+    for S in ([[1, 2], [2, 1]], [[1, 0.5], [0, 1]], [[0, 0], [0, 0]], [[-1, 0], [0, -1]]):
         with pytest.raises(CovarianceError, match="positive definite"):
-            search(image, template[:9, :9], (20, 20), np.array(Z))
+            search(image, template[:9, :9], (20, 20), np.array(S))
     with pytest.raises(ShapeError):
         search(image, template[:9, :9], (20, 20, 1), np.eye(2))
     with pytest.raises(NonFiniteError):

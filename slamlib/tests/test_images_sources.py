@@ -5,8 +5,8 @@ import pytest
 from slambook import rendering
 
 from slamlib.datasets import formats
-from slamlib.datasets.opening import opened_pairs, reopen
-from slamlib.datasets.pictures import Picture, read_image
+from slamlib.datasets.opening import open_rectified_pairs, reopen
+from slamlib.datasets.pictures import TimedImage, read_image
 from slamlib.datasets.sources import of_film, of_pictures, open_source
 from slamlib.errors import SlamlibError
 from slamlib.modeling.registry import Registry
@@ -185,12 +185,12 @@ def test_a_video_without_pictures_or_its_end(tmp_path):
 
 
 def test_pictures_in_memory_and_of_a_film():
-    there = [Picture(str(i), 0.1 * i, shade(i)) for i in range(6)]
+    there = [TimedImage(str(i), 0.1 * i, shade(i)) for i in range(6)]
     assert numbers(of_pictures(there, 0.1).part(1, 2)) == [1, 3, 5]
     path = rendering.path("sideways")
     film = rendering.film(
         rendering.default_room("drawn"),
-        rendering.hand_held(path),
+        rendering.rig_along_path(path),
         path,
         frames=4,
         dt=0.05,
@@ -294,7 +294,7 @@ def test_another_data_set_is_one_written_file(tmp_path, monkeypatch):
     (tmp_path / "there" / "camera.txt").write_text("another 100 0.25\n")
     source = open_source(tmp_path / "there", camera=1)
     assert (source.layout, numbers(source), source.interval) == ("another", [5, 6, 7], pytest.approx(0.1))
-    pairs, setup, offset = opened_pairs(str(tmp_path / "there"))
+    pairs, setup, offset = open_rectified_pairs(str(tmp_path / "there"))
     assert (len(pairs), setup["parameters"]["baseline"], offset) == (3, (0.25,), 0.0)
     assert np.array_equal(next(iter(pairs)).image, np.stack([shade(0), shade(5)]))
 

@@ -11,7 +11,7 @@ from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import pi_matrix
 from slamlib.landmarks import LINES, ahm_line, apl_line, endpoints, hmg_line, idp_line, line_innovation, plk_line
 from slamlib.landmarks import segments as seg
-from slamlib.landmarks.endpoints import Extension, Seen
+from slamlib.landmarks.endpoints import EndpointExtension, ObservedEndpoints
 from slamlib.model import Model
 from slamlib.modeling.numerical import central_difference
 from slamlib.tests.reference import cases
@@ -61,7 +61,7 @@ def test_value_and_jacobians_are_those_of_the_definition(model):
 @pytest.mark.parametrize("model", MODELS, ids=name)
 def test_central_differences_and_a_batch_agree(model, rng):
     items = [
-        [rng.standard_normal(a.shape) if a.space is None else a.space.random(rng) for a in model.arguments]
+        [rng.standard_normal(a.shape) if a.manifold is None else a.manifold.random(rng) for a in model.arguments]
         for _ in range(4)
     ]
     for item in items:
@@ -176,7 +176,7 @@ def test_the_projection_does_not_depend_on_the_frame(rng):
 
 def test_all_five_are_found_by_the_toolboxs_names():
     assert sorted(LINES) == ["ahmLin", "aplLin", "hmgLin", "idpLin", "plkLin"]
-    assert [LINES[n].space.size for n in ("plkLin", "aplLin", "hmgLin", "ahmLin", "idpLin")] == [6, 9, 8, 11, 9]
+    assert [LINES[n].manifold.size for n in ("plkLin", "aplLin", "hmgLin", "ahmLin", "idpLin")] == [6, 9, 8, 11, 9]
 
 
 @pytest.mark.parametrize("kind", KINDS, ids=lambda k: k.name)
@@ -187,8 +187,8 @@ def test_an_initialized_line_is_seen_where_it_was_measured_and_behaves_as_its_po
         line = kind.to_frame(camera, landmark)
         assert line_innovation.angles(line, rays) == pytest.approx(np.zeros(2), abs=1e-14)
         other = Pose.random(rng)
-        ends = endpoints.ends(kind, landmark, (0.2, 1.3))
-        direct = plucker.join(*(np.array([*frames.to_frame(other, e[:3] / e[3]), 1]) for e in ends))
+        end_points = endpoints.endpoints_at(kind, landmark, (0.2, 1.3))
+        direct = plucker.join(*(np.array([*frames.to_frame(other, e[:3] / e[3]), 1]) for e in end_points))
         assert proportional(direct, kind.to_frame(other, landmark)) < 1e-12
 
 
@@ -196,8 +196,8 @@ def test_an_initialized_line_is_seen_where_it_was_measured_and_behaves_as_its_po
 def test_a_line_of_two_points_holds_its_endpoints_at_zero_and_one(name, rng):
     kind, camera, rays = LINES[name], Pose.random(rng), camera_line([100, 100, 500, 300])
     landmark = kind.from_frame(camera, rays, [0.2, 0.1])
-    ends = endpoints.ends(kind, landmark, kind.abscissas)
-    for end, ray, distance in zip(ends, rays.reshape(2, 3), (5, 10), strict=True):
+    end_points = endpoints.endpoints_at(kind, landmark, kind.abscissas)
+    for end, ray, distance in zip(end_points, rays.reshape(2, 3), (5, 10), strict=True):
         assert frames.to_frame(camera, end[:3] / end[3]) == pytest.approx(distance * ray, abs=1e-12)
 
 
@@ -337,45 +337,47 @@ def test_measured_ends_are_found_on_the_landmark(kind, rng):
     camera[3:] /= np.linalg.norm(camera[3:])
     landmark = kind.from_frame(camera, camera_line([100, 100, 500, 300]), [0.2, 0.15])
     measured = camera_line([200, 150, 400, 250])
-    found = endpoints.seen_ends(kind, landmark, camera, measured)
+    found = endpoints.observed_endpoints(kind, landmark, camera, measured)
     assert found.usable
-    for end, ray in zip(endpoints.ends(kind, landmark, found.abscissas), measured.reshape(2, 3), strict=True):
+    for end, ray in zip(endpoints.endpoints_at(kind, landmark, found.abscissas), measured.reshape(2, 3), strict=True):
         there = frames.to_frame(camera, end[:3] / end[3])
         assert min(np.linalg.norm(there / np.linalg.norm(there) - r) for r in measured.reshape(2, 3)) < 1e-12
         assert ray @ there > 0
-    assert endpoints.abscissas_of(kind, landmark, endpoints.ends(kind, landmark, found.abscissas)) == pytest.approx(
-        found.abscissas
-    )
-    both = endpoints.seen_ends(kind, np.array([landmark, landmark]), camera, np.array([measured, measured]))
+    assert endpoints.abscissas_of(
+        kind, landmark, endpoints.endpoints_at(kind, landmark, found.abscissas)
+    ) == pytest.approx(found.abscissas)
+    both = endpoints.observed_endpoints(kind, np.array([landmark, landmark]), camera, np.array([measured, measured]))
     assert both.abscissas == pytest.approx(np.tile(found.abscissas, (2, 1)))
 
 
 def test_rays_along_the_line_and_lines_behind_are_not_used():
     identity = np.array([0, 0, 0, 1.0, 0, 0, 0])
     along = hmg_line.from_frame(identity, [0, 0, 1, 0, 0, 1], [0.1, 0.1])
-    assert not endpoints.seen_ends(hmg_line.HMG_LINE, along, identity, [0, 0, 1, 0, 0, 1]).usable
+    assert not endpoints.observed_endpoints(hmg_line.HMG_LINE, along, identity, [0, 0, 1, 0, 0, 1]).usable
     deep = np.array([0.1, 0, 1, 1, 0.1, 0, 50, 1])
-    assert not endpoints.seen_ends(hmg_line.HMG_LINE, deep, identity, [0.05, 0, 1, 0.002, 0, 1]).usable
+    assert not endpoints.observed_endpoints(hmg_line.HMG_LINE, deep, identity, [0.05, 0, 1, 0.002, 0, 1]).usable
     behind = np.array([-1.0, 0, -4, 1, 1, 0, -4, 1])
-    assert not endpoints.seen_ends(hmg_line.HMG_LINE, behind, identity, camera_line([200, 240, 400, 240])).usable
+    assert not endpoints.observed_endpoints(
+        hmg_line.HMG_LINE, behind, identity, camera_line([200, 240, 400, 240])
+    ).usable
 
 
 def test_the_extension_policies_and_their_switch():
     old, new = np.array([0.0, 1]), np.array([-0.5, 0.5])
-    yes, no = Seen(new, np.True_), Seen(new, np.False_)
-    assert Extension(extend=False).update(old, yes, 1.0).tolist() == [0, 1]
-    assert Extension(switch=10).update(old, yes, 1.0).tolist() == [-0.5, 1]
-    assert Extension(switch=10).update(old, yes, 10.0).tolist() == [-0.5, 0.5]
-    assert Extension(switch=10).update(old, no, 1.0).tolist() == [0, 1]
-    assert Extension(switch=0).update(old, yes, 0.0).tolist() == [-0.5, 0.5]
-    assert Extension(switch=np.inf).update(old, yes, 1e9).tolist() == [-0.5, 1]
-    both = Extension().update(
-        np.array([old, old]), Seen(np.array([new, new]), np.array([True, True])), np.array([1, 99])
+    yes, no = ObservedEndpoints(new, np.True_), ObservedEndpoints(new, np.False_)
+    assert EndpointExtension(extend=False).update(old, yes, 1.0).tolist() == [0, 1]
+    assert EndpointExtension(switch=10).update(old, yes, 1.0).tolist() == [-0.5, 1]
+    assert EndpointExtension(switch=10).update(old, yes, 10.0).tolist() == [-0.5, 0.5]
+    assert EndpointExtension(switch=10).update(old, no, 1.0).tolist() == [0, 1]
+    assert EndpointExtension(switch=0).update(old, yes, 0.0).tolist() == [-0.5, 0.5]
+    assert EndpointExtension(switch=np.inf).update(old, yes, 1e9).tolist() == [-0.5, 1]
+    both = EndpointExtension().update(
+        np.array([old, old]), ObservedEndpoints(np.array([new, new]), np.array([True, True])), np.array([1, 99])
     )
     assert both.tolist() == [[-0.5, 1], [-0.5, 0.5]]
-    assert endpoints.spread(np.diag([4.0, 9.0])) == pytest.approx(3)
+    assert endpoints.largest_std(np.diag([4.0, 9.0])) == pytest.approx(3)
     with pytest.raises(SlamlibError, match="standard deviation"):
-        Extension(switch=-1)
+        EndpointExtension(switch=-1)
 
 
 # -- the toolbox's numbers ---------------------------------------------------------------------------------------------
@@ -418,7 +420,7 @@ def test_pluecker_agrees_with_the_toolbox(function, model, inputs, output, jacob
 def test_endpoints_agree_with_the_toolbox(function, kind):
     for given, wanted in cases("lines", function):
         state = next(v for k, v in given.items() if k != "t")
-        points = endpoints.ends(LINES[kind], state, given["t"])
+        points = endpoints.endpoints_at(LINES[kind], state, given["t"])
         assert (points[:, :3] / points[:, 3:]).ravel() == pytest.approx(wanted["s"], abs=1e-10)
         h, J = LINES[kind].point_at.jac(state[None], given["t"])
         by_state = J[0][..., :3, :] / h[..., 3:, None] - h[..., :3, None] * J[0][..., 3:, :] / h[..., 3:, None] ** 2
@@ -513,9 +515,9 @@ def test_the_gate_agrees_with_the_toolbox():
     """Z and the squared Mahalanobis distance of the orthogonal distances."""
     for given, wanted in cases("segments2d", "innovation_ortDst"):
         d, J = line_innovation.distances.jac(given["e"], given["y"])
-        Z = J.line @ given["E"] @ J.line.T + J.segment @ given["R"] @ J.segment.T
-        assert pytest.approx(wanted["Z"], abs=1e-9) == Z
-        assert d @ np.linalg.solve(Z, d) == pytest.approx(wanted["MD2"])
+        S = J.line @ given["E"] @ J.line.T + J.segment @ given["R"] @ J.segment.T
+        assert pytest.approx(wanted["Z"], abs=1e-9) == S
+        assert d @ np.linalg.solve(S, d) == pytest.approx(wanted["MD2"])
 
 
 def test_trimmed_segments_agree_with_the_toolbox():

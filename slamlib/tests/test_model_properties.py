@@ -22,7 +22,7 @@ def any_argument(draw, argument):
     value = draw(values)
     if argument.is_manifold and draw(st.booleans()) and shape[-1:] == argument.shape:
         seed = draw(st.integers(0, 99))
-        point = argument.space.random(np.random.default_rng(seed))
+        point = argument.manifold.random(np.random.default_rng(seed))
         value = np.broadcast_to(point, shape).copy()
     return value
 

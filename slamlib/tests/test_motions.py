@@ -26,7 +26,7 @@ def test_value_and_jacobians_are_those_of_the_definition(model):
 @pytest.mark.parametrize("model", MODELS, ids=lambda m: m.module)
 def test_central_differences_and_a_batch_agree(model, rng):
     items = [
-        [rng.standard_normal(a.shape) if a.space is None else a.space.random(rng) for a in model.arguments]
+        [rng.standard_normal(a.shape) if a.manifold is None else a.manifold.random(rng) for a in model.arguments]
         for _ in range(3)
     ]
     _, jacobians = model.jac(*items[0])
@@ -41,26 +41,26 @@ def test_central_differences_and_a_batch_agree(model, rng):
 
 
 def test_odometry_is_a_composition(rng):
-    state, control = ODOMETRY.space.random(rng), rng.standard_normal(6)
+    state, control = ODOMETRY.manifold.random(rng), rng.standard_normal(6)
     increment = np.concatenate([control[:3], quaternion.exponential(control[3:])])
     moved = odometry.step(state, control, 0.1)
     assert pose.Pose.minus(moved, pose.compose(state, increment)) == pytest.approx(np.zeros(6), abs=1e-14)
 
 
 def test_standing_still_changes_nothing_and_has_exact_jacobians(rng):
-    state = ODOMETRY.space.random(rng)
+    state = ODOMETRY.manifold.random(rng)
     moved, J = odometry.step.jac(state, np.zeros(6), 0.1)
     assert moved == pytest.approx(state, abs=1e-15)
     assert J.state == pytest.approx(np.eye(6), abs=1e-15)
     assert J.control[3:, 3:] == pytest.approx(np.eye(3), abs=1e-15)
-    state = CONSTANT_VELOCITY.space.random(rng)
+    state = CONSTANT_VELOCITY.manifold.random(rng)
     moved, J = constant_velocity.step.jac(state, np.zeros(6), 0.0)
     assert moved == pytest.approx(state, abs=1e-15)
     assert J.state == pytest.approx(np.eye(12), abs=1e-14)
 
 
 def test_constant_velocity_is_integrated_exactly(rng):
-    state, dt, parts = CONSTANT_VELOCITY.space.random(rng), 0.7, 4000
+    state, dt, parts = CONSTANT_VELOCITY.manifold.random(rng), 0.7, 4000
     q = state[3:7]
     for _ in range(parts):  # midpoint rule for dq/dt = Pi(q) omega / 2
         h = dt / parts
@@ -72,7 +72,7 @@ def test_constant_velocity_is_integrated_exactly(rng):
     steps = state
     for _ in range(7):
         steps = constant_velocity.step(steps, np.zeros(6), dt / 7)
-    assert CONSTANT_VELOCITY.space.minus(steps, moved) == pytest.approx(np.zeros(12), abs=1e-13)
+    assert CONSTANT_VELOCITY.manifold.minus(steps, moved) == pytest.approx(np.zeros(12), abs=1e-13)
 
 
 def test_the_reports_composition_is_that_of_poses(rng):

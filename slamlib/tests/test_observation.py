@@ -9,7 +9,7 @@ import pytest
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
 from slamlib.geometry.pose import Pose, compose
 from slamlib.landmarks import LINES, POINTS, PointLandmark, landmark
-from slamlib.manifolds import as_space
+from slamlib.manifolds import as_manifold
 from slamlib.modeling.registry import Registry
 from slamlib.motions import motion
 from slamlib.observation.points import initialize, observe
@@ -24,19 +24,19 @@ IDENTITY = np.array([0.0, 0, 0, 1, 0, 0, 0])
 def scene(kind, calibration, count=4, seed=0):
     """Robot and mount, and landmarks (count, size) that the sensor sees, a metre or more ahead of it."""
     rng = np.random.default_rng(seed)
-    robot, mount = Pose.random(rng), Pose.random(rng)
+    robot, extrinsics = Pose.random(rng), Pose.random(rng)
     points = visible_points(calibration, rng, 400)
     points = points[points[:, 2] > 0.2][:count]
-    return robot, mount, np.array([kind.from_frame(compose(robot, mount), p) for p in points]), rng
+    return robot, extrinsics, np.array([kind.from_frame(compose(robot, extrinsics), p) for p in points]), rng
 
 
-def derivative(function, space, x, minus):
+def derivative(function, manifold, x, minus):
     """Central differences (result, dof) of function(x) through plus and minus."""
     columns = []
-    for unit in np.eye(space.dof):
+    for unit in np.eye(manifold.dof):
         step = 1e-6 * unit
-        columns.append(minus(function(space.plus(x, step)), function(space.plus(x, -step))) / 2e-6)
-    return np.array(columns).reshape(space.dof, -1).T
+        columns.append(minus(function(manifold.plus(x, step)), function(manifold.plus(x, -step))) / 2e-6)
+    return np.array(columns).reshape(manifold.dof, -1).T
 
 
 def changed(calibration, name, value):
@@ -55,46 +55,46 @@ def close(found, wanted, what):
 @pytest.mark.parametrize(("name", "by"), PAIRS)
 def test_jacobians_of_observe_are_central_differences(name, by):
     kind, calibration = POINTS[name], example(SENSORS[by])
-    robot, mount, landmarks, _ = scene(kind, calibration)
+    robot, extrinsics, landmarks, _ = scene(kind, calibration)
     for x in landmarks:
-        seen = observe(kind, calibration, robot, mount, x)
+        seen = observe(kind, calibration, robot, extrinsics, x)
         assert seen.visible
         own = lambda a, b: difference(calibration.sensor, a, b)  # noqa: E731
 
-        def value(c=calibration, r=robot, m=mount, x=x):
+        def value(c=calibration, r=robot, m=extrinsics, x=x):
             return observe(kind, c, r, m, x).value
 
         J = seen.jacobians
         close(J.robot, derivative(lambda r: value(r=r), Pose, robot, own), "robot")
-        close(J.mount, derivative(lambda m: value(m=m), Pose, mount, own), "mount")
-        close(J.landmark, derivative(lambda p: value(x=p), kind.space, x, own), "landmark")
-        assert set(J._fields) == {"robot", "mount", "landmark", *calibration.given}
+        close(J.extrinsics, derivative(lambda m: value(m=m), Pose, extrinsics, own), "extrinsics")
+        close(J.landmark, derivative(lambda p: value(x=p), kind.manifold, x, own), "landmark")
+        assert set(J._fields) == {"robot", "extrinsics", "landmark", *calibration.given}
         for n, p in calibration.given.items():
-            numerical = derivative(lambda v, n=n: value(c=changed(calibration, n, v)), as_space(len(p)), p, own)
+            numerical = derivative(lambda v, n=n: value(c=changed(calibration, n, v)), as_manifold(len(p)), p, own)
             close(getattr(J, n), numerical, n)
 
 
 @pytest.mark.parametrize(("name", "by"), PAIRS)
 def test_jacobians_of_initialize_are_central_differences(name, by):
     kind, calibration = POINTS[name], example(SENSORS[by])
-    robot, mount, landmarks, rng = scene(kind, calibration)
+    robot, extrinsics, landmarks, rng = scene(kind, calibration)
     for x in landmarks:
-        y, hidden = observe(kind, calibration, robot, mount, x).value, unmeasured(calibration, rng)
-        _, G = initialize(kind, calibration, robot, mount, y, *hidden)
+        y, hidden = observe(kind, calibration, robot, extrinsics, x).value, unmeasured(calibration, rng)
+        _, G = initialize(kind, calibration, robot, extrinsics, y, *hidden)
 
-        def made(c=calibration, r=robot, m=mount, y=y, h=hidden):
+        def made(c=calibration, r=robot, m=extrinsics, y=y, h=hidden):
             return initialize(kind, c, r, m, y, *h)[0]
 
-        minus = kind.space.minus
+        minus = kind.manifold.minus
         close(G.robot, derivative(lambda r: made(r=r), Pose, robot, minus), "robot")
-        close(G.mount, derivative(lambda m: made(m=m), Pose, mount, minus), "mount")
-        close(G.measurement, derivative(lambda y: made(y=y), as_space(len(y)), y, minus), "measurement")
+        close(G.extrinsics, derivative(lambda m: made(m=m), Pose, extrinsics, minus), "extrinsics")
+        close(G.measurement, derivative(lambda y: made(y=y), as_manifold(len(y)), y, minus), "measurement")
         for h in hidden:
-            close(G.unmeasured, derivative(lambda h: made(h=[h]), as_space(len(h)), h, minus), "unmeasured")
-        expected = {"robot", "mount", "measurement", *calibration.given, *(["unmeasured"] if hidden else [])}
+            close(G.unmeasured, derivative(lambda h: made(h=[h]), as_manifold(len(h)), h, minus), "unmeasured")
+        expected = {"robot", "extrinsics", "measurement", *calibration.given, *(["unmeasured"] if hidden else [])}
         assert set(G._fields) == expected
         for n, p in calibration.given.items():
-            numerical = derivative(lambda v, n=n: made(c=changed(calibration, n, v)), as_space(len(p)), p, minus)
+            numerical = derivative(lambda v, n=n: made(c=changed(calibration, n, v)), as_manifold(len(p)), p, minus)
             close(getattr(G, n), numerical, n)
 
 
@@ -109,20 +109,20 @@ def same(batch, items):
 @pytest.mark.parametrize(("name", "by"), PAIRS)
 def test_a_batch_is_a_loop(name, by):
     kind, calibration = POINTS[name], example(SENSORS[by])
-    robot, mount, landmarks, rng = scene(kind, calibration)
+    robot, extrinsics, landmarks, rng = scene(kind, calibration)
     robots = np.array([Pose.plus(robot, 0.01 * rng.standard_normal(6)) for _ in range(3)])
-    seen = observe(kind, calibration, robots[:, None], mount, landmarks)
+    seen = observe(kind, calibration, robots[:, None], extrinsics, landmarks)
     assert seen.visible.shape == (3, len(landmarks))
-    each = [observe(kind, calibration, r, mount, x) for r in robots for x in landmarks]
+    each = [observe(kind, calibration, r, extrinsics, x) for r in robots for x in landmarks]
     assert seen.visible.ravel().tolist() == [bool(e.visible) for e in each]
     same(seen.value, [e.value for e in each])
     for field in seen.jacobians._fields:
         same(getattr(seen.jacobians, field), [getattr(e.jacobians, field) for e in each])
 
     hidden = unmeasured(calibration, rng)
-    y = observe(kind, calibration, robot, mount, landmarks).value
-    made, G = initialize(kind, calibration, robots[:, None], mount, y, *hidden)
-    each = [initialize(kind, calibration, r, mount, item, *hidden) for r in robots for item in y]
+    y = observe(kind, calibration, robot, extrinsics, landmarks).value
+    made, G = initialize(kind, calibration, robots[:, None], extrinsics, y, *hidden)
+    each = [initialize(kind, calibration, r, extrinsics, item, *hidden) for r in robots for item in y]
     same(made, [x for x, _ in each])
     for field in G._fields:
         whole = np.broadcast_to(getattr(G, field), (3, len(y), *getattr(each[0][1], field).shape))
@@ -141,12 +141,12 @@ def test_what_is_not_seen_is_masked_and_finite(name, by):
     # a landmark made in another frame, so that a place beside or behind this sensor can be made at all
     ahead = points[:, 2] > 0
     made = kind.from_frame(IDENTITY, points[ahead & (np.abs(points[:, :2]).sum(-1) > 0)])
-    for mount in (IDENTITY, np.array([0.1, 0.2, 0.3, 0, 1, 0, 0]), np.array([0, 0, 0, 0.5, 0.5, 0.5, 0.5])):
-        seen = observe(kind, calibration, IDENTITY, mount, made)
+    for extrinsics in (IDENTITY, np.array([0.1, 0.2, 0.3, 0, 1, 0, 0]), np.array([0, 0, 0, 0.5, 0.5, 0.5, 0.5])):
+        seen = observe(kind, calibration, IDENTITY, extrinsics, made)
         assert np.isfinite(seen.value).all()
         assert all(np.isfinite(j).all() for j in seen.jacobians)
         assert seen.visible.dtype == bool
-        point = kind.to_frame(mount, made)
+        point = kind.to_frame(extrinsics, made)
         assert seen.visible.tolist() == (calibration.visible(point) & calibration.inside(seen.value)).tolist()
     nothing = observe(kind, calibration, IDENTITY, IDENTITY, made[:0])
     assert nothing.value.shape == (0, calibration.sensor.size)
@@ -155,11 +155,11 @@ def test_what_is_not_seen_is_masked_and_finite(name, by):
 
 def test_arguments_stay_as_they_are_and_single_precision_is_taken():
     kind, calibration = POINTS["ahmPnt"], example(SENSORS["pinHole"])
-    robot, mount, landmarks, _ = scene(kind, calibration)
-    before = [a.copy() for a in (robot, mount, landmarks)]
-    seen = observe(kind, calibration, robot, mount, landmarks)
-    initialize(kind, calibration, robot, mount, seen.value, np.full((len(landmarks), 1), 0.1))
-    assert all(np.array_equal(a, b) for a, b in zip((robot, mount, landmarks), before, strict=True))
+    robot, extrinsics, landmarks, _ = scene(kind, calibration)
+    before = [a.copy() for a in (robot, extrinsics, landmarks)]
+    seen = observe(kind, calibration, robot, extrinsics, landmarks)
+    initialize(kind, calibration, robot, extrinsics, seen.value, np.full((len(landmarks), 1), 0.1))
+    assert all(np.array_equal(a, b) for a, b in zip((robot, extrinsics, landmarks), before, strict=True))
     single = observe(kind, calibration, *(a.astype(np.float32) for a in before))
     np.testing.assert_allclose(single.value, seen.value, rtol=1e-4)
 

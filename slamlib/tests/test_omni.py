@@ -238,14 +238,14 @@ def test_the_published_inverse_agrees_with_the_toolbox_in_value(function):
 
 def test_observe_and_initialize_are_each_others_inverse(rng):
     cal = camera()
-    robot, mount = (AHM_POINT.to_frame.arguments[0].space.random(rng) for _ in range(2))
+    robot, extrinsics = (AHM_POINT.to_frame.arguments[0].manifold.random(rng) for _ in range(2))
     pixels = rng.uniform([100, 100], [1100, 700], (20, 2))
-    landmarks, J = initialize(AHM_POINT, cal, robot, mount, pixels, np.array([0.2]))
-    seen = observe(AHM_POINT, cal, robot, mount, landmarks)
+    landmarks, J = initialize(AHM_POINT, cal, robot, extrinsics, pixels, np.array([0.2]))
+    seen = observe(AHM_POINT, cal, robot, extrinsics, landmarks)
     assert seen.visible.all()
     assert seen.value == pytest.approx(pixels, abs=1e-9)
     assert seen.jacobians.landmark @ J.measurement == pytest.approx(np.tile(np.eye(2), (20, 1, 1)), abs=1e-9)
-    for name in ("robot", "mount", "intrinsics", "lens"):
+    for name in ("robot", "extrinsics", "intrinsics", "lens"):
         total = getattr(seen.jacobians, name) + seen.jacobians.landmark @ getattr(J, name)
         assert total == pytest.approx(
             np.zeros_like(total), abs=1e-7 * max(1, np.abs(getattr(seen.jacobians, name)).max())

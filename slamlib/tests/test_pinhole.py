@@ -105,12 +105,12 @@ def test_the_inverse_has_the_jacobians_of_central_differences(rng, distortion):
         for index, steps in enumerate((1e-3, 1e-3, 1e-3, 1e-7)):
             columns = []
             for k in range(arguments[index].size):
-                ends = []
+                stops = []
                 for sign in (1, -1):
                     moved = [a.copy() for a in arguments]
                     moved[index][k] += sign * steps
-                    ends.append(ph.back_project(*moved))
-                columns.append((ends[0] - ends[1]) / (2 * steps))
+                    stops.append(ph.back_project(*moved))
+                columns.append((stops[0] - stops[1]) / (2 * steps))
             wanted = np.stack(columns, axis=-1)
             assert J[index] == pytest.approx(wanted, abs=5e-7 * max(1, np.abs(wanted).max()))
 

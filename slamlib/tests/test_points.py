@@ -60,7 +60,7 @@ def spread(size, rng):
 
 def test_the_folder_holds_the_five():
     assert {"eucPnt", "hmgPnt", "ahmPnt", "idpPnt", "fhmPnt"} <= set(POINTS)
-    assert [k.space.dof for k in KINDS] == [3, 4, 7, 6, 9]
+    assert [k.manifold.dof for k in KINDS] == [3, 4, 7, 6, 9]
 
 
 @named
@@ -70,8 +70,8 @@ def test_value_and_jacobians_are_those_of_the_definition(model):
 
 @named
 def test_central_differences_and_a_batch_agree(model, rng):
-    items = [[rng.standard_normal(a.shape) if a.space is None else a.space.random(rng) for a in model.arguments]]
-    items += [[rng.standard_normal(a.shape) if a.space is None else a.space.random(rng) for a in model.arguments]]
+    items = [[rng.standard_normal(a.shape) if a.manifold is None else a.manifold.random(rng) for a in model.arguments]]
+    items += [[rng.standard_normal(a.shape) if a.manifold is None else a.manifold.random(rng) for a in model.arguments]]
     _, jacobians = model.jac(*items[0])
     for index in range(len(items[0])):
         numerical = central_difference(model, items[0], index)
@@ -183,7 +183,7 @@ def test_index_of_a_euclidean_point_is_the_relative_error_of_its_distance(rng):
 def test_index_after_conversion_is_that_of_the_converted_point(kind, rng):
     for _ in range(10):
         _, landmark = seen(kind, rng)
-        other, P = Pose.random(rng), spread(kind.space.dof, rng)
+        other, P = Pose.random(rng), spread(kind.manifold.dof, rng)
         point, J = kind.to_point.jac(landmark)
         expected = linearity_index(EUC_POINT, point, J.landmark @ P @ J.landmark.T, other)
         assert euclidean_index(kind, landmark, P, other) == pytest.approx(expected, rel=1e-9)
@@ -195,7 +195,7 @@ def test_the_toolboxs_rule_is_the_special_case_of_an_uncertain_inverse_distance(
     for _ in range(10):
         _, landmark = seen(kind, rng)
         other, sigma = Pose.random(rng), 0.03
-        P = np.zeros((kind.space.dof, kind.space.dof))
+        P = np.zeros((kind.manifold.dof, kind.manifold.dof))
         P[-1, -1] = sigma**2
         p, rho = kind.to_point(landmark), landmark[-1]
         m = (p - landmark[:3]) * rho
@@ -213,14 +213,14 @@ def test_the_index_bounds_how_the_image_bends(kind, rng):
     """Its definition: second derivative times two sigmas, by the first, along the uncertainty."""
     camera, landmark = seen(kind, rng)
     other = camera + np.array([0.3, -0.2, 0.1, 0, 0, 0, 0])
-    step = np.zeros(kind.space.dof)
+    step = np.zeros(kind.manifold.dof)
     step[-1] = 1.0
     h = kind.to_frame(other, landmark)[:3]
     n = h / np.linalg.norm(h)
     across = np.cross(n, rng.standard_normal(3))
 
     def image(s):
-        moved = kind.to_frame(other, kind.space.plus(landmark, s * step))[:3]
+        moved = kind.to_frame(other, kind.manifold.plus(landmark, s * step))[:3]
         return moved @ across / (moved @ n)
 
     e, sigma = 1e-3 * np.abs(landmark[-1]), 0.02
@@ -283,11 +283,11 @@ def test_conversion_in_the_map_is_first_order_exact(kind, rng):
     robot = belief.add(Pose, camera, 0.01 * np.eye(6))
     point, J = kind.from_frame.jac(camera, ray(rng))
     noise = J.point @ (1e-4 * np.eye(4)) @ J.point.T
-    block = belief.add(kind.space, point, noise, given=[robot], jacobians=[J.pose])
+    block = belief.add(kind.manifold, point, noise, given=[robot], jacobians=[J.pose])
     before, cross = belief.covariance(block), belief.covariance(block, robot)
     euclid, by = to_euclidean(kind, block.mean)
     belief.replace(block, 3, euclid, by)
-    assert block.space.dof == 3
+    assert block.manifold.dof == 3
     assert block.mean == pytest.approx(kind.to_point(point), abs=1e-14)
     assert belief.covariance(block) == pytest.approx(by @ before @ by.T, abs=1e-12)
     assert belief.covariance(block, robot) == pytest.approx(by @ cross, abs=1e-12)
@@ -307,7 +307,7 @@ def test_points_of_one_picture_may_share_their_frame(rng):
         image = np.array([u, 0.1, 0.5])
         points.append(shared.add(3, image, noise))
         mean = np.concatenate([start, image])
-        framed.append(single.add(FHM_POINT.space, mean, own, given=[robots[1]], jacobians=[np.eye(9, 6)]))
+        framed.append(single.add(FHM_POINT.manifold, mean, own, given=[robots[1]], jacobians=[np.eye(9, 6)]))
     assert (shared.size, single.size) == (6 + 6 + 9, 6 + 27)
     moved = frames.compose(start, np.array([0.3, 0.1, 0.0, 1, 0, 0, 0]))
     for belief, robot in zip((shared, single), robots, strict=True):
@@ -324,7 +324,7 @@ def test_points_of_one_picture_may_share_their_frame(rng):
             blocks = [frame, points[n]] if belief is shared else [framed[n]]
             parts = [H[:, :6], H[:, 6:]] if belief is shared else [H]
             truth = _pixel(FHM_POINT.to_frame(moved, np.array([*start, (-0.2, 0.1, 0.3)[n], 0.1, 0.2])), k)[0]
-            belief.correct([robot, *blocks], [by @ J.pose, *parts], truth + shift - value, np.eye(2))
+            belief.update([robot, *blocks], [by @ J.pose, *parts], truth + shift - value, np.eye(2))
     assert robots[0].mean == pytest.approx(robots[1].mean, abs=1e-10)
     for point, whole in zip(points, framed, strict=True):
         assert np.concatenate([frame.mean, point.mean]) == pytest.approx(whole.mean, abs=1e-9)

@@ -22,7 +22,8 @@ RUNS = {
     "pnt_idpPnt_s1": ("points", Options(points="idpPnt", inverse_distance=(0.01, 0.5), gate=NINE)),
     "lin_idpLin_s1": (
         "lines",
-        Options(points=None, lines="idpLin", first=1, inverse_distance=(0.1, 0.5), minimum_length=10.0, gate=NINE,
+        Options(points=None, lines="idpLin", max_new_first=1, inverse_distance=(0.1, 0.5), minimum_length=10.0,
+                gate=NINE,
                 extend=False),
     ),
 }  # fmt: skip
@@ -95,7 +96,7 @@ def replay(name, switches, monkeypatch):
     """Ours beside the recorded run, with these corrections switched off."""
     which, options = RUNS[name]
     choose = by_determinant if "selection" in switches else gates.by_information
-    monkeypatch.setitem(gates.CHOICES, "information", choose)
+    monkeypatch.setitem(gates.SELECTIONS, "information", choose)
     rig = preset(which).rig
     slam, rows = ToolboxFilter(rig, options, switches), []
     for recorded in reference.recording(name):

@@ -14,11 +14,11 @@ from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.model import model
 from slamlib.motions import Motion
-from slamlib.observation.family import by_columns, viewpoint
+from slamlib.observation.family import columns_jacobian, viewpoint
 from slamlib.simulation import simulate
 from slamlib.slam import Options, Slam
 from slamlib.slam.linearization import Linearization
-from slamlib.slam.measurement_update import expect_all, looks_from
+from slamlib.slam.measurement_update import predict_from_pose, predict_measurements
 
 
 @model(pose=Pose)
@@ -37,7 +37,7 @@ def compass(pose):
 def driven(measure, frames=120):
     """A robot that drives a circle by noisy odometry, and measures itself: its filter, and the last true pose."""
     p = replace(preset("points"), frames=frames, noise_in="truth", options=Options(points=None))
-    rig = Rig((replace(p.rig.robots[0], position_std=(0.5,), attitude_std=(5.0,)),), p.rig.sensors)
+    rig = Rig((replace(p.rig.robots[0], position_std=(0.5,), orientation_std=(5.0,)),), p.rig.sensors)
     p = replace(p, rig=rig)
     slam, rng, nis, nees = p.slam(), np.random.default_rng(3), [], []
     for frame, truth in p.simulate():
@@ -142,14 +142,20 @@ def test_jacobians_are_taken_at_the_point_of_linearization(name, reproject):
     plain, same, first = runs
     assert np.array_equal(plain.belief.matrix, same.belief.matrix)
     assert not np.allclose(plain.belief.matrix, first.belief.matrix, rtol=1e-6)
-    looks = expect_all(first.belief, first.sensors[0], first.families, first.landmarks, first.options)
-    assert looks
-    for look in looks if name == "points" else ():  # the value is of the present mean, the Jacobian of the first one
-        view, lm, family = viewpoint(first.sensors[0]), look.landmark, look.family
+    predictions = predict_measurements(first.belief, first.sensors[0], first.families, first.landmarks, first.options)
+    assert predictions
+    for prediction in (
+        predictions if name == "points" else ()
+    ):  # the value is of the present mean, the Jacobian of the first one
+        view, lm, family = viewpoint(first.sensors[0]), prediction.landmark, prediction.family
         value, _, _ = family.observe(lm.kind, view.sensor.calibration, view.pose, lm.block.mean)
-        J = family.observe(lm.kind, view.sensor.calibration, view.at, first.linearization.first[lm.block])[2]
-        assert np.allclose(look.value, value, atol=1e-9)
-        assert np.allclose(look.expected.by[look.row], by_columns(view, J.camera, J.landmark), atol=1e-9)
+        J = family.observe(
+            lm.kind, view.sensor.calibration, view.linearization_pose, first.linearization.first[lm.block]
+        )[2]
+        assert np.allclose(prediction.value, value, atol=1e-9)
+        assert np.allclose(
+            prediction.expected.jacobian[prediction.row], columns_jacobian(view, J.camera, J.landmark), atol=1e-9
+        )
 
 
 def test_a_belief_moves_its_means_by_its_retraction():
@@ -157,16 +163,16 @@ def test_a_belief_moves_its_means_by_its_retraction():
 
     def halfway(blocks, step):
         calls.append(len(blocks))
-        return [block.space.plus(block.mean, step[block.slice] / 2) for block in blocks]
+        return [block.manifold.plus(block.mean, step[block.slice] / 2) for block in blocks]
 
     found = []
     for retraction in (None, halfway):
         belief = Belief(retraction)
         pose = belief.add(Pose, np.array([0.0, 0, 0, 1, 0, 0, 0]), np.eye(6))
         point, other = (belief.add(n, np.ones(n), np.eye(n)) for n in (3, 2))
-        belief.correct([pose, point], [np.ones((1, 6)) / 9, np.ones((1, 3))], np.array([0.3]), np.eye(1))
-        with belief.series() as series:
-            series.correct(np.arange(9, 11), np.ones((1, 2)), np.array([0.5]), np.eye(1))
+        belief.update([pose, point], [np.ones((1, 6)) / 9, np.ones((1, 3))], np.array([0.3]), np.eye(1))
+        with belief.sequential_update() as sequence:
+            sequence.update(np.arange(9, 11), np.ones((1, 2)), np.array([0.5]), np.eye(1))
         found.append((Pose.minus(pose.mean, np.array([0.0, 0, 0, 1, 0, 0, 0])), point.mean - 1, other.mean - 1))
     for plain, half in zip(*found, strict=True):
         assert np.abs(plain).max() > 0.005
@@ -179,9 +185,9 @@ def test_options_are_read_where_they_are_used():
     slam = p.slam()
     frames = [frame for frame, _ in p.simulate()]
     slam.step(frames[0])
-    slam.options = replace(slam.options, points="ahmPnt", later=5)
+    slam.options = replace(slam.options, points="ahmPnt", max_new=5)
     slam.step(frames[1])
-    assert {lm.kind.name for lm in slam.landmarks if lm.born == 2} == {"ahmPnt"}
+    assert {lm.kind.name for lm in slam.landmarks if lm.first_seen == 2} == {"ahmPnt"}
 
 
 def test_what_is_expected_from_another_pose_changes_nothing():
@@ -190,10 +196,10 @@ def test_what_is_expected_from_another_pose_changes_nothing():
     for frame, _ in p.simulate():
         slam.step(frame)
     before = slam.robots[0].pose.copy()
-    still = looks_from(slam, np.array([0.0, 0, 0, 1, 0, 0, 0]))
-    now = expect_all(slam.belief, slam.sensors[0], slam.families, slam.landmarks, slam.options)
-    assert [look.value.tolist() for look in still] == [look.value.tolist() for look in now]
-    moved = looks_from(slam, np.array([0.1, 0, 0, 1, 0, 0, 0]))
+    still = predict_from_pose(slam, np.array([0.0, 0, 0, 1, 0, 0, 0]))
+    now = predict_measurements(slam.belief, slam.sensors[0], slam.families, slam.landmarks, slam.options)
+    assert [prediction.value.tolist() for prediction in still] == [prediction.value.tolist() for prediction in now]
+    moved = predict_from_pose(slam, np.array([0.1, 0, 0, 1, 0, 0, 0]))
     assert not np.allclose(moved[0].value, now[0].value, atol=1e-3)
     assert np.array_equal(slam.robots[0].pose, before)
 
@@ -211,4 +217,4 @@ def test_a_rig_without_controls_simulates_a_robot_that_stands():
     ((frame, truth),) = simulate(rig, preset("points").world, frames=1, dt=0.1, rng=np.random.default_rng(1))
     assert frame.controls[0].value.tolist() == [0.0] * 6
     assert np.array_equal(truth.robots[0], rig.robots[0].state)
-    assert Slam(rig).step(frame).begun
+    assert Slam(rig).step(frame).initialized

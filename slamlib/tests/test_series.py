@@ -9,7 +9,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.tests.beliefs import grown, random_covariance
 
 
-def begun():
+def started():
     """A belief over a pose and three vectors, always the same."""
     rng, belief = np.random.default_rng(3), Belief()
     belief.add(Pose, Pose.random(rng), 0.01 * random_covariance(rng, 6))
@@ -28,10 +28,10 @@ def measurements(count):
 
 
 def test_a_series_is_one_after_another():
-    one, all_ = begun(), begun()
-    expected = [one.correct_rows(*m) for m in measurements(7)]
-    with all_.series() as series:
-        found = [series.correct(*m) for m in measurements(7)]
+    one, all_ = started(), started()
+    expected = [one.update_rows(*m) for m in measurements(7)]
+    with all_.sequential_update() as sequence:
+        found = [sequence.update(*m) for m in measurements(7)]
     assert np.allclose(one.matrix, all_.matrix, rtol=0, atol=1e-13 * np.abs(one.matrix).max())
     assert np.array_equal(all_.matrix, all_.matrix.T)
     for a, b in zip(one.blocks, all_.blocks, strict=True):
@@ -42,42 +42,42 @@ def test_a_series_is_one_after_another():
 
 
 def test_means_follow_at_once_and_are_read_only():
-    belief = begun()
+    belief = started()
     block, before = belief.blocks[1], belief.blocks[1].mean.copy()
-    with belief.series() as series:
-        series.correct(*next(measurements(1)))
+    with belief.sequential_update() as sequence:
+        sequence.update(*next(measurements(1)))
         assert not np.array_equal(block.mean, before)
         with pytest.raises(ValueError, match="read-only"):
             block.mean[0] = 0
     kept = block.mean
     copy = kept.copy()
-    with belief.series() as series:
-        series.correct(*next(measurements(1)))
+    with belief.sequential_update() as sequence:
+        sequence.update(*next(measurements(1)))
     assert np.array_equal(kept, copy)
 
 
 def test_what_does_not_pass_the_gate_changes_nothing():
-    belief, other = begun(), begun()
-    with belief.series() as series:
+    belief, other = started(), started()
+    with belief.sequential_update() as sequence:
         for i, m in enumerate(measurements(4)):
-            correction = series.correct(*m, gate=np.inf if i % 2 else 0.0)
+            correction = sequence.update(*m, gate=np.inf if i % 2 else 0.0)
             assert correction.nis > 0
     for m in list(measurements(4))[1::2]:
-        other.correct_rows(*m)
+        other.update_rows(*m)
     assert np.allclose(belief.matrix, other.matrix, rtol=0, atol=1e-13 * np.abs(other.matrix).max())
 
 
 def test_an_error_leaves_what_was_corrected_before():
-    belief, other = begun(), begun()
+    belief, other = started(), started()
     good, (columns, H, z, R) = measurements(2)
 
     def corrected():
-        with belief.series() as series:
-            series.correct(*good)
-            series.correct(columns, 0 * H, z, 0 * R)
+        with belief.sequential_update() as sequence:
+            sequence.update(*good)
+            sequence.update(columns, 0 * H, z, 0 * R)
 
     with pytest.raises(CovarianceError, match="innovation covariance"):
         corrected()
-    other.correct_rows(*good)
+    other.update_rows(*good)
     assert np.allclose(belief.matrix, other.matrix, rtol=0, atol=1e-13 * np.abs(other.matrix).max())
     assert np.allclose(belief.blocks[2].mean, other.blocks[2].mean, rtol=0, atol=1e-13)

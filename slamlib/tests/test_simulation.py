@@ -50,11 +50,11 @@ def test_without_noise_a_sensor_delivers_what_the_filter_expects():
             seen = frame.scans[0].points
             points = CLOISTER.points.values[seen.ids - 1]
             calibration = exact.sensors[0].calibration
-            expected = observe(landmark("eucPnt"), calibration, truth.robots[0], truth.mounts[0], points)
+            expected = observe(landmark("eucPnt"), calibration, truth.robots[0], truth.extrinsics[0], points)
             assert seen.values == pytest.approx(expected.value, abs=1e-10)
             assert expected.visible.all()
             everything = observe(
-                landmark("eucPnt"), calibration, truth.robots[0], truth.mounts[0], CLOISTER.points.values
+                landmark("eucPnt"), calibration, truth.robots[0], truth.extrinsics[0], CLOISTER.points.values
             )
             assert len(seen) == everything.visible.sum() > 0
 
@@ -113,20 +113,20 @@ def test_both_noise_modes_draw_the_same_noise_and_put_it_elsewhere():
 
 
 def test_starts_and_estimated_mounts_are_drawn_with_their_deviations():
-    start = replace(WALKER, position_std=(1.0, 2.0, 0.0), attitude_std=(0.0, 0.0, 3.0), control_std=(0.0,) * 6)
-    free = replace(CAMERA, estimated=True, position_std=(0.1, 0.0, 0.0), attitude_std=(1.0, 1.0, 1.0))
+    start = replace(WALKER, position_std=(1.0, 2.0, 0.0), orientation_std=(0.0, 0.0, 3.0), control_std=(0.0,) * 6)
+    free = replace(CAMERA, estimated=True, position_std=(0.1, 0.0, 0.0), orientation_std=(1.0, 1.0, 1.0))
     rig = Rig((start,), (free, replace(free, name="fixed", estimated=False)))
     still = [np.zeros((1, 6))]
     truths = [run(rig, frames=1, seed=k, controls=still)[0][1] for k in range(400)]
     for samples, mean, P in (
         ([t.robots[0] for t in truths], start.state, start.covariance),
-        ([t.mounts[0] for t in truths], free.mount, free.covariance),
+        ([t.extrinsics[0] for t in truths], free.extrinsics, free.covariance),
     ):
         errors = Pose.minus(np.array(samples), mean)
         std = np.sqrt(np.diag(P))
         assert errors.std(0) == pytest.approx(std, rel=0.15, abs=1e-12)
         assert np.abs(errors.mean(0)) == pytest.approx(np.zeros(6), abs=4 * std.max() / 20)
-    assert all((t.mounts[1] == rig.sensors[1].mount).all() for t in truths)
+    assert all((t.extrinsics[1] == rig.sensors[1].extrinsics).all() for t in truths)
 
 
 def test_each_sensor_rides_on_its_robot():
@@ -135,7 +135,7 @@ def test_each_sensor_rides_on_its_robot():
     frame, truth = run(rig, frames=1)[0]
     for j, sensor in enumerate(rig.sensors):
         seen = frame.scans[j].points
-        camera = compose(truth.robots[sensor.robot], truth.mounts[j])
+        camera = compose(truth.robots[sensor.robot], truth.extrinsics[j])
         inside = landmark("eucPnt").to_frame(camera, CLOISTER.points.values[seen.ids - 1])
         assert seen.values == pytest.approx(sensor.calibration.project(inside), abs=1e-12)
 

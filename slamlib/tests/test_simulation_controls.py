@@ -10,10 +10,10 @@ from slamlib.motions import odometry
 from slamlib.simulation import controls
 
 
-def path(way, heading=0.0):
+def path(steps, heading=0.0):
     """Poses (n + 1, 7) of a robot that starts at the origin."""
     poses = [np.concatenate([np.zeros(3), exponential(np.array([0, 0, heading]))])]
-    for control in way:
+    for control in steps:
         poses.append(odometry.step(poses[-1], control, 1.0))
     return np.array(poses)
 
@@ -47,14 +47,14 @@ def test_a_figure_of_eight_closes_and_crosses_itself():
 
 def test_waypoints_are_reached_in_steps_that_are_short_enough():
     points = np.array([[0, 0], [2, 0], [2, 0], [2, 3], [-1, 3], [-1.5, 2.0]])
-    way = controls.waypoints(points, heading=np.radians(170), step=0.3, turn=np.radians(10))
-    poses = path(way, heading=np.radians(170))
+    steps = controls.waypoints(points, heading=np.radians(170), step=0.3, turn=np.radians(10))
+    poses = path(steps, heading=np.radians(170))
     for point in points:
         assert np.linalg.norm(poses[:, :2] - point, axis=1).min() < 1e-12
     assert poses[-1, :2] == pytest.approx(points[-1])
-    assert way[:, 0].max() <= 0.3 * (1 + 1e-9)
-    assert np.abs(way[:, 5]).max() <= np.radians(10) * (1 + 1e-9)
-    assert not (way[:, 0] * way[:, 5]).any()
+    assert steps[:, 0].max() <= 0.3 * (1 + 1e-9)
+    assert np.abs(steps[:, 5]).max() <= np.radians(10) * (1 + 1e-9)
+    assert not (steps[:, 0] * steps[:, 5]).any()
 
 
 def test_a_full_number_of_steps_is_not_split_further():

@@ -34,8 +34,8 @@ def test_hidden_points_are_those_whose_sight_line_meets_a_triangle(seed):
 def test_what_is_left_of_a_segment_is_its_longest_stretch_of_seen_points(seed):
     rng = np.random.default_rng(seed)
     faces, segments, eye = rng.normal(size=(4, 3, 3)), 2 * rng.normal(size=(10, 2, 3)), 2 * rng.normal(size=3)
-    ends, seen = longest_seen(segments, faces, eye)
-    for segment, found, any_left in zip(segments, ends, seen, strict=True):
+    endpoints, seen = longest_seen(segments, faces, eye)
+    for segment, found, any_left in zip(segments, endpoints, seen, strict=True):
         a, along = segment[0], segment[1] - segment[0]
         low, high = (found - a) @ along / (along @ along) if any_left else (0.0, 0.0)
         share = np.sort([*np.linspace(0, 1, 2001), max(low - 1e-7, 0), min(high + 1e-7, 1)])
@@ -57,8 +57,10 @@ def test_of_a_house_one_sees_the_segments_of_the_faces_that_look_this_way(eye):
     segments = there.segments.values.reshape(-1, 2, 3)
     distance = np.abs(((segments[:, None] - there.faces[:, :1]) * normals[:, None]).sum(-1)).max(-1)
     wanted = ((distance < 1e-9) & ahead).any(1)
-    ends, seen = longest_seen(segments, there.faces, eye)
-    left = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1) / np.linalg.norm(segments[:, 1] - segments[:, 0], axis=-1)
+    endpoints, seen = longest_seen(segments, there.faces, eye)
+    left = np.linalg.norm(endpoints[:, 1] - endpoints[:, 0], axis=-1) / np.linalg.norm(
+        segments[:, 1] - segments[:, 0], axis=-1
+    )
     assert left[wanted] == pytest.approx(np.ones(wanted.sum()), abs=1e-5)
     assert (left[~wanted & seen] < 1e-5).all()
 

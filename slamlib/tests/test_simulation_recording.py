@@ -72,7 +72,7 @@ def test_it_is_read_with_numpy_and_json_alone(file):
             assert (data["robot1.control"][row] == frame.controls[1].value).all()
             assert (data["robot1.noise"][row] == frame.controls[1].covariance).all()
             assert (data["truth.robot1"][row] == truth.robots[1]).all()
-            assert (data["truth.mount0"][row] == truth.mounts[0]).all()
+            assert (data["truth.mount0"][row] == truth.extrinsics[0]).all()
             for j, scan in enumerate(frame.scans):
                 for name, features in (("points", scan.points), ("segments", scan.segments)):
                     first = data[f"sensor{j}.{name}.first"]

@@ -41,12 +41,12 @@ def test_measurements_have_the_noise_of_the_calibration(sensor):
     """Of points so far inside the image that the border takes none away."""
     rig = rig_of(STILL, sensor)
     calibration, errors = rig.sensors[0].calibration, []
-    expected = observe(landmark("eucPnt"), calibration, STILL.state, sensor.mount, CLOISTER.points.values)
+    expected = observe(landmark("eucPnt"), calibration, STILL.state, sensor.extrinsics, CLOISTER.points.values)
     inner = calibration.inside(expected.value, margin=6 * np.sqrt(calibration.noise.max())) & expected.visible
     for frame, _ in run(rig, frames=400):
         seen = frame.scans[0].points
         kept = inner[seen.ids - 1]
-        difference = calibration.sensor.space.minus(seen.values[kept], expected.value[seen.ids[kept] - 1])
+        difference = calibration.sensor.manifold.minus(seen.values[kept], expected.value[seen.ids[kept] - 1])
         errors.append(difference)
         assert kept.sum() == inner.sum() > 3
     assert_covariance(np.concatenate(errors), calibration.noise)
@@ -65,23 +65,23 @@ def test_controls_differ_from_the_truth_by_the_noise_of_the_setup(noise_in):
 FLYER = RobotSetup(
     motion="constVel",
     position_std=(0.1, 0.1, 0.1),
-    attitude_std=(1.0, 1.0, 1.0),
+    orientation_std=(1.0, 1.0, 1.0),
     velocity=(0.8, 0.0, 0.0, 0.0, 0.0, 10.0),
     velocity_std=(0.1, 0.1, 0.1, 1.0, 1.0, 1.0),
     control_std=(0.02, 0.02, 0.02, 0.2, 0.2, 0.2),
 )
-DRIVER = replace(WALKER, position_std=(0.05, 0.05, 0.05), attitude_std=(0.5, 0.5, 0.5))
+DRIVER = replace(WALKER, position_std=(0.05, 0.05, 0.05), orientation_std=(0.5, 0.5, 0.5))
 
 
 def prediction_nees(setup, noise_in, seed, steps=30):
     """NEES (steps,) of a belief that only follows the controls."""
-    belief, space = Belief(), setup.model.space
-    block, nees = belief.add(space, setup.state, setup.covariance), []
+    belief, manifold = Belief(), setup.model.manifold
+    block, nees = belief.add(manifold, setup.state, setup.covariance), []
     for frame, truth in run(rig_of(setup), World(), frames=steps, seed=seed, noise_in=noise_in):
         control = frame.controls[0]
         mean, J = setup.model.step.jac(block.mean, control.value, frame.dt)
         belief.predict(block, mean, J.state, J.control @ control.covariance @ J.control.T)
-        error = space.minus(truth.robots[0], block.mean)
+        error = manifold.minus(truth.robots[0], block.mean)
         nees.append(error @ np.linalg.solve(belief.covariance(block), error))
     return nees
 
@@ -94,7 +94,7 @@ def test_a_filter_that_only_predicts_is_consistent(setup, noise_in):
     The band is the one that all steps together leave once in a thousand seeds, or less. The share of the steps inside
     the 95 % band tells little of 200 runs, since neighbouring steps are correlated.
     """
-    dof = setup.model.space.dof
+    dof = setup.model.manifold.dof
     statistic = np.array([prediction_nees(setup, noise_in, seed) for seed in range(200)])
     consistency = Consistency.of(statistic, dof, probability=1 - 0.001 / 30)
     assert consistency.inside == 1, consistency
@@ -105,18 +105,18 @@ def test_the_ends_of_cut_segments_are_off_their_line_by_the_whole_noise():
     rig = rig_of(replace(STILL, position=(-4.0, 0.0, 0.0)), replace(CAMERA, std=(2.0,), euler=(-90.0, 0.0, -80.0)))
     exact = rig_of(rig.robots[0], replace(rig.sensors[0], std=(0.0,)))
     (frame, _), *_ = run(exact, world("house"), frames=1, minimum_length=80.0)
-    ends = frame.scans[0].segments.values.reshape(-1, 2, 2)
+    endpoints = frame.scans[0].segments.values.reshape(-1, 2, 2)
     image = np.array([640.0, 480.0])
-    cut = ((ends < 1e-6) | (ends > image - 1e-6)).any((1, 2))
+    cut = ((endpoints < 1e-6) | (endpoints > image - 1e-6)).any((1, 2))
     assert cut.sum() >= 5
-    along = ends[cut, 1] - ends[cut, 0]
-    normal = np.stack([along[:, 1], -along[:, 0]], -1) / length(ends[cut].reshape(-1, 4))[:, None]
+    along = endpoints[cut, 1] - endpoints[cut, 0]
+    normal = np.stack([along[:, 1], -along[:, 0]], -1) / length(endpoints[cut].reshape(-1, 4))[:, None]
     ids, distances = frame.scans[0].segments.ids[cut], []
     for frame, _ in run(rig, world("house"), frames=300):
         seen = frame.scans[0].segments
         assert ((seen.values >= 0) & (seen.values.reshape(-1, 2, 2) <= image).reshape(-1, 4)).all()
         rows = np.array([np.flatnonzero(seen.ids == i)[0] for i in ids])
-        off = ((seen.values[rows].reshape(-1, 2, 2) - ends[cut, :1]) * normal[:, None]).sum(-1)
+        off = ((seen.values[rows].reshape(-1, 2, 2) - endpoints[cut, :1]) * normal[:, None]).sum(-1)
         distances.append(off / 2.0)
     squares, dof = np.square(distances).sum(), np.size(distances)
     assert chi2_quantile(0.0005, dof) < squares < chi2_quantile(0.9995, dof)
@@ -175,6 +175,6 @@ def test_a_wandering_flyer_and_one_that_flies_straight():
     assert (speeds == speeds[0]).all()
     wandering = run(rig_of(FLYER), World(), frames=30)
     assert (np.diff([truth.robots[0][7:] for _, truth in wandering], axis=0) != 0).all()
-    assert CONSTANT_VELOCITY.space.size == len(wandering[0][1].robots[0])
+    assert CONSTANT_VELOCITY.manifold.size == len(wandering[0][1].robots[0])
     pushed = run(rig_of(FLYER), World(), frames=2, controls=[controls.straight(2, 2.0)], noise_in="control")
     assert pushed[1][1].robots[0][7] - pushed[0][1].robots[0][7] == pytest.approx(1.0)

@@ -44,9 +44,9 @@ def test_a_stretched_and_moved_cloister_fills_its_rectangle():
 
 def test_every_segment_of_a_house_lies_on_one_of_its_faces():
     there = world("house", x=1, y=2, z=3, length=4, width=6, height=5)
-    for ends in there.segments.values.reshape(-1, 2, 3):
+    for endpoints in there.segments.values.reshape(-1, 2, 3):
         normals = np.cross(there.faces[:, 1] - there.faces[:, 0], there.faces[:, 2] - there.faces[:, 0])
-        off = np.abs(((ends[:, None] - there.faces[:, 0]) * normals).sum(-1)).max(0)
+        off = np.abs(((endpoints[:, None] - there.faces[:, 0]) * normals).sum(-1)).max(0)
         assert off.min() < 1e-9
 
 

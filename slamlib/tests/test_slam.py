@@ -14,7 +14,7 @@ from slamlib.evaluation.consistency import band, chi2_quantile
 from slamlib.experiments.presets import PRESETS, preset
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
-from slamlib.observation.lines import READINGS
+from slamlib.observation.lines import RESIDUALS
 from slamlib.slam import Options, Slam
 
 
@@ -46,7 +46,7 @@ def is_healthy(slam):
     assert rows == list(range(len(P)))
     known = {id(block) for block in slam.belief.blocks}
     assert {id(lm.block) for lm in slam.landmarks} <= known
-    assert all(lm.block.space.size == lm.kind.space.size for lm in slam.landmarks)
+    assert all(lm.block.manifold.size == lm.kind.manifold.size for lm in slam.landmarks)
 
 
 @pytest.mark.parametrize("name", PRESETS)
@@ -69,10 +69,10 @@ def test_every_point_serves(kind):
 
 
 @pytest.mark.parametrize("kind", LINES)
-@pytest.mark.parametrize("innovation", READINGS)
+@pytest.mark.parametrize("innovation", RESIDUALS)
 def test_every_line_serves_with_every_innovation(kind, innovation):
     p = preset("lines")
-    options = replace(p.options, lines=kind, innovation=innovation, later=2)
+    options = replace(p.options, lines=kind, innovation=innovation, max_new=2)
     slam, _, truth = run(replace(p, frames=40, options=options))
     is_healthy(slam)
     assert len(slam.landmarks) >= 15
@@ -94,7 +94,7 @@ def test_twenty_runs_are_consistent_at_first(reproject):
 def test_lines_see_the_same_with_every_innovation():
     """To first order the three readings say the same of a segment: after some frames the estimates agree."""
     p = replace(preset("lines"), frames=25)
-    poses = [run(replace(p, options=replace(p.options, innovation=i)))[0].robots[0].pose for i in READINGS]
+    poses = [run(replace(p, options=replace(p.options, innovation=i)))[0].robots[0].pose for i in RESIDUALS]
     sigma = 0.02
     assert np.abs(poses[1] - poses[0]).max() < sigma / 3
     assert np.abs(poses[2] - poses[0]).max() < sigma / 3
@@ -105,14 +105,14 @@ def test_batch_and_sequence_agree_where_the_noise_is_small():
     camera = replace(p.rig.sensors[0], std=(1e-3,))
     robot = replace(p.rig.robots[0], control_std=(1e-6,) * 6)
     options = replace(p.options, points="eucPnt", inverse_distance=(0.2, 1e-4), gate=0.999999999)
-    ends = []
+    endpoints = []
     for reproject in (True, False):
         q = replace(p, rig=Rig((robot,), (camera,)), frames=3, options=replace(options, reproject=reproject))
         slam = q.slam()
         for frame, _ in q.simulate():
             slam.step(Frame(frame.number, frame.dt, frame.controls, frame.scans))
-        ends.append(slam)
-    assert np.allclose(ends[0].robots[0].pose, ends[1].robots[0].pose, atol=1e-6)
+        endpoints.append(slam)
+    assert np.allclose(endpoints[0].robots[0].pose, endpoints[1].robots[0].pose, atol=1e-6)
 
 
 def test_the_map_of_self_calibration_holds_the_mount():
@@ -120,7 +120,7 @@ def test_the_map_of_self_calibration_holds_the_mount():
     slam, _, truth = run(p)
     sensor = slam.sensors[1]
     P = slam.belief.covariance(sensor.block)
-    e = Pose.minus(truth.mounts[1], sensor.mount)
+    e = Pose.minus(truth.extrinsics[1], sensor.extrinsics)
     first = np.sqrt(p.rig.sensors[1].covariance.diagonal())
     assert (np.sqrt(P.diagonal())[3:] < first[3:] / 10).all()
     assert e @ np.linalg.solve(P, e) < chi2_quantile(0.9999, 6)
@@ -185,9 +185,9 @@ def test_capacity_is_honoured_and_said():
 
 def test_new_landmarks_come_as_the_options_say():
     p = preset("points")
-    p = replace(p, frames=4, options=replace(p.options, first=3, later=2))
+    p = replace(p, frames=4, options=replace(p.options, max_new_first=3, max_new=2))
     slam = p.slam()
-    assert [len(slam.step(frame).begun) for frame, _ in p.simulate()] == [3, 2, 2, 2]
+    assert [len(slam.step(frame).initialized) for frame, _ in p.simulate()] == [3, 2, 2, 2]
 
 
 def test_outliers_are_gated_and_do_not_break_the_filter():
@@ -257,7 +257,7 @@ def test_options_that_make_no_sense(change, match):
 
 
 def test_names_that_do_not_exist_show_the_choices():
-    for change in ({"points": "ahmPoint"}, {"lines": "ahmPnt"}, {"innovation": "dist"}, {"choose": "random"}):
+    for change in ({"points": "ahmPoint"}, {"lines": "ahmPnt"}, {"innovation": "dist"}, {"selection": "random"}):
         with pytest.raises(UnknownNameError, match="Known:"):
             Options(**change)
     with pytest.raises(UnknownNameError, match="did you mean 'points'"):
@@ -350,5 +350,5 @@ def test_any_mixture_of_faults_and_forgetting_keeps_the_map_whole(seed, name, cu
     for frame, _ in p.simulate(rng):
         slam.step(frame)
         if frame.number == cut and slam.landmarks:
-            slam.forget(slam.landmarks[int(rng.integers(len(slam.landmarks)))])
+            slam.prune(slam.landmarks[int(rng.integers(len(slam.landmarks)))])
         is_healthy(slam)

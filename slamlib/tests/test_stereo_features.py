@@ -13,19 +13,19 @@ from slamlib.geometry.pose import compose
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.tests.stereo import LENS, calibration, points_seen, seen_from
 from slamlib.vision.stereo import (
-    Eyes,
+    StereoFeatureExtractor,
     StereoSettings,
     Tracks,
-    circular,
-    joined,
-    mutual,
+    circular_matches,
+    mutual_nearest,
     pair,
+    stereo_rig,
     triangulate,
 )
 from slamlib.vision.stereo.detect import detect, spread
-from slamlib.vision.stereo.features import followed
+from slamlib.vision.stereo.features import track_features
 from slamlib.vision.stereo.geometry import pixel_noise
-from slamlib.vision.stereo.matching import along_rows, distances
+from slamlib.vision.stereo.matching import hamming_distances, row_mask
 from slamlib.vision.stereo.refine import ALONG_ROW, align, align_shape, cut
 
 
@@ -47,18 +47,18 @@ def test_pairs_that_do_not_fit_are_refused():
     with pytest.raises(SlamlibError, match="float64"):
         pair(grey.astype(float), grey.astype(float))
     with pytest.raises(SlamlibError, match="calibration of 320x240"):
-        Eyes(calibration()).look(np.zeros((2, 100, 320), np.uint8))
+        StereoFeatureExtractor(calibration()).extract(np.zeros((2, 100, 320), np.uint8))
 
 
 def test_cameras_that_are_no_rectified_pair_are_refused():
     way = rendering.path("sideways")
     with pytest.raises(SlamlibError, match="distort"):
-        joined(rendering.hand_held(way, baseline=0.12))
+        stereo_rig(rendering.rig_along_path(way, baseline=0.12))
     with pytest.raises(SlamlibError, match="left and a right"):
-        joined(rendering.hand_held(way))
-    left, right = rendering.hand_held(way, baseline=0.12, parameters=LENS).sensors
+        stereo_rig(rendering.rig_along_path(way))
+    left, right = rendering.rig_along_path(way, baseline=0.12, parameters=LENS).sensors
     with pytest.raises(SlamlibError, match="other way round"):
-        joined(Rig(rendering.hand_held(way).robots, (right, left)))
+        stereo_rig(Rig(rendering.rig_along_path(way).robots, (right, left)))
 
 
 def test_without_opencv_the_error_says_what_to_install(monkeypatch):
@@ -76,7 +76,7 @@ def test_each_cell_keeps_its_strongest():
 def test_features_spread_over_the_picture(film):
     _, frames, _ = film
     image = frames[0][0].scans[0].image[0]
-    s = StereoSettings(cells=(8, 6), each=3)
+    s = StereoSettings(cells=(8, 6), per_cell=3)
     found = detect(image, s)
     counts = np.zeros((6, 8), int)
     place = (found.pixels / [40, 40]).astype(int)
@@ -96,30 +96,30 @@ def test_distances_count_bits():
     rng = np.random.default_rng(1)
     one, other = rng.integers(0, 256, (2, 7, 32)).astype(np.uint8)
     counted = [[bin(int.from_bytes((a ^ b).tobytes(), "big")).count("1") for b in other] for a in one]
-    np.testing.assert_array_equal(distances(one, other), counted)
-    assert distances(one[:0], other).shape == (0, 7)
+    np.testing.assert_array_equal(hamming_distances(one, other), counted)
+    assert hamming_distances(one[:0], other).shape == (0, 7)
 
 
 def test_mutual_matches_are_best_both_ways():
     cost = np.array([[1.0, 5, 9], [2, 8, 9], [9, 9, 3]])
     # Row 1 prefers column 0, which prefers row 0.
-    assert mutual(cost, largest=100).tolist() == [[0, 0], [2, 2]]
-    assert mutual(cost, largest=2).tolist() == [[0, 0]]
+    assert mutual_nearest(cost, largest=100).tolist() == [[0, 0], [2, 2]]
+    assert mutual_nearest(cost, largest=2).tolist() == [[0, 0]]
     # The second best of column 0 is 2: a ratio of 0.5 is not below 0.5.
-    assert mutual(cost, largest=100, ratio=0.5).tolist() == [[2, 2]]
-    assert mutual(np.full((2, 2), np.inf), largest=100).tolist() == []
-    assert mutual(np.zeros((0, 3)), largest=1).shape == (0, 2)
+    assert mutual_nearest(cost, largest=100, ratio=0.5).tolist() == [[2, 2]]
+    assert mutual_nearest(np.full((2, 2), np.inf), largest=100).tolist() == []
+    assert mutual_nearest(np.zeros((0, 3)), largest=1).shape == (0, 2)
 
 
 def test_rows_and_disparities_bound_the_matches():
     left, right = np.array([[50.0, 10]]), np.array([[40.0, 11], [40, 12], [51, 10], [5, 10]])
-    assert along_rows(left, right, 1.5, (1, 30)).tolist() == [[True, False, False, False]]
+    assert row_mask(left, right, 1.5, (1, 30)).tolist() == [[True, False, False, False]]
 
 
 def test_the_cycle_is_closed_only_where_both_pictures_agree():
     lefts, rights = np.array([[0, 0], [1, 2], [3, 1]]), np.array([[0, 0], [1, 1], [3, 1]])
-    assert circular(lefts, rights).tolist() == [[0, 0], [3, 1]]
-    assert circular(lefts, rights[:0]).shape == (0, 2)
+    assert circular_matches(lefts, rights).tolist() == [[0, 0], [3, 1]]
+    assert circular_matches(lefts, rights[:0]).shape == (0, 2)
 
 
 def test_alignment_finds_fractions_of_pixels_whatever_the_light():
@@ -162,8 +162,8 @@ def test_disparities_in_the_room_are_right(film):
     rig, frames, made = film
     frame, truth = frames[0]
     mounted = rig.sensors[0]
-    seen = Eyes(mounted.calibration).look(frame.scans[0].image)
-    camera = compose(truth.robots[0][:7], mounted.mount)
+    seen = StereoFeatureExtractor(mounted.calibration).extract(frame.scans[0].image)
+    camera = compose(truth.robots[0][:7], mounted.extrinsics)
     points = made.truth_of(truth, seen.values[:, :2])
     expected = mounted.calibration.project(EUC_POINT.to_frame(camera, points))
     error = seen.values[:, 2] - expected[:, 2]
@@ -174,11 +174,11 @@ def test_disparities_in_the_room_are_right(film):
 
 def test_followed_features_are_the_same_points(film):
     rig, frames, made = film
-    mount, eyes = rig.sensors[0].mount, Eyes(rig.sensors[0].calibration)
-    old, new = (eyes.look(frame.scans[0].image) for frame, _ in frames)
-    pairs, values = followed(old, new, eyes.settings)
+    extrinsics, extractor = rig.sensors[0].extrinsics, StereoFeatureExtractor(rig.sensors[0].calibration)
+    old, new = (extractor.extract(frame.scans[0].image) for frame, _ in frames)
+    pairs, values = track_features(old, new, extractor.settings)
     before = made.truth_of(frames[0][1], old.values[pairs[:, 0], :2])
-    camera = compose(frames[1][1].robots[0][:7], mount)
+    camera = compose(frames[1][1].robots[0][:7], extrinsics)
     expected = rig.sensors[0].calibration.project(EUC_POINT.to_frame(camera, before))
     error = np.linalg.norm(values[:, :2] - expected[:, :2], axis=1)
     assert len(pairs) > 60
@@ -188,9 +188,9 @@ def test_followed_features_are_the_same_points(film):
 
 def test_a_pair_is_looked_at_once(film):
     rig, frames, _ = film
-    eyes = Eyes(rig.sensors[0].calibration)
+    extractor = StereoFeatureExtractor(rig.sensors[0].calibration)
     image = frames[0][0].scans[0].image
-    assert eyes.look(image) is eyes.look(image)
+    assert extractor.extract(image) is extractor.extract(image)
 
 
 def test_triangulation_inverts_the_projection():

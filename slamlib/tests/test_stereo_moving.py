@@ -16,22 +16,29 @@ from slamlib.observation.family import viewpoint
 from slamlib.slam import Options, Slam
 from slamlib.tests.stereo import MOUNT, calibration, points_seen, seen_from
 from slamlib.tests.stereo_points import run, simulate
-from slamlib.vision.stereo import MOVING
+from slamlib.vision.stereo import MOTION_SOURCES
 from slamlib.vision.stereo.fitting import derivatives, fit
 from slamlib.vision.stereo.geometry import ORIGIN
-from slamlib.vision.stereo.motion_source import SURPRISE, Correlated, Steady
-from slamlib.vision.stereo.odometry import halves
+from slamlib.vision.stereo.motion_source import INFLATION, CorrelatedFeatures, MotionFallback
+from slamlib.vision.stereo.odometry import checkerboard_half
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 RUNS, STEPS, POINTS, STD = 100, 5, 48, 0.1
-OPTIONS = Options(points="eucPnt", updates=40, first=40, later=5, reproject=False)
+OPTIONS = Options(points="eucPnt", updates=40, max_new_first=40, max_new=5, reproject=False)
 
 
 @pytest.fixture(scope="module")
 def averages():
     """NEES / 6 at each step (STEPS - 1,), the mean of the runs, by the way to move."""
     data = [simulate(np.random.default_rng(seed), STEPS, POINTS, STD) for seed in range(RUNS)]
-    names = ("twice", "velocity", "halves", "halves, each pair once", "correlated", "correlated, half of it mapped")
+    names = (
+        "twice",
+        "constant-velocity",
+        "split-features",
+        "split-features, each pair once",
+        "correlated",
+        "correlated, half of it mapped",
+    )
     found = {name: np.mean([nees(*run(name, d, STD)) for d in data], axis=0) / 6 for name in names}
     low, high = (chi2_quantile(p, 6 * RUNS) / (6 * RUNS) for p in (0.025, 0.975))
     for name, mean in found.items():
@@ -39,7 +46,9 @@ def averages():
     return found
 
 
-@pytest.mark.parametrize("name", ["velocity", "halves, each pair once", "correlated", "correlated, half of it mapped"])
+@pytest.mark.parametrize(
+    "name", ["constant-velocity", "split-features, each pair once", "correlated", "correlated, half of it mapped"]
+)
 def test_what_uses_nothing_twice_is_consistent(averages, name):
     low, high = (chi2_quantile(p, 6 * RUNS) / (6 * RUNS) for p in (0.0005, 0.9995))
     assert (averages[name] > low).all()
@@ -55,8 +64,8 @@ def test_the_same_matches_twice_are_not(averages):
 
 def test_halves_are_a_little_too_cautious(averages):
     """The noise of one pair is in two controls, once with each sign: it cancels, and the filter adds it up."""
-    assert 0.7 < averages["halves"][1:].mean() < 0.97
-    assert averages["halves"].max() < chi2_quantile(0.9995, 6 * RUNS) / (6 * RUNS)
+    assert 0.7 < averages["split-features"][1:].mean() < 0.97
+    assert averages["split-features"].max() < chi2_quantile(0.9995, 6 * RUNS) / (6 * RUNS)
 
 
 def test_a_control_of_landmarks_alone_tells_nothing():
@@ -90,18 +99,18 @@ def test_the_fit_s_derivatives():
 
 
 def test_an_untold_motion_is_the_last_one_and_badly_known():
-    steady = Steady()
-    assert np.sqrt(steady.untold(0.1).covariance[0, 0]) == 1.0  # of what was never told: a metre
+    steady = MotionFallback()
+    assert np.sqrt(steady.extrapolate(0.1).covariance[0, 0]) == 1.0  # of what was never told: a metre
     known = Control(np.array([0.10, 0, 0, 0, 0, 0.010]), 1e-6 * np.eye(6))
     for share in (1.0, 1.2, 1.0, 1.2):
-        steady.told(replace(known, value=share * known.value), 0.1)
-    lost = [steady.untold(0.1) for _ in range(2)]
+        steady.record(replace(known, value=share * known.value), 0.1)
+    lost = [steady.extrapolate(0.1) for _ in range(2)]
     np.testing.assert_allclose(lost[0].value, 1.2 * known.value)
-    np.testing.assert_allclose(lost[0].covariance[0, 0], SURPRISE * 0.02**2 / 3)
+    np.testing.assert_allclose(lost[0].covariance[0, 0], INFLATION * 0.02**2 / 3)
     np.testing.assert_allclose(lost[1].covariance, 2 * lost[0].covariance)
-    again = Steady()
+    again = MotionFallback()
     again.restore(json.loads(json.dumps(steady.dump())))
-    np.testing.assert_array_equal(again.untold(0.2).covariance, steady.untold(0.2).covariance)
+    np.testing.assert_array_equal(again.extrapolate(0.2).covariance, steady.extrapolate(0.2).covariance)
 
 
 # On pictures
@@ -115,70 +124,74 @@ def film():
 def started(film, name):
     """A filter at the place of the first pair, and what moves it."""
     rig, frames, _ = film
-    moving = MOVING[name](rig.sensors[0].calibration, rig.sensors[0].mount)
+    motion_source = MOTION_SOURCES[name](rig.sensors[0].calibration, rig.sensors[0].extrinsics)
     slam = Slam(
-        Rig((replace(rig.robots[0], motion=moving.motion),), rig.sensors), OPTIONS, front_ends=[moving.front_end]
+        Rig((replace(rig.robots[0], motion=motion_source.motion),), rig.sensors),
+        OPTIONS,
+        front_ends=[motion_source.front_end],
     )
     block = slam.robots[0].block
     block.mean = frames[0][1].robots[0][: len(block.mean)]
-    return slam, moving
+    return slam, motion_source
 
 
-def go(slam, moving, frames):
+def go(slam, motion_source, frames):
     """Through the frames; a row (robot's pose, control) for each."""
     rows = []
     for frame, _ in frames:
         dt = frame.dt if frame.number > 1 else 0.0
-        control = moving.control(frame.scans[0].image, dt, slam)
+        control = motion_source.control(frame.scans[0].image, dt, slam)
         slam.step(replace(frame, dt=dt, controls=(control,)))
         rows.append((slam.robots[0].pose, control))
     return rows
 
 
-@pytest.mark.parametrize("name", MOVING)
+@pytest.mark.parametrize("name", MOTION_SOURCES)
 def test_every_way_goes_through_the_room(film, name):
-    slam, moving = started(film, name)
-    go(slam, moving, film[1])
+    slam, motion_source = started(film, name)
+    go(slam, motion_source, film[1])
     error = Pose.minus(film[1][-1][1].robots[0][:7], slam.robots[0].pose)
     covariance = slam.belief.covariance(slam.robots[0].block)[:6, :6]
     assert np.linalg.norm(error[:3]) < 0.003  # [m], after 0.18 m
     assert nees(error, covariance) < chi2_quantile(0.9995, 6)
-    assert (moving.found is None) == (name == "velocity")
+    assert (motion_source.found is None) == (name == "constant-velocity")
 
 
-@pytest.mark.parametrize("name", MOVING)
+@pytest.mark.parametrize("name", MOTION_SOURCES)
 def test_a_resumed_run_goes_on_exactly(film, name, tmp_path):
-    whole, moving = started(film, name)
-    go(whole, moving, film[1][:10])
-    half, moving = started(film, name)
-    go(half, moving, film[1][:6])
-    half.save(tmp_path / "half.npz", moving=moving.dump())
+    whole, motion_source = started(film, name)
+    go(whole, motion_source, film[1][:10])
+    half, motion_source = started(film, name)
+    go(half, motion_source, film[1][:6])
+    half.save(tmp_path / "half.npz", motion_source=motion_source.dump())
     _, fresh = started(film, name)
     resumed, extra = Slam.resume(tmp_path / "half.npz", front_ends=[fresh.front_end])
-    fresh.restore(extra["moving"])
+    fresh.restore(extra["motion_source"])
     go(resumed, fresh, film[1][6:10])
     np.testing.assert_array_equal(resumed.robots[0].pose, whole.robots[0].pose)
     np.testing.assert_array_equal(resumed.belief.matrix, whole.belief.matrix)
 
 
 def test_halves_share_no_measurement_with_the_control(film):
-    slam, moving = started(film, "halves")
+    slam, motion_source = started(film, "split-features")
     for one in film[1][:5]:
-        go(slam, moving, [one])
-        measured = np.array([look.measured for look in slam.looks[0] if look.matched]).reshape(-1, 3)
-        assert (halves(measured) == 1).all()
-        assert (halves(moving.odometry.matched) == 0).all()
+        go(slam, motion_source, [one])
+        measured = np.array([prediction.measured for prediction in slam.predictions[0] if prediction.matched]).reshape(
+            -1, 3
+        )
+        assert (checkerboard_half(measured) == 1).all()
+        assert (checkerboard_half(motion_source.odometry.matched) == 0).all()
 
 
 def test_a_stranger_is_no_landmark(film):
-    slam, moving = started(film, "correlated")
+    slam, motion_source = started(film, "correlated")
     told = 0
     for one in film[1][:8]:
         before = {landmark.id for landmark in slam.landmarks}
-        go(slam, moving, [one])
-        others = set(moving.front_end.others.tolist())
-        assert others.isdisjoint(moving.front_end.found.values())
-        values = moving.odometry.eyes.last.values
+        go(slam, motion_source, [one])
+        others = set(motion_source.front_end.reserved.tolist())
+        assert others.isdisjoint(motion_source.front_end.found.values())
+        values = motion_source.odometry.extractor.last.values
         new = [lm for lm in slam.landmarks if lm.id not in before]
         begun = {int(np.abs(values - seen(slam, lm)).max(1).argmin()) for lm in new}
         assert others.isdisjoint(begun)
@@ -188,29 +201,29 @@ def test_a_stranger_is_no_landmark(film):
 
 def seen(slam, landmark):
     """Where a landmark that was just begun is in the picture (3,)."""
-    return slam.families["points"].expect(viewpoint(slam.sensors[0]), [landmark], slam.options).value[0]
+    return slam.families["points"].predict_batch(viewpoint(slam.sensors[0]), [landmark], slam.options).value[0]
 
 
 def test_a_black_picture_is_a_motion_that_nobody_could_tell(film):
-    slam, moving = started(film, "halves")
-    go(slam, moving, film[1][:5])
+    slam, motion_source = started(film, "split-features")
+    go(slam, motion_source, film[1][:5])
     spread = slam.belief.covariance(slam.robots[0].block).trace()
     frame, truth = film[1][5]
     dark = replace(frame.scans[0], image=np.zeros_like(frame.scans[0].image))
-    go(slam, moving, [(replace(frame, scans=(dark,)), truth)])
-    assert moving.found is None
+    go(slam, motion_source, [(replace(frame, scans=(dark,)), truth)])
+    assert motion_source.found is None
     assert slam.belief.covariance(slam.robots[0].block).trace() > 2 * spread
-    go(slam, moving, film[1][6:12])
-    assert moving.found is not None
+    go(slam, motion_source, film[1][6:12])
+    assert motion_source.found is not None
     error = Pose.minus(film[1][11][1].robots[0][:7], slam.robots[0].pose)
     assert np.linalg.norm(error[:3]) < 0.01
 
 
 def test_without_strangers_all_say_where_and_none_how_well(film, monkeypatch):
     monkeypatch.setattr(
-        Correlated, "strangers", lambda self, new, found, slam: np.zeros(len(found.inliers), dtype=bool)
+        CorrelatedFeatures, "strangers", lambda self, new, found, slam: np.zeros(len(found.inliers), dtype=bool)
     )
-    slam, moving = started(film, "correlated")
-    (*_, (_, control)) = go(slam, moving, film[1][:3])
-    np.testing.assert_array_equal(control.value, moving.found.control.value)
-    assert np.sqrt(np.trace(control.covariance)) > 50 * np.sqrt(np.trace(moving.found.control.covariance))
+    slam, motion_source = started(film, "correlated")
+    (*_, (_, control)) = go(slam, motion_source, film[1][:3])
+    np.testing.assert_array_equal(control.value, motion_source.found.control.value)
+    assert np.sqrt(np.trace(control.covariance)) > 50 * np.sqrt(np.trace(motion_source.found.control.covariance))

@@ -9,9 +9,9 @@ from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import exponential
 from slamlib.motions import ODOMETRY
 from slamlib.tests.stereo import MOUNT, calibration, kitti, points_seen, seen_from
-from slamlib.vision.stereo import Eyes, VisualOdometry, motion_between
+from slamlib.vision.stereo import StereoFeatureExtractor, VisualOdometry, motion_between
 from slamlib.vision.stereo.geometry import ORIGIN, pixel_noise
-from slamlib.vision.stereo.odometry import halves
+from slamlib.vision.stereo.odometry import checkerboard_half
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed")
 
@@ -41,7 +41,7 @@ def test_exact_matches_give_the_exact_control():
     np.testing.assert_allclose(found.control.value, CONTROL, atol=1e-8)
     np.testing.assert_allclose(found.pose, moved(), atol=1e-8)
     assert found.inliers.all()
-    assert found.fit < 1e-10
+    assert found.nis_per_dof < 1e-10
 
 
 def test_wrong_matches_are_left_out():
@@ -82,7 +82,7 @@ def test_the_control_s_covariance_by_monte_carlo(noise):
 
 def test_halves_share_no_measurement():
     values = np.random.default_rng(6).uniform(0, 640, (500, 3))
-    half = halves(values)
+    half = checkerboard_half(values)
     assert set(half) == {0, 1}
     assert 0.4 < half.mean() < 0.6
 
@@ -91,13 +91,13 @@ def test_odometry_in_the_room_stays_near():
     rig, frames, _ = stereo_film(25)
     sensor = rig.sensors[0]
     true = np.array([truth.robots[0][:7] for _, truth in frames])
-    odometry, pose = VisualOdometry(Eyes(sensor.calibration), sensor.mount), true[0]
+    odometry, pose = VisualOdometry(StereoFeatureExtractor(sensor.calibration), sensor.extrinsics), true[0]
     for i, (frame, _) in enumerate(frames):
         motion = odometry.step(frame.scans[0].image)
         assert (motion is None) == (i == 0)
         pose = pose if motion is None else compose(pose, motion.pose)
         assert len(odometry.tracks.ids) == len(odometry.old) == len(set(odometry.tracks.ids.tolist()))
-        assert odometry.again.sum() == len(odometry.pairs)
+        assert odometry.reobserved.sum() == len(odometry.pairs)
     assert odometry.tracks.ages.max() > 10
     path = np.linalg.norm(np.diff(true[:, :3], axis=0), axis=1).sum()
     error = Pose.minus(true[-1], pose)
@@ -109,7 +109,7 @@ def test_a_prediction_bounds_the_matches():
     rig, frames, _ = stereo_film(2)
     sensor = rig.sensors[0]
     images = [frame.scans[0].image for frame, _ in frames]
-    odometry = VisualOdometry(Eyes(sensor.calibration), sensor.mount)
+    odometry = VisualOdometry(StereoFeatureExtractor(sensor.calibration), sensor.extrinsics)
     odometry.step(images[0])
     away = np.concatenate([[0, 0, 0], exponential(np.array([0, 0, np.radians(25)]))])
     assert odometry.step(images[1], away) is None  # looked for where nothing is
@@ -118,7 +118,7 @@ def test_a_prediction_bounds_the_matches():
 
 def test_odometry_on_a_real_street():
     made, pairs, truth = kitti(15)
-    odometry, pose, inliers = VisualOdometry(Eyes(made)), truth.poses[0], []
+    odometry, pose, inliers = VisualOdometry(StereoFeatureExtractor(made)), truth.poses[0], []
     for image in pairs:
         motion = odometry.step(image)
         if motion is not None:

@@ -14,12 +14,12 @@ from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam
 from slamlib.tests.stereo import calibration
-from slamlib.vision.stereo import Eyes, StereoSearch, StereoSettings
-from slamlib.vision.stereo.front_end import View, Views
-from slamlib.vision.stereo.odometry import halves
+from slamlib.vision.stereo import StereoFeatureExtractor, StereoSearch, StereoSettings
+from slamlib.vision.stereo.front_end import LandmarkView, LandmarkViews
+from slamlib.vision.stereo.odometry import checkerboard_half
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")
-OPTIONS = Options(points="eucPnt", updates=40, first=40, later=5)
+OPTIONS = Options(points="eucPnt", updates=40, max_new_first=40, max_new=5)
 
 
 @pytest.fixture(scope="module")
@@ -49,10 +49,10 @@ def test_the_camera_is_where_the_filter_says(film):
     rig, frames, _ = film
     slam = run(filter_of(rig), frames)
     error = Pose.minus(frames[-1][1].robots[0][:7], slam.robots[0].pose)
-    looks = slam.looks[0]
+    predictions = slam.predictions[0]
     assert np.linalg.norm(error[:3]) < 0.005  # [m], after 0.25 m
     assert np.degrees(np.linalg.norm(error[3:])) < 0.1
-    assert sum(look.inlier for look in looks) > 20
+    assert sum(prediction.inlier for prediction in predictions) > 20
 
 
 def test_landmarks_are_where_the_room_is(film):
@@ -61,8 +61,8 @@ def test_landmarks_are_where_the_room_is(film):
     for frame, truth in frames[:6]:
         report = slam.step(frame)
         for landmark in slam.landmarks:
-            if landmark.id in report.begun:
-                camera = compose(truth.robots[0][:7], rig.sensors[0].mount)
+            if landmark.id in report.initialized:
+                camera = compose(truth.robots[0][:7], rig.sensors[0].extrinsics)
                 pixel = slam.front_ends[0].calibration.project(EUC_POINT.to_frame(camera, landmark.block.mean))
                 begun[landmark.id] = made.truth_of(truth, pixel[None, :2])[0]
     away = [np.linalg.norm(lm.block.mean - begun[lm.id]) for lm in slam.landmarks]
@@ -76,18 +76,18 @@ def test_a_landmark_keeps_its_number_while_it_is_out_of_sight(film):
     before = {landmark.id for landmark in slam.landmarks}
     for frame, _ in frames[6:9]:
         slam.step(dark(frame))
-    assert not any(look.matched for look in slam.looks[0])
+    assert not any(prediction.matched for prediction in slam.predictions[0])
     again = set()
     for frame, _ in frames[9:14]:
         slam.step(frame)
-        again |= {look.landmark.id for look in slam.looks[0] if look.inlier}
+        again |= {prediction.landmark.id for prediction in slam.predictions[0] if prediction.inlier}
     assert len(again & before) > 10
 
 
 def test_no_landmark_is_begun_upon_another(film):
     rig, frames, _ = film
     slam = run(filter_of(rig), frames[:8])
-    values = np.array([look.value for look in slam.looks[0]])
+    values = np.array([prediction.value for prediction in slam.predictions[0]])
     apart = np.abs(values[:, None, :2] - values[None, :, :2]).max(-1) + 1e3 * np.eye(len(values))
     assert np.mean(apart.min(1) > 4) > 0.97
 
@@ -109,20 +109,22 @@ def test_a_half_measures_in_its_squares_only(film):
     slam = filter_of(rig, half=1)
     for frame, _ in frames[:5]:
         slam.step(frame)
-        measured = np.array([look.measured for look in slam.looks[0] if look.matched]).reshape(-1, 3)
-        assert (halves(measured) == 1).all()
+        measured = np.array([prediction.measured for prediction in slam.predictions[0] if prediction.matched]).reshape(
+            -1, 3
+        )
+        assert (checkerboard_half(measured) == 1).all()
     assert len(slam.landmarks) > 15
 
 
 def test_landmarks_take_turns(film):
     rig, frames, _ = film
-    slam = filter_of(rig, settings=StereoSettings(turns=3))
+    slam = filter_of(rig, settings=StereoSettings(update_interval=3))
     looked = dict[int, list[int]]()
     for frame, _ in frames[:10]:
         slam.step(frame)
-        for look in slam.looks[0]:
-            if look.chosen:
-                looked.setdefault(look.landmark.id, []).append(frame.number)
+        for prediction in slam.predictions[0]:
+            if prediction.chosen:
+                looked.setdefault(prediction.landmark.id, []).append(frame.number)
     assert len(looked) > 20
     assert all(set(np.diff(numbers)) <= {3, 6, 9} for numbers in looked.values())
     assert {numbers[0] % 3 for numbers in looked.values()} == {0, 1, 2}  # in each frame some
@@ -132,20 +134,20 @@ def test_what_is_left_to_an_odometry_is_not_measured(film):
     rig, frames, _ = film
     slam = run(filter_of(rig), frames[:3])
     front_end = slam.front_ends[0]
-    seen = front_end.eyes.look(frames[3][0].scans[0].image)
-    front_end.others = np.arange(0, len(seen), 2)
+    seen = front_end.extractor.extract(frames[3][0].scans[0].image)
+    front_end.reserved = np.arange(0, len(seen), 2)
     slam.step(frames[3][0])
     assert len(front_end.found) > 10
-    assert set(front_end.others.tolist()).isdisjoint([*front_end.found.values(), *front_end.begun])
+    assert set(front_end.reserved.tolist()).isdisjoint([*front_end.found.values(), *front_end.initialized])
 
 
 def test_a_shared_look_is_made_once(film):
     rig, frames, _ = film
-    eyes = Eyes(rig.sensors[0].calibration)
-    slam = Slam(rig, OPTIONS, front_ends=[StereoSearch(rig.sensors[0].calibration, eyes=eyes)])
-    seen = eyes.look(frames[0][0].scans[0].image)
+    extractor = StereoFeatureExtractor(rig.sensors[0].calibration)
+    slam = Slam(rig, OPTIONS, front_ends=[StereoSearch(rig.sensors[0].calibration, extractor=extractor)])
+    seen = extractor.extract(frames[0][0].scans[0].image)
     slam.step(frames[0][0])
-    assert eyes.last is seen
+    assert extractor.last is seen
 
 
 def test_scans_without_a_pair_change_nothing(film):
@@ -174,12 +176,12 @@ def test_settings_that_make_no_sense_are_refused():
 
 
 def test_the_first_view_is_never_given_up():
-    views = Views((View(np.zeros(32, np.uint8), np.zeros((13, 13)), 10.0),))
+    views = LandmarkViews((LandmarkView(np.zeros(32, np.uint8), np.zeros((13, 13)), 10.0),))
     for d in (12.0, 15.0, 19.0, 24.0, 30.0):
-        views = views.with_view(View(np.zeros(32, np.uint8), np.zeros((13, 13)), d), 4)
+        views = views.with_view(LandmarkView(np.zeros(32, np.uint8), np.zeros((13, 13)), d), 4)
     assert [v.disparity for v in views.all] == [10.0, 19.0, 24.0, 30.0]
     assert views.nearest(11.0).disparity == 10.0
     assert views.nearest(26.0).disparity == 24.0
     assert views.all[0].zoom(-1.0) == np.inf
     packed = json.loads(json.dumps(views.pack()))
-    assert [v.disparity for v in Views.unpack(packed).all] == [10.0, 19.0, 24.0, 30.0]
+    assert [v.disparity for v in LandmarkViews.unpack(packed).all] == [10.0, 19.0, 24.0, 30.0]

@@ -11,12 +11,12 @@ from slamlib.evaluation.consistency import Consistency, band, nees
 from slamlib.experiments import presets
 from slamlib.geometry.pose import Pose, compose, from_frame
 from slamlib.slam import Options
-from slamlib.slam.submaps import Atlas, ManyMaps, Submap
+from slamlib.slam.submaps import Atlas, Submap, SubmapSlam
 
 EYES = SensorSetup(
     type="stereo", position=(0, 0, 0.6), parameters={"intrinsics": (320, 240, 320, 320), "baseline": (0.5,)}
 )
-OPTIONS = Options(points="eucPnt", first=5, later=2)
+OPTIONS = Options(points="eucPnt", max_new_first=5, max_new=2)
 
 
 def cloister(frames, sensor=EYES, options=OPTIONS, noise=(0.02, 0.2)):
@@ -66,17 +66,17 @@ def test_join_has_the_covariance_of_composed_samples():
 
 def test_where_all_is_linear_tied_maps_are_one_map():
     """Attitudes known without doubt: the same Gaussian, whether it was computed in one map or in four."""
-    all_of_it = Options(points="eucPnt", first=1000, later=1000, updates=1000, gate=1.0, search_first=10**6)
+    all_of_it = Options(points="eucPnt", max_new_first=1000, max_new=1000, updates=1000, gate=1.0, min_searches=10**6)
     there = SensorSetup(type="relativePosition", std=(0.05, 0.07, 0.03))
     preset = cloister(12, there, all_of_it, noise=(0.02, 0.0))
-    one, many = preset.slam(), ManyMaps(preset.rig, preset.options, most=1000)
+    one, many = preset.slam(), SubmapSlam(preset.rig, preset.options, max_landmarks=1000)
     for frame, _ in preset.simulate(np.random.default_rng(0)):
         one.step(frame)
         many.step(frame)
         if frame.number % 4 == 0:
             many.close()
     assert [len(ids) for ids in many.atlas.ids] == [72] * 3
-    assert many.atlas.tie() == 2 * 72
+    assert many.atlas.merge_duplicates() == 2 * 72
     robot = one.robots[0]
     np.testing.assert_allclose(many.atlas.pose, robot.pose, atol=1e-9)
     np.testing.assert_allclose(many.atlas.covariance(), one.belief.covariance(robot.block), atol=1e-9)
@@ -89,12 +89,12 @@ def test_tied_maps_are_consistent():
     """20 runs of a round: the error of the last pose against its covariance; 6 dof, the 99.9 % band of one step."""
     preset, found = cloister(215), []
     for seed in range(20):
-        many = ManyMaps(preset.rig, preset.options, most=30)
+        many = SubmapSlam(preset.rig, preset.options, max_landmarks=30)
         for frame, truth in preset.simulate(np.random.default_rng(seed)):
             many.step(frame)
             last = truth.robots[0][:7]
         many.close()
-        many.atlas.tie()
+        many.atlas.merge_duplicates()
         found.append([float(nees(Pose.minus(last, many.atlas.pose), many.atlas.covariance()))])
     print(f"NEES, 6 dof, 20 runs, 95 % band {band(6, 20)}: five maps, tied {np.mean(found):.2f}")
     assert Consistency.of(np.array(found), 6, probability=0.999).inside == 1
@@ -106,16 +106,16 @@ def test_the_later_of_two_tied_points_is_forgotten():
     for ids in ([1, 2, 3], [2, 4], [3, 2]):
         atlas.join(some_map(rng, ids))
     assert atlas.shared() == [(0, 1, 1, 0), (0, 2, 2, 0), (0, 1, 2, 1)]
-    assert atlas.tie() == 3
+    assert atlas.merge_duplicates() == 3
     assert [ids.tolist() for ids in atlas.ids] == [[1, 2, 3], [4], []]
     assert atlas.belief.size == 3 * 6 + 4 * 3
     assert np.linalg.eigvalsh(atlas.belief.matrix)[0] > 0
-    assert atlas.tie() == 0
+    assert atlas.merge_duplicates() == 0
 
 
 def test_a_map_that_is_full_is_closed_and_the_next_one_begins_where_the_robot_is():
     preset = cloister(60)
-    many = ManyMaps(preset.rig, preset.options, most=12)
+    many = SubmapSlam(preset.rig, preset.options, max_landmarks=12)
     sizes = []
     for frame, _ in preset.simulate(np.random.default_rng(1)):
         many.step(frame)
@@ -134,14 +134,14 @@ def test_a_map_that_is_full_is_closed_and_the_next_one_begins_where_the_robot_is
     [
         (lambda rig: replace(rig, robots=(rig.robots[0], replace(rig.robots[0], name="other"))), "one robot"),
         (lambda rig: replace(rig, robots=(replace(rig.robots[0], motion="constVel"),)), "its pose"),
-        (lambda rig: replace(rig, sensors=(replace(rig.sensors[0], estimated=True),)), "mount"),
+        (lambda rig: replace(rig, sensors=(replace(rig.sensors[0], estimated=True),)), "extrinsics"),
     ],
 )
 def test_rigs_whose_maps_would_not_be_independent_are_refused(change, says):
     with pytest.raises(SlamlibError, match=says):
-        ManyMaps(change(cloister(2).rig))
+        SubmapSlam(change(cloister(2).rig))
 
 
 def test_a_map_without_landmarks_is_refused():
     with pytest.raises(SlamlibError, match="1 or more"):
-        ManyMaps(cloister(2).rig, most=0)
+        SubmapSlam(cloister(2).rig, max_landmarks=0)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.alignment import Similarity, align, aligned, relative_errors, straightness
+from slamlib.evaluation.alignment import Similarity, align, align_trajectory, relative_pose_errors, straightness
 from slamlib.evaluation.trajectory import Trajectory, associate, read_trajectory, write_tum
 from slamlib.geometry.pose import compose
 from slamlib.geometry.quaternion import exponential, rotation
@@ -97,10 +97,10 @@ def test_a_similarity_is_recovered_exactly(seed):
     assert found.scale == pytest.approx(true.scale, rel=1e-10)
     np.testing.assert_allclose(found.rotation, true.rotation, atol=1e-9)
     np.testing.assert_allclose(found.translation, true.translation, atol=1e-8)
-    whole = aligned(there, true.moved(there))
-    assert whole.by == "positions"
-    assert whole.rmse < 1e-8
-    assert whole.attitude.max() < 1e-7
+    whole = align_trajectory(there, true.moved(there))
+    assert whole.rotation_from == "positions"
+    assert whole.ate < 1e-8
+    assert whole.orientation.max() < 1e-7
 
 
 @pytest.mark.parametrize("scale", [True, False])
@@ -133,32 +133,32 @@ def test_of_a_straight_path_the_attitudes_say_the_turn():
     line = Trajectory(bent.times, poses)
     with pytest.raises(SlamlibError, match="one line"):
         align(line.positions, true(line.positions))
-    found = aligned(line, true.moved(line))
-    assert found.by == "attitudes"
+    found = align_trajectory(line, true.moved(line))
+    assert found.rotation_from == "orientations"
     assert found.straightness < 1e-10
     np.testing.assert_allclose(found.similarity.rotation, true.rotation, atol=1e-9)
     assert found.similarity.scale == pytest.approx(true.scale)
-    assert found.rmse < 1e-8
+    assert found.ate < 1e-8
     still = Trajectory(line.times, line.poses * [0, 0, 0, 1, 1, 1, 1])
     with pytest.raises(SlamlibError, match="does not move"):
-        aligned(still, line)
-    assert aligned(still, line, scale=False).similarity.scale == 1
+        align_trajectory(still, line)
+    assert align_trajectory(still, line, scale=False).similarity.scale == 1
 
 
 def test_a_path_that_goes_the_wrong_way_fits_at_no_scale():
     there = walk(np.random.default_rng(12))
     back = Trajectory(there.times, there.poses * [-1, -1, -1, 1, 1, 1, 1])
-    found = aligned(back, there, by="attitudes")
+    found = align_trajectory(back, there, rotation_from="orientations")
     assert found.similarity.scale == 0
-    assert found.rmse == pytest.approx(np.sqrt(there.positions.var(0).sum()))
+    assert found.ate == pytest.approx(np.sqrt(there.positions.var(0).sum()))
 
 
 def test_misuse_of_alignment_is_named():
     there = walk(np.random.default_rng(8))
     with pytest.raises(SlamlibError, match="associate"):
-        aligned(there, there[np.arange(5)])
-    with pytest.raises(SlamlibError, match="positions, attitudes"):
-        aligned(there, there, by="looks")
+        align_trajectory(there, there[np.arange(5)])
+    with pytest.raises(SlamlibError, match="positions, orientations"):
+        align_trajectory(there, there, rotation_from="looks")
     with pytest.raises(SlamlibError, match="pairs of points"):
         align(np.zeros((4, 3)), np.zeros((5, 3)))
 
@@ -166,7 +166,7 @@ def test_misuse_of_alignment_is_named():
 def test_errors_over_parts_of_the_path():
     there = walk(np.random.default_rng(9), 400)
     long = Trajectory(there.times, there.poses * [1.02, 1.02, 1.02, 1, 1, 1, 1])
-    found = relative_errors(long, there, (2.0, 5.0, 1000.0))
+    found = relative_pose_errors(long, there, (2.0, 5.0, 1000.0))
     np.testing.assert_array_less(found.translation[:2], 0.02 + 1e-12)  # of a bent part the chord is 2 % too long
     assert found.counts[2] == 0
     assert np.isnan(found.translation[2])
@@ -175,11 +175,11 @@ def test_errors_over_parts_of_the_path():
     x = np.arange(300.0)
     straight = np.stack([x, 0 * x, 0 * x, 1 + 0 * x, 0 * x, 0 * x, 0 * x], axis=1)
     turned = np.concatenate([straight[:, :3], exponential(np.stack([0 * x, 0 * x, 0.01 * x], axis=1))], axis=1)
-    found = relative_errors(Trajectory(x, turned), Trajectory(x, straight), (99.5,), step=10)
+    found = relative_pose_errors(Trajectory(x, turned), Trajectory(x, straight), (99.5,), step=10)
     assert found.rotation[0] == pytest.approx(1.0 / 99.5)
     assert found.counts[0] == 20
     with pytest.raises(SlamlibError, match="give shorter lengths"):
-        relative_errors(there, there)
+        relative_pose_errors(there, there)
 
 
 def test_nothing_depends_on_where_the_world_is():
@@ -187,7 +187,7 @@ def test_nothing_depends_on_where_the_world_is():
     there = walk(rng)
     moved = Similarity(1.0, anyhow(rng).rotation, rng.normal(size=3)).moved(there)
     np.testing.assert_allclose(moved.from_start().positions, there.from_start().positions, atol=1e-12)
-    found = relative_errors(there, moved, (1.0,), step=1)
+    found = relative_pose_errors(there, moved, (1.0,), step=1)
     assert found.translation[0] < 1e-12
 
 
@@ -197,10 +197,10 @@ def test_the_two_references_of_a_real_sequence_agree():
         pytest.skip("the excerpt mono_visp_cube is not at hand")
     pnp, colmap = (Trajectory(rows[:, 0], rows[:, 1:]) for rows in map(np.loadtxt, files))
     assert straightness(pnp.positions) < 0.05
-    found = aligned(colmap, pnp)
-    assert found.by == "attitudes"
-    assert found.relative < 0.04  # the two were found to agree to 2 % of the path
-    assert np.degrees(np.median(found.attitude)) < 1.2
+    found = align_trajectory(colmap, pnp)
+    assert found.rotation_from == "orientations"
+    assert found.relative_ate < 0.04  # the two were found to agree to 2 % of the path
+    assert np.degrees(np.median(found.orientation)) < 1.2
 
 
 def test_what_evo_finds():
@@ -209,8 +209,8 @@ def test_what_evo_finds():
     there = walk(rng, 200)
     noise = np.concatenate([rng.normal(0, 0.02, (200, 3)), exponential(rng.normal(0, 0.01, (200, 3)))], axis=1)
     estimate = anyhow(rng).moved(Trajectory(there.times, compose(there.poses, noise)))
-    found = aligned(estimate, there, by="positions")
-    same = found.similarity.scale, found.rmse, np.degrees(found.attitude.max())
+    found = align_trajectory(estimate, there, rotation_from="positions")
+    same = found.similarity.scale, found.ate, np.degrees(found.orientation.max())
     np.testing.assert_allclose(same, STORED, rtol=1e-9)
     geometry = pytest.importorskip("evo.core.geometry", reason="evo is not installed: its stored figures were compared")
     metrics, paths = pytest.importorskip("evo.core.metrics"), pytest.importorskip("evo.core.trajectory")
@@ -220,7 +220,7 @@ def test_what_evo_finds():
     two = [paths.PoseTrajectory3D(t.positions, t.poses[:, 3:], t.times) for t in (there, estimate)]
     two[1].align(two[0], correct_scale=True)
     kinds = (
-        (metrics.PoseRelation.translation_part, metrics.StatisticsType.rmse),
+        (metrics.PoseRelation.translation_part, metrics.StatisticsType.ate),
         (metrics.PoseRelation.rotation_angle_deg, metrics.StatisticsType.max),
     )
     of_evo = [scale]

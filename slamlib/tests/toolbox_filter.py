@@ -11,13 +11,13 @@ from slamlib.geometry.pose import compose
 from slamlib.landmarks import idp_point
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import to_euclidean
-from slamlib.observation.family import Expected, Innovation, columns_of, means_of
+from slamlib.observation.family import Innovation, PredictedBatch, landmark_means, state_columns
 from slamlib.observation.points import PointFamily
 from slamlib.observation.segments import LineFamily, line_innovation
 from slamlib.slam import Slam
-from slamlib.slam.data_association.front_end import Sight
+from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.slam.entities import MountedSensor
-from slamlib.slam.measurement_update import choose_and_match, correct_in_sequence, expect_all, follow
+from slamlib.slam.measurement_update import after_update, predict_measurements, select_and_match, update_sequentially
 
 SWITCHES = {
     "selection": "by det(E) of the expectation alone, not by det(Z) with the noise (errata E57)",
@@ -45,7 +45,7 @@ class SevenSensor(MountedSensor):
 def camera_of(sensor):
     """The camera's pose, and its Jacobian by the robot's pose: by six numbers of the tangent space or by all seven."""
     seven = isinstance(sensor, SevenSensor)
-    camera, J = (compose.storage_jac if seven else compose.jac)(sensor.robot.pose, sensor.mount)
+    camera, J = (compose.storage_jac if seven else compose.jac)(sensor.robot.pose, sensor.extrinsics)
     return camera, J.outer
 
 
@@ -67,31 +67,33 @@ class Points(PointFamily):
         by = np.concatenate([S.point @ F.pose @ by_robot, S.point @ F.landmark], axis=-1)
         return value, seen & sensor.calibration.inside(value), by
 
-    def expect(self, view, landmarks, options):
-        value, seen, by = self._observe(view.sensor, landmarks[0].kind, means_of(landmarks))
+    def predict_batch(self, view, landmarks, options):
+        value, seen, by = self._observe(view.sensor, landmarks[0].kind, landmark_means(landmarks))
         looked = [lm for lm, is_seen in zip(landmarks, seen, strict=True) if is_seen]
-        return Expected(looked, value[seen], value[seen], by[seen], columns_of(view.sensor, landmarks)[seen], options)
+        return PredictedBatch(
+            looked, value[seen], value[seen], by[seen], state_columns(view.sensor, landmarks)[seen], options
+        )
 
     def innovation(self, view, landmark, measured, options):
         sensor = view.sensor
         value, _, by = self._observe(sensor, landmark.kind, landmark.block.mean)
         return Innovation(measured - value, by, sensor.calibration.noise)
 
-    def begin(self, sensor, kind, value, options):
-        x, own, jacobians = super().begin(sensor, kind, value, options)
+    def initialize(self, sensor, kind, value, options):
+        x, own, jacobians = super().initialize(sensor, kind, value, options)
         if isinstance(sensor, SevenSensor):
             camera, by_robot = camera_of(sensor)
             ray, _ = sensor.calibration.back_project_jac(value, np.array([options.inverse_distance[0]]))
             jacobians = [kind.from_frame.storage_jac(camera, ray)[1].pose @ by_robot]
         return x, own, jacobians
 
-    def corrected(self, belief, sensor, landmarks, measured, options):
+    def after_update(self, belief, sensor, landmarks, measured, options):
         if "reset" in self.switches:
             for landmark in landmarks:
                 reset(belief, landmark, [5])
         if "index" not in self.switches:
             if not isinstance(sensor, SevenSensor):
-                super().corrected(belief, sensor, landmarks, measured, options)
+                super().after_update(belief, sensor, landmarks, measured, options)
             return
         camera = camera_of(sensor)[0]
         for landmark in landmarks:
@@ -107,13 +109,13 @@ class Points(PointFamily):
         sigma = np.sqrt(belief.covariance(landmark.block)[5, 5]) / x[5] ** 2
         return 4 * sigma / distance * abs(m @ away / distance)
 
-    def lost(self, belief, landmarks):
-        return set() if "reset" in self.switches else super().lost(belief, landmarks)
+    def invalid(self, belief, landmarks):
+        return set() if "reset" in self.switches else super().invalid(belief, landmarks)
 
     def certainty(self, belief, sensor, landmark):
         """E of an expectation."""
         _, _, by = self._observe(sensor, landmark.kind, landmark.block.mean)
-        at = columns_of(sensor, [landmark])[0]
+        at = state_columns(sensor, [landmark])[0]
         return by @ belief.matrix[np.ix_(at, at)] @ by.T
 
 
@@ -123,13 +125,15 @@ class Lines(LineFamily):
 
     switches: frozenset = frozenset()
 
-    def expect(self, view, landmarks, options):
-        found, sensor = super().expect(view, landmarks, options), view.sensor
+    def predict_batch(self, view, landmarks, options):
+        found, sensor = super().predict_batch(view, landmarks, options), view.sensor
         if not found.landmarks or not isinstance(sensor, SevenSensor):
             return found
         rows = [self._line(sensor, lm) for lm in found.landmarks]
         by = np.array([row[1] for row in rows])
-        return Expected(found.landmarks, found.value, found.inner, by, columns_of(sensor, found.landmarks), options)
+        return PredictedBatch(
+            found.landmarks, found.value, found.innovation_input, by, state_columns(sensor, found.landmarks), options
+        )
 
     def _line(self, sensor, landmark):
         camera, by_robot = camera_of(sensor)
@@ -139,8 +143,8 @@ class Lines(LineFamily):
     def innovation(self, view, landmark, measured, options):
         return line_innovation(view.sensor, *self._line(view.sensor, landmark), measured, options)
 
-    def begin(self, sensor, kind, value, options):
-        x, own, jacobians = super().begin(sensor, kind, value, options)
+    def initialize(self, sensor, kind, value, options):
+        x, own, jacobians = super().initialize(sensor, kind, value, options)
         if isinstance(sensor, SevenSensor):
             camera, by_robot = camera_of(sensor)
             rays = sensor.calibration.back_project_jac(value.reshape(2, 2), np.ones((2, 1)))[0][:, :3].ravel()
@@ -148,7 +152,7 @@ class Lines(LineFamily):
             jacobians = [kind.from_frame.storage_jac(camera, rays, prior)[1].pose @ by_robot]
         return x, own, jacobians
 
-    def corrected(self, belief, sensor, landmarks, measured, options):
+    def after_update(self, belief, sensor, landmarks, measured, options):
         if "reset" in self.switches:
             for landmark in landmarks:
                 reset(belief, landmark, [5, 8])
@@ -168,7 +172,7 @@ class Lines(LineFamily):
             parts.append(by)
         line = np.cross(*pixels)
         by = (np.cross(parts[0].T, pixels[1]) + np.cross(pixels[0], parts[1].T)).T / np.linalg.norm(line[:2])
-        at = columns_of(sensor, [landmark])[0]
+        at = state_columns(sensor, [landmark])[0]
         return by @ belief.matrix[np.ix_(at, at)] @ by.T
 
 
@@ -178,7 +182,7 @@ def reset(belief, landmark, places):
     places = [i for i in places if len(x) > 3]
     if places and (x[places] < 0).any():
         x[places] = 0.001
-        belief.replace(landmark.block, landmark.block.space, x, np.eye(len(x)))
+        belief.replace(landmark.block, landmark.block.manifold, x, np.eye(len(x)))
 
 
 class ToolboxFilter(Slam):
@@ -208,26 +212,26 @@ class ToolboxFilter(Slam):
         state, J = robot.motion.step.storage_jac(robot.block.mean, control.value, dt)
         self.belief.predict(robot.block, state, J.state, J.control @ control.covariance @ J.control.T)
 
-    def _correct(self, i, scan):
+    def _update(self, i, scan):
         sensor = self.sensors[i]
         self._normalise()
-        looks = expect_all(self.belief, sensor, self.families, self.landmarks, self.options)
+        predictions = predict_measurements(self.belief, sensor, self.families, self.landmarks, self.options)
         if "selection" in self.switches:
-            for look in looks:
-                look.Z = look.family.certainty(self.belief, sensor, look.landmark)
-        matched = choose_and_match(Sight(scan, sensor, looks), self.front_ends[i], self.options)
+            for prediction in predictions:
+                prediction.S = prediction.family.certainty(self.belief, sensor, prediction.landmark)
+        matched = select_and_match(FrontEndInput(scan, sensor, predictions), self.front_ends[i], self.options)
         if "at once" in self.switches:
-            for look in matched:
-                self._one(sensor, look)
+            for prediction in matched:
+                self._one(sensor, prediction)
         else:
-            correct_in_sequence(self.belief, sensor, matched, self.options)
-            follow(self.belief, sensor, matched, self.options)
-        self.scans[i], self.looks[i] = scan, looks
+            update_sequentially(self.belief, sensor, matched, self.options)
+            after_update(self.belief, sensor, matched, self.options)
+        self.scans[i], self.predictions[i] = scan, predictions
         self._normalise()
 
-    def _one(self, sensor, look):
+    def _one(self, sensor, prediction):
         self._normalise()
-        look.expected.columns[look.row] = columns_of(sensor, [look.landmark])[0]
-        correct_in_sequence(self.belief, sensor, [look], self.options)
+        prediction.batch.columns[prediction.row] = state_columns(sensor, [prediction.landmark])[0]
+        update_sequentially(self.belief, sensor, [prediction], self.options)
         self._normalise()
-        follow(self.belief, sensor, [look], self.options)
+        after_update(self.belief, sensor, [prediction], self.options)

@@ -12,11 +12,11 @@ import numpy as np
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.front_end import Sight
+from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.slam.data_association.gates import gate
 from slamlib.vision.appearance import Appearance, predict, recognizable
 from slamlib.vision.corners import QUALITY, Corner, best_corner
-from slamlib.vision.front_end import PictureFrontEnd
+from slamlib.vision.front_end import ImageFrontEnd
 from slamlib.vision.grid import Grid
 from slamlib.vision.patches import cut
 from slamlib.vision.search import Match, register, search
@@ -31,104 +31,108 @@ def _point(landmark: Any) -> Array:
 
 
 @dataclass(frozen=True)
-class Settings:
+class ActiveSearchSettings:
     """What active search may be told. The names in parentheses are those of the toolbox.
 
     cells, skip_outer: of the grid in which new landmarks are sought (Sen.imGrid). patch: side of a template [px], odd.
-    quality: least quality of a new landmark's corner (Opt.init.featQualityTh). enough: with so many landmarks in view,
-    none is begun. threshold: least score of a match (Opt.correct.appScTh). rival: a match is ambiguous if another peak
-    of its region has more than this share of its score. probability: with which a region contains the truth, if the
-    filter is right. largest: half the side [px] of the largest region that is searched; of a larger one it is the
-    middle. longest: frames for which a landmark rests that was missed again and again.
+    quality: least quality of a new landmark's corner (Opt.init.featQualityTh). max_in_view: with so many landmarks in
+    view, none is begun. threshold: least score of a match (Opt.correct.appScTh). max_second_ratio: a match is ambiguous
+    if another peak of its region has more than this share of its score. probability: with which a region contains the
+    truth, if the filter is right. largest: half the side [px] of the largest region that is searched; of a larger one
+    it is the middle. max_backoff: frames for which a landmark rests that was missed again and again.
     """
 
     cells: tuple[int, int] = (8, 6)
     skip_outer: bool = True
     patch: int = 11
     quality: float = QUALITY
-    enough: int = 30
+    max_in_view: int = 30
     threshold: float = 0.85
-    rival: float = 0.95
+    max_second_ratio: float = 0.95
     probability: float = 0.99
     largest: int = 40
-    longest: int = 16
+    max_backoff: int = 16
 
 
-class ActiveSearch(PictureFrontEnd):
+class ActiveSearch(ImageFrontEnd):
     """A front end for the points of one camera with an image."""
 
-    def __init__(self, calibration: Calibration, rng: np.random.Generator, settings: Settings | None = None) -> None:
+    def __init__(
+        self, calibration: Calibration, rng: np.random.Generator, settings: ActiveSearchSettings | None = None
+    ) -> None:
         """rng: draws the cells in which new landmarks are sought. Raises SlamlibError for a sensor without an image."""
         if calibration.image is None:
             raise SlamlibError(f"ActiveSearch: {calibration.sensor.name} has no image; give its calibration one")
         super().__init__(calibration)
-        self.rng, self.settings = rng, settings or Settings()
+        self.rng, self.settings = rng, settings or ActiveSearchSettings()
         self.grid = Grid(self.shape[::-1], self.settings.cells, self.settings.skip_outer)
         self.found: dict[int, Match] = {}
 
-    def findable(self, sight: Sight) -> list[Any]:
+    def searchable(self, inputs: FrontEndInput) -> list[Any]:
         """2a: the looks whose template would lie in the image, and look enough like what was seen of it before."""
-        values = np.array([look.value for look in sight.looks]).reshape(-1, 2)
-        points = np.array([_point(look.landmark) for look in sight.looks]).reshape(-1, 4)
-        looks_like = [look.landmark.signature for look in sight.looks]
-        mask = recognizable(looks_like, sight.sensor.camera, points)
+        values = np.array([prediction.value for prediction in inputs.predictions]).reshape(-1, 2)
+        points = np.array([_point(prediction.landmark) for prediction in inputs.predictions]).reshape(-1, 4)
+        looks_like = [prediction.landmark.signature for prediction in inputs.predictions]
+        mask = recognizable(looks_like, inputs.sensor.camera, points)
         mask &= self.calibration.inside(values, self.settings.patch // 2 + 1)
-        able = [look for look, is_able in zip(sight.looks, mask.tolist(), strict=True) if is_able]
-        return self.awake(able)
+        able = [prediction for prediction, is_able in zip(inputs.predictions, mask.tolist(), strict=True) if is_able]
+        return self.ready(able)
 
-    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
+    def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
         """Pixels (n, 2) of what is looked for, nan where it is not found, and the mask (n,) of those found. 2c, 2h."""
-        measured = np.full((len(looks), 2), np.nan)
-        image = np.asarray(sight.scan.image)
+        measured = np.full((len(predictions), 2), np.nan)
+        image = np.asarray(inputs.scan.image)
         self.found.clear()
         with self.seconds.timed("search"):
-            self.predict_appearances(sight, looks)
-            for pixel, look in zip(measured, looks, strict=True):
-                found = None if look.predicted is None else self.scan(image, look)
+            self.predict_appearances(inputs, predictions)
+            for pixel, prediction in zip(measured, predictions, strict=True):
+                found = None if prediction.predicted_patch is None else self.scan(image, prediction)
                 if found is not None and self.accepted(found):
-                    self.found[look.landmark.id] = found
-                    pixel[:] = self.refined(image, look, found)
-        self.remember(looks, [look.landmark.id in self.found for look in looks], self.settings.longest)
+                    self.found[prediction.landmark.id] = found
+                    pixel[:] = self.refined(image, prediction, found)
+        self.record_search(
+            predictions, [prediction.landmark.id in self.found for prediction in predictions], self.settings.max_backoff
+        )
         return measured, np.isfinite(measured[:, 0])
 
-    def predict_appearances(self, sight: Sight, looks: list[Any]) -> None:
+    def predict_appearances(self, inputs: FrontEndInput, predictions: list[Any]) -> None:
         """2e: each template as it should look from here; None where it cannot be told."""
-        looks_like = [look.landmark.signature for look in looks]
-        points = np.array([_point(look.landmark) for look in looks]).reshape(-1, 4)
-        templates = predict(looks_like, sight.sensor.camera, self.calibration, points, self.settings.patch)
-        for look, template in zip(looks, templates, strict=True):
-            look.predicted = template
+        looks_like = [prediction.landmark.signature for prediction in predictions]
+        points = np.array([_point(prediction.landmark) for prediction in predictions]).reshape(-1, 4)
+        templates = predict(looks_like, inputs.sensor.camera, self.calibration, points, self.settings.patch)
+        for prediction, template in zip(predictions, templates, strict=True):
+            prediction.predicted_patch = template
 
-    def scan(self, image: Image, look: Any) -> Match | None:
+    def scan(self, image: Image, prediction: Any) -> Match | None:
         """2d and 2f: the place most like the template in the ellipse where the measurement should be."""
         s = self.settings
-        reach = np.sqrt(gate(s.probability, 2) * look.Z.diagonal().max())
-        Z = look.Z * min(1.0, s.largest / reach) ** 2
-        found = search(image, look.predicted, look.value, Z, probability=s.probability)
+        reach = np.sqrt(gate(s.probability, 2) * prediction.S.diagonal().max())
+        S = prediction.S * min(1.0, s.largest / reach) ** 2
+        found = search(image, prediction.predicted_patch, prediction.value, S, probability=s.probability)
         if found is not None:
             patch = cut(image, np.rint(found.pixel), s.patch)
-            look.score, look.found = found.score, None if patch is None else patch.pixels
+            prediction.score, prediction.found_patch = found.score, None if patch is None else patch.pixels
         return found
 
     def accepted(self, found: Match) -> bool:
         """2g: alike enough, and no other place of the region nearly as much."""
-        return found.score >= self.settings.threshold and found.second <= self.settings.rival * found.score
+        return found.score >= self.settings.threshold and found.second <= self.settings.max_second_ratio * found.score
 
-    def refined(self, image: Image, look: Any, found: Match) -> Array:
+    def refined(self, image: Image, prediction: Any, found: Match) -> Array:
         """2h: the pixel to a small fraction, where the template fits best with a gain and an offset of its own."""
-        pixel = register(image, look.predicted, found.pixel)
+        pixel = register(image, prediction.predicted_patch, found.pixel)
         return found.pixel if pixel is None else pixel
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
+        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[tuple[int, Array, Any]]:
         """Up to `count` new landmarks (id, pixel, signature), each in a cell of its own without landmarks. 1a to 1h."""
-        image = np.asarray(sight.scan.image)
+        image = np.asarray(inputs.scan.image)
         with self.seconds.timed("detection"):
-            self.renew(image, sight)
-            seen = np.array([look.value for look in sight.looks]).reshape(-1, 2)
+            self.renew(image, inputs)
+            seen = np.array([prediction.value for prediction in inputs.predictions]).reshape(-1, 2)
             corners = self.new_corners(image, seen, usable, count)
-            return [(self.new_id(known), c.pixel, self.signature(image, sight, c)) for c in corners]
+            return [(self.new_id(known), c.pixel, self.signature(image, inputs, c)) for c in corners]
 
     def new_corners(self, image: Image, seen: Array, usable: Callable[[Array], Mask], count: int) -> list[Corner]:
         """1a to 1e: the best corners of cells without landmarks, drawn at random, if good enough; each cell once.
@@ -137,7 +141,7 @@ class ActiveSearch(PictureFrontEnd):
         to another one than a patch is not taken, lest the same thing be measured twice as if by chance.
         """
         s, taken, corners = self.settings, self.grid.occupied(seen), list[Corner]()  # 1a, 1b
-        while len(corners) < min(count, s.enough - len(seen)):
+        while len(corners) < min(count, s.max_in_view - len(seen)):
             cell = self.grid.free(taken, self.rng)  # 1c
             if cell is None:
                 break
@@ -149,22 +153,26 @@ class ActiveSearch(PictureFrontEnd):
                     corners.append(corner)
         return corners
 
-    def signature(self, image: Image, sight: Sight, corner: Corner) -> Appearance | None:
+    def signature(self, image: Image, inputs: FrontEndInput, corner: Corner) -> Appearance | None:
         """1f: what the landmark looks like, and from where it was seen."""
-        return Appearance.taken(image, corner.pixel, sight.sensor.camera, self.settings.patch, corner.quality)
+        return Appearance.taken(image, corner.pixel, inputs.sensor.camera, self.settings.patch, corner.quality)
 
-    def renew(self, image: Image, sight: Sight) -> None:
+    def renew(self, image: Image, inputs: FrontEndInput) -> None:
         """Landmarks that were found for sure, and look different by now, get a patch of this image."""
-        camera = sight.sensor.camera
-        for look in sight.looks:
-            landmark, found = look.landmark, self.found.get(look.landmark.id)
-            if look.inlier and found is not None and landmark.signature.due(found, camera, _point(landmark)):
-                landmark.signature = landmark.signature.renewed(image, found, look.predicted, camera)
+        camera = inputs.sensor.camera
+        for prediction in inputs.predictions:
+            landmark, found = prediction.landmark, self.found.get(prediction.landmark.id)
+            if (
+                prediction.inlier
+                and found is not None
+                and landmark.signature.needs_renewal(found, camera, _point(landmark))
+            ):
+                landmark.signature = landmark.signature.renewed(image, found, prediction.predicted_patch, camera)
 
-    def adopt(self, sight: Sight, family: str, values: Array) -> list[tuple[int, Array, Any] | None]:
+    def initialize_at(self, inputs: FrontEndInput, family: str, values: Array) -> list[tuple[int, Array, Any] | None]:
         """Landmarks at given pixels (n, 2), whatever is there; None where no patch can be cut."""
-        image = np.asarray(sight.scan.image)
-        signatures = [self.signature(image, sight, Corner(pixel, 0.0)) for pixel in values]
+        image = np.asarray(inputs.scan.image)
+        signatures = [self.signature(image, inputs, Corner(pixel, 0.0)) for pixel in values]
         return [None if s is None else (self.new_id(set()), p, s) for p, s in zip(values, signatures, strict=True)]
 
     def dump(self) -> Any:

@@ -24,24 +24,24 @@ _TYPES = {"uint8": np.uint8, "float": np.float64}
 
 
 @dataclass(frozen=True)
-class Limits:
+class AppearanceLimits:
     """Beyond what a prediction is worth nothing, and from where on another patch is taken.
 
-    oblique [rad]: largest angle between the plane's normal and the line of sight. zoom: how many times larger, or
+    max_angle [rad]: largest angle between the plane's normal and the line of sight. zoom: how many times larger, or
     smaller, it may be seen. turned [rad], grown: a match seen from a direction so different from all patches that there
     are, or so many times larger or smaller, is a reason to take another one, if its score is at least `score` and its
-    second-best is below `rival` of that.
+    second-best is below `max_second_ratio` of that.
     """
 
-    oblique: float = np.radians(60)
+    max_angle: float = np.radians(60)
     zoom: float = 2.0
-    turned: float = np.radians(25)
-    grown: float = 1.5
+    angle_change: float = np.radians(25)
+    scale_change: float = 1.5
     score: float = 0.9
-    rival: float = 0.8
+    max_second_ratio: float = 0.8
 
 
-LIMITS = Limits()
+LIMITS = AppearanceLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,8 +49,8 @@ class Appearance:
     """A landmark's looks: `pixels` (h, w) of an image around its `pixel` (2,), the first of them the pixel `corner`.
 
     camera: pose (7,) in the world that took it. size [px]: of the templates, of which the pixels hold about three, so
-    that zoom and rotation find what they need. quality: the corner's. elder: the appearance before it was renewed, or
-    None: no patch is forgotten, and the one seen most as now is used. So they do not drift where the camera returns.
+    that zoom and rotation find what they need. quality: the corner's. previous: the appearance before it was renewed,
+    or None: no patch is forgotten, and the one seen most as now is used. So they do not drift where the camera returns.
     """
 
     pixels: Array
@@ -59,7 +59,7 @@ class Appearance:
     camera: Array
     size: int
     quality: float = 0.0
-    elder: "Appearance | None" = None
+    previous: "Appearance | None" = None
 
     @classmethod
     def taken(
@@ -69,7 +69,7 @@ class Appearance:
         camera: Array,
         size: int = 11,
         quality: float = 0.0,
-        elder: "Appearance | None" = None,
+        previous: "Appearance | None" = None,
     ) -> "Appearance | None":
         """From an image (h, w), as it is around a pixel (2,); None where a template of `size` px is not all in it.
 
@@ -84,7 +84,7 @@ class Appearance:
         piece = array[corner[1] : v + half + 1, corner[0] : u + half + 1]
         piece = piece.copy() if piece.dtype == np.uint8 else as_floats(piece, "Appearance")
         piece.flags.writeable = False
-        return cls(piece, corner, pixel, camera, size, float(quality), elder)
+        return cls(piece, corner, pixel, camera, size, float(quality), previous)
 
     @property
     def template(self) -> Patch:
@@ -94,7 +94,12 @@ class Appearance:
         return patch
 
     def predicted(
-        self, camera: Array, calibration: Calibration, point: Array, size: int | None = None, limits: Limits = LIMITS
+        self,
+        camera: Array,
+        calibration: Calibration,
+        point: Array,
+        size: int | None = None,
+        limits: AppearanceLimits = LIMITS,
     ) -> Array | None:
         """The template (size, size) that a camera, pose (7,), should see of it at a homogeneous world point (4,).
 
@@ -104,35 +109,36 @@ class Appearance:
         point = finite(point, (4,), "Appearance", "point")
         return predict([self], camera, calibration, point[None], self.size if size is None else size, limits)[0]
 
-    def turned(self, camera: Array, point: Array) -> float:
+    def angle_change(self, camera: Array, point: Array) -> float:
         """Angle [rad] between the directions in which the two cameras, this pose (7,) and its own, see a point (4,)."""
         return float(angle(*(towards(pose, point) for pose in (self.camera, camera))))
 
-    def grown(self, camera: Array, point: Array) -> float:
+    def scale_change(self, camera: Array, point: Array) -> float:
         """How many times nearer this camera, pose (7,), is to a point (4,) than its own was."""
         then, now = (np.linalg.norm(towards(pose, point)) for pose in (self.camera, camera))
         return float(then / now)
 
-    def change(self, camera: Array, point: Array, limits: Limits = LIMITS) -> float:
+    def change(self, camera: Array, point: Array, limits: AppearanceLimits = LIMITS) -> float:
         """How much this camera, pose (7,), sees a point (4,) otherwise than its own did: 1 is a reason for another."""
         return max(
-            self.turned(camera, point) / limits.turned, abs(np.log(self.grown(camera, point)) / np.log(limits.grown))
+            self.angle_change(camera, point) / limits.angle_change,
+            abs(np.log(self.scale_change(camera, point)) / np.log(limits.scale_change)),
         )
 
-    def nearest(self, camera: Array, point: Array, limits: Limits = LIMITS) -> "Appearance":
+    def nearest(self, camera: Array, point: Array, limits: AppearanceLimits = LIMITS) -> "Appearance":
         """Of this one and those before it, the one that saw a point (4,) most as a camera, pose (7,), sees it now."""
-        if self.elder is None:
+        if self.previous is None:
             return self
         return min(self.all, key=lambda one: one.change(camera, point, limits))
 
     @property
     def all(self) -> list["Appearance"]:
         """This one, and those before it."""
-        return [self] if self.elder is None else [self, *self.elder.all]
+        return [self] if self.previous is None else [self, *self.previous.all]
 
-    def due(self, found: Match, camera: Array, point: Array, limits: Limits = LIMITS) -> bool:
+    def needs_renewal(self, found: Match, camera: Array, point: Array, limits: AppearanceLimits = LIMITS) -> bool:
         """Whether a match is so sure, and seen from a place (7,) so different from all, that it be a new patch."""
-        sure = found.score >= limits.score and found.ratio < limits.rival
+        sure = found.score >= limits.score and found.ratio < limits.max_second_ratio
         return sure and self.nearest(camera, point, limits).change(camera, point, limits) > 1
 
     def renewed(self, image: Image, found: Match, template: Image, camera: Array) -> "Appearance":
@@ -156,7 +162,7 @@ class Appearance:
             "camera": self.camera.tolist(),
             "size": self.size,
             "quality": self.quality,
-            "elder": None if self.elder is None else self.elder.pack(),
+            "previous": None if self.previous is None else self.previous.pack(),
         }
 
     @classmethod
@@ -168,15 +174,23 @@ class Appearance:
             u, v = packed["corner"]
             pixel = finite(packed["pixel"], (2,), "Appearance", "pixel")
             camera = finite(packed["camera"], (7,), "Appearance", "camera")
-            size, quality, elder = int(packed["size"]), float(packed["quality"]), packed["elder"]
+            size, quality, previous = int(packed["size"]), float(packed["quality"]), packed["previous"]
         except (KeyError, TypeError, ValueError) as error:
             raise SlamlibError(f"Appearance: this is no packed appearance, {error!r}; pack() makes one") from None
         return cls(
-            grey(pixels, "Appearance"), (int(u), int(v)), pixel, camera, size, quality, elder and cls.unpack(elder)
+            grey(pixels, "Appearance"),
+            (int(u), int(v)),
+            pixel,
+            camera,
+            size,
+            quality,
+            previous and cls.unpack(previous),
         )
 
 
-def recognizable(appearances: Sequence[Appearance], camera: Array, points: Array, limits: Limits = LIMITS) -> Mask:
+def recognizable(
+    appearances: Sequence[Appearance], camera: Array, points: Array, limits: AppearanceLimits = LIMITS
+) -> Mask:
     """Mask (n,) of the landmarks at points (n, 4) that a camera, pose (7,), sees neither too obliquely nor too large
     or too small, by the distances; in a fraction of the time of `predict`.
     """
@@ -184,7 +198,7 @@ def recognizable(appearances: Sequence[Appearance], camera: Array, points: Array
     before = np.array([a.camera for a in nearest]).reshape(-1, 7)
     then, now = towards(before, points), towards(camera, points)
     grown = np.linalg.norm(then, axis=-1) / np.linalg.norm(now, axis=-1)
-    mask: Mask = (angle(then, now) <= limits.oblique) & (grown <= limits.zoom) & (grown * limits.zoom >= 1)
+    mask: Mask = (angle(then, now) <= limits.max_angle) & (grown <= limits.zoom) & (grown * limits.zoom >= 1)
     return mask
 
 
@@ -194,14 +208,14 @@ def predict(
     calibration: Calibration,
     points: Array,
     size: int,
-    limits: Limits = LIMITS,
+    limits: AppearanceLimits = LIMITS,
 ) -> list[Array | None]:
     """What `Appearance.predicted` tells of each of n landmarks, for points (n, 4) of the world, all at once."""
     templates: list[Array | None] = [None] * len(appearances)
     nearest = [a.nearest(camera, point, limits) for a, point in zip(appearances, points, strict=True)]
     before = np.array([a.camera for a in nearest]).reshape(-1, 7)
     then, now = in_camera(before, points), in_camera(camera, points)
-    oblique = angle(towards(before, points), towards(camera, points)) > limits.oblique
+    oblique = angle(towards(before, points), towards(camera, points)) > limits.max_angle
     rows = np.flatnonzero(~oblique & calibration.visible(then) & calibration.visible(now))
     if not len(rows):
         return templates

@@ -9,9 +9,9 @@ import numpy as np
 from slamlib.data.records import Scan
 from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.front_end import Sight
+from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.slam.options import Options
-from slamlib.vision.active_search import ActiveSearch, Settings
+from slamlib.vision.active_search import ActiveSearch, ActiveSearchSettings
 from slamlib.vision.appearance import Appearance
 from slamlib.vision.line_search import EdgeLook, SegmentSearch
 
@@ -19,82 +19,88 @@ from slamlib.vision.line_search import EdgeLook, SegmentSearch
 SIGNATURES: dict[type, str] = {Appearance: "points", EdgeLook: "segments"}
 
 
-class Both:
+class CombinedFrontEnd:
     """Forwards what the filter asks to the front end of the family that it asks about."""
 
     def __init__(self, points: ActiveSearch, segments: SegmentSearch) -> None:
-        self.of: dict[str, Any] = {"points": points, "segments": segments}
+        self.front_ends: dict[str, Any] = {"points": points, "segments": segments}
 
     @property
     def settings(self) -> Any:
         """Those of the points' search."""
-        return self.of["points"].settings
+        return self.front_ends["points"].settings
 
     @property
     def seconds(self) -> dict[str, float]:
         """Spent so far, by both, in "search" and in "detection"."""
-        return {part: sum(f.seconds[part] for f in self.of.values()) for part in ("search", "detection")}
+        return {part: sum(f.seconds[part] for f in self.front_ends.values()) for part in ("search", "detection")}
 
     def check(self, scan: Scan) -> None:
         """Raise SlamlibError for a scan that one of them cannot look at."""
-        for front_end in self.of.values():
+        for front_end in self.front_ends.values():
             front_end.check(scan)
 
-    def findable(self, sight: Sight) -> list[Any]:
+    def searchable(self, inputs: FrontEndInput) -> list[Any]:
         """The looks that their front ends could find."""
-        return [look for name, f in self.of.items() for look in f.findable(_own(sight, name))]
+        return [prediction for name, f in self.front_ends.items() for prediction in f.searchable(_own(inputs, name))]
 
-    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
+    def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
         """What the family's front end finds of them."""
-        found: tuple[Array, Mask] = self.of[family].match(_own(sight, family), family, looks)
+        found: tuple[Array, Mask] = self.front_ends[family].match(_own(inputs, family), family, predictions)
         return found
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
+        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[tuple[int, Array, Any]]:
         """What the family's front end begins, with numbers that neither of them has given before."""
-        self._count_together()
-        found: list[tuple[int, Array, Any]] = self.of[family].detect(_own(sight, family), family, known, usable, count)
+        self._share_last_id()
+        found: list[tuple[int, Array, Any]] = self.front_ends[family].detect(
+            _own(inputs, family), family, known, usable, count
+        )
         return found
 
-    def adopt(self, sight: Sight, family: str, values: Array) -> list[tuple[int, Array, Any] | None]:
+    def initialize_at(self, inputs: FrontEndInput, family: str, values: Array) -> list[tuple[int, Array, Any] | None]:
         """Landmarks at given values; only points can be adopted."""
-        self._count_together()
-        found: list[tuple[int, Array, Any] | None] = self.of[family].adopt(_own(sight, family), family, values)
+        self._share_last_id()
+        found: list[tuple[int, Array, Any] | None] = self.front_ends[family].initialize_at(
+            _own(inputs, family), family, values
+        )
         return found
 
-    def _count_together(self) -> None:
-        last = max(f.last for f in self.of.values())
-        for front_end in self.of.values():
+    def _share_last_id(self) -> None:
+        last = max(f.last for f in self.front_ends.values())
+        for front_end in self.front_ends.values():
             front_end.last = last
 
     def dump(self) -> Any:
         """The states of both, by family."""
-        return {name: f.dump() for name, f in self.of.items()}
+        return {name: f.dump() for name, f in self.front_ends.items()}
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave."""
-        for name, f in self.of.items():
+        for name, f in self.front_ends.items():
             f.restore(state[name])
 
     def pack(self, signature: Any) -> Any:
         """A signature as plain data, with the family whose front end gave it."""
         name = SIGNATURES[type(signature)]
-        return {"family": name, "signature": self.of[name].pack(signature)}
+        return {"family": name, "signature": self.front_ends[name].pack(signature)}
 
     def unpack(self, packed: Any) -> Any:
         """The signature that `pack` packed."""
-        return self.of[packed["family"]].unpack(packed["signature"])
+        return self.front_ends[packed["family"]].unpack(packed["signature"])
 
 
-def front_end_of(
-    options: Options, calibration: Calibration, rng: np.random.Generator, settings: Settings | None = None
-) -> ActiveSearch | Both:
+def make_front_end(
+    options: Options, calibration: Calibration, rng: np.random.Generator, settings: ActiveSearchSettings | None = None
+) -> ActiveSearch | CombinedFrontEnd:
     """What finds the landmarks that these options ask for: points, and lines beside them if there are to be any."""
     points = ActiveSearch(calibration, rng, settings)
-    return Both(points, SegmentSearch(calibration)) if options.lines else points
+    return CombinedFrontEnd(points, SegmentSearch(calibration)) if options.lines else points
 
 
-def _own(sight: Sight, family: str) -> Sight:
+def _own(inputs: FrontEndInput, family: str) -> FrontEndInput:
     """The sight with the looks of one family alone."""
-    return replace(sight, looks=[look for look in sight.looks if look.family.name == family])
+    return replace(
+        inputs, predictions=[prediction for prediction in inputs.predictions if prediction.family.name == family]
+    )

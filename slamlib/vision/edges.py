@@ -26,7 +26,7 @@ GAP = 5  # points that may be missing in a row within one edge
 
 
 @dataclass(frozen=True, eq=False)
-class Strip:
+class EdgeStrip:
     """Grey values (k, n), nan outside the image, at `across` (k,) and `along` (n,) [px] of a segment `ideal` (4,).
 
     along is counted from its first end; across to its right as one goes along: to where v grows if u does.
@@ -83,14 +83,14 @@ def places(ideal: Array, along: Array, across: Array) -> Array:
     return found
 
 
-def bent_pixels(calibration: Calibration, ideal: Array) -> Array:
+def distort_pixels(calibration: Calibration, ideal: Array) -> Array:
     """Where the lens puts ideal pixels (..., 2)."""
     centre, scale = calibration.given["intrinsics"][:2], calibration.given["intrinsics"][2:]
     ahead = np.ones((*ideal.shape[:-1], 2))
     return calibration.project(np.concatenate([(ideal - centre) / scale, ahead], axis=-1))
 
 
-def strip(image: Image, calibration: Calibration, ideal: Array, half: float, beyond: float = 0.0) -> Strip:
+def edge_strip(image: Image, calibration: Calibration, ideal: Array, half: float, beyond: float = 0.0) -> EdgeStrip:
     """The image `half` [px] to either side of a segment (4,) of ideal pixels, and `beyond` [px] longer at both ends."""
     if np.shape(ideal) != (4,) or not np.isfinite(ideal).all():
         raise SlamlibError(f"strip: a segment is four pixel coordinates (u, v, u, v), got {ideal}")
@@ -101,8 +101,8 @@ def strip(image: Image, calibration: Calibration, ideal: Array, half: float, bey
     count = int(np.clip(round((length + 2 * beyond) / SPACING) + 1, LEAST, MOST))
     along, reach = np.linspace(-beyond, length + beyond, count), int(np.ceil(half / STEP)) + WIDE
     across = np.arange(-reach, reach + 1, dtype=float) * STEP
-    pixels = bent_pixels(calibration, places(ideal, *np.meshgrid(along, across)))
-    return Strip(ideal, along, across, sample(image, pixels))
+    pixels = distort_pixels(calibration, places(ideal, *np.meshgrid(along, across)))
+    return EdgeStrip(ideal, along, across, sample(image, pixels))
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,7 +128,7 @@ class Edge:
         return float(zncc(self.profile[None], profile[None]))
 
 
-def steepest(s: Strip, near: Array, reach: float) -> Array:
+def steepest(s: EdgeStrip, near: Array, reach: float) -> Array:
     """Where the grey value grows most to the right (n,) [px across], within `reach` of a line (n,); nan: nowhere.
 
     The slope across a sharp edge, smoothed by a Gaussian, is nearly one: the top of the parabola through three
@@ -144,7 +144,7 @@ def steepest(s: Strip, near: Array, reach: float) -> Array:
     return np.where(is_top, s.across[top] + (a - b) / (2 * (a + b)), np.nan)
 
 
-def fitted(s: Strip, calibration: Calibration, near: Array, reach: float) -> Edge | None:
+def fitted(s: EdgeStrip, calibration: Calibration, near: Array, reach: float) -> Edge | None:
     """The straight edge within `reach` [px] of the line with the offsets `near` (2,): weighted least squares.
 
     Points that lie off the line, of other edges, are left out, and those beyond a gap: an edge ends there.
@@ -161,9 +161,9 @@ def fitted(s: Strip, calibration: Calibration, near: Array, reach: float) -> Edg
             return None
         design = np.stack([1 - share, share], axis=1)[keep] * weights[keep, None]
         offsets = np.linalg.lstsq(design, points[keep] * weights[keep], rcond=None)[0]
-        off = np.abs(points - line(offsets, share))
-        keep = _longest(strong & (off < limit))
-    return _edge(s, calibration, offsets, keep, off) if keep.sum() >= LEAST // 2 else None
+        error = np.abs(points - line(offsets, share))
+        keep = _longest(strong & (error < limit))
+    return _edge(s, calibration, offsets, keep, error) if keep.sum() >= LEAST // 2 else None
 
 
 def _longest(mask: Mask) -> Mask:
@@ -177,18 +177,18 @@ def _longest(mask: Mask) -> Mask:
     return found
 
 
-def _edge(s: Strip, calibration: Calibration, offsets: Array, keep: Mask, off: Array) -> Edge:
+def _edge(s: EdgeStrip, calibration: Calibration, offsets: Array, keep: Mask, error: Array) -> Edge:
     share, inside = s.share, np.isfinite(s.grey).all(0)
     own = inside & (share >= 0) & (share <= 1)
-    ends, lie = np.flatnonzero(keep)[[0, -1]], line(offsets, share)
-    ideal = places(s.ideal, s.along[ends], lie[ends])
+    endpoints, lie = np.flatnonzero(keep)[[0, -1]], line(offsets, share)
+    ideal = places(s.ideal, s.along[endpoints], lie[endpoints])
     profile = s.at(s.grey, (lie + PROFILE[:, None]))[:, keep].mean(1)
     return Edge(
-        bent_pixels(calibration, ideal).ravel(),
+        distort_pixels(calibration, ideal).ravel(),
         ideal.ravel(),
         offsets,
         float((keep & own).sum() / max(own.sum(), 1)),
-        float(np.sqrt((off[keep] ** 2).mean())),
+        float(np.sqrt((error[keep] ** 2).mean())),
         float(s.at(s.slope, lie)[keep].mean()),
         profile,
     )

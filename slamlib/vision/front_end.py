@@ -28,7 +28,7 @@ class Stopwatch(dict[str, float]):
 
 
 @dataclass
-class Rest:
+class Backoff:
     """A landmark that was missed so often in a row is not looked for in so many frames."""
 
     misses: int = 0
@@ -39,16 +39,16 @@ class Rest:
         self.frames -= 1
         return self.frames < 0
 
-    def longer(self, longest: int) -> "Rest":
-        """After one more miss: 1, 2, 4 ... frames, at most `longest`."""
-        return Rest(self.misses + 1, min(2**self.misses, longest))
+    def increased(self, max_backoff: int) -> "Backoff":
+        """After one more miss: 1, 2, 4 ... frames, at most `max_backoff`."""
+        return Backoff(self.misses + 1, min(2**self.misses, max_backoff))
 
 
-class PictureFrontEnd:
-    """Search backoff, ids and times of a front end; one for a sensor's image is made of it by `findable`, `match` ...
+class ImageFrontEnd:
+    """Search backoff, ids and times of a front end; one for a sensor's image is made of it by `searchable`, `match` ...
 
     What stands before a landmark is as a rule still there in the next frame. Without a rest, hidden landmarks, which
-    nothing corrects, would soon be the most uncertain ones, and be chosen first for ever. rests: by landmarks' ids;
+    nothing corrects, would soon be the most uncertain ones, and be chosen first for ever. backoff: by landmarks' ids;
     last: the last id given; seconds: spent so far in "search" and in "detection".
     """
 
@@ -56,7 +56,7 @@ class PictureFrontEnd:
         self.calibration = calibration
         self.seconds = Stopwatch("search", "detection")
         self.last = 0
-        self.rests: dict[int, Rest] = {}
+        self.backoff: dict[int, Backoff] = {}
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -72,16 +72,18 @@ class PictureFrontEnd:
             name = type(self).__name__
             raise SlamlibError(f"{name}: an image of (height, width) = {self.shape} is calibrated, got {found}")
 
-    def awake(self, looks: Iterable[Any]) -> list[Any]:
+    def ready(self, predictions: Iterable[Any]) -> list[Any]:
         """The looks at landmarks that do not rest; asked once a frame."""
-        return [look for look in looks if self.rests.get(look.landmark.id, Rest()).is_over()]
+        return [
+            prediction for prediction in predictions if self.backoff.get(prediction.landmark.id, Backoff()).is_over()
+        ]
 
-    def remember(self, looks: Iterable[Any], found: Iterable[bool], longest: int) -> None:
+    def record_search(self, predictions: Iterable[Any], found: Iterable[bool], max_backoff: int) -> None:
         """Landmarks that were not found rest, the longer the more often in a row; the others do not."""
-        for look, is_found in zip(looks, found, strict=True):
-            before = self.rests.pop(look.landmark.id, Rest())
+        for prediction, is_found in zip(predictions, found, strict=True):
+            before = self.backoff.pop(prediction.landmark.id, Backoff())
             if not is_found:
-                self.rests[look.landmark.id] = before.longer(longest)
+                self.backoff[prediction.landmark.id] = before.increased(max_backoff)
 
     def new_id(self, known: set[int]) -> int:
         """A number that no landmark has had; known: ids of the landmarks in the map."""
@@ -90,10 +92,10 @@ class PictureFrontEnd:
 
     def dump(self) -> Any:
         """The last id given, and the landmarks that rest."""
-        rests = {number: (rest.misses, rest.frames) for number, rest in self.rests.items()}
-        return {"last": self.last, "rests": rests}
+        rests = {number: (backoff.misses, backoff.frames) for number, backoff in self.backoff.items()}
+        return {"last": self.last, "backoff": rests}
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave."""
         self.last = state["last"]
-        self.rests = {int(number): Rest(*rest) for number, rest in state["rests"].items()}
+        self.backoff = {int(number): Backoff(*backoff) for number, backoff in state["backoff"].items()}

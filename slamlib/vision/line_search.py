@@ -14,12 +14,12 @@ import numpy as np
 from slamlib.errors import SlamlibError
 from slamlib.landmarks.segments import length
 from slamlib.manifolds import Array, Image, Mask
-from slamlib.observation.lines import bent, straight
+from slamlib.observation.lines import distort_segments, undistort_segments
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.front_end import Sight
+from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.slam.data_association.gates import gate
-from slamlib.vision.edges import PROFILE, STEP, Edge, Strip, axes, fitted, line, strip
-from slamlib.vision.front_end import PictureFrontEnd
+from slamlib.vision.edges import PROFILE, STEP, Edge, EdgeStrip, axes, edge_strip, fitted, line
+from slamlib.vision.front_end import ImageFrontEnd
 from slamlib.vision.segments import refined, segments_of
 
 SAME = 1.0  # [px]: two fits that are nearer are of one edge
@@ -41,32 +41,33 @@ class SegmentSettings:
     """What the search for edges may be told.
 
     minimum_length [px], and least slope [1/px], of a new edge. support: least share of an edge that is to be seen;
-    whole: the same of a new one. straightness: largest rms [px] of an edge's points about it. apart: a new edge is so
-    far [px] from every expected one. enough: with so many edges in view, none is begun. threshold: least ZNCC of the
-    grey values across. faint: least share of the slope that it had. rival: a match is ambiguous if another edge of the
-    region has more than this share of its ZNCC. probability: with which a region contains the truth, if the filter is
-    right. largest: half the width [px] of the widest region; most: lines that are tried in it. beyond [px]: how far an
-    edge is sought past its known ends. longest: frames for which an edge rests that was missed again and again.
+    min_new_support: the same of a new one. straightness: largest rms [px] of an edge's points about it. min_separation:
+    a new edge is so far [px] from every expected one. max_in_view: with so many edges in view, none is begun.
+    threshold: least ZNCC of the grey values across. min_slope_ratio: least share of the slope that it had.
+    max_second_ratio: a match is ambiguous if another edge of the region has more than this share of its ZNCC.
+    probability: with which a region contains the truth, if the filter is right. largest: half the width [px] of the
+    widest region; most: lines that are tried in it. beyond [px]: how far an edge is sought past its known ends.
+    max_backoff: frames for which an edge rests that was missed again and again.
     """
 
     minimum_length: float = 30.0
     slope: float = 6.0
     support: float = 0.5
-    whole: float = 0.8
+    min_new_support: float = 0.8
     straightness: float = 0.4
-    apart: float = 6.0
-    enough: int = 10
+    min_separation: float = 6.0
+    max_in_view: int = 10
     threshold: float = 0.9
-    faint: float = 0.5
-    rival: float = 0.95
+    min_slope_ratio: float = 0.5
+    max_second_ratio: float = 0.95
     probability: float = 0.99
     largest: float = 40.0
     most: int = 4000
     beyond: float = 4.0
-    longest: int = 16
+    max_backoff: int = 16
 
 
-class SegmentSearch(PictureFrontEnd):
+class SegmentSearch(ImageFrontEnd):
     """A front end for the segments of one camera with an image."""
 
     def __init__(self, calibration: Calibration, settings: SegmentSettings | None = None) -> None:
@@ -76,54 +77,60 @@ class SegmentSearch(PictureFrontEnd):
         super().__init__(calibration)
         self.settings = settings or SegmentSettings()
 
-    def findable(self, sight: Sight) -> list[Any]:
+    def searchable(self, inputs: FrontEndInput) -> list[Any]:
         """The looks whose region is not too wide to tell one edge from another, and that do not rest."""
         s, limit = self.settings, gate(self.settings.probability, 2)
-        regions = across_covariances(sight.looks, sight.sensor)
+        regions = across_covariances(inputs.predictions, inputs.sensor)
         half = np.sqrt(limit * np.diagonal(regions, axis1=1, axis2=2).max(-1, initial=0))
         count = np.pi * limit * np.sqrt(np.linalg.det(regions)) / STEP**2
         narrow = ((half <= s.largest) & (count <= s.most)).tolist()
-        looks = [look for look, is_narrow in zip(sight.looks, narrow, strict=True) if is_narrow]
-        return self.awake(looks)
+        predictions = [
+            prediction for prediction, is_narrow in zip(inputs.predictions, narrow, strict=True) if is_narrow
+        ]
+        return self.ready(predictions)
 
-    def match(self, sight: Sight, family: str, looks: list[Any]) -> tuple[Array, Mask]:
+    def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
         """Segments (n, 4) of what is looked for, nan where it is not found, and the mask (n,) of those found."""
-        measured, image = np.full((len(looks), 4), np.nan), np.asarray(sight.scan.image, dtype=float)
+        measured, image = np.full((len(predictions), 4), np.nan), np.asarray(inputs.scan.image, dtype=float)
         with self.seconds.timed("search"):
-            regions = across_covariances(looks, sight.sensor)
-            where = zip(looks, self.straight([look.value for look in looks]), regions, strict=True)
-            edges = [self.sought(image, look, ideal, region) for look, ideal, region in where]
-            for row in self.distinct(looks, edges):
+            regions = across_covariances(predictions, inputs.sensor)
+            where = zip(
+                predictions, self.undistorted([prediction.value for prediction in predictions]), regions, strict=True
+            )
+            edges = [self.find_edge(image, prediction, ideal, region) for prediction, ideal, region in where]
+            for row in self.distinct(predictions, edges):
                 measured[row] = edges[row].segment  # type: ignore[union-attr]
         found = np.isfinite(measured[:, 0])
-        self.remember(looks, found.tolist(), self.settings.longest)
+        self.record_search(predictions, found.tolist(), self.settings.max_backoff)
         return measured, found
 
-    def sought(self, image: Image, look: Any, ideal: Array, region: Array) -> Edge | None:
+    def find_edge(self, image: Image, prediction: Any, ideal: Array, region: Array) -> Edge | None:
         """The edge of the region that looks like the landmark; None: none does, or two do."""
         s, limit = self.settings, gate(self.settings.probability, 2)
         half = np.sqrt(limit * np.diag(region).max()) + PROFILE[-1] + 2
-        piece = strip(image, self.calibration, ideal, half, s.beyond)
+        piece = edge_strip(image, self.calibration, ideal, half, s.beyond)
         near = steep_lines(piece, lines_of(region, limit))
         edges = [e for offsets in near if (e := fitted(piece, self.calibration, offsets, 1.0)) is not None]
-        profile = look.landmark.signature.profile
-        likes = [(e.likeness(profile), i) for i, e in enumerate(edges) if self.accepted(e, look)]
+        profile = prediction.landmark.signature.profile
+        likes = [(e.likeness(profile), i) for i, e in enumerate(edges) if self.accepted(e, prediction)]
         if not likes:
             return None
-        look.score, best = max(likes)
+        prediction.score, best = max(likes)
         away = [np.abs(e.offsets - edges[best].offsets).mean() > SAME for e in edges]
         rivals = [like for like, i in likes if away[i]]
-        return edges[best] if look.score >= max(s.threshold, max(rivals, default=0.0) / s.rival) else None
+        return (
+            edges[best] if prediction.score >= max(s.threshold, max(rivals, default=0.0) / s.max_second_ratio) else None
+        )
 
-    def accepted(self, edge: Edge, look: Any) -> bool:
+    def accepted(self, edge: Edge, prediction: Any) -> bool:
         """Whether enough of the edge is there, straight, and as steep as it was."""
         s = self.settings
-        steep = edge.slope >= s.faint * look.landmark.signature.slope
+        steep = edge.slope >= s.min_slope_ratio * prediction.landmark.signature.slope
         return edge.support >= s.support and edge.rms <= s.straightness and steep
 
-    def distinct(self, looks: list[Any], edges: list[Edge | None]) -> list[int]:
+    def distinct(self, predictions: list[Any], edges: list[Edge | None]) -> list[int]:
         """Rows of the edges that were found; of two landmarks in one place, the more alike one has it."""
-        rows = sorted((i for i, e in enumerate(edges) if e is not None), key=lambda i: -looks[i].score)
+        rows = sorted((i for i, e in enumerate(edges) if e is not None), key=lambda i: -predictions[i].score)
         ideal = np.array([edges[i].ideal for i in rows]).reshape(-1, 4)  # type: ignore[union-attr]
         kept: list[int] = []
         for i, own in enumerate(ideal):
@@ -131,19 +138,22 @@ class SegmentSearch(PictureFrontEnd):
                 kept.append(i)
         return [rows[i] for i in kept]
 
-    def straight(self, segments: Any) -> Array:
+    def undistorted(self, segments: Any) -> Array:
         """Segments (n, 4) as a lens without distortion would show them."""
-        return straight(self.calibration, np.reshape(segments, (-1, 4)))[0]
+        return undistort_segments(self.calibration, np.reshape(segments, (-1, 4)))[0]
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
+        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[tuple[int, Array, Any]]:
         """Up to `count` new edges (id, segment, EdgeLook), the longest that no expected one explains."""
-        count = min(count, self.settings.enough - len(sight.looks))
+        count = min(count, self.settings.max_in_view - len(inputs.predictions))
         if count <= 0:
             return []
         with self.seconds.timed("detection"):
-            taken, image = self.straight([look.value for look in sight.looks]), np.asarray(sight.scan.image)
+            taken, image = (
+                self.undistorted([prediction.value for prediction in inputs.predictions]),
+                np.asarray(inputs.scan.image),
+            )
             edges = self.new_edges(image, taken, usable, count)
             return [(self.new_id(known), e.segment, EdgeLook(e.profile, e.slope)) for e in edges]
 
@@ -151,10 +161,10 @@ class SegmentSearch(PictureFrontEnd):
         """Up to `count` edges of an image that are apart from ideal segments (n, 4), the longest first."""
         s, found = self.settings, list[Edge]()
         segments = segments_of(image, s.minimum_length)
-        for segment, ideal in zip(segments, self.straight(segments), strict=True):
+        for segment, ideal in zip(segments, self.undistorted(segments), strict=True):
             if len(found) == count:
                 break
-            if side_by_side(ideal, taken, s.apart).any():
+            if side_by_side(ideal, taken, s.min_separation).any():
                 continue
             edge = refined(image, self.calibration, segment)
             if edge is not None and self.good(edge) and usable(edge.segment[None])[0]:
@@ -165,7 +175,7 @@ class SegmentSearch(PictureFrontEnd):
     def good(self, edge: Edge) -> bool:
         """Whether an edge is steep, straight and whole enough to begin a landmark."""
         s = self.settings
-        return edge.slope >= s.slope and edge.rms <= s.straightness and edge.support >= s.whole
+        return edge.slope >= s.slope and edge.rms <= s.straightness and edge.support >= s.min_new_support
 
     def pack(self, signature: Any) -> Any:
         """A landmark's EdgeLook as plain data."""
@@ -176,31 +186,31 @@ class SegmentSearch(PictureFrontEnd):
         return EdgeLook(np.array(packed["profile"]), packed["slope"])
 
 
-def across_covariances(looks: list[Any], sensor: Any) -> Array:
+def across_covariances(predictions: list[Any], sensor: Any) -> Array:
     """Covariances (n, 2, 2) [px^2] of how far across the ends of expected segments are, from those of the innovations.
 
-    An innovation z is linear in small moves a of the ends, z = J a, whatever its reading, so cov(a) = J^-1 Z J^-T.
+    An innovation z is linear in small moves a of the ends, z = J a, whatever its reading, so cov(a) = J^-1 S J^-T.
     """
-    found = np.zeros((len(looks), 2, 2))
-    for expected in {id(look.expected): look.expected for look in looks}.values():
-        rows = [i for i, look in enumerate(looks) if look.expected is expected]
-        own, ideal = [looks[i].row for i in rows], straight(sensor.calibration, expected.value)[0]
+    found = np.zeros((len(predictions), 2, 2))
+    for expected in {id(prediction.batch): prediction.batch for prediction in predictions}.values():
+        rows = [i for i, prediction in enumerate(predictions) if prediction.batch is expected]
+        own, ideal = [predictions[i].row for i in rows], undistort_segments(sensor.calibration, expected.value)[0]
         right = axes(ideal[own])[1]
         none = np.zeros_like(right)
         moved = [ideal[own] + NUDGE * np.concatenate(m, axis=-1) for m in ((right, none), (none, right))]
-        measured = bent(sensor.calibration, np.concatenate(moved))
-        z = looks[rows[0]].family.innovate(sensor, expected.take(own + own), measured).z
+        measured = distort_segments(sensor.calibration, np.concatenate(moved))
+        z = predictions[rows[0]].family.batch_innovation(sensor, expected.take(own + own), measured).z
         inverse = np.linalg.inv(z.reshape(2, len(own), 2).transpose(1, 2, 0) / NUDGE)
-        found[rows] = inverse @ np.array([looks[i].Z for i in rows]) @ inverse.swapaxes(-1, -2)
+        found[rows] = inverse @ np.array([predictions[i].S for i in rows]) @ inverse.swapaxes(-1, -2)
     return found
 
 
 def side_by_side(one: Array, others: Array, apart: float) -> Mask:
-    """Mask (n,) of the ideal segments (n, 4) on the line of one (4,), less than `apart` [px] off, and not only before
-    or behind it."""
+    """Mask (n,) of the ideal segments (n, 4) on the line of one (4,), nearer to it than apart [px], and not
+    only before or behind it."""
     forward, right = axes(one)
-    ends = others.reshape(-1, 2, 2) - one[:2]
-    along, across = ends @ forward, ends @ right
+    endpoints = others.reshape(-1, 2, 2) - one[:2]
+    along, across = endpoints @ forward, endpoints @ right
     beside = (along.max(-1) > 0) & (along.min(-1) < length(one))
     return np.asarray(beside & (np.abs(across).max(-1) < apart))
 
@@ -220,7 +230,7 @@ def lines_of(region: Array, limit: float) -> Array:
     return found
 
 
-def steep_lines(s: Strip, offsets: Array, most: int = 4) -> Array:
+def steep_lines(s: EdgeStrip, offsets: Array, most: int = 4) -> Array:
     """Of lines with offsets (n, 2), those (k, 2) along which the grey value grows most: local maxima, best first."""
     slope = np.nan_to_num(s.slope)
     index = np.rint((line(offsets, s.share) - s.across[0]) / STEP).astype(int)

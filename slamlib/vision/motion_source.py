@@ -40,7 +40,7 @@ class MotionSource(Protocol):
 class OwnMotion:
     """Nobody tells how the robot moves: the noise of its own motion says what may happen."""
 
-    name = "velocity"
+    name = "constant-velocity"
 
     def __init__(self, front_end: FrontEnd) -> None:
         self.front_end = front_end

@@ -5,14 +5,14 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.evaluation.alignment import KITTI_LENGTHS, aligned, relative_errors
+from slamlib.evaluation.alignment import KITTI_LENGTHS, align_trajectory, relative_pose_errors
 from slamlib.evaluation.trajectory import Trajectory, associate
 from slamlib.manifolds import Array
 from slamlib.slam import Report, Slam
 
 PARTS = ("filter", "search", "detection", "reading")
 COLUMNS = (
-    *("time", "searched", "matched", "believed", "nis", "nis_dof", "landmarks", "begun", "deleted"),
+    *("time", "searched", "matched", "inliers", "nis", "nis_dof", "landmarks", "initialized", "deleted"),
     *PARTS,
 )
 
@@ -21,7 +21,7 @@ COLUMNS = (
 class ImageResult:
     """Per frame, arrays (n,) by the names of COLUMNS; the camera's trajectory; size of the state in the end.
 
-    time [s] of the picture; searched, matched, believed: landmarks looked for, found, and believed; nis and its degrees
+    time [s] of the picture; searched, matched, inliers: landmarks looked for, found, and believed; nis and its degrees
     of freedom nis_dof: of all believed ones; landmarks: in the map; begun, deleted; PARTS, and perhaps more of them:
     seconds spent.
     """
@@ -49,23 +49,23 @@ class ImageResult:
         return tuple(name for name in self.columns if name not in COLUMNS or name in PARTS)
 
     @property
-    def gaps(self) -> int:
+    def frames_without_match(self) -> int:
         """Frames without a believed match, but for the first."""
-        return int((self.columns["believed"][1:] == 0).sum())
+        return int((self.columns["inliers"][1:] == 0).sum())
 
 
 def counts(slam: Slam, report: Report) -> dict[str, float]:
     """What a filter's last frame adds to the columns, but for its times."""
-    looks = slam.looks[0]
-    believed = [look for look in looks if look.inlier]
+    predictions = slam.predictions[0]
+    inliers = [prediction for prediction in predictions if prediction.inlier]
     return {
-        "searched": sum(look.chosen for look in looks),
-        "matched": sum(look.matched for look in looks),
-        "believed": len(believed),
-        "nis": float(sum(look.nis for look in believed)),
-        "nis_dof": sum(len(look.Z) for look in believed),
+        "searched": sum(prediction.chosen for prediction in predictions),
+        "matched": sum(prediction.matched for prediction in predictions),
+        "inliers": len(inliers),
+        "nis": float(sum(prediction.nis for prediction in inliers)),
+        "nis_dof": sum(len(prediction.S) for prediction in inliers),
         "landmarks": len(slam.landmarks),
-        "begun": len(report.begun),
+        "initialized": len(report.initialized),
         "deleted": len(report.deleted),
     }
 
@@ -73,20 +73,20 @@ def counts(slam: Slam, report: Report) -> dict[str, float]:
 def summary(result: ImageResult) -> dict[str, Any]:
     """Plain data: lengths in the run's unit, times in milliseconds (medians over the frames)."""
     c = result.columns
-    searched, matched, believed = (float(c[name].sum()) for name in ("searched", "matched", "believed"))
-    tracked = c["believed"][1:] if len(c["time"]) > 1 else c["believed"]
+    searched, matched, inliers = (float(c[name].sum()) for name in ("searched", "matched", "inliers"))
+    tracked = c["inliers"][1:] if len(c["time"]) > 1 else c["inliers"]
     return {
         "frames": len(c["time"]),
         "seconds": float(c["time"][-1] - c["time"][0]),
         "tracked_mean": float(tracked.mean()),
         "tracked_least": int(tracked.min()),
-        "frames_without_match": result.gaps,
+        "frames_without_match": result.frames_without_match,
         "searched": int(searched),
         "matched_share": matched / searched if searched else None,
-        "believed_share": believed / matched if matched else None,
-        "nis_per_dof": float(c["nis"].sum() / c["nis_dof"].sum()) if believed else None,
+        "inlier_share": inliers / matched if matched else None,
+        "nis_per_dof": float(c["nis"].sum() / c["nis_dof"].sum()) if inliers else None,
         "landmarks": int(c["landmarks"][-1]),
-        "begun": int(c["begun"].sum()),
+        "initialized": int(c["initialized"].sum()),
         "deleted": int(c["deleted"].sum()),
         "state": result.size,
         "path_length": float(result.trajectory.distances[-1]),
@@ -96,7 +96,7 @@ def summary(result: ImageResult) -> dict[str, Any]:
 
 def table(s: dict[str, Any]) -> list[tuple[str, str]]:
     """The rows of a summary for people: what, and how much."""
-    share = {name: "none" if s[name] is None else f"{s[name]:.1%}" for name in ("matched_share", "believed_share")}
+    share = {name: "none" if s[name] is None else f"{s[name]:.1%}" for name in ("matched_share", "inlier_share")}
     nis = "no match" if s["nis_per_dof"] is None else f"{s['nis_per_dof']:.2f} (1 is ideal; the gate cuts some off)"
     unit = "m" if s.get("metric") else "of the run's own units"
     parts = ", ".join(f"{name} {spent:.1f}" for name, spent in s["milliseconds"].items())
@@ -106,10 +106,10 @@ def table(s: dict[str, Any]) -> list[tuple[str, str]]:
         ("frames without a match", f"{s['frames_without_match']} (predictions)"),
         (
             "matched",
-            f"{share['matched_share']} of {s['searched']} searched; {share['believed_share']} of them believed",
+            f"{share['matched_share']} of {s['searched']} searched; {share['inlier_share']} of them inliers",
         ),
         ("NIS per degree of freedom", nis),
-        ("landmarks", f"{s['landmarks']} in the map, {s['begun']} begun, {s['deleted']} deleted"),
+        ("landmarks", f"{s['landmarks']} in the map, {s['initialized']} initialized, {s['deleted']} deleted"),
         ("state", f"{s['state']} degrees of freedom"),
         ("path", f"{s['path_length']:.3f} {unit} long"),
         ("milliseconds a frame", f"{sum(s['milliseconds'].values()):.1f}: {parts} (medians)"),
@@ -123,15 +123,15 @@ def compared(path: Trajectory, reference: Trajectory, interval: float, metric: b
     """
     i, j = associate(path, reference, max(0.02, 0.5 * interval))
     estimate, other = path[i], reference[j]
-    found = aligned(estimate, other, scale=not metric)
+    found = align_trajectory(estimate, other, scale=not metric)
     return {
         "poses": len(estimate),
         "path_length": found.path,
         "scale": found.similarity.scale,
-        "turn_from": found.by,
-        "position_rmse": found.rmse,
-        "position_relative": found.relative,
-        "attitude_rms": float(np.degrees(np.sqrt((found.attitude**2).mean()))),
+        "rotation_from": found.rotation_from,
+        "ate": found.ate,
+        "relative_ate": found.relative_ate,
+        "orientation_rms": float(np.degrees(np.sqrt((found.orientation**2).mean()))),
         **({"parts": parts(estimate, other)} if metric else {}),
     }
 
@@ -141,7 +141,7 @@ def parts(estimate: Trajectory, reference: Trajectory) -> dict[str, Any] | None:
     lengths = lengths_of(float(reference.distances[-1]))
     if not lengths:
         return None
-    found = relative_errors(estimate, reference, lengths, step=min(10, max(1, len(reference) // 100)))
+    found = relative_pose_errors(estimate, reference, lengths, step=min(10, max(1, len(reference) // 100)))
     degrees, shares = np.degrees(found.rotation), found.counts / found.counts.sum()
     return {
         "lengths": list(lengths),

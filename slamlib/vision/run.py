@@ -25,24 +25,24 @@ from slamlib.data.plain import read, read_fields
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets import opening
 from slamlib.datasets.pairs import checked
-from slamlib.datasets.pictures import Picture
-from slamlib.datasets.sources import Source
+from slamlib.datasets.pictures import TimedImage
+from slamlib.datasets.sources import ImageSource
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.manifolds import Image
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam, checkpoint
 from slamlib.slam.data_association.front_end import FrontEnd
-from slamlib.vision.active_search import Settings
-from slamlib.vision.combined_front_end import front_end_of
+from slamlib.vision.active_search import ActiveSearchSettings
+from slamlib.vision.combined_front_end import make_front_end
 from slamlib.vision.motion_source import MotionSource, OwnMotion
 from slamlib.vision.sequence_run import SequenceKind, SequenceRun
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.matching import check_pair
-from slamlib.vision.stereo.motion_source import MOVING, Moving, OdometryAlone
+from slamlib.vision.stereo.motion_source import MOTION_SOURCES, OdometryOnly, StereoMotionSource
 from slamlib.vision.target import Target
 
 
-def _fitting(picture: Picture, calibration: Calibration) -> Image:
+def _fitting(picture: TimedImage, calibration: Calibration) -> Image:
     image, size = calibration.image, picture.image.shape[::-1]
     if image is not None and tuple(image) != size:
         raise SlamlibError(
@@ -51,7 +51,7 @@ def _fitting(picture: Picture, calibration: Calibration) -> Image:
     return picture.image
 
 
-def _fitting_pair(picture: Picture, calibration: Calibration) -> Image:
+def _fitting_pair(picture: TimedImage, calibration: Calibration) -> Image:
     try:
         return checked(picture.image, calibration)
     except SlamlibError as error:
@@ -64,15 +64,15 @@ def _image_source(
     lens = rig.sensors[0].calibration
     if front_end is not None:
         return OwnMotion(front_end(lens))
-    return OwnMotion(front_end_of(options, lens, np.random.default_rng(0), read(Settings, settings)))
+    return OwnMotion(make_front_end(options, lens, np.random.default_rng(0), read(ActiveSearchSettings, settings)))
 
 
 def _pair_source(rig: Rig, options: Options, name: str, settings: Any, front_end: None) -> MotionSource:
     setup = rig.sensors[0]
-    return SOURCES[name](setup.calibration, setup.mount, read(StereoSettings, settings))
+    return PAIR_MOTION_SOURCES[name](setup.calibration, setup.extrinsics, read(StereoSettings, settings))
 
 
-SOURCES: dict[str, Callable[..., Moving]] = {**MOVING, "odometry": OdometryAlone}
+PAIR_MOTION_SOURCES: dict[str, Callable[..., StereoMotionSource]] = {**MOTION_SOURCES, "odometry": OdometryOnly}
 IMAGES = SequenceKind(
     "images",
     "images",
@@ -81,11 +81,13 @@ IMAGES = SequenceKind(
     (
         "was there a cut, or was the camera covered? Did it move more than the motion's impulses allow for, or do "
         "they allow for so much that of regions only the middle was searched (active search's setting `largest`)?",
-        "no landmark could be begun: is there light, and texture?",
+        "no landmark could be initialized: is there light, and texture?",
     ),
     _fitting,
     _image_source,
-    Options(points="ahmPnt", updates=25, first=12, later=3, inverse_distance=(1.0, 0.5), consensus="joint"),
+    Options(
+        points="ahmPnt", updates=25, max_new_first=12, max_new=3, inverse_distance=(1.0, 0.5), outlier_rejection="joint"
+    ),
     impulse=(0.3, 10.0),
     velocity=(0.3, 10.0),
     noise=(0.1,),  # of a matched patch; the real sequences' NIS says that this is rather too much than too little
@@ -102,7 +104,7 @@ PAIRS = SequenceKind(
     * 2,
     _fitting_pair,
     _pair_source,
-    Options(points="eucPnt", updates=100, first=100, later=30, margin=0.0),
+    Options(points="eucPnt", updates=100, max_new_first=100, max_new=30, margin=0.0),
     impulse=(0.3, 2.0),  # of a car
     velocity=(15.0, 10.0),
     noise=(0.2, 0.2, 0.2),
@@ -123,13 +125,13 @@ def camera_rig(
     impulse, velocity: standard deviations as of a SequenceKind, whose own are the default. unit: typical distance of
     what is seen [m], which these are scaled with; with a free scale it is the metre of the run itself, 1.
     """
-    pushed, moving = (
+    pushed, motion_source = (
         (default[0] * unit, default[1]) if given is None else given
         for given, default in ((impulse, kind.impulse), (velocity, kind.velocity))
     )
     robot = RobotSetup(
         motion=motion,
-        velocity_std=(moving[0],) * 3 + (moving[1],) * 3,
+        velocity_std=(motion_source[0],) * 3 + (motion_source[1],) * 3,
         control_std=(pushed[0],) * 3 + (pushed[1],) * 3,
     )
     return Rig((robot,), (SensorSetup(**{"std": kind.noise, **read_fields(SensorSetup, camera, "camera")}),))
@@ -143,12 +145,12 @@ def options_for(unit: float = 1.0, known: int = 0, **said: Any) -> Options:
     most uncertain landmarks are chosen, and the known ones, which hold the scale, never.
     """
     mean, std = IMAGES.options.inverse_distance
-    first = {"choose": "order", "updates": IMAGES.options.updates + known} if known else {}
+    first = {"selection": "order", "updates": IMAGES.options.updates + known} if known else {}
     return replace(IMAGES.options, **{"inverse_distance": (mean / unit, std / unit), **first, **said})
 
 
 def image_run(
-    source: Source,
+    source: ImageSource,
     rig: Rig,
     options: Options = IMAGES.options,
     front_end: FrontEnd | None = None,
@@ -166,19 +168,19 @@ def image_run(
     if len(rig.robots) != 1 or len(rig.sensors) != 1:
         raise SlamlibError("image_run: a rig of one robot with one camera is wanted")
     rig = rig if scale is None else scale.placed(rig)
-    own = front_end or front_end_of(options, rig.sensors[0].calibration, rng or np.random.default_rng(0))
+    own = front_end or make_front_end(options, rig.sensors[0].calibration, rng or np.random.default_rng(0))
     slam = Slam(rig, options, front_ends=[own])
     return SequenceRun(source, slam, OwnMotion(own), IMAGES, patience=patience, metric=scale is not None, target=scale)
 
 
-def opened_stereo(
+def open_stereo(
     *places: Any, settings: StereoSettings | None = None, **options: Any
-) -> tuple[Source, dict[str, Any], StereoSettings]:
-    """As slamlib.datasets.opening.opened_pairs, and the settings with the calibration's offset of disparities.
+) -> tuple[ImageSource, dict[str, Any], StereoSettings]:
+    """As slamlib.datasets.opening.open_rectified_pairs, and the settings with the calibration's offset of disparities.
 
     The first pair is read: its rows and the sign of its disparities are checked. Raises SlamlibError.
     """
-    pairs, camera, offset = opening.opened_pairs(*places, **options)
+    pairs, camera, offset = opening.open_rectified_pairs(*places, **options)
     chosen = settings or StereoSettings()
     chosen = replace(chosen, offset=chosen.offset or offset)
     first = next(iter(pairs))
@@ -187,28 +189,28 @@ def opened_stereo(
 
 
 def stereo_run(
-    source: Source,
+    source: ImageSource,
     camera: dict[str, Any],
     options: Options = PAIRS.options,
     *,
-    moving: str = "halves",
+    motion_source: str = "split-features",
     settings: StereoSettings | None = None,
     impulse: tuple[float, float] | None = None,
     velocity: tuple[float, float] | None = None,
     patience: int = 30,
 ) -> SequenceRun:
-    """A run on rectified pairs. camera: plain data of their stereo SensorSetup (opened_stereo gives both).
+    """A run on rectified pairs. camera: plain data of their stereo SensorSetup (open_stereo gives both).
 
-    moving: of SOURCES; "odometry" is visual odometry alone: the filter has no landmarks, and adds up motions and their
-    covariances. impulse, velocity: as of a SequenceKind, where the robot's motion has velocities. patience: pairs
-    without a match, after which the run stops. Raises SlamlibError.
+    motion_source: of PAIR_MOTION_SOURCES; "odometry" is visual odometry alone: the filter has no landmarks, and adds up
+    motions and their covariances. impulse, velocity: as of a SequenceKind, where the robot's motion has velocities.
+    patience: pairs without a match, after which the run stops. Raises SlamlibError.
     """
-    if moving not in SOURCES:
-        raise UnknownNameError.of("motion of a stereo run", moving, SOURCES)
+    if motion_source not in PAIR_MOTION_SOURCES:
+        raise UnknownNameError.of("motion of a stereo run", motion_source, PAIR_MOTION_SOURCES)
     setup = SensorSetup(**{"std": PAIRS.noise, **read_fields(SensorSetup, camera, "camera")})
-    motion = SOURCES[moving](setup.calibration, setup.mount, settings)
+    motion = PAIR_MOTION_SOURCES[motion_source](setup.calibration, setup.extrinsics, settings)
     rig = camera_rig(camera, PAIRS, motion=motion.motion, impulse=impulse, velocity=velocity)
-    options = Options(points=None) if moving == "odometry" else options
+    options = Options(points=None) if motion_source == "odometry" else options
     return SequenceRun(source, Slam(rig, options, front_ends=[motion.front_end]), motion, PAIRS, patience=patience)
 
 
@@ -216,7 +218,7 @@ def load(
     path: str | os.PathLike[str],
     kind: SequenceKind = IMAGES,
     *,
-    source: Source | None = None,
+    source: ImageSource | None = None,
     front_end: Callable[[Calibration], FrontEnd] | None = None,
     frames: int | None = None,
 ) -> SequenceRun:

@@ -1,6 +1,6 @@
 """Search for a template in the ellipse where the filter expects it: every pixel at once. Chapter 19, steps 2d to 2g.
 
-The manual scans the rectangle of +-3 sigma. The ellipse z' Z^-1 z <= limit is what the filter would believe: where its
+The manual scans the rectangle of +-3 sigma. The ellipse z' S^-1 z <= limit is what the filter would believe: where its
 two numbers have the correlation r, pi / 4 sqrt(1 - r^2) of the rectangle around it.
 """
 
@@ -63,27 +63,27 @@ class Scores:
 
 
 def search(
-    image: Image, template: Patch | Array, centre: Array, Z: Array, probability: float = 0.99, largest: float = np.inf
+    image: Image, template: Patch | Array, centre: Array, S: Array, probability: float = 0.99, largest: float = np.inf
 ) -> Match | None:
-    """The best match of a template (h, w), odd sizes, around `centre` (2,), expected with covariance Z (2, 2) [px^2].
+    """The best match of a template (h, w), odd sizes, around `centre` (2,), expected with covariance S (2, 2) [px^2].
 
-    Looked at: the pixels nearest to the places whose z' Z^-1 z is below the chi-square quantile of `probability`, with
+    Looked at: the pixels nearest to the places whose z' S^-1 z is below the chi-square quantile of `probability`, with
     their whole window in the image; None where there is none, and where the ellipse reaches farther than `largest`
     [px], which says that the expectation is worth nothing. Raises ShapeError, CovarianceError, SlamlibError.
     """
     patch = as_patch(template)
-    scores = score_map(image, patch, centre, Z, probability, largest)
+    scores = score_map(image, patch, centre, S, probability, largest)
     return None if scores is None else scores.best(max(patch.pixels.shape) // 2)
 
 
 def score_map(
-    image: Image, template: Patch | Array, centre: Array, Z: Array, probability: float = 0.99, largest: float = np.inf
+    image: Image, template: Patch | Array, centre: Array, S: Array, probability: float = 0.99, largest: float = np.inf
 ) -> Scores | None:
     """All the scores that `search` chooses from."""
     array, patch = grey(image, "search"), as_patch(template)
     if patch.pixels.shape[0] % 2 == 0 or patch.pixels.shape[1] % 2 == 0:
         raise SlamlibError(f"search: a template has a pixel in its centre, odd sizes; got {patch.pixels.shape}")
-    region = ellipse(array.shape, patch.pixels.shape, centre, Z, gate(probability, 2), largest)
+    region = ellipse(array.shape, patch.pixels.shape, centre, S, gate(probability, 2), largest)
     if region is None:
         return None
     (u, v), mask = region
@@ -125,18 +125,18 @@ def register(image: Image, template: Patch | Array, start: Array, steps: int = 1
 
 
 def ellipse(
-    image: tuple[int, ...], size: tuple[int, ...], centre: Array, Z: Array, limit: float, largest: float
+    image: tuple[int, ...], size: tuple[int, ...], centre: Array, S: Array, limit: float, largest: float
 ) -> tuple[tuple[int, int], Array] | None:
-    """The pixels nearest to the places with z' Z^-1 z <= limit, if their window `size` (h, w) is in the image (h, w).
+    """The pixels nearest to the places with z' S^-1 z <= limit, if their window `size` (h, w) is in the image (h, w).
 
     As the pixel (u, v) of the upper left corner, and a mask (rows, columns) from there; None where there is none, or
     where it reaches farther than `largest` [px]. An ellipse between four pixels has pixels too: those nearest to it.
-    Raises CovarianceError where Z is not positive definite.
+    Raises CovarianceError where S is not positive definite.
     """
-    (x, y), Z, limit = finite(centre, (2,), "search", "centre"), finite(Z, (2, 2), "search", "Z"), min(limit, 1e18)
-    (a, b), (_, c) = Z.tolist()
-    if not (a * c - b * b > 0 and a > 0 and abs(b - Z[1, 0]) <= 1e-9 * np.sqrt(a * c)):
-        raise CovarianceError(f"search: Z should be symmetric and positive definite, got {Z.tolist()}")
+    (x, y), S, limit = finite(centre, (2,), "search", "centre"), finite(S, (2, 2), "search", "S"), min(limit, 1e18)
+    (a, b), (_, c) = S.tolist()
+    if not (a * c - b * b > 0 and a > 0 and abs(b - S[1, 0]) <= 1e-9 * np.sqrt(a * c)):
+        raise CovarianceError(f"search: S should be symmetric and positive definite, got {S.tolist()}")
     across, down = np.sqrt(limit * a), np.sqrt(limit * c)
     v0, v1 = _whole(y - down, y + down, size[0] // 2, image[0])
     if max(across, down) > largest or v1 < v0:

@@ -10,9 +10,9 @@ from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError
 from slamlib.landmarks.segments import length
 from slamlib.manifolds import Array, Image
-from slamlib.observation.lines import straight
+from slamlib.observation.lines import undistort_segments
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.edges import PROFILE, Edge, fitted, strip
+from slamlib.vision.edges import PROFILE, Edge, edge_strip, fitted
 from slamlib.vision.patches import grey, sample
 
 SIDE = 1.5  # [px] to either side of a segment, where it is asked which one is brighter
@@ -38,10 +38,10 @@ def segments_of(image: Image, minimum_length: float = 20.0) -> Array:
 
 def directed(image: Image, segments: Array) -> Array:
     """The same segments (n, 4), turned round where their left side is brighter."""
-    ends = segments.reshape(-1, 1, 2, 2)
+    endpoints = segments.reshape(-1, 1, 2, 2)
     share = np.linspace(0.1, 0.9, 16)[:, None]
-    middle = (1 - share) * ends[:, :, 0] + share * ends[:, :, 1]
-    forward = ends[:, :, 1] - ends[:, :, 0]
+    middle = (1 - share) * endpoints[:, :, 0] + share * endpoints[:, :, 1]
+    forward = endpoints[:, :, 1] - endpoints[:, :, 0]
     right = SIDE * np.stack([-forward[..., 1], forward[..., 0]], -1) / np.linalg.norm(forward, axis=-1, keepdims=True)
     rise = np.nan_to_num(sample(image, middle + right) - sample(image, middle - right)).mean(-1)
     return np.where(rise[:, None] < 0, segments[:, [2, 3, 0, 1]], segments)
@@ -52,5 +52,5 @@ def refined(image: Image, calibration: Calibration, segment: Array) -> Edge | No
 
     None where there is no edge that is straight in the world.
     """
-    ideal = straight(calibration, np.asarray(segment, dtype=float))[0]
-    return fitted(strip(image, calibration, ideal, REACH + PROFILE[-1]), calibration, np.zeros(2), REACH)
+    ideal = undistort_segments(calibration, np.asarray(segment, dtype=float))[0]
+    return fitted(edge_strip(image, calibration, ideal, REACH + PROFILE[-1]), calibration, np.zeros(2), REACH)

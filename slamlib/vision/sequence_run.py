@@ -14,8 +14,8 @@ import numpy as np
 
 from slamlib.data.records import Control, Frame, Scan
 from slamlib.data.snapshots import Snapshot
-from slamlib.datasets.pictures import Picture
-from slamlib.datasets.sources import Source
+from slamlib.datasets.pictures import TimedImage
+from slamlib.datasets.sources import ImageSource
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.manifolds import Image
@@ -45,7 +45,7 @@ class SequenceKind:
     item: str
     frames: str
     causes: tuple[str, str]
-    checked: Callable[[Picture, Calibration], Image]
+    checked: Callable[[TimedImage, Calibration], Image]
     source: Callable[..., MotionSource]
     options: Options
     impulse: tuple[float, float]
@@ -58,7 +58,7 @@ class ImageStep:
     """One picture, as it has just been worked on: what the filter reports, and the run's row of numbers by name."""
 
     number: int
-    picture: Picture
+    picture: TimedImage
     report: Report
     row: dict[str, float]
 
@@ -68,7 +68,7 @@ class SequenceRun:
 
     def __init__(
         self,
-        source: Source,
+        source: ImageSource,
         slam: Slam,
         motion: MotionSource,
         kind: SequenceKind,
@@ -78,16 +78,17 @@ class SequenceRun:
         target: Target | None = None,
         history: list[list[float]] | None = None,
         path: list[list[float]] | None = None,
-        gap: dict[str, Any] | None = None,
+        tracking_loss: dict[str, Any] | None = None,
     ) -> None:
         """slam: with the motion source's front end. patience: frames without a match, after which the run stops.
 
-        metric: whether its lengths are true. target: seen in the first picture. history, path, gap: of a saved run.
+        metric: whether its lengths are true. target: seen in the first picture. history, path, tracking_loss: of a
+        saved run.
         """
         self.source, self.slam, self.motion, self.kind = source, slam, motion, kind
         self.patience, self.metric, self.target = patience, metric, target
-        self.history, self.path, self.gap = history or [], path or [], TrackingLoss(**gap or {})
-        self.whole = True  # False while a frame is being worked on
+        self.history, self.path, self.tracking_loss = history or [], path or [], TrackingLoss(**tracking_loss or {})
+        self.is_intact = True  # False while a frame is being worked on
 
     def __len__(self) -> int:
         """Pictures still to do."""
@@ -112,28 +113,28 @@ class SequenceRun:
             yield self._step(picture, time.perf_counter() - began)
             if len(self):
                 causes = self.kind.causes[not self.slam.landmarks]
-                self.gap.check(self.patience, self.kind.frames, causes, self.kind.item)
+                self.tracking_loss.check(self.patience, self.kind.frames, causes, self.kind.item)
             began = time.perf_counter()
 
-    def _step(self, picture: Picture, reading: float) -> ImageStep:
+    def _step(self, picture: TimedImage, reading: float) -> ImageStep:
         frame = self._frame(picture)
         elapsed = picture.time - self.history[-1][TIME] if self.history else 0.0
-        self.whole = False
-        began, before = time.perf_counter(), self._spent()
-        report = self._advance(frame, elapsed)
-        inside = {name: after - before[name] for name, after in self._spent().items()}
+        self.is_intact = False
+        began, before = time.perf_counter(), self._seconds_spent()
+        report = self._process(frame, elapsed)
+        inside = {name: after - before[name] for name, after in self._seconds_spent().items()}
         spent = time.perf_counter() - began
         row = {"time": picture.time, **counts(self.slam, report), **self.motion.counts(), "reading": reading, **inside}
         row["filter"] = spent - sum(inside.values())
         self.history.append([row[name] for name in self.columns])
         self.path.append(self.slam.sensors[0].camera.tolist())
-        believed = [look.landmark.born for look in self.slam.looks[0] if look.inlier]
-        births = believed if self.has_map else [0] * int(row["believed"])
-        self.gap.follow(frame.number, births, len(self.slam.landmarks))
-        self.whole = True
+        inliers = [prediction.landmark.first_seen for prediction in self.slam.predictions[0] if prediction.inlier]
+        births = inliers if self.has_map else [0] * int(row["inliers"])
+        self.tracking_loss.update(frame.number, births, len(self.slam.landmarks))
+        self.is_intact = True
         return ImageStep(frame.number, picture, report, row)
 
-    def _frame(self, picture: Picture) -> Frame:
+    def _frame(self, picture: TimedImage) -> Frame:
         """A picture with a control of zeros. Raises SlamlibError for one that does not fit; nothing is changed."""
         calibration, robot = self.slam.sensors[0].calibration, self.slam.robots[0]
         scan = Scan(image=self.kind.checked(picture, calibration))
@@ -145,19 +146,19 @@ class SequenceRun:
         """Not before something was seen: the first landmarks are begun from the start that is known."""
         return any(row[LANDMARKS] for row in self.history) if self.has_map else bool(self.history)
 
-    def _advance(self, frame: Frame, elapsed: float) -> Report:
+    def _process(self, frame: Frame, elapsed: float) -> Report:
         """One frame of the filter; into an empty map as many landmarks are begun as in a first frame."""
         image = frame.scans[0].image
         assert image is not None, "_frame has seen to it"
         control = self.motion.control(image, elapsed, self.slam)
         told = control is not None and self._can_move()
-        frame = replace(frame, controls=(control,)) if told else self._wait(frame)
+        frame = replace(frame, controls=(control,)) if told else self._predict_missing(frame)
         is_target = self.target is not None and not self.history
         if self.target is not None and is_target:
             self.target.put(self.slam, frame.scans[0])  # whose pixels are used by that: it is not looked for again
         return self.slam.step(frame, update=not is_target, first=not self.slam.landmarks)
 
-    def _wait(self, frame: Frame) -> Frame:
+    def _predict_missing(self, frame: Frame) -> Frame:
         """Let the pictures that are missing before a frame pass as dark ones would; the frame of what is left.
 
         An impulse comes with each interval of the source: in one long step all of them would come at its end, and move
@@ -170,10 +171,10 @@ class SequenceRun:
         assert control is not None
         share = replace(control, covariance=control.covariance / steps)
         for _ in range(steps - 1):
-            self.slam.wait((share,), frame.dt / steps)
+            self.slam.predict((share,), frame.dt / steps)
         return replace(frame, dt=frame.dt / steps, controls=(share,))
 
-    def _spent(self) -> dict[str, float]:
+    def _seconds_spent(self) -> dict[str, float]:
         """Seconds spent so far, by part."""
         inside = getattr(self.slam.front_ends[0], "seconds", {})
         return {"search": 0.0, "detection": 0.0, **inside, **self.motion.seconds}
@@ -199,10 +200,14 @@ class SequenceRun:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all of it to one file, whole or not at all. Raises SlamlibError in the middle of a frame."""
-        if not self.whole:
+        if not self.is_intact:
             raise SlamlibError(f"frame {len(self.history) + 1} was broken off, and the filter is not whole any more")
         settings = getattr(self.slam.front_ends[0], "settings", None)
         run = {name: getattr(self, name) for name in ("history", "path", "patience", "metric")}
         motion = {"name": self.motion.name, "settings": settings and asdict(settings), "state": self.motion.dump()}
-        saved = {"source": self.source.recipe, "run": {**run, "gap": asdict(self.gap)}, "motion": motion}
+        saved = {
+            "source": self.source.recipe,
+            "run": {**run, "tracking_loss": asdict(self.tracking_loss)},
+            "motion": motion,
+        }
         self.slam.save(path, **{self.kind.name: saved})

@@ -20,10 +20,10 @@ from slamlib.kalman.linalg import finite
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.front_end import Sight
+from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.slam.entities import Landmark
 from slamlib.slam.filter import Slam
-from slamlib.slam.measurement_update import correct_in_batch, expect_all
+from slamlib.slam.measurement_update import predict_measurements, update_in_batch
 
 LEAST = 4  # points; three leave up to four poses to choose from
 LARGEST = 5.0  # px: rms of the pixels against the best pose; beyond it they are not of these points
@@ -85,11 +85,11 @@ class Target:
         seen = to_frame(pose, self.points)
         seen = np.concatenate([seen, np.ones((len(seen), 1))], axis=1)
         fits = calibration.visible(seen).all()
-        off = np.linalg.norm(calibration.project(seen) - self.pixels, axis=1) if fits else np.array([np.inf])
-        if not np.sqrt((off**2).mean()) <= LARGEST:
+        error = np.linalg.norm(calibration.project(seen) - self.pixels, axis=1) if fits else np.array([np.inf])
+        if not np.sqrt((error**2).mean()) <= LARGEST:
             raise SlamlibError(
-                f"the target's pixels do not fit its points: they are {np.sqrt((off**2).mean()):.1f} px off (rms) seen "
-                "from the best place; are both in one order, pixels u to the right and v down, the calibration right?"
+                f"the target's pixels do not fit its points: they are {np.sqrt((error**2).mean()):.1f} px off (rms) "
+                "seen from the best pose; are both in one order, pixels u to the right and v down, calibration right?"
             )
 
     def placed(self, rig: Rig) -> Rig:
@@ -97,14 +97,14 @@ class Target:
         place and attitude are as good as unknown."""
         setup, sensor = rig.robots[0], rig.sensors[0]
         camera = self.camera(sensor.calibration)
-        pose = compose(camera, inverse(sensor.mount))
+        pose = compose(camera, inverse(sensor.extrinsics))
         distance = float(np.linalg.norm(self.points - camera[:3], axis=1).max())
         start = replace(
             setup,
             position=tuple(pose[:3].tolist()),
             euler=tuple(np.degrees(from_rotation(rotation(pose[3:]))).tolist()),
             position_std=(distance,) * 3,
-            attitude_std=(60.0,) * 3,
+            orientation_std=(60.0,) * 3,
         )
         return replace(rig, robots=(start, *rig.robots[1:]))
 
@@ -115,9 +115,11 @@ class Target:
         four of the points can be followed.
         """
         sensor, front_end = slam.sensors[0], slam.front_ends[0]
-        if not hasattr(front_end, "adopt"):
-            raise SlamlibError(f"{type(front_end).__name__} cannot begin landmarks at given pixels: it has no `adopt`")
-        found = front_end.adopt(Sight(scan, sensor, []), "points", self.pixels)
+        if not hasattr(front_end, "initialize_at"):
+            raise SlamlibError(
+                f"{type(front_end).__name__} cannot initialize landmarks at given pixels: it has no `initialize_at`"
+            )
+        found = front_end.initialize_at(FrontEndInput(scan, sensor, []), "points", self.pixels)
         rows = [i for i, one in enumerate(found) if one is not None]
         if len(rows) < LEAST:
             raise SlamlibError(
@@ -127,11 +129,11 @@ class Target:
         pixel_of: dict[Any, Array] = {}
         for i in rows:
             number, _, signature = found[i]
-            block = slam.belief.add(EUC_POINT.space, self.points[i], self.std**2 * np.eye(3))
-            landmark = Landmark(number, EUC_POINT, block, born=1, signature=signature)
+            block = slam.belief.add(EUC_POINT.manifold, self.points[i], self.std**2 * np.eye(3))
+            landmark = Landmark(number, EUC_POINT, block, first_seen=1, signature=signature)
             slam.landmarks.append(landmark)
             pixel_of[landmark] = self.pixels[i]
-        looks = expect_all(slam.belief, sensor, slam.families, slam.landmarks, slam.options)
-        for look in looks:
-            look.measured, look.matched = pixel_of[look.landmark], True
-        correct_in_batch(slam.belief, sensor, looks, replace(slam.options, gate=1.0))
+        predictions = predict_measurements(slam.belief, sensor, slam.families, slam.landmarks, slam.options)
+        for prediction in predictions:
+            prediction.measured, prediction.matched = pixel_of[prediction.landmark], True
+        update_in_batch(slam.belief, sensor, predictions, replace(slam.options, gate=1.0))

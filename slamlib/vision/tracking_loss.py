@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 from slamlib.errors import SlamlibError
 
-FOUND_AGAIN = 3  # landmarks that end a gap: one alone may be a wrong match
+RECOVERED = 3  # landmarks that end a gap: one alone may be a wrong match
 
 
-class Lost(SlamlibError):
+class TrackingLostError(SlamlibError):
     """Too many frames in a row without a match; what was done before is kept, and can be saved."""
 
 
@@ -24,11 +24,11 @@ class TrackingLoss:
     last: int = 0
     known: int = 0
 
-    def follow(self, number: int, births: list[int], landmarks: int) -> None:
+    def update(self, number: int, births: list[int], landmarks: int) -> None:
         """Take note of a frame; births: of what is believed in it, the frame numbers; landmarks: in the map after."""
         if self.first is None:
             self.first = number if not births and self.last else None
-        elif sum(born < self.first or not self.known for born in births) >= FOUND_AGAIN:
+        elif sum(born < self.first or not self.known for born in births) >= RECOVERED:
             self.first = None
         if self.first is None:
             self.known = landmarks
@@ -42,7 +42,7 @@ class TrackingLoss:
     def check(self, patience: int, frames: str, causes: str, item: str) -> None:
         """Raise Lost if the gap has lasted for `patience` frames; the others are words of its message."""
         if self.frames >= patience:
-            raise Lost(
+            raise TrackingLostError(
                 f"lost: {self.frames} {frames} in a row without a match, from frame {self.first} on; {causes} There is "
                 f"no relocalization: go on with more patience, or begin anew at a later {item}"
             )

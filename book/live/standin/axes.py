@@ -90,16 +90,16 @@ class Axes(Drawn):
         """A line through points with the bars of their errors: one number, one each, or (below, above)."""
         x, y = rows_of("errorbar", x=x, y=y)
         found = self.plot(x, y, fmt, **style)
-        look = {"color": found[0].stroke.color if found[0].stroke else found[0].marker.look.edge}  # type: ignore[union-attr]
+        prediction = {"color": found[0].stroke.color if found[0].stroke else found[0].marker.look.edge}  # type: ignore[union-attr]
         for axis, error in ((0, xerr), (1, yerr)):
             if error is None:
                 continue
             below, above = np.broadcast_to(np.asarray(error, dtype=float), (2, len(x)))
             low, high = np.array([x, y]), np.array([x, y])
             low[axis], high[axis] = low[axis] - below, high[axis] + above
-            found.append(self._parted(np.stack([low, high], axis=1), look))
+            found.append(self._parted(np.stack([low, high], axis=1), prediction))
             for caps in (low, high) if capsize else ():
-                found += self.plot(*caps, "_|"[axis == 0], ms=2 * capsize, **look)
+                found += self.plot(*caps, "_|"[axis == 0], ms=2 * capsize, **prediction)
         found[0].zorder += 0.1  # above its bars
         return found
 
@@ -112,8 +112,8 @@ class Axes(Drawn):
         found: list[Line] = []
         for shade, size in dict.fromkeys(zip(shades, sizes.tolist(), strict=True)):
             here = (np.array(shades) == shade) & (sizes == size)
-            look = {"marker": "o", **{SCATTERED.get(k, k): v for k, v in chosen.items()}, "markersize": size}
-            line = Line(x=x[here], y=y[here], stroke=None, marker=marker_of(look, shade), zorder=1.0)
+            prediction = {"marker": "o", **{SCATTERED.get(k, k): v for k, v in chosen.items()}, "markersize": size}
+            line = Line(x=x[here], y=y[here], stroke=None, marker=marker_of(prediction, shade), zorder=1.0)
             found.append(self._add(line, {**chosen, "label": None} if found else chosen))
         return found
 
@@ -132,10 +132,10 @@ class Axes(Drawn):
                 raise UnknownNameError.of(f"{name} of quiver", "that", ("xy",))
         x, y, u, v = rows_of("quiver", **{n: np.ravel(a) for n, a in (("x", x), ("y", y), ("u", u), ("v", v))})
         self.plot(x, y, ls="")
-        look = {"arrowstyle": "-|>", "shrinkA": 0.0, "shrinkB": 0.0, **style}
+        prediction = {"arrowstyle": "-|>", "shrinkA": 0.0, "shrinkB": 0.0, **style}
         tips = np.stack([x, y]) + np.stack([u, v]) / (scale or 1.0)
         return [
-            self.annotate("", tip, tail, arrowprops=look)
+            self.annotate("", tip, tail, arrowprops=prediction)
             for tip, tail in zip(tips.T, zip(x, y, strict=True), strict=True)
         ]
 

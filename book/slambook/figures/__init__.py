@@ -3,13 +3,13 @@ sliders, ellipses, robots and frames. NumPy alone is needed, where no figure of 
 
 from slambook.figures.colors import colors
 from slambook.figures.figure import Figure, figure
-from slambook.figures.page import Picture, Sweep, picture, sweep
+from slambook.figures.page import StaticPicture, Sweep, picture, sweep
 from slambook.figures.sketches import draw_ellipse, draw_frame, draw_robot, ellipse
 from slambook.figures.widget import live
 
 __all__ = [
     "Figure",
-    "Picture",
+    "StaticPicture",
     "Sweep",
     "colors",
     "draw_ellipse",

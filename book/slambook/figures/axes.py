@@ -10,7 +10,7 @@ from slambook.figures.calls import Calls
 from slambook.figures.canvas import Canvas
 from slambook.figures.legend import Legend
 from slambook.figures.paths import Box
-from slambook.figures.scales import View
+from slambook.figures.scales import DataView
 from slamlib.errors import SlamlibError, UnknownCallError, UnknownNameError
 from slamlib.manifolds import Array
 
@@ -122,12 +122,12 @@ class Axes(Calls):
             found.append(axis.limits(ends, tuple(v for m in self.marks for v in m.tight[i])))
         return found
 
-    def view(self, box: Box) -> View:
+    def view(self, box: Box) -> DataView:
         """The axes in a place of the sheet, with equal aspect if that is wanted."""
         xlim, ylim = self._limits()
         if self.equal:
             box, xlim, ylim = self._equal(box, xlim, ylim)
-        return View(box, xlim, ylim, self.x.scale, self.y.scale)
+        return DataView(box, xlim, ylim, self.x.scale, self.y.scale)
 
     def _equal(self, box: Box, xlim: Any, ylim: Any) -> tuple[Box, tuple[float, float], tuple[float, float]]:
         if self.x.scale is not self.y.scale:
@@ -167,7 +167,7 @@ class Axes(Calls):
         if self.key is not None:
             self.key.draw(self.marks, canvas, view)
 
-    def _draw_marks(self, canvas: Canvas, view: View) -> None:
+    def _draw_marks(self, canvas: Canvas, view: DataView) -> None:
         ordered = sorted(self.marks, key=lambda m: m.zorder)
         while ordered:
             clip = ordered[0].clip

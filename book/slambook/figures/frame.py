@@ -10,7 +10,7 @@ from slambook.figures.axis import SIZE, Ticks
 from slambook.figures.canvas import Canvas
 from slambook.figures.colors import colors, paint
 from slambook.figures.paths import joined, number
-from slambook.figures.scales import View
+from slambook.figures.scales import DataView
 from slambook.figures.words import LINE, Lettering, width_of
 from slamlib.manifolds import Array
 
@@ -23,13 +23,13 @@ BETWEEN, ABOVE = 3.0, 5.0  # points from the tick labels to the axis's label, an
 HIGH = 1.1  # height of a label, in sizes of its font
 
 
-def ticks(axes: Axes, view: View) -> tuple[Ticks, Ticks]:
+def ticks(axes: Axes, view: DataView) -> tuple[Ticks, Ticks]:
     """The ticks of x and y."""
     left, top, right, bottom = view.box
     return axes.x.ticks(view.xlim, right - left, across=True), axes.y.ticks(view.ylim, bottom - top, across=False)
 
 
-def room(axes: Axes, view: View) -> Array:
+def room(axes: Axes, view: DataView) -> Array:
     """Points that the words need to the left, above, to the right and below the axes' rectangle."""
     title = (LINE * TITLE * (1 + axes.title.count("\n")) + ABOVE) if axes.title else 0.0
     if not axes.framed:
@@ -51,7 +51,7 @@ def _label_room(label: str) -> float:
     return HIGH * LABEL * (1 + label.count("\n")) + BETWEEN if label else 0.0
 
 
-def draw_grid(axes: Axes, canvas: Canvas, view: View) -> None:
+def draw_grid(axes: Axes, canvas: Canvas, view: DataView) -> None:
     """Faint lines at the ticks."""
     if not (axes.ruled and axes.framed):
         return
@@ -62,7 +62,7 @@ def draw_grid(axes: Axes, canvas: Canvas, view: View) -> None:
     canvas.path(data, f"stroke:{paint(colors.faint)};stroke-width:.8;stroke-opacity:.35")
 
 
-def _places(axes: Axes, view: View) -> tuple[list[int], list[int]]:
+def _places(axes: Axes, view: DataView) -> tuple[list[int], list[int]]:
     across, up = ticks(axes, view)
     x = view.points(across.places, np.full(len(across.places), view.ylim[0]))[0]
     y = view.points(np.full(len(up.places), view.xlim[0]), up.places)[1]
@@ -73,7 +73,7 @@ def _hundredths(value: float) -> int:
     return int(np.floor(round(float(value) * 100, 4) + 0.5))
 
 
-def draw_frame(axes: Axes, canvas: Canvas, view: View) -> None:
+def draw_frame(axes: Axes, canvas: Canvas, view: DataView) -> None:
     """The lines of both axes with their ticks and words, and the title."""
     left, top, right, bottom = view.box
     if axes.framed:
@@ -85,7 +85,7 @@ def draw_frame(axes: Axes, canvas: Canvas, view: View) -> None:
     canvas.text((left + right) / 2, top - ABOVE, axes.title, Lettering(TITLE, ha="center", va="bottom"))
 
 
-def _draw_ticks(axes: Axes, canvas: Canvas, view: View) -> None:
+def _draw_ticks(axes: Axes, canvas: Canvas, view: DataView) -> None:
     left, _, _, bottom = view.box
     x, y = _places(axes, view)
     data = "".join(f"M{joined((v, _hundredths(bottom)))}v{number(MARK)}" for v in x)
@@ -105,7 +105,7 @@ def _draw_ticks(axes: Axes, canvas: Canvas, view: View) -> None:
             canvas.text(left - MARK - GAP, place / 100, name, beside, bare=True)
 
 
-def _draw_labels(axes: Axes, canvas: Canvas, view: View) -> None:
+def _draw_labels(axes: Axes, canvas: Canvas, view: DataView) -> None:
     left, top, right, bottom = view.box
     across, up = ticks(axes, view)
     below = MARK + GAP + HIGH * TICK * bool(any(across.labels)) + BETWEEN

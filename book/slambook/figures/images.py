@@ -11,7 +11,7 @@ import numpy as np
 from slambook.figures.canvas import Canvas
 from slambook.figures.marks import Mark
 from slambook.figures.paths import number
-from slambook.figures.scales import Linear, View
+from slambook.figures.scales import DataView, Linear
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.manifolds import Array
 
@@ -88,7 +88,7 @@ class Image(Mark):
     def bounds(self, xscale: Linear, yscale: Linear) -> Array:
         return np.array([sorted(self.extent[:2]), sorted(self.extent[2:])])
 
-    def draw(self, canvas: Canvas, view: View) -> None:
+    def draw(self, canvas: Canvas, view: DataView) -> None:
         (x0, x1), (y0, y1) = view.points(np.array(self.extent[:2]), np.array(self.extent[2:]))
         rows = self.pixels[::-1] if self.lower else self.pixels  # now the first row belongs to extent[3]
         rows = rows[::-1] if y1 > y0 else rows

@@ -9,7 +9,7 @@ from slambook.figures.canvas import Canvas
 from slambook.figures.colors import colors, paint
 from slambook.figures.marks import Mark, beyond
 from slambook.figures.paths import Box
-from slambook.figures.scales import View
+from slambook.figures.scales import DataView
 from slambook.figures.words import Lettering, width_of
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.manifolds import Array
@@ -84,7 +84,7 @@ class Legend:
         wide = max(sum(widths) + (len(widths) - 1) * COLUMN, width_of(self.title, size)) + 2 * PAD
         return size, widths, (wide, rows * ROW * size + 2 * PAD)
 
-    def _box(self, view: View, size: tuple[float, float], loc: str) -> Box:
+    def _box(self, view: DataView, size: tuple[float, float], loc: str) -> Box:
         left, top, right, bottom = view.box
         (wide, high), (x, y) = size, PLACES[loc]
         if self.bbox_to_anchor is not None:
@@ -94,12 +94,12 @@ class Legend:
             spot_x, spot_y = left + AWAY + x * (right - left - 2 * AWAY), bottom - AWAY + y * (top - bottom + 2 * AWAY)
         return spot_x - x * wide, spot_y - (1 - y) * high, spot_x + (1 - x) * wide, spot_y + y * high
 
-    def _widest(self, view: View, sheet: float) -> float:
+    def _widest(self, view: DataView, sheet: float) -> float:
         """Points that its width may take: of the axes', or half the sheet if it stands beside them."""
         beside = self.bbox_to_anchor is not None and not 0 <= self.bbox_to_anchor[0] < 1
         return 0.5 * sheet if beside else view.box[2] - view.box[0] - 2 * AWAY
 
-    def room(self, view: View, sheet: tuple[float, float]) -> Array:
+    def room(self, view: DataView, sheet: tuple[float, float]) -> Array:
         """Points that an anchored legend needs to the left, above, to the right and below the axes."""
         if self.bbox_to_anchor is None or not self.entries:
             return np.zeros(4)
@@ -111,14 +111,14 @@ class Legend:
         low, high = np.reshape(box[:2], (2, 1)), np.reshape(box[2:], (2, 1))
         return int(np.sum(np.all((ink > low) & (ink < high), axis=0)))
 
-    def place(self, marks: list[Mark], view: View, size: tuple[float, float]) -> Box:
+    def place(self, marks: list[Mark], view: DataView, size: tuple[float, float]) -> Box:
         """The legend's box on the sheet; "best" is the place that covers the fewest points."""
         if self.loc != "best":
             return self._box(view, size, self.loc)
         ink = np.concatenate([np.empty((2, 0)), *(mark.ink(view) for mark in marks)], axis=1)
         return min((self._box(view, size, loc) for loc in PLACES), key=lambda box: self.covered(ink, box))
 
-    def draw(self, marks: list[Mark], canvas: Canvas, view: View) -> None:
+    def draw(self, marks: list[Mark], canvas: Canvas, view: DataView) -> None:
         """Put it on the sheet."""
         if not self.entries:
             return

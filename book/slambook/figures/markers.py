@@ -20,7 +20,7 @@ class Disc:
 
     scale: float = 1.0
 
-    def draw(self, canvas: Canvas, points: Array, look: "Look") -> None:
+    def draw(self, canvas: Canvas, points: Array, look: "MarkerStyle") -> None:
         """Draw it at points (2, N) on the sheet."""
         size = self.scale * look.size
         if look.face == look.edge:
@@ -41,7 +41,7 @@ class Outline:
     closed: bool = True
     scale: float = 1.0
 
-    def draw(self, canvas: Canvas, points: Array, look: "Look") -> None:
+    def draw(self, canvas: Canvas, points: Array, look: "MarkerStyle") -> None:
         """Draw it at points (2, N) on the sheet."""
         shapes = [_hundredths(np.array(line).T * [[1], [-1]] * look.size * self.scale) for line in self.lines]
         data = []
@@ -53,7 +53,7 @@ class Outline:
 
 
 @dataclass(frozen=True)
-class Look:
+class MarkerStyle:
     """Size of a mark and width of its edge in points, colours of both "#rrggbb" or "none", opacity."""
 
     edge: str
@@ -84,7 +84,7 @@ class Marker:
     """A shape and its look."""
 
     shape: Disc | Outline
-    look: Look
+    look: MarkerStyle
 
     def scaled(self, factor: float) -> "Marker":
         """The same mark in another size, large enough to be recognised."""

@@ -7,7 +7,7 @@ import numpy as np
 from slambook.figures.canvas import Canvas
 from slambook.figures.markers import Marker
 from slambook.figures.paths import Box, outline
-from slambook.figures.scales import Linear, View
+from slambook.figures.scales import DataView, Linear
 from slambook.figures.style import Fill, Stroke
 from slamlib.manifolds import Array
 
@@ -29,24 +29,24 @@ class Mark:
         """Least and greatest x (first row) and y that the axes should show; nan where it does not matter."""
         return NOWHERE
 
-    def draw(self, canvas: Canvas, view: View) -> None:
+    def draw(self, canvas: Canvas, view: DataView) -> None:
         """Put it on the sheet."""
 
-    def ink(self, view: View) -> Array:
+    def ink(self, view: DataView) -> Array:
         """Points (2, N) on the sheet that a legend should rather not cover."""
         return np.empty((2, 0))
 
     def swatch(self, canvas: Canvas, box: Box, scale: float) -> None:
         """Its sample in a legend; scale: size of its marks, in their own."""
 
-    def room(self, view: View) -> Array:
+    def room(self, view: DataView) -> Array:
         """Points that it needs to the left of the axes, above, to the right and below."""
         return np.zeros(4)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.label!r})"
 
-    def sight(self, view: View, spare: float = 15.0) -> Box:
+    def sight(self, view: DataView, spare: float = 15.0) -> Box:
         """The part of the sheet worth drawing to."""
         reach = spare if self.clip else FAR
         left, top, right, bottom = view.box
@@ -76,7 +76,7 @@ class Line(Mark):
     def bounds(self, xscale: Linear, yscale: Linear) -> Array:
         return np.array([extent(self.x, xscale), extent(self.y, yscale)])
 
-    def draw(self, canvas: Canvas, view: View) -> None:
+    def draw(self, canvas: Canvas, view: DataView) -> None:
         points, sight = view.points(self.x, self.y), self.sight(view)
         if self.stroke is not None and self.stroke.seen:
             canvas.path(outline(points, sight, closed=False), self.stroke.css())
@@ -84,7 +84,7 @@ class Line(Mark):
             low, high = np.reshape(sight[:2], (2, 1)), np.reshape(sight[2:], (2, 1))
             self.marker.draw(canvas, points[:, np.all((points >= low) & (points <= high), axis=0)])
 
-    def ink(self, view: View) -> Array:
+    def ink(self, view: DataView) -> Array:
         points = view.points(self.x, self.y)
         return points if self.stroke is None else dense(points)
 
@@ -123,12 +123,12 @@ class Area(Mark):
         x, y = np.concatenate(self.rings, axis=1)
         return np.array([extent(x, xscale), extent(y, yscale)])
 
-    def draw(self, canvas: Canvas, view: View) -> None:
+    def draw(self, canvas: Canvas, view: DataView) -> None:
         sight = self.sight(view)
         data = "".join(outline(view.floored(*ring), sight, closed=True) for ring in self.rings)
         canvas.path(data, self.fill.css() + (";fill-rule:evenodd" if self.holes else ""))
 
-    def ink(self, view: View) -> Array:
+    def ink(self, view: DataView) -> Array:
         return np.concatenate([np.empty((2, 0)), *(dense(view.floored(*r)) for r in self.rings)], axis=1)
 
     def swatch(self, canvas: Canvas, box: Box, scale: float) -> None:
@@ -149,13 +149,13 @@ class Rule(Mark):
         found[self.axis] = extent(np.array([self.value]), (xscale, yscale)[self.axis])
         return found
 
-    def _points(self, view: View) -> Array:
+    def _points(self, view: DataView) -> Array:
         return across(view, self.axis, np.array([self.value, self.value]), np.array(self.reach))
 
-    def draw(self, canvas: Canvas, view: View) -> None:
+    def draw(self, canvas: Canvas, view: DataView) -> None:
         canvas.path(outline(self._points(view), self.sight(view), closed=False), self.stroke.css())
 
-    def ink(self, view: View) -> Array:
+    def ink(self, view: DataView) -> Array:
         return dense(self._points(view))
 
     def swatch(self, canvas: Canvas, box: Box, scale: float) -> None:
@@ -179,7 +179,7 @@ class Span(Mark):
         found[self.axis] = extent(np.array([self.low, self.high]), (xscale, yscale)[self.axis])
         return found
 
-    def draw(self, canvas: Canvas, view: View) -> None:
+    def draw(self, canvas: Canvas, view: DataView) -> None:
         (a, b), values = self.reach, np.array([self.low, self.low, self.high, self.high])
         corners = across(view, self.axis, values, np.array([a, b, b, a]))
         canvas.path(outline(corners, self.sight(view), closed=True), self.fill.css())
@@ -188,7 +188,7 @@ class Span(Mark):
         canvas.rectangle(box, self.fill.css())
 
 
-def across(view: View, axis: int, values: Array, shares: Array) -> Array:
+def across(view: DataView, axis: int, values: Array, shares: Array) -> Array:
     """Points (2, N) at values of one axis and shares of the other's length."""
     left, top, right, bottom = view.box
     if axis == 0:

@@ -8,20 +8,20 @@ import numpy as np
 from slambook.figures.canvas import Canvas
 from slambook.figures.marks import Mark, beyond
 from slambook.figures.paths import Box, cut_line, outline
-from slambook.figures.scales import View
+from slambook.figures.scales import DataView
 from slambook.figures.style import Fill, Stroke
 from slambook.figures.words import Lettering
 from slamlib.manifolds import Array
 
-Place = Callable[[View, Array], Array]  # where (2,) on the sheet a pair of numbers is
+Place = Callable[[DataView, Array], Array]  # where (2,) on the sheet a pair of numbers is
 
 
-def in_data(view: View, pair: Array) -> Array:
+def in_data(view: DataView, pair: Array) -> Array:
     """A pair of the axes' own units."""
     return view.points(pair[:1], pair[1:])[:, 0]
 
 
-def in_axes(view: View, pair: Array) -> Array:
+def in_axes(view: DataView, pair: Array) -> Array:
     """Shares of the axes' width and height, from the lower left."""
     left, top, right, bottom = view.box
     return np.array([left + pair[0] * (right - left), bottom - pair[1] * (bottom - top)])
@@ -42,24 +42,24 @@ class Words(Mark):
     zorder: float = 3.0
     clip: bool = False
 
-    def where(self, view: View) -> Array:
+    def where(self, view: DataView) -> Array:
         """Its point on the sheet."""
         return self.place(view, self.xy) + np.array([self.moved[0], -self.moved[1]])
 
-    def box(self, view: View) -> Box:
+    def box(self, view: DataView) -> Box:
         """Its estimated box on the sheet."""
         x, y = (float(v) for v in self.where(view))
         return self.look.box(x, y, self.text)
 
-    def room(self, view: View) -> Array:
+    def room(self, view: DataView) -> Array:
         return beyond(view.box, self.box(view)) if self.place is in_axes else np.zeros(4)
 
-    def draw(self, canvas: Canvas, view: View) -> None:
+    def draw(self, canvas: Canvas, view: DataView) -> None:
         x, y = (float(v) for v in self.where(view))
         if 0 <= x <= canvas.width and 0 <= y <= canvas.height:  # else their point is not to be seen
             canvas.text(x, y, self.text, self.look)
 
-    def ink(self, view: View) -> Array:
+    def ink(self, view: DataView) -> Array:
         left, top, right, bottom = self.box(view)
         return np.array([[left, (left + right) / 2, right] * 2, [top] * 3 + [bottom] * 3])
 
@@ -101,7 +101,7 @@ class Arrow(Mark):
     zorder: float = 3.0
     clip: bool = False
 
-    def _ends(self, view: View) -> Array:
+    def _ends(self, view: DataView) -> Array:
         start, end = self.words.where(view), self.place(view, self.xy)
         if self.words.text.strip():
             left, top, right, bottom = self.words.box(view)
@@ -110,7 +110,7 @@ class Arrow(Mark):
             start = inside[0][:, -1] if inside else middle
         return np.stack([start, end], axis=1)
 
-    def draw(self, canvas: Canvas, view: View) -> None:
+    def draw(self, canvas: Canvas, view: DataView) -> None:
         ends = self._ends(view)
         length = float(np.hypot(*(ends[:, 1] - ends[:, 0])))
         if not length > sum(self.gap):

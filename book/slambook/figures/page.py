@@ -41,7 +41,7 @@ _MOVE = (
 )
 
 
-class Picture:
+class StaticPicture:
     """A figure as an inline SVG that follows the page's theme; its text is the description."""
 
     def __init__(self, fig: Any, alt: str) -> None:
@@ -145,14 +145,14 @@ class Sweep:
         return f'<div data-frame="{index}" data-value="{value}"{said}{hidden}>{frame[1]}</div>'
 
 
-def picture(fig: Any, alt: str) -> Picture:
+def picture(fig: Any, alt: str) -> StaticPicture:
     """A figure for the page, shown as the last value of a cell: matplotlib's, or one of map_figure and sensor_figure.
 
     It is closed, so that a notebook does not show it again. alt: a sentence that says what one sees, for those who
     cannot; it is also the output's text in the notebook.
     """
     _described("picture", alt)
-    return Picture(fig, alt)
+    return StaticPicture(fig, alt)
 
 
 def sweep(draw: Callable[[Any], Any], label: str, values: Iterable[Any], alt: str, start: int | None = None) -> Sweep:

@@ -86,7 +86,7 @@ def spread(low: float, high: float, scale: Linear, tight: tuple[bool, bool] = (F
 
 
 @dataclass(frozen=True)
-class View:
+class DataView:
     """Axes in their place: data to points on the sheet."""
 
     box: Box

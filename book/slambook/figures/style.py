@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from slambook.figures.colors import color_named, colors, paint
-from slambook.figures.markers import MARKERS, Look, Marker
+from slambook.figures.markers import MARKERS, Marker, MarkerStyle
 from slambook.figures.paths import number
 from slambook.figures.words import Lettering
 from slamlib.errors import SlamlibError, UnknownNameError
@@ -159,7 +159,7 @@ def marker_of(style: dict[str, Any], color: str) -> Marker | None:
         raise UnknownNameError.of("marker", name, MARKERS)
     edge, face = (color_named(style.get(k) or color) for k in ("markeredgecolor", "markerfacecolor"))
     size, width = positive(style, "markersize", 6.0), positive(style, "markeredgewidth", 1.0)
-    return Marker(MARKERS[name], Look(edge, face, size, width, alpha_of(style)))
+    return Marker(MARKERS[name], MarkerStyle(edge, face, size, width, alpha_of(style)))
 
 
 def lettering_of(style: dict[str, Any]) -> Lettering:

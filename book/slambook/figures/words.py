@@ -51,7 +51,7 @@ _ANCHORS = {"left": "start", "center": "middle", "right": "end"}
 
 
 @dataclass(frozen=True)
-class Run:
+class TextRun:
     """A piece of a line: its text, whether it is raised (1), lowered (-1) or neither (0), whether it is slanted."""
 
     text: str
@@ -60,24 +60,24 @@ class Run:
 
 
 @lru_cache(maxsize=4096)
-def runs(line: str) -> tuple[Run, ...]:
+def runs(line: str) -> tuple[TextRun, ...]:
     """The pieces of a line; what stands between two dollar signs is mathematics. Raises UnknownNameError."""
     parts = line.split("$")
     if len(parts) % 2 == 0:  # a single dollar sign is one
         parts = [line]
-    found: list[Run] = []
+    found: list[TextRun] = []
     for i, part in enumerate(parts):
-        found += _mathematics(part) if i % 2 else [Run(part)] if part else []
+        found += _mathematics(part) if i % 2 else [TextRun(part)] if part else []
     return tuple(found)
 
 
-def _mathematics(source: str) -> list[Run]:
-    found: list[Run] = []
+def _mathematics(source: str) -> list[TextRun]:
+    found: list[TextRun] = []
     for mark, group, command, escaped, plain in _PIECE.findall(source):
         text = _symbol(command) if command else (escaped[1:] or plain or re.sub(r"\\[A-Za-z]+ ?", _replaced, group))
-        run = Run(text.replace("-", "\N{MINUS SIGN}"), {"^": 1, "_": -1}.get(mark, 0), text.isalpha())
+        run = TextRun(text.replace("-", "\N{MINUS SIGN}"), {"^": 1, "_": -1}.get(mark, 0), text.isalpha())
         if found and (found[-1].level, found[-1].italic) == (run.level, run.italic):
-            run = Run(found.pop().text + run.text, run.level, run.italic)
+            run = TextRun(found.pop().text + run.text, run.level, run.italic)
         found.append(run)
     return found
 

@@ -2,22 +2,22 @@
 
 from slambook.rendering.effects import NO_EFFECTS, Effects
 from slambook.rendering.film import Film, film
-from slambook.rendering.furnished import LOOKS, default_room
-from slambook.rendering.hand import hand_held
-from slambook.rendering.paths import PATHS, Path, path
+from slambook.rendering.furnished import ROOM_STYLES, default_room
+from slambook.rendering.hand import rig_along_path
+from slambook.rendering.paths import PATHS, CameraPath, path
 from slambook.rendering.quads import Room, TexturedQuad
 from slambook.rendering.renderer import Rendered, Renderer, render
 from slambook.rendering.saving import save_film
 from slambook.rendering.textures import PHOTOGRAPHS, Texture, photograph
 
 __all__ = [
-    "LOOKS",
     "NO_EFFECTS",
     "PATHS",
     "PHOTOGRAPHS",
+    "ROOM_STYLES",
+    "CameraPath",
     "Effects",
     "Film",
-    "Path",
     "Rendered",
     "Renderer",
     "Room",
@@ -25,9 +25,9 @@ __all__ = [
     "TexturedQuad",
     "default_room",
     "film",
-    "hand_held",
     "path",
     "photograph",
     "render",
+    "rig_along_path",
     "save_film",
 ]

@@ -9,7 +9,7 @@ from slambook.rendering.textures import LEVELS
 from slamlib.manifolds import Image
 
 
-class Atlas:
+class TextureAtlas:
     """The pyramids of the quads' textures; entry i of the tables belongs to quad i, the one behind the last to black.
 
     A sample's row in the tables of levels is quad * LEVELS + level.

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from slambook.rendering.effects import Chip, Effects
-from slambook.rendering.paths import Path
+from slambook.rendering.paths import CameraPath
 from slambook.rendering.quads import Room
 from slambook.rendering.renderer import Renderer
 from slamlib.data.records import Control, Frame, Scan, Truth
@@ -13,7 +13,7 @@ from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.geometry.pose import Pose, compose, relative
 from slamlib.geometry.quaternion import logarithm
-from slamlib.kalman.linalg import frozen
+from slamlib.kalman.linalg import read_only_copy
 from slamlib.manifolds import Array
 from slamlib.simulation.draws import Streams, drawn, root, streams
 
@@ -46,7 +46,7 @@ class Film:
         self,
         room: Room,
         rig: Rig,
-        path: Path,
+        path: CameraPath,
         *,
         frames: int,
         dt: float,
@@ -65,29 +65,29 @@ class Film:
 
     def __iter__(self) -> Iterator[tuple[Frame, Truth]]:
         own, setup = self._streams(), self.rig.robots[0]
-        mounts = self._mounts(own[1:])
+        all_extrinsics = self._mounts(own[1:])
         chips = [
             Chip(self.effects, r.tiles.size, s["points"], s["faults"])
             for r, s in zip(self.renderers, own[1:], strict=True)
         ]
-        size = setup.model.space.size
+        size = setup.model.manifold.size
         for number in range(1, self.frames + 1):
             before, after = (self.path.state((number - i) * self.dt) for i in (1, 0))
             control = TOLD[setup.model.name](before[:7], after[:7], setup, own[0]["control"])
-            light = (self._light(j, mount, number * self.dt) for j, mount in enumerate(mounts))
+            light = (self._light(j, extrinsics, number * self.dt) for j, extrinsics in enumerate(all_extrinsics))
             images = [chip.expose(seen, self.dt) for chip, seen in zip(chips, light, strict=True)]
             scans = tuple(Scan(image=image) for image in images)
-            yield Frame(number, self.dt, (control,), scans), Truth((frozen(after[:size]),), mounts)
+            yield Frame(number, self.dt, (control,), scans), Truth((read_only_copy(after[:size]),), all_extrinsics)
 
     def truth_of(self, truth: Truth, pixels: Array, sensor: int = 0) -> Array:
         """The points (n, 3) [m] of the room that a sensor sees at pixels (n, 2) of a frame; nan where nothing is."""
-        camera = compose(truth.robots[0][:7], truth.mounts[sensor])
+        camera = compose(truth.robots[0][:7], truth.extrinsics[sensor])
         return self.renderers[sensor].seen(camera, pixels)
 
-    def _light(self, sensor: int, mount: Array, time: float) -> Array:
+    def _light(self, sensor: int, extrinsics: Array, time: float) -> Array:
         """What falls on the chip, the mean over the exposure, which is cut at the path's ends."""
         moments = np.clip(time + self.effects.moments, 0, self.path.duration)
-        cameras = (compose(self.path.pose(moment), mount) for moment in moments)
+        cameras = (compose(self.path.pose(moment), extrinsics) for moment in moments)
         return np.mean([self.renderers[sensor].render(camera).image for camera in cameras], axis=0)
 
     def _streams(self) -> list[Streams]:
@@ -96,13 +96,15 @@ class Film:
     def _mounts(self, own: list[Streams]) -> tuple[Array, ...]:
         """Where the sensors sit in truth: drawn, where the filter does not know."""
         sensors = zip(self.rig.sensors, own, strict=True)
-        return tuple(frozen(drawn(Pose, s.mount, s.covariance, stream["mount"])) for s, stream in sensors)
+        return tuple(
+            read_only_copy(drawn(Pose, s.extrinsics, s.covariance, stream["extrinsics"])) for s, stream in sensors
+        )
 
 
 def film(
     room: Room,
     rig: Rig,
-    path: Path,
+    path: CameraPath,
     *,
     frames: int,
     dt: float = 1 / 30,
@@ -138,7 +140,7 @@ def _optics(setup: SensorSetup) -> str:
     return repr((setup.type, setup.image, sorted(setup.parameters.items()), sorted(setup.limits.items())))
 
 
-def _check(rig: Rig, path: Path, frames: int, dt: float, effects: Effects) -> None:
+def _check(rig: Rig, path: CameraPath, frames: int, dt: float, effects: Effects) -> None:
     """Raise SlamlibError for what cannot be filmed."""
     if len(rig.robots) != 1:
         raise SlamlibError(f"film: a rig with one robot is filmed at a time, got {len(rig.robots)}")

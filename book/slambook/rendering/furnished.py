@@ -18,7 +18,7 @@ GAP = 0.004  # [m] between a poster and its wall
 
 
 @dataclass(frozen=True)
-class Look:
+class RoomStyle:
     """The textures of a room by use: one each for the walls, floor and ceiling, and several to hang up and to box."""
 
     floor: Texture
@@ -28,8 +28,8 @@ class Look:
     boxes: tuple[Texture, ...]
 
 
-def _drawn_look(rng: np.random.Generator) -> Look:
-    return Look(
+def _drawn_look(rng: np.random.Generator) -> RoomStyle:
+    return RoomStyle(
         drawing.terrazzo(rng),
         drawing.blank(rng),
         tuple(drawing.plaster(rng, shapes=n) for n in (240, 240, 50, 240)),
@@ -38,10 +38,10 @@ def _drawn_look(rng: np.random.Generator) -> Look:
     )
 
 
-def _photographic_look(rng: np.random.Generator) -> Look:
+def _photographic_look(rng: np.random.Generator) -> RoomStyle:
     """The photographs; walls stay drawn but one, since a photograph of plaster is not among them."""
     names = ("astronaut", "coffee", "motorcycle_left", "camera", "chelsea", "page", "coins", "ihc", "moon", "astronaut")
-    return Look(
+    return RoomStyle(
         photograph("gravel"),
         drawing.blank(rng),
         (drawing.plaster(rng), photograph("brick"), drawing.plaster(rng, shapes=50), drawing.plaster(rng)),
@@ -50,7 +50,10 @@ def _photographic_look(rng: np.random.Generator) -> Look:
     )
 
 
-LOOKS: dict[str, Callable[[np.random.Generator], Look]] = {"drawn": _drawn_look, "photographs": _photographic_look}
+ROOM_STYLES: dict[str, Callable[[np.random.Generator], RoomStyle]] = {
+    "drawn": _drawn_look,
+    "photographs": _photographic_look,
+}
 
 
 def default_room(textures: str = "drawn", seed: int = 1) -> Room:
@@ -58,16 +61,18 @@ def default_room(textures: str = "drawn", seed: int = 1) -> Room:
 
     textures: "drawn", which needs NumPy alone, or "photographs", which scikit-image ships. Raises SlamlibError.
     """
-    if textures not in LOOKS:
-        raise UnknownNameError.of("textures", textures, LOOKS)
-    look = LOOKS[textures](np.random.default_rng(seed))
-    return Room([*_shell(look), *_hall(look), *_pictures(look), *_furniture(look)])
+    if textures not in ROOM_STYLES:
+        raise UnknownNameError.of("textures", textures, ROOM_STYLES)
+    style = ROOM_STYLES[textures](np.random.default_rng(seed))
+    return Room([*_shell(style), *_hall(style), *_pictures(style), *_furniture(style)])
 
 
-def _wall(texture: Texture, left: tuple[float, float], right: tuple[float, float], z: float, Z: float) -> TexturedQuad:
+def _wall(
+    texture: Texture, left: tuple[float, float], right: tuple[float, float], z: float, top: float
+) -> TexturedQuad:
     """Upright, from left to right (x, y) as one sees it, from z up to Z [m]."""
     along = np.array([right[0] - left[0], right[1] - left[1], 0.0])
-    return TexturedQuad(np.array([*left, Z]), along, np.array([0, 0, z - Z]), texture)
+    return TexturedQuad(np.array([*left, top]), along, np.array([0, 0, z - top]), texture)
 
 
 def _level(texture: Texture, x: float, X: float, y: float, Y: float, z: float) -> TexturedQuad:
@@ -88,17 +93,17 @@ def _dim(quad: TexturedQuad, light: float, outlined: bool = False) -> TexturedQu
     return TexturedQuad(quad.corner, quad.edge_u, quad.edge_v, quad.texture, light, outlined)
 
 
-def _shell(look: Look) -> list[TexturedQuad]:
+def _shell(style: RoomStyle) -> list[TexturedQuad]:
     """Floor, ceiling, three whole walls, and the wall x = 3 in four parts round the window."""
     x, y = LENGTH / 2, WIDTH / 2
-    front, left, back, right = look.walls
+    front, left, back, right = style.walls
     ahead = _wall(front, (x, y), (x, -y), 0, HEIGHT)
     edges = (y - WINDOW[1]) / WIDTH, (y - WINDOW[0]) / WIDTH, 1 - WINDOW[3] / HEIGHT, 1 - WINDOW[2] / HEIGHT
     u, U, v, V = edges
     round_window = [(0, u, 0, 1), (U, 1, 0, 1), (u, U, 0, v), (u, U, V, 1)]
     whole = [
-        (_level(look.floor, -x, x, -y, y, 0), 0.9),
-        (_level(look.ceiling, -x, x, -y, y, HEIGHT), 1.0),
+        (_level(style.floor, -x, x, -y, y, 0), 0.9),
+        (_level(style.ceiling, -x, x, -y, y, HEIGHT), 1.0),
         (_wall(left, (-x, y), (x, y), 0, HEIGHT), 0.85),
         (_wall(back, (-x, -y), (-x, y), 0, HEIGHT), 0.8),
         (_wall(right, (x, -y), (-x, -y), 0, HEIGHT), 0.95),
@@ -106,23 +111,23 @@ def _shell(look: Look) -> list[TexturedQuad]:
     return [_part(ahead, *p, light=0.9) for p in round_window] + [_dim(q, light) for q, light in whole]
 
 
-def _hall(look: Look) -> list[TexturedQuad]:
+def _hall(style: RoomStyle) -> list[TexturedQuad]:
     """What is seen through the window: a hall that ends far away, with pictures at its end."""
-    x, y, Y, Z = LENGTH / 2, -4.0, 4.0, 4.0
+    x, y, Y, top = LENGTH / 2, -4.0, 4.0, 4.0
     parts = [
-        (_wall(look.boxes[2], (FAR, Y), (FAR, y), 0, Z), 0.75),
-        (_wall(look.walls[1], (x, Y), (FAR, Y), 0, Z), 0.6),
-        (_wall(look.walls[2], (FAR, y), (x, y), 0, Z), 0.7),
-        (_level(look.floor, x, FAR, y, Y, 0), 0.6),
-        (_level(look.ceiling, x, FAR, y, Y, Z), 0.7),
+        (_wall(style.boxes[2], (FAR, Y), (FAR, y), 0, top), 0.75),
+        (_wall(style.walls[1], (x, Y), (FAR, Y), 0, top), 0.6),
+        (_wall(style.walls[2], (FAR, y), (x, y), 0, top), 0.7),
+        (_level(style.floor, x, FAR, y, Y, 0), 0.6),
+        (_level(style.ceiling, x, FAR, y, Y, top), 0.7),
     ]
-    hung = [_wall(look.pictures[i], (FAR - 0.1, a), (FAR - 0.1, a - 1.8), 0.6, 2.4) for i, a in ((6, 3.2), (8, -0.6))]
+    hung = [_wall(style.pictures[i], (FAR - 0.1, a), (FAR - 0.1, a - 1.8), 0.6, 2.4) for i, a in ((6, 3.2), (8, -0.6))]
     return [_dim(q, light) for q, light in parts] + [_dim(q, 0.9, outlined=True) for q in hung]
 
 
-def _pictures(look: Look) -> list[TexturedQuad]:
+def _pictures(style: RoomStyle) -> list[TexturedQuad]:
     """Posters of several sizes on the four walls; the wall x = -3 has one only, and is the poor one."""
-    x, y, p = LENGTH / 2 - GAP, WIDTH / 2 - GAP, look.pictures
+    x, y, p = LENGTH / 2 - GAP, WIDTH / 2 - GAP, style.pictures
     return [
         _wall(p[0], (x, 2.3), (x, 1.3), 0.9, 1.9),
         _wall(p[1], (x, 1.2), (x, 0.85), 1.35, 1.75),
@@ -139,9 +144,9 @@ def _pictures(look: Look) -> list[TexturedQuad]:
     ]
 
 
-def _furniture(look: Look) -> list[TexturedQuad]:
+def _furniture(style: RoomStyle) -> list[TexturedQuad]:
     """Boxes on the floor: two before the wall x = 3, one in the middle of the room, one in a corner."""
-    b = look.boxes
+    b = style.boxes
     return [
         *_box((2.3, -1.2), (0.5, 0.7), 0.0, 0.75, 0.2, (b[0], b[1])),
         *_box((2.5, 1.6), (0.6, 0.6), 0.0, 0.6, -0.3, (b[2], b[3])),
@@ -154,7 +159,7 @@ def _box(
     center: tuple[float, float],
     size: tuple[float, float],
     z: float,
-    Z: float,
+    top: float,
     turn: float,
     textures: tuple[Texture, Texture],
 ) -> list[TexturedQuad]:
@@ -163,9 +168,9 @@ def _box(
     half = np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]]) * np.array(size) / 2
     corners: Array = half @ np.array([[c, s], [-s, c]]) + np.array(center)
     ends = [(tuple(corners[i - 3]), tuple(corners[i])) for i in range(4)]
-    sides = [_wall(textures[i % 2], *ends[i], z, Z) for i in range(4)]
+    sides = [_wall(textures[i % 2], *ends[i], z, top) for i in range(4)]
     edges = np.zeros((2, 3))
     edges[:, :2] = corners[[3, 1]] - corners[0]
-    top = TexturedQuad(np.array([*corners[0], Z]), edges[0], edges[1], textures[0])
+    top = TexturedQuad(np.array([*corners[0], top]), edges[0], edges[1], textures[0])
     lit = zip(sides, (1.0, 0.75, 0.6, 0.85), strict=True)
     return [*(_dim(side, light, outlined=True) for side, light in lit), top]

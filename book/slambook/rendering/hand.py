@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from slambook.rendering.paths import Path
+from slambook.rendering.paths import CameraPath
 from slamlib.data.setup import Numbers, Rig, RobotSetup, SensorSetup
 
 IMAGE: Numbers = (320.0, 240.0)
@@ -13,8 +13,8 @@ LENS: dict[str, Numbers] = {"intrinsics": (159.5, 119.5, 260.0, 260.0), "distort
 IMPULSES: Numbers = (0.015, 0.015, 0.015, 0.6, 0.6, 0.6)
 
 
-def hand_held(
-    path: Path,
+def rig_along_path(
+    path: CameraPath,
     *,
     baseline: float | None = None,
     motion: str = "constVel",

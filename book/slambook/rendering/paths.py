@@ -12,12 +12,12 @@ import numpy as np
 
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.geometry.euler import to_quaternion
-from slamlib.kalman.linalg import finite, frozen, numbers
+from slamlib.kalman.linalg import finite, numbers, read_only_copy
 from slamlib.manifolds import Array
 
 
 @dataclass(frozen=True, eq=False)
-class Path:
+class CameraPath:
     """times (n,) [s], rising, and knots (n, 6): position [m], then roll, pitch, yaw [rad], which may exceed a turn."""
 
     times: Array
@@ -27,9 +27,9 @@ class Path:
         times, knots = numbers(self.times, "Path", "times"), numbers(self.knots, "Path", "knots")
         if times.ndim != 1 or len(times) < 3 or not (np.diff(times) > 0).all():
             raise SlamlibError("Path: times are three or more, each after the one before")
-        object.__setattr__(self, "times", frozen(finite(times, times.shape, "Path", "times")))
-        object.__setattr__(self, "knots", frozen(finite(knots, (len(times), 6), "Path", "knots")))
-        object.__setattr__(self, "_bends", frozen(_bends(times, knots)))
+        object.__setattr__(self, "times", read_only_copy(finite(times, times.shape, "Path", "times")))
+        object.__setattr__(self, "knots", read_only_copy(finite(knots, (len(times), 6), "Path", "knots")))
+        object.__setattr__(self, "_bends", read_only_copy(_bends(times, knots)))
 
     _bends: Any = None
 
@@ -87,20 +87,20 @@ RAMP = 1.0  # [s] from standing still to full speed
 HAND = 1.3  # [m]: the height of a camera in a hand
 
 
-def sideways(duration: float = 12.0, speed: float = 0.5, swing: float = 0.9) -> Path:
+def sideways(duration: float = 12.0, speed: float = 0.5, swing: float = 0.9) -> CameraPath:
     """To and fro before the wall x = 3 with its posters and the window, looking at it.
 
     From y = swing to -swing [m] and back, with `speed` [m/s] in the middle.
     """
     times = _times(duration)
-    return Path(times, _swept(times, speed, swing))
+    return CameraPath(times, _swept(times, speed, swing))
 
 
-def still_then_move(duration: float = 12.0, still: float = 1.0, speed: float = 0.5, swing: float = 0.9) -> Path:
+def still_then_move(duration: float = 12.0, still: float = 1.0, speed: float = 0.5, swing: float = 0.9) -> CameraPath:
     """As sideways, after so many seconds [s] in which nothing moves (by more than a hundredth of a millimetre)."""
     times = np.linspace(0, duration, 2 * len(_times(duration)) - 1)
     moving = np.maximum(times - still, 0)
-    return Path(times, _swept(np.where(moving < RAMP, moving**2 / (2 * RAMP), moving - RAMP / 2), speed, swing))
+    return CameraPath(times, _swept(np.where(moving < RAMP, moving**2 / (2 * RAMP), moving - RAMP / 2), speed, swing))
 
 
 def _swept(times: Array, speed: float, swing: float) -> Array:
@@ -108,12 +108,12 @@ def _swept(times: Array, speed: float, swing: float) -> Array:
     return _hand(times, np.column_stack([0 * y + 0.9, y, 0 * y, 0 * y, 0 * y, 0 * y]))
 
 
-def around(duration: float = 30.0, radius: float = 1.0) -> Path:
+def around(duration: float = 30.0, radius: float = 1.0) -> CameraPath:
     """Once round the room, looking outwards, back to the start in place and attitude, then half a second more of it."""
     times = _times(duration)
     turn = 2 * np.pi * times / (duration - 0.5)
     flat = np.column_stack([radius * np.cos(turn), radius * np.sin(turn), 0 * turn, 0 * turn, 0.12 + 0 * turn, turn])
-    return Path(times, _hand(times, flat, period=duration - 0.5))
+    return CameraPath(times, _hand(times, flat, period=duration - 0.5))
 
 
 def _times(duration: float) -> Array:
@@ -131,10 +131,10 @@ def _hand(times: Array, knots: Array, period: float = 12.0) -> Array:
     return knots + sway + np.array([0, 0, HAND, 0, 0, 0])
 
 
-PATHS: dict[str, Callable[..., Path]] = {"sideways": sideways, "round": around, "still": still_then_move}
+PATHS: dict[str, Callable[..., CameraPath]] = {"sideways": sideways, "round": around, "still": still_then_move}
 
 
-def path(name: str, **arguments: Any) -> Path:
+def path(name: str, **arguments: Any) -> CameraPath:
     """The path of a name (PATHS) through the default room: path("sideways", duration=12)."""
     if name not in PATHS:
         raise UnknownNameError.of("path", name, PATHS)

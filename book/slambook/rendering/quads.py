@@ -9,7 +9,7 @@ import numpy as np
 from slambook.rendering.textures import Texture
 from slamlib.data.records import World
 from slamlib.errors import SlamlibError
-from slamlib.kalman.linalg import finite, frozen
+from slamlib.kalman.linalg import finite, read_only_copy
 from slamlib.manifolds import Array
 from slamlib.simulation.worlds import numbered
 
@@ -33,7 +33,7 @@ class TexturedQuad:
 
     def __post_init__(self) -> None:
         for name in ("corner", "edge_u", "edge_v"):
-            object.__setattr__(self, name, frozen(finite(getattr(self, name), (3,), "TexturedQuad", name)))
+            object.__setattr__(self, name, read_only_copy(finite(getattr(self, name), (3,), "TexturedQuad", name)))
         if not np.linalg.norm(np.cross(self.edge_u, self.edge_v)) > SAME**2:
             raise SlamlibError("TexturedQuad: edge_u and edge_v span no area")
         if not 0 <= self.light <= 1:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slambook.rendering.atlas import Atlas
+from slambook.rendering.atlas import TextureAtlas
 from slambook.rendering.quads import Room
 from slambook.rendering.rays import Tiles, rays, tiles
 from slamlib.errors import SlamlibError
@@ -59,7 +59,7 @@ class Renderer:
             raise SlamlibError(f"Renderer: samples is a whole number, 1 or more, got {samples}")
         self.room, self.calibration, self.samples = room, calibration, samples
         self.tiles: Tiles = tiles(calibration, samples)
-        self.atlas = Atlas(room.quads)
+        self.atlas = TextureAtlas(room.quads)
         self.corners = np.stack([q.corners for q in room.quads])
         sides = np.array([[np.linalg.norm(q.edge_u), np.linalg.norm(q.edge_v)] for q in room.quads])
         self.texel = np.sqrt((sides / self.atlas.size).prod(1))  # [m], across

@@ -43,7 +43,7 @@ def save_film(folder: str | os.PathLike[str], film: Film) -> Path:
         times.append(frame.number * frame.dt)
         for camera, scan in enumerate(frame.scans):
             _picture(cv2, root / f"image_{camera}" / f"{frame.number:06d}.png", scan.image)
-            poses[camera].append(compose(truth.robots[0][:7], truth.mounts[camera]))
+            poses[camera].append(compose(truth.robots[0][:7], truth.extrinsics[camera]))
     for camera, path in enumerate(poses):
         write_tum(root / f"groundtruth_{camera}.txt", Trajectory(np.array(times), np.array(path)))
     write_whole(root / "calibration.json", json.dumps(film.rig.to_dict(), indent=2) + "\n")

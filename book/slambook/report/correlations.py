@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slambook.report.filter import Memory, Together
+from slambook.report.filter import BatchUpdateFilter, Memory
 from slambook.report.memory import ring
 from slambook.report.runs import DOF, Outcome, monte_carlo
 from slambook.report.scenes import Scene
@@ -20,11 +20,11 @@ from slamlib.manifolds import Array
 class Odometry(Memory):
     """A memory that never corrects: pose by odometry alone, landmarks where they were first seen from it."""
 
-    def correct(self, seen: Array, names: list[int], R: Array) -> None:
+    def update(self, seen: Array, names: list[int], R: Array) -> None:
         """Nothing."""
 
 
-WAYS = {"SLAM": Together, "odometry": Odometry}
+WAYS = {"SLAM": BatchUpdateFilter, "odometry": Odometry}
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +52,7 @@ class Compared:
 
 
 @dataclass(frozen=True)
-class Row:
+class CorrelationRow:
     """A line of the table: which numbers with which, how many pairs, and root mean squares over them.
 
     correlation: as the filter says; difference: measured minus said; sampling: what `difference` would be by the number
@@ -92,7 +92,7 @@ def normalised(P: Array) -> Array:
     return P / np.outer(sigma, sigma)
 
 
-def table(found: Compared) -> list[Row]:
+def table(found: Compared) -> list[CorrelationRow]:
     """Landmark with landmark, landmark with robot, and the robot's six numbers among themselves."""
     owner = np.concatenate([np.full(DOF, -1), np.repeat(np.arange((len(found.claimed) - DOF) // 3), 3)])
     first, second = np.triu_indices(len(owner), 1)
@@ -107,10 +107,10 @@ def table(found: Compared) -> list[Row]:
     return [_row(what, found, first[chosen], second[chosen]) for what, chosen in groups.items()]
 
 
-def _row(what: str, found: Compared, i: Array, j: Array) -> Row:
+def _row(what: str, found: Compared, i: Array, j: Array) -> CorrelationRow:
     rho, difference, z = found.claimed[i, j], (found.measured - found.claimed)[i, j], found.z[i, j]
     sampling = (1 - rho**2) / np.sqrt(found.runs)  # of a correlation over so many runs, to first order
-    return Row(what, len(i), rms(rho), rms(difference), rms(sampling), rms(z), float(np.abs(rho).max()))
+    return CorrelationRow(what, len(i), rms(rho), rms(difference), rms(sampling), rms(z), float(np.abs(rho).max()))
 
 
 def rms(values: Array) -> float:

@@ -8,7 +8,7 @@ seen; when few particles hold most of the weight they are drawn again, and with 
 import numpy as np
 
 from slambook.report.angles import wrapped
-from slambook.report.planar import Data, Look, moved, placed, seen, seen_by_point
+from slambook.report.planar import Data, PlanarScan, moved, placed, seen, seen_by_point
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Indices
 
@@ -33,16 +33,16 @@ class FastSlam:
         self.log_weights = np.full(n, -np.log(n))
         self.parents: list[Indices] = []
         self.effective: list[float] = []
-        self._begin(data.looks[0])
+        self._initialize(data.scans[0])
 
-    def step(self, u: Array, look: Look) -> None:
+    def step(self, u: Array, scan: PlanarScan) -> None:
         """Odometry u (3,), then what is seen; draws the particles again first if the last step left few of them."""
         self._draw_again()
         noise = self._motion_std * self._rng.standard_normal(self.poses.shape)
         self.poses = moved(self.poses, u + noise)
-        old = self.known[look.names]
-        self._correct(look.names[old], look.z[old])
-        self._begin(Look(look.names[~old], look.z[~old]))
+        old = self.known[scan.names]
+        self._update(scan.names[old], scan.z[old])
+        self._initialize(PlanarScan(scan.names[~old], scan.z[~old]))
         self.effective.append(float(1 / (self.weights**2).sum()))
 
     @property
@@ -50,7 +50,7 @@ class FastSlam:
         """Weights (N,), of sum 1."""
         return np.exp(self.log_weights)
 
-    def _correct(self, names: Indices, z: Array) -> None:
+    def _update(self, names: Indices, z: Array) -> None:
         """Each particle's weight times the density of what is seen, and each landmark's Kalman filter."""
         m, C = self.means[:, names], self.covariances[:, names]
         H = seen_by_point(self.poses, m)
@@ -67,13 +67,13 @@ class FastSlam:
         logs -= logs.max()
         self.log_weights = logs - np.log(np.exp(logs).sum())
 
-    def _begin(self, look: Look) -> None:
+    def _initialize(self, scan: PlanarScan) -> None:
         """New landmarks: every particle puts them where it sees them; the weights stay."""
-        m = placed(self.poses, look.z)
+        m = placed(self.poses, scan.z)
         by_z, _ = _inverse(seen_by_point(self.poses, m))
-        self.means[:, look.names] = m
-        self.covariances[:, look.names] = by_z @ self._R @ by_z.swapaxes(-1, -2)
-        self.known[look.names] = True
+        self.means[:, scan.names] = m
+        self.covariances[:, scan.names] = by_z @ self._R @ by_z.swapaxes(-1, -2)
+        self.known[scan.names] = True
 
     def _draw_again(self) -> None:
         parents: Indices = np.arange(len(self.poses))
@@ -112,8 +112,8 @@ class FastSlam:
 def systematic(weights: Array, rng: np.random.Generator) -> Indices:
     """Numbers (N,) of the particles drawn: each floor or ceiling of N times its weight, by one random number."""
     n = len(weights)
-    ends = np.cumsum(weights)
-    return np.minimum(np.searchsorted(ends / ends[-1], (np.arange(n) + rng.random()) / n, side="right"), n - 1)
+    stops = np.cumsum(weights)
+    return np.minimum(np.searchsorted(stops / stops[-1], (np.arange(n) + rng.random()) / n, side="right"), n - 1)
 
 
 def _inverse(matrix: Array) -> tuple[Array, Array]:

@@ -1,6 +1,7 @@
 """The filter of the report's chapter 5: prediction, correction number by number, new landmarks, and what it forgets.
 
-`Together` is the same filter, corrected, with one correction by all numbers of a picture: the same result, sooner.
+`BatchUpdateFilter` is the same filter, corrected, with one correction by all numbers of a picture: the same result,
+sooner.
 """
 
 from dataclasses import dataclass, field
@@ -46,7 +47,7 @@ class Memory:
         self.P[..., :6, :6] = use.pose_block(rows[..., :6] @ F.swapaxes(-1, -2), Q)  # (5.23)
         self._old, self.x[..., :6] = old, new
 
-    def correct(self, seen: Array, names: list[int], R: Array) -> None:
+    def update(self, seen: Array, names: list[int], R: Array) -> None:
         """(5.24) to (5.32): points (runs, m, 3) relative to the robot, their landmarks, and R (..., m, 3, 3)."""
         use, x0, P0 = self.use, self.x.copy(), self.P.copy()
         places = [self.names.index(name) for name in names]
@@ -79,7 +80,7 @@ class Memory:
         self.x += K * innovation[..., None]  # (5.31)
         self.P -= (S[..., None] * K)[..., :, None] * K[..., None, :]  # (5.32)
 
-    def begin(self, seen: Array, names: list[int], R: Array, first: bool = False) -> None:
+    def initialize(self, seen: Array, names: list[int], R: Array, first: bool = False) -> None:
         """(5.33) to (5.35): new landmarks from points (runs, m, 3) relative to the robot; first: at k = 0."""
         pose, m, n = self.x[..., :6], len(names), self.x.shape[-1]
         J, Jz = placed_by_pose(pose, seen).reshape(*seen.shape[:-2], 3 * m, 6), rotation(pose[..., 3:])[..., None, :, :]
@@ -96,7 +97,7 @@ class Memory:
         self.x = np.concatenate([self.x, placed(pose, seen).reshape(*seen.shape[:-2], 3 * m)], -1)
         self.P, self.names = P, [*self.names, *names]
 
-    def forget(self) -> None:
+    def prune(self) -> None:
         """Section 5.4: what is left of map and covariance before the next picture."""
         self.x, self.P, self.names = self.use.memory(self.x, self.P, self.names)
 
@@ -107,15 +108,15 @@ class Memory:
 
 
 @dataclass
-class Together(Memory):
-    """A Memory whose `correct` is (3.10) to (3.14): equal to number by number but for rounding (E25).
+class BatchUpdateFilter(Memory):
+    """A Memory whose `update` is (3.10) to (3.14): equal to number by number but for rounding (E25).
 
     Its correction has the corrected equations, whatever else is turned on. Many runs side by side are ten times as
     quick with it, because the covariance is touched once a picture.
     """
 
-    def correct(self, seen: Array, names: list[int], R: Array) -> None:
-        """As Memory.correct."""
+    def update(self, seen: Array, names: list[int], R: Array) -> None:
+        """As Memory.update."""
         if not names:
             return
         points, m = self.points[..., [self.names.index(name) for name in names], :], len(names)

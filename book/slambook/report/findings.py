@@ -17,7 +17,7 @@ RUNS, SEED = 20, 0
 
 
 @dataclass(frozen=True)
-class Figure:
+class AuditFigure:
     """One number: what it is, as measured now, between which limits it must lie, and what the list says of it.
 
     `corrected`: the list's figure is not what comes out; `remark` says why.
@@ -44,56 +44,56 @@ class Figure:
         return f"at most {self.high:.2g}" if self.low == -inf else f"{self.low:.4g} to {self.high:.4g}"
 
 
-def near(what: str, measured: float, listed: float, tolerance: float, remark: str = "") -> Figure:
+def near(what: str, measured: float, listed: float, tolerance: float, remark: str = "") -> AuditFigure:
     """A figure of the list, which must come out within the tolerance."""
-    return Figure(what, float(measured), listed - tolerance, listed + tolerance, f"{listed:.4g}", remark)
+    return AuditFigure(what, float(measured), listed - tolerance, listed + tolerance, f"{listed:.4g}", remark)
 
 
-def instead(what: str, measured: float, expected: float, tolerance: float, listed: str, remark: str) -> Figure:
+def instead(what: str, measured: float, expected: float, tolerance: float, listed: str, remark: str) -> AuditFigure:
     """A figure of the list that is not right: what is expected in its place, within the tolerance, and why."""
-    return Figure(what, float(measured), expected - tolerance, expected + tolerance, listed, remark, True)
+    return AuditFigure(what, float(measured), expected - tolerance, expected + tolerance, listed, remark, True)
 
 
-def ours(what: str, measured: float, expected: float, tolerance: float, remark: str = "") -> Figure:
+def ours(what: str, measured: float, expected: float, tolerance: float, remark: str = "") -> AuditFigure:
     """A figure that the list does not have."""
-    return Figure(what, float(measured), expected - tolerance, expected + tolerance, "", remark)
+    return AuditFigure(what, float(measured), expected - tolerance, expected + tolerance, "", remark)
 
 
-def at_least(what: str, measured: float, least: float, listed: str = "", remark: str = "") -> Figure:
+def at_least(what: str, measured: float, least: float, listed: str = "", remark: str = "") -> AuditFigure:
     """An effect that must be this large; `listed` is what the list says of it."""
-    return Figure(what, float(measured), least, inf, listed, remark)
+    return AuditFigure(what, float(measured), least, inf, listed, remark)
 
 
-def at_most(what: str, measured: float, most: float, listed: str = "0") -> Figure:
+def at_most(what: str, measured: float, most: float, listed: str = "0") -> AuditFigure:
     """Something that must vanish, up to rounding."""
-    return Figure(what, float(measured), -inf, most, listed)
+    return AuditFigure(what, float(measured), -inf, most, listed)
 
 
 @dataclass(frozen=True)
-class Finding:
+class AuditFinding:
     """What a check found. `note`: the statistics of its runs, or what was read and where."""
 
-    figures: list[Figure] = field(default_factory=list)
+    figures: list[AuditFigure] = field(default_factory=list)
     note: str = ""
 
 
 @dataclass(frozen=True)
-class Check:
+class AuditCheck:
     """One number of the list: where the report says what, what is right, and the function that finds out."""
 
     number: str
     where: str
     says: str
     right: str
-    run: Callable[[], Finding]
+    run: Callable[[], AuditFinding]
 
 
 @dataclass(frozen=True)
-class Row:
+class AuditRow:
     """A check with its finding."""
 
-    check: Check
-    finding: Finding
+    check: AuditCheck
+    finding: AuditFinding
     seconds: float
 
     @property
@@ -111,14 +111,16 @@ class Row:
         return "corrected" if any(f.corrected for f in self.finding.figures) else "reproduced"
 
 
-CHECKS: dict[str, Check] = {}
+CHECKS: dict[str, AuditCheck] = {}
 
 
-def check(number: str, where: str, says: str, right: str) -> Callable[[Callable[[], Finding]], Callable[[], Finding]]:
+def check(
+    number: str, where: str, says: str, right: str
+) -> Callable[[Callable[[], AuditFinding]], Callable[[], AuditFinding]]:
     """Put a function into the table of checks."""
 
-    def register(run: Callable[[], Finding]) -> Callable[[], Finding]:
-        CHECKS[number] = Check(number, where, says, right, run)
+    def register(run: Callable[[], AuditFinding]) -> Callable[[], AuditFinding]:
+        CHECKS[number] = AuditCheck(number, where, says, right, run)
         return run
 
     return register
@@ -142,10 +144,10 @@ def refused(error: str) -> float:
     filter = Memory(np.zeros((1, 6)), np.zeros((1, 6, 6)), use=equations(error))
     seen = np.random.default_rng(9).uniform(1, 5, (1, 4, 3))
     try:
-        filter.begin(seen, [0, 1, 2, 3], np.eye(3))
+        filter.initialize(seen, [0, 1, 2, 3], np.eye(3))
         filter.predict(np.zeros((1, 6)), np.eye(6))
-        filter.correct(seen, [0, 1, 2, 3], np.eye(3))
-        filter.begin(seen[:, :1], [4], np.eye(3))
+        filter.update(seen, [0, 1, 2, 3], np.eye(3))
+        filter.initialize(seen[:, :1], [4], np.eye(3))
     except ValueError:
         return 1.0
     return 0.0

@@ -18,7 +18,7 @@ SPACING = 4.0  # [m] between landmarks
 
 
 @dataclass(frozen=True, eq=False)
-class Looks:
+class RepeatedObservations:
     """The map's covariance after each of n looks from `first` on, the first after which all L landmarks are known.
 
     start: deviation of the robot's first place [m]; correlation (n, pairs): of any two landmarks; absolute (n, L):
@@ -35,32 +35,38 @@ class Looks:
     bound: float
 
 
-def looking(
-    looks: int = 200,
+def repeated_observations(
+    observations: int = 200,
     landmarks: int = 5,
     *,
     start: float = 0.5,
     motion: float = 0.1,
     noise: float = 0.2,
     reach: float = np.inf,
-) -> Looks:
+) -> RepeatedObservations:
     """So many looks of a robot that goes to and fro, 1 m a step, along landmarks 4 m apart.
 
     start, motion (each step), noise (each number): deviations [m]; reach: how far it sees [m].
     """
-    if landmarks < 3 or looks < 1 or reach < SPACING:
+    if landmarks < 3 or observations < 1 or reach < SPACING:
         raise SlamlibError("looking: three landmarks or more, one look or more, and a reach of 4 m or more")
-    maps = [P for P in _maps(looks, landmarks, start, motion, noise, reach) if len(P) == landmarks]
+    maps = [P for P in _maps(observations, landmarks, start, motion, noise, reach) if len(P) == landmarks]
     if not maps:
-        raise SlamlibError(f"looking: after {looks} looks not all {landmarks} landmarks were seen; look more often")
-    return _looks(np.array(maps), looks - len(maps), start, limit(start, motion, noise / np.sqrt(landmarks)))
+        raise SlamlibError(
+            f"looking: after {observations} looks not all {landmarks} landmarks were seen; look more often"
+        )
+    return _repeated_observations(
+        np.array(maps), observations - len(maps), start, limit(start, motion, noise / np.sqrt(landmarks))
+    )
 
 
-def _maps(looks: int, landmarks: int, start: float, motion: float, noise: float, reach: float) -> Iterator[Array]:
+def _maps(
+    observations: int, landmarks: int, start: float, motion: float, noise: float, reach: float
+) -> Iterator[Array]:
     """The map's covariance after each look, of the landmarks seen so far."""
     places, belief, known = SPACING * np.arange(landmarks), Belief(), 0
     robot = belief.add(1, np.zeros(1), np.array([[start**2]]))
-    for look, where in enumerate(_way(int(places[-1]), looks)):
+    for look, where in enumerate(_way(int(places[-1]), observations)):
         if look:
             belief.predict(robot, robot.mean, np.eye(1), np.array([[motion**2]]))
         seen = np.flatnonzero(np.abs(places - where) <= reach)
@@ -93,24 +99,33 @@ class Common:
 
 
 def common(
-    looks: int = 12, landmarks: int = 5, *, start: float = 0.5, motion: float = 0.1, noise: float = 0.2
+    observations: int = 12, landmarks: int = 5, *, start: float = 0.5, motion: float = 0.1, noise: float = 0.2
 ) -> Common:
     """What landmarks have in common after so many looks, all of them of all landmarks: only where the robot was.
 
     In the information matrix of all poses and landmarks, the sum of what odometry and looks tell, no entry stands
     between two landmarks: given the path they are independent, which FastSLAM lives on.
     """
-    if min(start, motion, noise) <= 0 or looks < 1 or landmarks < 2:
+    if min(start, motion, noise) <= 0 or observations < 1 or landmarks < 2:
         raise SlamlibError("common: deviations above zero, one look or more, and two landmarks or more")
-    n = looks + landmarks  # poses, then landmarks
+    n = observations + landmarks  # poses, then landmarks
     rows = [np.eye(n)[0] / start]
-    rows += [(np.eye(n)[k + 1] - np.eye(n)[k]) / motion for k in range(looks - 1)]
-    rows += [(np.eye(n)[looks + i] - np.eye(n)[k]) / noise for k in range(looks) for i in range(landmarks)]
+    rows += [(np.eye(n)[k + 1] - np.eye(n)[k]) / motion for k in range(observations - 1)]
+    rows += [
+        (np.eye(n)[observations + i] - np.eye(n)[k]) / noise for k in range(observations) for i in range(landmarks)
+    ]
     information = np.array(rows).T @ np.array(rows)
-    keep = np.r_[: looks - 1, looks:n]  # given a pose: its row and column go
+    keep = np.r_[: observations - 1, observations:n]  # given a pose: its row and column go
     P = np.linalg.inv(information)
-    last, path = np.linalg.inv(information[np.ix_(keep, keep)]), np.linalg.inv(information[looks:, looks:])
-    return Common(_largest(P[looks:, looks:]), _largest(last[looks - 1 :, looks - 1 :]), _largest(path))
+    last, path = (
+        np.linalg.inv(information[np.ix_(keep, keep)]),
+        np.linalg.inv(information[observations:, observations:]),
+    )
+    return Common(
+        _largest(P[observations:, observations:]),
+        _largest(last[observations - 1 :, observations - 1 :]),
+        _largest(path),
+    )
 
 
 def _largest(P: Array) -> float:
@@ -118,9 +133,9 @@ def _largest(P: Array) -> float:
     return float(np.abs(normalised(P) - np.eye(len(P))).max())
 
 
-def _way(end: int, looks: int) -> Array:
+def _way(end: int, observations: int) -> Array:
     """To the end and back, again and again, 1 m a step; of those who see everything from the start, too."""
-    steps = np.arange(looks) % (2 * end)
+    steps = np.arange(observations) % (2 * end)
     return np.minimum(steps, 2 * end - steps)
 
 
@@ -129,10 +144,10 @@ def _correct(belief: Belief, rows: Indices, noise: float) -> None:
     if len(rows):
         m = len(rows)
         H = np.concatenate([-np.ones((m, 1)), np.eye(m)], axis=1)
-        belief.correct_rows(np.array([0, *rows]), H, np.zeros(m), noise**2 * np.eye(m))
+        belief.update_rows(np.array([0, *rows]), H, np.zeros(m), noise**2 * np.eye(m))
 
 
-def _looks(P: Array, first: int, start: float, bound: float) -> Looks:
+def _repeated_observations(P: Array, first: int, start: float, bound: float) -> RepeatedObservations:
     """From the map's covariances (n, L, L)."""
     absolute = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))
     i, j = np.triu_indices(P.shape[-1], 1)
@@ -141,4 +156,4 @@ def _looks(P: Array, first: int, start: float, bound: float) -> Looks:
     with np.errstate(invalid="ignore"):
         correlation = (P / absolute[:, :, None] / absolute[:, None, :])[:, i, j]
         beside = between[:, -1, -2] / relative[:, -1] / relative[:, -2]
-    return Looks(start, first, correlation, absolute, relative, beside, bound)
+    return RepeatedObservations(start, first, correlation, absolute, relative, beside, bound)

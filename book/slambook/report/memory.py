@@ -10,7 +10,7 @@ from functools import partial
 
 import numpy as np
 
-from slambook.report.filter import Together
+from slambook.report.filter import BatchUpdateFilter
 from slambook.report.runs import DOF, monte_carlo
 from slambook.report.scenes import Scene, ahead, circle
 from slamlib.errors import UnknownNameError
@@ -21,7 +21,7 @@ ROUND = 60  # steps of the way round
 
 
 @dataclass
-class Window(Together):
+class WindowFilter(BatchUpdateFilter):
     """A memory that forgets a landmark when it has not been seen for `window` pictures; None: never.
 
     window 1 keeps what is in the present picture: two pictures at a time, as in section 5.4, but nothing begins anew.
@@ -40,20 +40,20 @@ class Window(Together):
         super().predict(answer, U)
         self.step += 1
 
-    def correct(self, seen: Array, names: list[int], R: Array) -> None:
-        """As Together.correct; these landmarks have been seen now."""
-        super().correct(seen, names, R)
+    def update(self, seen: Array, names: list[int], R: Array) -> None:
+        """As BatchUpdateFilter.update; these landmarks have been seen now."""
+        super().update(seen, names, R)
         self._seen |= dict.fromkeys(names, self.step)
 
-    def begin(self, seen: Array, names: list[int], R: Array, first: bool = False) -> None:
-        """As Memory.begin; these landmarks have been seen now."""
-        super().begin(seen, names, R, first)
+    def initialize(self, seen: Array, names: list[int], R: Array, first: bool = False) -> None:
+        """As Memory.initialize; these landmarks have been seen now."""
+        super().initialize(seen, names, R, first)
         self._seen |= dict.fromkeys(names, self.step)
         self.sizes.append(len(self.names))
 
-    def forget(self) -> None:
+    def prune(self) -> None:
         """Section 5.4: what the equations forget, and what was not seen for too long."""
-        super().forget()
+        super().prune()
         if self.window is None:
             return
         stays = [self.step - self._seen[name] < self.window for name in self.names]
@@ -127,9 +127,9 @@ def _remembered(name: str, scene: Scene, runs: int, seed: int) -> Remembered:
         raise UnknownNameError.of("way to remember", name, WAYS)
     way = WAYS[name]
     outcome = monte_carlo(
-        scene, *way.errors, runs=runs, seed=seed, again=way.again, make=partial(Window, window=way.window)
+        scene, *way.errors, runs=runs, seed=seed, again=way.again, make=partial(WindowFilter, window=way.window)
     )
     rotation, last = np.degrees(np.sqrt((outcome.turned**2).mean(0))), outcome.last
-    assert isinstance(last, Window)
+    assert isinstance(last, WindowFilter)
     sizes, nees = np.array(last.sizes[1:]), Consistency.of(outcome.nees, DOF)
     return Remembered(name, outcome.position_error, rotation, outcome.claimed_deviation, sizes, nees)

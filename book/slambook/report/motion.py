@@ -8,9 +8,9 @@ from slamlib.manifolds import Array
 from slamlib.motions.euler_composition import compose
 
 
-def by_angles(attitude: Array, u: Array) -> Array:
+def by_angles(orientation: Array, u: Array) -> Array:
     """F14 to F36 of (5.20), as printed: derivatives (..., 3, 3) of R u by yaw, pitch, roll."""
-    (cy, cp, cr), (sy, sp, sr) = np.moveaxis(np.cos(attitude), -1, 0), np.moveaxis(np.sin(attitude), -1, 0)
+    (cy, cp, cr), (sy, sp, sr) = np.moveaxis(np.cos(orientation), -1, 0), np.moveaxis(np.sin(orientation), -1, 0)
     xu, yu, zu = np.moveaxis(u, -1, 0)
     F14 = -sy * cp * xu + (-sy * sp * sr - cy * cr) * yu + (-sy * sp * cr + cy * sr) * zu
     F15 = -cy * sp * xu + cy * cp * sr * yu + cy * cp * cr * zu

@@ -52,7 +52,7 @@ def compiled() -> Iterator[Path]:
         yield program
 
 
-def correct(program: Path, problem: Problem, repeats: int = 5) -> dict[str, Corrected]:
+def run_update(program: Path, problem: Problem, repeats: int = 5) -> dict[str, Corrected]:
     """The correction by MRPT's methods "naive" and "davison"; all observations must have the same variances."""
     n = len(problem.x)
     numbers = [np.array([(n - 6) / 3, len(problem.places)]), problem.x, problem.P, problem.variances[0]]

@@ -84,9 +84,9 @@ def placed(pose: Array, seen: Array) -> Array:
 
 def placed_by_pose(pose: Array, seen: Array) -> Array:
     """Derivative (..., m, 3, 6) of (5.33) by the pose: the identity, and F14 to F36 of (5.20) with z for u (E23)."""
-    attitude = np.broadcast_to(pose[..., None, 3:], seen.shape)
+    orientation = np.broadcast_to(pose[..., None, 3:], seen.shape)
     left = np.broadcast_to(np.eye(3), (*seen.shape, 3))
-    return np.concatenate([left, by_angles(attitude, seen)], -1)
+    return np.concatenate([left, by_angles(orientation, seen)], -1)
 
 
 def row_of_pose(J: Array, P: Array) -> Array:
@@ -104,7 +104,7 @@ def no_row(J: Array, P: Array) -> Array:
     return np.zeros((*J.shape[:-1], P.shape[-1]))
 
 
-def together(corner: Array) -> Array:
+def joint_corner(corner: Array) -> Array:
     """Landmarks that begin in one picture share the pose's error: first term of (5.35), for all of them at once."""
     return corner
 

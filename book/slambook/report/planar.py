@@ -47,7 +47,7 @@ def placed(pose: Array, z: Array) -> Array:
 
 
 @dataclass(frozen=True)
-class Look:
+class PlanarScan:
     """What was seen in a step: numbers of the points (m,), and range and bearing of each (m, 2)."""
 
     names: Indices
@@ -58,14 +58,14 @@ class Look:
 class Data:
     """One way through a world, as it was and as it was measured.
 
-    points (L, 2); truth (n + 1, 3); odometry (n, 3) with deviations motion_std (3,); looks: n + 1, the first from the
+    points (L, 2); truth (n + 1, 3); odometry (n, 3) with deviations motion_std (3,); scans: n + 1, the first from the
     start, with deviations look_std (2,).
     """
 
     points: Array
     truth: Array
     odometry: Array
-    looks: list[Look]
+    scans: list[PlanarScan]
     motion_std: Array
     look_std: Array
 
@@ -83,11 +83,11 @@ def drive(rng: np.random.Generator, steps: int = 120, landmarks: int = 20, reach
     u, truth = np.array([0.8, 0, 2 * np.pi / LAP]), [np.array([48 / (2 * np.pi), 0, np.pi / 2])]
     for _ in range(steps):
         truth.append(moved(truth[-1], u))
-    looks = [_look(pose, points, reach, rng) for pose in truth]
-    return Data(points, np.array(truth), u + MOTION * rng.standard_normal((steps, 3)), looks, MOTION, LOOK)
+    scans = [_look(pose, points, reach, rng) for pose in truth]
+    return Data(points, np.array(truth), u + MOTION * rng.standard_normal((steps, 3)), scans, MOTION, LOOK)
 
 
-def _look(pose: Array, points: Array, reach: float, rng: np.random.Generator) -> Look:
+def _look(pose: Array, points: Array, reach: float, rng: np.random.Generator) -> PlanarScan:
     z = seen(pose, points)
     names = np.flatnonzero(z[:, 0] < reach)
-    return Look(names, z[names] + LOOK * rng.standard_normal((len(names), 2)))
+    return PlanarScan(names, z[names] + LOOK * rng.standard_normal((len(names), 2)))

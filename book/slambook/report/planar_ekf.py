@@ -3,8 +3,8 @@
 import numpy as np
 
 from slambook.report.angles import wrapped
-from slambook.report.planar import Data, Look, moved, moved_by, placed, seen, seen_by_point
-from slamlib.belief import Belief, Block, Observation
+from slambook.report.planar import Data, PlanarScan, moved, moved_by, placed, seen, seen_by_point
+from slamlib.belief import Belief, Block, LinearizedMeasurement
 from slamlib.manifolds import Array
 
 
@@ -15,33 +15,33 @@ class PlanarEkf:
         self._U, self._R = np.diag(data.motion_std**2), np.diag(data.look_std**2)
         self.belief, self.landmarks = Belief(), dict[int, Block]()
         self._pose = self.belief.add(3, data.truth[0], np.zeros((3, 3)))
-        self._begin(data.looks[0])
+        self._initialize(data.scans[0])
 
-    def step(self, u: Array, look: Look) -> None:
+    def step(self, u: Array, scan: PlanarScan) -> None:
         """Odometry u (3,), then what is seen."""
         x = self._pose.mean
         F, G = moved_by(x, u)
         self.belief.predict(self._pose, moved(x, u), F, G @ self._U @ G.T)
-        known = [self._observed(self.landmarks[n], z) for n, z in zip(look.names, look.z, strict=True) if n in self]
+        known = [self._observed(self.landmarks[n], z) for n, z in zip(scan.names, scan.z, strict=True) if n in self]
         if known:
-            self.belief.correct_all(known)
-        self._begin(look)
+            self.belief.update_all(known)
+        self._initialize(scan)
 
     def __contains__(self, name: int) -> bool:
         return name in self.landmarks
 
-    def _observed(self, point: Block, z: Array) -> Observation:
+    def _observed(self, point: Block, z: Array) -> LinearizedMeasurement:
         pose, m = self._pose.mean, point.mean[None]
         innovation = z - seen(pose, m)[0]
         innovation[1] = wrapped(innovation[1])
         by_point = seen_by_point(pose, m)[0]
         by_pose = np.column_stack([-by_point, [0, -1]])
-        return Observation([self._pose, point], [by_pose, by_point], innovation, self._R)
+        return LinearizedMeasurement([self._pose, point], [by_pose, by_point], innovation, self._R)
 
-    def _begin(self, look: Look) -> None:
+    def _initialize(self, scan: PlanarScan) -> None:
         """Landmarks that are seen for the first time: `placed`, and its derivatives."""
         pose = self._pose.mean
-        for name, z in zip(look.names, look.z, strict=True):
+        for name, z in zip(scan.names, scan.z, strict=True):
             if name not in self:
                 m = placed(pose, z[None])
                 by_z = np.linalg.inv(seen_by_point(pose, m)[0])

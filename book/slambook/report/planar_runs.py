@@ -86,7 +86,7 @@ def _contestant(particles: int, worlds: list[Data], draws: list[np.random.Genera
 def _step(filter: FastSlam | PlanarEkf, data: Data, k: int) -> tuple[Array, float, float]:
     """Error of the pose (3,), its NEES, and the seconds that the filter took."""
     began = time.process_time()
-    filter.step(data.odometry[k], data.looks[k + 1])
+    filter.step(data.odometry[k], data.scans[k + 1])
     taken = time.process_time() - began
     mean, covariance = filter.pose()
     error = data.truth[k + 1] - mean

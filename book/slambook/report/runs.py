@@ -86,20 +86,20 @@ def monte_carlo(
     use, rng, truth = equations(*errors), np.random.default_rng(seed), scene.path()
     filter = make(np.tile(scene.start, (runs, 1)), np.zeros((runs, 6, 6)), use=use)
     controls = scene.controls + scene.control_std * rng.standard_normal((runs, *scene.controls.shape))
-    filter.begin(*look(filter, scene, truth[0], rng), first=True)
+    filter.initialize(*observe(filter, scene, truth[0], rng), first=True)
     steps = len(scene.controls)
     found, claimed = np.full((runs, steps, 6), np.inf), np.full((runs, steps, 6, 6), np.inf)
     with np.errstate(all="ignore"):
         for k in progress(range(steps), steps, f"{' + '.join(errors) or 'corrected'}, {runs} runs"):
             filter.predict(motion.inverse(controls[:, use.which_control(k)]), scene.U)
-            picture = look(filter, scene, truth[k + 1], rng)
-            filter.correct(*part(filter, *picture, known=True))
+            picture = observe(filter, scene, truth[k + 1], rng)
+            filter.update(*part(filter, *picture, known=True))
             if not np.isfinite(filter.x).all():  # nothing can be computed from here on
                 break
             found[:, k], claimed[:, k] = filter.x[:, :6], filter.P[:, :6, :6]
-            filter.forget()
-            picture = look(filter, scene, truth[k + 1], rng) if again else picture
-            filter.begin(*part(filter, *picture, known=False))
+            filter.prune()
+            picture = observe(filter, scene, truth[k + 1], rng) if again else picture
+            filter.initialize(*part(filter, *picture, known=False))
         return outcome(found, truth[1:], claimed, filter)
 
 
@@ -109,7 +109,7 @@ def part(filter: Memory, seen: Array, names: list[int], R: Array, known: bool) -
     return seen[:, rows], [names[i] for i in rows], R[:, rows]
 
 
-def look(filter: Memory, scene: Scene, truth: Array, rng: np.random.Generator) -> tuple[Array, list[int], Array]:
+def observe(filter: Memory, scene: Scene, truth: Array, rng: np.random.Generator) -> tuple[Array, list[int], Array]:
     """What the sensor sees from the true pose: points (runs, m, 3), their names, and R as the filter believes it."""
     relative = observation.by_vectors(truth, scene.points)
     names = np.flatnonzero(scene.sees(relative))
@@ -141,7 +141,7 @@ def two_pictures(*errors: str, runs: int = 1000, points: int = 12, sigma: float 
     u, U = motion.aligned(before, after, sigma)
     names, R = list(range(points)), sigma**2 * np.eye(3)
     filter = Memory(np.zeros((runs, 6)), np.zeros((runs, 6, 6)), use=use)
-    filter.begin(own[0], names, R, first=True)
+    filter.initialize(own[0], names, R, first=True)
     filter.predict(motion.inverse(u), U)
-    filter.correct(own[1], names, R)
+    filter.update(own[1], names, R)
     return outcome(filter.x[:, None, :6].copy(), np.zeros((1, 6)), filter.P[:, None, :6, :6].copy(), filter)

@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from slambook.report import updates
-from slambook.report.filter import Memory, Together
+from slambook.report.filter import BatchUpdateFilter, Memory
 from slambook.report.observation import by_vectors
 from slambook.report.runs import monte_carlo
 from slambook.report.scenes import SCENES, Scene, gentle, within
@@ -40,21 +40,21 @@ def timings(
     rng: np.random.Generator,
     sizes: Sequence[tuple[int, int]],
     repeats: int = 5,
-    ways: Sequence[str] = tuple(WAYS),
+    methods: Sequence[str] = tuple(WAYS),
 ) -> Iterator[Timing]:
     """For each (landmarks, seen): all ways on the same problem, turn by turn, so that a busy moment hits them alike."""
     for landmarks, seen in sizes:
         given = problem(rng, landmarks, seen)
-        taken: dict[str, list[float]] = {name: [] for name in ways}
+        taken: dict[str, list[float]] = {name: [] for name in methods}
         found: dict[str, State] = {}
         for _ in range(repeats):
-            for name in ways:
+            for name in methods:
                 run = WAYS[name](given)
                 began = time.process_time()
                 found[name] = run()
                 taken[name].append(time.process_time() - began)
         seconds = {name: statistics.median(times) for name, times in taken.items()}
-        counted = {name: multiplications(landmarks, seen)[name] for name in ways}
+        counted = {name: multiplications(landmarks, seen)[name] for name in methods}
         yield Timing(landmarks, seen, len(given.x), seconds, counted, _apart(given, list(found.values())))
 
 
@@ -82,18 +82,18 @@ def crossing(rows: Sequence[Timing], one: str, other: str) -> list[float]:
 class Measured(Memory):
     """A memory that corrects by one of the ways, and notes how long that took; one run at a time."""
 
-    way: Callable[[Problem], Callable[[], State]] = updates.naive
+    method: Callable[[Problem], Callable[[], State]] = updates.naive
     seconds: list[float] = field(default_factory=list)
-    looks: list[tuple[int, int]] = field(default_factory=list)  # landmarks in the map, and seen
+    observations: list[tuple[int, int]] = field(default_factory=list)  # landmarks in the map, and seen
 
-    def correct(self, seen: Array, names: list[int], R: Array) -> None:
-        """As Memory.correct, of a single run, and with independent numbers."""
+    def update(self, seen: Array, names: list[int], R: Array) -> None:
+        """As Memory.update, of a single run, and with independent numbers."""
         places = np.array([self.names.index(name) for name in names])
-        run = self.way(updates.look(self.x[0], self.P[0], places, seen[0], np.diagonal(R[0], axis1=-2, axis2=-1)))
+        run = self.method(updates.observe(self.x[0], self.P[0], places, seen[0], np.diagonal(R[0], axis1=-2, axis2=-1)))
         began = time.process_time()
         x, P = run()
         self.seconds.append(time.process_time() - began)
-        self.looks.append((len(self.names), len(names)))
+        self.observations.append((len(self.names), len(names)))
         self.x, self.P = x[None].copy(), P[None].copy()
 
 
@@ -103,7 +103,7 @@ class Mapping:
     difference of state or covariance from the first way's, median processor time [s] of a correction, and how many
     multiplications all corrections need."""
 
-    way: str
+    method: str
     mapped: int
     error: float
     apart: float
@@ -120,11 +120,11 @@ def hundred(rng: np.random.Generator, landmarks: int = 100, mapped: int = 92, st
     return replace(scene, points=points, sees=within(float(nearest[mapped - 1 : mapped + 1].mean())))
 
 
-def mapping(rng: np.random.Generator, steps: int = 60, ways: Sequence[str] = tuple(WAYS)) -> list[Mapping]:
+def mapping(rng: np.random.Generator, steps: int = 60, methods: Sequence[str] = tuple(WAYS)) -> list[Mapping]:
     """The run of chapter 6, 92 of 100 landmarks mapped: every way on the same measurements."""
     scene, seed, found = hundred(rng, steps=steps), int(rng.integers(2**31)), []
-    for name in ways:
-        last = monte_carlo(scene, runs=1, seed=seed, make=partial(Measured, way=WAYS[name])).last
+    for name in methods:
+        last = monte_carlo(scene, runs=1, seed=seed, make=partial(Measured, method=WAYS[name])).last
         assert isinstance(last, Measured)
         found.append(last)
     first = found[0]
@@ -135,20 +135,20 @@ def mapping(rng: np.random.Generator, steps: int = 60, ways: Sequence[str] = tup
             float(np.linalg.norm(last.points[0] - scene.points[last.names], axis=-1).mean()),
             float(max(np.abs(last.x - first.x).max(), np.abs(last.P - first.P).max())),
             statistics.median(last.seconds),
-            sum(multiplications(L, m)[name] for L, m in last.looks),
+            sum(multiplications(L, m)[name] for L, m in last.observations),
         )
-        for name, last in zip(ways, found, strict=True)
+        for name, last in zip(methods, found, strict=True)
     ]
 
 
 @dataclass
-class Again(Together):
+class Again(BatchUpdateFilter):
     """A memory that linearises anew for every landmark, at what those before it left of the state."""
 
-    def correct(self, seen: Array, names: list[int], R: Array) -> None:
-        """As Memory.correct, landmark by landmark."""
+    def update(self, seen: Array, names: list[int], R: Array) -> None:
+        """As Memory.update, landmark by landmark."""
         for i, name in enumerate(names):
-            super().correct(seen[..., [i], :], [name], R[..., [i], :, :])
+            super().update(seen[..., [i], :], [name], R[..., [i], :, :])
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,7 +157,7 @@ class Accuracy:
     of freedom: once with one linearisation for all landmarks of a picture, once with a new one for each."""
 
     scene: str
-    together: Array
+    batch: Array
     again: Array
     together_ratio: float
     again_ratio: float
@@ -165,7 +165,7 @@ class Accuracy:
     @property
     def gain(self) -> tuple[float, float]:
         """By how much the new linearisation lowers the error, relative; and the standard error of that."""
-        apart, size = self.together - self.again, self.together.mean()
+        apart, size = self.batch - self.again, self.batch.mean()
         return float(apart.mean() / size), float(apart.std(ddof=1) / np.sqrt(len(apart)) / size)
 
 
@@ -173,6 +173,6 @@ def accuracy(rng: np.random.Generator, runs: int = 20, scene: str = "gentle", st
     """Is the landmarks' error smaller number by number? Only through what is linearised anew (E25)."""
     given, seed = SCENES[scene](), int(rng.integers(2**31))
     given = replace(given, controls=given.controls[:steps])
-    outcomes = [monte_carlo(given, runs=runs, seed=seed, make=make) for make in (Together, Again)]
+    outcomes = [monte_carlo(given, runs=runs, seed=seed, make=make) for make in (BatchUpdateFilter, Again)]
     errors = [np.linalg.norm(o.last.points - given.points[o.last.names], axis=-1).mean(-1) for o in outcomes]
     return Accuracy(scene, *errors, *(o.ratio for o in outcomes))

@@ -32,7 +32,7 @@ class Equations:
     innovation: Callable[..., Any] = update.running  # (5.31)
     prior: Callable[..., Any] = update.present  # (5.30), (5.32)
     new_row: Callable[..., Any] = observation.row_of_pose  # (5.34)
-    new_corner: Callable[..., Any] = observation.together  # (5.35)
+    new_corner: Callable[..., Any] = observation.joint_corner  # (5.35)
     start: Callable[..., Any] = observation.as_measured  # section 5.1.2
     memory: Callable[..., Any] = observation.full_memory  # section 5.4
     odometry: Callable[..., Any] = motion.others  # section 5.2.3

@@ -40,7 +40,7 @@ class Problem:
         return np.concatenate([np.arange(6), 6 + 3 * self.places[i] + np.arange(3)])
 
 
-def look(x: Array, P: Array, places: Indices, seen: Array, variances: Array) -> Problem:
+def observe(x: Array, P: Array, places: Indices, seen: Array, variances: Array) -> Problem:
     """The problem of points (m, 3), seen relative to the robot, of these landmarks."""
     points = x[6:].reshape(-1, 3)[places]
     by_point = np.broadcast_to(rotation(x[3:6]).T, (len(places), 3, 3))
@@ -56,7 +56,7 @@ def problem(rng: np.random.Generator, landmarks: int, seen: int) -> Problem:
     truth, places = x + root @ rng.standard_normal(n), rng.permutation(landmarks)[:seen]
     relative = by_vectors(truth[:6], truth[6:].reshape(-1, 3)[places])
     z = relative + std * rng.standard_normal((seen, 3))
-    return look(x, root @ root.T, places, z, np.broadcast_to(std**2, (seen, 3)))
+    return observe(x, root @ root.T, places, z, np.broadcast_to(std**2, (seen, 3)))
 
 
 def dense(p: Problem) -> Array:
@@ -101,7 +101,7 @@ def scalar(p: Problem) -> Callable[[], State]:
     return run
 
 
-def believed(p: Problem) -> tuple[Belief, list[Block]]:
+def as_belief(p: Problem) -> tuple[Belief, list[Block]]:
     """The state as a belief of slamlib: the pose, then the landmarks."""
     belief = Belief()
     whole = belief.add(6, p.x[:6], p.P[:6, :6])
@@ -117,7 +117,7 @@ def state(belief: Belief) -> State:
 
 def batch(p: Problem) -> Callable[[], State]:
     """slamlib's batch: H of what is touched alone, one Cholesky factor, P - W'W."""
-    belief, _ = believed(p)
+    belief, _ = as_belief(p)
 
     def run() -> State:
         m = len(p.places)
@@ -126,7 +126,7 @@ def batch(p: Problem) -> Callable[[], State]:
         for i in range(m):
             H[3 * i : 3 * i + 3, 6 + 3 * i : 9 + 3 * i] = p.H[i, :, 6:]
         columns = np.concatenate([np.arange(6), (6 + 3 * p.places[:, None] + np.arange(3)).ravel()])
-        belief.correct_rows(columns, H, p.difference.ravel(), np.diag(p.variances.ravel()))
+        belief.update_rows(columns, H, p.difference.ravel(), np.diag(p.variances.ravel()))
         return state(belief)
 
     return run
@@ -134,14 +134,14 @@ def batch(p: Problem) -> Callable[[], State]:
 
 def series(p: Problem) -> Callable[[], State]:
     """slamlib's series: landmark by landmark, and the covariance once at the end. Linearised once, as all others."""
-    belief, blocks = believed(p)
+    belief, blocks = as_belief(p)
     pose = blocks[0]
 
     def run() -> State:
-        with belief.series() as corrections:
+        with belief.sequential_update() as corrections:
             for i, place in enumerate(p.places):
                 moved = np.concatenate([pose.mean, blocks[1 + place].mean]) - p.x[p.columns(i)]
-                corrections.correct(p.columns(i), p.H[i], p.difference[i] - p.H[i] @ moved, np.diag(p.variances[i]))
+                corrections.update(p.columns(i), p.H[i], p.difference[i] - p.H[i] @ moved, np.diag(p.variances[i]))
         return state(belief)
 
     return run

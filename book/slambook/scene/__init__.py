@@ -10,14 +10,14 @@ from slambook.scene.player import player
 from slambook.scene.player_page import Player
 from slambook.scene.scene import map_scene
 from slambook.scene.video import animate
-from slambook.scene.view import View
+from slambook.scene.view import OrbitView
 from slambook.scene.window import Window
 
 __all__ = [
     "MapOptions",
+    "OrbitView",
     "Player",
     "SensorOptions",
-    "View",
     "Window",
     "animate",
     "map_figure",

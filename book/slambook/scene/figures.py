@@ -13,7 +13,7 @@ from slambook.scene.options import MapOptions, SensorOptions, chosen
 from slambook.scene.photographs import Photograph, photograph
 from slambook.scene.roles import HALO, OUTLINE, ROLES, Role, over_image
 from slambook.scene.scene import bounds, map_scene
-from slambook.scene.view import NAMED, View
+from slambook.scene.view import NAMED, OrbitView
 from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.geometry.pose import from_frame
@@ -55,17 +55,17 @@ def map_figure(
     return fig
 
 
-def view_of(options: MapOptions, snapshot: Snapshot, corners: Array, aspect: float) -> View:
+def view_of(options: MapOptions, snapshot: Snapshot, corners: Array, aspect: float) -> OrbitView:
     """The view that the options ask for, after the orbit of so many frames as the snapshot has behind it."""
     middle = tuple(float(v) for v in corners.mean(axis=0))
     box = _turned(corners) if any(options.orbit) else np.stack(np.meshgrid(*corners.T), axis=-1).reshape(-1, 3)
     if isinstance(options.view, str):
         azimuth, elevation, follows = NAMED[options.view]
-        view = View(azimuth, elevation, target=middle, perspective=options.perspective).fitted(box, aspect)
+        view = OrbitView(azimuth, elevation, target=middle, perspective=options.perspective).fitted(box, aspect)
         view = following(view, snapshot.robots[0].pose) if follows else view
     else:
         azimuth, elevation, field, *distance = (float(v) for v in options.view)
-        view = View(azimuth, elevation, field, middle, perspective=options.perspective)
+        view = OrbitView(azimuth, elevation, field, middle, perspective=options.perspective)
         view = replace(view, distance=distance[0]) if distance else view.fitted(box, aspect)
     return view.orbited(*(snapshot.number * np.asarray(options.orbit)))
 
@@ -78,7 +78,7 @@ def _turned(corners: Array) -> Array:
     return np.concatenate([np.column_stack([middle[:2] + ring, np.full(len(ring), z)]) for z in corners[:, 2]])
 
 
-def following(view: View, pose: Array) -> View:
+def following(view: OrbitView, pose: Array) -> OrbitView:
     """A view whose azimuth is counted from where a robot (7,) heads, nearer, and centred on it."""
     x, y, _ = from_frame(pose, np.array([1.0, 0, 0])) - pose[:3]
     target = tuple(float(v) for v in pose[:3])

@@ -11,7 +11,7 @@ import numpy as np
 from slambook.scene.layers import Flat, strung
 from slambook.scene.options import SensorOptions
 from slambook.scene.view import rings
-from slamlib.data.snapshots import Looks, SensorView, Snapshot
+from slamlib.data.snapshots import MeasurementView, SensorView, Snapshot
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.manifolds import Array, Mask
@@ -19,11 +19,11 @@ from slamlib.manifolds import Array, Mask
 AWAY = 8.0  # pixels from a segment to its label, along its normal
 RING = 0.022  # of the image's width: the least radius of a search region as it is drawn
 # What became of a look, by the role that shows it: not looked for, looked for in vain, believed, not believed.
-OUTCOMES: dict[str, Callable[[Looks], Mask]] = {
-    "predicted": lambda looks: ~looks.chosen & ~looks.matched,
-    "missed": lambda looks: looks.chosen & ~looks.matched,
-    "updated": lambda looks: looks.matched & looks.inlier,
-    "rejected": lambda looks: looks.matched & ~looks.inlier,
+OUTCOMES: dict[str, Callable[[MeasurementView], Mask]] = {
+    "predicted_patch": lambda predictions: ~predictions.chosen & ~predictions.matched,
+    "missed": lambda predictions: predictions.chosen & ~predictions.matched,
+    "updated": lambda predictions: predictions.matched & predictions.inlier,
+    "rejected": lambda predictions: predictions.matched & ~predictions.inlier,
 }
 
 
@@ -63,8 +63,8 @@ def converged(snapshot: Snapshot) -> set[int]:
 
 def _means(view: SensorView, pair: list[int], known: set[int]) -> tuple[Array, Mask]:
     """Places (n, 2) of the points expected and of the ends of segments in view, and the mask of those converged."""
-    ends = view.segments.ends.reshape(-1, 2)
-    marks = np.concatenate([_expected(view, pair), ends])
+    endpoints = view.segments.endpoints.reshape(-1, 2)
+    marks = np.concatenate([_expected(view, pair), endpoints])
     ids = [*view.points.ids, *np.repeat(view.segments.ids, 2)]
     found = np.array([int(i) in known for i in ids], dtype=bool)
     shown = np.isfinite(marks).all(axis=1)
@@ -107,9 +107,14 @@ def _outcome(role: str, view: SensorView, pair: list[int], options: SensorOption
     if options.ellipses and some.any():
         found += list(view.points.expected[some][:, None, pair] + rings(regions(view, pair, options)[some]))
     if options.ellipses and seen.any():
-        ends, spreads = view.segments.ends[seen].reshape(-1, 2), view.segments.spreads[seen].reshape(-1, 2, 2)
-        shown = np.isfinite(ends).all(axis=1)
-        found += list(ends[shown, None] + np.sqrt(chi2_quantile(options.gate, 2)) * rings(spreads[shown]))
+        endpoints, endpoint_covariances = (
+            view.segments.endpoints[seen].reshape(-1, 2),
+            view.segments.endpoint_covariances[seen].reshape(-1, 2, 2),
+        )
+        shown = np.isfinite(endpoints).all(axis=1)
+        found += list(
+            endpoints[shown, None] + np.sqrt(chi2_quantile(options.gate, 2)) * rings(endpoint_covariances[shown])
+        )
     segments = view.segments.expected[seen].reshape(-1, 2, 2) if seen.any() else np.zeros((0, 2, 2))
     return Flat(role, lines=strung(segments, 2), shells=strung(found, 2))
 
@@ -134,28 +139,30 @@ def _measured(view: SensorView, pair: list[int]) -> Flat:
     marks = points.measured[found][:, pair] if found.any() else np.zeros((0, 2))
     expected = points.expected[found][:, pair] if found.any() else np.zeros((0, 2))
     lines = strung(np.stack([expected, marks], axis=1), 2)
-    ends = segments.measured[segments.matched].reshape(-1, 2) if segments.matched.any() else np.zeros((0, 2))
-    return Flat("measured", lines=lines, marks=np.concatenate([marks, ends]))
+    endpoints = segments.measured[segments.matched].reshape(-1, 2) if segments.matched.any() else np.zeros((0, 2))
+    return Flat("measured", lines=lines, marks=np.concatenate([marks, endpoints]))
 
 
 def _labels(view: SensorView, pair: list[int]) -> tuple[Flat, Flat]:
     """Numbers of the landmarks: of points above what was expected, of segments beside their middles."""
-    ends = view.segments.expected.reshape(-1, 2, 2) if len(view.segments.ids) else np.zeros((0, 2, 2))
+    endpoints = view.segments.expected.reshape(-1, 2, 2) if len(view.segments.ids) else np.zeros((0, 2, 2))
     return (
         Flat("label", places=_expected(view, pair), words=tuple(map(str, view.points.ids))),
-        Flat("line label", places=beside(ends), words=tuple(map(str, view.segments.ids))),
+        Flat("line label", places=beside(endpoints), words=tuple(map(str, view.segments.ids))),
     )
 
 
 def scores(view: SensorView, pair: list[int]) -> tuple[Array, tuple[str, ...]]:
     """Where to write (n, 2) how well each look agreed, which is where it was found, or else expected; and the words."""
     places, words = [np.zeros((0, 2))], []
-    for looks, columns in ((view.points, pair), (view.segments, [0, 1, 2, 3])):
-        known = np.isfinite(looks.scores)
+    for predictions, columns in ((view.points, pair), (view.segments, [0, 1, 2, 3])):
+        known = np.isfinite(predictions.scores)
         if known.any():
-            found = np.where(looks.matched[:, None], looks.measured, looks.expected)[known][:, columns]
+            found = np.where(predictions.matched[:, None], predictions.measured, predictions.expected)[known][
+                :, columns
+            ]
             places.append(found.reshape(len(found), -1, 2).mean(axis=1))
-            words += [f"{score:.2f}" for score in looks.scores[known]]
+            words += [f"{score:.2f}" for score in predictions.scores[known]]
     return np.concatenate(places), tuple(words)
 
 

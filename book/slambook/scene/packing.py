@@ -77,8 +77,8 @@ class Packing:
         """Polylines with rows of nan between as a list of lists."""
         good = np.isfinite(lines).all(axis=1)
         starts = np.flatnonzero(np.diff(np.concatenate([[0], good]).astype(int)) == 1)
-        ends = np.flatnonzero(np.diff(np.concatenate([good, [0]]).astype(int)) == -1) + 1
-        return [self.whole(lines[a:b]) for a, b in zip(starts, ends, strict=True)]
+        endpoints = np.flatnonzero(np.diff(np.concatenate([good, [0]]).astype(int)) == -1) + 1
+        return [self.whole(lines[a:b]) for a, b in zip(starts, endpoints, strict=True)]
 
     def frame(
         self, snapshot: Snapshot, truth: Truth | None, before: dict[str, list[int]]

@@ -51,8 +51,8 @@ class Part:
         samples = [Flat(n, lines=nowhere) if n in lined else Flat(n, marks=nowhere) for n in labelled]
         self.show(lambda axes: draw(axes, samples, labelled))
         corner = {"bbox_to_anchor": (self.place[0], self.place[1] + self.place[3] + ABOVE), "loc": "lower left"}
-        look = {"labelcolor": self.ink, "ncols": 4, "fontsize": 8, "frameon": False}
-        self.axes.legend(bbox_transform=self.figure.transFigure, **corner, **look)
+        prediction = {"labelcolor": self.ink, "ncols": 4, "fontsize": 8, "frameon": False}
+        self.axes.legend(bbox_transform=self.figure.transFigure, **corner, **prediction)
 
     def show(self, put: Callable[[Any], None]) -> None:
         """Show what `put` puts into the axes, and nothing of the frame before."""
@@ -114,7 +114,7 @@ class SensorPart(Part):
         """Make room for the patches that these snapshots bring, the first time that they bring any; True if so."""
         for snapshot in snapshots if self.options.patches and self.patches is None else ():
             view = sensor_view(snapshot, self.sensor)
-            if view.image is not None and any(patched(looks) for looks in (view.points, view.segments)):
+            if view.image is not None and any(patched(predictions) for predictions in (view.points, view.segments)):
                 self._make_room(float(view.image[1] / view.image[0]))
                 return True
         return False
@@ -133,13 +133,13 @@ class SensorPart(Part):
 
     def _put_patches(self, axes: Any, view: SensorView) -> None:
         """Those of the matched looks at points, or if there are none at segments; as many as have room."""
-        looks = view.points if patched(view.points) else view.segments
-        rows = patched(looks)
-        axes.imshow(strip(looks, rows, self.rows), extent=(0, 2, self.rows, 0), interpolation="nearest")
-        look = {"fontsize": 6.5, "color": self.ink, "va": "center"}
-        axes.text(1, -0.3, "sought, found", ha="center", **look)
+        predictions = view.points if patched(view.points) else view.segments
+        rows = patched(predictions)
+        axes.imshow(strip(predictions, rows, self.rows), extent=(0, 2, self.rows, 0), interpolation="nearest")
+        prediction = {"fontsize": 6.5, "color": self.ink, "va": "center"}
+        axes.text(1, -0.3, "sought, found", ha="center", **prediction)
         for i, row in enumerate(rows[: self.rows]):
-            axes.text(-0.1, i + 0.46, str(looks.ids[row]), ha="right", **look)
+            axes.text(-0.1, i + 0.46, str(predictions.ids[row]), ha="right", **prediction)
 
     def _fit(self, view: SensorView) -> bool:
         """Of a sensor without an image, widen the limits to hold what it delivered and expected; True if so."""

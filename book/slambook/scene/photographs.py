@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slambook.figures.images import png
-from slamlib.data.snapshots import Looks, SensorView
+from slamlib.data.snapshots import MeasurementView, SensorView
 from slamlib.errors import ShapeError
 from slamlib.manifolds import Array, Image
 
@@ -71,20 +71,20 @@ def _few_greys(values: Image) -> Image:
     return found
 
 
-def patched(looks: Looks) -> list[int]:
+def patched(predictions: MeasurementView) -> list[int]:
     """The rows of the looks that were matched and have a patch, predicted or found."""
-    pairs = zip(looks.matched.tolist(), looks.predicted, looks.found, strict=True)
+    pairs = zip(predictions.matched.tolist(), predictions.predicted_patch, predictions.found_patch, strict=True)
     return [i for i, (m, p, f) in enumerate(pairs) if m and (p is not None or f is not None)]
 
 
-def strip(looks: Looks, rows: list[int], count: int) -> Image:
+def strip(predictions: MeasurementView, rows: list[int], count: int) -> Image:
     """The patches of some looks, one below the other, predicted beside found: (count CELL, 2 CELL, 4), 0 to 255.
 
     Both patches of a look share one scale from black to white, which shows a change of light. The rest is transparent.
     """
     sheet = np.zeros((count * CELL, 2 * CELL, 4), np.uint8)
     for place, row in enumerate(rows[:count]):
-        pair = [looks.predicted[row], looks.found[row]]
+        pair = [predictions.predicted_patch[row], predictions.found_patch[row]]
         values = np.concatenate([np.ravel(patch) for patch in pair if patch is not None])
         low, high = float(np.nanmin(values)), float(np.nanmax(values))
         for side, patch in enumerate(pair):

@@ -18,7 +18,7 @@ from slambook.scene.options import MapOptions, SensorOptions, chosen
 from slambook.scene.packing import packed
 from slambook.scene.player_page import Player
 from slambook.scene.roles import HALO, MAP, OUTLINE, SENSOR, Role, over_image
-from slambook.scene.sights import Sights
+from slambook.scene.sights import ImageFrames
 from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
@@ -53,7 +53,7 @@ def player(
     """
     look = chosen(MapOptions(), options)
     _check(snapshots, truths, alt, frames, fps)
-    sights = None if sensor is None else Sights(snapshots, sensor, sensor_options or SensorOptions(), images)
+    sights = None if sensor is None else ImageFrames(snapshots, sensor, sensor_options or SensorOptions(), images)
     most = WEIGHT + WEIGHT_OF_IMAGES * images
     last, count = snapshots[-1], min(frames, len(snapshots))
     while True:
@@ -84,7 +84,7 @@ def player(
     return Player(data, "".join(stills), alt, look.labels)
 
 
-def _sensor(sights: Sights, looks: Sequence[dict[str, Any]]) -> dict[str, Any]:
+def _sensor(sights: ImageFrames, looks: Sequence[dict[str, Any]]) -> dict[str, Any]:
     """What the script needs of a sensor beside its looks; over images everything is bright, with a dark outline."""
     roles = {name: _looks(role) for name, role in SENSOR.items()}
     found: dict[str, Any] = {"roles": roles, "limits": sights.limits, "outcomes": list(OUTCOMES)}
@@ -98,7 +98,7 @@ def _sensor(sights: Sights, looks: Sequence[dict[str, Any]]) -> dict[str, Any]:
     return found
 
 
-def _still(snapshot: Snapshot, sights: Sights, alt: str) -> str:
+def _still(snapshot: Snapshot, sights: ImageFrames, alt: str) -> str:
     """The sensor's view before the script draws it."""
     left, right, low, high = sights.limits
     shape = abs((right - left) / (high - low)) if sights.view.image is not None else 4 / 3

@@ -44,7 +44,7 @@ MAP = {
 # Of what a sensor saw; the marks of expectations are those of the map.
 SENSOR = {
     "raw": Role("delivered", colors.grey, 1.2, marker="+", size=7.0),
-    "predicted": Role("expected", colors.purple, 1.1, "--", marker=""),
+    "predicted_patch": Role("expected", colors.purple, 1.1, "--", marker=""),
     "missed": Role("not found", colors.orange, 1.7, ":", marker=""),
     "updated": Role("used", colors.blue, 1.4, marker=""),
     "rejected": Role("rejected", colors.red, 1.4, "-.", marker=""),

@@ -134,8 +134,8 @@ def _truth(snapshot: Snapshot, truth: Truth | None, path: Sequence[Truth], size:
     lines = list(_tracks([[state[:3] for state in t.robots] for t in path]))
     if truth is not None:
         lines += [line for state in truth.robots for line in _placed(np.asarray(state)[:7], WEDGE, size)]
-        for view, mount in zip(snapshot.sensors, truth.mounts, strict=True):
-            lines += _sensor(compose(np.asarray(truth.robots[view.robot])[:7], mount), view.image, size)
+        for view, extrinsics in zip(snapshot.sensors, truth.extrinsics, strict=True):
+            lines += _sensor(compose(np.asarray(truth.robots[view.robot])[:7], extrinsics), view.image, size)
     return Layer("truth", lines=strung(lines, 3))
 
 

@@ -9,7 +9,7 @@ from slambook.scene.image_scene import OUTCOMES, beside, converged, delivered, r
 from slambook.scene.layers import lower
 from slambook.scene.options import SensorOptions
 from slambook.scene.photographs import Photograph, photograph
-from slamlib.data.snapshots import Looks, SensorView, Snapshot
+from slamlib.data.snapshots import MeasurementView, SensorView, Snapshot
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.manifolds import Array
@@ -19,7 +19,7 @@ WIDE = 200  # pixels: the widest images that are sent, if nobody asks for others
 ENOUGH = 4  # significant digits of a number that is no pixel
 
 
-class Sights:
+class ImageFrames:
     """The looks of one sensor in the frames that are shown: two numbers of each measurement; if asked, its images."""
 
     def __init__(
@@ -51,10 +51,14 @@ class Sights:
             some = view.scan.points.values[:, self.pair] if len(view.scan.points) else np.zeros((0, 2))
             raw = {"points": self._rounded(some), "segments": self._rounded(view.scan.segments.values)}
         known, photo = converged(snapshot), self.photo(snapshot)
-        looks = {"raw": raw, "points": self._points(view, known), "segments": self._segments(view.segments, known)}
+        predictions = {
+            "raw": raw,
+            "points": self._points(view, known),
+            "segments": self._segments(view.segments, known),
+        }
         places, words = scores(view, self.pair) if self.options.scores else (np.zeros((0, 2)), ())
-        looks["scores"] = [[*place, word] for place, word in zip(self._rounded(places), words, strict=True)]
-        return {**looks, **({} if photo is None else {"image": photo.uri, "extent": photo.extent})}
+        predictions["scores"] = [[*place, word] for place, word in zip(self._rounded(places), words, strict=True)]
+        return {**predictions, **({} if photo is None else {"image": photo.uri, "extent": photo.extent})}
 
     def photo(self, snapshot: Snapshot) -> Photograph | None:
         """The small image of a frame, if images are asked for and it has one."""
@@ -66,35 +70,42 @@ class Sights:
 
     def _points(self, view: SensorView, known: set[int]) -> list[list[float]]:
         """Of each look: number, outcome, whether converged, expectation, factor of the gate's ellipse, measurement."""
-        looks, rows = view.points, []
-        if not len(looks.ids):
+        predictions, rows = view.points, []
+        if not len(predictions.ids):
             return []
         shapes = self.options.ellipses * regions(view, self.pair, self.options)
-        for i, outcome in enumerate(_outcomes(looks)):
+        for i, outcome in enumerate(_outcomes(predictions)):
             factor = lower(shapes[i])
-            measured = self._rounded(looks.measured[i, self.pair]) if looks.matched[i] else []
-            numbers = [*self._rounded(looks.expected[i, self.pair]), *self._rounded(factor), *measured]
-            rows.append([int(looks.ids[i]), outcome, int(int(looks.ids[i]) in known), *numbers])
+            measured = self._rounded(predictions.measured[i, self.pair]) if predictions.matched[i] else []
+            numbers = [*self._rounded(predictions.expected[i, self.pair]), *self._rounded(factor), *measured]
+            rows.append([int(predictions.ids[i]), outcome, int(int(predictions.ids[i]) in known), *numbers])
         return rows
 
-    def _segments(self, looks: Looks, known: set[int]) -> list[list[Any]]:
+    def _segments(self, predictions: MeasurementView, known: set[int]) -> list[list[Any]]:
         """Of each look: number, outcome, whether converged, place of the label, two ends expected, ends, ends measured.
 
-        ends: of each that is in view where it is, and the factor of its ellipse.
+        endpoints: of each that is in view where it is, and the factor of its ellipse.
         """
-        if not len(looks.ids):
+        if not len(predictions.ids):
             return []
-        places, rows = beside(looks.expected.reshape(-1, 2, 2)), []
+        places, rows = beside(predictions.expected.reshape(-1, 2, 2)), []
         radius = np.sqrt(chi2_quantile(self.options.gate, 2)) * self.options.ellipses
-        for i, outcome in enumerate(_outcomes(looks)):
-            measured = self._rounded(looks.measured[i]) if looks.matched[i] else []
-            seen = [(e, P) for e, P in zip(looks.ends[i], looks.spreads[i], strict=True) if np.isfinite(e).all()]
-            ends = [[*self._rounded(e), *self._rounded(radius * lower(P))] for e, P in seen]
-            number, where = int(looks.ids[i]), [*self._rounded(places[i]), *self._rounded(looks.expected[i])]
-            rows.append([number, outcome, int(number in known), *where, ends, *measured])
+        for i, outcome in enumerate(_outcomes(predictions)):
+            measured = self._rounded(predictions.measured[i]) if predictions.matched[i] else []
+            seen = [
+                (e, P)
+                for e, P in zip(predictions.endpoints[i], predictions.endpoint_covariances[i], strict=True)
+                if np.isfinite(e).all()
+            ]
+            endpoints = [[*self._rounded(e), *self._rounded(radius * lower(P))] for e, P in seen]
+            number, where = (
+                int(predictions.ids[i]),
+                [*self._rounded(places[i]), *self._rounded(predictions.expected[i])],
+            )
+            rows.append([number, outcome, int(number in known), *where, endpoints, *measured])
         return rows
 
 
-def _outcomes(looks: Looks) -> list[int]:
+def _outcomes(predictions: MeasurementView) -> list[int]:
     """What became of each look, as a place in OUTCOMES."""
-    return np.argmax([holds(looks) for holds in OUTCOMES.values()], axis=0).tolist()
+    return np.argmax([holds(predictions) for holds in OUTCOMES.values()], axis=0).tolist()

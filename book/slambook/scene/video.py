@@ -17,7 +17,7 @@ from slambook.scene.options import MapOptions
 from slambook.scene.parts import extra
 from slambook.scene.scene import bounds
 from slambook.scene.window import Window
-from slamlib.data.files import whole
+from slamlib.data.files import atomic_write
 from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError, UnknownNameError
@@ -57,7 +57,7 @@ def animate(
     window = Window(first[0], world=world, corners=corners, coming=known, **options)
     frames = _pictures(window, chain([first], shown))
     target.parent.mkdir(parents=True, exist_ok=True)
-    with whole(target) as unfinished:
+    with atomic_write(target) as unfinished:
         write(unfinished, progress(frames, -(-len(known) // every), "video") if known else frames, fps)
     return target
 

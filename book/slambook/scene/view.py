@@ -36,7 +36,7 @@ def view_axes(elevation: float, azimuth: float) -> Array:
 
 
 @dataclass(frozen=True)
-class View:
+class OrbitView:
     """Where the viewer is: azimuth from the x axis and elevation above the ground [deg], at a distance [m] of target.
 
     field [deg]: from the bottom to the top of the picture. perspective: False for parallel rays, at the same scale
@@ -55,17 +55,17 @@ class View:
         """Length on the sheet of one metre at one metre from the viewer."""
         return float(1 / np.tan(np.radians(self.field) / 2))
 
-    def orbited(self, azimuth: float, elevation: float) -> "View":
+    def orbited(self, azimuth: float, elevation: float) -> "OrbitView":
         """The view after the viewer has moved by so many degrees; at the zenith elevation stops."""
         raised = float(np.clip(self.elevation + elevation, -90, 90))
         return replace(self, azimuth=self.azimuth + azimuth, elevation=raised)
 
-    def moved(self, azimuth: float, elevation: float, factor: float) -> "View":
+    def moved(self, azimuth: float, elevation: float, factor: float) -> "OrbitView":
         """The view after the viewer has turned by so many degrees and gone away by a factor."""
         turned = self.orbited(azimuth, elevation)
         return replace(turned, distance=factor * turned.distance)
 
-    def fitted(self, points: Array, aspect: float) -> "View":
+    def fitted(self, points: Array, aspect: float) -> "OrbitView":
         """As near as it can be with all points (N, 3) in a picture of this width over height, in its middle."""
         view = self._near(points, aspect)
         for _ in range(CENTRINGS):
@@ -75,7 +75,7 @@ class View:
             view = replace(view, target=tuple(float(v) for v in moved))._near(points, aspect)
         return view
 
-    def _near(self, points: Array, aspect: float) -> "View":
+    def _near(self, points: Array, aspect: float) -> "OrbitView":
         across, up, near = self._rows @ (points - np.asarray(self.target)).T
         reach = np.maximum(np.abs(across) / aspect, np.abs(up)) * self.focal
         needed = reach + near if self.perspective else reach

@@ -54,8 +54,8 @@ def _lens(text: str) -> Lens:
     model = _word(text, "distortion_model", "none")
     if model.lower() not in MODELS:
         raise UnknownNameError.of("model of distortion", model, MODELS)
-    place = _list(text.partition("T_BS:")[2], "data") or _beside(text)
-    return Lens((u0, v0, au, av), size, MODELS[model.lower()], coefficients, place)
+    transform = _list(text.partition("T_BS:")[2], "data") or _beside(text)
+    return Lens((u0, v0, au, av), size, MODELS[model.lower()], coefficients, transform)
 
 
 def _beside(text: str) -> Numbers | None:

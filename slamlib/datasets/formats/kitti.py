@@ -48,9 +48,9 @@ def _read(path: Path, text: str) -> dict[int | None, Callable[[], Lens]]:
 def _lens(row: str) -> Lens:
     """The rectified camera of a projection matrix; its place is that in the frame of camera 0."""
     P = np.array([float(word) for word in row.split()]).reshape(3, 4)
-    place = np.eye(4)
-    place[:3, 3] = -np.linalg.solve(P[:, :3], P[:, 3])
-    return Lens((P[0, 2], P[1, 2], P[0, 0], P[1, 1]), place=tuple(place.ravel().tolist()))
+    transform = np.eye(4)
+    transform[:3, 3] = -np.linalg.solve(P[:, :3], P[:, 3])
+    return Lens((P[0, 2], P[1, 2], P[0, 0], P[1, 1]), transform=tuple(transform.ravel().tolist()))
 
 
 KITTI = Dataset("KITTI", _cameras, _open, calibrations=("calib.txt", "calibration.json"))

@@ -36,9 +36,9 @@ class RectifiedPair:
     def lens(self, right: bool) -> Lens:
         """One of the two."""
         u, *others = self.intrinsics
-        place = shifted(self.baseline) if right and self.baseline else None
+        transform = shifted(self.baseline) if right and self.baseline else None
         said = {} if self.std is None else {"std": self.std}
-        return Lens((u + right * self.offset, *others), self.image, place=place, said=said)
+        return Lens((u + right * self.offset, *others), self.image, transform=transform, extra=said)
 
 
 @dataclass(frozen=True)
@@ -63,11 +63,11 @@ class OwnCamera:
                 "on this camera's pictures as they are"
             )
         k1, k2, k3 = (*radial, 0.0, 0.0, 0.0)[:3]
-        place = np.eye(4)
-        place[:3, :3], place[:3, 3] = rotation(sensor.mount[3:]), sensor.mount[:3]
-        flat = tuple(place.ravel().tolist()) if self.of_rig else None
+        transform = np.eye(4)
+        transform[:3, :3], transform[:3, 3] = rotation(sensor.extrinsics[3:]), sensor.extrinsics[:3]
+        flat = tuple(transform.ravel().tolist()) if self.of_rig else None
         distortion = k1, k2, 0.0, 0.0, k3
-        return Lens(sensor.parameters["intrinsics"], self.data.get("image"), distortion=distortion, place=flat)
+        return Lens(sensor.parameters["intrinsics"], self.data.get("image"), distortion=distortion, transform=flat)
 
 
 def _data(text: str) -> dict[str, Any] | None:
@@ -105,9 +105,9 @@ def _half(setup: dict[str, Any], right: bool) -> Lens:
     """The left or the right lens of a stereo sensor."""
     sensor = SensorSetup(**read_fields(SensorSetup, setup, "stereo"))
     given = sensor.calibration.given  # checked
-    place = shifted(float(given["baseline"][0])) if right else None
+    transform = shifted(float(given["baseline"][0])) if right else None
     said = {"std": sensor.std, "noise": sensor.noise, "limits": sensor.limits}
-    return Lens(tuple(given["intrinsics"].tolist()), sensor.image, place=place, said=said)
+    return Lens(tuple(given["intrinsics"].tolist()), sensor.image, transform=transform, extra=said)
 
 
 CALIBRATION = CalibrationReader("slamlib", _fits, _read)

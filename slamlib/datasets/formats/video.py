@@ -12,7 +12,7 @@ from typing import Any
 
 from slamlib.datasets.dataset import FPS, Dataset, Numbers, Sequence
 from slamlib.datasets.optional_imports import opencv
-from slamlib.datasets.pictures import Picture, grey, is_image
+from slamlib.datasets.pictures import TimedImage, grey, is_image
 from slamlib.errors import SlamlibError
 
 SLACK = 0.02  # the length in a header is often an estimate: so much of it may be missing at the end
@@ -37,14 +37,14 @@ def _open(where: Path, fps: float | None) -> Sequence:
     times = tuple(number / rate for number in range(count))
     names = tuple(f"picture {number}" for number in range(count))
 
-    def read(numbers: Numbers) -> Iterator[Picture]:
+    def read(numbers: Numbers) -> Iterator[TimedImage]:
         with _opened(where) as film:
             for number in range(numbers[-1] + 1):
                 if not film.grab():
                     _check_end(where, number, count)
                     return
                 if number in numbers:
-                    yield Picture(names[number], times[number], _picture(film, where, number))
+                    yield TimedImage(names[number], times[number], _picture(film, where, number))
 
     return Sequence(names, times, 1 / rate, read)
 

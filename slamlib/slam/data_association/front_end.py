@@ -13,25 +13,26 @@ from slamlib.manifolds import Array, Mask
 
 if TYPE_CHECKING:
     from slamlib.slam.entities import MountedSensor
-    from slamlib.slam.measurement_update import Look
+    from slamlib.slam.measurement_update import PredictedMeasurement
 
 Detected = tuple[int, Array, Any]  # of a new landmark: its id, its first measurement (m,), its signature
 
 
 @dataclass(frozen=True, eq=False)
-class Sight:
+class FrontEndInput:
     """What a front end gets to see: the scan, the mounted sensor as it is estimated now, and all that it expects.
 
-    looks: one for each landmark that should be in view, with its expectation (`value`, `Z`) before any correction.
+    predictions: one for each landmark that should be in view, with its expectation (`value`, `S`) before any
+    correction.
     """
 
     scan: Scan
     sensor: MountedSensor
-    looks: list[Look]
+    predictions: list[PredictedMeasurement]
 
 
 class FrontEnd(Protocol):
-    """Finds the measurements of one sensor, frame by frame: `findable`, `match` for each family, `detect` for each.
+    """Finds the measurements of one sensor, frame by frame: `searchable`, `match` for each family, `detect` for each.
 
     A signature is what it knows a landmark by; the filter keeps it with the landmark, and hands it back unread.
     """
@@ -39,14 +40,14 @@ class FrontEnd(Protocol):
     def check(self, scan: Scan) -> None:
         """Raise SlamlibError for a scan that it cannot look at, before anything is changed."""
 
-    def findable(self, sight: Sight) -> list[Look]:
+    def searchable(self, inputs: FrontEndInput) -> list[PredictedMeasurement]:
         """Of the looks of a sight, those that it could find at all if the landmarks are there."""
 
-    def match(self, sight: Sight, family: str, looks: list[Look]) -> tuple[Array, Mask]:
+    def match(self, inputs: FrontEndInput, family: str, predictions: list[PredictedMeasurement]) -> tuple[Array, Mask]:
         """Measurements (n, m) of what is looked for, nan where there is none, and the mask (n,) of those found."""
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
+        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[Detected]:
         """Up to `count` measurements to begin a landmark with; known: ids of the landmarks in the map.
 
@@ -66,33 +67,33 @@ class FrontEnd(Protocol):
         """The signature that `pack` packed."""
 
 
-class Identity:
+class KnownAssociation:
     """Association by identity: simulated features, and those of labelled data, carry the id of what they show."""
 
     def check(self, scan: Scan) -> None:
         """Any scan will do."""
 
-    def findable(self, sight: Sight) -> list[Look]:
+    def searchable(self, inputs: FrontEndInput) -> list[PredictedMeasurement]:
         """All looks."""
-        return sight.looks
+        return inputs.predictions
 
-    def match(self, sight: Sight, family: str, looks: list[Look]) -> tuple[Array, Mask]:
+    def match(self, inputs: FrontEndInput, family: str, predictions: list[PredictedMeasurement]) -> tuple[Array, Mask]:
         """The features with the ids of the landmarks."""
-        features = _features(sight, family)
+        features = _features(inputs, family)
         row_of = {number: row for row, number in enumerate(features.ids.tolist())}
-        rows = np.array([row_of.get(look.landmark.id, -1) for look in looks], dtype=int)
-        size = features.values.shape[1] if len(features) or not looks else len(looks[0].value)
-        measured = np.full((len(looks), size), np.nan)
+        rows = np.array([row_of.get(prediction.landmark.id, -1) for prediction in predictions], dtype=int)
+        size = features.values.shape[1] if len(features) or not predictions else len(predictions[0].value)
+        measured = np.full((len(predictions), size), np.nan)
         matched = rows >= 0
         if matched.any():  # a scan without this family has features of no numbers
             measured[matched] = features.values[rows[matched]]
         return measured, matched
 
     def detect(
-        self, sight: Sight, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
+        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[Detected]:
         """The features with the lowest ids that are not known."""
-        features = _features(sight, family)
+        features = _features(inputs, family)
         fresh = sorted((number, row) for row, number in enumerate(features.ids.tolist()) if number not in known)
         if not fresh or not count:
             return []
@@ -113,7 +114,7 @@ class Identity:
         """It gives no signatures."""
 
 
-def _features(sight: Sight, family: str) -> Features:
+def _features(inputs: FrontEndInput, family: str) -> Features:
     """The features of a family in the scan; none if it has none."""
-    found: Features | None = sight.scan.features.get(family)
+    found: Features | None = inputs.scan.features.get(family)
     return Features.none(0) if found is None else found

@@ -15,35 +15,35 @@ from slamlib.manifolds import Array, Indices
 
 
 def innovation_covariances(covariance: Array, columns: Indices, H: Array, R: Array) -> Array:
-    """Z = H P H' + R (n, d, d) of n measurements, one by one; covariance (s, s), columns (n, k), H (n, d, k)."""
+    """S = H P H' + R (n, d, d) of n measurements, one by one; covariance (s, s), columns (n, k), H (n, d, k)."""
     half = H @ linalg.principal_blocks(covariance, columns) @ H.swapaxes(-1, -2) / 2
-    Z: Array = half + half.swapaxes(-1, -2) + R
-    return Z
+    S: Array = half + half.swapaxes(-1, -2) + R
+    return S
 
 
-def normalized(z: Array, Z: Array) -> Array:
-    """z' Z^-1 z (n,) of innovations (n, d) with covariances (n, d, d)."""
-    return linalg.quadratic_forms(z, Z)
+def mahalanobis_squared(z: Array, S: Array) -> Array:
+    """z' S^-1 z (n,) of innovations (n, d) with covariances (n, d, d)."""
+    return linalg.quadratic_forms(z, S)
 
 
-def by_information(Z: Array, count: int) -> Indices:
+def by_information(S: Array, count: int) -> Indices:
     """The `count` rows whose innovation covariance (n, d, d) has the largest determinant, largest first.
 
     A measurement lowers the entropy of the state by log(det Z / det R) / 2: with one R for all, the most uncertain
     expectation is the one to look at. Davison (2005); the toolbox leaves R out (errata E57). Ties: the earlier row.
     """
-    return np.argsort(-linalg.log_determinants(Z), kind="stable")[:count]
+    return np.argsort(-linalg.log_determinants(S), kind="stable")[:count]
 
 
-def by_order(Z: Array, count: int) -> Indices:
+def by_order(S: Array, count: int) -> Indices:
     """The first `count` rows."""
-    return np.arange(len(Z))[:count]
+    return np.arange(len(S))[:count]
 
 
-CHOICES = {"information": by_information, "order": by_order}
+SELECTIONS = {"information": by_information, "order": by_order}
 
 
 @lru_cache
 def gate(probability: float, dof: int) -> float:
-    """The largest z' Z^-1 z that passes: a true measurement of `dof` numbers does with this probability (E59)."""
+    """The largest z' S^-1 z that passes: a true measurement of `dof` numbers does with this probability (E59)."""
     return math.inf if probability == 1 else chi2_quantile(probability, dof)

@@ -2,7 +2,7 @@
 
 Neira and Tardos (2001) let a tree decide, one innovation after another, what it is paired with. Where each innovation
 has one pairing at most, the only choice is "in" or "out", and few are out: so the tree here begins with all of them and
-takes away. With the information matrix A = Z^-1 and a = A z of all, taking away the set B lowers the joint square by
+takes away. With the information matrix A = S^-1 and a = A z of all, taking away the set B lowers the joint square by
 
     drop(B) = a_B' A_BB^-1 a_B,        and leaves        A - A_:B A_BB^-1 A_B:,    a - A_:B A_BB^-1 a_B
 
@@ -16,8 +16,10 @@ import numpy as np
 from slamlib.kalman import linalg
 from slamlib.manifolds import Array, Indices, Mask
 
-Limit = Callable[[int], float]
-MOST = 15  # nodes of the tree, 60 to 100 us each; the greedy set is nearly always the best (benchmarks/consensus.py)
+Threshold = Callable[[int], float]
+MAX_NODES = (
+    15  # nodes of the tree, 60 to 100 us each; the greedy set is nearly always the best (benchmarks/consensus.py)
+)
 
 
 class _Node:
@@ -57,14 +59,14 @@ class _Node:
 class _Search:
     """The innovations (n, d) of which as few as possible go, and the best set to go that is known."""
 
-    def __init__(self, z: Array, Z: Array, dof: Array, limit: Limit, most: int) -> None:
+    def __init__(self, z: Array, S: Array, dof: Array, limit: Threshold, max_nodes: int) -> None:
         n, d = z.shape
-        factor = linalg.cholesky(Z.reshape(n * d, n * d), "compatible", "the joint covariance of the innovations")
+        factor = linalg.cholesky(S.reshape(n * d, n * d), "jcbb", "the joint covariance of the innovations")
         white = linalg.solve_lower(factor, np.eye(n * d))
         A = white.T @ white
         a = A @ z.ravel()
         self.root = _Node(A.reshape(n, d, n, d), a.reshape(n, d))
-        self.square, self.dof, self.limit, self.left = float(z.ravel() @ a), dof, limit, most
+        self.square, self.dof, self.limit, self.left = float(z.ravel() @ a), dof, limit, max_nodes
         self.total, self.least = int(dof.sum()), int(dof.min())
         self.out: tuple[int, ...] = ()
         self.drop = -np.inf
@@ -85,39 +87,40 @@ class _Search:
             out, drop, node = [*out, i], drop + float(drops[i]), node.without(i)
         return tuple(out), drop
 
-    def branch(self, node: _Node, out: tuple[int, ...], drop: float, may: Indices, count: int) -> None:
-        """Let `count` more go, of the innovations `may`, wherever that can be enough and better than the best."""
+    def branch(self, node: _Node, out: tuple[int, ...], drop: float, candidates: Indices, count: int) -> None:
+        """Remove `count` more of the innovations `candidates`, wherever that can be enough and better than the best."""
         self.left -= 1
-        may = may[np.argsort(-node.drops[may], kind="stable")]
+        candidates = candidates[np.argsort(-node.drops[candidates], kind="stable")]
         gone = int(self.dof[list(out)].sum())
         if count == 1:
-            self._last(may, out, drop + node.drops[may], gone)
+            self._last(candidates, out, drop + node.drops[candidates], gone)
             return
-        sums = np.concatenate([[0.0], np.cumsum(node.drops[may])])
+        sums = np.concatenate([[0.0], np.cumsum(node.drops[candidates])])
         tightness = node.tightness(count)
-        for first in range(len(may) - count + 1):
-            most = drop + (sums[first + count] - sums[first]) / tightness if tightness > 0 else np.inf
-            if self.left <= 0 or most <= max(self.drop, self.wanted(gone + count * self.least)):
+        for first in range(len(candidates) - count + 1):
+            bound = drop + (sums[first + count] - sums[first]) / tightness if tightness > 0 else np.inf
+            if self.left <= 0 or bound <= max(self.drop, self.wanted(gone + count * self.least)):
                 return
-            i = int(may[first])
-            self.branch(node.without(i), (*out, i), drop + float(node.drops[i]), may[first + 1 :], count - 1)
+            i = int(candidates[first])
+            self.branch(node.without(i), (*out, i), drop + float(node.drops[i]), candidates[first + 1 :], count - 1)
 
-    def _last(self, may: Indices, out: tuple[int, ...], drops: Array, gone: int) -> None:
-        for i, drop in zip(may.tolist(), drops.tolist(), strict=True):
+    def _last(self, candidates: Indices, out: tuple[int, ...], drops: Array, gone: int) -> None:
+        for i, drop in zip(candidates.tolist(), drops.tolist(), strict=True):
             if drop <= self.drop:
                 return
             if drop > self.wanted(gone + int(self.dof[i])):
                 self.out, self.drop = (*out, i), drop
 
 
-def compatible(z: Array, Z: Array, dof: Array, limit: Limit, most: int = MOST) -> Mask:
-    """Mask (n,) of the largest set of innovations whose joint square z' Z^-1 z is below limit(its degrees of freedom).
+def jcbb(z: Array, S: Array, dof: Array, limit: Threshold, max_nodes: int = MAX_NODES) -> Mask:
+    """Mask (n,) of the largest set of innovations whose joint square z' S^-1 z is below limit(its degrees of freedom).
 
-    z (n, d), Z (n, d, n, d) positive definite, dof (n,). Of sets of one size the one with the smallest square. Exact,
-    unless more than `most` nodes of the tree are asked for: then the best set found by then, at worst the greedy one
-    (always take away what lowers the square most), which is compatible, and rarely another one. Raises CovarianceError.
+    z (n, d), S (n, d, n, d) positive definite, dof (n,). Of sets of one size the one with the smallest square. Exact,
+    unless more than `max_nodes` nodes of the tree are asked for: then the best set found by then, at worst the greedy
+    one (always take away what lowers the square most), which is compatible, and rarely another one. Raises
+    CovarianceError.
     """
-    search = _Search(z, Z, dof, limit, most)
+    search = _Search(z, S, dof, limit, max_nodes)
     greedy, drop = search.greedy()
     for count in range(1, len(greedy) + 1):
         if count == len(greedy):

@@ -9,14 +9,14 @@ import numpy as np
 from slamlib.belief import Belief
 from slamlib.geometry.pose import Pose, compose
 from slamlib.manifolds import Array, Indices
-from slamlib.observation.family import Expected, means_of
+from slamlib.observation.family import PredictedBatch, landmark_means
 from slamlib.slam.entities import POSE, MountedSensor
-from slamlib.slam.measurement_update import Look
+from slamlib.slam.measurement_update import PredictedMeasurement
 
 
 @dataclass(frozen=True, eq=False)
-class Together:
-    """n innovations z (n, d) with their joint covariance Z (n, d, n, d) and noises R (n, d, d); dof (n,) of each.
+class JointInnovation:
+    """n innovations z (n, d) with their joint covariance S (n, d, n, d) and noises R (n, d, d); dof (n,) of each.
 
     An innovation of fewer numbers than d is filled up with zeros of variance 1, independent of all: its squares, and
     those of every set that it is in, stay what they are. gain (k, n, d) is P H', for the rows `touched` (k,) of the
@@ -24,31 +24,33 @@ class Together:
     """
 
     z: Array
-    Z: Array
+    S: Array
     R: Array
     dof: Array
     gain: Array
     touched: Indices
 
 
-def by_kind(looks: Iterable[Look]) -> list[list[int]]:
+def rows_by_kind(predictions: Iterable[PredictedMeasurement]) -> list[list[int]]:
     """Numbers of the looks at landmarks of one kind, so that each kind is computed in one batch."""
     found: dict[int, list[int]] = defaultdict(list)
-    for i, look in enumerate(looks):
-        found[id(look.landmark.kind)].append(i)
+    for i, prediction in enumerate(predictions):
+        found[id(prediction.landmark.kind)].append(i)
     return list(found.values())
 
 
-def together(belief: Belief, sensor: MountedSensor, looks: list[Look]) -> Together:
-    """Innovations of all looks at the expectations they hold, and Z = H P H' + R with all cross-correlations."""
-    n, d = len(looks), max(len(look.Z) for look in looks)
-    touched = np.unique(np.concatenate([look.expected.columns[look.row] for look in looks]))
+def joint_innovation(belief: Belief, sensor: MountedSensor, predictions: list[PredictedMeasurement]) -> JointInnovation:
+    """Innovations of all looks at the expectations they hold, and S = H P H' + R with all cross-correlations."""
+    n, d = len(predictions), max(len(prediction.S) for prediction in predictions)
+    touched = np.unique(np.concatenate([prediction.batch.columns[prediction.row] for prediction in predictions]))
     z, H, dof = np.zeros((n, d)), np.zeros((n, d, len(touched))), np.zeros(n, dtype=int)
     R = np.broadcast_to(np.eye(d), (n, d, d)).copy()
-    for at in by_kind(looks):
-        group = [looks[i] for i in at]
-        expected = group[0].expected.take([look.row for look in group])
-        found = group[0].family.innovate(sensor, expected, np.array([look.measured for look in group]))
+    for at in rows_by_kind(predictions):
+        group = [predictions[i] for i in at]
+        expected = group[0].batch.take([prediction.row for prediction in group])
+        found = group[0].family.batch_innovation(
+            sensor, expected, np.array([prediction.measured for prediction in group])
+        )
         size, rows = found.z.shape[1], np.array(at)[:, None]
         z[rows, np.arange(size)], dof[at] = found.z, size
         columns = np.searchsorted(touched, expected.columns)
@@ -56,33 +58,37 @@ def together(belief: Belief, sensor: MountedSensor, looks: list[Look]) -> Togeth
         R[rows[:, :, None], np.arange(size)[:, None], np.arange(size)] = found.R
     flat = H.reshape(n * d, -1)
     gain = belief.matrix[touched[:, None], touched] @ flat.T
-    Z = (flat @ gain).reshape(n, d, n, d)
-    Z = Z / 2 + Z.transpose(2, 3, 0, 1) / 2
-    Z[np.arange(n), :, np.arange(n)] += R
-    return Together(z, Z, R, dof, gain.reshape(-1, n, d), touched)
+    S = (flat @ gain).reshape(n, d, n, d)
+    S = S / 2 + S.transpose(2, 3, 0, 1) / 2
+    S[np.arange(n), :, np.arange(n)] += R
+    return JointInnovation(z, S, R, dof, gain.reshape(-1, n, d), touched)
 
 
-def told_by_each(sensor: MountedSensor, looks: list[Look], joint: Together) -> Array:
+def hypothesis_innovations(
+    sensor: MountedSensor, predictions: list[PredictedMeasurement], joint: JointInnovation
+) -> Array:
     """Innovations (n, n, d) of all looks (second axis) at the mean corrected by one of them alone (first axis).
 
-    Mean + P H_i' Z_ii^-1 z_i for the poses and the landmarks looked at; nothing is corrected. Not linearized: each
+    Mean + P H_i' S_ii^-1 z_i for the poses and the landmarks looked at; nothing is corrected. Not linearized: each
     hypothesis expects anew. nan where a landmark would be out of view.
     """
     n, d = joint.z.shape
-    own = joint.Z[np.arange(n), :, np.arange(n)]
+    own = joint.S[np.arange(n), :, np.arange(n)]
     steps = np.einsum("knd,nd->nk", joint.gain, np.linalg.solve(own, joint.z[..., None])[..., 0])
     camera = _cameras(sensor, steps[:, np.searchsorted(joint.touched, sensor.columns)])
     in_frame: dict[str, list[tuple[list[int], Array]]] = defaultdict(list)
-    for at in by_kind(looks):
-        landmarks = [looks[i].landmark for i in at]
-        columns = np.array([looks[i].expected.columns[looks[i].row, len(sensor.columns) :] for i in at])
+    for at in rows_by_kind(predictions):
+        landmarks = [predictions[i].landmark for i in at]
+        columns = np.array([predictions[i].batch.columns[predictions[i].row, len(sensor.columns) :] for i in at])
         step = steps[:, np.searchsorted(joint.touched, columns)]
-        kind, moved = landmarks[0].kind, landmarks[0].kind.space.plus(means_of(landmarks), step)
-        in_frame[looks[at[0]].family.name].append((at, kind.to_frame(camera, moved)))
+        kind, moved = landmarks[0].kind, landmarks[0].kind.manifold.plus(landmark_means(landmarks), step)
+        in_frame[predictions[at[0]].family.name].append((at, kind.to_frame(camera, moved)))
     z = np.zeros((n, n, d))
     for kinds in in_frame.values():  # the sensor does not care for kinds: all points are projected at once
         group = [i for at, _ in kinds for i in at]
-        found = _innovations(sensor, [looks[i] for i in group], np.concatenate([there for _, there in kinds], axis=1))
+        found = _innovations(
+            sensor, [predictions[i] for i in group], np.concatenate([there for _, there in kinds], axis=1)
+        )
         z[:, group, : found.shape[-1]] = found
     return z
 
@@ -90,19 +96,19 @@ def told_by_each(sensor: MountedSensor, looks: list[Look], joint: Together) -> A
 def _cameras(sensor: MountedSensor, steps: Array) -> Array:
     """Poses (n, 1, 7) of the sensor in the world after steps (n, 6), or (n, 12) where its mount is estimated."""
     robot = Pose.plus(sensor.robot.pose, steps[:, :POSE])
-    mount = sensor.mount if sensor.block is None else Pose.plus(sensor.mount, steps[:, POSE:])
-    camera: Array = compose(robot, mount)[:, None]
+    extrinsics = sensor.extrinsics if sensor.block is None else Pose.plus(sensor.extrinsics, steps[:, POSE:])
+    camera: Array = compose(robot, extrinsics)[:, None]
     return camera
 
 
-def _innovations(sensor: MountedSensor, looks: list[Look], in_frame: Array) -> Array:
+def _innovations(sensor: MountedSensor, predictions: list[PredictedMeasurement], in_frame: Array) -> Array:
     """Innovations (h, n, d) of looks of one family, at landmarks in_frame (h, n, q) of the sensor."""
-    family = looks[0].family
-    inner = family.inner(sensor.calibration, in_frame)
+    family = predictions[0].family
+    inner = family.innovation_input(sensor.calibration, in_frame)
     h, n, q = inner.shape
     flat, columns = inner.reshape(h * n, q), np.zeros((h * n, 0), dtype=int)
-    landmarks, options = [look.landmark for look in looks] * h, looks[0].expected.options
-    expected = Expected(landmarks, flat, flat, np.zeros((h * n, q, 0)), columns, options)
-    measured = np.tile(np.array([look.measured for look in looks]), (h, 1))
-    z: Array = family.innovate(sensor, expected, measured).z
+    landmarks, options = [prediction.landmark for prediction in predictions] * h, predictions[0].batch.options
+    expected = PredictedBatch(landmarks, flat, flat, np.zeros((h * n, q, 0)), columns, options)
+    measured = np.tile(np.array([prediction.measured for prediction in predictions]), (h, 1))
+    z: Array = family.batch_innovation(sensor, expected, measured).z
     return z.reshape(h, n, -1)

@@ -6,10 +6,10 @@ from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.tests.wrong_solutions import wrong
 
 
-def _squared(centre, Z, size):
+def _squared(centre, S, size):
     v, u = np.indices((size[1], size[0]))
     z = np.stack([u, v], axis=-1) - centre
-    return (z * (z @ np.linalg.inv(Z))).sum(-1)
+    return (z * (z @ np.linalg.inv(S))).sum(-1)
 
 
 @wrong("active_search.1", "the projected covariance alone, without the noise of the measurement (E47)")

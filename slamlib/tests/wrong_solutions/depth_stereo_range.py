@@ -28,7 +28,7 @@ def one_column(x, y, z, f, b, sigma):
 
 
 @wrong("depth_stereo_range.1", "a deviation where the variance belongs")
-def deviation(x, y, z, f, b, sigma):
+def sigma_alone(x, y, z, f, b, sigma):
     J = _jacobian(x, y, z, f, b)
     return sigma * J @ np.array([[1, 0, 1], [0, 1, 0], [1, 0, 2]]) @ J.T
 

@@ -30,8 +30,8 @@ def outer_turn(R, t, S, q):
 
 @wrong("many.1", "moves the point instead of the camera: the sign")
 def sign(R, t, S, q):
-    robot, mount = in_camera_axes(R, t, S, q)
-    return -robot, -np.hstack([-S.T, mount[:, 3:]])
+    robot, extrinsics = in_camera_axes(R, t, S, q)
+    return -robot, -np.hstack([-S.T, extrinsics[:, 3:]])
 
 
 def _null(rows):

@@ -21,7 +21,7 @@ def not_with_each_other(var_r, var_z):
 
 
 @wrong("slam_in_five_minutes.1", "standard deviations for variances")
-def deviations(var_r, var_z):
+def sigmas(var_r, var_z):
     return np.full((3, 3), var_r**0.5) + np.diag([0, var_z**0.5, var_z**0.5])
 
 

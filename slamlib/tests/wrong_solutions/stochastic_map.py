@@ -65,21 +65,21 @@ def corner_once(P, start, J):
 
 @wrong("stochastic_map.3", "keeps the rows of the old matrix, as in rgbdslam_v2 3")
 def not_shifted(sizes, removed):
-    ends = np.cumsum([0, *sizes])
-    return {i: slice(int(ends[i]), int(ends[i + 1])) for i in range(len(sizes)) if i not in removed}
+    stops = np.cumsum([0, *sizes])
+    return {i: slice(int(stops[i]), int(stops[i + 1])) for i in range(len(sizes)) if i not in removed}
 
 
 @wrong("stochastic_map.3", "moves up by one row for each removed block, whatever its size")
 def one_row_each(sizes, removed):
-    ends = np.cumsum([0, *sizes])
+    stops = np.cumsum([0, *sizes])
     up = {i: sum(r < i for r in removed) for i in range(len(sizes))}
-    return {i: slice(int(ends[i]) - up[i], int(ends[i + 1]) - up[i]) for i in up if i not in removed}
+    return {i: slice(int(stops[i]) - up[i], int(stops[i + 1]) - up[i]) for i in up if i not in removed}
 
 
 @wrong("stochastic_map.3", "moves everybody up, those before the gap too")
 def all_move(sizes, removed):
-    ends, gone = np.cumsum([0, *sizes]), sum(sizes[r] for r in removed)
-    start = {i: max(0, int(ends[i]) - gone) for i in range(len(sizes)) if i not in removed}
+    stops, gone = np.cumsum([0, *sizes]), sum(sizes[r] for r in removed)
+    start = {i: max(0, int(stops[i]) - gone) for i in range(len(sizes)) if i not in removed}
     return {i: slice(s, s + sizes[i]) for i, s in start.items()}
 
 

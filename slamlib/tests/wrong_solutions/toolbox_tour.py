@@ -22,24 +22,24 @@ def in_place(line, c):
 
 
 @wrong("toolbox_tour.2", "looks at the first look alone")
-def first_alone(looks):
-    return _null(looks[0])
+def first_alone(predictions):
+    return _null(predictions[0])
 
 
 @wrong("toolbox_tour.2", "adds the Jacobians up, so that their rows hide each other")
-def added(looks):
-    return _null(looks.sum(0))
+def added(predictions):
+    return _null(predictions.sum(0))
 
 
 @wrong("toolbox_tour.2", "returns what is seen")
-def row_space(looks):
-    _, s, V = np.linalg.svd(np.vstack(looks))
+def row_space(predictions):
+    _, s, V = np.linalg.svd(np.vstack(predictions))
     return V[: int((s > 1e-9 * max(s[0], 1e-300)).sum())].T
 
 
 @wrong("toolbox_tour.2", "a threshold for which a small look is none")
-def coarse(looks):
-    _, s, V = np.linalg.svd(np.vstack(looks))
+def coarse(predictions):
+    _, s, V = np.linalg.svd(np.vstack(predictions))
     return V[int((s > 0.01 * s[0]).sum()) :].T
 
 

@@ -57,25 +57,25 @@ def mask(old, left, right, new):
 
 
 @wrong("visual_odometry.3", "takes PnP's answer for the control (E20)")
-def not_inverted(R, t, mount):
-    m, M = mount[:3], rotation(mount[3:])
+def not_inverted(R, t, extrinsics):
+    m, M = extrinsics[:3], rotation(extrinsics[3:])
     turn = M @ R @ M.T
     return m + M @ t - turn @ m, turn
 
 
 @wrong("visual_odometry.3", "transposes the rotation and changes the sign of the vector, without turning it")
-def half_inverted(R, t, mount):
-    m, M = mount[:3], rotation(mount[3:])
+def half_inverted(R, t, extrinsics):
+    m, M = extrinsics[:3], rotation(extrinsics[3:])
     turn = M @ R.T @ M.T
     return m - M @ t - turn @ m, turn
 
 
 @wrong("visual_odometry.3", "forgets that the camera is not the robot")
-def without_mount(R, t, mount):
+def without_mount(R, t, extrinsics):
     return -R.T @ t, R.T
 
 
 @wrong("visual_odometry.3", "turns the mount's axes but forgets its lever arm")
-def without_lever(R, t, mount):
-    M = rotation(mount[3:])
+def without_lever(R, t, extrinsics):
+    M = rotation(extrinsics[3:])
     return -M @ R.T @ t, M @ R.T @ M.T

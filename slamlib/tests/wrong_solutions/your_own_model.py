@@ -6,7 +6,7 @@ from slamlib.analytic import sqrt
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import PointLandmark
-from slamlib.manifolds import as_space
+from slamlib.manifolds import as_manifold
 from slamlib.model import model
 from slamlib.tests.wrong_solutions import wrong
 
@@ -93,7 +93,7 @@ def to_point_inverse(landmark):
 
 
 def _point(*models):
-    return PointLandmark("dstPnt", as_space(7), *models)
+    return PointLandmark("dstPnt", as_manifold(7), *models)
 
 
 @wrong("your_own_model.2", "the rotation of from_frame is transposed")

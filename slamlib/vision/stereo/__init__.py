@@ -7,28 +7,28 @@ is measured is (u, v, d) [px] of the left picture, as slamlib.sensors.stereo def
 
 from slamlib.datasets.pairs import pair
 from slamlib.vision.stereo.detect import StereoSettings
-from slamlib.vision.stereo.features import Eyes, Observed
+from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures
 from slamlib.vision.stereo.front_end import StereoSearch
-from slamlib.vision.stereo.geometry import joined, paired, triangulate
-from slamlib.vision.stereo.matching import circular, mutual
-from slamlib.vision.stereo.motion_source import MOVING, Moving
-from slamlib.vision.stereo.odometry import Motion, Tracks, VisualOdometry, motion_between
+from slamlib.vision.stereo.geometry import stereo_frame, stereo_rig, triangulate
+from slamlib.vision.stereo.matching import circular_matches, mutual_nearest
+from slamlib.vision.stereo.motion_source import MOTION_SOURCES, StereoMotionSource
+from slamlib.vision.stereo.odometry import RelativeMotion, Tracks, VisualOdometry, motion_between
 
 __all__ = [
-    "MOVING",
-    "Eyes",
-    "Motion",
-    "Moving",
-    "Observed",
+    "MOTION_SOURCES",
+    "RelativeMotion",
+    "StereoFeatureExtractor",
+    "StereoFeatures",
+    "StereoMotionSource",
     "StereoSearch",
     "StereoSettings",
     "Tracks",
     "VisualOdometry",
-    "circular",
-    "joined",
+    "circular_matches",
     "motion_between",
-    "mutual",
+    "mutual_nearest",
     "pair",
-    "paired",
+    "stereo_frame",
+    "stereo_rig",
     "triangulate",
 ]

@@ -23,25 +23,26 @@ WINDOW = 5  # px, of the structure tensor: its least eigenvalue is the strength 
 class StereoSettings:
     """What the stereo front end may be told; lengths in pixels.
 
-    cells, each: of a grid (across, down), and the most features that a cell keeps, the strongest ones. least: strength
-    of the weakest. detector: a name of DETECTORS. border: of the picture, without
-    features. rows: how far apart the rows of the two pictures may be. disparity: least and largest one. offset: added
-    to each disparity, column of the right principal point minus that of the left one (Middlebury's doffs). distance:
-    bits of 256 in which two descriptors may differ at most. ratio: the best match differs in less than this share of
-    the bits of the second best. patch: side of the patches that measurements are refined with, odd; 0 does not refine.
-    score: their least correlation. shift: the most that the refinement may move. region: half the side of the squares
-    in which an odometry with a prediction looks for its matches.
+    cells, per_cell: of a grid (across, down), and the most features that a cell keeps, the strongest ones.
+    min_strength: strength of the weakest. detector: a name of DETECTORS. border: of the picture, without features.
+    rows: how far apart the rows of the two pictures may be. disparity: least and largest one. offset: added to each
+    disparity, column of the right principal point minus that of the left one (Middlebury's doffs). distance: bits of
+    256 in which two descriptors may differ at most. ratio: the best match differs in less than this share of the bits
+    of the second best. patch: side of the patches that measurements are refined with, odd; 0 does not refine. score:
+    their least correlation. shift: the most that the refinement may move. region: half the side of the squares in which
+    an odometry with a prediction looks for its matches.
 
-    Of the front end alone. probability: with which a region contains the truth, if the filter is right. apart: from one
-    landmark to the next in the picture. enough: with so many in view, none is begun. zoom: ratio of distances up to
-    which one view serves; views: so many of a landmark are kept. longest: frames for which a landmark rests that was
-    missed again and again. turns: a landmark is measured in one of so many frames, since its errors last (the template
-    is the same), and a filter takes them for new ones; the other frames are left to an odometry (MOVING "correlated").
+    Of the front end alone. probability: with which a region contains the truth, if the filter is right. min_separation:
+    from one landmark to the next in the picture. max_in_view: with so many in view, none is begun. zoom: ratio of
+    distances up to which one view serves; views: so many of a landmark are kept. max_backoff: frames for which a
+    landmark rests that was missed again and again. update_interval: a landmark is measured in one of so many frames,
+    since its errors last (the template is the same), and a filter takes them for new ones; the other frames are left to
+    an odometry (MOVING "correlated").
     """
 
     cells: tuple[int, int] = (12, 8)
-    each: int = 5
-    least: float = 200.0
+    per_cell: int = 5
+    min_strength: float = 200.0
     detector: str = "corners"
     border: int = 18
     rows: float = 1.5
@@ -54,12 +55,12 @@ class StereoSettings:
     shift: float = 2.0
     region: float = 25.0
     probability: float = 0.999
-    apart: float = 9.0
-    enough: int = 60
+    min_separation: float = 9.0
+    max_in_view: int = 60
     zoom: float = 1.3
     views: int = 4
-    longest: int = 16
-    turns: int = 1
+    max_backoff: int = 16
+    update_interval: int = 1
 
     def __post_init__(self) -> None:
         least, largest = self.disparity
@@ -90,14 +91,14 @@ def detect(image: Image, settings: StereoSettings | None = None) -> Keypoints:
     return find(image, s)
 
 
-def spread(pixels: Array, strengths: Array, size: tuple[int, int], cells: tuple[int, int], each: int) -> Array:
-    """Rows of the `each` strongest pixels (n, 2) of each cell of a picture (w, h), strongest first."""
+def spread(pixels: Array, strengths: Array, size: tuple[int, int], cells: tuple[int, int], per_cell: int) -> Array:
+    """Rows of the `per_cell` strongest pixels (n, 2) of each cell of a picture (w, h), strongest first."""
     order = np.argsort(-strengths, kind="stable")
     place = np.clip((pixels[order] * cells / size).astype(int), 0, np.subtract(cells, 1))
     cell = place[:, 1] * cells[0] + place[:, 0]
     together = np.argsort(cell, kind="stable")  # by cell, strongest first within each
     start = np.searchsorted(cell[together], cell[together])
-    kept: Array = order[np.sort(together[np.arange(len(cell)) - start < each])]
+    kept: Array = order[np.sort(together[np.arange(len(cell)) - start < per_cell])]
     return kept
 
 
@@ -106,10 +107,10 @@ def _corners(image: Image, s: StereoSettings) -> Keypoints:
     cv2 = opencv("to find features")
     # In OpenCV's scale the eigenvalue is four times the mean over the window; here it is the sum [grey^2/px^2].
     strength = cv2.cornerMinEigenVal(image.astype(np.float32), WINDOW) * (WINDOW**2 / 4)
-    peak = (strength >= cv2.dilate(strength, np.ones((7, 7), np.uint8))) & (strength >= s.least)
+    peak = (strength >= cv2.dilate(strength, np.ones((7, 7), np.uint8))) & (strength >= s.min_strength)
     peak[: s.border], peak[-s.border :], peak[:, : s.border], peak[:, -s.border :] = False, False, False, False
     v, u = np.nonzero(peak)
-    rows = spread(np.stack([u, v], 1), strength[v, u], image.shape[::-1], s.cells, s.each)
+    rows = spread(np.stack([u, v], 1), strength[v, u], image.shape[::-1], s.cells, s.per_cell)
     u, v = u[rows], v[rows]
     pixels = np.stack([u + _top(strength, v, u, 0, 1), v + _top(strength, v, u, 1, 0)], axis=1)
     return _described(image, pixels, strength[v, u], np.zeros(len(u)), s)
@@ -131,7 +132,7 @@ def _orb(levels: int) -> Callable[[Array, StereoSettings], Keypoints]:
         found = orb.detect(image, None)
         pixels = np.array([k.pt for k in found]).reshape(-1, 2)
         strengths = np.array([k.response for k in found])
-        rows = spread(pixels, strengths, image.shape[::-1], s.cells, s.each)
+        rows = spread(pixels, strengths, image.shape[::-1], s.cells, s.per_cell)
         chosen, descriptors = orb.compute(image, [found[i] for i in rows.tolist()])
         return Keypoints(
             np.array([k.pt for k in chosen], dtype=float).reshape(-1, 2),

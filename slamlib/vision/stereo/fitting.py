@@ -12,7 +12,7 @@ from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.gates import gate
 from slamlib.vision.stereo.geometry import ORIGIN
 
-BELIEVED = 0.999  # probability with which a true match passes
+GATE_PROBABILITY = 0.999  # probability with which a true match passes
 ROUNDS = 10
 
 
@@ -26,7 +26,7 @@ class Fit:
     squares: float
 
 
-def fit(calibration: Calibration, mount: Array, old: Array, new: Array, start: Array, inliers: Mask) -> Fit | None:
+def fit(calibration: Calibration, extrinsics: Array, old: Array, new: Array, start: Array, inliers: Mask) -> Fit | None:
     """The pose most likely for measurements (n, 3) with the calibration's noise in both pairs, from a first guess.
 
     Twice: with the given inliers, and with all matches that the first result's gate lets pass. None if too few.
@@ -35,13 +35,13 @@ def fit(calibration: Calibration, mount: Array, old: Array, new: Array, start: A
     for _ in range(2):
         if keep.sum() < 3:
             return None
-        pose, covariance = _minimum(calibration, mount, old[keep], new[keep], pose)
-        squares = _squares(calibration, mount, old, new, pose)
-        chosen, keep = keep, keep & (squares < gate(BELIEVED, 3))
+        pose, covariance = _minimum(calibration, extrinsics, old[keep], new[keep], pose)
+        squares = _squares(calibration, extrinsics, old, new, pose)
+        chosen, keep = keep, keep & (squares < gate(GATE_PROBABILITY, 3))
     return Fit(pose, covariance, chosen, float(squares[chosen].sum()))
 
 
-def _minimum(calibration: Calibration, mount: Array, old: Array, new: Array, pose: Array) -> tuple[Array, Array]:
+def _minimum(calibration: Calibration, extrinsics: Array, old: Array, new: Array, pose: Array) -> tuple[Array, Array]:
     """Iterate; what an old point really measured, y, is estimated with the pose.
 
     The cost is |old - y|^2 + |new - g(X, y)|^2, both in the metric of R. For a step of X by A dx and of y by G dy the
@@ -50,7 +50,7 @@ def _minimum(calibration: Calibration, mount: Array, old: Array, new: Array, pos
     """
     R, y = calibration.noise, old
     for _ in range(ROUNDS):
-        e, A, G, S = _linear(calibration, mount, old, new, pose, y)
+        e, A, G, S = _linear(calibration, extrinsics, old, new, pose, y)
         W = np.linalg.inv(S)
         weighted = A.swapaxes(-1, -2) @ W
         information = (weighted @ A).sum(0)
@@ -64,30 +64,32 @@ def _minimum(calibration: Calibration, mount: Array, old: Array, new: Array, pos
 
 
 def _linear(
-    calibration: Calibration, mount: Array, old: Array, new: Array, pose: Array, y: Array
+    calibration: Calibration, extrinsics: Array, old: Array, new: Array, pose: Array, y: Array
 ) -> tuple[Array, Array, Array, Array]:
     """e (n, 3), A (n, 3, 6), G (n, 3, 3) and S (n, 3, 3) at a pose and at estimates y (n, 3) of the old values."""
-    points, back = initialize(EUC_POINT, calibration, ORIGIN, mount, y)
-    seen = observe(EUC_POINT, calibration, pose, mount, points)
+    points, back = initialize(EUC_POINT, calibration, ORIGIN, extrinsics, y)
+    seen = observe(EUC_POINT, calibration, pose, extrinsics, points)
     A, G = seen.jacobians.robot, seen.jacobians.landmark @ back.measurement
     e = new - seen.value - (G @ (old - y)[..., None])[..., 0]
     R = calibration.noise
     return e, A, G, R + G @ R @ G.swapaxes(-1, -2)
 
 
-def _squares(calibration: Calibration, mount: Array, old: Array, new: Array, pose: Array) -> Array:
+def _squares(calibration: Calibration, extrinsics: Array, old: Array, new: Array, pose: Array) -> Array:
     """z' S^-1 z (n,) of all matches at a pose."""
-    e, _, _, S = _linear(calibration, mount, old, new, pose, old)
+    e, _, _, S = _linear(calibration, extrinsics, old, new, pose, old)
     squares: Array = (e * np.linalg.solve(S, e[..., None])[..., 0]).sum(-1)
     return squares
 
 
-def derivatives(calibration: Calibration, mount: Array, old: Array, new: Array, pose: Array) -> tuple[Array, Array]:
+def derivatives(
+    calibration: Calibration, extrinsics: Array, old: Array, new: Array, pose: Array
+) -> tuple[Array, Array]:
     """How much the fitted pose (6,) moves with each old and each new measurement: (n, 6, 3) and (n, 6, 3).
 
     To first order, as the covariance is: sum of G R G' over both is that of `fit`.
     """
-    _, A, G, S = _linear(calibration, mount, old, new, pose, old)
+    _, A, G, S = _linear(calibration, extrinsics, old, new, pose, old)
     weighted = A.swapaxes(-1, -2) @ np.linalg.inv(S)
     by_new = np.linalg.inv((weighted @ A).sum(0)) @ weighted
     return -by_new @ G, by_new

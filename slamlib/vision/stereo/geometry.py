@@ -17,16 +17,16 @@ from slamlib.sensors.sensor import Calibration
 ORIGIN = np.array([0.0, 0, 0, 1, 0, 0, 0])
 
 
-def triangulate(calibration: Calibration, values: Array, mount: Array = ORIGIN) -> tuple[Array, Array]:
+def triangulate(calibration: Calibration, values: Array, extrinsics: Array = ORIGIN) -> tuple[Array, Array]:
     """Points (n, 3) [m] of measurements (n, 3) [px], and covariances (n, 3, 3) = J R J', in the robot's frame.
 
-    mount (7,): the sensor's pose on the robot; the default gives points of the sensor's own frame. R, the noise of the
-    calibration, is of (u, v, d); J is the model's own Jacobian. The result is nearly singular, and never diagonal: an
-    error of the disparity moves the point along its ray. Raises SlamlibError for a disparity that is not above zero.
+    extrinsics (7,): the sensor's pose on the robot; the default gives points of the sensor's own frame. R, the noise of
+    the calibration, is of (u, v, d); J is the model's own Jacobian. The result is nearly singular, and never diagonal:
+    an error of the disparity moves the point along its ray. Raises SlamlibError for a disparity that is not above zero.
     """
     if not (values[:, 2] > 0).all():
         raise SlamlibError("triangulate: a disparity of zero or less belongs to no finite point; mask such features")
-    points, J = initialize(EUC_POINT, calibration, ORIGIN, mount, values)
+    points, J = initialize(EUC_POINT, calibration, ORIGIN, extrinsics, values)
     by = J.measurement
     return points, by @ calibration.noise @ by.swapaxes(-1, -2)
 
@@ -42,7 +42,7 @@ def pixel_noise(left: float, right: float) -> Array:
     return noise
 
 
-def joined(rig: Rig, std: tuple[float, ...] = (0.15, 0.15, 0.15)) -> Rig:
+def stereo_rig(rig: Rig, std: tuple[float, ...] = (0.15, 0.15, 0.15)) -> Rig:
     """The same robot with one stereo sensor, in place of a left and a right camera of equal lenses without distortion.
 
     std: of u, v and the disparity [px]: a match in the rooms errs by 0.05 px, but errors of one landmark go on from
@@ -51,7 +51,7 @@ def joined(rig: Rig, std: tuple[float, ...] = (0.15, 0.15, 0.15)) -> Rig:
     if len(rig.robots) != 1 or len(rig.sensors) != 2:
         raise SlamlibError("joined: a rig of one robot with a left and a right camera is wanted")
     left, right = rig.sensors
-    baseline, *aside = relative(left.mount, right.mount)[:3].tolist()
+    baseline, *aside = relative(left.extrinsics, right.extrinsics)[:3].tolist()
     lens = dict(left.parameters)
     if lens != dict(right.parameters) or left.image != right.image or left.euler != right.euler:
         raise SlamlibError("joined: the two cameras differ in lens, image or direction: rectify them first")
@@ -75,7 +75,7 @@ def joined(rig: Rig, std: tuple[float, ...] = (0.15, 0.15, 0.15)) -> Rig:
     return replace(rig, sensors=(sensor,))
 
 
-def paired(frame: Frame) -> Frame:
+def stereo_frame(frame: Frame) -> Frame:
     """A frame with the scans of two cameras as one with a single scan, whose image is the pair."""
     left, right = (scan.image for scan in frame.scans)
     if left is None or right is None:

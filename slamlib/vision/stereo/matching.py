@@ -15,7 +15,7 @@ ROWS = 0.1  # of the picture's height: matches are sought so far up and down
 ENOUGH = 12  # matches, for a judgement
 
 
-def distances(one: Image, other: Image) -> Array:
+def hamming_distances(one: Image, other: Image) -> Array:
     """Bits (n, m) in which descriptors (n, 32) and (m, 32) differ.
 
     With bits as signs, a' b is the number of equal bits less that of different ones: one product of matrices.
@@ -25,7 +25,7 @@ def distances(one: Image, other: Image) -> Array:
     return differ.astype(float)
 
 
-def mutual(cost: Array, *, largest: float, ratio: float = 1.0) -> Indices:
+def mutual_nearest(cost: Array, *, largest: float, ratio: float = 1.0) -> Indices:
     """Pairs (k, 2) of rows and columns of costs (n, m), each the other's best; inf is not allowed to match.
 
     A best cost of more than `largest`, or not below `ratio` times the second best of its row or its column, is none.
@@ -49,7 +49,7 @@ def _second(cost: Array) -> Array:
     return least
 
 
-def along_rows(left: Array, right: Array, rows: float, disparity: tuple[float, float]) -> Mask:
+def row_mask(left: Array, right: Array, rows: float, disparity: tuple[float, float]) -> Mask:
     """Mask (n, m) of the pixels (n, 2) and (m, 2) that may show one point: in one row, with a disparity that may be."""
     apart = np.abs(left[:, None, 1] - right[None, :, 1])
     d = left[:, None, 0] - right[None, :, 0]
@@ -57,7 +57,7 @@ def along_rows(left: Array, right: Array, rows: float, disparity: tuple[float, f
     return mask
 
 
-def circular(lefts: Indices, rights: Indices) -> Indices:
+def circular_matches(lefts: Indices, rights: Indices) -> Indices:
     """Pairs (k, 2) of old and new stereo features that both pictures agree on.
 
     lefts, rights (., 2): pairs of (old, new) as matched in the left pictures, and in the right ones. A feature of a
@@ -86,8 +86,8 @@ def survey(image: Image, settings: StereoSettings | None = None) -> Survey:
     left, right = (detect(picture, s) for picture in image)
     apart = left.pixels[:, None] - right.pixels[None]
     near = (np.abs(apart[..., 1]) <= ROWS * image.shape[1]) & (np.abs(apart[..., 0]) <= s.disparity[1])
-    cost = np.where(near, distances(left.descriptors, right.descriptors), np.inf)
-    rows = mutual(cost, largest=s.distance, ratio=s.ratio)
+    cost = np.where(near, hamming_distances(left.descriptors, right.descriptors), np.inf)
+    rows = mutual_nearest(cost, largest=s.distance, ratio=s.ratio)
     found = apart[rows[:, 0], rows[:, 1]]
     if len(found) < ENOUGH:
         return Survey(len(found), np.nan, np.nan)

@@ -1,10 +1,10 @@
 """Where the prediction of a stereo filter comes from, without using a measurement twice (E21). Chapter 22.
 
-"velocity": the robot keeps its velocities, and all features correct. "halves": those in one half of the picture give
-the control, those in the other one correct. "correlated": all features do both, and their cross-correlation is
-modelled. That needs no more than this (slamlib.tests.shared_noise has the proof): a control of features that
-correct as well tells nothing new, so that only the others, strangers, say how well it is known; all together say where
-to linearize. A stranger of this pair is no landmark's measurement, and begins none, in this pair.
+"constant-velocity": the robot keeps its velocities, and all features correct. "split-features": those in one half of
+the picture give the control, those in the other one correct. "correlated": all features do both, and their
+cross-correlation is modelled. That needs no more than this (slamlib.tests.shared_noise has the proof): a control of
+features that correct as well tells nothing new, so that only the others, strangers, say how well it is known; all
+together say where to linearize. A stranger of this pair is no landmark's measurement, and begins none, in this pair.
 """
 
 from collections.abc import Callable
@@ -16,51 +16,51 @@ import numpy as np
 from slamlib.data.records import Control
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.measurement_update import looks_from
+from slamlib.slam.measurement_update import predict_from_pose
 from slamlib.vision.front_end import Stopwatch
 from slamlib.vision.motion_source import MotionSource, OwnMotion
 from slamlib.vision.stereo.detect import StereoSettings
-from slamlib.vision.stereo.features import Eyes, Observed
+from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures
 from slamlib.vision.stereo.fitting import fit
 from slamlib.vision.stereo.front_end import StereoSearch
-from slamlib.vision.stereo.odometry import FEWEST, Motion, VisualOdometry, as_control
+from slamlib.vision.stereo.odometry import MIN_MATCHES, RelativeMotion, VisualOdometry, as_control
 
-HARDLY = 1e4  # times its covariance, a control tells nothing that its measurements do not tell as well
-NEARNESS = 3.5  # standard deviations: a feature so near to where a landmark is expected may be that landmark
+UNINFORMATIVE = 1e4  # times its covariance, a control tells nothing that its measurements do not tell as well
+NEAR_SIGMAS = 3.5  # standard deviations: a feature so near to where a landmark is expected may be that landmark
 SLACK = 2.0  # px, by which what is detected may lie beside the landmark that it shows
-RESERVED = 2  # of the strongest features, so many for each landmark that may be begun are left to begin it
+RESERVED_PER_LANDMARK = 2  # of the strongest features, so many for each landmark that may be begun are left to begin it
 UNKNOWN = (1.0, 0.3)  # [m], [rad]: standard deviations of a step of which there is no example
-SHARE = 0.2  # of the newest change in the mean of their squares
-SURPRISE = 9.0  # a motion is lost where it changes more than usual: variances are larger by so much
+NEWEST_SHARE = 0.2  # of the newest change in the mean of their squares
+INFLATION = 9.0  # a motion is lost where it changes more than usual: variances are larger by so much
 
 
-class Moving(MotionSource, Protocol):
+class StereoMotionSource(MotionSource, Protocol):
     """A MotionSource of stereo pairs; a filter of the robot's motion `motion` takes its front end.
 
     found: the odometry's motion to the present pair, or None where there is none.
     """
 
     motion: str
-    found: Motion | None
+    found: RelativeMotion | None
 
     @property
     def front_end(self) -> StereoSearch:
         """The filter's, of the stereo sensor."""
 
 
-class Velocity(OwnMotion):
+class VelocityPrior(OwnMotion):
     """Nobody tells anything: the robot's own noise says how its velocities may change."""
 
     motion = "constVel"
     front_end: StereoSearch
 
-    def __init__(self, calibration: Calibration, mount: Array, settings: StereoSettings | None = None) -> None:
+    def __init__(self, calibration: Calibration, extrinsics: Array, settings: StereoSettings | None = None) -> None:
         super().__init__(StereoSearch(calibration, settings))
-        self.found: Motion | None = None
+        self.found: RelativeMotion | None = None
         self.seconds = Stopwatch("odometry")
 
 
-class Steady:
+class MotionFallback:
     """The motion of a step that nobody could tell: as the last one, and not well known.
 
     Remembers how controls (6,) change from step to step: displacement [m] and rotation [rad] by themselves.
@@ -71,22 +71,22 @@ class Steady:
         self.changes: Array | None = None  # (2,) mean squares of a change of the rate, of one coordinate
         self.lost = 0
 
-    def told(self, control: Control, dt: float) -> None:
+    def record(self, control: Control, dt: float) -> None:
         """A step whose control is known."""
         rate = control.value / dt
         if self.rate is not None:
             square = ((rate - self.rate) ** 2).reshape(2, 3).mean(1)
             before = square if self.changes is None else self.changes
-            self.changes = before + SHARE * (square - before)
+            self.changes = before + NEWEST_SHARE * (square - before)
         self.rate, self.lost = rate, 0
 
-    def untold(self, dt: float) -> Control:
+    def extrapolate(self, dt: float) -> Control:
         """The last control again, the less certain the more steps in a row were lost; a random walk of the rate."""
         self.lost += 1
         if self.rate is None:
             return Control(np.zeros(6), np.repeat(np.square(UNKNOWN), 3))
         example = np.square(self.rate).reshape(2, 3).mean(1) if self.changes is None else self.changes
-        return Control(self.rate * dt, np.repeat(SURPRISE * self.lost * example * dt**2, 3))
+        return Control(self.rate * dt, np.repeat(INFLATION * self.lost * example * dt**2, 3))
 
     def dump(self) -> Any:
         """Plain data."""
@@ -98,19 +98,19 @@ class Steady:
         self.lost = state[2]
 
 
-class Halves:
+class SplitFeatures:
     """Odometry in the squares of one colour of a chess board over the picture, landmarks in those of the other."""
 
-    name, motion = "halves", "odometry"
+    name, motion = "split-features", "odometry"
     odometry_half: int | None = 0
     landmark_half: int | None = 1
 
-    def __init__(self, calibration: Calibration, mount: Array, settings: StereoSettings | None = None) -> None:
-        eyes = Eyes(calibration, settings)
-        self.odometry = VisualOdometry(eyes, mount, half=self.odometry_half)
-        self.front_end = StereoSearch(calibration, eyes=eyes, half=self.landmark_half)
-        self.steady = Steady()
-        self.found: Motion | None = None
+    def __init__(self, calibration: Calibration, extrinsics: Array, settings: StereoSettings | None = None) -> None:
+        extractor = StereoFeatureExtractor(calibration, settings)
+        self.odometry = VisualOdometry(extractor, extrinsics, half=self.odometry_half)
+        self.front_end = StereoSearch(calibration, extractor=extractor, half=self.landmark_half)
+        self.fallback = MotionFallback()
+        self.found: RelativeMotion | None = None
         self.seconds = Stopwatch("odometry")
 
     def control(self, image: Image, dt: float, slam: Any) -> Control | None:
@@ -124,11 +124,11 @@ class Halves:
         if old is None:
             return Control(np.zeros(6), np.zeros((6, 6)))
         if self.found is None:
-            return self.steady.untold(dt)
-        self.steady.told(self.found.control, dt)
-        return self.told(old, self.odometry.eyes.look(image), self.found, slam)
+            return self.fallback.extrapolate(dt)
+        self.fallback.record(self.found.control, dt)
+        return self.filter_control(old, self.odometry.extractor.extract(image), self.found, slam)
 
-    def told(self, old: Observed, new: Observed, found: Motion, slam: Any) -> Control:
+    def filter_control(self, old: StereoFeatures, new: StereoFeatures, found: RelativeMotion, slam: Any) -> Control:
         """What the filter is told of a motion that was found between two pairs."""
         return found.control
 
@@ -138,63 +138,67 @@ class Halves:
 
     def dump(self) -> Any:
         """The odometry's state, with the last pair, and how motions change."""
-        return {"odometry": self.odometry.dump(), "steady": self.steady.dump()}
+        return {"odometry": self.odometry.dump(), "fallback": self.fallback.dump()}
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave."""
         self.odometry.restore(state["odometry"])
-        self.steady.restore(state["steady"])
+        self.fallback.restore(state["fallback"])
 
 
-class Correlated(Halves):
+class CorrelatedFeatures(SplitFeatures):
     """All features for both: the control of the strangers, linearized where all features say that the robot is."""
 
     name = "correlated"
     odometry_half = landmark_half = None
 
     def _control(self, image: Image, dt: float, slam: Any) -> Control:
-        self.front_end.others = np.zeros(0, dtype=int)
+        self.front_end.reserved = np.zeros(0, dtype=int)
         return super()._control(image, dt, slam)
 
-    def told(self, old: Observed, new: Observed, found: Motion, slam: Any) -> Control:
+    def filter_control(self, old: StereoFeatures, new: StereoFeatures, found: RelativeMotion, slam: Any) -> Control:
         """The motion of the strangers, from all features' motion on; if they are too few, the latter, hardly known."""
-        mine = self.strangers(new, found, slam) & found.inliers
+        in_half = self.unmapped(new, found, slam) & found.inliers
         pairs, values = self.odometry.pairs, self.odometry.matched
-        eyes, mount = self.odometry.eyes, self.odometry.mount
-        own = fit(eyes.calibration, mount, old.values[pairs[:, 0]], values, found.pose, mine)
-        if own is None or own.inliers.sum() < FEWEST:
-            return replace(found.control, covariance=HARDLY * found.control.covariance)
-        self.front_end.others = pairs[mine, 1]
+        extractor, extrinsics = self.odometry.extractor, self.odometry.extrinsics
+        own = fit(extractor.calibration, extrinsics, old.values[pairs[:, 0]], values, found.pose, in_half)
+        if own is None or own.inliers.sum() < MIN_MATCHES:
+            return replace(found.control, covariance=UNINFORMATIVE * found.control.covariance)
+        self.front_end.reserved = pairs[in_half, 1]
         return as_control(own)
 
-    def strangers(self, new: Observed, found: Motion, slam: Any) -> Mask:
+    def unmapped(self, new: StereoFeatures, found: RelativeMotion, slam: Any) -> Mask:
         """Mask (k,) of the matches that show no landmark, and will begin none."""
         pairs, values = self.odometry.pairs, self.odometry.matched
         front_end = self.front_end
-        mask = ~np.isin(pairs[:, 0], [*front_end.found.values(), *front_end.begun])
+        mask = ~np.isin(pairs[:, 0], [*front_end.found.values(), *front_end.initialized])
         frame = front_end.frame + 1
-        looks = [look for look in looks_from(slam, found.pose) if front_end.has_turn(look.landmark, frame)]
-        if looks:
-            expected = np.array([look.value[:2] for look in looks])
-            spread = np.array([np.sqrt(np.diag(look.Z)[:2]) for look in looks])
-            reach = SLACK + NEARNESS * spread
+        predictions = [
+            prediction
+            for prediction in predict_from_pose(slam, found.pose)
+            if front_end.is_due(prediction.landmark, frame)
+        ]
+        if predictions:
+            expected = np.array([prediction.value[:2] for prediction in predictions])
+            spread = np.array([np.sqrt(np.diag(prediction.S)[:2]) for prediction in predictions])
+            reach = SLACK + NEAR_SIGMAS * spread
             mask &= ~(np.abs(values[:, None, :2] - expected) <= reach).all(-1).any(1)
         rows, strengths = np.flatnonzero(mask), new.strengths[pairs[mask, 1]]
-        mask[rows[np.argsort(-strengths, kind="stable")[: RESERVED * slam.options.later]]] = False
+        mask[rows[np.argsort(-strengths, kind="stable")[: RESERVED_PER_LANDMARK * slam.options.max_new]]] = False
         return mask
 
     def dump(self) -> Any:
         """Beside that of halves: which features of the last pair showed landmarks, and which began some."""
-        return {**super().dump(), "shown": self.front_end.found, "begun": self.front_end.begun}
+        return {**super().dump(), "shown": self.front_end.found, "initialized": self.front_end.initialized}
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave."""
         super().restore(state)
         self.front_end.found = {int(number): row for number, row in state["shown"].items()}
-        self.front_end.begun = state["begun"]
+        self.front_end.initialized = state["initialized"]
 
 
-class OdometryAlone(Halves):
+class OdometryOnly(SplitFeatures):
     """Plain odometry of all features, for a filter without landmarks.
 
     searched are the features matched from left to right, matched those that were matched round the cycle, believed
@@ -206,15 +210,19 @@ class OdometryAlone(Halves):
 
     def counts(self) -> dict[str, float]:
         """Of features, in place of landmarks."""
-        believed = 0 if self.found is None else int(self.found.inliers.sum())
-        dof = max(3 * believed - 6, 0)
+        inliers = 0 if self.found is None else int(self.found.inliers.sum())
+        dof = max(3 * inliers - 6, 0)
         return {
             "searched": 0 if self.odometry.old is None else len(self.odometry.old),
             "matched": len(self.odometry.pairs),
-            "believed": believed,
-            "nis": 0.0 if self.found is None else self.found.fit * dof,
+            "inliers": inliers,
+            "nis": 0.0 if self.found is None else self.found.nis_per_dof * dof,
             "nis_dof": dof,
         }
 
 
-MOVING: dict[str, Callable[..., Moving]] = {"velocity": Velocity, "halves": Halves, "correlated": Correlated}
+MOTION_SOURCES: dict[str, Callable[..., StereoMotionSource]] = {
+    "constant-velocity": VelocityPrior,
+    "split-features": SplitFeatures,
+    "correlated": CorrelatedFeatures,
+}

@@ -14,22 +14,22 @@ from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array, Image, Indices, Mask
 from slamlib.observation.points import observe
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.stereo.features import Eyes, Observed, followed, within
+from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures, track_features, within_region
 from slamlib.vision.stereo.fitting import Fit, fit
 from slamlib.vision.stereo.geometry import ORIGIN, triangulate
 
-FEWEST = 8  # matches, for which a motion can be told from chance
-REACH = 2.0  # px, of reprojection, within which a match agrees with a sample's motion
+MIN_MATCHES = 8  # matches, for which a motion can be told from chance
+INLIER_THRESHOLD = 2.0  # px, of reprojection, within which a match agrees with a sample's motion
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class RelativeMotion:
     """From the old pair to the new one. inliers (n,): mask of the matches; fit: the mean of z' S^-1 z by its degrees
     of freedom, 1 if the noise of the calibration is that of the measurements."""
 
     control: Control
     inliers: Mask
-    fit: float
+    nis_per_dof: float
 
     @property
     def pose(self) -> Array:
@@ -37,26 +37,28 @@ class Motion:
         return np.concatenate([self.control.value[:3], exponential(self.control.value[3:])])
 
 
-def motion_between(calibration: Calibration, old: Array, new: Array, mount: Array = ORIGIN) -> Motion | None:
+def motion_between(
+    calibration: Calibration, old: Array, new: Array, extrinsics: Array = ORIGIN
+) -> RelativeMotion | None:
     """The robot's motion between measurements (n, 3) [px] of the same points, old and new; None if none is found.
 
-    mount (7,): the sensor's pose on the robot. The covariance is that of the given noise: the mean of z' S^-1 z tells
-    whether that is true.
+    extrinsics (7,): the sensor's pose on the robot. The covariance is that of the given noise: the mean of z' S^-1 z
+    tells whether that is true.
     """
-    if len(old) < FEWEST:
+    if len(old) < MIN_MATCHES:
         return None
-    sampled = by_samples(calibration, old, new)
+    sampled = ransac_pose(calibration, old, new)
     if sampled is None:
         return None
     camera, inliers = sampled
-    start = compose(compose(mount, camera), inverse(mount))
-    found = fit(calibration, mount, old, new, start, inliers)
-    if found is None or found.inliers.sum() < FEWEST:
+    start = compose(compose(extrinsics, camera), inverse(extrinsics))
+    found = fit(calibration, extrinsics, old, new, start, inliers)
+    if found is None or found.inliers.sum() < MIN_MATCHES:
         return None
-    return Motion(as_control(found), found.inliers, found.squares / max(3 * found.inliers.sum() - 6, 1))
+    return RelativeMotion(as_control(found), found.inliers, found.squares / max(3 * found.inliers.sum() - 6, 1))
 
 
-def by_samples(calibration: Calibration, old: Array, new: Array) -> tuple[Array, Mask] | None:
+def ransac_pose(calibration: Calibration, old: Array, new: Array) -> tuple[Array, Mask] | None:
     """The camera's new pose (7,) in its old frame, and the mask (n,) of the matches that agree: PnP with RANSAC.
 
     OpenCV's solution takes points of the *old* camera's frame to the new one's, p_new = R p_old + t. The motion of the
@@ -67,9 +69,20 @@ def by_samples(calibration: Calibration, old: Array, new: Array) -> tuple[Array,
     u0, v0, au, av = calibration.given["intrinsics"]
     matrix = np.array([[au, 0, u0], [0, av, v0], [0, 0, 1]])
     found, turn, shift, rows = cv2.solvePnPRansac(
-        points, new[:, :2].copy(), matrix, None, None, None, False, 200, REACH, 0.999, None, cv2.SOLVEPNP_EPNP
+        points,
+        new[:, :2].copy(),
+        matrix,
+        None,
+        None,
+        None,
+        False,
+        200,
+        INLIER_THRESHOLD,
+        0.999,
+        None,
+        cv2.SOLVEPNP_EPNP,
     )
-    if not found or rows is None or len(rows) < FEWEST:
+    if not found or rows is None or len(rows) < MIN_MATCHES:
         return None
     inliers = np.zeros(len(old), dtype=bool)
     inliers[rows[:, 0]] = True
@@ -135,47 +148,47 @@ class VisualOdometry:
     """One motion for each pair after the first, from matches round the cycle. half: 0 or 1 takes part of the features.
 
     Motion and update of a filter must not use the same measurements (E21): two halves of the picture, as squares of a
-    chess board, give one each its own (`halves`).
+    chess board, give one each its own (`split-features`).
 
     After a step: pairs (k, 2) of old and new features, matched (k, 3) their new values [px], tracks with the numbers of
-    all features, and again (n,), the report's mask of the old features that were matched in both new pictures.
+    all features, and reobserved (n,), the report's mask of the old features that were matched in both new pictures.
     """
 
-    def __init__(self, eyes: Eyes, mount: Array = ORIGIN, half: int | None = None) -> None:
-        self.eyes, self.mount, self.half = eyes, mount, half
-        self.old: Observed | None = None
+    def __init__(self, extractor: StereoFeatureExtractor, extrinsics: Array = ORIGIN, half: int | None = None) -> None:
+        self.extractor, self.extrinsics, self.half = extractor, extrinsics, half
+        self.old: StereoFeatures | None = None
         self.last: Array | None = None
         self.pairs: Indices = np.zeros((0, 2), dtype=int)
         self.matched: Array = np.zeros((0, 3))
-        self.tracks, self.again = Tracks(), np.zeros(0, dtype=bool)
+        self.tracks, self.reobserved = Tracks(), np.zeros(0, dtype=bool)
 
-    def step(self, image: Image | None, predicted: Array | None = None) -> Motion | None:
+    def step(self, image: Image | None, predicted: Array | None = None) -> RelativeMotion | None:
         """The motion to this pair (2, h, w) from the one before; None for the first, and where none can be told.
 
         predicted (7,): the robot's new pose in its old frame, for the regions of matches; the default is that of the
         step before, and where there was none, the whole picture.
         """
-        old, new = self.old, self.eyes.look(image)
+        old, new = self.old, self.extractor.extract(image)
         self.old = new
         if old is None:
-            self.again = self.tracks.step(len(new), self.pairs)
+            self.reobserved = self.tracks.step(len(new), self.pairs)
             return None
         guess = self.last if predicted is None else predicted
-        self.pairs, self.matched = followed(old, new, self.eyes.settings, self.regions(old, new, guess))
+        self.pairs, self.matched = track_features(old, new, self.extractor.settings, self.regions(old, new, guess))
         found = self._motion(old)
-        self.again = self.tracks.step(len(new), self.pairs)
+        self.reobserved = self.tracks.step(len(new), self.pairs)
         self.last = None if found is None else found.pose
         return found
 
-    def regions(self, old: Observed, new: Observed, predicted: Array | None) -> Mask | None:
+    def regions(self, old: StereoFeatures, new: StereoFeatures, predicted: Array | None) -> Mask | None:
         """Mask (n, m) of the features that may match if the robot has moved as predicted; None: all."""
         if predicted is None:
             return None
-        calibration = self.eyes.calibration
-        points, _ = triangulate(calibration, old.values, self.mount)
-        seen = observe(EUC_POINT, calibration, predicted, self.mount, points)
+        calibration = self.extractor.calibration
+        points, _ = triangulate(calibration, old.values, self.extrinsics)
+        seen = observe(EUC_POINT, calibration, predicted, self.extrinsics, points)
         expected = np.where(seen.visible[:, None], seen.value, np.nan)
-        return within(expected, new.values, self.eyes.settings.region)
+        return within_region(expected, new.values, self.extractor.settings.region)
 
     def dump(self) -> Any:
         """The last pair, packed, the motion to it, and the tracks, as plain data."""
@@ -184,22 +197,22 @@ class VisualOdometry:
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave: the next step is the same."""
-        self.old = None if state["pair"] is None else self.eyes.look(unpack(state["pair"]))
+        self.old = None if state["pair"] is None else self.extractor.extract(unpack(state["pair"]))
         self.last = None if state["last"] is None else np.array(state["last"])
         self.tracks.restore(state["tracks"])
 
-    def _motion(self, old: Observed) -> Motion | None:
+    def _motion(self, old: StereoFeatures) -> RelativeMotion | None:
         if self.half is not None:
-            mine = halves(old.values[self.pairs[:, 0]]) == self.half
-            mine &= halves(self.matched) == self.half
-            self.pairs, self.matched = self.pairs[mine], self.matched[mine]
-        return motion_between(self.eyes.calibration, old.values[self.pairs[:, 0]], self.matched, self.mount)
+            in_half = checkerboard_half(old.values[self.pairs[:, 0]]) == self.half
+            in_half &= checkerboard_half(self.matched) == self.half
+            self.pairs, self.matched = self.pairs[in_half], self.matched[in_half]
+        return motion_between(self.extractor.calibration, old.values[self.pairs[:, 0]], self.matched, self.extrinsics)
 
 
-SQUARE = 64  # px
+CHECKERBOARD_SQUARE = 64  # px
 
 
-def halves(values: Array) -> Array:
+def checkerboard_half(values: Array) -> Array:
     """0 or 1 (n,), by the square of a chess board over the picture that each measurement (n, .) lies in."""
-    number: Array = np.floor(values[:, :2] / SQUARE).astype(int).sum(1) % 2
+    number: Array = np.floor(values[:, :2] / CHECKERBOARD_SQUARE).astype(int).sum(1) % 2
     return number

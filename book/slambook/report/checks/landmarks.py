@@ -7,17 +7,29 @@ import numpy as np
 from slambook.report import motion, scenes
 from slambook.report.angles import rotation
 from slambook.report.correlations import compared, rms
-from slambook.report.findings import RUNS, SEED, Finding, at_least, at_most, check, near, ours, ran, refused, statistics
+from slambook.report.findings import (
+    RUNS,
+    SEED,
+    AuditFinding,
+    at_least,
+    at_most,
+    check,
+    near,
+    ours,
+    ran,
+    refused,
+    statistics,
+)
 from slambook.report.runs import monte_carlo, two_pictures
 from slamlib.manifolds import Indices
 
 
 @check("E18", "(5.34), last row", "J P_{m_L m_2}", "J P_{x m_2}: J times the pose's row")
-def cross_terms() -> Finding:
+def cross_terms() -> AuditFinding:
     run, right = ran("gentle", "E18 dropped"), ran("gentle")
     P = right.last.P
     least = np.linalg.eigvalsh(P).min() / np.abs(P).max()
-    return Finding(
+    return AuditFinding(
         [
             near("as printed, (3x6)(3x3): NumPy refuses", refused("E18"), 1, 0),
             at_least("corrected: least eigenvalue of P over its largest entry", least, -1e-12, ">= 0"),
@@ -28,11 +40,11 @@ def cross_terms() -> Finding:
 
 
 @check("E19", "5.1.2", "all covariances zero at the start", "zero for the pose alone; landmarks enter with (5.35)")
-def first_landmarks() -> Finding:
+def first_landmarks() -> AuditFinding:
     run, right = ran("gentle", "E19"), ran("gentle")
     first = len(_seen_first())
     frozen = np.abs(run.last.P[:, 6 : 6 + 3 * first]).max()
-    return Finding(
+    return AuditFinding(
         [
             at_most("rows of the first landmarks in P after 60 steps", frozen, 0.0),
             near("NEES/6, gentle", run.ratio, 3.35, 0.7),
@@ -48,7 +60,7 @@ def _seen_first() -> Indices:
 
 
 @check("E20", "5.2.2", "the output of PnP 'is what we call the control'", "its inverse: R_u = R', t_u = -R't")
-def direction() -> Finding:
+def direction() -> AuditFinding:
     run, right = ran("gentle", "E20"), ran("gentle")
     answer = motion.inverse(np.array([0.4, 0, 0, 0, 0, 0]))
     figures = [
@@ -60,7 +72,7 @@ def direction() -> Finding:
         source = "with OpenCV itself"
     except ImportError:
         source = "OpenCV is not installed: without its own row"
-    return Finding(figures, f"{statistics(('gentle', run), ('right', right))}; {source}")
+    return AuditFinding(figures, f"{statistics(('gentle', run), ('right', right))}; {source}")
 
 
 def _opencv() -> float:
@@ -77,9 +89,9 @@ def _opencv() -> float:
 @check(
     "E21", "5.2.2-5.2.3", "the same matches give u and z, as if independent", "other matches, odometry, or no odometry"
 )
-def twice() -> Finding:
+def twice() -> AuditFinding:
     wrong, right = two_pictures("E21"), two_pictures()
-    return Finding(
+    return AuditFinding(
         [
             near("NEES/6, the same matches", wrong.ratio, 1.93, 0.2),
             near("NEES/6, other matches", right.ratio, 1.03, 0.1),
@@ -91,12 +103,12 @@ def twice() -> Finding:
 
 
 @check("E22", "5.4", "'at k+2 everything is reset except for the agent localisation'", "P_xx must be carried on")
-def reset() -> Finding:
+def reset() -> AuditFinding:
     run, kept, right = ran("gentle", "E22"), ran("gentle", "E22 kept"), ran("gentle")
     again = monte_carlo(scenes.gentle(), "E22 kept", runs=RUNS, seed=SEED, again=True)
     error, claimed = run.position_error, run.claimed_deviation
     cautious = "too cautious: a picture ends one step and begins the next, and its noise cancels between them"
-    return Finding(
+    return AuditFinding(
         [
             near("claimed deviation, step 60 over step 15", claimed[59] / claimed[14], 1.0, 0.1),
             at_least("true error, step 60 over step 15", error[59] / error[14], 1.6, "2"),
@@ -116,7 +128,7 @@ def reset() -> Finding:
     "correlations are 'extremely complicated', best found by experiment",
     "P holds them; here the experiment",
 )
-def correlations() -> Finding:
+def correlations() -> AuditFinding:
     scene = scenes.around(scenes.gentle(), np.random.default_rng(7), 8)
     scene = replace(scene, controls=scene.controls[:20])
     run = monte_carlo(scene, runs=400, seed=SEED)
@@ -124,7 +136,7 @@ def correlations() -> Finding:
     beside = ~np.eye(len(found.claimed), dtype=bool)
     apart, claimed = (found.measured - found.claimed)[beside], found.claimed[beside]
     size = len(found.claimed)
-    return Finding(
+    return AuditFinding(
         [
             at_most("correlations, 400 runs minus the filter's, root mean square", rms(apart), 0.06),
             at_least("correlations, root mean square", rms(claimed), 0.25, "high"),

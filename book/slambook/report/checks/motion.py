@@ -4,7 +4,18 @@ import numpy as np
 
 from slambook.report import motion, observation, scenes
 from slambook.report.angles import rotation
-from slambook.report.findings import Finding, at_least, at_most, check, instead, near, ours, ran, refused, statistics
+from slambook.report.findings import (
+    AuditFinding,
+    at_least,
+    at_most,
+    check,
+    instead,
+    near,
+    ours,
+    ran,
+    refused,
+    statistics,
+)
 from slambook.report.runs import DOF
 from slamlib.manifolds import Array
 
@@ -40,10 +51,10 @@ def _at(yaw: float, pitch: float, roll: float) -> Array:
 
 
 @check("E01", "(3.15)", "H at the corrected state of the step before", "H at the predicted state")
-def place_of_H() -> Finding:
+def place_of_H() -> AuditFinding:
     a, b, b_right = ran("gentle", "E01"), ran("hard", "E01"), ran("hard")
     grows = "three seeds give 1.5 to 1.7, chapter 3 6.7 for 3.05: not mild where a step is large"
-    return Finding(
+    return AuditFinding(
         [
             near("H off, 0.08 m and 0.9 degrees [%]", _change_of_H(*SMALL), 1.7, 0.3),
             near("H off, 0.5 m and 10 degrees [%]", _change_of_H(*LARGE), 17, 2),
@@ -55,10 +66,10 @@ def place_of_H() -> Finding:
 
 
 @check("E02", "5.2.4", "F at the predicted state", "F at the corrected state of the step before")
-def place_of_F() -> Finding:
+def place_of_F() -> AuditFinding:
     a, b, b_right = ran("gentle", "E02"), ran("hard", "E02"), ran("hard")
     share = "the list's motions are not recorded; relative to the block F14 to F36 it is the angle turned"
-    return Finding(
+    return AuditFinding(
         [
             instead("F14 to F36 off, 0.08 m and 0.9 degrees [%]", _change_of_F(*SMALL), 1.57, 0.05, "0.6", share),
             instead("F14 to F36 off, 0.5 m and 10 degrees [%]", _change_of_F(*LARGE), 17.4, 0.5, "12", share),
@@ -71,9 +82,9 @@ def place_of_F() -> Finding:
 
 
 @check("E03", "1.2, (3.8), (3.15)", "u_k leads from k to k+1; u_k in (3.8); u_{k-1} in (3.15)", "x_k = f(x_{k-1}, u_k)")
-def index_of_u() -> Finding:
+def index_of_u() -> AuditFinding:
     wrong, right = ran("uneven", "E03"), ran("uneven")
-    return Finding(
+    return AuditFinding(
         [
             at_least("NEES/6, a robot that starts and stops", wrong.ratio, 2.0, "off by one"),
             ours("the same with u_k", right.ratio, 1.0, 0.25),
@@ -83,19 +94,19 @@ def index_of_u() -> Finding:
 
 
 @check("E07", "(5.20), rows 4-6", "[0 I]", "the derivative of the composed angles by the old ones")
-def angle_rows() -> Finding:
-    def off(at: Array, *turn: float) -> float:
+def angle_rows() -> AuditFinding:
+    def error(at: Array, *turn: float) -> float:
         return _norm_minus_identity(motion.exact_by_pose(at, np.radians([0.0, 0, 0, *turn])))
 
     norm = "spectral norm, 5 degrees of yaw; the list's are of other turns, and mix in largest entries"
     pitch = "the largest entry for 5 degrees of pitch is 1.0, the list's figure"
     run, right = ran("hard", "E07"), ran("hard")
-    return Finding(
+    return AuditFinding(
         [
-            near("|A - I|, level, yaw 5", off(_at(0, 0, 0), 5, 0, 0), 0.087, 0.001),
-            instead("|A - I|, 40/20/10, yaw 5", off(_at(40, 20, 10), 5, 0, 0), 0.103, 0.001, "0.11", norm),
-            instead("|A - I|, pitch 80, yaw 5", off(_at(0, 80, 0), 5, 0, 0), 3.27, 0.01, "1.0", norm),
-            ours("|A - I|, pitch 80, pitch 5", off(_at(0, 80, 0), 0, 5, 0), 1.41, 0.01, pitch),
+            near("|A - I|, level, yaw 5", error(_at(0, 0, 0), 5, 0, 0), 0.087, 0.001),
+            instead("|A - I|, 40/20/10, yaw 5", error(_at(40, 20, 10), 5, 0, 0), 0.103, 0.001, "0.11", norm),
+            instead("|A - I|, pitch 80, yaw 5", error(_at(0, 80, 0), 5, 0, 0), 3.27, 0.01, "1.0", norm),
+            ours("|A - I|, pitch 80, pitch 5", error(_at(0, 80, 0), 0, 5, 0), 1.41, 0.01, pitch),
             at_most("F14 to F36 as printed minus differences", _printed_minus_differences(), 1e-8),
             ours("NEES/6, hard", run.ratio, 1.6, 0.35),
         ],
@@ -105,17 +116,17 @@ def angle_rows() -> Finding:
 
 def _printed_minus_differences() -> float:
     rng, h = np.random.default_rng(20), 1e-6
-    attitude, u = rng.uniform(-1, 1, (100, 3)), rng.uniform(-1, 1, (100, 3))
+    orientation, u = rng.uniform(-1, 1, (100, 3)), rng.uniform(-1, 1, (100, 3))
     columns = []
     for axis in np.eye(3):
-        up, down = ((rotation(attitude + s * h * axis) @ u[..., None])[..., 0] for s in (1, -1))
+        up, down = ((rotation(orientation + s * h * axis) @ u[..., None])[..., 0] for s in (1, -1))
         columns.append((up - down) / (2 * h))
-    return float(np.abs(motion.by_angles(attitude, u) - np.stack(columns, -1)).max())
+    return float(np.abs(motion.by_angles(orientation, u) - np.stack(columns, -1)).max())
 
 
 @check("E08", "(5.21), angle block", "identity", "the derivative of the composed angles by the control's")
-def control_rows() -> Finding:
-    def off(pitch: float, roll: float) -> float:
+def control_rows() -> AuditFinding:
+    def error(pitch: float, roll: float) -> float:
         return _norm_minus_identity(motion.exact_by_control(_at(0, pitch, roll), np.zeros(6)))
 
     cp, sp, cr, sr = *(f(0.7) for f in (np.cos, np.sin)), *(f(0.3) for f in (np.cos, np.sin))
@@ -124,13 +135,13 @@ def control_rows() -> Finding:
     a, b, both, right = ran("gentle", "E08"), ran("hard", "E08"), ran("hard", "E07", "E08"), ran("hard")
     formula = "spectral norm, by the list's own formula"
     alone = "the list's 34 is E07 and E08 together, the next row; E08 alone gives 9 to 13 with three seeds"
-    return Finding(
+    return AuditFinding(
         [
             at_most("B minus the list's formula", np.abs(B - stated).max(), 1e-12),
-            near("|B - I|, pitch 5, roll 3", off(5, 3), 0.10, 0.005),
-            instead("|B - I|, pitch 20, roll 10", off(20, 10), 0.412, 0.001, "0.42", formula),
-            near("|B - I|, pitch 45, roll 10", off(45, 10), 1.10, 0.005),
-            instead("|B - I|, pitch 80, roll 0", off(80, 0), 7.40, 0.01, "8.2", formula),
+            near("|B - I|, pitch 5, roll 3", error(5, 3), 0.10, 0.005),
+            instead("|B - I|, pitch 20, roll 10", error(20, 10), 0.412, 0.001, "0.42", formula),
+            near("|B - I|, pitch 45, roll 10", error(45, 10), 1.10, 0.005),
+            instead("|B - I|, pitch 80, roll 0", error(80, 0), 7.40, 0.01, "8.2", formula),
             near("NEES/6, gentle", a.ratio, 1.11, 0.25),
             instead("NEES/6, hard", b.ratio, 12, 4, "34", alone),
             near("NEES/6, hard, with E07", both.ratio, 34, 12),
@@ -141,18 +152,18 @@ def control_rows() -> Finding:
 
 
 @check("E09", "(5.22)", "Q = f_u U f_u', added to F P F'; U is never given", "Q belongs to the pose's 6 by 6 block")
-def place_of_Q() -> Finding:
-    return Finding(
+def place_of_Q() -> AuditFinding:
+    return AuditFinding(
         [near("Q 6 by 6 added to a state of 18: NumPy refuses", refused("E09"), 1, 0)],
         "read: 5.2.4, 'U being a matrix with of established uncertainty from the beginning', and no number",
     )
 
 
 @check("E10", "(5.23), first block", "f_x P_xx f_x'", "f_x P_xx f_x' + Q; the other blocks are right")
-def missing_Q() -> Finding:
+def missing_Q() -> AuditFinding:
     wrong, right = ran("gentle", "E10"), ran("gentle")
     size = np.abs(wrong.claimed).max()
-    return Finding(
+    return AuditFinding(
         [
             at_most("P_xx after 60 steps, largest entry", size, 0.0),
             near("error of the position [m]", wrong.position, 0.43, 0.1),

@@ -6,7 +6,7 @@ import numpy as np
 
 from slambook.report import observation, scenes
 from slambook.report.filter import Memory
-from slambook.report.findings import Finding, at_least, at_most, check, near, ran, refused, statistics
+from slambook.report.findings import AuditFinding, at_least, at_most, check, near, ran, refused, statistics
 from slambook.report.switches import Equations
 from slamlib.manifolds import Array
 
@@ -24,12 +24,12 @@ def differences(function: Callable[[Array, Array], Array], pose: Array, points: 
 
 
 @check("E11", "(5.24)-(5.25)", "landmark as a 4x4 matrix with a zero block", "z = R'(m - t)")
-def matrices() -> Finding:
+def matrices() -> AuditFinding:
     pose, points = _poses_and_points(11)
     M = np.zeros((4, 4))
     M[:3, 3], M[3, 3] = points[0, 0], 1
     same = np.abs(observation.by_matrices(pose, points) - observation.by_vectors(pose, points)).max()
-    return Finding(
+    return AuditFinding(
         [
             at_most("as printed minus R'(m - t), 400 points", same, 1e-12),
             near("rank of the 4x4 matrix", np.linalg.matrix_rank(M), 1, 0),
@@ -45,11 +45,11 @@ def matrices() -> Finding:
     "diag(sigma_x, sigma_y, sigma_y), 'each value represent the variance'",
     "squares; z; full for stereo",
 )
-def squares() -> Finding:
+def squares() -> AuditFinding:
     run, right = ran("gentle", "E12"), ran("gentle")
     R = scenes.stereo(700.0, 0.3, 0.5)(Equations(), np.array([10.0, -2, -0.5]))  # ahead, left, up
     depth, side, height = np.sqrt(np.diag(R))
-    return Finding(
+    return AuditFinding(
         [
             near("effective deviation over sigma, sigma 0.1", 0.1**-0.5, 3.2, 0.05),
             near("effective deviation over sigma, sigma 0.02", 0.02**-0.5, 7.07, 0.05),
@@ -66,12 +66,12 @@ def squares() -> Finding:
 
 
 @check("E13", "(5.27)", "last factor of the mixed term by x_i", "by the pose: dh/dx, 1 by 6")
-def mixed_term() -> Finding:
+def mixed_term() -> AuditFinding:
     rng = np.random.default_rng(13)
     root, h = rng.standard_normal((9, 9)), rng.standard_normal(9)
     P = root @ root.T
     ours = observation.scalar_variance(h[:6], h[6:], P[:6, :6], P[6:, :6], P[6:, 6:])
-    return Finding(
+    return AuditFinding(
         [
             at_most("corrected (5.27) minus h P h', relative", float(abs(ours / (h @ P @ h) - 1)), 1e-12),
             near("as printed, (1x3)(3x6)(3x1): NumPy refuses", refused("E13"), 1, 0),
@@ -80,11 +80,11 @@ def mixed_term() -> Finding:
 
 
 @check("E14", "5.3.4", "full S of size 6 + 3L", "S is 3m by 3m, K is 6 + 3L by 3m")
-def size_of_S() -> Finding:
+def size_of_S() -> AuditFinding:
     L, m = 100, 20
     H = np.zeros((3 * m, 6 + 3 * L))
     S = H @ np.eye(6 + 3 * L) @ H.T
-    return Finding(
+    return AuditFinding(
         [
             near("rows of S, L = 100, m = 20", len(S), 60, 0),
             near("rows of the report's", 6 + 3 * L, 306, 0),
@@ -100,9 +100,9 @@ def size_of_S() -> Finding:
     "m_i, then y_i; blocks drawn on the diagonal",
     "row i has its block at its landmark's column",
 )
-def columns() -> Finding:
+def columns() -> AuditFinding:
     run, right = ran("gentle", "E15"), ran("gentle")
-    return Finding(
+    return AuditFinding(
         [
             at_most("(5.30) minus P h'/S, relative", _gain_off(), 1e-12),
             at_least("NEES/6 with the blocks on the diagonal, gentle", run.ratio, 2.5, "bugs"),
@@ -125,18 +125,18 @@ def _gain_off() -> float:
 
 
 @check("E27", "appendix A", "the code of the Jacobians is lost", "H_x = [-R', (dR/da)'d], H_m = R'")
-def jacobians() -> Finding:
+def jacobians() -> AuditFinding:
     pose, points = _poses_and_points(27)
     by_pose = observation.by_pose(pose, points) - differences(observation.by_vectors, pose, points)
-    return Finding([at_most("H_x minus differences, 400 points", np.abs(by_pose).max(), 1e-7)])
+    return AuditFinding([at_most("H_x minus differences, 400 points", np.abs(by_pose).max(), 1e-7)])
 
 
 @check("E23", "(5.33)", "x composed with z", "as it says: m = t + R z, J_x = [I, F14..F36 with z for u], J_z = R")
-def inverse() -> Finding:
+def inverse() -> AuditFinding:
     pose, points = _poses_and_points(23)
     there_and_back = observation.by_vectors(pose, observation.placed(pose, points)) - points
     J = observation.placed_by_pose(pose, points) - differences(observation.placed, pose, points)
-    return Finding(
+    return AuditFinding(
         [
             at_most("placed and observed again, 400 points [m]", np.abs(there_and_back).max(), 1e-13),
             at_most("J_x minus differences", np.abs(J).max(), 1e-7),

@@ -7,7 +7,7 @@ import numpy as np
 
 from slambook.report import update
 from slambook.report.filter import Memory
-from slambook.report.findings import Figure, Finding, at_least, at_most, check, ours, ran, statistics
+from slambook.report.findings import AuditFigure, AuditFinding, at_least, at_most, check, ours, ran, statistics
 from slambook.report.observation import by_pose, by_vectors
 from slambook.report.runs import Outcome
 from slambook.report.switches import equations
@@ -32,7 +32,7 @@ def _problem(landmarks: int, seen: int, seed: int, full: bool = False) -> tuple[
 
 def _scalar(x: Array, P: Array, names: list[int], z: Array, R: Array, *errors: str) -> tuple[Array, Array]:
     filter = Memory(x[None].copy(), P[None].copy(), list(range((len(x) - 6) // 3)), equations(*errors))
-    filter.correct(z[None], names, R)
+    filter.update(z[None], names, R)
     return filter.x[0], filter.P[0]
 
 
@@ -62,12 +62,12 @@ def _mistakes(full: bool, *errors: str) -> tuple[Array, Array]:
 
 
 @check("E16", "(5.31)-(5.32)", "every scalar step from the prediction", "innovation, gain and covariance run along")
-def running() -> Finding:
+def running() -> AuditFinding:
     right, stale, least = _mistakes(False)[0], _mistakes(False, "E16")[0], _mistakes(False, "E16 literal")[1]
     run, wild, ok = ran("gentle", "E16"), ran("gentle", "E16 literal"), ran("gentle")
     one = "the list's 43 % is one problem; of 300 the median, which depends on the problems"
     low, high = np.quantile(stale, (0.05, 0.95))
-    return Finding(
+    return AuditFinding(
         [
             at_most("corrected minus batch, relative, worst of 300", right.max(), 1e-8),
             at_least("old innovation: state off, median of 300", float(np.median(stale)), 0.3, "43 %", one),
@@ -86,12 +86,12 @@ def _size(run: Outcome) -> float:
 
 
 @check("E17", "(5.27)-(5.32)", "scalar steps with R_jj", "only for diagonal R; otherwise whiten first")
-def whitening() -> Finding:
+def whitening() -> AuditFinding:
     white, diagonal = _mistakes(True)[0], _mistakes(True, "E17")[0]
     run, right = ran("rig", "E17"), ran("rig")
     one = "the list's 6.8 % is one problem; of 300 the median"
     low, high = np.quantile(diagonal, (0.05, 0.95))
-    return Finding(
+    return AuditFinding(
         [
             at_most("whitened minus batch, relative, worst of 300", white.max(), 1e-8),
             at_least("R_jj: state off, median of 300", float(np.median(diagonal)), 0.05, "6.8 %", one),
@@ -110,7 +110,7 @@ def whitening() -> Finding:
 @check(
     "E24", "3.1.1", "S is the 'Kalman innovation'; F twice since the covariance is 'quadratic'", "cov of y; cov of Fx"
 )
-def linear() -> Finding:
+def linear() -> AuditFinding:
     off = 0.0
     for seed in range(100):
         rng = np.random.default_rng(seed)
@@ -118,7 +118,7 @@ def linear() -> Finding:
         P, R = a @ a.T, b @ b.T + np.eye(2)
         found = update.batch(np.zeros(4), P, np.ones(2), H, R)[1]
         off = max(off, float(np.abs(found - np.linalg.inv(np.linalg.inv(P) + H.T @ np.linalg.inv(R) @ H)).max()))
-    return Finding(
+    return AuditFinding(
         [
             at_most("(3.5), (3.7) minus least squares, 100 problems", off, 1e-9),
             at_least(
@@ -146,7 +146,7 @@ def _single() -> float:
     "number by number 'the average landmark error is smaller'",
     "equal in exact arithmetic; only time differs",
 )
-def speed() -> Finding:
+def speed() -> AuditFinding:
     problem = _problem(100, 20, 25)
     (x, P), (xb, Pb) = _scalar(*problem), _naive(*problem)
     times = {(L, m): _seconds(L, m) for L, m in ((100, 20), (300, 40), (100, 100))}
@@ -156,12 +156,14 @@ def speed() -> Finding:
     counted = (2 * k * n * n + k * k * n + k**3 + n * k * k + n**3) / (k * (n * n + 11 * n))
     machine = "in NumPy a loop of Python stands against a library's products; the list's ratio did not come out again"
     moved = np.abs(xb - problem[0]).max()
-    return Finding(
+    return AuditFinding(
         [
             at_most("state, scalar minus whole matrices, relative", np.abs(x - xb).max() / moved, 1e-9),
             at_most("covariance, the same", np.abs(P - Pb).max() / np.abs(problem[1]).max(), 1e-9),
             ours("multiplications, whole matrices over scalar, L = 100, m = 20", counted, 7.27, 0.05),
-            Figure("time, scalar over whole matrices, L = 100, m = 20", one / whole, -inf, inf, "0.21", machine, True),
+            AuditFigure(
+                "time, scalar over whole matrices, L = 100, m = 20", one / whole, -inf, inf, "0.21", machine, True
+            ),
         ],
         f"times of this machine [ms], scalar / whole matrices: {told}",
     )
