@@ -76,7 +76,7 @@ class SensorView(ByFamily):
     None; predictions: by the family's name; view.points is view.looks["points"].
     """
 
-    _FAMILIES = "looks"
+    _FAMILIES = "predictions"
     name: str
     robot: int
     extrinsics: Array

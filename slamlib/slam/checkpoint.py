@@ -16,7 +16,7 @@ from slamlib.slam.entities import Landmark
 from slamlib.slam.options import Options
 
 FORMAT, VERSION = "slamlib filter", 2
-HISTORY = ("id", "born", "searched", "matched", "inliers", "sensor", "seen")  # of a landmark, as it is kept
+HISTORY = ("id", "first_seen", "searched", "matched", "inliers", "sensor", "last_seen")  # of a landmark, as it is kept
 
 
 def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:

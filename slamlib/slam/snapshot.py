@@ -42,7 +42,7 @@ def _measurement_view(slam: Any, i: int, family: str, size: int) -> MeasurementV
     return MeasurementView(
         ids=np.array([prediction.landmark.id for prediction in own], dtype=int),
         kinds=tuple(prediction.landmark.kind.name for prediction in own),
-        batch=np.array([prediction.value for prediction in own]).reshape(len(own), size),
+        expected=np.array([prediction.value for prediction in own]).reshape(len(own), size),
         covariance=np.array([prediction.S for prediction in own]).reshape(len(own), d, d),
         measured=np.array([prediction.measured for prediction in own]).reshape(len(own), size),
         chosen=np.array([prediction.chosen for prediction in own], dtype=bool),
@@ -52,8 +52,8 @@ def _measurement_view(slam: Any, i: int, family: str, size: int) -> MeasurementV
         endpoints=endpoints,
         endpoint_covariances=endpoint_covariances,
         scores=np.array([prediction.score for prediction in own], dtype=float),
-        predicted=tuple(_array(prediction.predicted) for prediction in own),
-        found=tuple(_array(prediction.found_patch) for prediction in own),
+        predicted_patch=tuple(_array(prediction.predicted_patch) for prediction in own),
+        found_patch=tuple(_array(prediction.found_patch) for prediction in own),
     )
 
 

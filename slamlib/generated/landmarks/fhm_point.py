@@ -1,9 +1,9 @@
 """Generated from slamlib/landmarks/fhm_point.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "to_frame": "eee313138177bf3b",
+    "to_frame": "3368722d80eae221",
     "from_frame": "980c3cc2c57a04db",
-    "to_point": "574c99eaf65ddaca",
+    "to_point": "4fdbf49b64004d66",
 }
 SHAPES = {
     "to_frame": (4,),
