@@ -46,7 +46,7 @@ class Counts:
     circular: list[int] = field(default_factory=list)
     inliers: list[int] = field(default_factory=list)
     nis_per_dof: list[float] = field(default_factory=list)
-    invalid: int = 0
+    lost_frames: int = 0
     seconds: float = 0.0
 
 
@@ -67,7 +67,7 @@ def odometry(
             counts.inliers.append(int(motion.inliers.sum()))
             counts.nis_per_dof.append(motion.nis_per_dof)
     counts.seconds = time.process_time() - began
-    counts.invalid = len(images) - 1 - len(counts.inliers)
+    counts.lost_frames = len(images) - 1 - len(counts.inliers)
     return pose, counts
 
 
@@ -80,7 +80,7 @@ def table(calibration: Calibration, extrinsics: Array, images: list[Array], pose
         error = np.linalg.norm(pose[:3] - poses[-1, :3]) / path
         yield (
             f"{name:27} {np.mean(c.stereo):6.0f} {np.mean(c.circular):6.0f} {np.mean(c.inliers):8.0f} "
-            f"({min(c.inliers, default=0):5d}) {c.invalid:5d} {np.mean(c.nis_per_dof):12.2f} {error:10.2%} "
+            f"({min(c.inliers, default=0):5d}) {c.lost_frames:5d} {np.mean(c.nis_per_dof):12.2f} {error:10.2%} "
             f"{1e3 * c.seconds / len(images):8.0f}"
         )
 

@@ -35,7 +35,7 @@ check("consistency.2", average_nees)""",
     return (errors * solved).sum(-1).mean(0)
 
 
-check("", average_nees)""",
+check("consistency.2", average_nees)""",
 }
 
 

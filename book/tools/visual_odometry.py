@@ -53,7 +53,7 @@ def variant(
         "stereo": round(float(np.mean(c.stereo))),
         "circular": round(float(np.mean(c.circular))),
         "inliers": round(float(np.mean(c.inliers))),
-        "lost": c.lost,
+        "lost": c.lost_frames,
         "fit": round(float(np.mean(c.nis_per_dof)), 2),
         "off": round(100 * float(np.linalg.norm(pose[:3] - truth[-1, :3]) / path), 2),
     }

@@ -171,6 +171,6 @@ def _box(
     sides = [_wall(textures[i % 2], *ends[i], z, top) for i in range(4)]
     edges = np.zeros((2, 3))
     edges[:, :2] = corners[[3, 1]] - corners[0]
-    top = TexturedQuad(np.array([*corners[0], top]), edges[0], edges[1], textures[0])
+    lid = TexturedQuad(np.array([*corners[0], top]), edges[0], edges[1], textures[0])
     lit = zip(sides, (1.0, 0.75, 0.6, 0.85), strict=True)
-    return [*(_dim(side, light, outlined=True) for side, light in lit), top]
+    return [*(_dim(side, light, outlined=True) for side, light in lit), lid]
