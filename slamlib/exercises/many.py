@@ -16,11 +16,11 @@ def two_jacobians(candidate: Candidate, rng: Rng) -> None:
     for _ in range(3):
         r, s = (exponential(rng.uniform(-2, 2, 3)) for _ in range(2))
         p, t, q = rng.uniform(-3, 3, 3), rng.uniform(-1, 1, 3), rng.uniform(1, 5, 3)
-        robot, mount, R, S = np.concatenate([p, r]), np.concatenate([t, s]), rotation(r), rotation(s)
+        robot, camera, R, S = np.concatenate([p, r]), np.concatenate([t, s]), rotation(r), rotation(s)
         shapes = {"the derivative by the robot": (3, 6), "the derivative by the mount": (3, 6)}
         by_robot, by_mount = parts(candidate(R, t, S, q), shapes)
-        inside = from_frame(mount, q)
-        moved = differences(lambda f, mount=mount, at=inside: to_frame(Pose.plus(mount, f), at), np.zeros(6))
+        inside = from_frame(camera, q)
+        moved = differences(lambda f, camera=camera, at=inside: to_frame(Pose.plus(camera, f), at), np.zeros(6))
         same(by_mount, moved, "the derivative by the mount", tolerance=1e-6)
         world = from_frame(robot, inside)
         moved = differences(lambda e, robot=robot, at=world: to_frame(Pose.plus(robot, e), at), np.zeros(6))

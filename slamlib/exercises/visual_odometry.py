@@ -69,12 +69,12 @@ def control(candidate: Candidate, rng: Rng) -> None:
     home = np.array([0.0, 0, 0, 1, 0, 0, 0])
     for number in range(6):
         turn, shift = rotation(UnitQuaternion.random(rng)), rng.uniform(-1, 1, 3)
-        mount = np.concatenate([rng.uniform(-1, 1, 3), UnitQuaternion.random(rng)])
+        camera = np.concatenate([rng.uniform(-1, 1, 3), UnitQuaternion.random(rng)])
         turn = np.eye(3) if number == 0 else turn
-        mount = home if number < 2 else mount  # first a camera at the robot's origin
+        camera = home if number < 2 else camera  # first a camera at the robot's origin
         shapes = {"the displacement": (3,), "the rotation matrix": (3, 3)}
-        moved, R = parts(candidate(turn, shift, mount), shapes)
+        moved, R = parts(candidate(turn, shift, camera), shapes)
         rotation_matrix(R, "the rotation")
         points = rng.uniform(-5, 5, (8, 3))  # of the old robot's frame
-        before, after = to_frame(mount, points), to_frame(mount, (points - moved) @ R)
+        before, after = to_frame(camera, points), to_frame(camera, (points - moved) @ R)
         same(after, before @ turn.T + shift, "points are seen where PnP says that they are")
