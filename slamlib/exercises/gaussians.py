@@ -2,15 +2,15 @@
 
 import numpy as np
 
-from slamlib.exercises.properties import Candidate, Rejected, Rng, between, covariance, exercise, holds, parts, same
-from slamlib.manifolds import Array
+from slamlib.exercises import Candidate, Rejected, Rng, exercise
+from slamlib.exercises.properties import between, covariance, holds, parts, random_covariance, same
 
 
 @exercise("gaussians.2", "points of an ellipse", seed=12)
 def ellipse_points(candidate: Candidate, rng: Rng) -> None:
     """One Mahalanobis distance all round, all round indeed, and the right share of samples inside."""
     for probability in (0.3, 0.95, 0.99):
-        P, mean = _covariance(rng, 2), rng.standard_normal(2)
+        P, mean = random_covariance(rng, 2, 0.1), rng.standard_normal(2)
         points = np.asarray(candidate(mean, P, probability), dtype=float)
         if points.ndim != 2 or points.shape[0] != 2 or points.shape[1] < 12:
             raise Rejected(f"the points should have shape (2, m) with m at least 12, but have shape {points.shape}")
@@ -25,16 +25,11 @@ def ellipse_points(candidate: Candidate, rng: Rng) -> None:
         between(share, probability - 0.015, probability + 0.015, "holds that share of samples")
 
 
-def _covariance(rng: Rng, n: int) -> Array:
-    root = rng.standard_normal((n, n))
-    return np.asarray(root @ root.T + 0.1 * np.eye(n))
-
-
 @exercise("gaussians.3", "a slice through a Gaussian", seed=13)
 def conditional(candidate: Candidate, rng: Rng) -> None:
     """The slice's density peaks at the mean, and its precision is a block of the inverse of P."""
     for n, i in ((2, 0), (2, 1), (4, 2)):
-        P, at, value = _covariance(rng, n), rng.standard_normal(n), rng.standard_normal()
+        P, at, value = random_covariance(rng, n, 0.1), rng.standard_normal(n), rng.standard_normal()
         shapes = {"the mean": (n - 1,), "the covariance": (n - 1, n - 1)}
         mean, found = parts(candidate(at, P, i, value), shapes)
         covariance(found, n - 1)
@@ -49,7 +44,7 @@ def conditional(candidate: Candidate, rng: Rng) -> None:
 def accepts(candidate: Candidate, rng: Rng) -> None:
     """The share of good innovations that pass, in one, two and three dimensions, for two probabilities."""
     for m in (1, 2, 3):
-        S = _covariance(rng, m)
+        S = random_covariance(rng, m, 0.1)
         L = np.linalg.cholesky(S)
         innovations = rng.standard_normal((3000, m)) @ L.T
         for probability in (0.5, 0.95):

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from slamlib.model import Model
 
 
-def compile_in_memory(model: "Model", *, by_storage: bool = False) -> ModuleType:
-    """A module with the model's generated functions; its text is kept, so that tracebacks and `show` can print it.
+def compile_in_memory(model: "Model", *, by_storage: bool = False) -> Any:
+    """A module with the model's generated functions.
 
     by_storage: with the derivatives by stored numbers instead. Raises SlamlibError without sympy.
     """
@@ -28,13 +28,18 @@ def compile_in_memory(model: "Model", *, by_storage: bool = False) -> ModuleType
             "pip install 'slamlib[book]'"
         ) from error
     text = module([model], f"{model.module}.{model.name}", by_storage=by_storage)
-    name = f"<generated from {model.module}.{model.name} {abs(hash(text)):x}>"
-    linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
-    code = ModuleType(f"generated_{model.name}")
-    code.__file__ = name
-    exec(compile(text, name, "exec"), code.__dict__)
-    code.__dict__["TEXT"] = text
+    code = load(text, f"<generated from {model.module}.{model.name} {abs(hash(text)):x}>")
+    code.TEXT = text
     return code
+
+
+def load(text: str, name: str) -> Any:
+    """A module of this text, which is kept under the name, so that tracebacks and `show` can print it."""
+    linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
+    module = ModuleType("in_memory")
+    module.__file__ = name
+    exec(compile(text, name, "exec"), module.__dict__)
+    return module
 
 
 def for_fewer(whole: "Model", short: "Model", generated: Any) -> Any:

@@ -8,7 +8,7 @@ import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
-from slamlib.modeling.numerical import relative_errors
+from slamlib.modeling.numerical import scaled_differences
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,7 @@ class Case:
         found, wanted = np.asarray(found), np.asarray(wanted)
         if found.shape != wanted.shape:
             return self.fail(what, f"has shape {found.shape}, should have {wanted.shape}", argument)
-        errors = relative_errors(found, wanted)
+        errors = scaled_differences(found, wanted)
         worst = float(errors.max(initial=0))
         if worst <= tolerance:
             return self.hold(what)

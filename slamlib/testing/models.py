@@ -85,8 +85,7 @@ def _batch(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> None
             continue  # one first argument with another's rest may be no place at all
         case = judge.at(name, **named(model, loop[0]))
         for k, argument in enumerate(("", *jacobians._fields)):
-            wanted = np.stack([[v, *j][k] for v, j in single])
-            found = np.asarray([value, *jacobians][k])
+            wanted, found = np.stack([[v, *j][k] for v, j in single]), np.asarray([value, *jacobians][k])
             flat = found.reshape(wanted.shape) if found.size == wanted.size else found
             case.compare(BATCH, flat, wanted, argument)
 
