@@ -214,9 +214,10 @@ class Model(Formula):
         """The generated function of a kind, with the shapes of the arrays that its entries fill."""
         shape = self.code.SHAPES[self.name]
         function = getattr(self.storage_code if kind == "_storage_jac" else self.code, self.name + kind)
-        if not kind:
-            return Kernel(function, self.name, self.arguments, [shape])
+        return Kernel(function, self.name, self.arguments, self.shapes(kind, shape))
+
+    def shapes(self, kind: str, shape: tuple[int, ...]) -> list[tuple[int, ...]]:
+        """Of the arrays that a kind of generated function gives: the value, of this shape, and the Jacobians."""
         stored = kind == "_storage_jac" or not self.has_manifold
         rows = self.result.tangent if self.result is not None and not stored else shape
-        columns = [a.shape if stored else a.tangent for a in self.arguments]
-        return Kernel(function, self.name, self.arguments, [shape, *(rows + c for c in columns)])
+        return [shape, *(rows + (a.shape if stored else a.tangent) for a in self.arguments if kind)]

@@ -6,6 +6,7 @@
 Each chapter's checks are in a file of the chapter's name: kalman_filter.py holds kalman_filter.1, kalman_filter.2, ...
 """
 
+import dis
 import importlib
 import pkgutil
 from collections.abc import Callable
@@ -24,20 +25,14 @@ def load_all() -> dict[str, tuple[str, Callable[[Any], None]]]:
     return dict(KNOWN)
 
 
-def _still_to_write() -> None: ...
-
-
-def _still_to_write_but_described() -> None:
-    """A body of nothing but words."""
-
-
 def _unwritten(candidate: Any) -> bool:
+    """Whether a function, or the model of a motion, has a body of nothing but words or `...`."""
     model = getattr(candidate, "step", candidate)  # of a motion
     candidate = getattr(model, "function", candidate)
     code = getattr(candidate, "__code__", None)
     if code is None or candidate.__name__ == "<lambda>" or not set(code.co_consts) <= {None, candidate.__doc__}:
         return False
-    return code.co_code in (_still_to_write.__code__.co_code, _still_to_write_but_described.__code__.co_code)
+    return {i.opname for i in dis.get_instructions(code)} <= {"RESUME", "LOAD_CONST", "RETURN_VALUE", "RETURN_CONST"}
 
 
 def check(number: str, candidate: Any) -> None:

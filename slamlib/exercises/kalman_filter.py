@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from slamlib.exercises.properties import Candidate, Rng, cases, covariance, exercise, holds, number, parts, same
+from slamlib.exercises import Candidate, Rng, exercise
+from slamlib.exercises.properties import cases, covariance, holds, number, parts, random_covariance, same
 from slamlib.manifolds import Array
 
 
@@ -31,9 +32,8 @@ def scalar_update(candidate: Candidate, rng: Rng) -> None:
     """Information adds: against weighted least squares, for diagonal and for full R, in any order of the numbers."""
     for what in ("diagonal R", "full R"):
         n, m = 4, 3
-        A, B = rng.standard_normal((n, n)), rng.standard_normal((m, m))
-        P, H = A @ A.T + np.eye(n), rng.standard_normal((m, n))
-        R = B @ B.T + np.eye(m) if what == "full R" else np.diag(rng.uniform(0.5, 2, m))
+        P, full, H = random_covariance(rng, n, 1.0), random_covariance(rng, m, 1.0), rng.standard_normal((m, n))
+        R = full if what == "full R" else np.diag(rng.uniform(0.5, 2, m))
         x, z = rng.standard_normal(n), rng.standard_normal(m)
         estimate = {"the state": (n,), "the covariance": (n, n)}
         mean, found = parts(candidate(x, P, z, H, R), estimate)

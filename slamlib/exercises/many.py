@@ -73,12 +73,9 @@ def extrinsics(candidate: Candidate, rng: Rng) -> None:
         shapes = {"the first camera's pose": (4, 4), "the second camera's pose": (4, 4)}
         first, second = parts(candidate(T_cam_imu, T_cn_cnm1), shapes)
         point = np.append(rng.uniform(-5, 5, 3), 1.0)  # in the axes of the inertial sensor
-        for name, pose, seen in (
-            ("first", first, T_cam_imu @ point),
-            ("second", second, T_cn_cnm1 @ T_cam_imu @ point),
-        ):
-            what = f"the {name} camera's pose takes what the {name} camera sees to the inertial sensor's axes"
-            same(pose @ seen, point, what)
+        what = "the {0} camera's pose takes what the {0} camera sees to the inertial sensor's axes"
+        same(first @ T_cam_imu @ point, point, what.format("first"))
+        same(second @ T_cn_cnm1 @ T_cam_imu @ point, point, what.format("second"))
         centre = T_cam_imu @ first[:, 3]
         same(centre, [0, 0, 0, 1], "the first camera's place, seen by that camera, is where the camera is")
 
