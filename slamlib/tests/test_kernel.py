@@ -137,10 +137,10 @@ def test_a_model_for_fewer_coefficients_is_the_model_with_zeros(count):
         assert np.array_equal(a, b[..., : a.shape[-1]])
 
 
-@model(pose=Pose, powers=3, returns=Pose)
-def pushed(pose, powers):
+@model(pose=Pose, sequence=3, returns=Pose)
+def pushed(pose, sequence):
     """A pose moved ahead by a polynomial of its height."""
-    length = powers[0] + pose[2] * sum(powers[1:] * pose[2])
+    length = sequence[0] + pose[2] * sum(sequence[1:] * pose[2])
     return np.concatenate([pose[:2] + length, pose[2:]])
 
 
@@ -148,8 +148,10 @@ def test_fewer_coefficients_beside_a_manifold():
     short = pushed.shortened(7, 1)
     check(short, points=3, silent=True)
     at = np.array([0.1, 0.2, 0.3, 1, 0, 0, 0])
-    assert short.storage_jac(at, np.ones(1))[1].powers.shape == (7, 1)
-    assert short.jac(at, np.ones(1))[1].powers == pytest.approx(pushed.jac(at, np.eye(3)[0])[1].powers[:, :1])
+    assert short.storage_jac(at, np.ones(1))[1].sequential_update.shape == (7, 1)
+    assert short.jac(at, np.ones(1))[1].sequential_update == pytest.approx(
+        pushed.jac(at, np.eye(3)[0])[1].sequential_update[:, :1]
+    )
     assert pushed.shortened(7, 3) is pushed
 
 
