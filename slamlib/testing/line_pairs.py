@@ -1,6 +1,7 @@
 """Properties that every pair of a parametrization of lines and a camera must have, on a robot."""
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -86,11 +87,9 @@ def line_pair_properties(judge: Judge, kind: LineLandmark, calibration: Calibrat
 
 
 def _initialized(kind: LineLandmark, calibration: Calibration) -> _Chain:
-    def run(camera: Calibration, *place: Array) -> Any:
-        return initialize_line(kind, camera, *place)
-
     own = [*FRAMES, Argument("measurement", 4), Argument("unmeasured", 2)]
-    return _Chain(run, own, calibration, [n for n, g in calibration.given.items() if len(g)])
+    names = [n for n, g in calibration.given.items() if len(g)]
+    return _Chain(partial(initialize_line, kind), own, calibration, names)
 
 
 def _observed(kind: LineLandmark, calibration: Calibration) -> _Chain:
