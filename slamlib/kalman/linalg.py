@@ -231,13 +231,3 @@ def log_determinants(matrices: Array) -> Array:
         return np.linalg.slogdet(matrices)[1]
     a, b, c = matrices[:, 0, 0], matrices[:, 0, 1], matrices[:, 1, 1]
     return np.log(a) + np.log(c - b * b / a)
-
-
-def quadratic_forms(z: Array, matrices: Array) -> Array:
-    """z' S^-1 z (n,) of vectors (n, d) and positive definite matrices (n, d, d); of 2 x 2 by their Cholesky factors."""
-    if matrices.shape[1:] != (2, 2):
-        squared: Array = (z * np.linalg.solve(matrices, z[..., None])[..., 0]).sum(-1)
-        return squared
-    a, b, c = matrices[:, 0, 0], matrices[:, 0, 1], matrices[:, 1, 1]
-    x, y, ratio = z[:, 0], z[:, 1], b / a
-    return x * x / a + (y - ratio * x) ** 2 / (c - ratio * b)

@@ -20,8 +20,7 @@ from slamlib.sensors.sensor import Calibration
 
 if TYPE_CHECKING:  # the filter is above this folder; only the checker of types looks up
     from slamlib.belief import Belief
-    from slamlib.slam.entities import Landmark, MountedSensor
-    from slamlib.slam.linearization import Linearization
+    from slamlib.slam.entities import Landmark, Linearization, MountedSensor
     from slamlib.slam.options import Options
 
 

@@ -12,7 +12,9 @@ from slamlib.observation import Family
 from slamlib.observation.family import columns_jacobian, landmark_means, state_columns, viewpoint
 from slamlib.observation.points import PLACEHOLDER_POINT
 from slamlib.slam.entities import POSE, Landmark, MountedSensor
-from slamlib.slam.measurement_update import group_by_kind
+from slamlib.slam.measurement_update import KIND, group_by_kind
+
+COLUMNS = {"chosen": bool, "matched": bool, "inlier": bool, "nis": float}
 
 
 def snapshot_of(slam: Any) -> Snapshot:
@@ -35,20 +37,18 @@ def _sensor_view(slam: Any, i: int, sensor: MountedSensor) -> SensorView:
 
 def _measurement_view(slam: Any, i: int, family: str, size: int) -> MeasurementView:
     own = [prediction for prediction in slam.predictions[i] if prediction.family.name == family]
-    endpoints, endpoint_covariances = endpoints_in_image(
-        slam.belief, slam.sensors[i], [prediction.landmark for prediction in own]
-    )
-    d = len(own[0].S) if own else 2
+    landmarks, d = [prediction.landmark for prediction in own], len(own[0].S) if own else 2
+    endpoints, endpoint_covariances = endpoints_in_image(slam.belief, slam.sensors[i], landmarks)
+    columns: dict[str, Any] = {
+        name: np.array([getattr(p, name) for p in own], dtype) for name, dtype in COLUMNS.items()
+    }
     return MeasurementView(
-        ids=np.array([prediction.landmark.id for prediction in own], dtype=int),
-        kinds=tuple(prediction.landmark.kind.name for prediction in own),
+        ids=np.array([landmark.id for landmark in landmarks], dtype=int),
+        kinds=tuple(landmark.kind.name for landmark in landmarks),
         expected=np.array([prediction.value for prediction in own]).reshape(len(own), size),
         covariance=np.array([prediction.S for prediction in own]).reshape(len(own), d, d),
         measured=np.array([prediction.measured for prediction in own]).reshape(len(own), size),
-        chosen=np.array([prediction.chosen for prediction in own], dtype=bool),
-        matched=np.array([prediction.matched for prediction in own], dtype=bool),
-        inlier=np.array([prediction.inlier for prediction in own], dtype=bool),
-        nis=np.array([prediction.nis for prediction in own]),
+        **columns,
         endpoints=endpoints,
         endpoint_covariances=endpoint_covariances,
         scores=np.array([prediction.score for prediction in own], dtype=float),
@@ -75,12 +75,9 @@ def endpoints_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[La
     the line, so this is no region in which its end should be found. nan: points, lines that were forgotten, ends that
     lie out of view.
     """
-    endpoints, endpoint_covariances = (
-        np.full((len(landmarks), 2, 2), np.nan),
-        np.full((len(landmarks), 2, 2, 2), np.nan),
-    )
-    alive, row = set(belief.blocks), {landmark: i for i, landmark in enumerate(landmarks)}
-    for group in group_by_kind(lm for lm in landmarks if lm.abscissas is not None and lm.block in alive):
+    n, alive, row = len(landmarks), set(belief.blocks), {landmark: i for i, landmark in enumerate(landmarks)}
+    endpoints, endpoint_covariances = np.full((n, 2, 2), np.nan), np.full((n, 2, 2, 2), np.nan)
+    for group in group_by_kind([lm for lm in landmarks if lm.abscissas is not None and lm.block in alive], KIND):
         rows = [row[landmark] for landmark in group]
         endpoints[rows], endpoint_covariances[rows] = _of_one_kind(belief, sensor, group)
     return endpoints, endpoint_covariances
