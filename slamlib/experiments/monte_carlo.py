@@ -68,8 +68,7 @@ def monte_carlo(
     if keep:
         keep.mkdir(parents=True, exist_ok=True)
     rows = progress(_each(preset, runs, seed, jobs, keep), runs, f"{preset.name}, {runs} runs")
-    columns = {name: np.array(column) for name, column in zip(NAMES, zip(*rows, strict=True), strict=True)}
-    return Experiment(preset, **columns)
+    return Experiment(preset, *map(np.array, zip(*rows, strict=True)))
 
 
 def _each(preset: Preset, runs: int, seed: int, jobs: int | None, folder: Path | None) -> Iterator[tuple[Array, ...]]:
@@ -101,7 +100,7 @@ def run_once(preset: Preset, seed: int, folder: Path | None = None) -> tuple[Arr
 
 def _row(preset: Preset, seed: int) -> tuple[Array, ...]:
     result = Run(preset, seed).finish()
-    away = np.concatenate([result.point_errors, result.segment_errors])
+    away = np.concatenate([*result.map_errors.values()])
     away = away[np.isfinite(away)]
     return tuple(
         np.asarray(value)

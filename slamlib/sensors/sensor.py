@@ -47,6 +47,11 @@ class Sensor:
         return int(self.back_project.arguments[0].size)
 
     @cached_property
+    def unmeasured(self) -> int:
+        """Arguments of back_project that say what a measurement does not tell: one, or none."""
+        return len(self.back_project.arguments) - 1 - len(self.parameters)
+
+    @cached_property
     def manifold(self) -> Manifold:
         """Where measurements live: their difference is space.minus(measured, expected)."""
         result = getattr(self.project, "result", None)

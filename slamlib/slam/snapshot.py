@@ -6,11 +6,10 @@ import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.data.snapshots import MapView, MeasurementView, RobotView, SensorView, Snapshot
-from slamlib.landmarks import hmg_point
 from slamlib.manifolds import Array
 from slamlib.observation import Family
-from slamlib.observation.family import columns_jacobian, landmark_means, state_columns, viewpoint
-from slamlib.observation.points import PLACEHOLDER_POINT
+from slamlib.observation.family import columns_jacobian, state_columns, viewpoint
+from slamlib.observation.segments import project_endpoints
 from slamlib.slam.entities import POSE, Landmark, MountedSensor
 from slamlib.slam.measurement_update import KIND, group_by_kind
 
@@ -84,14 +83,11 @@ def endpoints_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[La
 
 
 def _of_one_kind(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
-    kind, abscissas = landmarks[0].kind, np.array([landmark.abscissas for landmark in landmarks])
-    view = viewpoint(sensor)
-    h, by_line = kind.point_at.jac(landmark_means(landmarks)[:, None, :], abscissas)
-    point, F = hmg_point.to_frame.jac(view.pose, h)
-    ahead = sensor.calibration.visible(point)
-    pixel, by_sensor = sensor.calibration.project_jac(np.where(ahead[..., None], point, PLACEHOLDER_POINT))
-    by = columns_jacobian(view, F.pose, F.landmark @ by_line.landmark)
-    H, columns = by_sensor.point @ by, state_columns(sensor, landmarks)
+    view, abscissas = viewpoint(sensor), np.array([landmark.abscissas for landmark in landmarks])
+    ahead, pixel, parts = project_endpoints(sensor.calibration, view.pose, landmarks, abscissas)
+    by_point, by_pose, by_place, by_line = parts
+    by = columns_jacobian(view, by_pose, by_place @ by_line)
+    H, columns = by_point @ by, state_columns(sensor, landmarks)
     P = belief.matrix[columns[:, :, None], columns[:, None, :]]
     seen = (ahead & sensor.calibration.inside(pixel))[..., None]
     covariance = H @ P[:, None] @ H.swapaxes(-1, -2)
