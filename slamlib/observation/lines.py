@@ -15,7 +15,6 @@ from slamlib.geometry.pose import compose
 from slamlib.landmarks.line import LineLandmark
 from slamlib.landmarks.line_innovation import angles, distances, oriented, rho_theta
 from slamlib.manifolds import Array
-from slamlib.observation.family import product
 from slamlib.observation.points import Observation, named, through
 from slamlib.sensors.sensor import Calibration
 
@@ -35,9 +34,11 @@ def observe_line(
     camera, by_camera = compose.jac(robot, extrinsics)
     line, by_frame = kind.to_frame.jac(camera, landmarks)
     value, J = _image_line(calibration, line)
+    by_pose = J[0] @ by_frame.pose
     parts = {
-        **through(by_camera, product(J[0], by_frame.pose)),
-        "landmark": product(J[0], by_frame.landmark),
+        "robot": by_pose @ by_camera.outer,
+        "extrinsics": by_pose @ by_camera.inner,
+        "landmark": J[0] @ by_frame.landmark,
         **{n: getattr(J, n)[..., : len(v)] for n, v in calibration.given.items() if n in J._fields},
     }
     return Observation(value, np.ones(value.shape[:-1], dtype=bool), named(parts))

@@ -27,7 +27,8 @@ class Sensor:
     is measured; `unmeasured` is what the measurement does not tell (a camera: the inverse distance), and a sensor that
     tells all has no such argument. visible(point, calibration): mask of the points that can be measured at all, by the
     sensor's own rule; whether a pixel lies in the image is asked afterwards, for all sensors alike. check(calibration)
-    raises SlamlibError for parameters that make no sense. project_line(line, **parameters it has): homogeneous image
+    raises SlamlibError for parameters that make no sense. limits: the names of those that bound its view, such as
+    "near" [m], and may be left out; None: it takes any. project_line(line, **parameters it has): homogeneous image
     line (3,) of a line in Pluecker coordinates (6,). pixels: the first two numbers of a measurement are a pixel, which
     an image can bound. A model may also be an object with the same calls, as Implicit is.
     """
@@ -40,6 +41,7 @@ class Sensor:
     check: Callable[["Calibration"], None] = _nothing_to_check
     project_line: Model | None = None
     pixels: bool = False
+    limits: tuple[str, ...] | None = None
 
     @cached_property
     def size(self) -> int:
@@ -103,7 +105,7 @@ class Calibration:
         given = {n: _given(sensor.name, n, parameters[n], largest[n]) for n in sensor.parameters}
         self.__dict__.update(
             sensor=sensor,
-            limits={n: _limit(sensor.name, n, v) for n, v in (limits or {}).items()},
+            limits=_limits(sensor, limits or {}),
             image=size,
             noise=read_only_copy(covariance(noise, sensor.size, sensor.name, "noise")),
             given=given,
@@ -166,11 +168,20 @@ def _shortened(project: Formula, given: dict[str, Array]) -> Model | None:
     return project.shortened(*(len(given[a.name]) if a.name in given else a.size for a in project.arguments))
 
 
-def _limit(sensor: str, name: str, value: float) -> float:
-    number = numbers(value, sensor, f"the limit {name!r}")
-    if number.ndim:
-        raise ShapeError(f"{sensor}: the limit {name!r} should be a number, got {value!r}")
-    return float(number)
+def _limits(sensor: Sensor, limits: dict[str, float]) -> dict[str, float]:
+    """Limits by known names, numbers from zero on; `near` is below `far`."""
+    found = {}
+    for name, value in limits.items():
+        if sensor.limits is not None and name not in sensor.limits:
+            raise UnknownNameError.of(f"limit of {sensor.name}", name, sensor.limits)
+        number = numbers(value, sensor.name, f"the limit {name!r}")
+        if number.ndim or not number >= 0:
+            raise ShapeError(f"{sensor.name}: the limit {name!r} should be a number, zero or more, got {value!r}")
+        found[name] = float(number)
+    near, far = found.get("near", 0.0), found.get("far", np.inf)
+    if near >= far:
+        raise SlamlibError(f"{sensor.name}: the limit 'near' ({near}) should be less than 'far' ({far})")
+    return found
 
 
 def _given(sensor: str, name: str, value: ArrayLike, largest: int) -> Array:
