@@ -21,16 +21,16 @@ def nees(error: Array, covariance: Array) -> Array:
 
     Raises CovarianceError where P is not positive definite, ShapeError, NonFiniteError.
     """
-    return _squared(error, covariance, "nees", "covariance")
+    return _squared(error, covariance, "nees")
 
 
 def nis(innovation: Array, covariance: Array) -> Array:
     """Normalized innovation squared z' S^-1 z; innovation (..., m), covariance (..., m, m). Expected value m."""
-    return _squared(innovation, covariance, "nis", "covariance")
+    return _squared(innovation, covariance, "nis")
 
 
-def _squared(vector: Array, matrix: Array, function: str, argument: str) -> Array:
-    vector, matrix = linalg.numbers(vector, function, "vector"), linalg.numbers(matrix, function, argument)
+def _squared(vector: Array, matrix: Array, function: str) -> Array:
+    vector, matrix = linalg.numbers(vector, function, "vector"), linalg.numbers(matrix, function, "covariance")
     n = vector.shape[-1] if vector.ndim else 0
     if matrix.shape[-2:] != (n, n) or n == 0:
         raise ShapeError(
@@ -40,14 +40,14 @@ def _squared(vector: Array, matrix: Array, function: str, argument: str) -> Arra
         np.broadcast_shapes(vector.shape[:-1], matrix.shape[:-2])
     except ValueError:
         raise ShapeError(
-            f"{function}: leading axes of the vector {vector.shape} and of the {argument} {matrix.shape} do not match"
+            f"{function}: leading axes of the vector {vector.shape} and the covariance {matrix.shape} do not match"
         ) from None
     _finite(vector, function, "vector")
-    _finite(matrix, function, argument)
+    _finite(matrix, function, "covariance")
     scale = np.abs(matrix).max((-2, -1), keepdims=True)
     if (np.abs(matrix - matrix.swapaxes(-1, -2)) > 1e-9 * scale).any():
-        raise CovarianceError(f"{function}: the {argument} is not symmetric, as a covariance must be")
-    factor = linalg.cholesky(matrix, function, argument)
+        raise CovarianceError(f"{function}: the covariance is not symmetric, as it must be")
+    factor = linalg.cholesky(matrix, function, "covariance")
     white = np.linalg.solve(factor, vector[..., None])[..., 0]
     return (white * white).sum(-1)
 

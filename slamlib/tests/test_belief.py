@@ -370,7 +370,7 @@ WRONG = {
             [LinearizedMeasurement(x[:1], [I2], Z2, I2), LinearizedMeasurement(x[1:2], [I2], Z2, I2)]
         ),
         ShapeError,
-        "correct: Jacobian 0 of measurement 1",
+        "update: Jacobian 0 of measurement 1",
     ),
     "innovation_covariance": (
         lambda b, x: b.innovation_covariance([], [], 1),
@@ -511,7 +511,7 @@ def test_numpy_and_blas_agree(rng, monkeypatch, n, m):
 def test_scipy_is_loaded_late_and_not_needed():
     program = (
         "import sys; sys.modules['scipy'] = None; import numpy as np; from slamlib.belief import Belief; b = Belief();"
-        "x = b.add(2, [0, 0], 1); b.correct([x], [np.eye(2)], [1, 1], 1); print(x.mean)"
+        "x = b.add(2, [0, 0], 1); b.update([x], [np.eye(2)], [1, 1], 1); print(x.mean)"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert done.stdout == "[0.5 0.5]\n"

@@ -37,9 +37,6 @@ class FrontEnd(Protocol):
     A signature is what it knows a landmark by; the filter keeps it with the landmark, and hands it back unread.
     """
 
-    def check(self, scan: Scan) -> None:
-        """Raise SlamlibError for a scan that it cannot look at, before anything is changed."""
-
     def searchable(self, inputs: FrontEndInput) -> list[PredictedMeasurement]:
         """Of the looks of a sight, those that it could find at all if the landmarks are there."""
 
@@ -54,24 +51,29 @@ class FrontEnd(Protocol):
         usable(values) is the mask of the values (n, m) that a landmark may begin with.
         """
 
+    def check(self, scan: Scan) -> None:
+        """Raise SlamlibError for a scan that it cannot look at, before anything is changed. Here: any will do."""
+        return None
+
     def dump(self) -> Any:
-        """Its own state as plain data."""
+        """Its own state as plain data. Here: it has none."""
+        return None
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave."""
+        return None
 
     def pack(self, signature: Any) -> Any:
-        """A landmark's signature as plain data."""
+        """A landmark's signature as plain data. Here: it gives none."""
+        return None
 
     def unpack(self, packed: Any) -> Any:
         """The signature that `pack` packed."""
+        return None
 
 
-class KnownAssociation:
+class KnownAssociation(FrontEnd):
     """Association by identity: simulated features, and those of labelled data, carry the id of what they show."""
-
-    def check(self, scan: Scan) -> None:
-        """Any scan will do."""
 
     def searchable(self, inputs: FrontEndInput) -> list[PredictedMeasurement]:
         """All looks."""
@@ -100,18 +102,6 @@ class KnownAssociation:
         mask = usable(features.values[[row for _, row in fresh]])
         good = [pair for pair, is_usable in zip(fresh, mask.tolist(), strict=True) if is_usable][:count]
         return [(number, features.values[row], None) for number, row in good]
-
-    def dump(self) -> Any:
-        """It has no state."""
-
-    def restore(self, state: Any) -> None:
-        """It has no state."""
-
-    def pack(self, signature: Any) -> Any:
-        """It gives no signatures."""
-
-    def unpack(self, packed: Any) -> Any:
-        """It gives no signatures."""
 
 
 def _features(inputs: FrontEndInput, family: str) -> Features:
