@@ -86,7 +86,9 @@ def _each(preset: Preset, runs: int, seed: int, jobs: int | None, folder: Path |
 
 def run_once(preset: Preset, seed: int, folder: Path | None = None) -> tuple[Array, ...]:
     """One run's row, from its file if there is one."""
-    path = None if folder is None else folder / f"{preset.name}-{_digest(preset)}-{seed}.npz"
+    plain = json.dumps(replace(preset, seed=0).to_dict(), sort_keys=True)
+    digest = hashlib.sha256(plain.encode()).hexdigest()[:12]
+    path = None if folder is None else folder / f"{preset.name}-{digest}-{seed}.npz"
     if path and path.is_file():
         with np.load(path) as file:
             return tuple(file[name] for name in NAMES)
@@ -117,8 +119,3 @@ def _row(preset: Preset, seed: int) -> tuple[Array, ...]:
             np.median(away) if len(away) else np.nan,
         )
     )
-
-
-def _digest(preset: Preset) -> str:
-    plain = replace(preset, seed=0).to_dict()
-    return hashlib.sha256(json.dumps(plain, sort_keys=True).encode()).hexdigest()[:12]

@@ -189,21 +189,19 @@ class SequentialUpdate:
         W, z = white[:, :-1], white[:, -1]
         nis = float(z @ z)
         if nis < gate:
-            self._move(z @ W)
-            self._take(W)
+            step = z @ W
+            if not np.isfinite(step).all():
+                raise NonFiniteError("update: the step overflows; choose units in which the numbers are smaller")
+            self._layout.assign(*self._layout.retract(step, self._retraction))
+            self._keep(W)
         return UpdateResult(innovation, S, nis)
 
-    def _take(self, rows: Array) -> None:
+    def _keep(self, rows: Array) -> None:
         """More rows of W, in a store that doubles when it is full."""
         end = self._count + len(rows)
         while end > len(self._store):
             self._store = np.concatenate([self._store, np.empty_like(self._store)])
         self._store[self._count : end], self._count = rows, end
-
-    def _move(self, step: Array) -> None:
-        if not np.isfinite(step).all():
-            raise NonFiniteError("update: the step overflows; choose units in which the numbers are smaller")
-        self._layout.assign(*self._layout.retract(step, self._retraction))
 
     def finish(self) -> None:
         """The covariance becomes that of the present means, which stay as they are."""

@@ -14,10 +14,6 @@ from slamlib.manifolds import Array, Manifold, Mask, as_manifold
 from slamlib.model import Formula, Model
 
 
-def _nothing_to_check(calibration: "Calibration") -> None:
-    """The default of Sensor.check."""
-
-
 @dataclass(frozen=True)
 class Sensor:
     """A type of sensor: name, models, the names of its parameters in the models' order, and its rules.
@@ -38,7 +34,7 @@ class Sensor:
     back_project: Formula
     parameters: tuple[str, ...]
     visible: Callable[[Array, "Calibration"], Mask]
-    check: Callable[["Calibration"], None] = _nothing_to_check
+    check: Callable[["Calibration"], None] | None = None
     project_line: Model | None = None
     pixels: bool = False
     limits: tuple[str, ...] | None = None
@@ -111,16 +107,21 @@ class Calibration:
             given=given,
             padded={n: read_only_copy(np.pad(v, (0, largest[n] - len(v)))) for n, v in given.items()},
         )
-        sensor.check(self)
+        if sensor.check is not None:
+            sensor.check(self)
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise SlamlibError(f"a calibration cannot be changed: make another one with the {name} that you want")
 
     @cached_property
     def _short(self) -> tuple[Model, list[Array]] | None:
-        """The model for as many coefficients as are given, and these in its order; all of it can never change."""
-        short = _shortened(self.sensor.project, self.given)
-        return (short, [self.given[name] for name in short.parameters[1:]]) if short else None
+        """The model for as many coefficients as are given, and these in its order; None where it is no model, or a list
+        holds none."""
+        project, given = self.sensor.project, self.given
+        if not isinstance(project, Model) or not all(map(len, given.values())):
+            return None
+        short = project.shortened(*(len(given[a.name]) if a.name in given else a.size for a in project.arguments))
+        return (short, [given[name] for name in short.parameters[1:]]) if short else None
 
     def project(self, point: Array) -> Array:
         """Measurements (..., m) of homogeneous points (..., 4) in the sensor's frame."""
@@ -159,13 +160,6 @@ class Calibration:
             return one
         inside: Any = ((pixel >= margin) & (pixel <= self.image - margin)).all(-1)
         return inside
-
-
-def _shortened(project: Formula, given: dict[str, Array]) -> Model | None:
-    """The model for as many coefficients as there are, if it is a model, and if there is one in each list."""
-    if not isinstance(project, Model) or not all(map(len, given.values())):
-        return None
-    return project.shortened(*(len(given[a.name]) if a.name in given else a.size for a in project.arguments))
 
 
 def _limits(sensor: Sensor, limits: dict[str, float]) -> dict[str, float]:

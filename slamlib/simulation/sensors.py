@@ -3,6 +3,7 @@
 And what goes wrong with real ones, at given rates: features are missed, replaced by nonsense, or taken for others.
 """
 
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -52,16 +53,10 @@ class Clutter:
         """One measurement (m,). Raises SlamlibError if none is found."""
         for _ in range(TRIES):
             measurement = rng.uniform(self.low, self.high)
-            if self._possible(measurement):
-                return measurement
+            with suppress(SingularPointError):
+                if self.calibration.visible(self.calibration.back_project_jac(measurement, *self.unmeasured)[0]):
+                    return measurement
         raise SlamlibError(f"of {TRIES} random measurements of a {self.calibration.sensor.name} none is a possible one")
-
-    def _possible(self, measurement: Array) -> bool:
-        try:
-            point, _ = self.calibration.back_project_jac(measurement, *self.unmeasured)
-        except SingularPointError:
-            return False
-        return bool(self.calibration.visible(point))
 
 
 def _box(calibration: Calibration, reach: float, count: int = 4096) -> tuple[Array, Array]:

@@ -51,7 +51,7 @@ def joint_compatibility(belief: Belief, sensor: MountedSensor, predictions: Pred
         yield predictions
         return
     found = joint_innovation(belief, sensor, predictions)
-    keep = _jointly_compatible(found, _individual_squares(found) < _thresholds(found, options), options)
+    keep = _jointly_compatible(found, _individual_squares(found, options)[1], options)
     refused = _selected(predictions, ~keep)
     for prediction, nis in zip(refused, _added_squares(found, keep).tolist() if refused else (), strict=True):
         prediction.nis = nis
@@ -79,8 +79,7 @@ def one_point_ransac(belief: Belief, sensor: MountedSensor, predictions: Predict
         yield predictions
         return
     found = joint_innovation(belief, sensor, predictions)
-    squares = _individual_squares(found)
-    candidates = squares < _thresholds(found, options)
+    squares, candidates = _individual_squares(found, options)
     support = _largest_support(sensor, predictions, found, candidates)
     if support.sum() < min(MIN_SUPPORT, candidates.sum()):
         support = _jointly_compatible(found, candidates, options)
@@ -127,14 +126,11 @@ def _rescue_high_innovation(
         before.nis, before.inlier = prediction.nis, prediction.inlier
 
 
-def _individual_squares(found: JointInnovation) -> Array:
-    """Square (n,) of each innovation by itself."""
+def _individual_squares(found: JointInnovation, options: Options) -> tuple[Array, Mask]:
+    """Square (n,) of each innovation by itself, and the mask (n,) of those that pass the gate."""
     rows = np.arange(len(found.z))
-    return mahalanobis_squared(found.z, found.S[rows, :, rows])
-
-
-def _thresholds(found: JointInnovation, options: Options) -> Array:
-    return np.array([gate(options.gate, size) for size in found.dof.tolist()])
+    squares = mahalanobis_squared(found.z, found.S[rows, :, rows])
+    return squares, squares < np.array([gate(options.gate, size) for size in found.dof.tolist()])
 
 
 def _added_squares(found: JointInnovation, keep: Mask) -> Array:

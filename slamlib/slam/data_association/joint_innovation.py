@@ -60,7 +60,9 @@ def hypothesis_innovations(sensor: MountedSensor, predictions: Predictions, join
     n, d = joint.z.shape
     own = joint.S[np.arange(n), :, np.arange(n)]
     steps = np.einsum("knd,nd->nk", joint.gain, np.linalg.solve(own, joint.z[..., None])[..., 0])
-    camera = _cameras(sensor, steps[:, np.searchsorted(joint.touched, sensor.columns)])
+    moved_sensor = steps[:, np.searchsorted(joint.touched, sensor.columns)]  # (n, 6), or (n, 12) with its mount
+    extrinsics = sensor.extrinsics if sensor.block is None else Pose.plus(sensor.extrinsics, moved_sensor[:, POSE:])
+    camera = compose(Pose.plus(sensor.robot.pose, moved_sensor[:, :POSE]), extrinsics)[:, None]
     in_frame: dict[str, list[tuple[list[int], Array]]] = defaultdict(list)
     for at in group_by_kind(range(n), lambda i: predictions[i].landmark.kind):
         landmarks = [predictions[i].landmark for i in at]
@@ -75,14 +77,6 @@ def hypothesis_innovations(sensor: MountedSensor, predictions: Predictions, join
         found = _innovations(sensor, [predictions[i] for i in group], there)
         z[:, group, : found.shape[-1]] = found
     return z
-
-
-def _cameras(sensor: MountedSensor, steps: Array) -> Array:
-    """Poses (n, 1, 7) of the sensor in the world after steps (n, 6), or (n, 12) where its mount is estimated."""
-    robot = Pose.plus(sensor.robot.pose, steps[:, :POSE])
-    extrinsics = sensor.extrinsics if sensor.block is None else Pose.plus(sensor.extrinsics, steps[:, POSE:])
-    camera: Array = compose(robot, extrinsics)[:, None]
-    return camera
 
 
 def _innovations(sensor: MountedSensor, predictions: Predictions, in_frame: Array) -> Array:
