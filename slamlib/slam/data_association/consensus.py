@@ -93,9 +93,8 @@ def _largest_support(sensor: MountedSensor, predictions: Predictions, found: Joi
     """Mask of the matches, of those that may, that agree with the best hypothesis."""
     hypothetical = hypothesis_innovations(sensor, predictions, found)
     squares = mahalanobis_squared(hypothetical, np.broadcast_to(found.R, (len(predictions), *found.R.shape)))
-    agree = (squares < LOW_INNOVATION**2) | np.eye(
-        len(predictions), dtype=bool
-    )  # out of view is nan, and does not agree
+    agree = squares < LOW_INNOVATION**2  # out of view is nan, and does not agree
+    agree |= np.eye(len(predictions), dtype=bool)
     agree &= candidates & candidates[:, None]
     misfit = np.where(agree, squares, 0).sum(1)
     best: Mask = agree[np.lexsort((misfit, -agree.sum(1)))[0]]

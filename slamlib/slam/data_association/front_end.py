@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from slamlib.slam.entities import MountedSensor
     from slamlib.slam.measurement_update import PredictedMeasurement
 
+NONE = Features.none(0)
 Detected = tuple[int, Array, Any]  # of a new landmark: its id, its first measurement (m,), its signature
 
 
@@ -81,7 +82,7 @@ class KnownAssociation(FrontEnd):
 
     def match(self, inputs: FrontEndInput, family: str, predictions: list[PredictedMeasurement]) -> tuple[Array, Mask]:
         """The features with the ids of the landmarks."""
-        features = _features(inputs, family)
+        features = inputs.scan.features.get(family, NONE)
         row_of = {number: row for row, number in enumerate(features.ids.tolist())}
         rows = np.array([row_of.get(prediction.landmark.id, -1) for prediction in predictions], dtype=int)
         size = features.values.shape[1] if len(features) or not predictions else len(predictions[0].value)
@@ -95,16 +96,10 @@ class KnownAssociation(FrontEnd):
         self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[Detected]:
         """The features with the lowest ids that are not known."""
-        features = _features(inputs, family)
+        features = inputs.scan.features.get(family, NONE)
         fresh = sorted((number, row) for row, number in enumerate(features.ids.tolist()) if number not in known)
         if not fresh or not count:
             return []
         mask = usable(features.values[[row for _, row in fresh]])
         good = [pair for pair, is_usable in zip(fresh, mask.tolist(), strict=True) if is_usable][:count]
         return [(number, features.values[row], None) for number, row in good]
-
-
-def _features(inputs: FrontEndInput, family: str) -> Features:
-    """The features of a family in the scan; none if it has none."""
-    found: Features | None = inputs.scan.features.get(family)
-    return Features.none(0) if found is None else found
