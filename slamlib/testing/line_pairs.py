@@ -12,12 +12,12 @@ from slamlib.landmarks.line_innovation import distances
 from slamlib.manifolds import Array
 from slamlib.model import Argument
 from slamlib.modeling.numerical import central_difference, complex_step
-from slamlib.observation.lines import initialize_line, observe_line
+from slamlib.observation.lines import initialize_line, observe_line, undistort_segments
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import Judge
 from slamlib.testing.landmarks import IDENTITY
 from slamlib.testing.models import BATCH, DIFFERENCE, JACOBIAN, VALUE, named
-from slamlib.testing.pairs import stays_positive, with_robot
+from slamlib.testing.pairs import stays_positive
 from slamlib.testing.sensors import visible_points
 
 DEFINED = "a segment makes a line"
@@ -133,30 +133,18 @@ def _segments(calibration: Calibration, rng: np.random.Generator, count: int) ->
     return found
 
 
-def _ideal(calibration: Calibration, segment: Array) -> Array:
-    """Both ends (4,) as project_line would see them: the parameters that it does not take, the distortion, at zero."""
-    project: Any = calibration.sensor.project_line
-    points, _ = calibration.back_project_jac(segment.reshape(2, 2), np.ones((2, 1)))
-    parameters = {n: v if n in project.parameters else 0 * v for n, v in calibration.padded.items()}
-    return calibration.sensor.project(points, **parameters)[:, :2].ravel()
-
-
 def _seen_again(
     judge: Judge, kind: LineLandmark, calibration: Calibration, place: Place, landmark: Array, G: Any, name: str
 ) -> None:
     """The line where it was measured; then in a belief beside the robot, corrected by the distances of both ends."""
     robot, extrinsics, segment, _ = place
     where = {"robot": robot, "extrinsics": extrinsics, "measurement": segment}
-    seen, endpoints = observe_line(kind, calibration, robot, extrinsics, landmark), _ideal(calibration, segment)
-    off, D = distances.jac(seen.value, endpoints)
+    seen = observe_line(kind, calibration, robot, extrinsics, landmark)
+    off, D = distances.jac(seen.value, undistort_segments(calibration, segment)[0])
     if not judge.compare(THROUGH, name, off, np.zeros(2), where, argument="measurement", tolerance=1e-7):
         return
-    belief, at = with_robot(judge, robot)
-    own = G.measurement @ G.measurement.T + 0.04 * G.unmeasured @ G.unmeasured.T
-    block = belief.add(kind.manifold, landmark, (own + own.T) / 2, given=[at], jacobians=[G.robot])
     H = [-D.line @ J for J in (seen.jacobians.robot, seen.jacobians.landmark)]
-    belief.update([at, block], H, judge.rng.standard_normal(2), np.eye(2))
-    stays_positive(judge, belief, name, where)
+    stays_positive(judge, kind, landmark, G, H, (np.eye(4), np.eye(2)), name, where)
 
 
 def _derivatives(judge: Judge, chain: _Chain, place: Place, name: str) -> None:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.belief import Belief, Block
+from slamlib.belief import Belief
 from slamlib.errors import SingularPointError
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks.point import PointLandmark
@@ -49,40 +49,34 @@ def pair_properties(judge: Judge, kind: PointLandmark, calibration: Calibration)
             found = H.landmark @ getattr(G, argument) + (getattr(H, argument) if argument in H._fields else 0)
             wanted = np.eye(len(y)) if argument == "measurement" else np.zeros_like(found)
             judge.compare(DERIVATIVES, name, found, wanted, where, argument=argument, tolerance=1e-6)
-        _filter(judge, kind, calibration, robot, landmark, G, H, name)
+        R = calibration.noise
+        stays_positive(judge, kind, landmark, G, [H.robot, H.landmark], (R, R), name, {"robot": robot})
 
 
-def stays_positive(judge: Judge, belief: Belief, name: str, where: dict[str, Array]) -> None:
-    """The joint covariance is symmetric and has no negative eigenvalue, beside its largest entry."""
+def stays_positive(
+    judge: Judge,
+    kind: Any,
+    landmark: Array,
+    G: Any,
+    H: list[Array],
+    noises: tuple[Array, Array],
+    name: str,
+    where: dict[str, Array],
+) -> None:
+    """A landmark into a belief beside the robot, which is known to a centimetre or so, and one update by robot and
+    landmark: the covariance is symmetric and has no negative eigenvalue, beside its largest entry.
+
+    noises: of the measurement that it is made of, and of the one that corrects it.
+    """
+    belief, root, (noise, R) = Belief(), 0.01 * judge.rng.standard_normal((6, 6)), noises
+    robot = belief.add(Pose, where["robot"], root @ root.T + 1e-6 * np.eye(6))
+    own = G.measurement @ noise @ G.measurement.T
+    if hasattr(G, "unmeasured"):
+        own = own + 0.04 * G.unmeasured @ G.unmeasured.T
+    block = belief.add(kind.manifold, landmark, (own + own.T) / 2, given=[robot], jacobians=[G.robot])
+    belief.update([robot, block], H, np.linalg.cholesky(R) @ judge.rng.standard_normal(len(R)), R)
     P = belief.matrix
     scale, least = np.abs(P).max(), np.linalg.eigvalsh(P)[0]
     symmetric = np.abs(P - P.T).max() <= 1e-12 * scale
     how = f"the smallest eigenvalue is {least:.3g} of {scale:.3g}, symmetric: {symmetric}"
     judge.require(POSITIVE, name, symmetric and least >= -1e-12 * scale, how, where)
-
-
-def with_robot(judge: Judge, robot: Array) -> tuple[Belief, Block]:
-    """A belief that holds a robot's pose, known to a centimetre or so."""
-    belief, root = Belief(), 0.01 * judge.rng.standard_normal((6, 6))
-    return belief, belief.add(Pose, robot, root @ root.T + 1e-6 * np.eye(6))
-
-
-def _filter(
-    judge: Judge,
-    kind: PointLandmark,
-    calibration: Calibration,
-    robot: Array,
-    landmark: Array,
-    G: Any,
-    H: Any,
-    name: str,
-) -> None:
-    """One landmark into a belief beside the robot, and one measurement update by it."""
-    (belief, at), R = with_robot(judge, robot), calibration.noise
-    own = G.measurement @ R @ G.measurement.T
-    if hasattr(G, "unmeasured"):
-        own = own + 0.04 * G.unmeasured @ G.unmeasured.T
-    block = belief.add(kind.manifold, landmark, (own + own.T) / 2, given=[at], jacobians=[G.robot])
-    innovation = np.linalg.cholesky(R) @ judge.rng.standard_normal(len(R))
-    belief.update([at, block], [H.robot, H.landmark], innovation, R)
-    stays_positive(judge, belief, name, {"robot": robot})
