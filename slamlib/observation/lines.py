@@ -12,8 +12,8 @@ import numpy as np
 
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.pose import compose
-from slamlib.landmarks.line import LineLandmark
 from slamlib.landmarks.line_innovation import angles, distances, oriented, rho_theta
+from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import Array
 from slamlib.observation.points import Observation, named, through
 from slamlib.sensors.sensor import Calibration

@@ -18,7 +18,7 @@ from slamlib.kalman.linalg import principal_blocks
 from slamlib.landmarks import POINTS
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import WORLD, beyond_infinity, should_convert, to_euclidean
-from slamlib.landmarks.point import PointLandmark
+from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation.family import Family, landmark_means, product, state_columns, state_rows, viewpoint
 from slamlib.sensors.sensor import Calibration

@@ -10,7 +10,7 @@ from slamlib.errors import SlamlibError
 from slamlib.kalman.linalg import principal_blocks
 from slamlib.landmarks import LINES, endpoints, hmg_point, segments
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.landmarks.line import LineLandmark
+from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation.family import (
     Family,
