@@ -118,7 +118,7 @@ def test_ends_are_a_picture_s_matter_and_cost_a_step_nothing(monkeypatch):
     def forbidden(*arguments):
         raise AssertionError("in the step of the filter")
 
-    monkeypatch.setattr(snapshot, "ends_in_image", forbidden)
+    monkeypatch.setattr(snapshot, "endpoints_in_image", forbidden)
     slam.step(next(iter(frames))[0])
     with pytest.raises(AssertionError, match="in the step"):
         slam.snapshot()

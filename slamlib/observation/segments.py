@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import namedtuple
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,7 +23,7 @@ from slamlib.observation.family import (
     viewpoint,
 )
 from slamlib.observation.lines import RESIDUALS, distort_segments, initialize_line, rays_of
-from slamlib.observation.points import PLACEHOLDER_POINT, named
+from slamlib.observation.points import PLACEHOLDER_POINT
 from slamlib.sensors.sensor import Calibration
 
 if TYPE_CHECKING:
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from slamlib.slam.entities import Landmark, MountedSensor
     from slamlib.slam.options import Options
 
+Jacobians = namedtuple("Jacobians", ("camera", "landmark"))
 CONVERGED_RATIO = 0.1  # of a segment's length: the largest standard deviation of an end of a line that has converged
 
 
@@ -75,7 +77,8 @@ class LineFamily(Family):
     ) -> tuple[Array, Mask, Any]:
         """Lines (n, 6) of the sensor's frame. A line has no border: whoever saw it, sees it."""
         line, J = kind.to_frame.jac(camera, means)
-        return line, np.ones(line.shape[:-1], dtype=bool), named({"camera": J.pose, "landmark": J.landmark})
+        visible: Any = np.True_ if line.ndim == 1 else np.ones(line.shape[:-1], dtype=bool)
+        return line, visible, Jacobians(J.pose, J.landmark)
 
     def residual(self, sensor: MountedSensor, inner: Array, by: Array, measured: Array, options: Any) -> Innovation:
         """How far measured segments (n, 4) are off lines (n, 6) of the sensor's frame, as the options say it (n, 2)."""
