@@ -66,12 +66,8 @@ def run_cell(path: str, cell: str) -> tuple[dict[str, Any], DriftError | None]:
 def _remembered(path: str, text: str) -> str:
     import linecache
 
-    linecache.cache[f"<edited {path}>"] = (
-        len(text),
-        None,
-        text.splitlines(keepends=True),
-        f"<edited {path}>",
-    )
+    name = f"<edited {path}>"
+    linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
     return text
 
 
