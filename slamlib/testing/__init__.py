@@ -10,8 +10,7 @@ definition, which argument, where, and by how much. Chapter 13 uses them; the pa
 from typing import Any
 
 from slamlib.errors import SlamlibError
-from slamlib.landmarks.line import LineLandmark
-from slamlib.landmarks.point import PointLandmark
+from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import CheckError, Finding, Judge
 from slamlib.testing.landmarks import line_properties, point_properties

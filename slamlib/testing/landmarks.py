@@ -5,8 +5,7 @@ import numpy as np
 from slamlib.errors import SingularPointError
 from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import Pose
-from slamlib.landmarks.line import LineLandmark
-from slamlib.landmarks.point import PointLandmark
+from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.manifolds import Array
 from slamlib.testing.judge import Judge
 from slamlib.testing.models import DEFINED, model_properties

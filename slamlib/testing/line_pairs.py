@@ -8,8 +8,8 @@ import numpy as np
 
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import Pose, compose
-from slamlib.landmarks.line import LineLandmark
 from slamlib.landmarks.line_innovation import distances
+from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import Array
 from slamlib.model import Argument
 from slamlib.observation.lines import initialize_line, observe_line

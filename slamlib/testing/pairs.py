@@ -7,8 +7,7 @@ import numpy as np
 from slamlib.belief import Belief
 from slamlib.errors import SingularPointError
 from slamlib.geometry.pose import Pose
-from slamlib.landmarks.line import LineLandmark
-from slamlib.landmarks.point import PointLandmark
+from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.manifolds import Array
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors.sensor import Calibration
