@@ -99,7 +99,7 @@ def _search(add: Add, kind: SequenceKind, settings: Any, of: str) -> None:
     names = ", ".join(f.name for f in fields(settings))
     add("--option", action="append", default=[], metavar="NAME=VALUE", help=OPTION)
     add("--search", action="append", default=[], metavar="NAME=VALUE", help=f"of {of}: {names}")
-    add("--patience", type=count, metavar="N", help=f"stop after N {kind.frames} without a match (default 30)")
+    add("--patience", type=count, metavar="N", help=f"stop after N {kind.item}s without a match (default 30)")
 
 
 def _given_options(given: argparse.Namespace, what: str, *names: str) -> dict[str, Any]:

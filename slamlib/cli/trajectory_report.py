@@ -15,7 +15,7 @@ def read_reference(path: str | None, run: SequenceRun) -> Trajectory | None:
     """The path of a file, or None for none; KITTI's form has no times, but a row for each of the whole's pictures."""
     if path is None:
         return None
-    times = run.source.sequence.times
+    times = run.source.times
     rows = _kitti_rows(path)
     if rows and rows != len(times):
         raise SlamlibError(

@@ -5,17 +5,12 @@ from typing import Any
 
 from slamlib.data.plain import read, written
 from slamlib.datasets.calibrations import read_calibration, read_lens, read_pair
+from slamlib.datasets.dataset import ImageSource
 from slamlib.datasets.formats import DATASETS
 from slamlib.datasets.lens import Lens, PairCalibration, fitted
 from slamlib.datasets.pairs import CAMERAS, open_pairs, two_cameras
-from slamlib.datasets.rectification import (
-    Rectification,
-    Undistortion,
-    check_order,
-    rectified_setup,
-    why_not_rectified,
-)
-from slamlib.datasets.sources import ImageSource, open_source
+from slamlib.datasets.rectification import Rectification, Undistortion, rectified_setup, why_not_rectified
+from slamlib.datasets.sources import open_source
 from slamlib.errors import SlamlibError
 
 
@@ -57,7 +52,11 @@ def open_rectified_pairs(
     else:
         raise SlamlibError("--left and --right are wanted, both, or --source for a KITTI or EuRoC folder")
     known = read_pair(calibration or _find_calibration(source, pairs.layout, numbers), numbers)
-    check_order(known)
+    if not known.transform[0, 3] > 0:
+        raise SlamlibError(
+            f"the right camera is {known.transform[0, 3]:.3g} m to the right of the left one, by the calibration: left "
+            "and right are exchanged; give --left and --right (or --cameras, or the two files) the other way round"
+        )
     size = size_of(pairs)
     for lens in (known.left, known.right):
         _check_size(lens, size, pairs)
@@ -96,15 +95,13 @@ def reopen(recipe: dict[str, Any], count: int | None = None) -> ImageSource:
     else:
         source = open_source(recipe["text"], fps=recipe["fps"], camera=recipe["camera"])
     if "remap" in recipe:
-        pair, data = "left" in recipe, recipe["remap"]
-        known = read(PairCalibration, data) if pair else read(Lens, data)
-        source, _ = remapped(source, known, tuple(recipe["size"]))
+        kind: type[Lens | PairCalibration] = PairCalibration if "left" in recipe else Lens
+        source, _ = remapped(source, read(kind, recipe["remap"]), tuple(recipe["size"]))
     return source.again(recipe, count)
 
 
 def _check_size(lens: Lens, size: tuple[int, int], source: ImageSource) -> None:
-    sized = {} if lens.image is None else {"image": lens.image}
-    fitted({**sized, "parameters": {"intrinsics": lens.intrinsics}}, size, source.where)
+    fitted({"image": lens.image, "parameters": {"intrinsics": lens.intrinsics}}, size, source.where)
 
 
 def _find_calibration(source: str | None, layout: str, cameras: tuple[int, int]) -> list[str]:

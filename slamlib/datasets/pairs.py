@@ -15,9 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.datasets.dataset import Numbers, Sequence
+from slamlib.datasets.dataset import ImageSource, Numbers
 from slamlib.datasets.pictures import TimedImage
-from slamlib.datasets.sources import ImageSource, cameras_at
+from slamlib.datasets.sources import cameras_at
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import matched_times
 from slamlib.manifolds import Array, Indices
@@ -79,27 +79,25 @@ def two_cameras(where: str | os.PathLike[str]) -> tuple[int, int]:
 
 def open_pairs(left: ImageSource, right: ImageSource) -> ImageSource:
     """The pairs of two cameras; no picture is read yet. Raises SlamlibError for lists that do not fit together."""
-    i, j = _by_time(left, right) if left.sequence.has_times and right.sequence.has_times else _by_order(left, right)
-    whole = left.sequence
-    names, times = (tuple(np.array(values)[i].tolist()) for values in (whole.names, whole.times))
+    i, j = (_by_time if left.has_times and right.has_times else _by_order)(left, right)
+    names, times = (tuple(np.array(values)[i].tolist()) for values in (left.names, left.times))
 
     def read(numbers: Numbers) -> Iterator[TimedImage]:
         rows = np.array(numbers, dtype=int)
-        both = zip(whole.read(i[rows].tolist()), right.sequence.read(j[rows].tolist()), strict=True)
-        return (_one_pair(one, other) for one, other in both)
+        for one, other in zip(left.read(i[rows].tolist()), right.read(j[rows].tolist()), strict=True):
+            try:
+                yield replace(one, image=pair(one.image, other.image))
+            except SlamlibError as error:
+                raise SlamlibError(f"{one.name} and {other.name}: {error}") from None
 
-    sequence = Sequence(names, times, whole.interval, read, whole.has_times)
+    where = left.where if left.where == right.where else f"{left.where}, {right.where}"
     recipe = {"left": left.recipe, "right": right.recipe}
-    return ImageSource(left.layout, _where(left, right), range(len(i)), sequence, recipe)
+    return replace(left, names=names, times=times, read=read, frames=range(len(i)), where=where, recipe=recipe)
 
 
 def _by_time(left: ImageSource, right: ImageSource) -> tuple[Indices, Indices]:
     """Rows of pictures of one time; what has no partner is left out."""
-    one, other, tolerance = (
-        np.array(left.sequence.times),
-        np.array(right.sequence.times),
-        MAX_TIME_SHARE * left.interval,
-    )
+    one, other, tolerance = np.array(left.times), np.array(right.times), MAX_TIME_SHARE * left.interval
     i, j = matched_times(one, other, tolerance)
     if not len(i):
         raise SlamlibError(
@@ -111,7 +109,7 @@ def _by_time(left: ImageSource, right: ImageSource) -> tuple[Indices, Indices]:
 
 def _by_order(left: ImageSource, right: ImageSource) -> tuple[Indices, Indices]:
     """All rows, if there are as many left as right, and the numbers that count in their names agree."""
-    one, other = left.sequence.names, right.sequence.names
+    one, other = left.names, right.names
     if len(one) != len(other):
         alone = [name for name in one if name not in set(other)] + [name for name in other if name not in set(one)]
         which = f" (alone: {', '.join(alone[:3])}{', ...' if len(alone) > 3 else ''})" if len(alone) < len(one) else ""
@@ -136,14 +134,3 @@ def _counted(names: tuple[str, ...]) -> list[tuple[int, ...]]:
     if len({len(row) for row in numbers}) != 1:
         return []
     return [column for column in zip(*numbers, strict=True) if len(set(column)) > 1]
-
-
-def _one_pair(left: TimedImage, right: TimedImage) -> TimedImage:
-    try:
-        return replace(left, image=pair(left.image, right.image))
-    except SlamlibError as error:
-        raise SlamlibError(f"{left.name} and {right.name}: {error}") from None
-
-
-def _where(left: ImageSource, right: ImageSource) -> str:
-    return left.where if left.where == right.where else f"{left.where}, {right.where}"

@@ -13,6 +13,11 @@ from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Image
 
 ENDINGS = (".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp")
+# Some versions of OpenCV read half a file and say nothing: the end is looked for first.
+_WHOLE: dict[bytes, Callable[[bytes], bool]] = {
+    b"\x89PNG\r\n\x1a\n": lambda data: b"IEND" in data,
+    b"\xff\xd8\xff": lambda data: data.rstrip(b"\0").rfind(b"\xff\xd9") > len(data) // 2,
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,7 +31,15 @@ class TimedImage:
 
 def read_image(path: str | os.PathLike[str]) -> Array:
     """Grey values (h, w), uint8, of an image file; colours become their luminance. Raises SlamlibError."""
-    data = _bytes(Path(path))
+    try:
+        data = Path(path).read_bytes()
+    except OSError as error:
+        raise SlamlibError(f"{path} cannot be read: {error.strerror}") from None
+    if not data:
+        raise SlamlibError(f"{path} is empty")
+    for beginning, is_whole in _WHOLE.items():
+        if data.startswith(beginning) and not is_whole(data):
+            raise SlamlibError(f"{path} is truncated: its end is missing; copy it again")
     cv2 = opencv("to read images")
     pixels = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_UNCHANGED)
     if pixels is None:
@@ -45,19 +58,23 @@ def grey(pixels: Array, name: str) -> Array:
         )
     if pixels.ndim == 2:
         return pixels
-    cv2 = opencv("to read images")
-    codes: dict[int, int | None] = {1: None, 3: cv2.COLOR_BGR2GRAY, 4: cv2.COLOR_BGRA2GRAY}
     channels = pixels.shape[2]
-    if channels not in codes:
+    if channels not in (1, 3, 4):
         raise SlamlibError(f"{name} has {channels} channels: grey or colour pictures are wanted")
-    code = codes[channels]
-    found: Array = pixels[..., 0] if code is None else cv2.cvtColor(pixels, code)
+    if channels == 1:
+        return pixels[..., 0]
+    cv2 = opencv("to read images")
+    found: Array = cv2.cvtColor(pixels, cv2.COLOR_BGR2GRAY if channels == 3 else cv2.COLOR_BGRA2GRAY)
     return found
 
 
 def in_natural_order(paths: list[Path]) -> list[Path]:
     """Sorted by name, numbers in it by their value: 2.png comes before 10.png."""
-    return sorted(paths, key=lambda path: _natural(str(path)))
+
+    def natural(path: Path) -> list[tuple[int, int, str]]:
+        return [(1, int(p), p) if p.isdigit() else (0, 0, p) for p in re.split(r"(\d+)", str(path))]
+
+    return sorted(paths, key=natural)
 
 
 def images_in(folder: Path) -> list[Path]:
@@ -68,28 +85,3 @@ def images_in(folder: Path) -> list[Path]:
 def is_image(path: Path) -> bool:
     """Whether a file's name ends as an image's does; hidden files are none."""
     return path.suffix.lower() in ENDINGS and not path.name.startswith(".") and path.is_file()
-
-
-def _natural(name: str) -> list[tuple[int, int, str]]:
-    parts = re.split(r"(\d+)", name)
-    return [(1, int(p), p) if p.isdigit() else (0, 0, p) for p in parts]
-
-
-def _bytes(path: Path) -> bytes:
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise SlamlibError(f"{path} cannot be read: {error.strerror}") from None
-    if not data:
-        raise SlamlibError(f"{path} is empty")
-    for beginning, is_whole in _WHOLE.items():
-        if data.startswith(beginning) and not is_whole(data):
-            raise SlamlibError(f"{path} is truncated: its end is missing; copy it again")
-    return data
-
-
-# Some versions of OpenCV read half a file and say nothing: the end is looked for first.
-_WHOLE: dict[bytes, Callable[[bytes], bool]] = {
-    b"\x89PNG\r\n\x1a\n": lambda data: b"IEND" in data,
-    b"\xff\xd8\xff": lambda data: data.rstrip(b"\0").rfind(b"\xff\xd9") > len(data) // 2,
-}

@@ -30,7 +30,7 @@ def room(tmp_path_factory):
         cv2.imwrite(str(folder / "left" / f"{i}.png"), frame.scans[0].image)
         poses.append(truth.robots[0][:7])
     (folder / "calibration.json").write_text(json.dumps(rig.to_dict()))
-    truth = Trajectory(DT * np.arange(COUNT), np.array(poses)).mounted(rig.sensors[0].extrinsics)
+    truth = Trajectory(DT * np.arange(COUNT), np.array(poses)).sensor_trajectory(rig.sensors[0].extrinsics)
     write_tum(folder / "truth.txt", truth)
     return folder
 
@@ -358,7 +358,7 @@ def test_help_and_resuming_what_is_not_there(capsys):
     assert "no such file" in capsys.readouterr().err
     assert main(["run", "points", "--frames", "2", "--save", "points.npz"]) == 0
     assert main(["run", "images", "--resume", "points.npz"]) == 2
-    assert "holds no run on images" in capsys.readouterr().err
+    assert "holds no run on pictures" in capsys.readouterr().err
 
 
 def test_a_real_sequence(capsys):

@@ -8,7 +8,7 @@ import pytest
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
 from slamlib.tests.pictures import grid, photograph
 from slamlib.tests.test_images_warping import CAMERAS, FIRST, IDEAL, drawn, posed
-from slamlib.vision.appearance import LIMITS, Appearance, predict, recognizable
+from slamlib.vision.appearance import Appearance, predict, recognizable
 from slamlib.vision.patches import cut, zncc
 from slamlib.vision.search import Match, search
 from slamlib.vision.warping import in_camera
@@ -123,10 +123,7 @@ def test_what_is_predicted_was_recognizable():
     for _ in range(60):
         camera = posed(rng.uniform(-2, 1.5, 3), rng.uniform(-0.5, 0.5, 3))
         # the one goes by distances, the other by the map at its very pixel
-        if (
-            own.predicted(camera, IDEAL, point, limits=LIMITS) is not None
-            and 0.6 < own.scale_change(camera, point) < 1.7
-        ):
+        if own.predicted(camera, IDEAL, point) is not None and 0.6 < own.scale_change(camera, point) < 1.7:
             assert recognizable([own], camera, point[None]).all()
 
 

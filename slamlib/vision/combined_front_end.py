@@ -9,26 +9,18 @@ import numpy as np
 from slamlib.data.records import Scan
 from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.front_end import FrontEndInput
+from slamlib.slam.data_association.front_end import Detected, FrontEndInput
 from slamlib.slam.options import Options
 from slamlib.vision.active_search import ActiveSearch, ActiveSearchSettings
-from slamlib.vision.appearance import Appearance
-from slamlib.vision.line_search import EdgeLook, SegmentSearch
-
-# Which family's front end gave a signature of this type.
-SIGNATURES: dict[type, str] = {Appearance: "points", EdgeLook: "segments"}
+from slamlib.vision.line_search import SegmentSearch
 
 
 class CombinedFrontEnd:
     """Forwards what the filter asks to the front end of the family that it asks about."""
 
     def __init__(self, points: ActiveSearch, segments: SegmentSearch) -> None:
-        self.front_ends: dict[str, Any] = {"points": points, "segments": segments}
-
-    @property
-    def settings(self) -> Any:
-        """Those of the points' search."""
-        return self.front_ends["points"].settings
+        self.points, self.settings = points, points.settings
+        self.front_ends: dict[str, ActiveSearch | SegmentSearch] = {"points": points, "segments": segments}
 
     @property
     def seconds(self) -> dict[str, float]:
@@ -42,30 +34,23 @@ class CombinedFrontEnd:
 
     def searchable(self, inputs: FrontEndInput) -> list[Any]:
         """The looks that their front ends could find."""
-        return [prediction for name, f in self.front_ends.items() for prediction in f.searchable(_own(inputs, name))]
+        return [p for name, f in self.front_ends.items() for p in f.searchable(_own(inputs, name))]
 
     def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
         """What the family's front end finds of them."""
-        found: tuple[Array, Mask] = self.front_ends[family].match(_own(inputs, family), family, predictions)
-        return found
+        return self.front_ends[family].match(_own(inputs, family), family, predictions)
 
     def detect(
         self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
-    ) -> list[tuple[int, Array, Any]]:
+    ) -> list[Detected]:
         """What the family's front end begins, with numbers that neither of them has given before."""
         self._share_last_id()
-        found: list[tuple[int, Array, Any]] = self.front_ends[family].detect(
-            _own(inputs, family), family, known, usable, count
-        )
-        return found
+        return self.front_ends[family].detect(_own(inputs, family), family, known, usable, count)
 
-    def initialize_at(self, inputs: FrontEndInput, family: str, values: Array) -> list[tuple[int, Array, Any] | None]:
+    def initialize_at(self, inputs: FrontEndInput, family: str, values: Array) -> list[Detected | None]:
         """Landmarks at given values; only points can be adopted."""
         self._share_last_id()
-        found: list[tuple[int, Array, Any] | None] = self.front_ends[family].initialize_at(
-            _own(inputs, family), family, values
-        )
-        return found
+        return self.points.initialize_at(_own(inputs, family), family, values)
 
     def _share_last_id(self) -> None:
         last = max(f.last for f in self.front_ends.values())
@@ -83,7 +68,7 @@ class CombinedFrontEnd:
 
     def pack(self, signature: Any) -> Any:
         """A signature as plain data, with the family whose front end gave it."""
-        name = SIGNATURES[type(signature)]
+        name = next(name for name, f in self.front_ends.items() if isinstance(signature, f.signature_type))
         return {"family": name, "signature": self.front_ends[name].pack(signature)}
 
     def unpack(self, packed: Any) -> Any:
@@ -101,6 +86,4 @@ def make_front_end(
 
 def _own(inputs: FrontEndInput, family: str) -> FrontEndInput:
     """The sight with the looks of one family alone."""
-    return replace(
-        inputs, predictions=[prediction for prediction in inputs.predictions if prediction.family.name == family]
-    )
+    return replace(inputs, predictions=[p for p in inputs.predictions if p.family.name == family])

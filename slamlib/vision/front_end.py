@@ -1,7 +1,7 @@
-"""What front ends on pictures share: numbers for new landmarks, search backoff, and the time that they spend."""
+"""What front ends on pictures share: the course of a search, ids of new landmarks, search backoff, and times."""
 
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
@@ -10,7 +10,9 @@ import numpy as np
 
 from slamlib.data.records import Scan
 from slamlib.errors import SlamlibError
+from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
+from slamlib.slam.data_association.front_end import Detected, FrontEndInput
 
 
 class Stopwatch(dict[str, float]):
@@ -45,15 +47,24 @@ class Backoff:
 
 
 class ImageFrontEnd:
-    """Search backoff, ids and times of a front end; one for a sensor's image is made of it by `searchable`, `match` ...
+    """A front end on one sensor's image: one is made of it by `searchable`, and by two methods that it calls.
+
+    find(inputs, predictions): rows of the predictions whose landmarks are found, each with the measurement (m,).
+    new_landmarks(inputs, usable, count): measurements of up to `count` new landmarks, with what they are known by.
 
     What stands before a landmark is as a rule still there in the next frame. Without a rest, hidden landmarks, which
     nothing corrects, would soon be the most uncertain ones, and be chosen first for ever. backoff: by landmarks' ids;
-    last: the last id given; seconds: spent so far in "search" and in "detection".
+    last: the last id given; seconds: spent so far in "search" and in "detection". size: numbers of a measurement;
+    signature_type: of what a landmark is known by.
     """
 
-    def __init__(self, calibration: Calibration) -> None:
-        self.calibration = calibration
+    size: int
+    signature_type: Any
+    find: Callable[[FrontEndInput, list[Any]], Iterable[tuple[int, Array]]]
+    new_landmarks: Callable[[FrontEndInput, Callable[[Array], Mask], int], Iterable[tuple[Array, Any]]]
+
+    def __init__(self, calibration: Calibration, settings: Any) -> None:
+        self.calibration, self.settings = calibration, settings
         self.seconds = Stopwatch("search", "detection")
         self.last = 0
         self.backoff: dict[int, Backoff] = {}
@@ -74,16 +85,30 @@ class ImageFrontEnd:
 
     def ready(self, predictions: Iterable[Any]) -> list[Any]:
         """The looks at landmarks that do not rest; asked once a frame."""
-        return [
-            prediction for prediction in predictions if self.backoff.get(prediction.landmark.id, Backoff()).is_over()
-        ]
+        return [p for p in predictions if self.backoff.get(p.landmark.id, Backoff()).is_over()]
 
-    def record_search(self, predictions: Iterable[Any], found: Iterable[bool], max_backoff: int) -> None:
-        """Landmarks that were not found rest, the longer the more often in a row; the others do not."""
-        for prediction, is_found in zip(predictions, found, strict=True):
+    def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
+        """Measurements (n, m) of what is looked for, nan where it is not found, and the mask (n,) of those found.
+
+        Landmarks that were not found rest, the longer the more often in a row; the others do not.
+        """
+        measured = np.full((len(predictions), self.size), np.nan)
+        with self.seconds.timed("search"):
+            for row, value in self.find(inputs, predictions):
+                measured[row] = value
+        found = np.isfinite(measured[:, 0])
+        for prediction, is_found in zip(predictions, found.tolist(), strict=True):
             before = self.backoff.pop(prediction.landmark.id, Backoff())
             if not is_found:
-                self.backoff[prediction.landmark.id] = before.increased(max_backoff)
+                self.backoff[prediction.landmark.id] = before.increased(self.settings.max_backoff)
+        return measured, found
+
+    def detect(
+        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
+    ) -> list[Detected]:
+        """Up to `count` new landmarks (id, measurement, signature)."""
+        with self.seconds.timed("detection"):
+            return [(self.new_id(known), *new) for new in self.new_landmarks(inputs, usable, count)]
 
     def new_id(self, known: set[int]) -> int:
         """A number that no landmark has had; known: ids of the landmarks in the map."""
@@ -99,3 +124,11 @@ class ImageFrontEnd:
         """Go on from what `dump` gave."""
         self.last = state["last"]
         self.backoff = {int(number): Backoff(*backoff) for number, backoff in state["backoff"].items()}
+
+    def pack(self, signature: Any) -> Any:
+        """A landmark's signature as plain data."""
+        return signature.pack()
+
+    def unpack(self, packed: Any) -> Any:
+        """The signature that `pack` packed."""
+        return self.signature_type.unpack(packed)

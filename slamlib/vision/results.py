@@ -30,14 +30,6 @@ class ImageResult:
     trajectory: Trajectory
     size: int
 
-    @classmethod
-    def of(
-        cls, history: list[list[float]], trajectory: Trajectory, size: int, columns: tuple[str, ...] = COLUMNS
-    ) -> "ImageResult":
-        """From a run's rows."""
-        rows = np.array(history, dtype=float)
-        return cls(dict(zip(columns, rows.T, strict=True)), trajectory, size)
-
     def __getattr__(self, name: str) -> Array:
         if name == "columns" or name not in self.columns:
             raise AttributeError(name)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from slamlib.datasets.dataset import CalibrationReader, Dataset, Sequence, listed, table
+from slamlib.datasets.dataset import CalibrationReader, Dataset, ImageSource, listed, table
 from slamlib.datasets.lens import Lens, Numbers
 from slamlib.errors import SlamlibError, UnknownNameError
 
@@ -26,7 +26,7 @@ def _cameras(where: Path) -> dict[int, Path]:
     return {n: listing for n, some in there.items() for listing in some[:1] if listing.is_file()}
 
 
-def _open(listing: Path, fps: float | None) -> Sequence:
+def _open(listing: Path, fps: float | None) -> ImageSource:
     """Rows of "time in nanoseconds, file"."""
     rows = table(listing, 2, ",")
     paths = [listing.parent / "data" / name for _, (name, *_) in rows]

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from slamlib.datasets.dataset import CalibrationReader, Dataset, Sequence, counted, listed, table
+from slamlib.datasets.dataset import CalibrationReader, Dataset, ImageSource, counted, listed, table
 from slamlib.datasets.lens import Lens
 from slamlib.datasets.pictures import images_in
 from slamlib.errors import SlamlibError
@@ -24,7 +24,7 @@ def _cameras(where: Path) -> dict[int, Path]:
     return {n: folder for n, folder in folders.items() if images_in(folder)}
 
 
-def _open(folder: Path, fps: float | None) -> Sequence:
+def _open(folder: Path, fps: float | None) -> ImageSource:
     paths, listing = images_in(folder), folder.parent / "times.txt"
     if not listing.is_file():
         return counted(paths, fps or FPS)

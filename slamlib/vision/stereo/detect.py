@@ -66,6 +66,8 @@ class StereoSettings:
         least, largest = self.disparity
         if not 0 < least < largest:
             raise SlamlibError(f"StereoSettings: disparity is (least, largest), above zero, got {self.disparity}")
+        if self.detector not in DETECTORS:
+            raise UnknownNameError.of("detector", self.detector, DETECTORS)
         if self.patch and (self.patch % 2 == 0 or self.patch < 5):
             raise SlamlibError(f"StereoSettings: patch is odd, 5 or more, or 0 for no refinement, got {self.patch}")
 
@@ -85,10 +87,7 @@ class Keypoints:
 def detect(image: Image, settings: StereoSettings | None = None) -> Keypoints:
     """The strongest features of each cell of the grid, sub-pixel. Raises SlamlibError without OpenCV."""
     s = settings or StereoSettings()
-    find = DETECTORS.get(s.detector)
-    if find is None:
-        raise UnknownNameError.of("detector", s.detector, DETECTORS)
-    return find(image, s)
+    return DETECTORS[s.detector](image, s)
 
 
 def spread(pixels: Array, strengths: Array, size: tuple[int, int], cells: tuple[int, int], per_cell: int) -> Array:
@@ -113,7 +112,11 @@ def _corners(image: Image, s: StereoSettings) -> Keypoints:
     rows = spread(np.stack([u, v], 1), strength[v, u], image.shape[::-1], s.cells, s.per_cell)
     u, v = u[rows], v[rows]
     pixels = np.stack([u + _top(strength, v, u, 0, 1), v + _top(strength, v, u, 1, 0)], axis=1)
-    return _described(image, pixels, strength[v, u], np.zeros(len(u)), s)
+    points = [cv2.KeyPoint(u, v, 31.0, 0.0, 0.0, 0, i) for i, (u, v) in enumerate(pixels.tolist())]
+    kept, descriptors = _describer(s.border - 2).compute(image, points)
+    kept_rows = np.array([k.class_id for k in kept], dtype=int)
+    bits = np.zeros((0, 32), np.uint8) if descriptors is None else descriptors
+    return Keypoints(pixels[kept_rows], strength[v, u][kept_rows], bits)
 
 
 def _top(values: Array, v: Array, u: Array, down: int, right: int) -> Array:
@@ -146,18 +149,6 @@ def _orb(levels: int) -> Callable[[Array, StereoSettings], Keypoints]:
 @lru_cache
 def _describer(border: int) -> Any:
     return opencv("to describe features").ORB_create(nlevels=1, edgeThreshold=border)
-
-
-def _described(image: Image, pixels: Array, strengths: Array, degrees: Array, s: StereoSettings) -> Keypoints:
-    cv2 = opencv("to describe features")
-    points = [
-        cv2.KeyPoint(u, v, 31.0, angle, 0.0, 0, i)
-        for i, ((u, v), angle) in enumerate(zip(pixels.tolist(), degrees.tolist(), strict=True))
-    ]
-    kept, descriptors = _describer(s.border - 2).compute(image, points)
-    rows = np.array([k.class_id for k in kept], dtype=int)
-    bits = np.zeros((0, 32), np.uint8) if descriptors is None else descriptors
-    return Keypoints(pixels[rows], strengths[rows], bits)
 
 
 DETECTORS: dict[str, Callable[[Array, StereoSettings], Keypoints]] = {

@@ -3,7 +3,7 @@
 And whether two pictures are a rectified pair, the left one first: asked of the pictures themselves.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -80,27 +80,22 @@ class Survey:
     negative: float
 
 
-def survey(image: Image, settings: StereoSettings | None = None) -> Survey:
-    """What the features of a pair (2, h, w) say of it."""
-    s = replace(settings or StereoSettings(), ratio=0.75)
-    left, right = (detect(picture, s) for picture in image)
-    apart = left.pixels[:, None] - right.pixels[None]
-    near = (np.abs(apart[..., 1]) <= ROWS * image.shape[1]) & (np.abs(apart[..., 0]) <= s.disparity[1])
-    cost = np.where(near, hamming_distances(left.descriptors, right.descriptors), np.inf)
-    rows = mutual_nearest(cost, largest=s.distance, ratio=s.ratio)
-    found = apart[rows[:, 0], rows[:, 1]]
-    if len(found) < ENOUGH:
-        return Survey(len(found), np.nan, np.nan)
-    return Survey(len(found), float(np.median(np.abs(found[:, 1]))), float((found[:, 0] + s.offset <= 0).mean()))
-
-
 def check_pair(image: Image, name: str, settings: StereoSettings | None = None) -> Survey:
-    """Survey a pair. Raises SlamlibError if left and right are exchanged, or rows do not correspond.
+    """Survey a pair (2, h, w). Raises SlamlibError if left and right are exchanged, or rows do not correspond.
 
     A pair with too few matches for a judgement passes: it may be dark.
     """
     s = settings or StereoSettings()
-    found = survey(image, s)
+    left, right = (detect(picture, s) for picture in image)
+    apart = left.pixels[:, None] - right.pixels[None]
+    near = (np.abs(apart[..., 1]) <= ROWS * image.shape[1]) & (np.abs(apart[..., 0]) <= s.disparity[1])
+    cost = np.where(near, hamming_distances(left.descriptors, right.descriptors), np.inf)
+    rows = mutual_nearest(cost, largest=s.distance, ratio=0.75)
+    match = apart[rows[:, 0], rows[:, 1]]
+    if len(match) < ENOUGH:
+        return Survey(len(match), np.nan, np.nan)
+    negative = float((match[:, 0] + s.offset <= 0).mean())
+    found = Survey(len(match), float(np.median(np.abs(match[:, 1]))), negative)
     if found.negative > 0.5:
         raise SlamlibError(
             f"{name}: {found.negative:.0%} of {found.matches} matches have a negative disparity (the right picture "

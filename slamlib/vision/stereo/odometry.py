@@ -68,19 +68,9 @@ def ransac_pose(calibration: Calibration, old: Array, new: Array) -> tuple[Array
     points, _ = triangulate(calibration, old)
     u0, v0, au, av = calibration.given["intrinsics"]
     matrix = np.array([[au, 0, u0], [0, av, v0], [0, 0, 1]])
+    accuracy = {"iterationsCount": 200, "reprojectionError": INLIER_THRESHOLD, "confidence": 0.999}
     found, turn, shift, rows = cv2.solvePnPRansac(
-        points,
-        new[:, :2].copy(),
-        matrix,
-        None,
-        None,
-        None,
-        False,
-        200,
-        INLIER_THRESHOLD,
-        0.999,
-        None,
-        cv2.SOLVEPNP_EPNP,
+        points, new[:, :2].copy(), matrix, None, **accuracy, flags=cv2.SOLVEPNP_EPNP
     )
     if not found or rows is None or len(rows) < MIN_MATCHES:
         return None
@@ -175,7 +165,12 @@ class VisualOdometry:
             return None
         guess = self.last if predicted is None else predicted
         self.pairs, self.matched = track_features(old, new, self.extractor.settings, self.regions(old, new, guess))
-        found = self._motion(old)
+        if self.half is not None:
+            in_half = checkerboard_half(old.values[self.pairs[:, 0]]) == self.half
+            in_half &= checkerboard_half(self.matched) == self.half
+            self.pairs, self.matched = self.pairs[in_half], self.matched[in_half]
+        before = old.values[self.pairs[:, 0]]
+        found = motion_between(self.extractor.calibration, before, self.matched, self.extrinsics)
         self.reobserved = self.tracks.step(len(new), self.pairs)
         self.last = None if found is None else found.pose
         return found
@@ -200,13 +195,6 @@ class VisualOdometry:
         self.old = None if state["pair"] is None else self.extractor.extract(unpack(state["pair"]))
         self.last = None if state["last"] is None else np.array(state["last"])
         self.tracks.restore(state["tracks"])
-
-    def _motion(self, old: StereoFeatures) -> RelativeMotion | None:
-        if self.half is not None:
-            in_half = checkerboard_half(old.values[self.pairs[:, 0]]) == self.half
-            in_half &= checkerboard_half(self.matched) == self.half
-            self.pairs, self.matched = self.pairs[in_half], self.matched[in_half]
-        return motion_between(self.extractor.calibration, old.values[self.pairs[:, 0]], self.matched, self.extrinsics)
 
 
 CHECKERBOARD_SQUARE = 64  # px
