@@ -64,8 +64,7 @@ def grey(pixels: Array, name: str) -> Array:
     if channels == 1:
         return pixels[..., 0]
     cv2 = opencv("to read images")
-    found: Array = cv2.cvtColor(pixels, cv2.COLOR_BGR2GRAY if channels == 3 else cv2.COLOR_BGRA2GRAY)
-    return found
+    return cv2.cvtColor(pixels, cv2.COLOR_BGR2GRAY if channels == 3 else cv2.COLOR_BGRA2GRAY)
 
 
 def in_natural_order(paths: list[Path]) -> list[Path]:

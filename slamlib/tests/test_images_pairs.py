@@ -19,8 +19,7 @@ from slamlib.errors import SlamlibError
 from slamlib.tests.pictures import KALIBR
 from slamlib.vision.run import PAIRS, load, open_stereo, stereo_run
 from slamlib.vision.stereo import StereoSettings
-from slamlib.vision.stereo.features import extract_features
-from slamlib.vision.stereo.matching import check_pair
+from slamlib.vision.stereo.features import check_pair, extract_features
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads, rectifies and searches the pictures")
 K = np.array([[400.0, 0, 310], [0, 405.0, 235], [0, 0, 1]])

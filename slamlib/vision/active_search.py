@@ -27,8 +27,7 @@ _WORLD = np.array([0.0, 0, 0, 1, 0, 0, 0])
 
 def _point(landmark: Any) -> Array:
     """The homogeneous point (4,) of the world where a landmark is believed to be."""
-    point: Array = landmark.kind.to_frame(_WORLD, landmark.block.mean)
-    return point
+    return landmark.kind.to_frame(_WORLD, landmark.block.mean)
 
 
 @dataclass(frozen=True)
@@ -90,7 +89,9 @@ class ActiveSearch(ImageFrontEnd):
             found = None if prediction.predicted_patch is None else self.scan(image, prediction)
             if found is not None and self.accepted(found):
                 self.found[prediction.landmark.id] = found
-                yield row, self.refined(image, prediction, found)
+                # To a small fraction: where the template fits best with a gain and an offset of its own.
+                pixel = register(image, prediction.predicted_patch, found.pixel)
+                yield row, found.pixel if pixel is None else pixel
 
     def predict_appearances(self, inputs: FrontEndInput, predictions: list[Any]) -> None:
         """2e: each template as it should look from here; None where it cannot be told."""
@@ -114,11 +115,6 @@ class ActiveSearch(ImageFrontEnd):
     def accepted(self, found: Match) -> bool:
         """2g: alike enough, and no other place of the region nearly as much."""
         return found.score >= self.settings.threshold and found.second <= self.settings.max_second_ratio * found.score
-
-    def refined(self, image: Image, prediction: Any, found: Match) -> Array:
-        """2h: the pixel to a small fraction, where the template fits best with a gain and an offset of its own."""
-        pixel = register(image, prediction.predicted_patch, found.pixel)
-        return found.pixel if pixel is None else pixel
 
     def new_landmarks(
         self, inputs: FrontEndInput, usable: Callable[[Array], Mask], count: int

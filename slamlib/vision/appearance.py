@@ -90,19 +90,12 @@ class Appearance:
 
     def angle_change(self, camera: Array, point: Array) -> float:
         """Angle [rad] between the directions in which the two cameras, this pose (7,) and its own, see a point (4,)."""
-        return float(angle(*(towards(pose, point) for pose in (self.camera, camera))))
-
-    def scale_change(self, camera: Array, point: Array) -> float:
-        """How many times nearer this camera, pose (7,), is to a point (4,) than its own was."""
-        then, now = (np.linalg.norm(towards(pose, point)) for pose in (self.camera, camera))
-        return float(then / now)
+        return float(view_change(self.camera, camera, point)[0])
 
     def change(self, camera: Array, point: Array) -> float:
         """How much this camera, pose (7,), sees a point (4,) otherwise than its own did: 1 is a reason for another."""
-        return max(
-            self.angle_change(camera, point) / NEW_ANGLE,
-            abs(np.log(self.scale_change(camera, point)) / np.log(NEW_SCALE)),
-        )
+        turned, grown = view_change(self.camera, camera, point)
+        return float(max(turned / NEW_ANGLE, abs(np.log(grown) / np.log(NEW_SCALE))))
 
     def nearest(self, camera: Array, point: Array) -> "Appearance":
         """Of this one and those before it, the one that saw a point (4,) most as a camera, pose (7,), sees it now."""
@@ -157,16 +150,20 @@ class Appearance:
         return cls(whole, (int(u), int(v)), pixel, camera, size, quality, previous and cls.unpack(previous))
 
 
+def view_change(before: Array, camera: Array, points: Array) -> tuple[Array, Array]:
+    """Angles (...) [rad] between the directions in which two cameras, poses (..., 7), see points (..., 4), and how many
+    times nearer to them the second one is."""
+    then, now = towards(before, points), towards(camera, points)
+    return angle(then, now), np.linalg.norm(then, axis=-1) / np.linalg.norm(now, axis=-1)
+
+
 def recognizable(appearances: Sequence[Appearance], camera: Array, points: Array) -> Mask:
     """Mask (n,) of the landmarks at points (n, 4) that a camera, pose (7,), sees neither too obliquely nor too large
     or too small, by the distances; in a fraction of the time of `predict`.
     """
     nearest = [a.nearest(camera, point) for a, point in zip(appearances, points, strict=True)]
-    before = np.array([a.camera for a in nearest]).reshape(-1, 7)
-    then, now = towards(before, points), towards(camera, points)
-    grown = np.linalg.norm(then, axis=-1) / np.linalg.norm(now, axis=-1)
-    mask: Mask = (angle(then, now) <= MAX_ANGLE) & (grown <= MAX_ZOOM) & (grown * MAX_ZOOM >= 1)
-    return mask
+    turned, grown = view_change(np.array([a.camera for a in nearest]).reshape(-1, 7), camera, points)
+    return (turned <= MAX_ANGLE) & (grown <= MAX_ZOOM) & (grown * MAX_ZOOM >= 1)
 
 
 def predict(
@@ -177,7 +174,7 @@ def predict(
     nearest = [a.nearest(camera, point) for a, point in zip(appearances, points, strict=True)]
     before = np.array([a.camera for a in nearest]).reshape(-1, 7)
     then, now = in_camera(before, points), in_camera(camera, points)
-    oblique = angle(towards(before, points), towards(camera, points)) > MAX_ANGLE
+    oblique = view_change(before, camera, points)[0] > MAX_ANGLE
     rows = np.flatnonzero(~oblique & calibration.visible(then) & calibration.visible(now))
     if not len(rows):
         return templates

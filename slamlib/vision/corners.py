@@ -117,14 +117,12 @@ def matching_covariance(patch: Patch | Array, sigma: float, free: bool = False) 
     S = slopes.T @ slopes
     if np.linalg.eigvalsh(S)[0] <= 1e-9 * max(np.trace(S), 1e-300):
         raise SingularPointError("matching_covariance: the patch has no texture along some direction; it slides there")
-    covariance: Array = sigma**2 * np.linalg.inv(S)
-    return covariance
+    return sigma**2 * np.linalg.inv(S)
 
 
 def _filtered(stack: Array, down: Array, across: Array) -> Array:
     """Images (..., h, w) correlated with a column and with a row of weights, where these lie within the image."""
-    result: Array = _banded(down, stack.shape[-2]) @ stack @ _banded(across, stack.shape[-1]).T
-    return result
+    return _banded(down, stack.shape[-2]) @ stack @ _banded(across, stack.shape[-1]).T
 
 
 def _banded(weights: Array, length: int) -> Array:

@@ -59,8 +59,7 @@ class EdgeStrip:
         place = np.clip((lines - self.across[0]) / STEP, 0, len(self.across) - 1.001)
         low, columns = place.astype(int), np.arange(len(self.along))
         part = place - low
-        found: Array = (1 - part) * values[low, columns] + part * values[low + 1, columns]
-        return found
+        return (1 - part) * values[low, columns] + part * values[low + 1, columns]
 
 
 _AWAY = STEP * np.arange(-WIDE, WIDE + 1)
@@ -70,8 +69,7 @@ _DERIVATIVE /= _AWAY @ _DERIVATIVE  # a ramp's slope is its own
 
 def line(offsets: Array, share: Array) -> Array:
     """Lines (..., n) [px across] with offsets (..., 2) at the ends of the segment."""
-    found: Array = offsets[..., :1] * (1 - share) + offsets[..., 1:] * share
-    return found
+    return offsets[..., :1] * (1 - share) + offsets[..., 1:] * share
 
 
 def axes(ideal: Array) -> tuple[Array, Array]:
@@ -84,8 +82,7 @@ def axes(ideal: Array) -> tuple[Array, Array]:
 def places(ideal: Array, along: Array, across: Array) -> Array:
     """Ideal pixels (..., 2) of places in the strip of a segment (4,)."""
     forward, right = axes(ideal)
-    found: Array = ideal[:2] + along[..., None] * forward + across[..., None] * right
-    return found
+    return ideal[:2] + along[..., None] * forward + across[..., None] * right
 
 
 def distort_pixels(calibration: Calibration, ideal: Array) -> Array:
@@ -127,6 +124,10 @@ class Edge:
     rms: float
     slope: float
     profile: Array
+
+    def good(self, support: float, straightness: float, slope: float) -> bool:
+        """Whether so large a share of it is there, within such an rms [px], and as steep [1/px]."""
+        return self.support >= support and self.rms <= straightness and self.slope >= slope
 
     def likeness(self, profile: Array) -> float:
         """ZNCC of its profile with another (17,)."""

@@ -1,4 +1,4 @@
-"""What front ends on pictures share: the course of a search, ids of new landmarks, search backoff, and times."""
+"""What runs on pictures are made of: the course of every front end's search, and the source of the robot's motion."""
 
 import time
 from collections.abc import Callable, Iterable, Iterator
@@ -8,11 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Scan
+from slamlib.data.records import Control, Scan
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array, Mask
+from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.front_end import Detected, FrontEndInput
+from slamlib.slam import Slam
+from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput
 
 
 class Stopwatch(dict[str, float]):
@@ -132,3 +133,31 @@ class ImageFrontEnd:
     def unpack(self, packed: Any) -> Any:
         """The signature that `pack` packed."""
         return self.signature_type.unpack(packed)
+
+
+class MotionSource:
+    """Says how the robot moves from picture to picture; this one, nothing: the noise of its motion says what may be.
+
+    name: that it is chosen by. front_end: the filter's, of the sensor that made the pictures. seconds: spent so far, by
+    part, beside the front end's.
+    """
+
+    name = "constant-velocity"
+
+    def __init__(self, front_end: FrontEnd) -> None:
+        self.front_end = front_end
+        self.seconds = Stopwatch()
+
+    def control(self, image: Image | None, dt: float, slam: Slam) -> Control | None:
+        """Of the step of dt [s] to this picture, asked once, before Slam.step; None: zeros, with the robot's noise."""
+        return None
+
+    def counts(self) -> dict[str, float]:
+        """Columns of the run's history that are not the filter's own."""
+        return {}
+
+    def dump(self) -> Any:
+        """Its state as plain data, beside that of the front end, which the filter's file holds."""
+
+    def restore(self, state: Any) -> None:
+        """Go on from what `dump` gave."""

@@ -120,21 +120,15 @@ class SegmentSearch(ImageFrontEnd):
         near = steep_lines(piece, lines_of(region, limit))
         edges = [e for offsets in near if (e := fitted(piece, self.calibration, offsets, 1.0)) is not None]
         profile = prediction.landmark.signature.profile
-        likes = [(e.likeness(profile), i) for i, e in enumerate(edges) if self.accepted(e, prediction)]
+        steep = s.min_slope_ratio * prediction.landmark.signature.slope
+        likes = [(e.likeness(profile), i) for i, e in enumerate(edges) if e.good(s.support, s.straightness, steep)]
         if not likes:
             return None
         prediction.score, best = max(likes)
         away = [np.abs(e.offsets - edges[best].offsets).mean() > SAME for e in edges]
         rivals = [like for like, i in likes if away[i]]
-        return (
-            edges[best] if prediction.score >= max(s.threshold, max(rivals, default=0.0) / s.max_second_ratio) else None
-        )
-
-    def accepted(self, edge: Edge, prediction: Any) -> bool:
-        """Whether enough of the edge is there, straight, and as steep as it was."""
-        s = self.settings
-        steep = edge.slope >= s.min_slope_ratio * prediction.landmark.signature.slope
-        return edge.support >= s.support and edge.rms <= s.straightness and steep
+        least = max(s.threshold, max(rivals, default=0.0) / s.max_second_ratio)
+        return edges[best] if prediction.score >= least else None
 
     def undistorted(self, segments: Any) -> Array:
         """Segments (n, 4) as a lens without distortion would show them."""
@@ -144,31 +138,23 @@ class SegmentSearch(ImageFrontEnd):
         self, inputs: FrontEndInput, usable: Callable[[Array], Mask], count: int
     ) -> Iterator[tuple[Array, Any]]:
         """Segment and EdgeLook of up to `count` new edges, the longest that no expected one explains."""
-        count = min(count, self.settings.max_in_view - len(inputs.predictions))
-        if count > 0:
-            taken = self.undistorted([prediction.value for prediction in inputs.predictions])
-            for edge in self.new_edges(np.asarray(inputs.scan.image), taken, usable, count):
-                yield edge.segment, EdgeLook(edge.profile, edge.slope)
-
-    def new_edges(self, image: Image, taken: Array, usable: Callable[[Array], Mask], count: int) -> list[Edge]:
-        """Up to `count` edges of an image that are apart from ideal segments (n, 4), the longest first."""
-        s, found = self.settings, list[Edge]()
+        s, image = self.settings, np.asarray(inputs.scan.image)
+        count = min(count, s.max_in_view - len(inputs.predictions))
+        if count <= 0:
+            return
+        taken = self.undistorted([prediction.value for prediction in inputs.predictions])
         segments = segments_of(image, s.minimum_length)
         for segment, ideal in zip(segments, self.undistorted(segments), strict=True):
-            if len(found) == count:
-                break
             if side_by_side(ideal, taken, s.min_separation).any():
                 continue
             edge = refined(image, self.calibration, segment)
-            if edge is not None and self.good(edge) and usable(edge.segment[None])[0]:
-                found.append(edge)
-                taken = np.concatenate([taken, ideal[None]])
-        return found
-
-    def good(self, edge: Edge) -> bool:
-        """Whether an edge is steep, straight and whole enough to begin a landmark."""
-        s = self.settings
-        return edge.slope >= s.slope and edge.rms <= s.straightness and edge.support >= s.min_new_support
+            if edge is None or not edge.good(s.min_new_support, s.straightness, s.slope):
+                continue
+            if usable(edge.segment[None])[0]:
+                taken, count = np.concatenate([taken, ideal[None]]), count - 1
+                yield edge.segment, EdgeLook(edge.profile, edge.slope)
+                if not count:
+                    return
 
 
 def across_covariances(predictions: list[Any], sensor: Any) -> Array:
@@ -211,8 +197,7 @@ def lines_of(region: Array, limit: float) -> Array:
     a = np.stack(np.meshgrid(*steps, indexing="ij"), -1).reshape(-1, 2)
     inverse = np.linalg.inv(region)
     root = np.sqrt(np.maximum(np.einsum("ni,ij,nj->n", a, inverse, a), 0))
-    found: Array = a[root <= np.sqrt(limit) + STEP / np.sqrt(2) * np.sqrt(np.linalg.eigvalsh(inverse)[-1])]
-    return found
+    return a[root <= np.sqrt(limit) + STEP / np.sqrt(2) * np.sqrt(np.linalg.eigvalsh(inverse)[-1])]
 
 
 def steep_lines(s: EdgeStrip, offsets: Array, most: int = 4) -> Array:

@@ -31,10 +31,10 @@ from slamlib.slam import Options, Slam, checkpoint
 from slamlib.slam.data_association.front_end import FrontEnd
 from slamlib.vision.active_search import ActiveSearchSettings
 from slamlib.vision.combined_front_end import make_front_end
-from slamlib.vision.motion_source import MotionSource
+from slamlib.vision.front_end import MotionSource
 from slamlib.vision.sequence_run import SequenceKind, SequenceRun
 from slamlib.vision.stereo.detect import StereoSettings
-from slamlib.vision.stereo.matching import check_pair
+from slamlib.vision.stereo.features import check_pair
 from slamlib.vision.stereo.motion_source import MOTION_SOURCES, OdometryOnly, StereoMotionSource
 from slamlib.vision.target import Target
 

@@ -176,5 +176,4 @@ def _sums(piece: Array, h: int, w: int) -> Array:
     """Sums over all windows (h, w), from the integral image."""
     integral = np.zeros((piece.shape[0] + 1, piece.shape[1] + 1))
     piece.cumsum(0).cumsum(1, out=integral[1:, 1:])
-    result: Array = integral[h:, w:] - integral[:-h, w:] - integral[h:, :-w] + integral[:-h, :-w]
-    return result
+    return integral[h:, w:] - integral[:-h, w:] - integral[h:, :-w] + integral[:-h, :-w]

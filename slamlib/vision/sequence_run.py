@@ -19,7 +19,7 @@ from slamlib.datasets.pictures import TimedImage
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.slam import Options, Report, Slam
-from slamlib.vision.motion_source import MotionSource
+from slamlib.vision.front_end import MotionSource
 from slamlib.vision.results import COLUMNS, ImageResult, counts
 from slamlib.vision.target import Target
 

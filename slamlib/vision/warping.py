@@ -38,8 +38,7 @@ def in_camera(pose: Array, point: Array) -> Array:
 def facing_plane(point: Array) -> Array:
     """The planes m (..., 3) through homogeneous points (..., 4) that face the camera: n = h / |h|, d = |h| / w."""
     h, w = point[..., :3], point[..., 3:]
-    plane: Array = w * h / (h * h).sum(-1, keepdims=True)
-    return plane
+    return w * h / (h * h).sum(-1, keepdims=True)
 
 
 def zoom_and_roll(relative: Array, point: Array) -> tuple[float, float]:
@@ -66,8 +65,7 @@ def plane_homography(K_new: Array, K_old: Array, relative: Array, plane: Array) 
 
     For cameras without distortion, K = [[au, 0, u0], [0, av, v0], [0, 0, 1]]. Hartley and Zisserman (2004), sec. 13.1.
     """
-    H: Array = K_new @ (rotation(relative[3:]) + np.outer(relative[:3], plane)) @ np.linalg.inv(K_old)
-    return H
+    return K_new @ (rotation(relative[3:]) + np.outer(relative[:3], plane)) @ np.linalg.inv(K_old)
 
 
 def offsets_map(H: Array, old: Array) -> Array:

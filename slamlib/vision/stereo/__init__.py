@@ -7,10 +7,9 @@ is measured is (u, v, d) [px] of the left picture, as slamlib.sensors.stereo def
 
 from slamlib.datasets.pairs import pair
 from slamlib.vision.stereo.detect import StereoSettings
-from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures
+from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures, circular_matches, mutual_nearest
 from slamlib.vision.stereo.front_end import StereoSearch
 from slamlib.vision.stereo.geometry import stereo_frame, stereo_rig, triangulate
-from slamlib.vision.stereo.matching import circular_matches, mutual_nearest
 from slamlib.vision.stereo.motion_source import MOTION_SOURCES, StereoMotionSource
 from slamlib.vision.stereo.odometry import RelativeMotion, Tracks, VisualOdometry, motion_between
 

@@ -7,7 +7,7 @@ what ORB adds for that costs accuracy and gives nothing; `python -m benchmarks.s
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
@@ -97,8 +97,7 @@ def spread(pixels: Array, strengths: Array, size: tuple[int, int], cells: tuple[
     cell = place[:, 1] * cells[0] + place[:, 0]
     together = np.argsort(cell, kind="stable")  # by cell, strongest first within each
     start = np.searchsorted(cell[together], cell[together])
-    kept: Array = order[np.sort(together[np.arange(len(cell)) - start < per_cell])]
-    return kept
+    return order[np.sort(together[np.arange(len(cell)) - start < per_cell])]
 
 
 def _corners(image: Image, s: StereoSettings) -> Keypoints:
@@ -126,24 +125,20 @@ def _top(values: Array, v: Array, u: Array, down: int, right: int) -> Array:
     return np.clip(np.where(bend < 0, (before - after) / np.where(bend < 0, 2 * bend, 1), 0), -0.5, 0.5)
 
 
-def _orb(levels: int) -> Callable[[Array, StereoSettings], Keypoints]:
+def _orb(image: Image, s: StereoSettings, levels: int) -> Keypoints:
     """ORB's own detector (FAST), with its descriptors turned by its angles; spread over the grid likewise."""
-
-    def find(image: Image, s: StereoSettings) -> Keypoints:
-        cv2 = opencv("to find features")
-        orb = cv2.ORB_create(nfeatures=5000, nlevels=levels, edgeThreshold=s.border, fastThreshold=10)
-        found = orb.detect(image, None)
-        pixels = np.array([k.pt for k in found]).reshape(-1, 2)
-        strengths = np.array([k.response for k in found])
-        rows = spread(pixels, strengths, image.shape[::-1], s.cells, s.per_cell)
-        chosen, descriptors = orb.compute(image, [found[i] for i in rows.tolist()])
-        return Keypoints(
-            np.array([k.pt for k in chosen], dtype=float).reshape(-1, 2),
-            np.array([k.response for k in chosen]),
-            np.zeros((0, 32), np.uint8) if descriptors is None else descriptors,
-        )
-
-    return find
+    cv2 = opencv("to find features")
+    orb = cv2.ORB_create(nfeatures=5000, nlevels=levels, edgeThreshold=s.border, fastThreshold=10)
+    found = orb.detect(image, None)
+    pixels = np.array([k.pt for k in found]).reshape(-1, 2)
+    strengths = np.array([k.response for k in found])
+    rows = spread(pixels, strengths, image.shape[::-1], s.cells, s.per_cell)
+    chosen, descriptors = orb.compute(image, [found[i] for i in rows.tolist()])
+    return Keypoints(
+        np.array([k.pt for k in chosen], dtype=float).reshape(-1, 2),
+        np.array([k.response for k in chosen]),
+        np.zeros((0, 32), np.uint8) if descriptors is None else descriptors,
+    )
 
 
 @lru_cache
@@ -153,6 +148,6 @@ def _describer(border: int) -> Any:
 
 DETECTORS: dict[str, Callable[[Array, StereoSettings], Keypoints]] = {
     "corners": _corners,
-    "orb": _orb(1),
-    "orb8": _orb(8),
+    "orb": partial(_orb, levels=1),
+    "orb8": partial(_orb, levels=8),
 }

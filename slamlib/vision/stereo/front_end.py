@@ -15,8 +15,13 @@ from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.slam.data_association.gates import gate
 from slamlib.vision.front_end import ImageFrontEnd
 from slamlib.vision.stereo.detect import StereoSettings
-from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures, refine_by_templates
-from slamlib.vision.stereo.matching import hamming_distances, mutual_nearest
+from slamlib.vision.stereo.features import (
+    StereoFeatureExtractor,
+    StereoFeatures,
+    hamming_distances,
+    mutual_nearest,
+    refine_by_templates,
+)
 from slamlib.vision.stereo.odometry import checkerboard_half
 from slamlib.vision.stereo.refine import cut
 
@@ -96,15 +101,15 @@ class StereoSearch(ImageFrontEnd):
         """The looks at what was seen from about this distance before, and does not rest."""
         s = self.settings
         able = [
-            prediction
-            for prediction in inputs.predictions
-            if prediction.landmark.signature.nearest(prediction.value[2]).zoom(prediction.value[2]) <= s.zoom
-            and self.calibration.inside(prediction.value, s.border)
-            and self.in_own_half(prediction.value[None])[0]
+            p
+            for p in inputs.predictions
+            if p.landmark.signature.nearest(p.value[2]).zoom(p.value[2]) <= s.zoom
+            and self.calibration.inside(p.value, s.border)
+            and self.in_own_half(p.value[None])[0]
         ]
         self.frame += 1
         self.found, self.initialized = {}, []
-        return [prediction for prediction in self.ready(able) if self.is_due(prediction.landmark, self.frame)]
+        return [p for p in self.ready(able) if self.is_due(p.landmark, self.frame)]
 
     def is_due(self, landmark: Any, frame: int) -> bool:
         """Whether a landmark is measured in a frame, counted from 1."""
@@ -120,7 +125,10 @@ class StereoSearch(ImageFrontEnd):
         views = [prediction.landmark.signature.nearest(prediction.value[2]) for prediction in predictions]
         costs = self.costs(seen, predictions, views)
         pairs = mutual_nearest(costs, largest=self.settings.distance, ratio=self.settings.ratio)
-        values, good = self.measure(seen, [views[i] for i in pairs[:, 0].tolist()], seen.values[pairs[:, 1]])
+        values, good = seen.values[pairs[:, 1]], np.ones(len(pairs), dtype=bool)
+        if self.settings.patch and len(pairs):
+            templates = np.array([views[i].patch for i in pairs[:, 0].tolist()])
+            values, good = refine_by_templates(seen.image, templates, values, self.settings, free=True)
         good &= self.in_own_half(values)
         self.found = {predictions[i].landmark.id: j for i, j in pairs[good].tolist()}
         return zip(pairs[good, 0].tolist(), values[good], strict=True)
@@ -139,41 +147,29 @@ class StereoSearch(ImageFrontEnd):
         allowed[:, self.reserved] = np.inf
         return allowed
 
-    def measure(self, seen: StereoFeatures, views: list[LandmarkView], values: Array) -> tuple[Array, Mask]:
-        """Values (n, 3) refined with the patches of the views, and the mask of those to believe."""
-        if not self.settings.patch or not views:
-            return values, np.ones(len(values), dtype=bool)
-        templates = np.array([view.patch for view in views])
-        return refine_by_templates(seen.image, templates, values, self.settings, free=True)
-
     def new_landmarks(
         self, inputs: FrontEndInput, usable: Callable[[Array], Mask], count: int
-    ) -> list[tuple[Array, Any]]:
+    ) -> Iterator[tuple[Array, Any]]:
         """Value (3,) and views of up to `count` new landmarks, the strongest, apart from all that is in view."""
         seen = self.extractor.extract(inputs.scan.image)
         self.renew(seen, inputs)
         expected = np.array([prediction.value for prediction in inputs.predictions]).reshape(-1, 3)
         # What is hidden, and rests, leaves its place to what stands before it.
         present = sum(prediction.landmark.id not in self.backoff for prediction in inputs.predictions)
-        count = min(count, self.settings.max_in_view - present)
-        self.initialized = self.fresh(seen, expected, usable, count)
-        return [(seen.values[i], LandmarkViews((self.view(seen, seen.values[i]),))) for i in self.initialized]
-
-    def fresh(self, seen: StereoFeatures, expected: Array, usable: Callable[[Array], Mask], count: int) -> list[int]:
-        """Rows of features far enough from all that is expected (n, 3) and from each other, the strongest first."""
+        count, self.initialized = min(count, self.settings.max_in_view - present), []
         if count <= 0 or not len(seen):
-            return []
+            return
         good = usable(seen.values) & self.in_own_half(seen.values)
         good[self.reserved] = False
-        taken, rows = list(expected[:, :2]), list[int]()
+        taken = list(expected[:, :2])
         for i in np.argsort(-seen.strengths, kind="stable").tolist():
+            if len(self.initialized) >= count:
+                break
             place = seen.values[i, :2]
             if good[i] and (not taken or np.abs(np.array(taken) - place).max(1).min() >= self.settings.min_separation):
                 taken.append(place)
-                rows.append(i)
-            if len(rows) == count:
-                break
-        return rows
+                self.initialized.append(i)
+                yield seen.values[i], LandmarkViews((self.view(seen, seen.values[i]),))
 
     def view(self, seen: StereoFeatures, value: Array) -> LandmarkView:
         """How a feature looks now: the descriptor of the feature nearest to the value."""

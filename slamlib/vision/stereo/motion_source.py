@@ -16,8 +16,7 @@ from slamlib.data.records import Control
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.measurement_update import predict_from_pose
-from slamlib.vision.front_end import Stopwatch
-from slamlib.vision.motion_source import MotionSource
+from slamlib.vision.front_end import MotionSource, Stopwatch
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import StereoFeatures
 from slamlib.vision.stereo.fitting import fit

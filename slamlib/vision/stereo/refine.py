@@ -30,8 +30,7 @@ def cut(image: Image, pixels: Array, size: int, shapes: Array | None = None) -> 
     flat = image.reshape(-1)
     upper = flat[i * w + j] * (1 - p) + flat[i * w + right] * p
     lower = flat[below * w + j] * (1 - p) + flat[below * w + right] * p
-    values: Array = upper * (1 - q) + lower * q
-    return values
+    return upper * (1 - q) + lower * q
 
 
 def align(image: Image, templates: Array, pixels: Array, axes: Array = BOTH, rounds: int = 6) -> tuple[Array, Array]:
@@ -90,8 +89,7 @@ def _inverse(T: Array, J: Array) -> Array:
     J = J - J.mean(1, keepdims=True)
     J = J - T[:, :, None] * (T[:, None, :] @ J)
     transposed = J.swapaxes(1, 2)
-    inverse: Array = np.linalg.inv(transposed @ J + 1e-9 * np.eye(J.shape[2])) @ transposed
-    return inverse
+    return np.linalg.inv(transposed @ J + 1e-9 * np.eye(J.shape[2])) @ transposed
 
 
 def _normal(patches: Array) -> tuple[Array, Array]:
