@@ -5,11 +5,11 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from slamlib.datasets.optional_imports import opencv
-from slamlib.errors import SlamlibError
+from slamlib.errors import SlamlibError, optional
 from slamlib.manifolds import Array, Image
 
 ENDINGS = (".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp")
@@ -27,6 +27,11 @@ class TimedImage:
     name: str
     time: float
     image: Image
+
+
+def opencv(purpose: str) -> Any:
+    """OpenCV; raises SlamlibError that says what for ("to read images") and how to install it."""
+    return optional("cv2", purpose, "images")
 
 
 def read_image(path: str | os.PathLike[str]) -> Array:

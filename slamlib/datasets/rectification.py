@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.datasets.lens import FISHEYE, MODELS, Lens, PairCalibration, shifted
-from slamlib.datasets.optional_imports import opencv
+from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
 

@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from slamlib.datasets.optional_imports import opencv
+from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 from slamlib.landmarks.segments import length
 from slamlib.manifolds import Array, Image, Mask

@@ -10,7 +10,7 @@ import numpy as np
 
 from slamlib.data.records import Scan
 from slamlib.data.setup import Rig
-from slamlib.datasets.optional_imports import opencv
+from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.alignment import straightness
 from slamlib.geometry.euler import from_rotation

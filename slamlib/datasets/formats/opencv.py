@@ -9,7 +9,7 @@ import numpy as np
 
 from slamlib.datasets.dataset import CalibrationReader
 from slamlib.datasets.lens import Lens, Numbers
-from slamlib.datasets.optional_imports import opencv
+from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 
 _MATRIX = ("camera_matrix", "cameraMatrix", "Camera_Matrix", "K", "M", "intrinsics")

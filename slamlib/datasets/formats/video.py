@@ -11,8 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from slamlib.datasets.dataset import FPS, Dataset, ImageSource, Numbers
-from slamlib.datasets.optional_imports import opencv
-from slamlib.datasets.pictures import TimedImage, grey, is_image
+from slamlib.datasets.pictures import TimedImage, grey, is_image, opencv
 from slamlib.errors import SlamlibError
 
 SLACK = 0.02  # the length in a header is often an estimate: so much of it may be missing at the end

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from slamlib.data.records import Control
-from slamlib.datasets.optional_imports import opencv
 from slamlib.datasets.pairs import pack, unpack
+from slamlib.datasets.pictures import opencv
 from slamlib.geometry.pose import compose, inverse
 from slamlib.geometry.quaternion import exponential, logarithm, plus
 from slamlib.landmarks.euc_point import EUC_POINT
