@@ -36,8 +36,8 @@ from slamlib.observation.family import viewpoint
 from slamlib.observation.lines import distort_segments, rays_of, undistort_segments
 from slamlib.slam import Options, Slam
 from slamlib.vision.active_search import ActiveSearch, ActiveSearchSettings
-from slamlib.vision.combined_front_end import CombinedFrontEnd
 from slamlib.vision.edges import axes, edge_strip, fitted, refined, segments_of
+from slamlib.vision.front_end import CombinedFrontEnd
 from slamlib.vision.line_search import SegmentSearch, SegmentSettings
 
 DT, STD = 1 / 30, 0.1

@@ -17,8 +17,17 @@ from slamlib.landmarks import POINTS
 from slamlib.motions import MOTIONS
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.vision.active_search import ActiveSearchSettings
-from slamlib.vision.combined_front_end import make_front_end
-from slamlib.vision.run import IMAGES, PAIRS, camera_rig, image_run, load, open_stereo, options_for, stereo_run
+from slamlib.vision.run import (
+    IMAGES,
+    PAIRS,
+    camera_rig,
+    image_run,
+    load,
+    make_front_end,
+    open_stereo,
+    options_for,
+    stereo_run,
+)
 from slamlib.vision.sequence_run import SequenceKind, SequenceRun
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.motion_source import MOTION_SOURCES

@@ -102,6 +102,9 @@ class Dataset:
     lenses: Mapping[str, Lens] = field(default_factory=dict)
 
 
+Cameras = Mapping[int | None, Callable[[], Any]]
+
+
 @dataclass(frozen=True)
 class CalibrationReader:
     """A format of calibration files, recognised by what is in them.
@@ -113,7 +116,7 @@ class CalibrationReader:
 
     name: str
     fits: Callable[[str], bool]
-    read: Callable[[Path, str], Mapping[int | None, Callable[[], Any]]]
+    read: Callable[[Path, str], Cameras]
 
 
 def table(path: Path, columns: int, separator: str | None) -> list[tuple[float, list[str]]]:

@@ -10,8 +10,7 @@ from slambook.rendering.stereo_film import stereo_film
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets.calibrations import read_pair
 from slamlib.datasets.lens import Lens, PairCalibration
-from slamlib.datasets.opening import reopen
-from slamlib.datasets.pairs import open_pairs
+from slamlib.datasets.opening import open_pairs, reopen
 from slamlib.datasets.pictures import TimedImage
 from slamlib.datasets.rectification import Rectification, rectified_setup, why_not_rectified
 from slamlib.datasets.sources import of_pictures

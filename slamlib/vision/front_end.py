@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -133,6 +133,71 @@ class ImageFrontEnd:
     def unpack(self, packed: Any) -> Any:
         """The signature that `pack` packed."""
         return self.signature_type.unpack(packed)
+
+
+class CombinedFrontEnd:
+    """Two front ends for one camera, of points and of segments: what the filter asks goes to the family's."""
+
+    def __init__(self, points: Any, segments: ImageFrontEnd) -> None:
+        self.points, self.settings = points, points.settings
+        self.front_ends: dict[str, Any] = {"points": points, "segments": segments}
+
+    @property
+    def seconds(self) -> dict[str, float]:
+        """Spent so far, by both, in "search" and in "detection"."""
+        return {part: sum(f.seconds[part] for f in self.front_ends.values()) for part in ("search", "detection")}
+
+    def check(self, scan: Scan) -> None:
+        """Raise SlamlibError for a scan that they cannot look at."""
+        self.points.check(scan)
+
+    def searchable(self, inputs: FrontEndInput) -> list[Any]:
+        """The looks that their front ends could find."""
+        return [p for name, f in self.front_ends.items() for p in f.searchable(_own(inputs, name))]
+
+    def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
+        """What the family's front end finds of them."""
+        return self.front_ends[family].match(_own(inputs, family), family, predictions)
+
+    def detect(
+        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
+    ) -> list[Detected]:
+        """What the family's front end begins, with numbers that neither of them has given before."""
+        self._share_last_id()
+        return self.front_ends[family].detect(_own(inputs, family), family, known, usable, count)
+
+    def initialize_at(self, inputs: FrontEndInput, family: str, values: Array) -> list[Detected | None]:
+        """Landmarks at given values; only points can be adopted."""
+        self._share_last_id()
+        return self.points.initialize_at(_own(inputs, family), family, values)
+
+    def _share_last_id(self) -> None:
+        last = max(f.last for f in self.front_ends.values())
+        for front_end in self.front_ends.values():
+            front_end.last = last
+
+    def dump(self) -> Any:
+        """The states of both, by family."""
+        return {name: f.dump() for name, f in self.front_ends.items()}
+
+    def restore(self, state: Any) -> None:
+        """Go on from what `dump` gave."""
+        for name, f in self.front_ends.items():
+            f.restore(state[name])
+
+    def pack(self, signature: Any) -> Any:
+        """A signature as plain data, with the family whose front end gave it."""
+        name = next(name for name, f in self.front_ends.items() if isinstance(signature, f.signature_type))
+        return {"family": name, "signature": self.front_ends[name].pack(signature)}
+
+    def unpack(self, packed: Any) -> Any:
+        """The signature that `pack` packed."""
+        return self.front_ends[packed["family"]].unpack(packed["signature"])
+
+
+def _own(inputs: FrontEndInput, family: str) -> FrontEndInput:
+    """The sight with the looks of one family alone."""
+    return replace(inputs, predictions=[p for p in inputs.predictions if p.family.name == family])
 
 
 class MotionSource:

@@ -29,14 +29,22 @@ from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam, checkpoint
 from slamlib.slam.data_association.front_end import FrontEnd
-from slamlib.vision.active_search import ActiveSearchSettings
-from slamlib.vision.combined_front_end import make_front_end
-from slamlib.vision.front_end import MotionSource
+from slamlib.vision.active_search import ActiveSearch, ActiveSearchSettings
+from slamlib.vision.front_end import CombinedFrontEnd, MotionSource
+from slamlib.vision.line_search import SegmentSearch
 from slamlib.vision.sequence_run import SequenceKind, SequenceRun
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import check_pair
 from slamlib.vision.stereo.motion_source import MOTION_SOURCES, OdometryOnly, StereoMotionSource
 from slamlib.vision.target import Target
+
+
+def make_front_end(
+    options: Options, calibration: Calibration, rng: np.random.Generator, settings: ActiveSearchSettings | None = None
+) -> ActiveSearch | CombinedFrontEnd:
+    """What finds the landmarks that these options ask for: points, and lines beside them if there are to be any."""
+    points = ActiveSearch(calibration, rng, settings)
+    return CombinedFrontEnd(points, SegmentSearch(calibration)) if options.lines else points
 
 
 def _image_source(setup: SensorSetup, options: Options, name: str, settings: Any) -> MotionSource:

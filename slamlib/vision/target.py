@@ -77,9 +77,10 @@ class Target:
         seen = np.column_stack([to_frame(pose, self.points), np.ones(len(self.points))])
         fits = calibration.visible(seen).all()
         error = np.linalg.norm(calibration.project(seen) - self.pixels, axis=1) if fits else np.array([np.inf])
-        if not np.sqrt((error**2).mean()) <= LARGEST:
+        rms = np.sqrt((error**2).mean())
+        if not rms <= LARGEST:
             raise SlamlibError(
-                f"the target's pixels do not fit its points: they are {np.sqrt((error**2).mean()):.1f} px off (rms) "
+                f"the target's pixels do not fit its points: they are {rms:.1f} px off (rms) "
                 "seen from the best pose; are both in one order, pixels u to the right and v down, calibration right?"
             )
         return pose

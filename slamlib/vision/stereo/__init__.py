@@ -5,7 +5,7 @@ world lies in the same row of both, and the disparity d = u_left - u_right is fo
 is measured is (u, v, d) [px] of the left picture, as slamlib.sensors.stereo defines it. Chapter 21.
 """
 
-from slamlib.datasets.pairs import pair
+from slamlib.datasets.pictures import pair
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures, circular_matches, mutual_nearest
 from slamlib.vision.stereo.front_end import StereoSearch

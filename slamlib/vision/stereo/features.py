@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slamlib.datasets.pairs import checked
+from slamlib.datasets.pictures import checked
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Image, Indices, Mask
 from slamlib.sensors.sensor import Calibration

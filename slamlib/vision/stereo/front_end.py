@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.data.records import Scan
-from slamlib.datasets.pairs import checked
+from slamlib.datasets.pictures import checked
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration

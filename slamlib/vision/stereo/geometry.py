@@ -6,7 +6,7 @@ import numpy as np
 
 from slamlib.data.records import Frame, Scan
 from slamlib.data.setup import Rig, SensorSetup
-from slamlib.datasets.pairs import pair
+from slamlib.datasets.pictures import pair
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import relative
 from slamlib.landmarks.euc_point import EUC_POINT

@@ -6,8 +6,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.data.records import Control
-from slamlib.datasets.pairs import pack, unpack
-from slamlib.datasets.pictures import opencv
+from slamlib.datasets.pictures import opencv, pack, unpack
 from slamlib.geometry.pose import compose, inverse
 from slamlib.geometry.quaternion import exponential, logarithm, plus
 from slamlib.landmarks.euc_point import EUC_POINT
@@ -68,13 +67,8 @@ def ransac_pose(calibration: Calibration, old: Array, new: Array) -> tuple[Array
     points, _ = triangulate(calibration, old)
     u0, v0, au, av = calibration.given["intrinsics"]
     matrix = np.array([[au, 0, u0], [0, av, v0], [0, 0, 1]])
-    how = {
-        "iterationsCount": 200,
-        "reprojectionError": INLIER_THRESHOLD,
-        "confidence": 0.999,
-        "flags": cv2.SOLVEPNP_EPNP,
-    }
-    found, turn, shift, rows = cv2.solvePnPRansac(points, new[:, :2].copy(), matrix, None, **how)
+    how = {"reprojectionError": INLIER_THRESHOLD, "confidence": 0.999, "flags": cv2.SOLVEPNP_EPNP}
+    found, turn, shift, rows = cv2.solvePnPRansac(points, new[:, :2].copy(), matrix, None, iterationsCount=200, **how)
     if not found or rows is None or len(rows) < MIN_MATCHES:
         return None
     inliers = np.zeros(len(old), dtype=bool)
@@ -144,18 +138,13 @@ class VisualOdometry:
         self.pairs: Indices = np.zeros((0, 2), dtype=int)
         self.matched: Array = np.zeros((0, 3))
 
-    def step(self, image: Image | None, predicted: Array | None = None) -> RelativeMotion | None:
-        """The motion to this pair (2, h, w) from the one before; None for the first, and where none can be told.
-
-        predicted (7,): the robot's new pose in its old frame, for the regions of matches; the default is that of the
-        step before, and where there was none, the whole picture.
-        """
+    def step(self, image: Image | None) -> RelativeMotion | None:
+        """The motion to this pair (2, h, w) from the one before; None for the first, and where none can be told."""
         old, new = self.old, self.extractor.extract(image)
         self.old = new
         if old is None:
             return None
-        guess = self.last if predicted is None else predicted
-        self.pairs, self.matched = track_features(old, new, self.extractor.settings, self.regions(old, new, guess))
+        self.pairs, self.matched = track_features(old, new, self.extractor.settings, self.regions(old, new))
         if self.half is not None:
             in_half = checkerboard_half(old.values[self.pairs[:, 0]]) == self.half
             in_half &= checkerboard_half(self.matched) == self.half
@@ -165,13 +154,13 @@ class VisualOdometry:
         self.last = None if found is None else found.pose
         return found
 
-    def regions(self, old: StereoFeatures, new: StereoFeatures, predicted: Array | None) -> Mask | None:
-        """Mask (n, m) of the features that may match if the robot has moved as predicted; None: all."""
-        if predicted is None:
+    def regions(self, old: StereoFeatures, new: StereoFeatures) -> Mask | None:
+        """Mask (n, m) of the features that may match if the robot moves as in the step before; None: all."""
+        if self.last is None:
             return None
         calibration = self.extractor.calibration
         points, _ = triangulate(calibration, old.values, self.extrinsics)
-        seen = observe(EUC_POINT, calibration, predicted, self.extrinsics, points)
+        seen = observe(EUC_POINT, calibration, self.last, self.extrinsics, points)
         expected = np.where(seen.visible[:, None], seen.value, np.nan)
         return within_region(expected, new.values, self.extractor.settings.region)
 
