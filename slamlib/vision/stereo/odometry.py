@@ -138,13 +138,18 @@ class VisualOdometry:
         self.pairs: Indices = np.zeros((0, 2), dtype=int)
         self.matched: Array = np.zeros((0, 3))
 
-    def step(self, image: Image | None) -> RelativeMotion | None:
-        """The motion to this pair (2, h, w) from the one before; None for the first, and where none can be told."""
+    def step(self, image: Image | None, predicted: Array | None = None) -> RelativeMotion | None:
+        """The motion to this pair (2, h, w) from the one before; None for the first, and where none can be told.
+
+        predicted (7,): the robot's new pose in its old frame, for the regions of matches; the default is that of the
+        step before, and where there was none, the whole picture.
+        """
         old, new = self.old, self.extractor.extract(image)
         self.old = new
         if old is None:
             return None
-        self.pairs, self.matched = track_features(old, new, self.extractor.settings, self.regions(old, new))
+        guess = self.last if predicted is None else predicted
+        self.pairs, self.matched = track_features(old, new, self.extractor.settings, self.regions(old, new, guess))
         if self.half is not None:
             in_half = checkerboard_half(old.values[self.pairs[:, 0]]) == self.half
             in_half &= checkerboard_half(self.matched) == self.half
@@ -154,13 +159,13 @@ class VisualOdometry:
         self.last = None if found is None else found.pose
         return found
 
-    def regions(self, old: StereoFeatures, new: StereoFeatures) -> Mask | None:
-        """Mask (n, m) of the features that may match if the robot moves as in the step before; None: all."""
-        if self.last is None:
+    def regions(self, old: StereoFeatures, new: StereoFeatures, predicted: Array | None) -> Mask | None:
+        """Mask (n, m) of the features that may match if the robot has moved as predicted; None: all."""
+        if predicted is None:
             return None
         calibration = self.extractor.calibration
         points, _ = triangulate(calibration, old.values, self.extrinsics)
-        seen = observe(EUC_POINT, calibration, self.last, self.extrinsics, points)
+        seen = observe(EUC_POINT, calibration, predicted, self.extrinsics, points)
         expected = np.where(seen.visible[:, None], seen.value, np.nan)
         return within_region(expected, new.values, self.extractor.settings.region)
 
