@@ -11,7 +11,7 @@ gives true lengths, and so does the baseline of a stereo pair.
 camera is at its own origin. With a target the world is the target's.
 
 **Without matches** a frame is a prediction. The camera's place is sought by the filter's expectation alone (there is no
-relocalization), so that a run stops with `Lost` when a gap lasts too long (slamlib.vision.sequence_run).
+relocalization), so that a run stops with TrackingLostError when a gap lasts too long (slamlib.vision.sequence_run).
 """
 
 import os

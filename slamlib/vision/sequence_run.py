@@ -132,7 +132,7 @@ class SequenceRun:
         return bool(self.slam.options.points or self.slam.options.lines)
 
     def __iter__(self) -> Iterator[ImageStep]:
-        """Work on the pictures still to do. Raises Lost, and SlamlibError for a picture that cannot be read."""
+        """Work on the pictures still to do. Raises TrackingLostError, SlamlibError for an unreadable one."""
         if not len(self):
             return
         began = time.perf_counter()

@@ -37,7 +37,7 @@ class StereoSettings:
     distances up to which one view serves; views: so many of a landmark are kept. max_backoff: frames for which a
     landmark rests that was missed again and again. update_interval: a landmark is measured in one of so many frames,
     since its errors last (the template is the same), and a filter takes them for new ones; the other frames are left to
-    an odometry (MOVING "correlated").
+    an odometry (MOTION_SOURCES "correlated").
     """
 
     cells: tuple[int, int] = (12, 8)
