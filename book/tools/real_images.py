@@ -32,8 +32,7 @@ from slamlib.experiments.progress import progress
 from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.results import ImageResult, summary
 from slamlib.vision.run import camera_rig, image_run, options_for
-from slamlib.vision.sequence_run import SequenceRun
-from slamlib.vision.tracking_loss import TrackingLostError
+from slamlib.vision.sequence_run import SequenceRun, TrackingLostError
 
 PACKAGE, VERSION = "visp-images-data", "3.5.0-1"
 SHA256 = "8d78de2b5d0ff5536ae5c281b11a5011fd6e95cd717c2e0ebf38bacf57723a9d"

@@ -29,11 +29,11 @@ from slamlib.vision.stereo import (
     StereoFeatureExtractor,
     StereoFeatures,
     StereoSettings,
+    Tracks,
     VisualOdometry,
     mutual_nearest,
 )
-from slamlib.vision.stereo.features import within_region
-from slamlib.vision.stereo.matching import hamming_distances
+from slamlib.vision.stereo.features import hamming_distances, within_region
 
 FILE = layout.BOOK / "chapters" / "data" / "visual_odometry.json"
 SEEDS, FRAMES, ROUND, EVERY = (1, 2, 3), 120, 449, 8
@@ -110,7 +110,7 @@ def around(seed: int, frames: int = ROUND) -> dict[str, Any]:
     sensor = rig.sensors[0]
     truth = np.array([t.robots[0][:7] for _, t in film])
     motion_source = VisualOdometry(StereoFeatureExtractor(sensor.calibration), sensor.extrinsics)
-    pose, P, rows, fits, library = truth[0], np.zeros((6, 6)), [], [], Library(sensor, made)
+    pose, P, rows, fits, library, tracks = truth[0], np.zeros((6, 6)), [], [], Library(sensor, made), Tracks()
     for number, (frame, there) in enumerate(film):
         motion = motion_source.step(frame.scans[0].image)
         if motion is not None:
@@ -118,7 +118,9 @@ def around(seed: int, frames: int = ROUND) -> dict[str, Any]:
             P = J.outer @ P @ J.outer.T + J.inner @ _of_pose(motion) @ J.inner.T
             fits.append(motion.nis_per_dof)
         rows.append([np.linalg.norm(pose[:3] - truth[number, :3]), np.sqrt(np.trace(P[:3, :3]))])
-        library.add(motion_source.extractor.extract(frame.scans[0].image), motion_source.tracks, there)
+        seen = motion_source.extractor.extract(frame.scans[0].image)
+        tracks.step(len(seen), motion_source.pairs)
+        library.add(seen, tracks, there)
     return {
         "path": round(float(np.linalg.norm(np.diff(truth[:, :3], axis=0), axis=1).sum()), 3),
         "fit": round(float(np.mean(fits)), 2),

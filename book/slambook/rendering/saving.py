@@ -15,7 +15,7 @@ import numpy as np
 
 from slambook.rendering.film import Film
 from slamlib.data.files import write_whole
-from slamlib.datasets.optional_imports import opencv
+from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory, write_tum
 from slamlib.experiments.progress import progress

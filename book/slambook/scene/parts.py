@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,7 @@ from slambook.scene.options import SensorOptions
 from slambook.scene.photographs import Photograph, patched, photograph, strip
 from slambook.scene.roles import HALO, OUTLINE, SENSOR, Role, themed
 from slamlib.data.snapshots import SensorView, Snapshot
-from slamlib.errors import SlamlibError
+from slamlib.errors import optional
 
 Box = tuple[float, float, float, float]  # left, bottom, width, height, in shares of the figure
 ABOVE = 0.025  # of the figure's height: from the top of axes to their key
@@ -26,10 +25,7 @@ SPARE = 1.1  # of them above the first row, for the words
 
 def extra(module: str, purpose: str) -> Any:
     """A module of the extra `draw`; raises SlamlibError that says how to get it."""
-    try:
-        return import_module(module)
-    except ImportError as error:
-        raise SlamlibError(f'{purpose} needs {module.split(".")[0]}: pip install "slamlib[draw]"') from error
+    return optional(module, f"for {purpose}", "draw")
 
 
 class Part:
