@@ -7,7 +7,7 @@ import numpy as np
 
 from slambook.report import update
 from slambook.report.filter import Memory
-from slambook.report.findings import AuditFigure, AuditFinding, at_least, at_most, check, ours, ran, statistics
+from slambook.report.findings import AuditFigure, Findings, at_least, at_most, check, ours, ran, statistics
 from slambook.report.observation import by_pose, by_vectors
 from slambook.report.runs import Outcome
 from slambook.report.switches import equations
@@ -62,22 +62,18 @@ def _mistakes(full: bool, *errors: str) -> tuple[Array, Array]:
 
 
 @check("E16", "(5.31)-(5.32)", "every scalar step from the prediction", "innovation, gain and covariance run along")
-def running() -> AuditFinding:
+def running() -> Findings:
     right, stale, least = _mistakes(False)[0], _mistakes(False, "E16")[0], _mistakes(False, "E16 literal")[1]
     run, wild, ok = ran("gentle", "E16"), ran("gentle", "E16 literal"), ran("gentle")
     one = "the list's 43 % is one problem; of 300 the median, which depends on the problems"
     low, high = np.quantile(stale, (0.05, 0.95))
-    return AuditFinding(
-        [
-            at_most("corrected minus batch, relative, worst of 300", right.max(), 1e-8),
-            at_least("old innovation: state off, median of 300", float(np.median(stale)), 0.3, "43 %", one),
-            at_least("everything old: share of indefinite P", float((least < 0).mean()), 0.9, "indefinite"),
-            at_least("old innovation: error of the position, gentle [m]", run.position, 1, "10 m"),
-            at_least("old innovation: error of the attitude [deg]", run.rotation, 45, "94"),
-            at_least("everything old: variance, largest, size", _size(wild), 1e20, "-2.7e110"),
-        ],
-        f"{statistics(('old innovation', run), ('right', ok))}; of 300 problems 5 to 95 %: {low:.0%} to {high:.0%}",
-    )
+    yield at_most("corrected minus batch, relative, worst of 300", right.max(), 1e-8)
+    yield at_least("old innovation: state off, median of 300", float(np.median(stale)), 0.3, "43 %", one)
+    yield at_least("everything old: share of indefinite P", float((least < 0).mean()), 0.9, "indefinite")
+    yield at_least("old innovation: error of the position, gentle [m]", run.position, 1, "10 m")
+    yield at_least("old innovation: error of the attitude [deg]", run.rotation, 45, "94")
+    yield at_least("everything old: variance, largest, size", _size(wild), 1e20, "-2.7e110")
+    yield f"{statistics(('old innovation', run), ('right', ok))}; of 300 problems 5 to 95 %: {low:.0%} to {high:.0%}"
 
 
 def _size(run: Outcome) -> float:
@@ -86,31 +82,23 @@ def _size(run: Outcome) -> float:
 
 
 @check("E17", "(5.27)-(5.32)", "scalar steps with R_jj", "only for diagonal R; otherwise whiten first")
-def whitening() -> AuditFinding:
+def whitening() -> Findings:
     white, diagonal = _mistakes(True)[0], _mistakes(True, "E17")[0]
     run, right = ran("rig", "E17"), ran("rig")
     one = "the list's 6.8 % is one problem; of 300 the median"
     low, high = np.quantile(diagonal, (0.05, 0.95))
-    return AuditFinding(
-        [
-            at_most("whitened minus batch, relative, worst of 300", white.max(), 1e-8),
-            at_least("R_jj: state off, median of 300", float(np.median(diagonal)), 0.05, "6.8 %", one),
-            at_least(
-                "stereo: error of the position over the right one", run.position / right.position, 2, "bites here"
-            ),
-            at_least(
-                "stereo: error of the attitude over the right one", run.rotation / right.rotation, 2, "bites here"
-            ),
-            ours("stereo, whitened: NEES/6", right.ratio, 1.0, 0.25),
-        ],
-        f"{statistics(('stereo', run), ('right', right))}; of 300 problems 5 to 95 %: {low:.1%} to {high:.0%}",
-    )
+    yield at_most("whitened minus batch, relative, worst of 300", white.max(), 1e-8)
+    yield at_least("R_jj: state off, median of 300", float(np.median(diagonal)), 0.05, "6.8 %", one)
+    yield at_least("stereo: error of the position over the right one", run.position / right.position, 2, "bites here")
+    yield at_least("stereo: error of the attitude over the right one", run.rotation / right.rotation, 2, "bites here")
+    yield ours("stereo, whitened: NEES/6", right.ratio, 1.0, 0.25)
+    yield f"{statistics(('stereo', run), ('right', right))}; of 300 problems 5 to 95 %: {low:.1%} to {high:.0%}"
 
 
 @check(
     "E24", "3.1.1", "S is the 'Kalman innovation'; F twice since the covariance is 'quadratic'", "cov of y; cov of Fx"
 )
-def linear() -> AuditFinding:
+def linear() -> Findings:
     off = 0.0
     for seed in range(100):
         rng = np.random.default_rng(seed)
@@ -118,15 +106,9 @@ def linear() -> AuditFinding:
         P, R = a @ a.T, b @ b.T + np.eye(2)
         found = update.batch(np.zeros(4), P, np.ones(2), H, R)[1]
         off = max(off, float(np.abs(found - np.linalg.inv(np.linalg.inv(P) + H.T @ np.linalg.inv(R) @ H)).max()))
-    return AuditFinding(
-        [
-            at_most("(3.5), (3.7) minus least squares, 100 problems", off, 1e-9),
-            at_least(
-                "single precision, 300 corrections: least over largest eigenvalue", _single(), -1e-5, "none fails"
-            ),
-        ],
-        "read: 3.1.1, 'what we call the Kalman innovation' of (3.4), 'because the covariance is a quadratic matrix'",
-    )
+    yield at_most("(3.5), (3.7) minus least squares, 100 problems", off, 1e-9)
+    yield at_least("single precision, 300 corrections: least over largest eigenvalue", _single(), -1e-5, "none fails")
+    yield "read: 3.1.1, 'what we call the Kalman innovation' of (3.4), 'because the covariance is a quadratic matrix'"
 
 
 def _single() -> float:
@@ -146,7 +128,7 @@ def _single() -> float:
     "number by number 'the average landmark error is smaller'",
     "equal in exact arithmetic; only time differs",
 )
-def speed() -> AuditFinding:
+def speed() -> Findings:
     problem = _problem(100, 20, 25)
     (x, P), (xb, Pb) = _scalar(*problem), _naive(*problem)
     times = {(L, m): _seconds(L, m) for L, m in ((100, 20), (300, 40), (100, 100))}
@@ -156,17 +138,13 @@ def speed() -> AuditFinding:
     counted = (2 * k * n * n + k * k * n + k**3 + n * k * k + n**3) / (k * (n * n + 11 * n))
     machine = "in NumPy a loop of Python stands against a library's products; the list's ratio did not come out again"
     moved = np.abs(xb - problem[0]).max()
-    return AuditFinding(
-        [
-            at_most("state, scalar minus whole matrices, relative", np.abs(x - xb).max() / moved, 1e-9),
-            at_most("covariance, the same", np.abs(P - Pb).max() / np.abs(problem[1]).max(), 1e-9),
-            ours("multiplications, whole matrices over scalar, L = 100, m = 20", counted, 7.27, 0.05),
-            AuditFigure(
-                "time, scalar over whole matrices, L = 100, m = 20", one / whole, -inf, inf, "0.21", machine, True
-            ),
-        ],
-        f"times of this machine [ms], scalar / whole matrices: {told}",
+    yield at_most("state, scalar minus whole matrices, relative", np.abs(x - xb).max() / moved, 1e-9)
+    yield at_most("covariance, the same", np.abs(P - Pb).max() / np.abs(problem[1]).max(), 1e-9)
+    yield ours("multiplications, whole matrices over scalar, L = 100, m = 20", counted, 7.27, 0.05)
+    yield AuditFigure(
+        "time, scalar over whole matrices, L = 100, m = 20", one / whole, -inf, inf, "0.21", machine, True
     )
+    yield f"times of this machine [ms], scalar / whole matrices: {told}"
 
 
 def _seconds(landmarks: int, seen: int) -> tuple[float, float]:
