@@ -33,16 +33,6 @@ def _axes(pose: Array) -> Array:
     return np.broadcast_to(np.eye(3).reshape(3, *[1] * (pose.ndim - 1), 3), (3, *pose.shape[:-1], 3))
 
 
-def predicted_state(old: Array, new: Array) -> Array:
-    """H is taken where the measurement is predicted from."""
-    return new
-
-
-def previous_state(old: Array, new: Array) -> Array:
-    """H is taken at the state before the motion, as (3.15) prints (E01)."""
-    return old
-
-
 def squares(sigmas: Array) -> Array:
     """(5.26) corrected: variances (3, 3)."""
     return np.diag(sigmas**2)
@@ -51,16 +41,6 @@ def squares(sigmas: Array) -> Array:
 def the_letters(sigmas: Array) -> Array:
     """(5.26), as printed: the deviations in place of variances, that of y twice (E12)."""
     return np.diag(sigmas[[0, 1, 1]])
-
-
-def of_its_landmark(row: int, landmark: int) -> int:
-    """The block of an observation stands in the columns of its landmark."""
-    return landmark
-
-
-def on_the_diagonal(row: int, landmark: int) -> int:
-    """The block of the i-th observation stands in the i-th place, as (5.28) is drawn (E15)."""
-    return row
 
 
 def scalar_variance(hx: Array, hm: Array, Pxx: Array, Pmx: Array, Pmm: Array) -> Array:
@@ -104,30 +84,10 @@ def no_row(J: Array, P: Array) -> Array:
     return np.zeros((*J.shape[:-1], P.shape[-1]))
 
 
-def joint_corner(corner: Array) -> Array:
-    """Landmarks that begin in one picture share the pose's error: first term of (5.35), for all of them at once."""
-    return corner
-
-
 def each_alone(corner: Array) -> Array:
     """First term of (5.35) for each new landmark, and nothing between them (E18)."""
     blocks = np.kron(np.eye(corner.shape[-1] // 3), np.ones((3, 3)))
     return corner * blocks
-
-
-def as_measured(corner: Array) -> Array:
-    """(5.35) for the landmarks of the first picture as well."""
-    return corner
-
-
-def zero(corner: Array) -> Array:
-    """Section 5.1.2: all zeros at the start (E19)."""
-    return np.zeros_like(corner)
-
-
-def full_memory(x: Array, P: Array, names: list[int]) -> tuple[Array, Array, list[int]]:
-    """Nothing is forgotten."""
-    return x, P, names
 
 
 def pose_only(x: Array, P: Array, names: list[int]) -> tuple[Array, Array, list[int]]:

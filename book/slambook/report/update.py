@@ -21,21 +21,6 @@ def running(difference: Array, h: Array, moved: Array) -> Array:
     return difference - (h * moved).sum(-1)
 
 
-def stale(difference: Array, h: Array, moved: Array) -> Array:
-    """(5.31), as printed: the difference to the prediction, at every step (E16)."""
-    return difference
-
-
-def present(P: Array, predicted: Array) -> Array:
-    """(5.30), (5.32) corrected: the covariance after the corrections so far."""
-    return P
-
-
-def of_the_prediction(P: Array, predicted: Array) -> Array:
-    """(5.30), (5.32), as printed: gain and variance from the predicted covariance, at every step (E16)."""
-    return predicted
-
-
 def batch(x: Array, P: Array, difference: Array, H: Array, R: Array) -> tuple[Array, Array]:
     """(3.11) to (3.14): one correction by all m numbers. difference (..., m), H (..., m, n), R (..., m, m)."""
     HP = H @ P
