@@ -16,12 +16,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from slambook.recorded import KITTI, kitti
-from slambook.rendering.stereo_film import stereo_film
+from slambook import stereo_films
+from slambook.stereo_films import KITTI, kitti, stereo_film
 
 from benchmarks.stereo_filter import Case, speed
 from benchmarks.stereo_filter import room as filter_in_room
-from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options
@@ -57,13 +56,12 @@ def odometry(
     extractor, counts, pose = StereoFeatureExtractor(calibration, s), Counts(), start
     motion_source = VisualOdometry(extractor, extrinsics)
     began = time.process_time()
-    for i, image in enumerate(images):
-        motion = motion_source.step(image)
-        counts.stereo.append(len(extractor.extract(image)))
+    for i, (reached, motion) in enumerate(stereo_films.odometry(motion_source, images, start)):
+        pose = reached
+        counts.stereo.append(len(extractor.extract(images[i])))
         if i:
             counts.circular.append(len(motion_source.pairs))
         if motion is not None:
-            pose = compose(pose, motion.pose)
             counts.inliers.append(int(motion.inliers.sum()))
             counts.nis_per_dof.append(motion.nis_per_dof)
     counts.seconds = time.process_time() - began

@@ -25,7 +25,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from slambook.recorded import KITTI
+from slambook.stereo_films import KITTI
 
 from slamlib.datasets.sources import ImageSource, of_pictures
 from slamlib.evaluation.alignment import align_trajectory

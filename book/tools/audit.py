@@ -7,7 +7,6 @@ if one failed. --store writes the file that chapter 22 draws its table from.
 
 import argparse
 import json
-import math
 import textwrap
 from typing import Any
 
@@ -17,7 +16,7 @@ from slambook.report.checks import CHECKS
 from slambook.report.findings import RUNS, SEED, AuditFigure, AuditFinding, ran
 from slambook.report.runs import DOF, Outcome
 
-from book.tools import layout
+from book.tools import layout, stored
 from slamlib.errors import UnknownNameError
 from slamlib.evaluation.consistency import band
 from slamlib.experiments.progress import progress
@@ -59,15 +58,10 @@ def _wrapped(words: str) -> list[str]:
 
 
 def plain(found: AuditFinding) -> dict[str, Any]:
-    """A finding as plain data. A number that is not finite is written as text, as JSON knows none."""
+    """A finding as plain data."""
     told = {name: getattr(found.check, name) for name in ("number", "where", "says", "right")}
-    figures = [{k: number(v) if isinstance(v, float) else v for k, v in vars(f).items()} for f in found.figures]
+    figures = [stored.plain(vars(figure), 5) for figure in found.figures]
     return {**told, "verdict": found.verdict, "figures": figures, "note": found.note}
-
-
-def number(value: float, digits: int = 5) -> float | str:
-    """Rounded to so many digits; "inf", "-inf" or "nan"."""
-    return float(f"{value:.{digits}g}") if math.isfinite(value) else str(value)
 
 
 def judged(figure: dict[str, Any]) -> bool:
@@ -92,17 +86,12 @@ def series() -> dict[str, Any]:
 
 def summary(outcome: Outcome) -> dict[str, Any]:
     """What is kept of the runs with one error."""
-    average = outcome.nees.mean(0) / DOF
-    return {
-        "nees": [number(v, 4) for v in average],
-        "inside": round(outcome.inside, 3),
-        "ratio": number(outcome.ratio, 4),
-        "position": number(outcome.position, 4),
-        "rotation": number(outcome.rotation, 4),
-    }
+    kept = {"nees": outcome.nees.mean(0) / DOF, "inside": round(outcome.inside, 3)}
+    found: dict[str, Any] = stored.plain(kept | {n: getattr(outcome, n) for n in ("ratio", "position", "rotation")})
+    return found
 
 
-def stored(found: list[AuditFinding]) -> str:
+def file_text(found: list[AuditFinding]) -> str:
     """The chapter's file: a row a line."""
     limits = [round(v / DOF, 4) for v in band(DOF, RUNS)]
     switches = {n: {"equation": s.equation, "slip": s.slip} for n, s in SWITCHES.items()}
@@ -131,7 +120,7 @@ def main() -> int:
         print(json.dumps([plain(r) for r in found], indent=1))
     failed = [r.check.number for r in found if not r.holds]
     if given.store and not given.only and not failed:
-        layout.write_whole(FILE, stored(found).encode())
+        layout.write_whole(FILE, file_text(found).encode())
     if not given.json:
         print(_end(found, failed))
     return 1 if failed else 0
