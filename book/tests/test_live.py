@@ -308,7 +308,7 @@ def tools(monkeypatch):
 def test_an_archive_with_another_checksum_is_refused_and_not_kept(tools, monkeypatch, tmp_path):
     assets = tools["assets"]
     monkeypatch.setattr(assets, "ASSETS", tmp_path)
-    monkeypatch.setattr(assets, "_npm", lambda package: b"something else")
+    monkeypatch.setitem(assets.DOWNLOADS, "npm", lambda package: b"something else")
     with pytest.raises(assets.AssetError, match="the checksum is"):
         assets.archive("axe")
     assert list(tmp_path.iterdir()) == []
