@@ -90,7 +90,7 @@ class Axes(Drawn):
         """A line through points with the bars of their errors: one number, one each, or (below, above)."""
         x, y = rows_of("errorbar", x=x, y=y)
         found = self.plot(x, y, fmt, **style)
-        prediction = {"color": found[0].stroke.color if found[0].stroke else found[0].marker.look.edge}  # type: ignore[union-attr]
+        prediction = {"color": found[0].stroke.color if found[0].stroke else found[0].marker.edge.color}  # type: ignore[union-attr]
         for axis, error in ((0, xerr), (1, yerr)):
             if error is None:
                 continue

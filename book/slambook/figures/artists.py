@@ -1,8 +1,8 @@
 """The artists of matplotlib's axes as calls of the renderer's: lines, collections, patches, images, words."""
 
-from collections import defaultdict
 from collections.abc import Callable
 from functools import lru_cache
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -13,9 +13,18 @@ from matplotlib.markers import MarkerStyle
 
 from slambook.figures.axes import Axes
 from slambook.figures.markers import MARKERS
-from slambook.figures.reading import CannotReplayError, base, color_of, must_be_data, pieces_of, place_of, strokes, turn
+from slambook.figures.reading import (
+    CannotReplayError,
+    alike,
+    base,
+    color_of,
+    must_be_data,
+    pieces_of,
+    place_of,
+    strokes,
+    turn,
+)
 from slambook.figures.shapes import areas, image_pixels, patch, patch_style, polygons
-from slamlib.manifolds import Array
 
 
 def put_all(ax: Any, target: Axes) -> None:
@@ -78,12 +87,10 @@ def _segments(artist: Any, ax: Any, target: Axes) -> None:
     """A LineCollection, or contour lines: what looks alike is one line with gaps."""
     must_be_data(artist.get_transform(), ax)
     parts = [pieces_of(path, ax) for path in artist.get_paths()]
-    groups: dict[tuple[Any, ...], list[Array]] = defaultdict(list)
-    for level, (style, curves) in enumerate(zip(strokes(artist, len(parts)), parts, strict=True)):
-        own = level if isinstance(artist, contour.ContourSet) else 0
-        groups[own, *style] += curves
-    for (_, color, alpha, width, dashes), pieces in groups.items():
-        line = np.concatenate([np.empty((2, 0)), *pieces], axis=1)
+    levels = isinstance(artist, contour.ContourSet)  # each a line of its own
+    styles = [(i * levels, *style) for i, style in enumerate(strokes(artist, len(parts)))]
+    for (_, color, alpha, width, dashes), curves in alike(styles, parts).items():
+        line = np.concatenate([np.empty((2, 0)), *chain.from_iterable(curves)], axis=1)
         target.plot(*line, color=color, alpha=alpha, lw=width, ls=dashes, **base(artist))
 
 
@@ -115,11 +122,8 @@ def _scatter(artist: Any, ax: Any, target: Axes) -> None:
     must_be_data(artist.get_offset_transform(), ax)
     marker, styles = _scatter_styles(artist)
     offsets = np.ma.filled(artist.get_offsets().astype(float), np.nan)
-    groups: dict[tuple[Any, ...], list[int]] = defaultdict(list)
-    for i in range(len(offsets)):
-        groups[styles[i]].append(i)
-    for style, some in groups.items():
-        target.plot(*offsets[some].T, **_mark_style(marker, style), **base(artist))
+    for style, some in alike(styles[: len(offsets)], offsets).items():
+        target.plot(*np.array(some).T, **_mark_style(marker, style), **base(artist))
 
 
 def _mark_style(marker: str, style: tuple[Any, ...]) -> dict[str, Any]:

@@ -48,22 +48,18 @@ class Canvas:
     @contextmanager
     def group(self, style: str = "", clip: Box | None = None) -> Iterator[None]:
         """Elements that share a style, or are cut at a box; an empty group leaves nothing."""
-        start = len(self._parts)
+        outer, self._parts = self._parts, []
         yield
-        if len(self._parts) == start:
+        inner, self._parts = self._parts, outer
+        if not inner:
             return
-        reference = f' clip-path="url(#{_NAME}{self._clips})"' if clip else ""
+        reference = ""
         if clip:
-            self._parts.insert(start, f'<clipPath id="{_NAME}{self._clips}">')
-            self._move_rectangle(clip, start + 1)
-            self._parts.insert(start + 2, "</clipPath>")
-            self._clips, start = self._clips + 1, start + 3
-        self._parts.insert(start, f"<g{reference}{_styled(style)}>")
-        self._parts.append("</g>")
-
-    def _move_rectangle(self, box: Box, place: int) -> None:
-        self.rectangle(box, "")
-        self._parts.insert(place, self._parts.pop())
+            self._parts.append(f'<clipPath id="{_NAME}{self._clips}">')
+            self.rectangle(clip, "")
+            self._parts.append("</clipPath>")
+            reference, self._clips = f' clip-path="url(#{_NAME}{self._clips})"', self._clips + 1
+        self._parts += [f"<g{reference}{_styled(style)}>", *inner, "</g>"]
 
     def text(self, x: float, y: float, words: str, look: Lettering, bare: bool = False) -> None:
         """Words at a point, moved and if need be shrunk to stay on the sheet; bare: the group has their style."""

@@ -11,7 +11,7 @@ import numpy as np
 from slambook.figures.canvas import Canvas
 from slambook.figures.marks import Mark
 from slambook.figures.paths import number
-from slambook.figures.scales import DataView, Linear
+from slambook.figures.scales import DataView, Scale
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.manifolds import Array
 
@@ -85,7 +85,7 @@ class Image(Mark):
     alpha: float = 1.0
     zorder: float = 0.0
 
-    def bounds(self, xscale: Linear, yscale: Linear) -> Array:
+    def bounds(self, xscale: Scale, yscale: Scale) -> Array:
         return np.array([sorted(self.extent[:2]), sorted(self.extent[2:])])
 
     def draw(self, canvas: Canvas, view: DataView) -> None:

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from slambook.figures.canvas import Canvas
+from slambook.figures.colors import Fill, Stroke
 from slambook.figures.marks import Mark, beyond
 from slambook.figures.paths import Box, cut_line, outline
 from slambook.figures.scales import DataView
-from slambook.figures.style import Fill, Stroke
 from slambook.figures.words import Lettering
 from slamlib.manifolds import Array
 

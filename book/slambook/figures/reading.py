@@ -1,5 +1,6 @@
 """What artists of matplotlib have in common: where they are, their colours, their strokes."""
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -69,6 +70,14 @@ def strokes(artist: Any, count: int) -> list[tuple[Any, ...]]:
 def turn(values: Any, i: int) -> Any:
     """A collection's styles come round again."""
     return values[i % len(values)] if len(values) else (0, 0, 0, 0)
+
+
+def alike(styles: Iterable[Any], items: Iterable[Any]) -> dict[Any, list[Any]]:
+    """The items that look alike, by their style."""
+    found: dict[Any, list[Any]] = {}
+    for style, item in zip(styles, items, strict=True):
+        found.setdefault(style, []).append(item)
+    return found
 
 
 def pieces_of(path: Any, ax: Any) -> list[Array]:

@@ -1,6 +1,5 @@
 """matplotlib's patches, polygons, filled contours and images as calls of the renderer's."""
 
-from collections import defaultdict
 from collections.abc import Iterable
 from typing import Any
 
@@ -10,7 +9,7 @@ from matplotlib.colors import Normalize
 
 from slambook.figures.axes import Axes
 from slambook.figures.images import COLORMAPS
-from slambook.figures.reading import CannotReplayError, base, color_of, must_be_data, pieces_of, place_of, turn
+from slambook.figures.reading import CannotReplayError, alike, base, color_of, must_be_data, pieces_of, place_of, turn
 from slamlib.manifolds import Array
 
 
@@ -33,11 +32,9 @@ def _rings(paths: Iterable[Any], ax: Any) -> Array:
 
 def areas(shapes: list[Any], ax: Any, target: Axes) -> None:
     """Patches, or the bars of one call: those that look alike are one area."""
-    groups: dict[tuple[Any, ...], list[Any]] = defaultdict(list)
     for patch in shapes:
         must_be_data(patch.get_data_transform(), ax)
-        groups[tuple(patch_style(patch).items())].append(patch)
-    for style, some in groups.items():
+    for style, some in alike((tuple(patch_style(patch).items()) for patch in shapes), shapes).items():
         x, y = _rings((p.get_path().transformed(p.get_patch_transform()) for p in some), ax)
         if dict(style)["facecolor"] == "none":
             edge, alpha = color_of(some[0].get_edgecolor())

@@ -1,13 +1,11 @@
-"""What a call says about looks: matplotlib's names and short forms, checked, as strokes and fills."""
+"""What a call says about looks: matplotlib's names and short forms, checked, as strokes, fills, marks and letters."""
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from slambook.figures.colors import color_named, colors, paint
-from slambook.figures.markers import MARKERS, Marker, MarkerStyle
-from slambook.figures.paths import number
+from slambook.figures.colors import Fill, Stroke, color_named, colors
+from slambook.figures.markers import MARKERS, Marker
 from slambook.figures.words import Lettering
 from slamlib.errors import SlamlibError, UnknownNameError
 
@@ -69,42 +67,6 @@ def format_of(text: str) -> dict[str, Any]:
     return found if "linestyle" in found or "marker" not in found else {**found, "linestyle": ""}
 
 
-@dataclass(frozen=True)
-class Stroke:
-    """How a line is drawn: colour "#rrggbb", width in points, dashes in widths."""
-
-    color: str
-    width: float = 1.8
-    dashes: tuple[float, ...] = ()
-    alpha: float = 1.0
-
-    def css(self) -> str:
-        """The style of a path."""
-        text = f"stroke:{paint(self.color)};stroke-width:{number(self.width)}"
-        if self.dashes:
-            text += ";stroke-dasharray:" + " ".join(number(d * self.width) for d in self.dashes)
-        return text + (f";stroke-opacity:{number(self.alpha)}" if self.alpha < 1 else "")
-
-    @property
-    def seen(self) -> bool:
-        """Whether it leaves anything on the paper."""
-        return self.color != "none" and self.width > 0 and self.alpha > 0
-
-
-@dataclass(frozen=True)
-class Fill:
-    """How an area is drawn: the colour inside, and the line around it, if any."""
-
-    color: str
-    alpha: float = 1.0
-    edge: Stroke | None = None
-
-    def css(self) -> str:
-        """The style of a path."""
-        text = f"fill:{paint(self.color)}" + (f";fill-opacity:{number(self.alpha)}" if self.alpha < 1 else "")
-        return text if self.edge is None or not self.edge.seen else f"{text};{self.edge.css()}"
-
-
 def stroke_of(style: dict[str, Any], color: str, width: float = 1.8) -> Stroke | None:
     """The stroke that keywords (long names) ask for, or None for no line; `color` if they name none."""
     dashes = dashes_of(style.get("linestyle", "-"))
@@ -159,7 +121,8 @@ def marker_of(style: dict[str, Any], color: str) -> Marker | None:
         raise UnknownNameError.of("marker", name, MARKERS)
     edge, face = (color_named(style.get(k) or color) for k in ("markeredgecolor", "markerfacecolor"))
     size, width = positive(style, "markersize", 6.0), positive(style, "markeredgewidth", 1.0)
-    return Marker(MARKERS[name], MarkerStyle(edge, face, size, width, alpha_of(style)))
+    alpha = alpha_of(style)
+    return Marker(MARKERS[name], Fill(face, alpha, Stroke(edge, width, alpha=alpha)), size)
 
 
 def lettering_of(style: dict[str, Any]) -> Lettering:
