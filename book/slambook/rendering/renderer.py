@@ -69,7 +69,9 @@ class Renderer:
         camera = finite(camera, (7,), "render", "camera")
         inverse, usable = self._inverses(camera)
         near, u, v, quad = self._nearest(inverse, usable, camera)
-        shade, levels = np.empty_like(near), self._levels(inverse)
+        height = 1 / np.linalg.norm(inverse[:, 2], axis=-1)
+        levels = np.append(-np.log2(self.texel) - np.log2(height) / 2 + BIAS, 0).astype(np.float32)
+        shade = np.empty_like(near)
         step = max(1, CHUNK // shade.shape[1])
         for part in (slice(i, i + step) for i in range(0, len(shade), step)):
             shade[part] = self._shade(near[part], u[part], v[part], quad[part], self.tiles.fineness[part], levels)
@@ -121,13 +123,8 @@ class Renderer:
             quad[where] = np.where(seen, np.int32(i), quad[where])
         return near, u, v, quad
 
-    def _levels(self, inverse: Array) -> Array:
-        """Per quad (q + 1,), what is added to the logarithms of angle and distance for the level: see _shade."""
-        height = 1 / np.linalg.norm(inverse[:, 2], axis=-1)
-        return np.append(-np.log2(self.texel) - np.log2(height) / 2 + BIAS, 0).astype(np.float32)
-
     def _shade(self, near: Image, u: Image, v: Image, quad: Indices, fineness: Image, levels: Image) -> Image:
-        """Grey values (k, p).
+        """Grey values (k, p); levels (q + 1,): what is added to the logarithms of angle and distance for the level.
 
         Texels are seen from the distance r at an angle: a sample is r * angle wide one way, and longer by r / height
         the other way, height being the eye's above the plane; the geometric mean is angle * r^1.5 / height^0.5. The
