@@ -1,4 +1,4 @@
-"""Observation of a landmark, (5.24) to (5.30), and the beginning of a new one, (5.33) to (5.35)."""
+"""Observation of a landmark and its correction, (5.24) to (5.32), and the beginning of a new one, (5.33) to (5.35)."""
 
 import numpy as np
 
@@ -24,13 +24,10 @@ def by_matrices(pose: Array, points: Array) -> Array:
 def by_pose(pose: Array, points: Array) -> Array:
     """Derivative (..., m, 3, 6) of the relative point by the pose: what appendix A of the report would hold (E27)."""
     R, d = rotation(pose[..., 3:]), points - pose[..., None, :3]
-    turned = np.stack([by_angles(pose[..., 3:], axis) for axis in _axes(pose)], -3)  # by axis, row, angle
+    axes = np.broadcast_to(np.eye(3).reshape(3, *[1] * (pose.ndim - 1), 3), (3, *pose.shape[:-1], 3))
+    turned = np.stack([by_angles(pose[..., 3:], axis) for axis in axes], -3)  # by axis, row, angle
     left = np.broadcast_to(-R.swapaxes(-1, -2)[..., None, :, :], (*d.shape, 3))
     return np.concatenate([left, np.einsum("...kia,...mi->...mka", turned, d)], -1)
-
-
-def _axes(pose: Array) -> Array:
-    return np.broadcast_to(np.eye(3).reshape(3, *[1] * (pose.ndim - 1), 3), (3, *pose.shape[:-1], 3))
 
 
 def squares(sigmas: Array) -> Array:
@@ -55,6 +52,29 @@ def last_factor_by_point(hx: Array, hm: Array, Pxx: Array, Pmx: Array, Pmm: Arra
 
 def _form(left: Array, matrix: Array, right: Array) -> Array:
     return (left[..., None, :] @ matrix @ right[..., :, None])[..., 0, 0]
+
+
+def whitened(R: Array, *rows: Array) -> tuple[Array, ...]:
+    """Variances (..., 3) and rows (..., 3, n) of independent numbers: L^-1 rows, with R = L L'."""
+    L = np.linalg.cholesky(R)
+    return (np.ones(R.shape[:-1]), *(np.linalg.solve(L, row) for row in rows))
+
+
+def diagonal_only(R: Array, *rows: Array) -> tuple[Array, ...]:
+    """(5.27), as printed: R_jj, whatever stands beside the diagonal (E17)."""
+    return (np.diagonal(R, axis1=-2, axis2=-1), *rows)
+
+
+def running(difference: Array, h: Array, moved: Array) -> Array:
+    """(5.31) corrected: what is left of z - h(x) after the corrections so far, which moved the state."""
+    return difference - (h * moved).sum(-1)
+
+
+def batch(x: Array, P: Array, difference: Array, H: Array, R: Array) -> tuple[Array, Array]:
+    """(3.11) to (3.14): one correction by all m numbers. difference (..., m), H (..., m, n), R (..., m, m)."""
+    HP = H @ P
+    K = np.linalg.solve(HP @ H.swapaxes(-1, -2) + R, HP).swapaxes(-1, -2)
+    return x + (K @ difference[..., None])[..., 0], P - K @ HP
 
 
 def placed(pose: Array, seen: Array) -> Array:

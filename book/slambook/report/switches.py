@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from slambook.report import angles, motion, observation, update
+from slambook.report import angles, motion, observation
 from slamlib.errors import UnknownNameError
 
 Wrong = Mapping[str, Callable[..., Any]]  # functions by field of Equations
@@ -43,8 +43,8 @@ class Equations:
     noise: Callable[..., Any] = observation.squares  # (5.26)
     variance: Callable[..., Any] = observation.scalar_variance  # (5.27)
     columns: Callable[..., Any] = second  # (5.28), (5.29): those of its landmark; the other is the observation's number
-    white: Callable[..., Any] = update.whitened  # (5.27)
-    innovation: Callable[..., Any] = update.running  # (5.31)
+    white: Callable[..., Any] = observation.whitened  # (5.27)
+    innovation: Callable[..., Any] = observation.running  # (5.31)
     prior: Callable[..., Any] = first  # (5.30), (5.32): P after the corrections so far; the other is the predicted one
     new_row: Callable[..., Any] = observation.row_of_pose  # (5.34)
     new_corner: Callable[..., Any] = first  # (5.35): landmarks that begin in one picture share the pose's error
@@ -93,7 +93,7 @@ SWITCHES: dict[str, Switch] = {
     "E15": Switch("(5.28)", "blocks drawn on the diagonal", {"columns": first}),
     "E16": Switch("(5.31)", "innovation of the prediction at every step", {"innovation": first}),
     "E16 literal": Switch("(5.31), (5.32)", "everything of the prediction at every step", _LITERAL),
-    "E17": Switch("(5.27)", "diagonal of R only", {"white": update.diagonal_only}),
+    "E17": Switch("(5.27)", "diagonal of R only", {"white": observation.diagonal_only}),
     "E18": Switch("(5.34)", "product that does not conform", {"new_row": observation.row_as_printed}),
     "E18 dropped": Switch("(5.34)", "nothing between new and old", _MUTE),
     "E19": Switch("5.1.2", "first landmarks with covariance zero", {"start": np.zeros_like}),
