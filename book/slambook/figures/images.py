@@ -43,6 +43,11 @@ def _chunk(name: bytes, data: bytes) -> bytes:
     return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
 
 
+def png_uri(pixels: Any) -> str:
+    """A PNG file of pixels, as an address that holds it."""
+    return "data:image/png;base64," + base64.b64encode(png(pixels)).decode()
+
+
 def colored(values: Array, cmap: str = "gray", vmin: float | None = None, vmax: float | None = None) -> Array:
     """Numbers (rows, columns) as grey or coloured pixels from vmin to vmax (default: all); nan is transparent.
 
@@ -96,5 +101,4 @@ class Image(Mark):
         box = {"x": min(x0, x1), "y": min(y0, y1), "width": abs(x1 - x0), "height": abs(y1 - y0)}
         style = ("" if self.smooth else "image-rendering:pixelated") + (f";opacity:{self.alpha:g}" * (self.alpha < 1))
         place = {name: number(value) for name, value in box.items()}
-        data = "data:image/png;base64," + base64.b64encode(png(rows)).decode()
-        canvas.element("image", style.strip(";"), **place, preserveAspectRatio="none", href=data)
+        canvas.element("image", style.strip(";"), **place, preserveAspectRatio="none", href=png_uri(rows))

@@ -67,7 +67,7 @@ def view_of(options: MapOptions, snapshot: Snapshot, corners: Array, aspect: flo
         azimuth, elevation, field, *distance = (float(v) for v in options.view)
         view = OrbitView(azimuth, elevation, field, middle, perspective=options.perspective)
         view = replace(view, distance=distance[0]) if distance else view.fitted(box, aspect)
-    return view.orbited(*(snapshot.number * np.asarray(options.orbit)))
+    return view.moved(*(snapshot.number * np.asarray(options.orbit)))
 
 
 def _turned(corners: Array) -> Array:
