@@ -10,7 +10,6 @@ import json
 import textwrap
 from typing import Any
 
-import numpy as np
 from slambook.report import SWITCHES
 from slambook.report.checks import CHECKS
 from slambook.report.findings import RUNS, SEED, AuditFigure, AuditFinding, ran
@@ -122,16 +121,12 @@ def main() -> int:
     if given.store and not given.only and not failed:
         layout.write_whole(FILE, file_text(found).encode())
     if not given.json:
-        print(_end(found, failed))
+        verdicts = [finding.verdict for finding in found]
+        counts = ", ".join(f"{verdicts.count(v)} {v}" for v in ("reproduced", "corrected", "reading") if v in verdicts)
+        told = f"FAILED: {' '.join(failed)}" if failed else "all within their limits"
+        seconds = sum(finding.seconds for finding in found)
+        print(f"audit: {len(found)} numbers, {counts}; {told} ({seconds:.0f} s)")
     return 1 if failed else 0
-
-
-def _end(found: list[AuditFinding], failed: list[str]) -> str:
-    verdicts = [r.verdict for r in found]
-    counts = ", ".join(f"{verdicts.count(v)} {v}" for v in ("reproduced", "corrected", "reading") if v in verdicts)
-    seconds = np.sum([r.seconds for r in found])
-    told = f"FAILED: {' '.join(failed)}" if failed else "all within their limits"
-    return f"audit: {len(found)} numbers, {counts}; {told} ({seconds:.0f} s)"
 
 
 if __name__ == "__main__":

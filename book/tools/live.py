@@ -9,7 +9,6 @@ import shutil
 import sys
 import tarfile
 import zipfile
-from collections.abc import Iterator
 from pathlib import Path
 
 from book.tools import assets, layout, wheel
@@ -100,13 +99,8 @@ def _numpy() -> dict[str, bytes]:
 
 def _sympy() -> dict[str, bytes]:
     """SymPy and mpmath as the lock has installed them here."""
-    return {n: f.read_bytes() for n, f in _installed("sympy", "mpmath") if not NOT_SYMPY.search(n)}
-
-
-def _installed(*packages: str) -> Iterator[tuple[str, Path]]:
-    for package in packages:
-        for entry in importlib.metadata.files(package) or ():
-            yield entry.as_posix(), Path(str(entry.locate()))
+    entries = (entry for package in ("sympy", "mpmath") for entry in importlib.metadata.files(package) or ())
+    return {e.as_posix(): Path(str(e.locate())).read_bytes() for e in entries if not NOT_SYMPY.search(e.as_posix())}
 
 
 def zipped(files: dict[str, bytes], level: int = 9) -> bytes:

@@ -132,8 +132,14 @@ def _cached(file: Path, key: str) -> Path:
 def each(files: list[Path], action: Any) -> list[tuple[Path, Any]]:
     """Do `action` for each file, two at a time, with a line of progress each; raises the first failure at the end."""
     results, failures = [], []
+
+    def timed(file: Path) -> tuple[float, Any]:
+        start = time.perf_counter()
+        result = action(file)
+        return time.perf_counter() - start, result
+
     with ThreadPoolExecutor(max_workers=min(2, os.cpu_count() or 1)) as pool:
-        began = {pool.submit(_timed, action, f): f for f in files}
+        began = {pool.submit(timed, f): f for f in files}
         for number, future in enumerate(as_completed(began), start=1):
             file = began[future]
             try:
@@ -148,12 +154,6 @@ def each(files: list[Path], action: Any) -> list[tuple[Path, Any]]:
     if failures:
         raise BrokenNotebook("\n".join(map(str, failures)))
     return results
-
-
-def _timed(action: Any, file: Path) -> tuple[float, Any]:
-    start = time.perf_counter()
-    result = action(file)
-    return time.perf_counter() - start, result
 
 
 _outputs: dict[Path, dict[int, list[Any]]] = {}  # of the cells that nbval has run
@@ -185,14 +185,15 @@ def pytest_sessionfinish() -> None:
 
 
 def unstored(files: list[Path]) -> list[Path]:
-    """The notebooks that are not in the stored form: images, counts, metadata, or cells without a run."""
-    return [f for f in files if f.read_text("utf-8") != text(normalise(nbformat.read(f, as_version=4))) or _unrun(f)]
-
-
-def _unrun(file: Path) -> bool:
-    """True if a cell that prints has no stored output at all in the whole notebook: it was never run."""
-    cells = [c for c in nbformat.read(file, as_version=4).cells if c.cell_type == "code"]
-    return bool(cells) and not any(c.outputs for c in cells)
+    """The notebooks that are not in the stored form: images, counts, metadata, or none of its cells with an output."""
+    found = []
+    for file in files:
+        notebook = nbformat.read(file, as_version=4)
+        cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
+        never_run = bool(cells) and not any(cell.outputs for cell in cells)
+        if never_run or file.read_text("utf-8") != text(normalise(notebook)):
+            found.append(file)
+    return found
 
 
 def main(arguments: list[str] | None = None) -> int:

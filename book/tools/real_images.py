@@ -175,6 +175,7 @@ def measured(images: Path) -> dict[str, Any]:
         found.setdefault(name, []).append(row)
     if first is None:
         raise AssetError("every run was lost")
+    apart = compared(read_trajectory(DATA / REFERENCES["dots of the cube"]))  # rms, [% of the path], and [degrees]
     light = run(images, frames=LIGHT).trajectory().positions[-1]
     return {
         "images": f"{PACKAGE} {VERSION}, cube, {COUNT} of 384 x 288 pixels",
@@ -182,17 +183,11 @@ def measured(images: Path) -> dict[str, Any]:
         "noise": NOISE,
         "impulse": list(IMPULSE),
         "options": options_for(1.0, **SAID).to_dict(),
-        "references agree to": _agreement(),
+        "references agree to": [round(100 * apart.relative_ate, 2), round(_rms_degrees(apart.orientation), 2)],
         "light": np.round(light, 4).tolist(),
         "first": told(first.result()),
         "runs": found,
     }
-
-
-def _agreement() -> list[float]:
-    """How far the two references are from one another: rms, [% of the path], and [degrees]."""
-    over = compared(read_trajectory(DATA / REFERENCES["dots of the cube"]))
-    return [round(100 * over.relative_ate, 2), round(_rms_degrees(over.orientation), 2)]
 
 
 def main() -> int:
