@@ -1,7 +1,6 @@
 """The artists of matplotlib's axes as calls of the renderer's: lines, collections, patches, images, words."""
 
-from collections.abc import Callable
-from functools import lru_cache
+from functools import lru_cache, singledispatch
 from itertools import chain
 from typing import Any
 
@@ -38,14 +37,18 @@ def put_all(ax: Any, target: Axes) -> None:
             if artist is bars[id(artist)][0]:
                 areas(bars[id(artist)], ax, target)
             continue
-        _put_of(artist)(artist, ax, target)
+        put(artist, ax, target)
 
 
-def _put_of(artist: Any) -> Callable[[Any, Any, Axes], None]:
-    for kind, put in _PUTS.items():
-        if isinstance(artist, kind):
-            return put
+@singledispatch
+def put(artist: Any, ax: Any, target: Axes) -> None:
+    """One artist; raises CannotReplayError for a kind that the renderer does not draw."""
     raise CannotReplayError(f"the renderer does not draw {type(artist).__name__}")
+
+
+put.register(patches.Patch, patch)
+put.register(collections.PolyCollection, polygons)
+put.register(image.AxesImage, image_pixels)
 
 
 # -- lines -------------------------------------------------------------------------------------------------------------
@@ -67,6 +70,7 @@ def _line_style(line: Any) -> dict[str, Any]:
     }
 
 
+@put.register(lines.Line2D)
 def _line(line: Any, ax: Any, target: Axes) -> None:
     x, y = (np.ma.filled(v, np.nan).astype(float) for v in line.get_data(orig=False))
     place, style = place_of(line.get_transform(), ax), {**_line_style(line), **base(line)}
@@ -83,6 +87,7 @@ def _line(line: Any, ax: Any, target: Axes) -> None:
     rule(across[0], *along, **plain)
 
 
+@put.register(collections.LineCollection)
 def _segments(artist: Any, ax: Any, target: Axes) -> None:
     """A LineCollection, or contour lines: what looks alike is one line with gaps."""
     must_be_data(artist.get_transform(), ax)
@@ -96,8 +101,8 @@ def _segments(artist: Any, ax: Any, target: Axes) -> None:
 
 @lru_cache(maxsize=1)
 def _marker_shapes() -> list[tuple[str, Any]]:
-    styles = {name: MarkerStyle(name) for name in MARKERS}
-    return [(n, np.asarray(m.get_path().transformed(m.get_transform()).vertices)) for n, m in styles.items()]
+    styles = map(MarkerStyle, MARKERS)
+    return [(n, m.get_path().transformed(m.get_transform()).vertices) for n, m in zip(MARKERS, styles, strict=True)]
 
 
 def _scatter_styles(artist: Any) -> tuple[str, list[tuple[Any, ...]]]:
@@ -118,6 +123,7 @@ def _scatter_styles(artist: Any) -> tuple[str, list[tuple[Any, ...]]]:
     return marker, styles
 
 
+@put.register(collections.PathCollection)
 def _scatter(artist: Any, ax: Any, target: Axes) -> None:
     must_be_data(artist.get_offset_transform(), ax)
     marker, styles = _scatter_styles(artist)
@@ -131,6 +137,7 @@ def _mark_style(marker: str, style: tuple[Any, ...]) -> dict[str, Any]:
     return {"ls": "", "marker": marker, "ms": size, "mew": width, "mec": edge, "mfc": face, "alpha": alpha}
 
 
+@put.register(contour.ContourSet)
 def _contours(artist: Any, ax: Any, target: Axes) -> None:
     (polygons if artist.filled else _segments)(artist, ax, target)
 
@@ -138,6 +145,7 @@ def _contours(artist: Any, ax: Any, target: Axes) -> None:
 # -- words and samples -------------------------------------------------------------------------------------------------
 
 
+@put.register(text.Text)
 def _words(words: Any, ax: Any, target: Axes) -> None:
     style: dict[str, Any] = {
         "color": color_of(words.get_color())[0],
@@ -149,12 +157,8 @@ def _words(words: Any, ax: Any, target: Axes) -> None:
         "clip_on": words.get_clip_on() and words.get_clip_path() is not None,
     }
     if isinstance(words, text.Annotation):
-        coords: dict[str, Any] = {
-            "xycoords": words.xycoords,
-            "textcoords": words.anncoords,
-            "arrowprops": words.arrowprops,
-        }
-        target.annotate(words.get_text(), words.xy, words.xyann, **coords, **style)
+        style |= {"xycoords": words.xycoords, "textcoords": words.anncoords, "arrowprops": words.arrowprops}
+        target.annotate(words.get_text(), words.xy, words.xyann, **style)
     else:
         x, y = words.get_position()
         target.text(x, y, words.get_text(), transform=place_of(words.get_transform(), ax), **style)
@@ -174,15 +178,3 @@ def sample(handle: Any) -> Any:
         marker, styles = _scatter_styles(handle)
         return scratch.plot([0], [0], **_mark_style(marker, styles[len(styles) // 2]))[0]
     raise CannotReplayError(f"a legend with {type(handle).__name__}")
-
-
-_PUTS: dict[type, Callable[[Any, Any, Axes], None]] = {
-    lines.Line2D: _line,
-    patches.Patch: patch,
-    contour.ContourSet: _contours,
-    collections.LineCollection: _segments,
-    collections.PathCollection: _scatter,
-    collections.PolyCollection: polygons,
-    image.AxesImage: image_pixels,
-    text.Text: _words,
-}

@@ -88,13 +88,10 @@ class Axis:
         if self.places is None:
             return automatic(self.scale, low, high, length, across)
         places = self.places[(self.places >= low) & (self.places <= high)]
-        names = self.scale.labels(places) if self.names is None else self._names_of(places)
+        if self.names is None:
+            return Ticks(places, self.scale.labels(places), np.empty(0))
+        names = [name for place, name in zip(self.places, self.names, strict=True) if place in places]
         return Ticks(places, names, np.empty(0))
-
-    def _names_of(self, places: Array) -> list[str]:
-        assert self.places is not None
-        assert self.names is not None
-        return [name for place, name in zip(self.places, self.names, strict=True) if place in places]
 
 
 @lru_cache(maxsize=256)

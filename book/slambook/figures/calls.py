@@ -83,11 +83,11 @@ class Calls:
 
     def axhline(self, y: float = 0.0, xmin: float = 0.0, xmax: float = 1.0, **style: Any) -> Across:
         """A line across the axes at y, from and to shares of their width."""
-        return self._across("axhline", 1, [y], style, (xmin, xmax))
+        return self._across("axhline", 1, y, style, (xmin, xmax))
 
     def axvline(self, x: float = 0.0, ymin: float = 0.0, ymax: float = 1.0, **style: Any) -> Across:
         """An upright line across the axes at x, from and to shares of their height."""
-        return self._across("axvline", 0, [x], style, (ymin, ymax))
+        return self._across("axvline", 0, x, style, (ymin, ymax))
 
     def axhspan(self, ymin: float, ymax: float, **style: Any) -> Across:
         """A band across the axes from ymin to ymax."""
@@ -101,7 +101,7 @@ class Calls:
         self, function: str, axis: int, ends: Any, style: dict[str, Any], reach: tuple[float, float] = (0.0, 1.0)
     ) -> Across:
         """A line at one number, a band between two."""
-        band = len(ends) == 2
+        band = function.endswith("span")
         chosen = named(function, style, (*COMMON, *(FILL if band else STROKE)))
         look = (fill_of if band else stroke_of)(chosen, CYCLE[0])
         if look is None:

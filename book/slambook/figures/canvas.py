@@ -66,7 +66,13 @@ class Canvas:
         words = str(words)
         if not words.strip():
             return
-        x, y, fitted = self._inside(x, y, words, look)
+        left, top, right, bottom = look.box(0, 0, words)
+        shrink = min(1.0, self.width / max(right - left, 1e-9), self.height / max(bottom - top, 1e-9))
+        fitted = look
+        if shrink < 1:
+            fitted = replace(look, size=max(floor(100 * shrink * look.size) / 100, 0.01))
+            left, top, right, bottom = fitted.box(0, 0, words)
+        x, y = min(max(x, -left), self.width - right), min(max(y, -top), self.height - bottom)
         style = "" if bare and fitted == look else fitted.css()
         lines = words.split("\n")
         for i, line in enumerate(lines):
@@ -74,15 +80,6 @@ class Canvas:
             turn = f' transform="rotate({number(-look.turned)} {across} {down})"' if look.turned else ""
             place = f'x="{across}" y="{down}"{turn}'
             self._parts.append(f"<text {place}{_styled(style)}>{_tspans(line, fitted.size)}</text>")
-
-    def _inside(self, x: float, y: float, words: str, look: Lettering) -> tuple[float, float, Lettering]:
-        """The place and the size that keep the words' estimated box on the sheet."""
-        left, top, right, bottom = look.box(0, 0, words)
-        shrink = min(1.0, self.width / max(right - left, 1e-9), self.height / max(bottom - top, 1e-9))
-        if shrink < 1:
-            look = replace(look, size=max(floor(100 * shrink * look.size) / 100, 0.01))
-            left, top, right, bottom = look.box(0, 0, words)
-        return min(max(x, -left), self.width - right), min(max(y, -top), self.height - bottom), look
 
     def finished(self, alt: str) -> str:
         """The whole SVG element; alt describes it for those who cannot see it."""

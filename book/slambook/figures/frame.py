@@ -75,33 +75,22 @@ def draw_frame(axes: Axes, canvas: Canvas, view: DataView) -> None:
         corners = [(left, top), (left, bottom), (right, bottom)]
         data = "M" + "L".join(joined(hundredths(np.array(corner)).tolist()) for corner in corners)
         canvas.path(data, f"stroke:{paint(colors.faint)};stroke-width:.8;stroke-linecap:square")
-        _draw_ticks(axes, canvas, view)
-        _draw_labels(axes, canvas, view)
+        across, up = ticks(axes, view)
+        data = _strokes(view, 0, across.places, bottom, f"v{number(MARK)}")
+        data += _strokes(view, 1, up.places, left, f"h{number(-MARK)}")
+        data += _strokes(view, 0, across.minor, bottom, f"v{number(SMALL_MARK)}")
+        data += _strokes(view, 1, up.minor, left, f"h{number(-SMALL_MARK)}")
+        canvas.path(data, f"stroke:{paint(colors.text)};stroke-width:.8")
+        below, beside = Lettering(TICK, ha="center", va="top"), Lettering(TICK, ha="right", va="center")
+        with canvas.group(below.css()):
+            for place, name in zip(settled(view.along(0, across.places)), across.labels, strict=True):
+                canvas.text(place, bottom + MARK + GAP, name, below, bare=True)
+        with canvas.group(beside.css()):
+            for place, name in zip(settled(view.along(1, up.places)), up.labels, strict=True):
+                canvas.text(left - MARK - GAP, place, name, beside, bare=True)
+        under = bottom + (MARK + GAP + HIGH * TICK * bool(any(across.labels)) + BETWEEN)
+        canvas.text((left + right) / 2, under, axes.x.label, Lettering(LABEL, ha="center", va="top"))
+        wide = max((width_of(name, TICK) for name in up.labels), default=0.0)
+        look = Lettering(LABEL, ha="center", va="bottom", turned=90)
+        canvas.text(left - MARK - GAP - wide - BETWEEN, (top + bottom) / 2, axes.y.label, look)
     canvas.text((left + right) / 2, top - ABOVE, axes.title, Lettering(TITLE, ha="center", va="bottom"))
-
-
-def _draw_ticks(axes: Axes, canvas: Canvas, view: DataView) -> None:
-    left, _, _, bottom = view.box
-    across, up = ticks(axes, view)
-    data = _strokes(view, 0, across.places, bottom, f"v{number(MARK)}")
-    data += _strokes(view, 1, up.places, left, f"h{number(-MARK)}")
-    data += _strokes(view, 0, across.minor, bottom, f"v{number(SMALL_MARK)}")
-    data += _strokes(view, 1, up.minor, left, f"h{number(-SMALL_MARK)}")
-    canvas.path(data, f"stroke:{paint(colors.text)};stroke-width:.8")
-    below, beside = Lettering(TICK, ha="center", va="top"), Lettering(TICK, ha="right", va="center")
-    with canvas.group(below.css()):
-        for place, name in zip(settled(view.along(0, across.places)), across.labels, strict=True):
-            canvas.text(place, bottom + MARK + GAP, name, below, bare=True)
-    with canvas.group(beside.css()):
-        for place, name in zip(settled(view.along(1, up.places)), up.labels, strict=True):
-            canvas.text(left - MARK - GAP, place, name, beside, bare=True)
-
-
-def _draw_labels(axes: Axes, canvas: Canvas, view: DataView) -> None:
-    left, top, right, bottom = view.box
-    across, up = ticks(axes, view)
-    below = MARK + GAP + HIGH * TICK * bool(any(across.labels)) + BETWEEN
-    canvas.text((left + right) / 2, bottom + below, axes.x.label, Lettering(LABEL, ha="center", va="top"))
-    wide = max((width_of(name, TICK) for name in up.labels), default=0.0)
-    beside = left - MARK - GAP - wide - BETWEEN
-    canvas.text(beside, (top + bottom) / 2, axes.y.label, Lettering(LABEL, ha="center", va="bottom", turned=90))

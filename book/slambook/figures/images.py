@@ -30,17 +30,14 @@ def png(pixels: Any) -> bytes:
     rows, columns, *channels = pixels.shape
     kind = {(): 0, (3,): 2, (4,): 6}[tuple(channels)]
     lines = pixels.reshape(rows, -1)
-    up = np.diff(
-        lines, axis=0, prepend=np.zeros((1, lines.shape[1]), np.uint8)
-    )  # each row as its change: it packs well
+    # each row as its change: it packs well
+    up = np.diff(lines, axis=0, prepend=np.zeros((1, lines.shape[1]), np.uint8))
     filtered = np.concatenate([np.full((rows, 1), 2, np.uint8), up], axis=1).tobytes()
     header = struct.pack(">IIBBBBB", columns, rows, 8, kind, 0, 0, 0)
     chunks = ((b"IHDR", header), (b"IDAT", zlib.compress(filtered, 9)), (b"IEND", b""))
-    return b"\x89PNG\r\n\x1a\n" + b"".join(_chunk(name, data) for name, data in chunks)
-
-
-def _chunk(name: bytes, data: bytes) -> bytes:
-    return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data)) for name, data in chunks
+    )
 
 
 def png_uri(pixels: Any) -> str:
