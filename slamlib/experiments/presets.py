@@ -103,8 +103,7 @@ CAMERA = SensorSetup(position=(0.0, 0.0, 0.6))
 def default() -> Preset:
     """userData: two rounds in a cloister of 72 points, with a lens that distorts."""
     lens = {"intrinsics": (320.0, 240.0, 320.0, 320.0), "distortion": (-0.3, 0.1)}
-    # The polynomial folds back inside the image's corners: points are believed up to the radius where it is monotone.
-    camera = replace(CAMERA, parameters=lens, limits={"radius": 1.2})
+    camera = replace(CAMERA, parameters=lens)
     return Preset("default", Rig((ROBOT,), (camera,)), Options(max_new_first=5, inverse_distance=PRIOR), frames=800)
 
 

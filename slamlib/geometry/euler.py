@@ -3,7 +3,7 @@
 import numpy as np
 
 from slamlib.analytic import arctan2, cos, sin
-from slamlib.geometry.quaternion import UnitQuaternion, product
+from slamlib.geometry.quaternion import UnitQuaternion, product, rotation
 from slamlib.model import model
 
 
@@ -56,3 +56,18 @@ def from_rotation_jac(matrix):
     total = partial.matrix + partial.yaw[..., None, None] * by_matrix.matrix[..., None, :, :]
     angles = np.concatenate([rest, np.asarray(yaw)[..., None]], axis=-1)
     return angles, np.concatenate([total, by_matrix.matrix[..., None, :, :]], axis=-3)
+
+
+def from_quaternion(q):
+    """Angles (..., 3) of unit quaternions (..., 4), as `from_rotation` has them."""
+    return from_rotation(rotation(q))
+
+
+def from_quaternion_jac(q):
+    """Angles and their Jacobian (..., 3, 3) by the rotation vector, in the frame's axes, of an attitude's error.
+
+    Raises SingularPointError where pitch is 90 degrees. Chapter 6, eq. (fq-euler-jac).
+    """
+    matrix, by_q = rotation.jac(q)
+    angles, by_matrix = from_rotation_jac(matrix)
+    return angles, np.einsum("...aij,...ijk->...ak", by_matrix, by_q.q)

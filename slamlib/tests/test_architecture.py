@@ -88,7 +88,7 @@ run = list(simulate(rig, world, frames=60, dt=0.1, rng=rng))
 nis = []
 for frame, truth in run:
     slam.step(frame)
-    nis += [look.nis for look in slam.looks[0] if look.inlier and look.family.name == "planes"]
+    nis += [p.nis for p in slam.predictions[0] if p.inlier and p.family.name == "planes"]
 shown = slam.snapshot()
 assert len(shown.points.ids) == len(shown.planes.ids) == 4
 error = shown.planes.geometry - feet[shown.planes.ids]

@@ -392,7 +392,7 @@ def test_a_call_that_fails_says_why_and_changes_nothing(rng, wrong):
     assert state(belief) == before
 
 
-@pytest.mark.parametrize(("space", "error"), [(Broken(), ZeroDivisionError), (Lost(), NonFiniteError)])
+@pytest.mark.parametrize(("manifold", "error"), [(Broken(), ZeroDivisionError), (Lost(), NonFiniteError)])
 def test_a_space_that_fails_changes_nothing(rng, manifold, error):
     belief = Belief()
     blocks = grown(belief, rng, 2)

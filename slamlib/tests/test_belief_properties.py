@@ -117,9 +117,7 @@ def test_any_sequence_is_the_textbooks_and_stays_a_covariance(data, seed):
     driver.add()
     driver.check()
     for _ in range(data.draw(st.integers(1, 12))):
-        names = (
-            ["add", "add", "predict", "correct", "correct", "replace", "remove"] if driver.belief.blocks else ["add"]
-        )
+        names = ["add", "add", "predict", "update", "update", "replace", "remove"] if driver.belief.blocks else ["add"]
         getattr(driver, data.draw(st.sampled_from(names)))()
         driver.check()
 
@@ -153,7 +151,7 @@ def any_call(draw, belief, blocks):
         "add": lambda: belief.add(manifold, draw(array((size,))), draw(square(n)), given=given, jacobians=jacobians),
         "replace": lambda: belief.replace(a, manifold, draw(array((size,))), draw(array((n, a.dof)))),
         "predict": lambda: belief.predict(b, draw(array((b.dof,))), draw(array((b.dof,) * 2)), draw(square(b.dof))),
-        "correct": lambda: belief.update(given, observation, draw(array((m,))), draw(square(m)), method=method),
+        "update": lambda: belief.update(given, observation, draw(array((m,))), draw(square(m)), method=method),
         "gate": lambda: belief.innovation_covariance(given, observation, draw(square(m))),
     }
     return calls[draw(st.sampled_from(sorted(calls)))]

@@ -71,8 +71,8 @@ def test_defaults_change_nothing_and_are_not_written():
     assert {"window", "pruning"}.isdisjoint(Options().to_dict())
     told = Options(window=7, pruning="least-recently-seen", capacity=3)
     assert Options.from_dict(json.loads(json.dumps(told.to_dict()))) == told
-    with pytest.raises(UnknownNameError, match="did you mean 'unseen'"):
-        Options(pruning="unsen")
+    with pytest.raises(UnknownNameError, match="did you mean 'least-recently-seen'"):
+        Options(pruning="least-recently-sen")
 
 
 def test_a_saved_filter_remembers_when_it_saw_what(tmp_path):

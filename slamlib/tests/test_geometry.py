@@ -155,6 +155,19 @@ def test_the_jacobian_of_the_angles_is_the_inverse_of_that_of_the_matrix(rng):
     assert np.einsum("aij,ijb->ab", backward, forward.angles) == pytest.approx(np.eye(3), abs=1e-13)
 
 
+def test_the_angles_of_a_quaternion_and_their_jacobian(rng):
+    q = np.array([UnitQuaternion.random(rng) for _ in range(20)])
+    angles, J = euler.from_quaternion_jac(q)
+    assert np.array_equal(angles, euler.from_quaternion(q))
+    assert euler.to_rotation(angles) == pytest.approx(quaternion.rotation(q), abs=1e-13)
+    for k, step in enumerate(np.eye(3) * 1e-6):
+        ahead, behind = (euler.from_quaternion(UnitQuaternion.plus(q, s)) for s in (step, -step))
+        slope = np.sin(ahead - behind) / 2e-6  # an angle may go from 180 to -180 degrees on the way
+        assert np.abs(slope - J[..., k]).max() < 1e-7 * np.abs(J).max()
+    with pytest.raises(SingularPointError):
+        euler.from_quaternion_jac(np.array([0.5, 0.5, 0.5, -0.5]))  # its x axis points straight down
+
+
 # -- frames ------------------------------------------------------------------------------------------------------------
 
 

@@ -127,7 +127,7 @@ def test_dark_frames_are_predictions(film):
 def test_landmarks_that_are_hidden_rest_longer_and_longer():
     rest, waits = Backoff(), []
     for _ in range(7):
-        rest = rest.longer(16)
+        rest = rest.increased(16)
         waits.append(0)
         while not rest.is_over():
             waits[-1] += 1

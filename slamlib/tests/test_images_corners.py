@@ -90,9 +90,25 @@ def test_a_corner_moves_with_its_image():
 
 
 def test_the_toolbox_finds_the_same_corners():
+    """Its pixels, called MATLAB's, are counted from zero: the mirror below says which of the two is in the middle."""
     for given_, found in cases("appearance", "harris_strongest"):
         values = strength(given_["im"])
         assert tuple(found["point"].astype(int)) == np.unravel_index(values.argmax(), values.shape)[::-1]
+
+
+def test_no_side_is_preferred():
+    image = np.random.default_rng(1).uniform(0, 255, (40, 50))
+    for turned in (lambda a: a[:, ::-1], lambda a: a[::-1], np.transpose):
+        assert np.allclose(strength(turned(image)), turned(strength(image)), rtol=1e-12)
+    for right in (True, False):
+        for down in (
+            True,
+            False,
+        ):  # the corner of a bright quarter, found inside it
+            inside = (np.arange(60) > 29.5) == right, (np.arange(60) > 29.5) == down
+            corner = best_corner(np.where(np.outer(inside[1], inside[0]), 200, 0).astype(np.uint8), EVERYWHERE)
+            assert np.allclose(np.abs(corner.pixel - 29.5), np.abs(corner.pixel - 29.5).mean())
+            assert tuple(corner.pixel > 29.5) == (right, down)
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -170,7 +170,7 @@ def test_a_survey_of_pairs():
 def sequence(times, told=True):
     pictures = [TimedImage(f"{i}.png", t, np.full((4, 6), i, np.uint8)) for i, t in enumerate(times)]
     source = of_pictures(pictures, 0.1)
-    object.__setattr__(source.sequence, "told", told)
+    object.__setattr__(source.sequence, "has_times", told)
     return source
 
 

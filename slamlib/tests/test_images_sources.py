@@ -274,7 +274,7 @@ def opened(listing, fps):
 
 def read(path, text):
     f, baseline = map(float, text.split()[1:])
-    return {i: partial(Lens, (16, 12, f, f), place=shifted(i * baseline)) for i in (0, 1)}
+    return {i: partial(Lens, (16, 12, f, f), transform=shifted(i * baseline)) for i in (0, 1)}
 
 DATASET = Dataset("another", cameras, opened, calibrations=("camera.txt",))
 READER = CalibrationReader("another", lambda text: text.startswith("another "), read)

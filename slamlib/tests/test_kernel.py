@@ -137,7 +137,7 @@ def test_a_model_for_fewer_coefficients_is_the_model_with_zeros(count):
         assert np.array_equal(a, b[..., : a.shape[-1]])
 
 
-@model(pose=Pose, series=3, returns=Pose)
+@model(pose=Pose, sequence=3, returns=Pose)
 def pushed(pose, sequence):
     """A pose moved ahead by a polynomial of its height."""
     length = sequence[0] + pose[2] * sum(sequence[1:] * pose[2])

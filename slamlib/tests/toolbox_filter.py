@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from slamlib.geometry import plucker
 from slamlib.geometry.pose import compose
+from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import idp_point
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import to_euclidean
@@ -24,7 +26,7 @@ SWITCHES = {
     "at once": "a point is converted right after its own correction, not after all corrections of the sensor",
     "index": "by the linearity index of the toolbox, not by that of chapter 11",
     "reset": "a negative inverse distance becomes 0.001, and its covariance stays (no point is deleted for it)",
-    "seven": "the pose is a vector of seven numbers, its quaternion normalised with the Jacobian I / |q|",
+    "seven": "the pose is a vector of seven numbers, normalised with I / |q|, its Jacobians along |q| the toolbox's",
 }
 
 
@@ -53,6 +55,27 @@ def jac(sensor, model, *arguments):
     return (model.storage_jac if isinstance(sensor, SevenSensor) else model.jac)(*arguments)
 
 
+def in_camera(sensor, kind, means):
+    """Homogeneous points in the camera (n, 4), their Jacobians by the robot's pose and by the landmarks.
+
+    With seven numbers of a pose they are the toolbox's, which differ from ours along |q| alone, where no unit
+    quaternion has an error, but a covariance of four numbers has: it goes by the robot's frame and then the camera's,
+    instead of composing them, and turns the bearing of an idpPnt into two angles, which do not grow with |q|^2.
+    """
+    if not isinstance(sensor, SevenSensor):
+        camera, by_robot = camera_of(sensor)
+        h, F = kind.to_frame.jac(camera, means)
+        return h, F.pose @ by_robot, F.landmark
+    q, (to_camera, by_point) = sensor.robot.pose[3:], EUC_POINT.to_frame.jac(sensor.extrinsics, np.zeros(3))
+    h, F = kind.to_frame.storage_jac(sensor.robot.pose, means)
+    by_pose = F.pose.copy()
+    if kind is idp_point.IDP_POINT:
+        bearing = idp_point.direction(means[..., 3:5]) @ rotation(q)
+        by_pose[..., :3, 3:] -= 2 * bearing[..., None] * q
+    H = np.column_stack([by_point.landmark, to_camera])
+    return h @ H.T, H @ by_pose, H @ F.landmark
+
+
 @dataclass(frozen=True)
 class Points(PointFamily):
     """Points, with switches."""
@@ -60,11 +83,10 @@ class Points(PointFamily):
     switches: frozenset = frozenset()
 
     def _observe(self, sensor, kind, means):
-        camera, by_robot = camera_of(sensor)
-        h, F = jac(sensor, kind.to_frame, camera, means)
+        h, by_robot, by_landmark = in_camera(sensor, kind, means)
         seen = sensor.calibration.visible(h)
         value, S = sensor.calibration.project_jac(np.where(seen[..., None], h, np.array([0.25, 0.5, 1, 1])))
-        by = np.concatenate([S.point @ F.pose @ by_robot, S.point @ F.landmark], axis=-1)
+        by = np.concatenate([S.point @ by_robot, S.point @ by_landmark], axis=-1)
         return value, seen & sensor.calibration.inside(value), by
 
     def predict_batch(self, view, landmarks, options):
@@ -136,9 +158,10 @@ class Lines(LineFamily):
         )
 
     def _line(self, sensor, landmark):
-        camera, by_robot = camera_of(sensor)
-        line, J = jac(sensor, landmark.kind.to_frame, camera, landmark.block.mean)
-        return line, np.concatenate([J.pose @ by_robot, J.landmark], axis=-1)
+        """By the robot's frame and then the camera's, as the toolbox does; here bearings do grow with |q|^2."""
+        line, F = jac(sensor, landmark.kind.to_frame, sensor.robot.pose, landmark.block.mean)
+        line, J = plucker.to_frame.jac(sensor.extrinsics, line)
+        return line, J.line @ np.concatenate([F.pose, F.landmark], axis=-1)
 
     def innovation(self, view, landmark, measured, options):
         return line_innovation(view.sensor, *self._line(view.sensor, landmark), measured, options)
