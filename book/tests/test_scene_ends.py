@@ -119,7 +119,7 @@ def test_ends_are_a_picture_s_matter_and_cost_a_step_nothing(monkeypatch):
     def forbidden(*arguments):
         raise AssertionError("in the step of the filter")
 
-    monkeypatch.setattr(snapshot, "ends_in_image", forbidden)
+    monkeypatch.setattr(snapshot, "endpoints_in_image", forbidden)
     slam.step(next(iter(frames))[0])
     with pytest.raises(AssertionError, match="in the step"):
         slam.snapshot()
@@ -136,7 +136,7 @@ def test_what_a_look_may_lack_is_nan_or_none():
     assert np.isnan(
         np.concatenate([predictions.endpoints.ravel(), predictions.endpoint_covariances.ravel(), predictions.scores])
     ).all()
-    assert predictions.predicted_patch == predictions.found == (None,) * count
+    assert predictions.predicted_patch == predictions.found_patch == (None,) * count
     assert isinstance(replace(predictions, scores=np.ones(count)), MeasurementView)
 
 

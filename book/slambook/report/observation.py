@@ -30,16 +30,6 @@ def by_pose(pose: Array, points: Array) -> Array:
     return np.concatenate([left, np.einsum("...kia,...mi->...mka", turned, d)], -1)
 
 
-def squares(sigmas: Array) -> Array:
-    """(5.26) corrected: variances (3, 3)."""
-    return np.diag(sigmas**2)
-
-
-def the_letters(sigmas: Array) -> Array:
-    """(5.26), as printed: the deviations in place of variances, that of y twice (E12)."""
-    return np.diag(sigmas[[0, 1, 1]])
-
-
 def scalar_variance(hx: Array, hm: Array, Pxx: Array, Pmx: Array, Pmm: Array) -> Array:
     """(5.27) corrected, without R: h P h' of one component, from the blocks that it touches."""
     return _form(hx, Pxx, hx) + 2 * _form(hm, Pmx, hx) + _form(hm, Pmm, hm)
@@ -65,11 +55,6 @@ def diagonal_only(R: Array, *rows: Array) -> tuple[Array, ...]:
     return (np.diagonal(R, axis1=-2, axis2=-1), *rows)
 
 
-def running(difference: Array, h: Array, moved: Array) -> Array:
-    """(5.31) corrected: what is left of z - h(x) after the corrections so far, which moved the state."""
-    return difference - (h * moved).sum(-1)
-
-
 def batch(x: Array, P: Array, difference: Array, H: Array, R: Array) -> tuple[Array, Array]:
     """(3.11) to (3.14): one correction by all m numbers. difference (..., m), H (..., m, n), R (..., m, m)."""
     HP = H @ P
@@ -89,32 +74,7 @@ def placed_by_pose(pose: Array, seen: Array) -> Array:
     return np.concatenate([left, by_angles(orientation, seen)], -1)
 
 
-def row_of_pose(J: Array, P: Array) -> Array:
-    """New row of (5.34), corrected: J times the pose's row, for every block."""
-    return J @ P[..., :6, :]
-
-
-def row_as_printed(J: Array, P: Array) -> Array:
-    """Third entry of the last row of (5.34), as printed: J, 3 by 6, times a landmark's block; NumPy refuses (E18)."""
-    return J @ P[..., 6:9, 9:12]
-
-
-def no_row(J: Array, P: Array) -> Array:
-    """What is left if one leaves out the row of (5.34): nothing is said between new and old (E18)."""
-    return np.zeros((*J.shape[:-1], P.shape[-1]))
-
-
 def each_alone(corner: Array) -> Array:
     """First term of (5.35) for each new landmark, and nothing between them (E18)."""
     blocks = np.kron(np.eye(corner.shape[-1] // 3), np.ones((3, 3)))
     return corner * blocks
-
-
-def pose_only(x: Array, P: Array, names: list[int]) -> tuple[Array, Array, list[int]]:
-    """The map is forgotten, the pose keeps its covariance: what is right if only two pictures are kept."""
-    return x[..., :6].copy(), P[..., :6, :6].copy(), []
-
-
-def reset(x: Array, P: Array, names: list[int]) -> tuple[Array, Array, list[int]]:
-    """Section 5.4: "everything is reset except for the agent localisation", the pose's covariance too (E22)."""
-    return x[..., :6].copy(), np.zeros_like(P[..., :6, :6]), []

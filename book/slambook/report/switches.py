@@ -9,6 +9,7 @@ import numpy as np
 
 from slambook.report import angles, motion, observation
 from slamlib.errors import UnknownNameError
+from slamlib.manifolds import Array
 
 Wrong = Mapping[str, Callable[..., Any]]  # functions by field of Equations
 
@@ -40,13 +41,14 @@ class Equations:
     pose_block: Callable[..., Any] = operator.add  # (5.23): F P F' and Q
     relative: Callable[..., Any] = observation.by_vectors  # (5.25)
     observation_at: Callable[..., Any] = second  # (3.15): H at the predicted state; the other is the one before
-    noise: Callable[..., Any] = observation.squares  # (5.26)
+    noise: Callable[..., Any] = lambda sigmas: np.diag(sigmas**2)  # (5.26): variances
     variance: Callable[..., Any] = observation.scalar_variance  # (5.27)
     columns: Callable[..., Any] = second  # (5.28), (5.29): those of its landmark; the other is the observation's number
     white: Callable[..., Any] = observation.whitened  # (5.27)
-    innovation: Callable[..., Any] = observation.running  # (5.31)
+    # (5.31): what is left of z - h(x) after the corrections so far, which moved the state
+    innovation: Callable[..., Any] = lambda difference, h, moved: difference - (h * moved).sum(-1)
     prior: Callable[..., Any] = first  # (5.30), (5.32): P after the corrections so far; the other is the predicted one
-    new_row: Callable[..., Any] = observation.row_of_pose  # (5.34)
+    new_row: Callable[..., Any] = lambda J, P: J @ P[..., :6, :]  # (5.34): J times the pose's row, for every block
     new_corner: Callable[..., Any] = first  # (5.35): landmarks that begin in one picture share the pose's error
     start: Callable[..., Any] = first  # section 5.1.2: (5.35) for the landmarks of the first picture as well
     memory: Callable[..., Any] = lambda *memory: memory  # section 5.4: nothing is forgotten of x, P and names
@@ -67,12 +69,21 @@ class Switch:
         return {name: getattr(Equations(), name) for name in self.wrong}
 
 
+def _pose_alone(x: Array, P: Array, names: Any = None) -> tuple[Array, Array, list[int]]:
+    """The map is forgotten; with P the pose keeps its covariance, which is right if only two pictures are kept."""
+    return x[..., :6].copy(), P[..., :6, :6].copy(), []
+
+
 _ADDED: Wrong = {
     "turn": angles.added,
     "rows": motion.identity,
     "noise_rows": motion.identity,
 }  # sums have these derivatives
-_MUTE: Wrong = {"new_row": observation.no_row, "new_corner": observation.each_alone}
+_MUTE: Wrong = {
+    "new_row": lambda J, P: np.zeros((*J.shape[:-1], P.shape[-1])),
+    "new_corner": observation.each_alone,
+}
+_RESET: Wrong = {"memory": lambda x, P, _: _pose_alone(x, np.zeros_like(P))}
 _LITERAL: Wrong = {"innovation": first, "prior": second}
 
 SWITCHES: dict[str, Switch] = {
@@ -88,19 +99,19 @@ SWITCHES: dict[str, Switch] = {
     "E09": Switch("(5.22)", "Q added to the whole state", {"noise_place": lambda Q, size: np.zeros((size, size)) + Q}),
     "E10": Switch("(5.23)", "Q missing", {"pose_block": first}),
     "E11": Switch("(5.24), (5.25)", "landmark as a 4x4 matrix", {"relative": observation.by_matrices}),
-    "E12": Switch("(5.26)", "deviations for variances", {"noise": observation.the_letters}),
+    "E12": Switch("(5.26)", "deviations for variances", {"noise": lambda sigmas: np.diag(sigmas[[0, 1, 1]])}),
     "E13": Switch("(5.27)", "last factor by the landmark", {"variance": observation.last_factor_by_point}),
     "E15": Switch("(5.28)", "blocks drawn on the diagonal", {"columns": first}),
     "E16": Switch("(5.31)", "innovation of the prediction at every step", {"innovation": first}),
     "E16 literal": Switch("(5.31), (5.32)", "everything of the prediction at every step", _LITERAL),
     "E17": Switch("(5.27)", "diagonal of R only", {"white": observation.diagonal_only}),
-    "E18": Switch("(5.34)", "product that does not conform", {"new_row": observation.row_as_printed}),
+    "E18": Switch("(5.34)", "product that does not conform", {"new_row": lambda J, P: J @ P[..., 6:9, 9:12]}),
     "E18 dropped": Switch("(5.34)", "nothing between new and old", _MUTE),
     "E19": Switch("5.1.2", "first landmarks with covariance zero", {"start": np.zeros_like}),
     "E20": Switch("5.2.2", "PnP's answer as the control", {"control": first}),
     "E21": Switch("5.2.3", "the same matches for control and correction", {"odometry": first}),
-    "E22": Switch("5.4", "everything reset but the pose's mean", {"memory": observation.reset}),
-    "E22 kept": Switch("5.4", "the map reset, the pose's covariance kept", {"memory": observation.pose_only}),
+    "E22": Switch("5.4", "everything reset but the pose's mean", _RESET),
+    "E22 kept": Switch("5.4", "the map reset, the pose's covariance kept", {"memory": _pose_alone}),
 }
 
 
