@@ -9,18 +9,13 @@ from slambook.stereo_films import stereo_film
 
 from benchmarks.stereo_filter import advance, moved_by
 from slamlib.data.records import Frame, Truth
-from slamlib.data.setup import Rig, SensorSetup
+from slamlib.data.setup import Rig
 from slamlib.evaluation.consistency import band, nees, share_inside
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.slam import Options
-from slamlib.vision.stereo import (
-    MOTION_SOURCES,
-    StereoFeatureExtractor,
-    StereoSettings,
-    VisualOdometry,
-)
+from slamlib.vision.stereo import MOTION_SOURCES, StereoFeatureExtractor, StereoSettings, VisualOdometry
 from slamlib.vision.stereo.motion_source import SplitFeatures, StereoMotionSource
 
 STD = (0.06, 0.055, 0.05)  # px, of u, v and d, as measured in these rooms
@@ -42,12 +37,6 @@ class Way:
 
     motion_source: Any
     update_interval: int = 1
-
-    def make(self, sensor: SensorSetup) -> StereoMotionSource:
-        """The motion and the front end of a sensor."""
-        settings = StereoSettings(update_interval=self.update_interval, max_in_view=30)
-        made: StereoMotionSource = self.motion_source(sensor.calibration, sensor.extrinsics, settings)
-        return made
 
 
 WAYS = {
@@ -100,7 +89,9 @@ class Run:
 def run(film: Film, name: str, options: Options = OPTIONS) -> Run:
     """One run through a film; the filter begins where the first pair was taken."""
     (rig, pairs), rows, nis, old = film, [], list[float](), []
-    motion_source = WAYS[name].make(rig.sensors[0])
+    way, sensor = WAYS[name], rig.sensors[0]
+    settings = StereoSettings(update_interval=way.update_interval, max_in_view=30)
+    motion_source: StereoMotionSource = way.motion_source(sensor.calibration, sensor.extrinsics, settings)
     slam = moved_by(motion_source, rig, options, pairs[0][1].robots[0][:7])
     for i, (frame, truth) in enumerate(pairs):
         advance(slam, motion_source, frame, frame.dt if i else 0.0)

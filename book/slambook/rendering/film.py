@@ -1,6 +1,7 @@
 """A film: the frames, each with its images, of a rig that is carried through a room, and the truth beside them."""
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 
@@ -9,13 +10,13 @@ from slambook.rendering.paths import CameraPath
 from slambook.rendering.quads import Room
 from slambook.rendering.renderer import Renderer
 from slamlib.data.records import Control, Frame, Scan, Truth
-from slamlib.data.setup import Rig, RobotSetup
+from slamlib.data.setup import Numbers, Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.geometry.pose import Pose, compose, relative
 from slamlib.geometry.quaternion import logarithm
 from slamlib.kalman.linalg import read_only_copy
 from slamlib.manifolds import Array
-from slamlib.simulation.draws import Streams, drawn, root, streams
+from slamlib.simulation.draws import drawn, root, streams
 
 ASTRAY = 6.0  # standard deviations: the start of a path is at most so far from where its rig believes to start
 
@@ -66,7 +67,10 @@ class Film:
     def __iter__(self) -> Iterator[tuple[Frame, Truth]]:
         own = streams(np.random.default_rng(self._random), 1 + len(self.rig.sensors))
         setup = self.rig.robots[0]
-        all_extrinsics = self._mounts(own[1:])
+        sensors = zip(self.rig.sensors, own[1:], strict=True)
+        all_extrinsics = tuple(  # in truth: drawn, where the filter does not know
+            read_only_copy(drawn(Pose, s.extrinsics, s.covariance, stream["extrinsics"])) for s, stream in sensors
+        )
         chips = [
             Chip(self.effects, r.tiles.size, s["points"], s["faults"])
             for r, s in zip(self.renderers, own[1:], strict=True)
@@ -91,15 +95,49 @@ class Film:
         cameras = (compose(self.path.pose(moment), extrinsics) for moment in moments)
         return np.mean([self.renderers[sensor].render(camera).image for camera in cameras], axis=0)
 
-    def _mounts(self, own: list[Streams]) -> tuple[Array, ...]:
-        """Where the sensors sit in truth: drawn, where the filter does not know."""
-        sensors = zip(self.rig.sensors, own, strict=True)
-        return tuple(
-            read_only_copy(drawn(Pose, s.extrinsics, s.covariance, stream["extrinsics"])) for s, stream in sensors
-        )
-
 
 film = Film
+
+# -- rigs that start where a path begins: one camera or two in somebody's hand -----------------------------------------
+
+IMAGE: Numbers = (320.0, 240.0)
+LENS: dict[str, Numbers] = {"intrinsics": (159.5, 119.5, 260.0, 260.0), "distortion": (-0.1, 0.01)}
+# In a step of 1/30 s: a hand's accelerations are some 0.5 m/s^2 and 0.3 rad/s^2.
+IMPULSES: Numbers = (0.015, 0.015, 0.015, 0.6, 0.6, 0.6)
+
+
+def rig_along_path(
+    path: CameraPath,
+    *,
+    baseline: float | None = None,
+    motion: str = "constVel",
+    control_std: Numbers = IMPULSES,
+    velocity_std: Numbers = (0.05, 0.05, 0.05, 2.0, 2.0, 2.0),
+    image: Numbers = IMAGE,
+    parameters: dict[str, Numbers] | None = None,
+    std: Numbers = (0.15,),
+) -> Rig:
+    """A robot that starts as the path does, with a pin-hole camera at its origin, which looks along its x axis.
+
+    baseline [m]: with a second camera, `right`, so far to the right of the first, `left`. control_std and velocity_std
+    as in RobotSetup; std [px], image (width, height) and parameters as in SensorSetup. The default std is that of
+    correlation with sub-pixel steps in the rooms' pictures.
+    """
+    state = path.state(0)
+    robot = RobotSetup(
+        name="hand",
+        motion=motion,
+        position=tuple(state[:3].tolist()),
+        euler=tuple(np.degrees(path.knots[0, 3:]).tolist()),
+        velocity=tuple(np.concatenate([state[7:10], np.degrees(state[10:])]).tolist()),
+        velocity_std=velocity_std,
+        control_std=control_std,
+    )
+    camera: dict[str, Any] = {"image": image, "parameters": dict(parameters or LENS), "std": std}
+    if baseline is None:
+        return Rig((robot,), (SensorSetup(**camera),))
+    left = SensorSetup("left", **camera)
+    return Rig((robot,), (left, SensorSetup("right", position=(0.0, -baseline, 0.0), **camera)))
 
 
 def _renderers(room: Room, rig: Rig, samples: int) -> list[Renderer]:
