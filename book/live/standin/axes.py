@@ -5,12 +5,11 @@ from typing import Any
 import numpy as np
 from slambook.figures.axes import Axes as Drawn
 from slambook.figures.colors import CYCLE, color_named
-from slambook.figures.data import numbers, row_of, rows_of
 from slambook.figures.marks import Area, Edges, Line
 from slambook.figures.notes import Words
 from slambook.figures.paths import pieces
 from slambook.figures.scales import SCALES
-from slambook.figures.style import COMMON, fill_of, marker_of, named, stroke_of
+from slambook.figures.style import COMMON, fill_of, marker_of, named, numbers, row_of, rows_of, stroke_of
 from slambook.figures.ticks import nice_ticks
 
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError

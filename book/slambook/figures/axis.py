@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from slambook.figures.data import row_of
 from slambook.figures.scales import SCALES, Scale, spread
+from slambook.figures.style import row_of
 from slambook.figures.words import width_of
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.manifolds import Array

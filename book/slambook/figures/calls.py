@@ -6,7 +6,6 @@ import numpy as np
 
 from slambook.figures.axis import Axis
 from slambook.figures.colors import CYCLE, color_named, colors
-from slambook.figures.data import numbers, row_of, rows_of
 from slambook.figures.images import Image, pixels_of
 from slambook.figures.marks import Across, Area, Edges, Line, Mark
 from slambook.figures.notes import ARROWS, PLACES, Arrow, Words
@@ -23,7 +22,10 @@ from slambook.figures.style import (
     lettering_of,
     marker_of,
     named,
+    numbers,
     positive,
+    row_of,
+    rows_of,
     stroke_of,
 )
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError

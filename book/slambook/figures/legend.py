@@ -106,17 +106,17 @@ class Legend:
         box = self._box(view, self._size(self._widest(view, sheet[0]))[2], self.loc)
         return beyond(view.box, box)
 
+    def covered(self, ink: Array, box: Box) -> int:
+        """How many points (2, N) of the marks lie under a box."""
+        low, high = np.reshape(box[:2], (2, 1)), np.reshape(box[2:], (2, 1))
+        return int(np.sum(np.all((ink > low) & (ink < high), axis=0)))
+
     def place(self, marks: list[Mark], view: DataView, size: tuple[float, float]) -> Box:
         """The legend's box on the sheet; "best" is the place that covers the fewest points."""
         if self.loc != "best":
             return self._box(view, size, self.loc)
         ink = np.concatenate([np.empty((2, 0)), *(mark.ink(view) for mark in marks)], axis=1)
-
-        def covered(box: Box) -> int:
-            low, high = np.reshape(box[:2], (2, 1)), np.reshape(box[2:], (2, 1))
-            return int(np.sum(np.all((ink > low) & (ink < high), axis=0)))
-
-        return min((self._box(view, size, loc) for loc in PLACES), key=covered)
+        return min((self._box(view, size, loc) for loc in PLACES), key=lambda box: self.covered(ink, box))
 
     def draw(self, marks: list[Mark], canvas: Canvas, view: DataView) -> None:
         """Put it on the sheet."""

@@ -47,6 +47,13 @@ def color_of(color: Any, alpha: float | None = None) -> tuple[str, float]:
     return ("none", 1.0) if a == 0 else (to_hex((r, g, b)), a)
 
 
+def fill_style(face: Any, edge: Any, width: float) -> dict[str, Any]:
+    """Of an area; an edge of the area's own colour is none."""
+    (inside, alpha), (outline, _) = color_of(face), color_of(edge)
+    edged = {"edgecolor": outline, "lw": width} if outline not in ("none", inside) and width > 0 else {}
+    return {"facecolor": inside, "alpha": alpha, **edged}
+
+
 def _dashes(style: tuple[float, Any], width: float) -> str:
     """The name of a collection's line style, which is (offset, lengths in points)."""
     lengths = () if style[1] is None else tuple(style[1])
