@@ -112,9 +112,21 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=5, help="of the filter: textures and noise (default 5)")
     parser.add_argument("--std", type=float, nargs=3, default=ERRORS, help="of u, v and d for the filter [px]")
     parser.add_argument("--path", choices=list(FRAMES), default="sideways", help="through the room (default sideways)")
-    parser.add_argument("--moving", choices=list(MOTION_SOURCES), default="correlated", help="what tells how it moves")
-    parser.add_argument("--turns", type=int, default=10, help="a landmark corrects in one of so many frames (10)")
-    parser.add_argument("--enough", type=int, default=30, help="landmarks in view (default 30)")
+    parser.add_argument(
+        "--moving",
+        dest="motion_source",
+        choices=list(MOTION_SOURCES),
+        default="correlated",
+        help="what tells how it moves",
+    )
+    parser.add_argument(
+        "--turns",
+        dest="update_interval",
+        type=int,
+        default=10,
+        help="a landmark corrects in one of so many frames (10)",
+    )
+    parser.add_argument("--enough", dest="max_in_view", type=int, default=30, help="landmarks in view (default 30)")
     parser.add_argument("--window", type=int, help="frames after which unseen landmarks are forgotten (default: never)")
     parser.add_argument("--sequence", action="store_true", help="correct one landmark after another")
     parser.add_argument("--only", choices=["street", "room", "filter", "speed"], help="one of the tables")
