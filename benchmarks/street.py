@@ -25,7 +25,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from slambook.recorded import KITTI
+from slambook.stereo_films import KITTI
 
 from slamlib.datasets.dataset import ImageSource
 from slamlib.datasets.sources import of_pictures

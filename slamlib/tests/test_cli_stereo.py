@@ -7,7 +7,7 @@ import shutil
 import numpy as np
 import pytest
 from slambook import rendering
-from slambook.recorded import KITTI
+from slambook.stereo_films import KITTI
 
 from slamlib.cli import main, runner
 from slamlib.datasets.dataset import table

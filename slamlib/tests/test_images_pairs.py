@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from slambook.rendering.stereo_film import stereo_film
+from slambook.stereo_films import stereo_film
 
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets.calibrations import read_pair

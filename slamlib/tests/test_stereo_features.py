@@ -5,7 +5,7 @@ import sys
 import numpy as np
 import pytest
 from slambook import rendering
-from slambook.rendering.stereo_film import stereo_film
+from slambook.stereo_films import stereo_film
 
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from slambook.rendering.stereo_film import stereo_film
+from slambook.stereo_films import stereo_film
 
 from slamlib.data.records import Control
 from slamlib.data.setup import Rig

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from slambook.rendering.stereo_film import stereo_film
+from slambook.stereo_films import stereo_film
 
 from slamlib.evaluation.consistency import chi2_quantile, nees
 from slamlib.geometry.pose import Pose, compose

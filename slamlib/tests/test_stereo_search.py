@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from slambook.rendering.stereo_film import stereo_film
+from slambook.stereo_films import stereo_film
 
 from slamlib.data.records import Frame, Scan
 from slamlib.errors import SlamlibError
