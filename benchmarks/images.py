@@ -86,7 +86,7 @@ class Scene:
         )
         first = np.array([0.0, 0, 0, 1, 0, 0, 0])
         self.pixels = rng.uniform((60, 60), (260, 180), (COUNT, 2))
-        rays = self.calibration.sensor.back_project(self.pixels, np.full((COUNT, 1), 0.2), **self.calibration.padded)
+        rays = self.calibration.sensor.back_project(self.pixels, np.full((COUNT, 1), 0.2), **self.calibration.given)
         self.points = rays
         self.now = compose(first, np.concatenate([[0.2, 0.1, 0.3], exponential(np.array([0.0, 0.02, 0.1]))]))
         taken = [Appearance.taken(self.image, p, first, SIZE) for p in self.pixels]

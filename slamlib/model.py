@@ -30,11 +30,15 @@ calling: ContextVar[Callable[..., list[Array]]] = ContextVar("calling", default=
 FORMULA_PARTS = ("geometry", "landmarks", "motions", "observation", "sensors")
 
 
+class AtMost(int):
+    """The size of a list of coefficients that may be shorter: those that are left out are zero, and no argument."""
+
+
 class Argument:
     """One argument of a model, or its result: name, stored shape, and the space if it is a vector."""
 
     def __init__(self, name: str, spec: "int | tuple[int, ...] | Manifold") -> None:
-        self.name = name
+        self.name, self.may_be_shorter = name, isinstance(spec, AtMost)
         self.manifold = None if isinstance(spec, tuple) else as_manifold(spec)
         self.shape = spec if isinstance(spec, tuple) else (self.manifold.size,)  # type: ignore[union-attr]
         self.tangent = self.shape if self.manifold is None else (self.manifold.dof,)
@@ -44,9 +48,14 @@ class Argument:
     def __repr__(self) -> str:
         return f"{self.name}: {self.manifold or self.shape}"
 
+    def fitting(self, value: Array) -> "Argument":
+        """This argument, or one as long as the value (..., n) if that may be."""
+        shorter = self.may_be_shorter and value.ndim > 0 and value.shape[-1] < self.size
+        return Argument(self.name, value.shape[-1:]) if shorter else self
+
     def check(self, value: Array, owner: str) -> None:
         """Raise ShapeError, NonFiniteError or UnitError, in the name of `owner`, for what is no value (..., shape)."""
-        if value.shape[value.ndim - len(self.shape) :] != self.shape or value.ndim < len(self.shape):
+        if self.fitting(value).shape != value.shape[value.ndim - len(self.shape) :] or value.ndim < len(self.shape):
             raise ShapeError.of(owner, self.name, self.shape, value.shape)
         what = f"{owner}: argument '{self.name}'"
         if value.dtype.kind not in "fiubc":
@@ -63,6 +72,8 @@ def model(
     *, returns: "int | tuple[int, ...] | Manifold | None" = None, **arguments: Any
 ) -> Callable[[Callable[..., Array]], "Model"]:
     """Declare a function as a model: for each argument its size (int), shape (tuple; () is a scalar) or space.
+
+    AtMost(8) is the size of a list of coefficients that may be shorter; its Jacobian is then as short.
 
     returns: the space of the result, if it is a manifold (its Jacobian rows are then on the tangent space).
     """
@@ -169,7 +180,7 @@ class Model(Formula):
     @functools.cache  # noqa: B019 - models live as long as their module
     def shortened(self, *sizes: int) -> "Model":
         """The model for lists of coefficients with fewer numbers, `sizes` of all arguments: the others are zero."""
-        arguments = [a if a.size == n else Argument(a.name, n) for a, n in zip(self.arguments, sizes, strict=True)]
+        arguments = [a if a.size == n else Argument(a.name, (n,)) for a, n in zip(self.arguments, sizes, strict=True)]
         if arguments == self.arguments:
             return self
         short = Model(self.function, arguments, self.result and self.result.manifold)
@@ -206,7 +217,9 @@ class Model(Formula):
         if found is None:
             for argument, value in zip(self.arguments, arguments, strict=True):
                 argument.check(value, self.name)
-            found = kernel(arguments)
+            sizes = (a.fitting(value).size for a, value in zip(self.arguments, arguments, strict=True))
+            short = self.shortened(*sizes)
+            found = kernel(arguments) if short is self else short._evaluate(kind, arguments)
         return found
 
     @functools.cache  # noqa: B019 - models live as long as their module

@@ -51,7 +51,7 @@ class Implicit(Formula):
         if (lost := ~np.isfinite(inverse).all((-2, -1))).any():
             first = np.broadcast_to(value, x.shape)[lost][0].tolist()
             raise SingularPointError(f"{self.name} has no derivative at {first}")
-        by_others = [_times(-inverse, getattr(jacobians, a.name), a) for a in self.others]
+        by_others = [_times(-inverse, getattr(jacobians, a.name), len(a.tangent)) for a in self.others]
         return x, self._jacobians(inverse, *by_others)
 
     def _bind(self, args: tuple[ArrayLike, ...], kwargs: dict[str, ArrayLike]) -> list[Array]:
@@ -78,7 +78,7 @@ class Implicit(Formula):
                 f"{self.name}: no {self.unknown} gives the value {value.tolist()}; mask such values"
             )
         lead = shape[:-1]  # one by one, so that a lost item takes no other with it, and is named
-        items = [np.broadcast_to(a, lead + s.shape) for s, a in zip(self.others, others, strict=True)]
+        items = [np.broadcast_to(a, lead + s.fitting(a).shape) for s, a in zip(self.others, others, strict=True)]
         return np.array([self._solve(value[i], *(a[i] for a in items)) for i in np.ndindex(lead)]).reshape(shape)
 
     def _iterate(self, x: Array, value: Array, others: Sequence[Array]) -> tuple[Array, bool]:
@@ -120,8 +120,8 @@ def _regular(matrix: Array) -> tuple[Array, Mask]:
     return np.where(regular[..., None, None], matrix, np.eye(matrix.shape[-1])), regular
 
 
-def _times(matrix: Array, jacobian: Array, argument: Argument) -> Array:
-    """matrix (..., n, n) @ jacobian (..., n, *shape), by an argument whose tangent vectors have this shape."""
-    shape = argument.tangent
-    flat = jacobian.reshape(*jacobian.shape[: jacobian.ndim - len(shape)], math.prod(shape))
+def _times(matrix: Array, jacobian: Array, axes: int) -> Array:
+    """matrix (..., n, n) @ jacobian (..., n, ...), whose last `axes` belong to the argument."""
+    split = jacobian.ndim - axes
+    flat = jacobian.reshape(*jacobian.shape[:split], math.prod(jacobian.shape[split:]))
     return (matrix @ flat).reshape(jacobian.shape)

@@ -39,9 +39,9 @@ def observe_line(
         "robot": by_pose @ by_camera.outer,
         "extrinsics": by_pose @ by_camera.inner,
         "landmark": J[0] @ by_frame.landmark,
-        **{n: getattr(J, n)[..., : len(v)] for n, v in calibration.given.items() if n in J._fields},
+        **{n: getattr(J, n) for n in calibration.given if n in J._fields},
     }
-    return Observation(value, np.ones(value.shape[:-1], dtype=bool), named(parts))
+    return Observation(value, np.ones(value.shape[:-1], dtype=bool), named(parts), line)
 
 
 def initialize_line(
@@ -125,7 +125,7 @@ def distort_segments(calibration: Calibration, segment: Array) -> Array:
 def _without_distortion(calibration: Calibration) -> dict[str, Array]:
     """The parameters, with those that the image of a line does not know, the lens's, at zero."""
     project_line: Any = calibration.sensor.project_line
-    return {n: v if n in project_line.parameters else np.zeros_like(v) for n, v in calibration.padded.items()}
+    return {n: v if n in project_line.parameters else np.zeros_like(v) for n, v in calibration.given.items()}
 
 
 def _distorts(calibration: Calibration) -> bool:
@@ -136,7 +136,7 @@ def _distorts(calibration: Calibration) -> bool:
 def _image_line(calibration: Calibration, line: Array) -> tuple[Array, Any]:
     """Image lines (..., 3) of lines (..., 6) of the camera's frame, and the Jacobians by line and parameters."""
     project: Any = calibration.sensor.project_line
-    image, J = project.jac(line, **{n: calibration.padded[n] for n in project.parameters if n in calibration.padded})
+    image, J = project.jac(line, **{n: calibration.given[n] for n in project.parameters if n in calibration.given})
     return image, J
 
 

@@ -36,12 +36,20 @@ class Observation:
     """What a sensor should measure of landmarks: values (..., m), the mask of those it sees, and Jacobians.
 
     jacobians.robot (..., m, 6), .extrinsics (..., m, 6), .landmark (..., m, dof), and one for each parameter of the
-    sensor. The rows of landmarks that are not seen hold numbers without a meaning.
+    sensor. The rows of landmarks that are not seen hold numbers without a meaning. in_frame: the landmarks in the
+    sensor's frame, homogeneous points (..., 4) or lines in Pluecker coordinates (..., 6).
     """
 
     value: Array
     visible: Mask
     jacobians: Any
+    in_frame: Array
+
+    @property
+    def depth(self) -> Array:
+        """How far points are in front of the sensor (...) [m], along its z axis; infinite for a point at infinity."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return np.asarray(self.in_frame[..., 2] / self.in_frame[..., 3])
 
 
 def observe(
@@ -62,15 +70,14 @@ def observe_from(kind: PointLandmark, calibration: Calibration, camera: Array, l
     _check_point(kind, calibration, "observe")
     point, by_frame = kind.to_frame.jac(camera, landmarks)
     seen = calibration.visible(point)
-    if not seen.all():
-        point = np.where(seen[..., None], point, PLACEHOLDER_POINT)
-    value, by_sensor = calibration.project_jac(point)
+    measurable = point if seen.all() else np.where(seen[..., None], point, PLACEHOLDER_POINT)
+    value, by_sensor = calibration.project_jac(measurable)
     parts = {
         "camera": product(by_sensor.point, by_frame.pose),
         "landmark": product(by_sensor.point, by_frame[1]),
         **{n: getattr(by_sensor, n) for n in calibration.given},
     }
-    return Observation(value, seen & calibration.inside(value), named(parts))
+    return Observation(value, seen & calibration.inside(value), named(parts), point)
 
 
 def initialize(
@@ -92,6 +99,8 @@ def initialize(
     if len(unmeasured) != wanted:
         what = "a prior of what it does not measure" if wanted else "no prior, since it measures all three coordinates"
         raise SlamlibError(f"initialize: a {calibration.sensor.name} needs {what}; got {len(unmeasured)} arrays")
+    for argument, array in zip(calibration.sensor.back_project.arguments, (measurement, *unmeasured), strict=False):
+        argument.check(np.asarray(array), "initialize")
     camera, by_camera = compose.jac(robot, extrinsics)
     point, by_sensor = calibration.back_project_jac(measurement, *unmeasured)
     if unmeasured and (point[..., 3] < 0).any():

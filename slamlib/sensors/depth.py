@@ -3,13 +3,13 @@
 import numpy as np
 
 from slamlib.analytic import sqrt
-from slamlib.model import model
+from slamlib.model import AtMost, model
 from slamlib.sensors import pinhole
 from slamlib.sensors.sensor import Calibration, Sensor
 from slamlib.sensors.stages import BackProjection
 
 
-@model(point=4, intrinsics=4, distortion=8)
+@model(point=4, intrinsics=4, distortion=AtMost(8))
 def project(point, intrinsics, distortion):
     """Pixel and depth of a homogeneous point; no depth at infinity. Chapter 10, eq. (dp-depth)."""
     return np.concatenate([pinhole.project(point, intrinsics, distortion), point[2:3] / point[3]])

@@ -5,7 +5,7 @@ from numpy.polynomial import polynomial
 
 from slamlib.analytic import arctan_ratio, sqrt, stumpff
 from slamlib.errors import SingularPointError, SlamlibError
-from slamlib.model import model
+from slamlib.model import AtMost, model
 from slamlib.modeling.implicit import Implicit
 from slamlib.sensors.pinhole import root
 from slamlib.sensors.sensor import Sensor
@@ -22,7 +22,7 @@ def angles(point):
     return 2 * arctan_ratio(squared, z + sqrt(squared + z * z)) * point[:2]
 
 
-@model(angles=2, lens=TERMS)
+@model(angles=2, lens=AtMost(TERMS))
 def image(angles, lens):
     """Where the lens puts a direction, from the image's centre [px], before the affine part. Chapter 9, (om-lens)."""
     squared, even, odd = angles @ angles, 0, 0
@@ -33,7 +33,7 @@ def image(angles, lens):
     return angles * (lens[0] + even + odd * sqrt(squared))
 
 
-@model(angles=2, intrinsics=5, lens=TERMS)
+@model(angles=2, intrinsics=5, lens=AtMost(TERMS))
 def pixel(angles, intrinsics, lens):
     """Pixel of a direction; intrinsics (xc, yc, c, d, e), [px, px, -, -, -]. Chapter 9, eq. (om-pixel)."""
     xc, yc, c, d, e = intrinsics
@@ -41,7 +41,7 @@ def pixel(angles, intrinsics, lens):
     return np.array([u + e * v + xc, d * u + c * v + yc])
 
 
-@model(point=4, intrinsics=5, lens=TERMS)
+@model(point=4, intrinsics=5, lens=AtMost(TERMS))
 def project(point, intrinsics, lens):
     """Pixel of a homogeneous point, whose last number has no effect. Chapter 9, eq. (om-chain)."""
     return pixel(angles(point), intrinsics, lens)

@@ -6,13 +6,13 @@ import numpy as np
 
 from slamlib.analytic import sqrt
 from slamlib.errors import SingularPointError, SlamlibError
-from slamlib.model import model
+from slamlib.model import AtMost, model
 from slamlib.modeling.implicit import Implicit
 from slamlib.sensors.sensor import Sensor
 from slamlib.sensors.stages import BackProjection
 
 
-@model(ideal=2, distortion=8)
+@model(ideal=2, distortion=AtMost(8))
 def distort(ideal, distortion):
     """Where the lens puts an ideal point of the plane z = 1. Chapter 8, eq. (ph-distort)."""
     squared, stretch = ideal @ ideal, 0
@@ -21,13 +21,13 @@ def distort(ideal, distortion):
     return ideal + ideal * stretch
 
 
-@model(ideal=2, intrinsics=4, distortion=8)
+@model(ideal=2, intrinsics=4, distortion=AtMost(8))
 def pixel(ideal, intrinsics, distortion):
     """Pixel of an ideal point; intrinsics (u0, v0, au, av) [px]. Chapter 8, eq. (ph-pixel)."""
     return intrinsics[:2] + intrinsics[2:] * distort(ideal, distortion)
 
 
-@model(point=4, intrinsics=4, distortion=8)
+@model(point=4, intrinsics=4, distortion=AtMost(8))
 def project(point, intrinsics, distortion):
     """Pixel of a homogeneous point (h, w), whose w has no effect. Chapter 8, eq. (ph-chain)."""
     return pixel(point[:2] / point[2], intrinsics, distortion)

@@ -70,7 +70,6 @@ class Calibration:
     image: Any  # (width, height) of the image (2,), or None
     noise: Array
     given: dict[str, Array]
-    padded: dict[str, Array]
 
     def __init__(
         self,
@@ -105,7 +104,6 @@ class Calibration:
             image=size,
             noise=read_only_copy(covariance(noise, sensor.size, sensor.name, "noise")),
             given=given,
-            padded={n: read_only_copy(np.pad(v, (0, largest[n] - len(v)))) for n, v in given.items()},
         )
         if sensor.check is not None:
             sensor.check(self)
@@ -114,36 +112,27 @@ class Calibration:
         raise SlamlibError(f"a calibration cannot be changed: make another one with the {name} that you want")
 
     @cached_property
-    def _short(self) -> tuple[Model, list[Array]] | None:
-        """The model for as many coefficients as are given, and these in its order; None where it is no model, or a list
-        holds none."""
-        project, given = self.sensor.project, self.given
-        if not isinstance(project, Model) or not all(map(len, given.values())):
-            return None
-        short = project.shortened(*(len(given[a.name]) if a.name in given else a.size for a in project.arguments))
-        return (short, [given[name] for name in short.parameters[1:]]) if short else None
+    def _project(self) -> tuple[Formula, list[Array]]:
+        """The model for as many coefficients as are given, and all parameters in its order; they can never change."""
+        project = self.sensor.project
+        given = [self.given[name] for name in project.parameters[1:]]
+        if not isinstance(project, Model):
+            return project, given
+        return project.shortened(project.arguments[0].size, *map(len, given)), given
 
     def project(self, point: Array) -> Array:
         """Measurements (..., m) of homogeneous points (..., 4) in the sensor's frame."""
-        if self._short:
-            model, parameters = self._short
-            return model(point, *parameters)
-        return self.sensor.project(point, **self.padded)
+        model, parameters = self._project
+        return model(point, *parameters)
 
     def project_jac(self, point: Array) -> tuple[Array, Any]:
         """Measurements, and Jacobians by the point and by each parameter as it was given."""
-        if self._short:
-            model, parameters = self._short
-            return model.jac(point, *parameters)
-        return self._jac(self.sensor.project, (point,))
+        model, parameters = self._project
+        return model.jac(point, *parameters)
 
     def back_project_jac(self, measurement: Array, *unmeasured: Array) -> tuple[Array, Any]:
         """Homogeneous points (..., 4), and Jacobians by the measurement, what it does not tell, and each parameter."""
-        return self._jac(self.sensor.back_project, (measurement, *unmeasured))
-
-    def _jac(self, model: Formula, arguments: tuple[Array, ...]) -> tuple[Array, Any]:
-        value, jacobians = model.jac(*arguments, **self.padded)
-        return value, jacobians._replace(**{n: getattr(jacobians, n)[..., : len(v)] for n, v in self.given.items()})
+        return self.sensor.back_project.jac(measurement, *unmeasured, **self.given)
 
     def visible(self, point: Array) -> Mask:
         """Mask (...) of the homogeneous points (..., 4) that the sensor can measure, before the image is looked at."""

@@ -95,8 +95,8 @@ def _initialized(kind: LineLandmark, calibration: Calibration) -> _Chain:
 def _observed(kind: LineLandmark, calibration: Calibration) -> _Chain:
     """With the same chain of the formulas as they are written, so that the derivatives can be had exactly."""
     project: Any = calibration.sensor.project_line
-    padded = {n: calibration.padded[n] for n in project.parameters if n in calibration.given}
-    names = [n for n in padded if len(calibration.given[n])]
+    given_ones = {n: calibration.given[n] for n in project.parameters if n in calibration.given}
+    names = [n for n, g in given_ones.items() if len(g)]
 
     def run(camera: Calibration, *place: Array) -> Any:
         seen = observe_line(kind, camera, *place)
@@ -104,8 +104,7 @@ def _observed(kind: LineLandmark, calibration: Calibration) -> _Chain:
 
     def definition(robot: Array, extrinsics: Array, landmark: Array, *given: Array) -> Array:
         line = kind.to_frame.definition(compose.definition(robot, extrinsics), landmark)
-        own = {n: np.append(g, padded[n][len(g) :]) for n, g in zip(names, given, strict=True)}
-        return project.definition(line, *(padded | own).values())
+        return project.definition(line, *(given_ones | dict(zip(names, given, strict=True))).values())
 
     chain = _Chain(run, [*FRAMES, Argument("landmark", kind.manifold)], calibration, names)
     chain.definition = definition

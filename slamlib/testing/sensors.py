@@ -35,7 +35,7 @@ def sensor_properties(judge: Judge, calibration: Calibration) -> None:
     if not judge.at(f"{sensor.name}.visible").require(SEES, len(points) >= 10, how):
         return
     _mask(judge, calibration)
-    parameters = [calibration.padded[n] for n in sensor.parameters]
+    parameters = [*full_length(calibration).values()]
     axes = [np.array([*sign * e, w]) for e in np.eye(3) for sign in (1, -1) for w in (0.3, 0.0)]
     far = [np.array([*p[:3], 0.0]) for p in points]
     nasty = [p for p in [*axes, *far] if calibration.visible(p)]
@@ -163,10 +163,16 @@ def _size(matrix: Array) -> Array:
     return np.where(lengths > 0, lengths, 1)
 
 
+def full_length(calibration: Calibration) -> dict[str, Array]:
+    """The parameters with as many coefficients as the models can have, so that all derivatives are judged."""
+    sizes = {a.name: a.size for a in calibration.sensor.project.arguments}
+    return {n: np.pad(v, (0, sizes[n] - len(v))) for n, v in calibration.given.items()}
+
+
 def undistorted(calibration: Calibration) -> dict[str, Array]:
     """The parameters, those that project_line does not take (the distortion) at zero: the images of lines are lines."""
     taken: Any = calibration.sensor.project_line
-    return {n: v if n in taken.parameters else 0 * v for n, v in calibration.padded.items()}
+    return {n: v if n in taken.parameters else 0 * v for n, v in calibration.given.items()}
 
 
 def _lines(judge: Judge, calibration: Calibration, points: Array) -> None:

@@ -90,7 +90,7 @@ def test_each_calibration_projects_with_its_own_parameters(rng):
     points = np.array([[0.1, -0.2, 1, 1], [0.3, 0.1, 2, 0.5]])
     cameras = [camera(), camera(distortion=[-0.1, 0.03]), camera(intrinsics=[320.0, 240, 480, 500]), camera()]
     for each in [*cameras, *cameras[::-1]]:
-        expected, J = PINHOLE.project.jac(points, each.padded["intrinsics"], each.padded["distortion"])
+        expected, J = PINHOLE.project.jac(points, each.given["intrinsics"], each.given["distortion"])
         value, found = each.project_jac(points)
         assert np.allclose(value, expected, rtol=0, atol=1e-12)
         assert np.array_equal(each.project(points), value)

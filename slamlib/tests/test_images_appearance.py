@@ -25,7 +25,7 @@ def picture(camera: np.ndarray, name: str = "ideal", seed: int = 3) -> np.ndarra
 def on_wall(pixels: np.ndarray, name: str = "ideal") -> np.ndarray:
     """The places of the wall (n, 4) that the first camera sees at pixels (n, 2)."""
     calibration = CAMERAS[name]
-    rays = calibration.sensor.back_project(pixels, np.ones((len(pixels), 1)), **calibration.padded)
+    rays = calibration.sensor.back_project(pixels, np.ones((len(pixels), 1)), **calibration.given)
     return np.concatenate([rays[:, :3], rays[:, :3] @ PLANE[:, None]], axis=1)
 
 
@@ -38,7 +38,7 @@ def test_from_where_it_was_taken_it_is_the_template():
     own = Appearance.taken(image, pixel, FIRST, 11, quality=900.5)
     assert own.pixels.shape == (33, 33)
     np.testing.assert_array_equal(own.template.pixels, image[115:126, 95:106])
-    point = IDEAL.sensor.back_project(pixel, np.array([0.3]), **IDEAL.padded)
+    point = IDEAL.sensor.back_project(pixel, np.array([0.3]), **IDEAL.given)
     np.testing.assert_allclose(own.predicted(FIRST, IDEAL, point), own.template.pixels, atol=1e-6)
     assert own.predicted(FIRST, IDEAL, point, size=15).shape == (15, 15)
     assert own.angle_change(FIRST, point) < 1e-7

@@ -51,7 +51,7 @@ def posed(position: list[float], turn: list[float]) -> np.ndarray:
 def drawn(calibration: Calibration, camera: np.ndarray, plane: np.ndarray, pixels: np.ndarray, seed: int) -> np.ndarray:
     """Grey levels (...) at pixels (..., 2) of a painted plane m'X = 1 of the world: where each ray meets it."""
     ones = np.ones((*pixels.shape[:-1], 1))
-    rays = calibration.sensor.back_project(pixels, ones, **calibration.padded)[..., :3] @ rotation(camera[3:]).T
+    rays = calibration.sensor.back_project(pixels, ones, **calibration.given)[..., :3] @ rotation(camera[3:]).T
     distance = (1 - camera[:3] @ plane) / (rays @ plane)
     places = camera[:3] + rays * distance[..., None]
     axes = np.linalg.svd(plane[None])[2][1:]  # two directions in the plane
@@ -61,7 +61,7 @@ def drawn(calibration: Calibration, camera: np.ndarray, plane: np.ndarray, pixel
 
 def predicted(calibration: Calibration, camera: np.ndarray, pixel: np.ndarray, seed: int, depth: float = 2.0):
     """A template of a facing plane at a distance [m] as it is warped, and as it is drawn; None if it cannot be."""
-    point = calibration.sensor.back_project(pixel, np.array([1 / depth]), **calibration.padded)
+    point = calibration.sensor.back_project(pixel, np.array([1 / depth]), **calibration.given)
     plane, now = facing_plane(point), in_camera(camera, point)
     assume(calibration.visible(now))
     place = calibration.project(now)
@@ -90,7 +90,7 @@ def test_a_template_is_what_the_camera_draws(name, move, turn, place, seed):
 @given(st.tuples(*[numbers] * 3), st.tuples(*[numbers] * 3), st.floats(0, 2))
 def test_without_distortion_the_map_is_the_homography_of_the_plane(move, turn, inverse_distance):
     camera, pixel = posed(0.3 * np.array(move), 0.2 * np.array(turn)), np.array([150.0, 130])
-    point = IDEAL.sensor.back_project(pixel, np.array([inverse_distance]), **IDEAL.padded)
+    point = IDEAL.sensor.back_project(pixel, np.array([inverse_distance]), **IDEAL.given)
     plane, seen, now = facing_plane(point), relative(camera, FIRST), in_camera(camera, point)
     assume(now[2] > 0.1 * np.linalg.norm(now[:3]))
     H = plane_homography(K, K, seen, plane)
@@ -104,7 +104,7 @@ def test_without_distortion_the_map_is_the_homography_of_the_plane(move, turn, i
 @pytest.mark.parametrize("name", CAMERAS)
 def test_infinitely_far_away_only_the_rotation_counts(name):
     calibration, pixel = CAMERAS[name], np.array([170.0, 110])
-    point = calibration.sensor.back_project(pixel, np.array([0.0]), **calibration.padded)
+    point = calibration.sensor.back_project(pixel, np.array([0.0]), **calibration.given)
     assert not facing_plane(point).any()
     maps = []
     for position in ([0, 0, 0], [5, -3, 100.0]):
@@ -132,7 +132,7 @@ def test_zoom_and_roll_are_exact_for_a_facing_patch_on_the_axis(depth, roll):
 
 def test_a_better_map_makes_a_better_template():
     off, pixel = {"similarity": [], "affine": [], "homography": []}, np.array([159.0, 119])
-    point = IDEAL.sensor.back_project(pixel, np.array([0.5]), **IDEAL.padded)
+    point = IDEAL.sensor.back_project(pixel, np.array([0.5]), **IDEAL.given)
     u, v = grid(121, 121)
     around = np.stack([u, v], axis=-1) - 60
     for seed in range(12):

@@ -158,6 +158,6 @@ def test_a_calibration_computes_with_the_coefficients_that_it_has():
     point = np.array([[0.3, -0.2, 1.5, 0.1]])
     value, jacobians = camera.project_jac(point)
     assert jacobians.distortion.shape == (1, 2, 1)
-    assert np.array_equal(value, project(point, **camera.padded))
+    assert np.array_equal(value, project(point, **camera.given))
     bare = Calibration(PINHOLE, np.eye(2), intrinsics=[320, 240, 500, 500], distortion=[])
     assert bare.project_jac(point)[1].distortion.shape == (1, 2, 0)

@@ -222,7 +222,7 @@ def test_a_calibration_keeps_copies_and_cannot_be_changed():
     assert camera.given["intrinsics"][0] == 320
     assert camera.noise[0, 0] == 1
     assert camera.limits == {"radius": 1.0}
-    for array in (camera.noise, camera.image, *camera.given.values(), *camera.padded.values()):
+    for array in (camera.noise, camera.image, *camera.given.values()):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 1
     with pytest.raises(SlamlibError, match="make another one with the noise"):

@@ -108,7 +108,7 @@ def seen_by(calibration: Calibration, relative: Array, plane: Array, pixels: Arr
     camera. nan for a plane that a ray misses, and for one outside of what a camera can see.
     """
     try:
-        rays = calibration.sensor.back_project(pixels, np.zeros((*pixels.shape[:-1], 1)), **calibration.padded)[..., :3]
+        rays = calibration.sensor.back_project(pixels, np.zeros((*pixels.shape[:-1], 1)), **calibration.given)[..., :3]
     except SingularPointError:  # one pixel without a ray: the others have theirs
         each = [i for i in range(len(pixels)) if len(pixels) > 1]
         alone = [seen_by(calibration, *(x[i : i + 1] for x in (relative, plane, pixels))) for i in each]

@@ -15,7 +15,7 @@ def rays(calibration: Calibration, pixels: Array) -> Array:
     """Unit rays (n, 3) in the camera's frame of pixels (n, 2); zeros for those that no ray reaches."""
     found = np.zeros((len(pixels), 3))
     try:
-        points = calibration.sensor.back_project(pixels, np.zeros(1), **calibration.padded)
+        points = calibration.sensor.back_project(pixels, np.zeros(1), **calibration.given)
     except SingularPointError:
         if len(pixels) > 1:  # find the ones without a ray by halves
             half = len(pixels) // 2

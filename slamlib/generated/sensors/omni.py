@@ -4,9 +4,9 @@ from slamlib.analytic import arctan_ratio, arctan_ratio_slope, sqrt, stumpff
 
 DIGESTS = {
     "angles": "427f97239d708025",
-    "image": "c92bfd211ae9e382",
-    "pixel": "4a9677e40d5b7c94",
-    "project": "ba746a931756f24d",
+    "image": "92f68b8a858e3a20",
+    "pixel": "1f2ff5b8bc1730d8",
+    "project": "1635b3dedb679c6a",
     "ray": "f828436f8602591d",
 }
 SHAPES = {

@@ -3,9 +3,9 @@
 from slamlib.analytic import sqrt
 
 DIGESTS = {
-    "distort": "38d3fc241b551b7a",
-    "pixel": "959bffb06fac57e4",
-    "project": "077403c2ac5013e1",
+    "distort": "e74fd5663b20a152",
+    "pixel": "be396336d560f3c3",
+    "project": "1b212bff7cd5f72c",
     "ray": "1208cdf6eb284281",
     "project_line": "ccec8efde220f3c3",
 }
