@@ -60,8 +60,8 @@ CASES = [
     Case("lines", "idpLin", True, (164, 215), 50),
     Case("lines", "idpLin", False, (164, 215), 50),
 ]
-PARTS = ("_predict", "_correct", "_delete", "_begin")  # of a step; the rest are parts of _correct
-INNER = ("expect_all", "choose_and_match", "correct_in_sequence", "correct_in_batch", "follow")
+PARTS = ("_predict", "predict_measurements", "_update", "_delete", "_initialize")  # of a step; INNER: of _update
+INNER = ("select_and_match", "update_sequentially", "update_in_batch", "after_update")
 
 
 def frame_times(experiment: Preset, frames: list[Frame], repeats: int) -> Any:
@@ -194,7 +194,7 @@ def parts(case: Case, frames: int = 200) -> str:
     whole = found["step"]
     outer = [f"{name.strip('_')} {found[name] / whole:.0%}" for name in PARTS]
     inner = [f"{name} {found[name] / whole:.0%}" for name in INNER if name in found]
-    return f"{', '.join(outer)}; of correct: {', '.join(inner)}"
+    return f"{', '.join(outer)}; of update: {', '.join(inner)}"
 
 
 def peers(seconds: float) -> str:

@@ -8,7 +8,7 @@ The matrix has exactly the size of the state: adding, replacing and removing blo
 of one correction; and what every correction touches is contiguous, a third quicker than a view of a larger array.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
 import numpy as np
@@ -18,15 +18,7 @@ from slamlib.errors import SlamlibError
 from slamlib.kalman import linalg
 from slamlib.kalman.linalg import read_only_copy
 from slamlib.kalman.state import BeliefSnapshot, Block, Retraction, StateLayout, checked_mean
-from slamlib.kalman.update import (
-    LinearizedMeasurement,
-    SequentialUpdate,
-    StackedMeasurements,
-    UpdateResult,
-    checked_jacobians,
-    solve_update,
-    stack_measurements,
-)
+from slamlib.kalman.update import LinearizedMeasurement, SequentialUpdate, StackedMeasurements, UpdateResult
 from slamlib.manifolds import Array, Indices, Manifold, as_manifold
 
 __all__ = ["Belief", "BeliefSnapshot", "Block", "LinearizedMeasurement", "UpdateResult"]
@@ -75,9 +67,7 @@ class Belief:
         """Be again as at the snapshot: blocks removed since then are back, blocks added since then are gone."""
         if snapshot.belief is not self:
             raise SlamlibError("restore: the snapshot was taken from another belief, whose blocks are not of this one")
-        for block, manifold, mean in zip(snapshot.blocks, snapshot.manifolds, snapshot.means, strict=True):
-            block.set_mean(manifold, mean)
-        self._set(snapshot.blocks, snapshot.covariance.copy())
+        self._set(snapshot.blocks, snapshot.covariance.copy(), zip(snapshot.manifolds, snapshot.means, strict=True))
 
     def overwrite(self, blocks: Mapping[int, Block], means: Mapping[int, Array], covariance: Array) -> None:
         """Take over means and covariance as they were saved, bit for bit; blocks by their place among the rows.
@@ -88,10 +78,8 @@ class Belief:
             raise SlamlibError("overwrite: give every block of the belief once, with its mean")
         P = linalg.finite(covariance, (self.size, self.size), "overwrite", "covariance")
         ordered = [blocks[i] for i in sorted(blocks)]
-        taken = [checked_mean(blocks[i].manifold, means[i], "overwrite") for i in sorted(blocks)]
-        for block, mean in zip(ordered, taken, strict=True):
-            block.set_mean(block.manifold, mean)
-        self._set(ordered, P.copy())
+        points = [(blocks[i].manifold, checked_mean(blocks[i].manifold, means[i], "overwrite")) for i in sorted(blocks)]
+        self._set(ordered, P.copy(), points)
 
     @linalg.quiet_floats
     def add(
@@ -110,17 +98,12 @@ class Belief:
         Raises ShapeError, NonFiniteError, CovarianceError; UnitError where the mean is no point of the space.
         """
         manifold = as_manifold(manifold)
-        mean, corner = (
-            checked_mean(manifold, mean, "add"),
-            linalg.covariance(covariance, manifold.dof, "add", "covariance"),
-        )
+        mean = checked_mean(manifold, mean, "add")
+        corner = linalg.covariance(covariance, manifold.dof, "add", "covariance")
         self._own(given)
-        rows = np.zeros((manifold.dof, self.size))
-        gains = (
-            checked_jacobians(LinearizedMeasurement(given, jacobians, mean, corner), manifold.dof, "add")
-            if given or jacobians
-            else []
-        )
+        rows, gains = np.zeros((manifold.dof, self.size)), []
+        if given or jacobians:
+            gains = LinearizedMeasurement(given, jacobians, mean, corner).checked_jacobians(manifold.dof, "add")
         for block, G in zip(given, gains, strict=True):
             rows += G @ self._P[block.slice]
         for block, G in zip(given, gains, strict=True):
@@ -173,7 +156,7 @@ class Belief:
         """H P H' + R, (m, m), for the blocks that a measurement depends on: what a gate needs before correcting."""
         rows = np.shape(jacobians[0])[:1] if len(jacobians) else ()
         measurement = LinearizedMeasurement(blocks, jacobians, np.zeros(rows or 1), R)
-        stacked = stack_measurements([measurement], "innovation_covariance", self._own)
+        stacked = StackedMeasurements.of([measurement], "innovation_covariance", self._own)
         S = stacked.innovation_covariance(stacked.H @ self._P[stacked.touched])
         linalg.check_overflow("innovation_covariance", S)
         return S
@@ -201,18 +184,18 @@ class Belief:
         Rounding in P - W'W is 1e-16 of the variance *before*: a prior 1e16 times the posterior's variance leaves no
         digit. Raises ShapeError, NonFiniteError, CovarianceError; then nothing is changed.
         """
-        measurements = list(measurements)
-        return self._update(method, stack_measurements(measurements, "update", self._own), measurements)
+        return self._update(method, StackedMeasurements.of(list(measurements), "update", self._own))
 
-    def _update(
-        self, method: str, stacked: StackedMeasurements, measurements: Sequence[LinearizedMeasurement]
-    ) -> UpdateResult:
+    def _update(self, method: str, stacked: StackedMeasurements) -> UpdateResult:
         HP = stacked.H @ self._P.take(stacked.touched, axis=0)
         S = stacked.innovation_covariance(HP)
-        step, rows, nis = solve_update(method, HP, S, stacked, measurements)
-        means = self._retracted(step)
+        step, rows, nis = stacked.solve(method, HP, S)
+        flat, points = self._layout.retract(step, self.retraction)
+        linalg.finite(flat, flat.shape, "update", "the corrected means")
+        for block, mean in zip(self._layout.points, points, strict=True):
+            linalg.finite(mean, (block.manifold.size,), "update", f"the corrected mean of {block!r}")
         linalg.subtract_square(self._P, rows)
-        self._layout.assign(*means)
+        self._layout.assign(flat, points)
         return UpdateResult(stacked.z, S, nis)
 
     @linalg.quiet_floats
@@ -224,9 +207,8 @@ class Belief:
         z = linalg.numbers(innovation, "update_rows", "innovation")
         m, k = z.size, len(columns)
         z, H = linalg.finite(z, (m,), "update_rows", "innovation"), linalg.finite(H, (m, k), "update_rows", "H")
-        return self._update(
-            "batch", StackedMeasurements(z, H, linalg.finite(R, (m, m), "update_rows", "R"), columns), []
-        )
+        R = linalg.finite(R, (m, m), "update_rows", "R")
+        return self._update("batch", StackedMeasurements(z, H, R, columns))
 
     @contextmanager
     def sequential_update(self) -> Iterator[SequentialUpdate]:
@@ -242,14 +224,6 @@ class Belief:
         finally:
             sequence.finish()
 
-    def _retracted(self, step: Array) -> tuple[Array, list[Array]]:
-        """Every mean plus its piece of the step; raises NonFiniteError where one overflows."""
-        flat, points = self._layout.retract(step, self.retraction)
-        linalg.finite(flat, flat.shape, "update", "the corrected means")
-        for block, mean in zip(self._layout.points, points, strict=True):
-            linalg.finite(mean, (block.manifold.size,), "update", f"the corrected mean of {block!r}")
-        return flat, points
-
     def _own(self, blocks: Sequence[Block]) -> None:
         if isinstance(blocks, Block):
             raise SlamlibError(f"give a list of blocks and a list of as many Jacobians: [{blocks!r}], [H]")
@@ -257,8 +231,10 @@ class Belief:
             if not isinstance(block, Block) or block not in self._blocks:
                 raise SlamlibError(f"{block!r} is no block of this belief (was it removed?)")
 
-    def _set(self, blocks: Sequence[Block], P: Array) -> None:
-        """Take over blocks, in this order, and their covariance."""
+    def _set(self, blocks: Sequence[Block], P: Array, points: Iterable[tuple[Manifold, Array]] = ()) -> None:
+        """Take over blocks, in this order, and their covariance; points: where they are, if they are elsewhere now."""
+        for block, point in zip(blocks, points, strict=False):
+            block.set_mean(*point)
         self._blocks, self._P = dict.fromkeys(blocks), P
         start = 0
         for block in blocks:

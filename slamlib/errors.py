@@ -62,9 +62,6 @@ class UnknownCallError(UnknownNameError, AttributeError):
     @classmethod
     def of_object(cls, what: str, name: str, known: list[str]) -> "UnknownCallError":
         """The message, with what is possible; names that Python asks for by itself get a short one."""
-        text = (
-            f"{what} has no {name}"
-            if name.startswith("_")
-            else str(UnknownNameError.of(f"call of {what}", name, known))
-        )
-        return cls(text)
+        if name.startswith("_"):
+            return cls(f"{what} has no {name}")
+        return cls(str(UnknownNameError.of(f"call of {what}", name, known)))

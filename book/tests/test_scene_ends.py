@@ -7,7 +7,6 @@ import pytest
 from slambook.scene import SensorOptions, map_scene, sensor_scene
 
 from slamlib.data.setup import Rig
-from slamlib.data.snapshots import MeasurementView
 from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.experiments.presets import preset
 from slamlib.landmarks import LINES
@@ -123,21 +122,6 @@ def test_ends_are_a_picture_s_matter_and_cost_a_step_nothing(monkeypatch):
     slam.step(next(iter(frames))[0])
     with pytest.raises(AssertionError, match="in the step"):
         slam.snapshot()
-
-
-def test_what_a_look_may_lack_is_nan_or_none():
-    predictions = scenes.snapshot().sensors[0].points
-    count = len(predictions.ids)
-    assert (predictions.endpoints.shape, predictions.endpoint_covariances.shape, predictions.scores.shape) == (
-        (count, 2, 2),
-        (count, 2, 2, 2),
-        (count,),
-    )
-    assert np.isnan(
-        np.concatenate([predictions.endpoints.ravel(), predictions.endpoint_covariances.ravel(), predictions.scores])
-    ).all()
-    assert predictions.predicted_patch == predictions.found_patch == (None,) * count
-    assert isinstance(replace(predictions, scores=np.ones(count)), MeasurementView)
 
 
 # -- new lines ---------------------------------------------------------------------------------------------------------

@@ -105,8 +105,8 @@ def summary(result: Result) -> dict[str, Any]:
         "initialized": result.initialized,
         "deleted": result.deleted,
         "state": int(result.size[-1]),
-        "point_error_median": _median(result.point_errors),
-        "line_error_median": _median(result.segment_errors),
+        "point_error_median": _median(result.map_errors["points"]),
+        "line_error_median": _median(result.map_errors["segments"]),
         "milliseconds_per_frame": 1e3 * float(np.median(result.seconds)),
     }
 

@@ -12,7 +12,7 @@ from math import isfinite
 from numbers import Integral, Real
 from operator import ge, gt, le, lt
 from types import NoneType, UnionType
-from typing import Annotated, Any, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, Self, TypeVar, Union, get_args, get_origin, get_type_hints
 
 from slamlib.errors import SlamlibError, UnknownNameError
 
@@ -51,6 +51,23 @@ class OneOf:
         """Raises UnknownNameError, with the nearest name."""
         if value not in self.names:
             raise UnknownNameError.of(path, value, self.names)
+
+
+class Plain:
+    """A dataclass that is written as plain data and read from it."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain data for JSON or TOML; what is None is left out."""
+        plain: dict[str, Any] = written(self)
+        return plain
+
+    @classmethod
+    def from_dict(cls, data: dict[str, Any]) -> Self:
+        """The value of plain data; what is missing has its default, or is None where it may be.
+
+        Raises SlamlibError for an unknown, missing or wrong key, named by its path.
+        """
+        return read(cls, data, cls.__name__.lower())
 
 
 def written(value: Any) -> Any:

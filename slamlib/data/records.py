@@ -10,17 +10,10 @@ from typing import Any, ClassVar
 import numpy as np
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnknownCallError
-from slamlib.kalman.linalg import covariance, finite, numbers
+from slamlib.kalman.linalg import covariance, finite, numbers, read_only, read_only_copy
 from slamlib.manifolds import Array, Indices
 from slamlib.model import Model
 from slamlib.observation import FAMILIES
-
-
-def _read_only(array: Array) -> Array:
-    """A read-only copy that keeps its type."""
-    array = np.array(array)
-    array.flags.writeable = False
-    return array
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,8 +35,8 @@ class Features:
             raise NonFiniteError("Features: values hold nan or infinity; leave such rows out")
         if len(np.unique(ids)) != len(ids):
             raise SlamlibError("Features: an id appears twice; what is seen twice in one image has two ids")
-        object.__setattr__(self, "ids", _read_only(ids.astype(np.int64)))
-        object.__setattr__(self, "values", _read_only(values))
+        object.__setattr__(self, "ids", read_only(np.array(ids, np.int64)))
+        object.__setattr__(self, "values", read_only_copy(values))
 
     def __len__(self) -> int:
         return len(self.ids)
@@ -54,6 +47,13 @@ class Features:
         return cls(np.zeros(0, np.int64), np.zeros((0, size)))
 
 
+def _keep(record: Any, name: str) -> None:
+    """Check the value (m,) of a record and its noise (m, m), and keep read-only copies."""
+    value = numbers(record.value, name, "value")
+    object.__setattr__(record, "value", read_only_copy(finite(value, (value.size,), name, "value")))
+    object.__setattr__(record, "covariance", read_only_copy(covariance(record.covariance, value.size, name, "noise")))
+
+
 @dataclass(frozen=True, eq=False)
 class Control:
     """What a robot was told to do, or felt itself do, in one step: value (c,), and the noise (c, c) in it."""
@@ -62,10 +62,7 @@ class Control:
     covariance: Array
 
     def __post_init__(self) -> None:
-        value = numbers(self.value, "Control", "value")
-        value = finite(value, (value.size,), "Control", "value")
-        object.__setattr__(self, "value", _read_only(value))
-        object.__setattr__(self, "covariance", _read_only(covariance(self.covariance, value.size, "Control", "noise")))
+        _keep(self, "Control")
 
 
 class ByFamily:
@@ -117,9 +114,7 @@ class RobotMeasurement:
     robot: int = 0
 
     def __post_init__(self) -> None:
-        value = numbers(self.value, self.name, "value")
-        object.__setattr__(self, "value", _read_only(finite(value, (value.size,), self.name, "value")))
-        object.__setattr__(self, "covariance", _read_only(covariance(self.covariance, value.size, self.name, "noise")))
+        _keep(self, self.name)
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,7 +161,7 @@ class World(ByFamily):
             if given != size:
                 raise ShapeError(f"World: {name} have {size} numbers each, got {given}")
         faces = numbers(self.faces, "World", "faces")
-        object.__setattr__(self, "faces", _read_only(finite(faces, (len(faces), 3, 3), "World", "faces")))
+        object.__setattr__(self, "faces", read_only_copy(finite(faces, (len(faces), 3, 3), "World", "faces")))
         ids = np.concatenate([features.ids for features in self.features.values()])
         if len(np.unique(ids)) != len(ids):
             raise SlamlibError("World: things of two families share an id; number segments after the points")

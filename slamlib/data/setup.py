@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.plain import read, written
+from slamlib.data.plain import Plain, written
 from slamlib.errors import SlamlibError
 from slamlib.geometry.euler import to_quaternion
 from slamlib.kalman.linalg import finite
@@ -61,13 +61,8 @@ class RobotSetup:
     @property
     def covariance(self) -> Array:
         """The covariance of the state at the start (dof, dof)."""
-        std = [
-            self.position_std,
-            np.radians(self.orientation_std),
-            _mixed(self.velocity_std, self.name, "velocity_std"),
-        ]
-        variances = np.concatenate([np.broadcast_to(np.asarray(s, float), (3,)) for s in std[:2]] + [std[2]]) ** 2
-        return np.diag(variances[: self.model.manifold.dof])
+        std = [_pose_std(self.position_std, self.orientation_std), _mixed(self.velocity_std, self.name, "velocity_std")]
+        return np.diag((np.concatenate(std) ** 2)[: self.model.manifold.dof])
 
     @property
     def nominal(self) -> Array:
@@ -127,10 +122,8 @@ class SensorSetup:
     @property
     def covariance(self) -> Array:
         """The covariance of the extrinsics (6, 6) at the start; zero if it is not estimated."""
-        std = [
-            np.broadcast_to(np.asarray(s, float), (3,)) for s in (self.position_std, np.radians(self.orientation_std))
-        ]
-        return np.diag(np.concatenate(std) ** 2) if self.estimated else np.zeros((6, 6))
+        std = _pose_std(self.position_std, self.orientation_std)
+        return np.diag(std**2) if self.estimated else np.zeros((6, 6))
 
     @property
     def calibration(self) -> Calibration:
@@ -143,7 +136,7 @@ class SensorSetup:
 
 
 @dataclass(frozen=True)
-class Rig:
+class Rig(Plain):
     """Robots and sensors, in the order of the frames' controls and scans."""
 
     robots: tuple[RobotSetup, ...]
@@ -166,16 +159,16 @@ class Rig:
         plain: dict[str, Any] = written(replace(self, robots=tuple(named)))
         return plain
 
-    @classmethod
-    def from_dict(cls, data: dict[str, Any]) -> "Rig":
-        """The rig of plain data; what is missing has its default. Raises SlamlibError, naming the key."""
-        return read(cls, data)
-
 
 def pose_of(position: Numbers, euler: Numbers, name: str) -> Array:
     """Pose (7,) of a position [m] and roll, pitch, yaw [deg]."""
     angles = np.radians(finite(euler, (3,), name, "euler"))
     return np.concatenate([finite(position, (3,), name, "position"), to_quaternion(angles)])
+
+
+def _pose_std(position: Numbers, orientation: Numbers) -> Array:
+    """Standard deviations (6,) of a position [m] and an orientation [deg], three numbers each or one for all."""
+    return np.concatenate([np.broadcast_to(np.asarray(s, float), (3,)) for s in (position, np.radians(orientation))])
 
 
 def _mixed(values: Numbers, name: str, what: str) -> Array:

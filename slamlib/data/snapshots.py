@@ -1,14 +1,10 @@
 """What the filter shows of itself at one frame: all that pictures and evaluations get to see. Frozen, arrays only."""
 
-from dataclasses import dataclass, field
-
-import numpy as np
+from dataclasses import dataclass
 
 from slamlib.data.records import ByFamily, Scan
 from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array, Image, Mask
-
-_OMITTED: Array = np.zeros(0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,10 +34,10 @@ class MeasurementView:
     ends in the image) with the covariance (n, d, d) of the innovation, what it measured (n, m) (nan where nothing was
     looked for or found), masks (n,) chosen, matched, inlier, and z' S^-1 z (n,) (nan where nothing was matched).
 
-    What not every look has, and what may be left out: of a segment ends (n, 2, 2), where the filter puts its two ends
-    in the image after the frame, with their covariances spreads (n, 2, 2, 2) [px^2], nan for points and for ends out of
-    view; from a front end that looks at images scores (n,), nan where there is none, and for each look the patch that
-    was predicted and the one that was found there, as grey images or None.
+    What not every look has: of a segment endpoints (n, 2, 2), where the filter puts its two ends in the image after the
+    frame, with their covariances (n, 2, 2, 2) [px^2], nan for points and for ends out of view; from a front end that
+    looks at images scores (n,), nan where there is none, and for each look the patch that was predicted and the one
+    that was found there, as grey images or None.
     """
 
     ids: Array
@@ -53,19 +49,11 @@ class MeasurementView:
     matched: Mask
     inlier: Mask
     nis: Array
-    endpoints: Array = field(default_factory=lambda: _OMITTED)
-    endpoint_covariances: Array = field(default_factory=lambda: _OMITTED)
-    scores: Array = field(default_factory=lambda: _OMITTED)
-    predicted_patch: tuple[Array | None, ...] = ()
-    found_patch: tuple[Array | None, ...] = ()
-
-    def __post_init__(self) -> None:
-        n = len(self.ids)
-        for name, shape in (("endpoints", (n, 2, 2)), ("endpoint_covariances", (n, 2, 2, 2)), ("scores", (n,))):
-            if getattr(self, name) is _OMITTED:
-                object.__setattr__(self, name, np.full(shape, np.nan))
-        for name in ("predicted_patch", "found_patch"):
-            object.__setattr__(self, name, getattr(self, name) or (None,) * n)
+    endpoints: Array
+    endpoint_covariances: Array
+    scores: Array
+    predicted_patch: tuple[Array | None, ...]
+    found_patch: tuple[Array | None, ...]
 
 
 @dataclass(frozen=True, eq=False)

@@ -34,7 +34,7 @@ class Similarity:
         return Trajectory(trajectory.times, np.concatenate([self(trajectory.positions), turned], axis=1))
 
 
-def align(points: Array, reference: Array, *, scale: bool = True) -> Similarity:
+def align(points: Array, reference: Array, *, scale: bool = True, turn: Array | None = None) -> Similarity:
     """The similarity (scale: False, the rigid motion) that brings points (n, 3) nearest to their references (n, 3).
 
     It minimizes sum |y_i - (s R x_i + t)|^2 in closed form (Horn, 1987; here by singular values as in Umeyama, 1991,
@@ -43,76 +43,55 @@ def align(points: Array, reference: Array, *, scale: bool = True) -> Similarity:
     Of M = U D V' this is the sum of D_k times the diagonal of the orthogonal matrix V' R' U, whose entries are at most
     one: R = U S V', where S = diag(1, 1, det U det V) keeps R from being a reflection. And s = tr(R' M) / sum |x_i|^2.
 
+    turn (3, 3): the rotation, where it is known. The scale is then 0 where the points move against their references: no
+    similarity makes them fit better than a single point would.
+
     Raises SlamlibError where the points do not determine it: fewer than three, or all on one line, around which every
     turn fits as well; there use `align_trajectory`, which takes the turn from the attitudes.
     """
-    x, y = _pairs(points, reference)
-    (mean_x, x), (mean_y, y) = _centred(x), _centred(y)
-    M = y.T @ x
-    size = np.linalg.svd(M, compute_uv=False)
-    if size[1] <= 1e-10 * size[0] or not size[0] > 0:
-        raise SlamlibError(
-            "align: the points lie on one line (or in one place), and any turn around it fits as well as any other: "
-            "the attitudes have to say which, see slamlib.evaluation.alignment.align_trajectory(..., by='attitudes')"
-        )
-    return _given_rotation(_nearest_rotation(M), x, y, mean_x, mean_y, scale)
+    shape = np.shape(points)
+    if len(shape) != 2 or shape != np.shape(reference) or shape[1] != 3:
+        raise ShapeError(f"align: pairs of points (n, 3) are wanted, got {shape} and {np.shape(reference)}")
+    x, y = finite(points, shape, "align", "points"), finite(reference, shape, "align", "reference")
+    mean_x, mean_y = x.mean(0), y.mean(0)
+    x, y = x - mean_x, y - mean_y
+    if turn is None:
+        M = y.T @ x
+        size = np.linalg.svd(M, compute_uv=False)
+        if size[1] <= 1e-10 * size[0] or not size[0] > 0:
+            raise SlamlibError(
+                "align: the points lie on one line (or in one place): any turn around it fits as well as any other, "
+                "and the orientations have to say which: align_trajectory(..., rotation_from='orientations')"
+            )
+        turn = _nearest_rotation(M)
+    spread = (x * x).sum()
+    if scale and not spread > 0:
+        raise SlamlibError("align: the estimate does not move, so that it has no scale: align with scale=False")
+    s = max(float((y * (x @ turn.T)).sum() / spread), 0.0) if scale else 1.0
+    return Similarity(s, turn, mean_y - s * turn @ mean_x)
 
 
 def _nearest_rotation(M: Array) -> Array:
     """The rotation R with the largest tr(R' M)."""
     U, _, Vt = np.linalg.svd(M)
     sign = np.linalg.det(U) * np.linalg.det(Vt)
-    turn: Array = U @ np.diag([1.0, 1.0, sign]) @ Vt
-    return turn
+    nearest: Array = U @ np.diag([1.0, 1.0, sign]) @ Vt
+    return nearest
 
 
-def _given_rotation(R: Array, x: Array, y: Array, mean_x: Array, mean_y: Array, scale: bool) -> Similarity:
-    """Best scale and translation for a rotation; x, y centred."""
-    spread = (x * x).sum()
-    if scale and not spread > 0:
-        raise SlamlibError("align: the estimate does not move, so that it has no scale: align with scale=False")
-    s = max(float((y * (x @ R.T)).sum() / spread), 0.0) if scale else 1.0
-    return Similarity(s, R, mean_y - s * R @ mean_x)
+def turn_between(estimate: Trajectory, reference: Trajectory) -> Array:
+    """The turn R (3, 3) for which sum |Q_i - R P_i|^2 is least, P_i and Q_i being rotation matrices of the two.
 
-
-def _pairs(points: Array, reference: Array) -> tuple[Array, Array]:
-    shape = np.shape(points)
-    if len(shape) != 2 or shape != np.shape(reference) or shape[1] != 3:
-        raise ShapeError(f"align: pairs of points (n, 3) are wanted, got {shape} and {np.shape(reference)}")
-    return finite(points, shape, "align", "points"), finite(reference, shape, "align", "reference")
-
-
-def _centred(points: Array) -> tuple[Array, Array]:
-    mean = points.mean(0)
-    return mean, points - mean
+    As in `align`, with M = sum Q_i P_i'. Both trajectories must be of the same body frame (two of one camera, say).
+    """
+    Q, P = rotation(reference.poses[:, 3:]), rotation(estimate.poses[:, 3:])
+    return _nearest_rotation((Q @ P.swapaxes(-1, -2)).sum(0))
 
 
 def straightness(points: Array) -> float:
     """How wide points (n, 3) lie across their main direction, in shares of how long: second by first singular value."""
-    size = np.linalg.svd(_centred(points)[1], compute_uv=False)
+    size = np.linalg.svd(points - points.mean(0), compute_uv=False)
     return float(size[1] / size[0]) if size[0] > 0 else 0.0
-
-
-def align_by_positions(estimate: Trajectory, reference: Trajectory, scale: bool) -> Similarity:
-    """All of it from the positions."""
-    return align(estimate.positions, reference.positions, scale=scale)
-
-
-def align_by_orientations(estimate: Trajectory, reference: Trajectory, scale: bool) -> Similarity:
-    """The turn from the attitudes, scale and translation from the positions.
-
-    The turn R makes sum |Q_i - R P_i|^2 least, P_i and Q_i being rotation matrices of the two: as in `align`, with
-    M = sum Q_i P_i'. Both trajectories must be of the same body frame (two of one camera, say). The scale is 0 where
-    the estimate moves against its reference: no similarity makes it fit better than a single point would.
-    """
-    Q, P = rotation(reference.poses[:, 3:]), rotation(estimate.poses[:, 3:])
-    turn = _nearest_rotation((Q @ P.swapaxes(-1, -2)).sum(0))
-    x, y = _pairs(estimate.positions, reference.positions)
-    (mean_x, x), (mean_y, y) = _centred(x), _centred(y)
-    return _given_rotation(turn, x, y, mean_x, mean_y, scale)
-
-
-ALIGNMENTS = {"positions": align_by_positions, "orientations": align_by_orientations}
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,12 +130,13 @@ def align_trajectory(
     is nearly straight (STRAIGHT_PATH) the attitudes, since positions hardly tell the turn around it. Raises
     SlamlibError.
     """
-    if rotation_from is not None and rotation_from not in ALIGNMENTS:
-        raise SlamlibError(f"aligned: by is one of {', '.join(ALIGNMENTS)}, or None, got {rotation_from!r}")
+    if rotation_from not in (None, "positions", "orientations"):
+        raise SlamlibError(f"align_trajectory: rotation_from is positions, orientations or None, got {rotation_from!r}")
     _check_pairs(estimate, reference)
     narrow = straightness(reference.positions)
     chosen = rotation_from or ("positions" if narrow > STRAIGHT_PATH else "orientations")
-    similarity = ALIGNMENTS[chosen](estimate, reference, scale)
+    turn = turn_between(estimate, reference) if chosen == "orientations" else None
+    similarity = align(estimate.positions, reference.positions, scale=scale, turn=turn)
     moved = similarity.moved(estimate)
     distance = np.linalg.norm(moved.positions - reference.positions, axis=1)
     error = product(reference.poses[:, 3:] * [1, -1, -1, -1], moved.poses[:, 3:])

@@ -10,6 +10,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
 from slamlib.kalman import linalg
@@ -21,16 +22,16 @@ def nees(error: Array, covariance: Array) -> Array:
 
     Raises CovarianceError where P is not positive definite, ShapeError, NonFiniteError.
     """
-    return _squared(error, covariance, "nees", "covariance")
+    return _squared(error, covariance, "nees")
 
 
 def nis(innovation: Array, covariance: Array) -> Array:
     """Normalized innovation squared z' S^-1 z; innovation (..., m), covariance (..., m, m). Expected value m."""
-    return _squared(innovation, covariance, "nis", "covariance")
+    return _squared(innovation, covariance, "nis")
 
 
-def _squared(vector: Array, matrix: Array, function: str, argument: str) -> Array:
-    vector, matrix = linalg.numbers(vector, function, "vector"), linalg.numbers(matrix, function, argument)
+def _squared(vector: Array, matrix: Array, function: str) -> Array:
+    vector, matrix = _numbers(vector, function, "vector"), _numbers(matrix, function, "covariance")
     n = vector.shape[-1] if vector.ndim else 0
     if matrix.shape[-2:] != (n, n) or n == 0:
         raise ShapeError(
@@ -40,21 +41,21 @@ def _squared(vector: Array, matrix: Array, function: str, argument: str) -> Arra
         np.broadcast_shapes(vector.shape[:-1], matrix.shape[:-2])
     except ValueError:
         raise ShapeError(
-            f"{function}: leading axes of the vector {vector.shape} and of the {argument} {matrix.shape} do not match"
+            f"{function}: leading axes of the vector {vector.shape} and the covariance {matrix.shape} do not match"
         ) from None
-    _finite(vector, function, "vector")
-    _finite(matrix, function, argument)
     scale = np.abs(matrix).max((-2, -1), keepdims=True)
     if (np.abs(matrix - matrix.swapaxes(-1, -2)) > 1e-9 * scale).any():
-        raise CovarianceError(f"{function}: the {argument} is not symmetric, as a covariance must be")
-    factor = linalg.cholesky(matrix, function, argument)
+        raise CovarianceError(f"{function}: the covariance is not symmetric, as it must be")
+    factor = linalg.cholesky(matrix, function, "covariance")
     white = np.linalg.solve(factor, vector[..., None])[..., 0]
     return (white * white).sum(-1)
 
 
-def _finite(array: Array, function: str, name: str) -> None:
+def _numbers(value: ArrayLike, function: str, name: str) -> Array:
+    array = linalg.numbers(value, function, name)
     if not np.isfinite(array).all():
         raise NonFiniteError(f"{function}: nan or infinity in the {name}; leave out the steps that were not estimated")
+    return array
 
 
 def rmse(errors: Array, axis: int | tuple[int, ...] | None = None) -> Array:
@@ -62,10 +63,9 @@ def rmse(errors: Array, axis: int | tuple[int, ...] | None = None) -> Array:
 
     It tells how large the errors are, not whether the filter knew (NEES does). Compare filters on the same runs.
     """
-    errors = linalg.numbers(errors, "rmse", "errors")
+    errors = _numbers(errors, "rmse", "errors")
     if not errors.ndim or not errors.size:
         raise ShapeError(f"rmse: errors should have shape (..., n) and not be empty, but have shape {errors.shape}")
-    _finite(errors, "rmse", "errors")
     return np.sqrt((errors * errors).sum(-1).mean(axis))
 
 
@@ -161,10 +161,9 @@ def share_inside(series: Array, limits: tuple[float, float]) -> float:
 
     How near cannot be told from one set of runs: the values at neighbouring steps are correlated.
     """
-    series = linalg.numbers(series, "share_inside", "series")
+    series = _numbers(series, "share_inside", "series")
     if not series.size:
         raise ShapeError("share_inside: the series is empty")
-    _finite(series, "share_inside", "series")
     return float(np.mean((series >= limits[0]) & (series <= limits[1])))
 
 
@@ -182,10 +181,9 @@ class Consistency:
     @classmethod
     def of(cls, statistic: Array, dof: int, *, name: str = "NEES", probability: float = 0.95) -> "Consistency":
         """From the statistic of every run and step, shape (runs, steps)."""
-        statistic = linalg.numbers(statistic, "Consistency", "the statistic")
+        statistic = _numbers(statistic, "Consistency", "statistic")
         if statistic.ndim != 2 or not statistic.size:
             raise ShapeError(f"Consistency: the statistic should have shape (runs, steps), but has {statistic.shape}")
-        _finite(statistic, "Consistency", "statistic")
         runs = len(statistic)
         return cls(name, dof, runs, statistic.mean(0), band(dof, runs, probability), probability)
 

@@ -4,7 +4,6 @@ How an estimate is aligned with its reference, and the errors that remain, are i
 """
 
 import os
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -97,34 +96,20 @@ def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) ->
     except ValueError as error:
         raise SlamlibError(f"{path} is no trajectory: its rows are not numbers, as many in each: {error}") from None
     width = rows.shape[1] if rows.ndim == 2 else 0
-    form = next((f for f in _FORMS if f.fits(width, with_commas)), None)
-    if form is None:
+    own: Array | None = None
+    if with_commas and width >= 8:
+        own, poses = 1e-9 * rows[:, 0], rows[:, 1:8]
+    elif width == 8:
+        own, poses = rows[:, 0], rows[:, [1, 2, 3, 7, 4, 5, 6]]
+    elif width == 12:
+        turns = rows.reshape(-1, 3, 4)[..., :3]
+        poses = np.concatenate([rows[:, 3::4], from_rotation(turns, best_pivot(turns))], axis=1)
+    else:
         raise SlamlibError(f"{path} is no trajectory: rows of 8 (TUM) or 12 numbers (KITTI), or EuRoC's, are wanted")
-    own, poses = form.read(rows)
     times = own if times is None else times
     if times is None:
         raise SlamlibError(f"{path} has poses, but no times (KITTI's form): give them, times=...")
     return Trajectory(times, poses)
-
-
-@dataclass(frozen=True)
-class _Form:
-    """fits(numbers a row, whether there are commas); read(rows): times or None, and poses (n, 7)."""
-
-    fits: Callable[[int, bool], bool]
-    read: Callable[[Array], tuple[Array | None, Array]]
-
-
-def _poses(positions: Array, turns: Array) -> Array:
-    """Poses (n, 7) of positions (n, 3) and rotation matrices (n, 3, 3)."""
-    return np.concatenate([positions, from_rotation(turns, best_pivot(turns))], axis=1)
-
-
-_FORMS = (
-    _Form(lambda width, commas: commas and width >= 8, lambda rows: (1e-9 * rows[:, 0], rows[:, 1:8])),
-    _Form(lambda width, _: width == 8, lambda rows: (rows[:, 0], rows[:, [1, 2, 3, 7, 4, 5, 6]])),
-    _Form(lambda width, _: width == 12, lambda rows: (None, _poses(rows[:, 3::4], rows.reshape(-1, 3, 4)[..., :3]))),
-)
 
 
 def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tuple[Indices, Indices]:

@@ -68,8 +68,7 @@ def monte_carlo(
     if keep:
         keep.mkdir(parents=True, exist_ok=True)
     rows = progress(_each(preset, runs, seed, jobs, keep), runs, f"{preset.name}, {runs} runs")
-    columns = {name: np.array(column) for name, column in zip(NAMES, zip(*rows, strict=True), strict=True)}
-    return Experiment(preset, **columns)
+    return Experiment(preset, *map(np.array, zip(*rows, strict=True)))
 
 
 def _each(preset: Preset, runs: int, seed: int, jobs: int | None, folder: Path | None) -> Iterator[tuple[Array, ...]]:
@@ -87,7 +86,9 @@ def _each(preset: Preset, runs: int, seed: int, jobs: int | None, folder: Path |
 
 def run_once(preset: Preset, seed: int, folder: Path | None = None) -> tuple[Array, ...]:
     """One run's row, from its file if there is one."""
-    path = None if folder is None else folder / f"{preset.name}-{_digest(preset)}-{seed}.npz"
+    plain = json.dumps(replace(preset, seed=0).to_dict(), sort_keys=True)
+    digest = hashlib.sha256(plain.encode()).hexdigest()[:12]
+    path = None if folder is None else folder / f"{preset.name}-{digest}-{seed}.npz"
     if path and path.is_file():
         with np.load(path) as file:
             return tuple(file[name] for name in NAMES)
@@ -101,7 +102,7 @@ def run_once(preset: Preset, seed: int, folder: Path | None = None) -> tuple[Arr
 
 def _row(preset: Preset, seed: int) -> tuple[Array, ...]:
     result = Run(preset, seed).finish()
-    away = np.concatenate([result.point_errors, result.segment_errors])
+    away = np.concatenate([*result.map_errors.values()])
     away = away[np.isfinite(away)]
     return tuple(
         np.asarray(value)
@@ -118,8 +119,3 @@ def _row(preset: Preset, seed: int) -> tuple[Array, ...]:
             np.median(away) if len(away) else np.nan,
         )
     )
-
-
-def _digest(preset: Preset) -> str:
-    plain = replace(preset, seed=0).to_dict()
-    return hashlib.sha256(json.dumps(plain, sort_keys=True).encode()).hexdigest()[:12]

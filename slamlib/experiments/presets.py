@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.data.files import write_whole
-from slamlib.data.plain import read, written
+from slamlib.data.plain import Plain
 from slamlib.data.records import Frame, Truth, World
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, UnknownNameError
@@ -23,7 +23,7 @@ from slamlib.slam import Options, Slam
 
 
 @dataclass(frozen=True)
-class Preset:
+class Preset(Plain):
     """An experiment: what there is to see, who drives and looks, how the filter is set, for how long.
 
     worlds: (name, arguments) of each part of the world (slamlib.simulation.WORLDS). noise_in: "control" or "truth", see
@@ -63,16 +63,6 @@ class Preset:
     def slam(self) -> Slam:
         """A filter for it, before the first frame."""
         return Slam(self.rig, self.options)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Plain data for JSON or TOML."""
-        plain: dict[str, Any] = written(self)
-        return plain
-
-    @classmethod
-    def from_dict(cls, data: dict[str, Any]) -> "Preset":
-        """The preset of plain data. Raises SlamlibError for an unknown, missing or wrong key, named by its path."""
-        return read(cls, data, "preset")
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write it as JSON, whole or not at all."""

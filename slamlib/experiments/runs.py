@@ -14,6 +14,7 @@ from slamlib.errors import SlamlibError
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
+from slamlib.observation import FAMILIES
 from slamlib.slam import Report, Slam
 
 COLUMNS = ("errors", "sigmas", "nees", "nis", "nis_dof", "landmarks", "size", "seconds")
@@ -26,7 +27,7 @@ class Result:
     errors (n, r, 6): true pose minus estimate, in the tangent space; sigmas (n, r, 6): what the filter says of them;
     nees (n, r), 6 degrees of freedom. nis (n,) and its degrees of freedom nis_dof (n,): of all innovations believed.
     landmarks, size, seconds (n,): of the map, of the state, and of the processor. initialized, deleted: in the whole
-    run. point_errors, segment_errors: distances [m] of the landmarks in the final map from the truth.
+    run. map_errors: by family, distances [m] (k,) of the landmarks in the final map from the truth.
     """
 
     preset: Preset
@@ -40,8 +41,7 @@ class Result:
     seconds: Array
     initialized: int
     deleted: int
-    point_errors: Array
-    segment_errors: Array
+    map_errors: dict[str, Array]
 
 
 @dataclass(frozen=True)
@@ -92,9 +92,7 @@ class Run:
             errors.append(e.tolist())
             sigmas.append(np.sqrt(P.diagonal()).tolist())
             nees.append(_nees(e, P))
-        inliers = [
-            prediction for predictions in self.slam.predictions for prediction in predictions if prediction.inlier
-        ]
+        inliers = [prediction for each in self.slam.predictions for prediction in each if prediction.inlier]
         nis, dof = sum(prediction.nis for prediction in inliers), sum(len(prediction.S) for prediction in inliers)
         row = [errors, sigmas, nees, nis, dof, len(self.slam.landmarks), self.slam.belief.size, seconds]
         self._history.append(row)
@@ -103,17 +101,13 @@ class Run:
         """What has been done so far. Raises SlamlibError before the first frame."""
         if not self._history:
             raise SlamlibError("nothing has been run yet")
-        columns = {
-            name: np.array(column) for name, column in zip(COLUMNS, zip(*self._history, strict=True), strict=True)
-        }
-        snapshot, world = self.slam.snapshot(), self.preset.world
+        columns = zip(COLUMNS, map(np.array, zip(*self._history, strict=True)), strict=True)
         return Result(
             preset=self.preset,
             initialized=self._initialized,
             deleted=self._deleted,
-            point_errors=point_errors(snapshot, world),
-            segment_errors=line_errors(snapshot, world),
-            **columns,
+            map_errors=map_errors(self.slam.snapshot(), self.preset.world),
+            **dict(columns),
         )
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -141,21 +135,12 @@ def _nees(error: Array, covariance: Array) -> float:
         return float("nan")
 
 
-def point_errors(snapshot: Snapshot, world: World) -> Array:
-    """Distances [m] (k,) of the estimated points from the world's points of the same ids."""
-    row = {int(number): i for i, number in enumerate(world.points.ids)}
-    pairs = [(i, row[int(n)]) for i, n in enumerate(snapshot.points.ids) if int(n) in row]
-    found = [np.linalg.norm(snapshot.points.geometry[i] - world.points.values[j]) for i, j in pairs]
-    return np.array(found)
-
-
-def line_errors(snapshot: Snapshot, world: World) -> Array:
-    """For each estimated line, the larger distance [m] (k,) of the true segment's two ends from it."""
-    row = {int(number): i for i, number in enumerate(world.segments.ids)}
-    found = []
-    for number, endpoints in zip(snapshot.segments.ids, snapshot.segments.geometry, strict=True):
-        if int(number) in row:
-            along = (endpoints[1] - endpoints[0]) / np.linalg.norm(endpoints[1] - endpoints[0])
-            away = world.segments.values[row[int(number)]].reshape(2, 3) - endpoints[0]
-            found.append(np.linalg.norm(away - np.outer(away @ along, along), axis=1).max())
-    return np.array(found)
+def map_errors(snapshot: Snapshot, world: World) -> dict[str, Array]:
+    """By family, distances [m] (k,) of the estimated landmarks from the world's things of the same ids."""
+    found = {}
+    for name, shown in snapshot.landmarks.items():
+        things, family = world.features[name], FAMILIES[name]
+        there = dict(zip(things.ids.tolist(), things.values, strict=True))
+        pairs = zip(shown.ids.tolist(), shown.geometry, strict=True)
+        found[name] = np.array([family.distance(geometry, there[i]) for i, geometry in pairs if i in there])
+    return found

@@ -8,17 +8,17 @@ import importlib
 import math
 import operator
 from collections.abc import Callable
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
 from slamlib.manifolds import Array, Indices
 
-quiet_floats = np.errstate(
-    over="ignore", invalid="ignore"
-)  # results are checked: an overflow is an error, not a warning
+Numbers = TypeVar("Numbers", bound=NDArray[Any])
+
+quiet_floats = np.errstate(over="ignore", invalid="ignore")  # results are checked: an overflow is an error
 
 # Sizes from which the triangular product of BLAS repays its mirroring: benchmarks/covariance_update.py.
 _LARGE = 400
@@ -53,7 +53,7 @@ def read_only_copy(array: ArrayLike) -> Array:
     return read_only(np.array(array, dtype=float))
 
 
-def read_only(array: Array) -> Array:
+def read_only(array: Numbers) -> Numbers:
     """The array itself, from now on read-only: for those that nobody else holds."""
     array.flags.writeable = False
     return array
@@ -231,13 +231,3 @@ def log_determinants(matrices: Array) -> Array:
         return np.linalg.slogdet(matrices)[1]
     a, b, c = matrices[:, 0, 0], matrices[:, 0, 1], matrices[:, 1, 1]
     return np.log(a) + np.log(c - b * b / a)
-
-
-def quadratic_forms(z: Array, matrices: Array) -> Array:
-    """z' S^-1 z (n,) of vectors (n, d) and positive definite matrices (n, d, d); of 2 x 2 by their Cholesky factors."""
-    if matrices.shape[1:] != (2, 2):
-        squared: Array = (z * np.linalg.solve(matrices, z[..., None])[..., 0]).sum(-1)
-        return squared
-    a, b, c = matrices[:, 0, 0], matrices[:, 0, 1], matrices[:, 1, 1]
-    x, y, ratio = z[:, 0], z[:, 1], b / a
-    return x * x / a + (y - ratio * x) ** 2 / (c - ratio * b)

@@ -29,6 +29,25 @@ class LinearizedMeasurement:
     innovation: Array
     noise: Array
 
+    def checked_innovation(self, function: str, name: str) -> Array:
+        """The innovation, checked to be one or more finite numbers."""
+        z = linalg.numbers(self.innovation, function, f"innovation{name}")
+        if z.ndim != 1 or not z.size:
+            shape = z.shape
+            raise ShapeError(
+                f"{function}: innovation{name} should have shape (m,), m at least 1, but has shape {shape}"
+            )
+        return linalg.finite(z, z.shape, function, f"innovation{name}")
+
+    def checked_jacobians(self, rows: int, function: str, name: str = "") -> list[Array]:
+        """The Jacobians, one a block, each checked to be (rows, dof of its block) and finite."""
+        blocks, jacobians = self.blocks, self.jacobians
+        if not len(blocks) or len(blocks) != len(jacobians):
+            counts = f"{len(blocks)} blocks but {len(jacobians)} Jacobians{name}"
+            raise SlamlibError(f"{function}: {counts}; give one Jacobian for each block")
+        pairs = enumerate(zip(blocks, jacobians, strict=True))
+        return [linalg.finite(J, (rows, b.dof), function, f"Jacobian {i}{name}") for i, (b, J) in pairs]
+
 
 @dataclass(frozen=True)
 class UpdateResult:
@@ -41,87 +60,80 @@ class UpdateResult:
 
 @dataclass(frozen=True)
 class StackedMeasurements:
-    """Several observations as one: z (m,), R (m, m), and H (m, k) by the k touched degrees of freedom alone."""
+    """Several measurements as one: z (m,), R (m, m), and H (m, k) by the k touched degrees of freedom alone.
+
+    given: what it was stacked of, where that is known.
+    """
 
     z: Array
     H: Array
     R: Array
     touched: Indices
+    given: Sequence[LinearizedMeasurement] = ()
+
+    @classmethod
+    def of(
+        cls, measurements: Sequence[LinearizedMeasurement], function: str, own: Callable[..., None]
+    ) -> "StackedMeasurements":
+        """All innovations in one vector, all Jacobians in one matrix, all noises in one block-diagonal matrix.
+
+        own: raises where a block is not one of the belief.
+        """
+        if not len(measurements):
+            raise SlamlibError(f"{function}: no measurement given; leave the call out when nothing was seen")
+        noises: dict[tuple[int, int], Array] = {}  # landmarks mostly share one R, which is checked once
+        innovations, jacobians = [], []
+        columns: dict[Any, int] = {}  # where each touched block begins in the stacked Jacobian
+        end = 0
+        for i, measurement in enumerate(measurements):
+            own(measurement.blocks)
+            name = f" of measurement {i}" if len(measurements) > 1 else ""
+            z = measurement.checked_innovation(function, name)
+            key = (id(measurement.noise), len(z))
+            if key not in noises:
+                noises[key] = linalg.covariance(measurement.noise, len(z), function, f"R{name}")
+            innovations.append(z)
+            jacobians.append(measurement.checked_jacobians(len(z), function, name))
+            for block in measurement.blocks:
+                if block not in columns:
+                    columns[block] = end
+                    end += block.dof
+        stops = [0, *accumulate(map(len, innovations))]
+        H, R = np.zeros((stops[-1], end)), np.zeros((stops[-1],) * 2)
+        for measurement, each, (start, stop) in zip(measurements, jacobians, pairwise(stops), strict=True):
+            R[start:stop, start:stop] = noises[id(measurement.noise), stop - start]
+            for block, J in zip(measurement.blocks, each, strict=True):
+                H[start:stop, columns[block] : columns[block] + block.dof] += J
+        touched = np.concatenate([np.arange(b.start, b.start + b.dof) for b in columns])
+        return cls(np.concatenate(innovations), H, R, touched, measurements)
 
     def innovation_covariance(self, HP: Array) -> Array:
         """S = H P H' + R, exactly symmetric, from H P over all columns."""
         half = HP.take(self.touched, axis=1) @ self.H.T / 2
         return half + half.T + self.R
 
+    def solve(self, method: str, HP: Array, S: Array) -> tuple[Array, Array, float]:
+        """Step, lost rows and nis by the method of this name: "batch" or "scalar"."""
+        if method not in _METHODS:
+            raise UnknownNameError.of("method", method, _METHODS)
+        linalg.check_overflow("update", S)
+        try:
+            return _METHODS[method](HP, self.H, self.touched, S, self.R, self.z)
+        except CovarianceError as error:
+            which = self._certain(self.R if method == "scalar" else S)
+            raise CovarianceError(
+                f"{error}: {which} is claimed to be known exactly; nothing was changed. Give R > 0."
+            ) from None
 
-def stack_measurements(
-    measurements: Sequence[LinearizedMeasurement], function: str, own: Callable[..., None]
-) -> StackedMeasurements:
-    """All innovations in one vector, all Jacobians in one matrix, all noises in one block-diagonal matrix.
-
-    own: raises where a block is not one of the belief.
-    """
-    if not len(measurements):
-        raise SlamlibError(f"{function}: no measurement given; leave the call out when nothing was seen")
-    noises: dict[tuple[int, int], Array] = {}
-    parts = []
-    for i, measurement in enumerate(measurements):
-        own(measurement.blocks)
-        parts.append(_checked(measurement, function, f" of measurement {i}" if len(measurements) > 1 else "", noises))
-    stops = [0, *accumulate(len(z) for z, _, _ in parts)]
-    columns, touched = _columns(measurements)
-    H, R = np.zeros((stops[-1], len(touched))), np.zeros((stops[-1],) * 2)
-    for measurement, (_, jacobians, noise), (start, stop) in zip(measurements, parts, pairwise(stops), strict=True):
-        R[start:stop, start:stop] = noise
-        for block, J in zip(measurement.blocks, jacobians, strict=True):
-            H[start:stop, columns[block] : columns[block] + block.dof] += J
-    return StackedMeasurements(np.concatenate([z for z, _, _ in parts]), H, R, touched)
-
-
-def _checked(
-    measurement: LinearizedMeasurement, function: str, name: str, noises: dict[tuple[int, int], Array]
-) -> tuple[Array, list[Array], Array]:
-    """Innovation, Jacobians and noise of one observation; noises: those that were checked already."""
-    z = linalg.numbers(measurement.innovation, function, f"innovation{name}")
-    if z.ndim != 1 or not z.size:
-        raise ShapeError(f"{function}: innovation{name} should have shape (m,), m at least 1, but has shape {z.shape}")
-    z = linalg.finite(z, z.shape, function, f"innovation{name}")
-    key = (id(measurement.noise), len(z))  # landmarks mostly share one R
-    if key not in noises:
-        noises[key] = linalg.covariance(measurement.noise, len(z), function, f"R{name}")
-    return z, checked_jacobians(measurement, len(z), function, name), noises[key]
-
-
-def _columns(measurements: Sequence[LinearizedMeasurement]) -> tuple[dict[Any, int], Indices]:
-    """Where each touched block begins in the stacked Jacobian, and the covariance's rows that belong to its columns."""
-    columns: dict[Any, int] = {}
-    end = 0
-    for measurement in measurements:
-        for block in measurement.blocks:
-            if block not in columns:
-                columns[block] = end
-                end += block.dof
-    return columns, np.concatenate([np.arange(b.start, b.start + b.dof) for b in columns])
-
-
-def checked_jacobians(measurement: LinearizedMeasurement, rows: int, function: str, name: str = "") -> list[Array]:
-    """The Jacobians of an observation, one a block, each checked to be (rows, dof of its block) and finite."""
-    blocks, jacobians = measurement.blocks, measurement.jacobians
-    if not len(blocks) or len(blocks) != len(jacobians):
-        raise SlamlibError(
-            f"{function}: {len(blocks)} blocks but {len(jacobians)} Jacobians{name}; give one Jacobian for each block"
-        )
-    pairs = enumerate(zip(blocks, jacobians, strict=True))
-    return [linalg.finite(J, (rows, b.dof), function, f"Jacobian {i}{name}") for i, (b, J) in pairs]
-
-
-def describe_singular(S: Array, measurements: Sequence[LinearizedMeasurement]) -> str:
-    """Which observation, and which of its numbers, is known for certain by prediction and measurement alike."""
-    row = int(np.argmax(np.abs(np.linalg.eigh(S)[1][:, 0])))
-    stops = np.cumsum([len(o.innovation) for o in measurements])
-    i = int(np.searchsorted(stops, row, side="right"))
-    number = row - int(stops[i]) + len(measurements[i].innovation)
-    return f"number {number} of measurement {i} (of {', '.join(map(repr, measurements[i].blocks))})"
+    def _certain(self, S: Array) -> str:
+        """Which measurement, and which of its numbers, is known for certain by prediction and measurement alike."""
+        if not self.given:
+            return "a measurement"
+        row = int(np.argmax(np.abs(np.linalg.eigh(S)[1][:, 0])))
+        stops = np.cumsum([len(measurement.innovation) for measurement in self.given])
+        i = int(np.searchsorted(stops, row, side="right"))
+        number = row - int(stops[i]) + len(self.given[i].innovation)
+        return f"number {number} of measurement {i} (of {', '.join(map(repr, self.given[i].blocks))})"
 
 
 def _batch(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
@@ -148,23 +160,6 @@ def _scalar(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array)
 
 
 _METHODS: dict[str, Callable[..., tuple[Array, Array, float]]] = {"batch": _batch, "scalar": _scalar}
-
-
-def solve_update(
-    method: str, HP: Array, S: Array, stacked: StackedMeasurements, given: Sequence[LinearizedMeasurement]
-) -> tuple[Array, Array, float]:
-    """Step, lost rows and nis by the method of this name: "batch" or "scalar"."""
-    if method not in _METHODS:
-        raise UnknownNameError.of("method", method, _METHODS)
-    linalg.check_overflow("update", S)
-    try:
-        return _METHODS[method](HP, stacked.H, stacked.touched, S, stacked.R, stacked.z)
-    except CovarianceError as error:
-        singular = stacked.R if method == "scalar" else S
-        which = describe_singular(singular, given) if given else "a measurement"
-        raise CovarianceError(
-            f"{error}: {which} is claimed to be known exactly; nothing was changed. Give R > 0."
-        ) from None
 
 
 _ROWS = 32  # of W that there is room for at first
@@ -194,21 +189,19 @@ class SequentialUpdate:
         W, z = white[:, :-1], white[:, -1]
         nis = float(z @ z)
         if nis < gate:
-            self._move(z @ W)
-            self._take(W)
+            step = z @ W
+            if not np.isfinite(step).all():
+                raise NonFiniteError("update: the step overflows; choose units in which the numbers are smaller")
+            self._layout.assign(*self._layout.retract(step, self._retraction))
+            self._keep(W)
         return UpdateResult(innovation, S, nis)
 
-    def _take(self, rows: Array) -> None:
+    def _keep(self, rows: Array) -> None:
         """More rows of W, in a store that doubles when it is full."""
         end = self._count + len(rows)
         while end > len(self._store):
             self._store = np.concatenate([self._store, np.empty_like(self._store)])
         self._store[self._count : end], self._count = rows, end
-
-    def _move(self, step: Array) -> None:
-        if not np.isfinite(step).all():
-            raise NonFiniteError("update: the step overflows; choose units in which the numbers are smaller")
-        self._layout.assign(*self._layout.retract(step, self._retraction))
 
     def finish(self) -> None:
         """The covariance becomes that of the present means, which stay as they are."""

@@ -3,8 +3,7 @@
 from typing import Any
 
 from slamlib.errors import UnknownNameError
-from slamlib.landmarks.line import LineLandmark
-from slamlib.landmarks.point import PointLandmark
+from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.modeling.registry import Registry
 
 __all__ = ["LINES", "POINTS", "LineLandmark", "PointLandmark", "landmark"]

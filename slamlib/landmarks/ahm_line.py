@@ -6,7 +6,7 @@ from slamlib.geometry.plucker import join
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import ahm_point
-from slamlib.landmarks.line import LineLandmark
+from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import as_manifold
 from slamlib.model import model
 

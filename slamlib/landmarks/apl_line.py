@@ -5,7 +5,7 @@ import numpy as np
 from slamlib.geometry import plucker
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
-from slamlib.landmarks.line import LineLandmark
+from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import as_manifold
 from slamlib.model import model
 

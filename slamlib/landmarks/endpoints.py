@@ -12,7 +12,7 @@ import numpy as np
 from slamlib.errors import SlamlibError
 from slamlib.geometry import plucker
 from slamlib.landmarks import hmg_point
-from slamlib.landmarks.line import LineLandmark
+from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import Array, Mask
 
 

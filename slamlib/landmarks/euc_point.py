@@ -5,7 +5,7 @@ import numpy as np
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.pose import from_frame as into_world
 from slamlib.geometry.pose import to_frame as into_frame
-from slamlib.landmarks.point import PointLandmark
+from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import as_manifold
 from slamlib.model import model
 

@@ -5,7 +5,7 @@ import numpy as np
 from slamlib.geometry.plucker import join
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import hmg_point
-from slamlib.landmarks.line import LineLandmark
+from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import as_manifold
 from slamlib.model import model
 

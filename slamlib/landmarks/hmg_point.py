@@ -4,7 +4,7 @@ import numpy as np
 
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
-from slamlib.landmarks.point import PointLandmark
+from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import as_manifold
 from slamlib.model import model
 

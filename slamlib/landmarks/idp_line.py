@@ -7,7 +7,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import idp_point
 from slamlib.landmarks.idp_point import angles_of, direction
-from slamlib.landmarks.line import LineLandmark
+from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import as_manifold
 from slamlib.model import model
 

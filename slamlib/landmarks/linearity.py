@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from slamlib.errors import ShapeError, SlamlibError
-from slamlib.landmarks.point import PointLandmark
+from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import Array, Mask
 
 THRESHOLD = 0.1  # of the linearity index, below which a point may become Euclidean; the toolbox's linTestIdp

@@ -2,7 +2,7 @@
 
 from slamlib.geometry import plucker
 from slamlib.geometry.pose import Pose
-from slamlib.landmarks.line import LineLandmark
+from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import as_manifold
 from slamlib.model import model
 

@@ -6,18 +6,9 @@ from slamlib.errors import UnknownNameError
 from slamlib.modeling.registry import Registry
 from slamlib.observation.family import Family
 
-__all__ = ["FAMILIES", "Family", "family_of", "parametrization"]
+__all__ = ["FAMILIES", "Family", "parametrization"]
 
 FAMILIES = Registry(__name__, Family, "family")
-
-
-def family_of(kind: Any) -> Family:
-    """The family of a parametrization. Raises UnknownNameError."""
-    for family in FAMILIES.values():
-        if isinstance(kind, family.kinds):
-            found: Family = family
-            return found
-    raise UnknownNameError.of("family of landmarks like", getattr(kind, "name", kind), FAMILIES)
 
 
 def parametrization(name: str) -> Any:

@@ -5,6 +5,8 @@ writes one file. The methods here are those of a family whose measurements are n
 for each landmark; what it must say itself raises NotImplementedError.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Mapping
 from functools import lru_cache
@@ -20,8 +22,7 @@ from slamlib.sensors.sensor import Calibration
 
 if TYPE_CHECKING:  # the filter is above this folder; only the checker of types looks up
     from slamlib.belief import Belief
-    from slamlib.slam.entities import Landmark, MountedSensor
-    from slamlib.slam.linearization import Linearization
+    from slamlib.slam.entities import Landmark, Linearization, MountedSensor
     from slamlib.slam.options import Options
 
 
@@ -32,21 +33,21 @@ class PredictedBatch(NamedTuple):
     by (n, q, k) by the rows `columns` (n, k) of the joint covariance; options: those it was predicted with.
     """
 
-    landmarks: list["Landmark"]
+    landmarks: list[Landmark]
     value: Array
     innovation_input: Array
     jacobian: Array
     columns: Indices
-    options: "Options | None" = None
+    options: Options | None = None
 
-    def take(self, rows: list[int]) -> "PredictedBatch":
+    def take(self, rows: list[int]) -> PredictedBatch:
         """Some of the landmarks, in this order."""
         value, inner, by = (array.take(rows, axis=0) for array in (self.value, self.innovation_input, self.jacobian))
         landmarks = [self.landmarks[i] for i in rows]
         return PredictedBatch(landmarks, value, inner, by, self.columns.take(rows, axis=0), self.options)
 
     @classmethod
-    def nothing(cls, size: int) -> "PredictedBatch":
+    def nothing(cls, size: int) -> PredictedBatch:
         """No landmark in view, of those whose measurements have `size` numbers."""
         return cls([], np.zeros((0, size)), np.zeros((0, size)), np.zeros((0, size, 0)), np.zeros((0, 0), dtype=int))
 
@@ -66,20 +67,20 @@ class Viewpoint(NamedTuple):
     by the rows `columns` of the joint covariance.
     """
 
-    sensor: "MountedSensor"
+    sensor: MountedSensor
     pose: Array
     linearization_pose: Array
     jacobian: Array
-    linearization: "Linearization | None"
+    linearization: Linearization | None
 
-    def linearized(self, landmarks: list["Landmark"]) -> Array:
+    def linearized(self, landmarks: list[Landmark]) -> Array:
         """Means (n, size) of landmarks of one kind at which their Jacobians are taken."""
         if self.linearization is None:
             return landmark_means(landmarks)
         return np.array([self.linearization.at(landmark.block) for landmark in landmarks])
 
 
-def viewpoint(sensor: "MountedSensor", robot: Array | None = None) -> Viewpoint:
+def viewpoint(sensor: MountedSensor, robot: Array | None = None) -> Viewpoint:
     """Where the sensor is, by its robot's pose and its own mount; robot (7,): another pose of its robot."""
     linearization, pose = sensor.linearization, sensor.robot.pose if robot is None else robot
     is_estimated = sensor.block is not None
@@ -97,18 +98,18 @@ def _composed(robot: bytes, extrinsics: bytes, is_estimated: bool) -> tuple[Arra
     return read_only(pose), read_only(np.concatenate(J, axis=1) if is_estimated else J.outer)
 
 
-def landmark_means(landmarks: list["Landmark"]) -> Array:
+def landmark_means(landmarks: list[Landmark]) -> Array:
     """Means (n, size) of landmarks of one kind."""
     return state.stacked_means([landmark.block for landmark in landmarks])
 
 
-def state_rows(landmarks: list["Landmark"]) -> Indices:
+def state_rows(landmarks: list[Landmark]) -> Indices:
     """Rows (n, dof) of the joint covariance of landmarks of one kind."""
     starts: Indices = np.array([landmark.block.start for landmark in landmarks])
     return starts[:, None] + np.arange(landmarks[0].block.dof)
 
 
-def state_columns(sensor: "MountedSensor", landmarks: list["Landmark"]) -> Indices:
+def state_columns(sensor: MountedSensor, landmarks: list[Landmark]) -> Indices:
     """Rows (n, k) of the joint covariance that a measurement of each landmark, all of one kind, depends on."""
     shared, own = sensor.columns, state_rows(landmarks)
     columns = np.empty((len(own), len(shared) + own.shape[1]), dtype=int)
@@ -147,7 +148,7 @@ class Family:
     exact: Any = None
     parts: int = 1
 
-    def new_kind(self, options: "Options") -> Any:
+    def new_kind(self, options: Options) -> Any:
         """The parametrization of new landmarks, or None for none."""
         name = options.parametrization_of(self.name)
         return self.parametrizations[name] if name else None
@@ -156,20 +157,27 @@ class Family:
         """Numbers in a measurement of one landmark."""
         return calibration.sensor.size
 
-    def supports(self, sensor: "MountedSensor") -> bool:
+    def supports(self, sensor: MountedSensor) -> bool:
         """Whether a sensor measures landmarks of this family; it has `calibration`."""
         raise NotImplementedError
 
-    def usable(self, sensor: "MountedSensor", values: Array, options: "Options") -> Mask:
+    def usable(self, sensor: MountedSensor, values: Array, options: Options) -> Mask:
         """Mask of the measurements (n, m) that a landmark may begin with."""
         return np.ones(len(values), dtype=bool)
 
     def observe(self, kind: Any, calibration: Calibration, camera: Array, means: Array) -> tuple[Array, Mask, Any]:
-        """Measurements (n, m) of landmarks from a sensor's pose (7,), the mask of those in view, and the Jacobians
-        (n, m, 6) by the pose and (n, m, dof) by the landmark, as `jacobians.camera` and `jacobians.landmark`."""
+        """What a measurement is compared with, (n, q), of landmarks from a sensor's pose (7,): the measurement that is
+        expected, or what `residual` takes; the mask of those in view; and the Jacobians (n, q, 6) by the pose and
+        (n, q, dof) by the landmark, as `jacobians.camera` and `jacobians.landmark`."""
         raise NotImplementedError
 
-    def predict_batch(self, view: Viewpoint, landmarks: list["Landmark"], options: "Options") -> PredictedBatch:
+    def residual(self, sensor: MountedSensor, inner: Array, by: Array, measured: Array, options: Any) -> Innovation:
+        """Measured minus expected, in the space of the measurement: of one (m,) or of many (n, m), at what `observe`
+        gave, with its Jacobian `by` by the rows of the covariance."""
+        z, noise = sensor.calibration.sensor.manifold.minus(measured, inner), sensor.calibration.noise
+        return Innovation(z, by, noise if z.ndim == 1 else noise[None].repeat(len(z), axis=0))
+
+    def predict_batch(self, view: Viewpoint, landmarks: list[Landmark], options: Options) -> PredictedBatch:
         """What the sensor should measure of landmarks of one kind; those out of view are left out."""
         kind, calibration, means = landmarks[0].kind, view.sensor.calibration, landmark_means(landmarks)
         value, visible, J = self.observe(kind, calibration, view.pose, means)
@@ -182,24 +190,19 @@ class Family:
         by = columns_jacobian(view, J.camera.take(seen, axis=0), J.landmark.take(seen, axis=0))
         return PredictedBatch(looked, value, value, by, state_columns(view.sensor, looked), options)
 
-    def batch_innovation(self, sensor: "MountedSensor", expected: PredictedBatch, measured: Array) -> Innovation:
-        """Measured minus expected (n, m), in the space of the measurement."""
-        z = sensor.calibration.sensor.manifold.minus(measured, expected.value)
-        noise = sensor.calibration.noise
-        return Innovation(z, expected.jacobian, noise[None].repeat(len(z), axis=0))
+    def batch_innovation(self, sensor: MountedSensor, expected: PredictedBatch, measured: Array) -> Innovation:
+        """Innovations of measurements (n, m) of landmarks that were expected."""
+        return self.residual(sensor, expected.innovation_input, expected.jacobian, measured, expected.options)
 
-    def innovation(
-        self, view: Viewpoint, landmark: "Landmark", measured: Array, options: "Options"
-    ) -> Innovation | None:
+    def innovation(self, view: Viewpoint, landmark: Landmark, measured: Array, options: Options) -> Innovation | None:
         """The innovation of one landmark at the present means; None if it should not be seen from there."""
         kind, calibration = landmark.kind, view.sensor.calibration
-        value, visible, J = self.observe(kind, calibration, view.pose, landmark.block.mean)
+        inner, visible, J = self.observe(kind, calibration, view.pose, landmark.block.mean)
         if not visible:
             return None
         if view.linearization is not None:
             J = self.observe(kind, calibration, view.linearization_pose, view.linearization.at(landmark.block))[2]
-        z = calibration.sensor.manifold.minus(measured, value)
-        return Innovation(z, columns_jacobian(view, J.camera, J.landmark), calibration.noise)
+        return self.residual(view.sensor, inner, columns_jacobian(view, J.camera, J.landmark), measured, options)
 
     def innovation_input(self, calibration: Calibration, in_frame: Array) -> Array:
         """What the innovation is computed from, of landmarks in the sensor's frame (..., q), as kind.to_frame has it;
@@ -207,7 +210,7 @@ class Family:
         return in_frame
 
     def initialize(
-        self, sensor: "MountedSensor", kind: Any, value: Array, options: "Options"
+        self, sensor: MountedSensor, kind: Any, value: Array, options: Options
     ) -> tuple[Array, Array, list[Array]]:
         """Mean (size,), own noise (dof, dof) and Jacobians (dof, 6) by robot and mount of a new landmark."""
         raise NotImplementedError
@@ -217,22 +220,21 @@ class Family:
         return None
 
     def after_update(
-        self,
-        belief: "Belief",
-        sensor: "MountedSensor",
-        landmarks: list["Landmark"],
-        measured: Array,
-        options: "Options",
+        self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options
     ) -> None:
         """What happens to landmarks of one kind after a measurement update: nothing."""
 
-    def invalid(self, belief: "Belief", landmarks: list["Landmark"]) -> set["Landmark"]:
+    def invalid(self, belief: Belief, landmarks: list[Landmark]) -> set[Landmark]:
         """The landmarks, of one kind, that cannot be where they are estimated: none."""
         return set()
 
-    def geometry(self, belief: "Belief", landmarks: list["Landmark"]) -> tuple[Array, Array, Mask]:
+    def geometry(self, belief: Belief, landmarks: list[Landmark]) -> tuple[Array, Array, Mask]:
         """For pictures: where they are in the world (n, ...), covariances (n, ...), and the mask of those converged."""
         raise NotImplementedError
+
+    def distance(self, geometry: Array, there: Array) -> float:
+        """How far [m] a landmark, as `geometry` has it, is from what is there (world_size,)."""
+        return float(np.linalg.norm(geometry - there))
 
     def check(self, name: str, calibration: Calibration) -> None:
         """Raise SlamlibError if a sensor of this name cannot be simulated where there is something of the family."""

@@ -12,11 +12,10 @@ import numpy as np
 
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.pose import compose
-from slamlib.landmarks.line import LineLandmark
 from slamlib.landmarks.line_innovation import angles, distances, oriented, rho_theta
+from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import Array
-from slamlib.model import Model
-from slamlib.observation.points import Observation, named
+from slamlib.observation.points import Observation, named, through
 from slamlib.sensors.sensor import Calibration
 
 Residual = Callable[[Calibration, Array, Array], tuple[Array, Array, Array]]
@@ -31,17 +30,16 @@ def observe_line(
     A line has no ends, so it has no border to lie in: `visible` is true for all; segments are judged by their ends
     (slamlib.landmarks.segments). Raises SlamlibError for a sensor that sees no lines. Chapter 12, eq. (li-project).
     """
-    project = _sees_lines(calibration, f"observe {kind.name}")
+    _check_lines(calibration, f"observe {kind.name}")
     camera, by_camera = compose.jac(robot, extrinsics)
     line, by_frame = kind.to_frame.jac(camera, landmarks)
-    names = [n for n in project.parameters if n in calibration.given]
-    value, by_sensor = project.jac(line, **{n: calibration.padded[n] for n in names})
-    to_camera = by_sensor[0] @ by_frame.pose
+    value, J = _image_line(calibration, line)
+    by_pose = J[0] @ by_frame.pose
     parts = {
-        "robot": to_camera @ by_camera.outer,
-        "extrinsics": to_camera @ by_camera.inner,
-        "landmark": by_sensor[0] @ by_frame.landmark,
-        **{n: getattr(by_sensor, n)[..., : len(calibration.given[n])] for n in names},
+        "robot": by_pose @ by_camera.outer,
+        "extrinsics": by_pose @ by_camera.inner,
+        "landmark": J[0] @ by_frame.landmark,
+        **{n: getattr(J, n)[..., : len(v)] for n, v in calibration.given.items() if n in J._fields},
     }
     return Observation(value, np.ones(value.shape[:-1], dtype=bool), named(parts))
 
@@ -55,36 +53,29 @@ def initialize_line(
     one for each parameter of the camera. Each endpoint is undistorted by itself. Raises SlamlibError for a sensor that
     sees no lines. Chapter 12, eq. (li-chain).
     """
-    _sees_lines(calibration, f"initialize {kind.name}")
+    _check_lines(calibration, f"initialize {kind.name}")
     segment = np.asarray(segment, dtype=float)
     if segment.shape[-1:] != (4,):
         raise ShapeError.of("initialize_line", "segment", (4,), segment.shape)
     camera, by_camera = compose.jac(robot, extrinsics)
-    endpoints = segment.reshape(*segment.shape[:-1], 2, 2)
-    points, by_sensor = calibration.back_project_jac(endpoints, np.ones((*endpoints.shape[:-1], 1)))
-    rays = points[..., :3].reshape(*segment.shape[:-1], 6)
+    rays, by_pixels, by_sensor = _back_projected(calibration, segment)
     landmark, by_frame = kind.from_frame.jac(camera, rays, prior)
-    by_pixels = np.zeros((*segment.shape[:-1], 6, 4))
-    by_pixels[..., :3, :2], by_pixels[..., 3:, 2:] = by_sensor[0][..., 0, :3, :], by_sensor[0][..., 1, :3, :]
     parts = {
-        "robot": by_frame.pose @ by_camera.outer,
-        "extrinsics": by_frame.pose @ by_camera.inner,
+        **through(by_camera, by_frame.pose),
         "measurement": by_frame.rays @ by_pixels,
         "unmeasured": by_frame.prior,
-        **{n: by_frame.rays @ _stacked(getattr(by_sensor, n)) for n in calibration.given},
+        **{n: by_frame.rays @ _of_rays(getattr(by_sensor, n)) for n in calibration.given},
     }
     return landmark, named(parts)
 
 
-def _sees_lines(calibration: Calibration, task: str) -> Model:
-    """The model of a line's image; raises SlamlibError for a sensor that has none."""
-    project = calibration.sensor.project_line
-    if project is None:
+def _check_lines(calibration: Calibration, task: str) -> None:
+    """Raise SlamlibError for a sensor to which a line has no image."""
+    if calibration.sensor.project_line is None:
         raise SlamlibError(f"{calibration.sensor.name} measures no lines, so it cannot {task}")
-    return project
 
 
-def _stacked(by_parameter: Array) -> Array:
+def _of_rays(by_parameter: Array) -> Array:
     """Jacobians of two homogeneous points (..., 2, 4, n) as that of their two rays (..., 6, n)."""
     rays = by_parameter[..., :3, :]
     return rays.reshape(*rays.shape[:-3], 6, rays.shape[-1])
@@ -95,11 +86,16 @@ def _stacked(by_parameter: Array) -> Array:
 
 def rays_of(calibration: Calibration, segment: Array) -> tuple[Array, Array]:
     """Unit rays (..., 6) of the ends of segments (..., 4), and their Jacobians (..., 6, 4)."""
+    return _back_projected(calibration, segment)[:2]
+
+
+def _back_projected(calibration: Calibration, segment: Array) -> tuple[Array, Array, Any]:
+    """The same, and the Jacobians of the ends' homogeneous points by all that they depend on."""
     lead = segment.shape[:-1]
     points, J = calibration.back_project_jac(segment.reshape(*lead, 2, 2), np.ones((*lead, 2, 1)))
     by = np.zeros((*lead, 6, 4))
     by[..., :3, :2], by[..., 3:, 2:] = J[0][..., 0, :3, :], J[0][..., 1, :3, :]
-    return points[..., :3].reshape(*lead, 6), by
+    return points[..., :3].reshape(*lead, 6), by, J
 
 
 def undistort_segments(calibration: Calibration, segment: Array) -> tuple[Array, Array]:
@@ -137,18 +133,18 @@ def _distorts(calibration: Calibration) -> bool:
     return any(v.any() for n, v in calibration.given.items() if n not in project_line.parameters)
 
 
-def _image_line(calibration: Calibration, line: Array) -> tuple[Array, Array]:
-    """Image lines (..., 3) of lines (..., 6) of the camera's frame, and the Jacobians (..., 3, 6)."""
+def _image_line(calibration: Calibration, line: Array) -> tuple[Array, Any]:
+    """Image lines (..., 3) of lines (..., 6) of the camera's frame, and the Jacobians by line and parameters."""
     project: Any = calibration.sensor.project_line
     image, J = project.jac(line, **{n: calibration.padded[n] for n in project.parameters if n in calibration.padded})
-    return image, J[0]
+    return image, J
 
 
 def _distances(calibration: Calibration, line: Array, segment: Array) -> tuple[Array, Array, Array]:
     image, by_line = _image_line(calibration, line)
     y, by_segment = undistort_segments(calibration, segment)
     z, J = distances.jac(image, y)
-    return z, J.line @ by_line, J.segment @ by_segment
+    return z, J.line @ by_line[0], J.segment @ by_segment
 
 
 def _rho_theta(calibration: Calibration, line: Array, segment: Array) -> tuple[Array, Array, Array]:
@@ -157,7 +153,7 @@ def _rho_theta(calibration: Calibration, line: Array, segment: Array) -> tuple[A
     same = oriented(image, y)
     sign = np.where((same == image).all(-1), 1.0, -1.0)[..., None, None]
     z, J = rho_theta.jac(same, y, calibration.image / 2)
-    return z, sign * J.line @ by_line, J.segment @ by_segment
+    return z, sign * J.line @ by_line[0], J.segment @ by_segment
 
 
 def _angles(calibration: Calibration, line: Array, segment: Array) -> tuple[Array, Array, Array]:

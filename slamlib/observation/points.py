@@ -3,8 +3,10 @@
 landmark --to_frame--> homogeneous point in the sensor's frame --project--> measurement, and back.
 """
 
+from __future__ import annotations
+
 from collections import namedtuple
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +18,7 @@ from slamlib.kalman.linalg import principal_blocks
 from slamlib.landmarks import POINTS
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import WORLD, beyond_infinity, should_convert, to_euclidean
-from slamlib.landmarks.point import PointLandmark
+from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation.family import Family, landmark_means, product, state_columns, state_rows, viewpoint
 from slamlib.sensors.sensor import Calibration
@@ -26,9 +28,7 @@ if TYPE_CHECKING:
     from slamlib.slam.entities import Landmark, MountedSensor
     from slamlib.slam.options import Options
 
-PLACEHOLDER_POINT = np.array(
-    [0.25, 0.5, 1, 1]
-)  # stands in for points that cannot be measured, so that their rows are finite
+PLACEHOLDER_POINT = np.array([0.25, 0.5, 1, 1])  # for points that cannot be measured: so their rows are finite
 
 
 @dataclass(frozen=True)
@@ -53,9 +53,8 @@ def observe(
     """
     camera, by_camera = compose.jac(robot, extrinsics)
     found = observe_from(kind, calibration, camera, landmarks)
-    by_pose, *others = found.jacobians
-    parts = {**_through(by_camera, by_pose), **dict(zip(found.jacobians._fields[1:], others, strict=True))}
-    return Observation(found.value, found.visible, named(parts))
+    parts = found.jacobians._asdict()
+    return replace(found, jacobians=named({**through(by_camera, parts.pop("camera")), **parts}))
 
 
 def observe_from(kind: PointLandmark, calibration: Calibration, camera: Array, landmarks: Array) -> Observation:
@@ -63,9 +62,9 @@ def observe_from(kind: PointLandmark, calibration: Calibration, camera: Array, l
     _check_point(kind, calibration, "observe")
     point, by_frame = kind.to_frame.jac(camera, landmarks)
     seen = calibration.visible(point)
-    value, by_sensor = calibration.project_jac(
-        point if seen.all() else np.where(seen[..., None], point, PLACEHOLDER_POINT)
-    )
+    if not seen.all():
+        point = np.where(seen[..., None], point, PLACEHOLDER_POINT)
+    value, by_sensor = calibration.project_jac(point)
     parts = {
         "camera": product(by_sensor.point, by_frame.pose),
         "landmark": product(by_sensor.point, by_frame[1]),
@@ -89,7 +88,10 @@ def initialize(
     point, and for an `unmeasured` that is missing, not wanted, or a negative inverse distance.
     """
     _check_point(kind, calibration, "initialize")
-    _check_open(calibration, unmeasured)
+    wanted = calibration.sensor.unmeasured
+    if len(unmeasured) != wanted:
+        what = "a prior of what it does not measure" if wanted else "no prior, since it measures all three coordinates"
+        raise SlamlibError(f"initialize: a {calibration.sensor.name} needs {what}; got {len(unmeasured)} arrays")
     camera, by_camera = compose.jac(robot, extrinsics)
     point, by_sensor = calibration.back_project_jac(measurement, *unmeasured)
     if unmeasured and (point[..., 3] < 0).any():
@@ -97,7 +99,7 @@ def initialize(
     landmark, by_frame = kind.from_frame.jac(camera, point)
     _seen_again(kind, camera, point, landmark)
     parts = {
-        **_through(by_camera, by_frame.pose),
+        **through(by_camera, by_frame.pose),
         "measurement": product(by_frame.point, by_sensor[0]),
         **({"unmeasured": product(by_frame.point, by_sensor[1])} if unmeasured else {}),
         **{n: product(by_frame.point, getattr(by_sensor, n)) for n in calibration.given},
@@ -115,14 +117,6 @@ def _check_point(kind: Any, calibration: Any, function: str) -> None:
         )
 
 
-def _check_open(calibration: Calibration, unmeasured: tuple[Array, ...]) -> None:
-    model = calibration.sensor.back_project
-    wanted = len(model.arguments) - 1 - len(calibration.sensor.parameters)
-    if len(unmeasured) != wanted:
-        what = "a prior of what it does not measure" if wanted else "no prior, since it measures all three coordinates"
-        raise SlamlibError(f"initialize: a {calibration.sensor.name} needs {what}; got {len(unmeasured)} arrays")
-
-
 def _seen_again(kind: PointLandmark, camera: Array, point: Array, landmark: Array) -> None:
     """Raise SingularPointError if a landmark is not where it was measured: not every type can hold every point."""
     turned = (kind.to_frame(camera, landmark)[..., :3] * point[..., :3]).sum(-1) <= 0
@@ -134,7 +128,7 @@ def _seen_again(kind: PointLandmark, camera: Array, point: Array, landmark: Arra
         )
 
 
-def _through(by_camera: Any, by_pose: Array) -> dict[str, Array]:
+def through(by_camera: Any, by_pose: Array) -> dict[str, Array]:
     """Jacobians by the robot and by the mount of something, from its Jacobian by the camera's pose."""
     both = product(by_pose, np.concatenate([by_camera.outer, by_camera.inner], axis=-1))
     return {"robot": both[..., :6], "extrinsics": both[..., 6:]}
@@ -158,11 +152,11 @@ class PointFamily(Family):
     parametrizations = POINTS
     exact = EUC_POINT
 
-    def supports(self, sensor: "MountedSensor") -> bool:
+    def supports(self, sensor: MountedSensor) -> bool:
         """Every sensor measures points."""
         return True
 
-    def usable(self, sensor: "MountedSensor", values: Array, options: "Options") -> Mask:
+    def usable(self, sensor: MountedSensor, values: Array, options: Options) -> Mask:
         """Mask of the measurements (n, m) that a landmark may begin with: not too near the image's border."""
         image = sensor.calibration.image
         return sensor.calibration.inside(values, 0.0 if image is None else options.margin * image[0])
@@ -180,26 +174,20 @@ class PointFamily(Family):
         return np.where(seen, calibration.project(np.where(seen, in_frame, PLACEHOLDER_POINT)), np.nan)
 
     def initialize(
-        self, sensor: "MountedSensor", kind: PointLandmark, value: Array, options: "Options"
+        self, sensor: MountedSensor, kind: PointLandmark, value: Array, options: Options
     ) -> tuple[Array, Array, list[Array]]:
         """Mean, own noise and Jacobians by robot and mount of a point that is seen for the first time. Chapter 15."""
         mean, std = options.inverse_distance
         calibration = sensor.calibration
-        asks = len(calibration.sensor.back_project.arguments) - 1 - len(calibration.sensor.parameters)
-        prior = [np.array([mean])] * asks
+        prior = [np.array([mean])] * calibration.sensor.unmeasured
         x, J = initialize(kind, calibration, sensor.robot.pose, sensor.extrinsics, value, *prior)
         own = J.measurement @ calibration.noise @ J.measurement.T
-        if asks:
+        if prior:
             own = own + J.unmeasured @ J.unmeasured.T * std**2
         return x, own, [J.robot, J.extrinsics]
 
     def after_update(
-        self,
-        belief: "Belief",
-        sensor: "MountedSensor",
-        landmarks: list["Landmark"],
-        measured: Array,
-        options: "Options",
+        self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options
     ) -> None:
         """After a measurement update: points that are known well enough become Euclidean. Chapter 11."""
         kind = landmarks[0].kind
@@ -216,7 +204,7 @@ class PointFamily(Family):
                 belief.replace(landmark.block, EUC_POINT.manifold, *to_euclidean(kind, landmark.block.mean))
                 landmark.kind = EUC_POINT
 
-    def invalid(self, belief: "Belief", landmarks: list["Landmark"]) -> set["Landmark"]:
+    def invalid(self, belief: Belief, landmarks: list[Landmark]) -> set[Landmark]:
         """The landmarks, of one kind, that lie beyond infinity: no point is there. Chapter 11."""
         kind = landmarks[0].kind
         if kind is EUC_POINT:
@@ -227,7 +215,7 @@ class PointFamily(Family):
         beyond = beyond_infinity(kind, means, principal_blocks(belief.matrix, state_rows(landmarks)))
         return {landmarks[i] for i in np.flatnonzero(beyond)}
 
-    def geometry(self, belief: "Belief", landmarks: list["Landmark"]) -> tuple[Array, Array, Mask]:
+    def geometry(self, belief: Belief, landmarks: list[Landmark]) -> tuple[Array, Array, Mask]:
         """Points (n, 3) in the world and their covariances (n, 3, 3); nan for those at infinity."""
         geometry, covariance = np.full((len(landmarks), 3), np.nan), np.full((len(landmarks), 3, 3), np.nan)
         for i, landmark in enumerate(landmarks):

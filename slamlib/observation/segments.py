@@ -1,5 +1,8 @@
 """Straight lines as a family of landmarks: measured as segments, held as infinite lines with two ends kept beside."""
 
+from __future__ import annotations
+
+from collections import namedtuple
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -8,16 +11,14 @@ from slamlib.errors import SlamlibError
 from slamlib.kalman.linalg import principal_blocks
 from slamlib.landmarks import LINES, endpoints, hmg_point, segments
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.landmarks.line import LineLandmark
+from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation.family import (
     Family,
     Innovation,
     PredictedBatch,
     Viewpoint,
-    columns_jacobian,
     landmark_means,
-    state_columns,
     state_rows,
     viewpoint,
 )
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from slamlib.slam.entities import Landmark, MountedSensor
     from slamlib.slam.options import Options
 
+Jacobians = namedtuple("Jacobians", ("camera", "landmark"))
 CONVERGED_RATIO = 0.1  # of a segment's length: the largest standard deviation of an end of a line that has converged
 
 
@@ -46,59 +48,45 @@ class LineFamily(Family):
         """A segment is two pixels."""
         return 4
 
-    def supports(self, sensor: "MountedSensor") -> bool:
+    def supports(self, sensor: MountedSensor) -> bool:
         """Lines are for cameras that map them to straight lines, and have an image."""
         return sensor.calibration.sensor.project_line is not None and sensor.calibration.image is not None
 
-    def usable(self, sensor: "MountedSensor", values: Array, options: "Options") -> Mask:
+    def usable(self, sensor: MountedSensor, values: Array, options: Options) -> Mask:
         """Mask of the segments (n, 4) that a landmark may begin with: long enough."""
         return segments.length(values) >= options.minimum_length
 
-    def predict_batch(self, view: Viewpoint, landmarks: list["Landmark"], options: "Options") -> PredictedBatch:
+    def predict_batch(self, view: Viewpoint, landmarks: list[Landmark], options: Options) -> PredictedBatch:
         """The segments that the camera should see, between the lines' ends; those out of view are left out."""
         kind, means = landmarks[0].kind, landmark_means(landmarks)
         end_points = hmg_point.to_frame(
             view.pose, endpoints.endpoints_at(kind, means, np.array([lm.abscissas for lm in landmarks]))
         )
         calibration, least = view.sensor.calibration, options.minimum_length
-        intrinsics = calibration.given["intrinsics"]
         found = segments.visible(
-            end_points[:, 0], end_points[:, 1], intrinsics, calibration.image, minimum_length=least
+            end_points[:, 0], end_points[:, 1], calibration.given["intrinsics"], calibration.image, minimum_length=least
         )
-        seen = found.seen
-        looked = [landmark for landmark, s in zip(landmarks, seen.tolist(), strict=True) if s]
+        looked = [landmark for landmark, is_seen in zip(landmarks, found.seen.tolist(), strict=True) if is_seen]
         if not looked:
             return PredictedBatch.nothing(4)
-        line, by = self._in_frame(view, kind, means[seen], looked)
-        return PredictedBatch(
-            looked,
-            distort_segments(calibration, found.pixels[seen]),
-            line,
-            by,
-            state_columns(view.sensor, looked),
-            options,
-        )
+        pixels = distort_segments(calibration, found.pixels[found.seen])
+        return super().predict_batch(view, looked, options)._replace(value=pixels)
 
-    def batch_innovation(self, sensor: "MountedSensor", expected: PredictedBatch, measured: Array) -> Innovation:
-        """How far the measured segments (n, 4) are off the expected lines (n, 2), by the residual of the options."""
-        return line_innovation(sensor, expected.innovation_input, expected.jacobian, measured, expected.options)
+    def observe(
+        self, kind: LineLandmark, calibration: Calibration, camera: Array, means: Array
+    ) -> tuple[Array, Mask, Any]:
+        """Lines (n, 6) of the sensor's frame. A line has no border: whoever saw it, sees it."""
+        line, J = kind.to_frame.jac(camera, means)
+        visible: Any = np.True_ if line.ndim == 1 else np.ones(line.shape[:-1], dtype=bool)
+        return line, visible, Jacobians(J.pose, J.landmark)
 
-    def innovation(self, view: Viewpoint, landmark: "Landmark", measured: Array, options: "Options") -> Innovation:
-        """The innovation of one line at the present means. A line has no border: whoever saw it, sees it."""
-        line, by = self._in_frame(view, landmark.kind, landmark.block.mean, landmark)
-        return line_innovation(view.sensor, line, by, measured, options)
-
-    def _in_frame(self, view: Viewpoint, kind: LineLandmark, means: Array, landmarks: Any) -> tuple[Array, Array]:
-        """Lines (..., 6) of the sensor's frame, and their Jacobians (..., 6, k)."""
-        line, J = kind.to_frame.jac(view.pose, means)
-        if view.linearization is not None:
-            is_one = means.ndim == 1
-            points = view.linearization.at(landmarks.block) if is_one else view.linearized(landmarks)
-            J = kind.to_frame.jac(view.linearization_pose, points)[1]
-        return line, columns_jacobian(view, J.pose, J.landmark)
+    def residual(self, sensor: MountedSensor, inner: Array, by: Array, measured: Array, options: Any) -> Innovation:
+        """How far measured segments (n, 4) are off lines (n, 6) of the sensor's frame, as the options say it (n, 2)."""
+        z, by_line, by_segment = RESIDUALS[options.innovation](sensor.calibration, inner, measured)
+        return Innovation(z, -by_line @ by, by_segment @ _noise(sensor) @ by_segment.swapaxes(-1, -2))
 
     def initialize(
-        self, sensor: "MountedSensor", kind: LineLandmark, value: Array, options: "Options"
+        self, sensor: MountedSensor, kind: LineLandmark, value: Array, options: Options
     ) -> tuple[Array, Array, list[Array]]:
         """Mean, own noise and Jacobians by robot and mount of a line that is seen for the first time. Chapter 15."""
         means, stds = (np.array(numbers) for numbers in options.line_prior(kind.name))
@@ -111,12 +99,7 @@ class LineFamily(Family):
         return np.array(kind.abscissas, dtype=float)
 
     def after_update(
-        self,
-        belief: "Belief",
-        sensor: "MountedSensor",
-        landmarks: list["Landmark"],
-        measured: Array,
-        options: "Options",
+        self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options
     ) -> None:
         """After an update: lines of one kind are made lines again, their ends follow what was seen. Chapter 12."""
         kind = landmarks[0].kind
@@ -128,17 +111,14 @@ class LineFamily(Family):
         rule = endpoints.EndpointExtension(options.extend, options.extend_switch)
         if not rule.extend:
             return
-        found = endpoints.observed_endpoints(
-            kind, landmark_means(landmarks), camera, rays_of(sensor.calibration, measured)[0]
-        )
-        old = np.array([landmark.abscissas for landmark in landmarks])
-        endpoint_covariances = _endpoint_std(
-            belief, sensor, camera, landmarks, np.where(found.usable[:, None], found.abscissas, old)
-        )
-        for landmark, new in zip(landmarks, rule.update(old, found, endpoint_covariances), strict=True):
+        rays, old = rays_of(sensor.calibration, measured)[0], np.array([landmark.abscissas for landmark in landmarks])
+        found = endpoints.observed_endpoints(kind, landmark_means(landmarks), camera, rays)
+        ends = np.where(found.usable[:, None], found.abscissas, old)
+        spread = _endpoint_std(belief, sensor.calibration, camera, landmarks, ends)
+        for landmark, new in zip(landmarks, rule.update(old, found, spread), strict=True):
             landmark.abscissas = new
 
-    def geometry(self, belief: "Belief", landmarks: list["Landmark"]) -> tuple[Array, Array, Mask]:
+    def geometry(self, belief: Belief, landmarks: list[Landmark]) -> tuple[Array, Array, Mask]:
         """Both ends (n, 2, 3) in the world and their covariances (n, 2, 3, 3); nan for those at or beyond infinity."""
         geometry, covariance = np.full((len(landmarks), 2, 3), np.nan), np.full((len(landmarks), 2, 3, 3), np.nan)
         for i, landmark in enumerate(landmarks):
@@ -149,6 +129,12 @@ class LineFamily(Family):
                 by = (J.landmark[end, :3] - np.outer(x, J.landmark[end, 3])) / w
                 geometry[i, end], covariance[i, end] = x, by @ P @ by.T
         return geometry, covariance, endpoints_converged(geometry, covariance)
+
+    def distance(self, geometry: Array, there: Array) -> float:
+        """The larger distance [m] of the true segment's two ends from the estimated line."""
+        along = (geometry[1] - geometry[0]) / np.linalg.norm(geometry[1] - geometry[0])
+        away = there.reshape(2, 3) - geometry[0]
+        return float(np.linalg.norm(away - np.outer(away @ along, along), axis=1).max())
 
     def check(self, name: str, calibration: Calibration) -> None:
         """Raise SlamlibError for a camera that maps lines to lines, and has no image to cut them at."""
@@ -179,29 +165,32 @@ class LineFamily(Family):
 LINE_FAMILY = LineFamily()
 
 
-def line_innovation(sensor: "MountedSensor", line: Array, by: Array, measured: Array, options: Any) -> Innovation:
-    """Innovation of measured segments (..., 4) at lines (..., 6) of the sensor's frame, with Jacobians `by`."""
-    z, by_line, by_segment = RESIDUALS[options.innovation](sensor.calibration, line, measured)
-    return Innovation(z, -by_line @ by, by_segment @ _noise(sensor) @ by_segment.swapaxes(-1, -2))
-
-
-def _noise(sensor: "MountedSensor") -> Array:
+def _noise(sensor: MountedSensor) -> Array:
     """Noise (4, 4) of a segment: of two pixels."""
     noise = np.zeros((4, 4))
     noise[:2, :2] = noise[2:, 2:] = sensor.calibration.noise[:2, :2]
     return noise
 
 
+def project_endpoints(
+    calibration: Calibration, camera: Array, landmarks: list[Landmark], abscissas: Array
+) -> tuple[Mask, Array, tuple[Array, Array, Array, Array]]:
+    """What a sensor sees of lines of one kind at two abscissas of each (n, 2): the mask (n, 2) of what it can measure,
+    pixels (n, 2, 2), and Jacobians: of those by the point in the frame, of this by pose and point, of that by the line.
+    """
+    h, by_line = landmarks[0].kind.point_at.jac(landmark_means(landmarks)[:, None, :], abscissas)
+    point, F = hmg_point.to_frame.jac(camera, h)
+    seen = calibration.visible(point)
+    pixel, by_sensor = calibration.project_jac(np.where(seen[..., None], point, PLACEHOLDER_POINT))
+    return seen, pixel, (by_sensor.point, F.pose, F.landmark, by_line.landmark)
+
+
 def _endpoint_std(
-    belief: "Belief", sensor: "MountedSensor", camera: Array, landmarks: list["Landmark"], abscissas: Array
+    belief: Belief, calibration: Calibration, camera: Array, landmarks: list[Landmark], abscissas: Array
 ) -> Array:
     """The larger standard deviation of the lines' two ends in the image (n,) [px]; inf where one is not in view."""
-    h, J = landmarks[0].kind.point_at.jac(landmark_means(landmarks)[:, None, :], abscissas)
-    point, F = hmg_point.to_frame.jac(camera, h)
-    seen = sensor.calibration.visible(point)
-    by_point = sensor.calibration.project_jac(np.where(seen[..., None], point, PLACEHOLDER_POINT))[1].point
-    H = by_point @ F.landmark @ J.landmark
-    P = principal_blocks(belief.matrix, state_rows(landmarks))
+    seen, _, (by_point, _, F, by_line) = project_endpoints(calibration, camera, landmarks, abscissas)
+    H, P = by_point @ F @ by_line, principal_blocks(belief.matrix, state_rows(landmarks))
     spread = endpoints.largest_std(H @ P[:, None] @ H.swapaxes(-1, -2))
     return np.where(seen, spread, np.inf).max(-1)
 

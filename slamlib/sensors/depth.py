@@ -5,7 +5,6 @@ import numpy as np
 from slamlib.analytic import sqrt
 from slamlib.model import model
 from slamlib.sensors import pinhole
-from slamlib.sensors.limits import check_limits
 from slamlib.sensors.sensor import Calibration, Sensor
 from slamlib.sensors.stages import BackProjection
 
@@ -32,12 +31,12 @@ def visible(point, calibration):
 
 
 def check(calibration):
-    """A valid pin-hole camera, and limits in their order."""
-    check_limits(calibration, "near", "far", "radius")
+    """A valid pin-hole camera."""
     radius = {n: v for n, v in calibration.limits.items() if n == "radius"}
     Calibration(pinhole.PINHOLE, calibration.noise[:2, :2], image=calibration.image, limits=radius, **calibration.given)
 
 
 back_project = BackProjection(pinhole.ideal_point, lift, size=3)
 PARAMETERS = ("intrinsics", "distortion")
-PINHOLE_DEPTH = Sensor("pinHoleDepth", project, back_project, PARAMETERS, visible, check, pixels=True)
+LIMITS = ("near", "far", "radius")
+PINHOLE_DEPTH = Sensor("pinHoleDepth", project, back_project, PARAMETERS, visible, check, limits=LIMITS, pixels=True)

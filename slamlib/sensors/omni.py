@@ -7,7 +7,7 @@ from slamlib.analytic import arctan_ratio, sqrt, stumpff
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.model import model
 from slamlib.modeling.implicit import Implicit
-from slamlib.sensors.limits import check_limits
+from slamlib.sensors.pinhole import root
 from slamlib.sensors.sensor import Sensor
 from slamlib.sensors.stages import BackProjection
 
@@ -83,15 +83,8 @@ def angle(radii, lens):
     slopes, goal = polynomial.polyder(coefficients), np.asarray(radii, dtype=float)
     low, high = np.zeros_like(goal), np.full_like(goal, high)
     lost, x = goal > polynomial.polyval(high, coefficients), np.minimum(goal / lens[0], high)
-    for _ in range(100):  # Newton's steps, kept between the bounds that they improve
-        excess, slope = polynomial.polyval(x, coefficients) - goal, polynomial.polyval(x, slopes)
-        low, high = np.where(excess < 0, x, low), np.where(excess > 0, x, high)
-        newton = x - excess / np.where(slope > 0, slope, 1)
-        inside = (slope > 0) & (newton >= low) & (newton <= high)
-        before, x = x, np.where(inside, newton, (low + high) / 2)
-        if (np.abs(x - before) <= 1e-15 * x).all():
-            break
-    return np.where(lost, np.nan, x)
+    found = root(lambda x: (polynomial.polyval(x, coefficients), polynomial.polyval(x, slopes)), goal, x, low, high)
+    return np.where(lost, np.nan, found)
 
 
 def _first_guess(measurement, intrinsics, lens):
@@ -125,7 +118,6 @@ def check(calibration):
         raise SlamlibError(f"omniCam: the lens's first coefficient [px/rad] should be above zero, got {lens[0]}")
     largest = largest_angle(lens)
     calibration.limits.setdefault("angle", largest)
-    check_limits(calibration, "angle")
     if not 0 < calibration.limits["angle"] <= largest:
         raise SlamlibError(
             f"omniCam: the lens's radius stops growing at {largest:.4f} rad from the axis, before the field of view "
@@ -133,4 +125,5 @@ def check(calibration):
         )
 
 
-OMNI = Sensor("omniCam", project, back_project, ("intrinsics", "lens"), visible, check, pixels=True)
+PARAMETERS = ("intrinsics", "lens")
+OMNI = Sensor("omniCam", project, back_project, PARAMETERS, visible, check, limits=("angle",), pixels=True)

@@ -8,7 +8,6 @@ from slamlib.analytic import sqrt
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.model import model
 from slamlib.modeling.implicit import Implicit
-from slamlib.sensors.limits import check_limits
 from slamlib.sensors.sensor import Sensor
 from slamlib.sensors.stages import BackProjection
 
@@ -82,6 +81,20 @@ def fold_radius(distortion):
     return folds
 
 
+def root(function, goal, x, low, high):
+    """Where an increasing function, given with its slope, is `goal`: by Newton's steps from x, kept within bounds."""
+    for _ in range(100):
+        value, slope = function(x)
+        excess = value - goal
+        low, high = np.where(excess < 0, x, low), np.where(excess > 0, x, high)
+        newton = x - excess / np.where(slope > 0, slope, 1)
+        inside = (slope > 0) & (newton >= low) & (newton <= high)
+        before, x = x, np.where(inside, newton, (low + high) / 2)
+        if (np.abs(x - before) <= 1e-15 * x).all():
+            break
+    return x
+
+
 def undistort_radius(radius, distortion):
     """Ideal radius (...) below the fold of a distorted one, nan if none is. Eq. (ph-newton)."""
     goal, distortion = np.asarray(radius, dtype=float), np.asarray(distortion, dtype=float)
@@ -90,15 +103,8 @@ def undistort_radius(radius, distortion):
     while (short := np.isinf(fold) & (distort_radius(high, distortion) < goal)).any():
         high = np.where(short, 2 * high, high)
     lost, x = goal > distort_radius(high, distortion), np.minimum(goal, high)
-    for _ in range(100):
-        excess, slope = distort_radius(x, distortion) - goal, 1 + _stretch(x, slopes)
-        low, high = np.where(excess < 0, x, low), np.where(excess > 0, x, high)
-        newton = x - excess / np.where(slope > 0, slope, 1)
-        inside = (slope > 0) & (newton >= low) & (newton <= high)
-        before, x = x, np.where(inside, newton, (low + high) / 2)
-        if (np.abs(x - before) <= 1e-15 * x).all():
-            break
-    return np.where(lost, np.nan, x)
+    found = root(lambda x: (distort_radius(x, distortion), 1 + _stretch(x, slopes)), goal, x, low, high)
+    return np.where(lost, np.nan, found)
 
 
 def _first_guess(measurement, intrinsics, distortion):
@@ -131,7 +137,6 @@ def visible(point, calibration):
 
 def check(calibration):
     """Raise SlamlibError for intrinsics of no camera, and for an image the lens cannot fill."""
-    check_limits(calibration, "radius")
     k, distortion = calibration.given["intrinsics"], calibration.given["distortion"]
     if len(k) != 4 or not (k[2:] > 0).all():
         wanted = "intrinsics are (u0, v0, au, av) with au, av > 0"
@@ -152,4 +157,4 @@ def check(calibration):
 
 PARAMETERS = ("intrinsics", "distortion")
 MODELS = project, back_project
-PINHOLE = Sensor("pinHole", *MODELS, PARAMETERS, visible, check, project_line, pixels=True)
+PINHOLE = Sensor("pinHole", *MODELS, PARAMETERS, visible, check, project_line, limits=("radius",), pixels=True)

@@ -7,7 +7,6 @@ import numpy as np
 from slamlib.analytic import arctan2, cos, sin, sqrt
 from slamlib.manifolds import Euclidean, Product
 from slamlib.model import model
-from slamlib.sensors.limits import check_limits
 from slamlib.sensors.sensor import Sensor
 
 
@@ -52,9 +51,4 @@ def visible(point, calibration):
     return seen & (np.abs(np.arctan2(z, level)) <= limits.get("pitch", np.pi))
 
 
-def check(calibration):
-    """Limits that exist, in their order."""
-    check_limits(calibration, "near", "far", "yaw", "pitch")
-
-
-RANGE_BEARING = Sensor("rangeBearing", project, back_project, (), visible, check)
+RANGE_BEARING = Sensor("rangeBearing", project, back_project, (), visible, limits=("near", "far", "yaw", "pitch"))

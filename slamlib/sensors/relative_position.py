@@ -4,7 +4,6 @@ import numpy as np
 
 from slamlib.analytic import sqrt
 from slamlib.model import model
-from slamlib.sensors.limits import check_limits
 from slamlib.sensors.sensor import Sensor
 
 
@@ -28,12 +27,7 @@ def visible(point, calibration):
     return (w > 0) & (distance > 0) & (distance >= near * w) & (distance <= far * np.where(w > 0, w, 1))
 
 
-def check(calibration):
-    """Limits that exist, in their order."""
-    check_limits(calibration, "near", "far")
-
-
-RELATIVE_POSITION = Sensor("relativePosition", project, back_project, (), visible, check)
+RELATIVE_POSITION = Sensor("relativePosition", project, back_project, (), visible, limits=("near", "far"))
 
 
 def converted(calibration, measurement):

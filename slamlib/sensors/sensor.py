@@ -14,10 +14,6 @@ from slamlib.manifolds import Array, Manifold, Mask, as_manifold
 from slamlib.model import Formula, Model
 
 
-def _nothing_to_check(calibration: "Calibration") -> None:
-    """The default of Sensor.check."""
-
-
 @dataclass(frozen=True)
 class Sensor:
     """A type of sensor: name, models, the names of its parameters in the models' order, and its rules.
@@ -27,7 +23,8 @@ class Sensor:
     is measured; `unmeasured` is what the measurement does not tell (a camera: the inverse distance), and a sensor that
     tells all has no such argument. visible(point, calibration): mask of the points that can be measured at all, by the
     sensor's own rule; whether a pixel lies in the image is asked afterwards, for all sensors alike. check(calibration)
-    raises SlamlibError for parameters that make no sense. project_line(line, **parameters it has): homogeneous image
+    raises SlamlibError for parameters that make no sense. limits: the names of those that bound its view, such as
+    "near" [m], and may be left out; None: it takes any. project_line(line, **parameters it has): homogeneous image
     line (3,) of a line in Pluecker coordinates (6,). pixels: the first two numbers of a measurement are a pixel, which
     an image can bound. A model may also be an object with the same calls, as Implicit is.
     """
@@ -37,14 +34,20 @@ class Sensor:
     back_project: Formula
     parameters: tuple[str, ...]
     visible: Callable[[Array, "Calibration"], Mask]
-    check: Callable[["Calibration"], None] = _nothing_to_check
+    check: Callable[["Calibration"], None] | None = None
     project_line: Model | None = None
     pixels: bool = False
+    limits: tuple[str, ...] | None = None
 
     @cached_property
     def size(self) -> int:
         """Numbers in a measurement."""
         return int(self.back_project.arguments[0].size)
+
+    @cached_property
+    def unmeasured(self) -> int:
+        """Arguments of back_project that say what a measurement does not tell: one, or none."""
+        return len(self.back_project.arguments) - 1 - len(self.parameters)
 
     @cached_property
     def manifold(self) -> Manifold:
@@ -98,22 +101,27 @@ class Calibration:
         given = {n: _given(sensor.name, n, parameters[n], largest[n]) for n in sensor.parameters}
         self.__dict__.update(
             sensor=sensor,
-            limits={n: _limit(sensor.name, n, v) for n, v in (limits or {}).items()},
+            limits=_limits(sensor, limits or {}),
             image=size,
             noise=read_only_copy(covariance(noise, sensor.size, sensor.name, "noise")),
             given=given,
             padded={n: read_only_copy(np.pad(v, (0, largest[n] - len(v)))) for n, v in given.items()},
         )
-        sensor.check(self)
+        if sensor.check is not None:
+            sensor.check(self)
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise SlamlibError(f"a calibration cannot be changed: make another one with the {name} that you want")
 
     @cached_property
     def _short(self) -> tuple[Model, list[Array]] | None:
-        """The model for as many coefficients as are given, and these in its order; all of it can never change."""
-        short = _shortened(self.sensor.project, self.given)
-        return (short, [self.given[name] for name in short.parameters[1:]]) if short else None
+        """The model for as many coefficients as are given, and these in its order; None where it is no model, or a list
+        holds none."""
+        project, given = self.sensor.project, self.given
+        if not isinstance(project, Model) or not all(map(len, given.values())):
+            return None
+        short = project.shortened(*(len(given[a.name]) if a.name in given else a.size for a in project.arguments))
+        return (short, [given[name] for name in short.parameters[1:]]) if short else None
 
     def project(self, point: Array) -> Array:
         """Measurements (..., m) of homogeneous points (..., 4) in the sensor's frame."""
@@ -154,18 +162,20 @@ class Calibration:
         return inside
 
 
-def _shortened(project: Formula, given: dict[str, Array]) -> Model | None:
-    """The model for as many coefficients as there are, if it is a model, and if there is one in each list."""
-    if not isinstance(project, Model) or not all(map(len, given.values())):
-        return None
-    return project.shortened(*(len(given[a.name]) if a.name in given else a.size for a in project.arguments))
-
-
-def _limit(sensor: str, name: str, value: float) -> float:
-    number = numbers(value, sensor, f"the limit {name!r}")
-    if number.ndim:
-        raise ShapeError(f"{sensor}: the limit {name!r} should be a number, got {value!r}")
-    return float(number)
+def _limits(sensor: Sensor, limits: dict[str, float]) -> dict[str, float]:
+    """Limits by known names, numbers from zero on; `near` is below `far`."""
+    found = {}
+    for name, value in limits.items():
+        if sensor.limits is not None and name not in sensor.limits:
+            raise UnknownNameError.of(f"limit of {sensor.name}", name, sensor.limits)
+        number = numbers(value, sensor.name, f"the limit {name!r}")
+        if number.ndim or not number >= 0:
+            raise ShapeError(f"{sensor.name}: the limit {name!r} should be a number, zero or more, got {value!r}")
+        found[name] = float(number)
+    near, far = found.get("near", 0.0), found.get("far", np.inf)
+    if near >= far:
+        raise SlamlibError(f"{sensor.name}: the limit 'near' ({near}) should be less than 'far' ({far})")
+    return found
 
 
 def _given(sensor: str, name: str, value: ArrayLike, largest: int) -> Array:

@@ -5,7 +5,6 @@ import numpy as np
 from slamlib.analytic import sqrt
 from slamlib.errors import SlamlibError
 from slamlib.model import model
-from slamlib.sensors.limits import check_limits
 from slamlib.sensors.sensor import Sensor
 
 
@@ -43,8 +42,7 @@ def visible(point, calibration):
 
 
 def check(calibration):
-    """Four intrinsics, focal lengths and baseline above zero, limits that exist."""
-    check_limits(calibration, "disparity")
+    """Four intrinsics, focal lengths and baseline above zero."""
     intrinsics, baseline = calibration.given["intrinsics"], calibration.given["baseline"]
     if len(intrinsics) != 4 or not (intrinsics[2:] > 0).all():
         raise SlamlibError(f"stereo: intrinsics are (u0, v0, au, av) with au, av > 0, got {intrinsics.tolist()}")
@@ -52,4 +50,5 @@ def check(calibration):
         raise SlamlibError(f"stereo: the baseline is one length above zero [m], got {baseline.tolist()}")
 
 
-STEREO = Sensor("stereo", project, back_project, ("intrinsics", "baseline"), visible, check, pixels=True)
+PARAMETERS, LIMITS = ("intrinsics", "baseline"), ("disparity",)
+STEREO = Sensor("stereo", project, back_project, PARAMETERS, visible, check, limits=LIMITS, pixels=True)

@@ -1,9 +1,9 @@
 """Robots that drive through worlds with simulated sensors: the records that a real run would have, and the truth."""
 
 from slamlib.simulation import controls
-from slamlib.simulation.faults import Faults
 from slamlib.simulation.recording import Recording, load, save
-from slamlib.simulation.simulate import simulate
+from slamlib.simulation.run import simulate
+from slamlib.simulation.sensors import Faults
 from slamlib.simulation.worlds import WORLDS, join, world
 
 __all__ = ["WORLDS", "Faults", "Recording", "controls", "join", "load", "save", "simulate", "world"]

@@ -6,14 +6,7 @@ from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Manifold
 from slamlib.observation import FAMILIES
 
-KINDS = (
-    "start",
-    "control",
-    "extrinsics",
-    "points",
-    "segments",
-    "faults",
-)  # other families of landmarks come after these
+KINDS = ("start", "control", "extrinsics", "points", "segments", "faults")  # other families come after these
 
 Streams = dict[str, np.random.Generator]
 

@@ -9,9 +9,7 @@ import numpy as np
 
 from slamlib.manifolds import Array, Mask
 
-CLEARANCE = (
-    1e-6  # [m]: a shadow begins so far behind its triangle, and is so much wider, to close slits at common sides
-)
+CLEARANCE = 1e-6  # [m]: a shadow begins so far behind its triangle, and is so much wider: no slits at common sides
 
 
 def shadows(faces: Array, eye: Array) -> Array:

@@ -62,9 +62,26 @@ def save(path: str | Path, frames: Iterable[tuple[Frame, Truth | None]], *, rig:
     frames: what simulate(...) gives, or a Recording, or pairs of one's own with the truth in all of them or None.
     """
     pairs = list(frames)
-    known = any(truth is not None for _, truth in pairs)
-    arrays = _packed(pairs, rig, world)
-    write_archive(path, FORMAT, VERSION, {"rig": rig.to_dict(), "truth": known}, arrays)
+    _check_fit(pairs, rig)
+    own, truths = [frame for frame, _ in pairs], [truth for _, truth in pairs if truth is not None]
+    arrays = {
+        "number": np.array([f.number for f in own], np.int64),
+        "dt": np.array([f.dt for f in own], float),
+        "world.faces": world.faces,
+        **{f"world.{x}.ids": features.ids for x, features in world.features.items()},
+        **{f"world.{x}.values": features.values for x, features in world.features.items()},
+    }
+    for i, setup in enumerate(rig.robots):
+        arrays |= _from_controls(f"robot{i}", [f.controls[i] for f in own], setup.model.control)
+        if truths:
+            arrays[f"truth.robot{i}"] = np.array([t.robots[i] for t in truths])
+    for j, sensor in enumerate(rig.sensors):
+        for x, family in FAMILIES.items():
+            none = Features.none(family.size(sensor.calibration))
+            arrays |= _from_features(f"sensor{j}.{x}", [f.scans[j].features.get(x, none) for f in own], none)
+        if truths:
+            arrays[f"truth.mount{j}"] = np.array([t.extrinsics[j] for t in truths])
+    write_archive(path, FORMAT, VERSION, {"rig": rig.to_dict(), "truth": bool(truths)}, arrays)
 
 
 def load(path: str | Path) -> Recording:
@@ -72,38 +89,31 @@ def load(path: str | Path) -> Recording:
     header, arrays = read_archive(path, FORMAT, VERSION)
     try:
         rig = Rig.from_dict(header["rig"])
-        world, frames, truths = _unpacked(arrays, rig, header["truth"])
+        names = [x for x in FAMILIES if f"world.{x}.ids" in arrays]  # all families that there were when it was written
+        seen = {x: Features(arrays[f"world.{x}.ids"], arrays[f"world.{x}.values"]) for x in names}
+        world = World(seen, arrays["world.faces"])
+        controls = [_to_controls(arrays, f"robot{i}") for i in range(len(rig.robots))]
+        scans = [{x: _to_features(arrays, f"sensor{j}.{x}") for x in names} for j in range(len(rig.sensors))]
+        frames = tuple(
+            Frame(
+                int(number),
+                float(dt),
+                tuple(robot[row] for robot in controls),
+                tuple(Scan({x: features[row] for x, features in scan.items()}) for scan in scans),
+            )
+            for row, (number, dt) in enumerate(zip(arrays["number"], arrays["dt"], strict=True))
+        )
+        truths: list[Truth | None] = [None] * len(frames)
+        if header["truth"]:
+            states = zip(*(arrays[f"truth.robot{i}"] for i in range(len(rig.robots))), strict=True)
+            all_extrinsics = zip(*(arrays[f"truth.mount{j}"] for j in range(len(rig.sensors))), strict=True)
+            truths = [Truth(tuple(s), tuple(e)) for s, e in zip(states, all_extrinsics, strict=True)]
     except (KeyError, ValueError, TypeError, IndexError, SlamlibError) as error:
         raise SlamlibError(f"{path} is a recording, but not a whole one: {error!r}; take another copy") from error
-    return Recording(rig, world, tuple(frames), tuple(truths))
+    return Recording(rig, world, frames, tuple(truths))
 
 
-def _packed(pairs: Pairs, rig: Rig, world: World) -> Arrays:
-    """The arrays of a run. Raises SlamlibError where frames and rig do not match."""
-    _fits(pairs, rig)
-    frames = [frame for frame, _ in pairs]
-    truths = [truth for _, truth in pairs if truth is not None]
-    arrays = {
-        "number": np.array([f.number for f in frames], np.int64),
-        "dt": np.array([f.dt for f in frames], float),
-        "world.faces": world.faces,
-        **{f"world.{x}.ids": features.ids for x, features in world.features.items()},
-        **{f"world.{x}.values": features.values for x, features in world.features.items()},
-    }
-    for i, setup in enumerate(rig.robots):
-        arrays |= _controls(f"robot{i}", [f.controls[i] for f in frames], setup.model.control)
-        if truths:
-            arrays[f"truth.robot{i}"] = np.array([t.robots[i] for t in truths])
-    for j, sensor in enumerate(rig.sensors):
-        for x, family in FAMILIES.items():
-            none = Features.none(family.size(sensor.calibration))
-            arrays |= _features(f"sensor{j}.{x}", [f.scans[j].features.get(x, none) for f in frames], none)
-        if truths:
-            arrays[f"truth.mount{j}"] = np.array([t.extrinsics[j] for t in truths])
-    return arrays
-
-
-def _fits(pairs: Pairs, rig: Rig) -> None:
+def _check_fit(pairs: Pairs, rig: Rig) -> None:
     for frame, _ in pairs:
         if (len(frame.controls), len(frame.scans)) != (len(rig.robots), len(rig.sensors)):
             raise SlamlibError(
@@ -118,7 +128,7 @@ def _fits(pairs: Pairs, rig: Rig) -> None:
         raise SlamlibError("the truth is known of some frames only: give it for all of them, or None for all")
 
 
-def _controls(name: str, controls: list[Control | None], size: int) -> Arrays:
+def _from_controls(name: str, controls: list[Control | None], size: int) -> Arrays:
     value, noise = np.full((len(controls), size), np.nan), np.zeros((len(controls), size, size))
     for row, control in enumerate(controls):
         if control is not None:
@@ -126,7 +136,7 @@ def _controls(name: str, controls: list[Control | None], size: int) -> Arrays:
     return {f"{name}.control": value, f"{name}.noise": noise}
 
 
-def _features(name: str, features: list[Features], none: Features) -> Arrays:
+def _from_features(name: str, features: list[Features], none: Features) -> Arrays:
     parts = [none, *features]
     return {
         f"{name}.first": np.cumsum([0, *(len(f) for f in features)], dtype=np.int64),
@@ -135,37 +145,11 @@ def _features(name: str, features: list[Features], none: Features) -> Arrays:
     }
 
 
-def _unpacked(arrays: Arrays, rig: Rig, truth: bool) -> tuple[World, list[Frame], list[Truth | None]]:
-    """World, frames and truths of a run's arrays. Raises KeyError, ValueError or SlamlibError if they are no run's."""
-    names = [x for x in FAMILIES if f"world.{x}.ids" in arrays]  # all families that there were when it was written
-    seen = {x: Features(arrays[f"world.{x}.ids"], arrays[f"world.{x}.values"]) for x in names}
-    controls = [_each_control(arrays, f"robot{i}") for i in range(len(rig.robots))]
-    scans = [{x: _each_features(arrays, f"sensor{j}.{x}") for x in names} for j in range(len(rig.sensors))]
-    frames = [
-        Frame(
-            int(number),
-            float(dt),
-            tuple(robot[row] for robot in controls),
-            tuple(Scan({x: features[row] for x, features in scan.items()}) for scan in scans),
-        )
-        for row, (number, dt) in enumerate(zip(arrays["number"], arrays["dt"], strict=True))
-    ]
-    return World(seen, arrays["world.faces"]), frames, _truths(arrays, rig, len(frames), truth)
-
-
-def _each_control(arrays: Arrays, name: str) -> list[Control | None]:
+def _to_controls(arrays: Arrays, name: str) -> list[Control | None]:
     rows = zip(arrays[f"{name}.control"], arrays[f"{name}.noise"], strict=True)
     return [None if np.isnan(value).all() else Control(value, noise) for value, noise in rows]
 
 
-def _each_features(arrays: Arrays, name: str) -> list[Features]:
+def _to_features(arrays: Arrays, name: str) -> list[Features]:
     first, ids, values = (arrays[f"{name}.{part}"] for part in ("first", "ids", "values"))
     return [Features(ids[a:b], values[a:b]) for a, b in pairwise(first)]
-
-
-def _truths(arrays: Arrays, rig: Rig, count: int, known: bool) -> list[Truth | None]:
-    if not known:
-        return [None] * count
-    names = [f"truth.robot{i}" for i in range(len(rig.robots))], [f"truth.mount{j}" for j in range(len(rig.sensors))]
-    states, all_extrinsics = (zip(*(arrays[name] for name in kind), strict=True) for kind in names)
-    return [Truth(tuple(s), tuple(m)) for s, m in zip(states, all_extrinsics, strict=True)]

@@ -65,14 +65,7 @@ def _walk(x: float, X: float, y: float, Y: float, n: int) -> Array:
     return np.array([x + X, y + Y]) / 2 + np.concatenate(turns) * np.array([X - x, Y - y]) / (n - 1)
 
 
-def house(
-    x: float = -2,
-    y: float = -2,
-    z: float = 0,
-    length: float = 5,
-    width: float = 5,
-    height: float = 4,
-) -> World:
+def house(x: float = -2, y: float = -2, z: float = 0, length: float = 5, width: float = 5, height: float = 4) -> World:
     """23 segments: walls, floor, gables, roof, a door and a window; at the corner (x, y, z) [m].
 
     Its walls and its roof are faces, door and window too: with occlusion, its far side is hidden.

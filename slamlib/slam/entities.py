@@ -10,9 +10,25 @@ from slamlib.kalman.state import Block
 from slamlib.manifolds import Array, Indices
 from slamlib.motions import Motion
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.linearization import Linearization
 
 POSE = 6  # degrees of freedom of a pose, the first of every robot's state
+
+
+class Linearization:
+    """The point of linearization of each block: at which mean Jacobians by it are taken. Here at the present mean.
+
+    The innovation is always computed at the present means. An ordinary EKF takes its Jacobians there too, and so they
+    are taken at ever other estimates. What learns nothing that cannot be learned, such as an EKF with first-estimates
+    Jacobians (Huang, Mourikis and Roumeliotis 2008), takes those of one block always at one point: it is a subclass,
+    and is assigned to `Slam.linearization`.
+    """
+
+    def at(self, block: Block) -> Array:
+        """The mean (size,) of a block at which Jacobians by it are taken."""
+        return block.mean
+
+    def predicted(self, block: Block) -> None:
+        """A robot's block has been moved by its motion; later Jacobians may be taken where it is now."""
 
 
 @dataclass(eq=False)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.data.records import Control, Frame, RobotMeasurement, Scan
+from slamlib.data.records import Control, Frame, Scan
 from slamlib.data.setup import Rig
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SingularPointError, SlamlibError, UnknownNameError
@@ -19,20 +19,21 @@ from slamlib.observation import FAMILIES, Family
 from slamlib.slam import checkpoint
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.front_end import FrontEnd, FrontEndInput, KnownAssociation
-from slamlib.slam.entities import Landmark, MountedSensor, Robot
-from slamlib.slam.linearization import Linearization
+from slamlib.slam.entities import Landmark, Linearization, MountedSensor, Robot
 from slamlib.slam.map_management import is_bad, out_of_window, prune_candidate
 from slamlib.slam.measurement_update import (
-    PredictedMeasurement,
+    KIND,
+    Predictions,
+    RobotUpdate,
     after_update,
     group_by_kind,
     predict_measurements,
     select_and_match,
+    update_by_robot,
     update_in_batch,
     update_sequentially,
 )
 from slamlib.slam.options import Options
-from slamlib.slam.robot_measurements import RobotUpdate, update_by_robot
 from slamlib.slam.snapshot import snapshot_of
 
 
@@ -40,13 +41,6 @@ from slamlib.slam.snapshot import snapshot_of
 class Report:
     """What one step did: ids of the landmarks begun and deleted, and of those that the capacity kept out."""
 
-    initialized: tuple[int, ...] = ()
-    deleted: tuple[int, ...] = ()
-    refused: tuple[int, ...] = ()
-
-
-@dataclass(eq=False)
-class _Events:
     initialized: list[int] = field(default_factory=list)
     deleted: list[int] = field(default_factory=list)
     refused: list[int] = field(default_factory=list)
@@ -72,7 +66,7 @@ class Slam:
         self.number, self.time = 0, 0.0
         self.frame_counts = [0] * len(self.sensors)
         self.scans: list[Scan | None] = [None] * len(self.sensors)
-        self.predictions: list[list[PredictedMeasurement]] = [[] for _ in self.sensors]
+        self.predictions: list[Predictions] = [[] for _ in self.sensors]
         self.absolute: list[RobotUpdate] = []
 
     def _mounted(self, setup: Any) -> MountedSensor:
@@ -97,27 +91,23 @@ class Slam:
         rig; then nothing is changed.
         """
         self._check(frame)
-        events = _Events()
+        report = Report()
         self.number, self.time = frame.number, self.time + frame.dt
         for robot, control in zip(self.robots, frame.controls, strict=True):
             self._predict(robot, control, frame.dt)
-        self.absolute = [self._absolute(measurement) for measurement in frame.absolute]
-        for i, scan in enumerate(frame.scans):
+        self.absolute = [
+            update_by_robot(self.belief, self.robots[measured.robot], measured, self.linearization, self.options)
+            for measured in frame.absolute
+        ]
+        for i, (sensor, scan) in enumerate(zip(self.sensors, frame.scans, strict=True)):
+            self.scans[i] = scan
+            self.predictions[i] = predict_measurements(self.belief, sensor, self.families, self.landmarks, self.options)
             if update:
                 self._update(i, scan)
-            else:
-                predictions = predict_measurements(
-                    self.belief, self.sensors[i], self.families, self.landmarks, self.options
-                )
-                self.scans[i], self.predictions[i] = scan, predictions
-            self._delete(self.predictions[i], events)
-            self._initialize(
-                i,
-                scan,
-                events,
-                self.options.max_new_first if first or not self.frame_counts[i] else self.options.max_new,
-            )
-        return Report(tuple(events.initialized), tuple(events.deleted), tuple(events.refused))
+            self._delete(self.predictions[i], report)
+            is_first = first or not self.frame_counts[i]
+            self._initialize(i, scan, self.options.max_new_first if is_first else self.options.max_new, report)
+        return report
 
     def predict(self, controls: Sequence[Control | None], dt: float) -> None:
         """Time passes without a frame: all robots move, and no sensor looks."""
@@ -163,13 +153,8 @@ class Slam:
         if self.linearization is not None:
             self.linearization.predicted(robot.block)
 
-    def _absolute(self, measurement: RobotMeasurement) -> RobotUpdate:
-        robot = self.robots[measurement.robot]
-        return update_by_robot(self.belief, robot, measurement, self.options, self.linearization)
-
     def _update(self, i: int, scan: Scan) -> None:
-        sensor = self.sensors[i]
-        predictions = predict_measurements(self.belief, sensor, self.families, self.landmarks, self.options)
+        sensor, predictions = self.sensors[i], self.predictions[i]
         matched = select_and_match(FrontEndInput(scan, sensor, predictions), self.front_ends[i], self.options)
         update = update_sequentially if self.options.reproject else update_in_batch
         for group in OUTLIER_REJECTIONS[self.options.outlier_rejection](self.belief, sensor, matched, self.options):
@@ -178,23 +163,18 @@ class Slam:
             if prediction.inlier:
                 prediction.landmark.last_seen = self.number
         after_update(self.belief, sensor, matched, self.options)
-        self.scans[i], self.predictions[i] = scan, predictions
 
-    def _delete(self, predictions: list[PredictedMeasurement], events: _Events) -> None:
+    def _delete(self, predictions: Predictions, report: Report) -> None:
         """Landmarks that are not found where they should be, or found to be wrong, and points beyond infinity, go."""
-        bad = {
-            prediction.landmark
-            for prediction in predictions
-            if prediction.chosen and is_bad(prediction.landmark, self.options)
-        }
+        bad = {p.landmark for p in predictions if p.chosen and is_bad(p.landmark, self.options)}
         bad.update(out_of_window(self.landmarks, self.number, self.options))
-        for group in group_by_kind(self.landmarks):
+        for group in group_by_kind(self.landmarks, KIND):
             for family in self.families.values():
                 if isinstance(group[0].kind, family.kinds):
                     bad |= family.invalid(self.belief, group)
         for landmark in [lm for lm in self.landmarks if lm in bad] if bad else ():
             self.prune(landmark)
-            events.deleted.append(landmark.id)
+            report.deleted.append(landmark.id)
 
     def snapshot(self) -> Snapshot:
         """What may be shown of the filter now; nothing of it changes later."""
@@ -221,7 +201,7 @@ class Slam:
         self.belief.remove(landmark.block)
         self.landmarks.remove(landmark)
 
-    def _initialize(self, i: int, scan: Scan, events: _Events, count: int) -> None:
+    def _initialize(self, i: int, scan: Scan, count: int, report: Report) -> None:
         sensor = self.sensors[i]
         inputs = FrontEndInput(scan, sensor, self.predictions[i])
         self.frame_counts[i] += 1
@@ -233,32 +213,27 @@ class Slam:
             usable = partial(family.usable, sensor, options=self.options)
             found = self.front_ends[i].detect(inputs, family.name, known, usable, count)
             for number, value, signature in found:
-                self._initialize_one(family, i, kind, number, value, signature, events)
-
-    def _has_room(self, events: _Events) -> bool:
-        """Whether one more landmark may be begun; at the capacity, another one may have to go for it."""
-        if self.options.capacity is None or len(self.landmarks) < self.options.capacity:
-            return True
-        given_up = prune_candidate(self.landmarks, self.number, self.options)
-        if given_up is None:
-            return False
-        self.prune(given_up)
-        events.deleted.append(given_up.id)
-        return True
+                self._initialize_one(family, i, kind, number, value, signature, report)
 
     def _initialize_one(
-        self, family: Family, i: int, kind: Any, number: int, value: Array, signature: Any, events: _Events
+        self, family: Family, i: int, kind: Any, number: int, value: Array, signature: Any, report: Report
     ) -> None:
+        """Begin one landmark; at the capacity, another one has to go for it, or it is refused."""
         sensor = self.sensors[i]
         try:
             x, noise, jacobians = family.initialize(sensor, kind, value, self.options)
         except SingularPointError:
             return  # this parametrization cannot hold what is there; it may from the next place
-        if not self._has_room(events):
-            events.refused.append(number)
-            return
+        if self.options.capacity is not None and len(self.landmarks) >= self.options.capacity:
+            given_up = prune_candidate(self.landmarks, self.number, self.options)
+            if given_up is None:
+                report.refused.append(number)
+                return
+            self.prune(given_up)
+            report.deleted.append(given_up.id)
         blocks = sensor.blocks
         pads = [np.pad(J, ((0, 0), (0, b.dof - J.shape[1]))) for b, J in zip(blocks, jacobians, strict=False)]
         block = self.belief.add(kind.manifold, x, noise, given=blocks, jacobians=pads)
-        self.landmarks.append(Landmark(number, kind, block, self.number, 1, 1, 1, family.abscissas(kind), i, signature))
-        events.initialized.append(number)
+        own = {"abscissas": family.abscissas(kind), "sensor": i, "signature": signature}
+        self.landmarks.append(Landmark(number, kind, block, self.number, **own))
+        report.initialized.append(number)

@@ -1,32 +1,36 @@
 """One sensor looks at the map: choose, match, gate, correct. Chapter 16 reads it line by line."""
 
+from __future__ import annotations
+
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from slamlib.belief import Belief
+from slamlib.data.records import RobotMeasurement
 from slamlib.geometry.pose import compose
-from slamlib.manifolds import Array, Indices
-from slamlib.observation.family import Family, PredictedBatch, viewpoint
+from slamlib.manifolds import Array, Euclidean, Indices
+from slamlib.observation.family import Family, Innovation, PredictedBatch, viewpoint
 from slamlib.slam.data_association.front_end import FrontEnd, FrontEndInput
 from slamlib.slam.data_association.gates import SELECTIONS, gate, innovation_covariances, mahalanobis_squared
-from slamlib.slam.entities import Landmark, MountedSensor
+from slamlib.slam.entities import POSE, Landmark, Linearization, MountedSensor, Robot
 
 if TYPE_CHECKING:
     from slamlib.slam.options import Options
 
 T = TypeVar("T")
+KIND = attrgetter("kind")  # of a landmark
 
 
-def group_by_kind(items: Iterable[T]) -> list[list[T]]:
-    """Landmarks, or looks at them, by the landmark's kind, so that each kind is computed in one batch."""
+def group_by_kind(items: Iterable[T], kind: Callable[[T], Any] = attrgetter("landmark.kind")) -> list[list[T]]:
+    """Predictions, or what else has a kind, by the landmark's kind, so that each kind is computed in one batch."""
     found: dict[int, list[T]] = defaultdict(list)
     for item in items:
-        landmark: Any = getattr(item, "landmark", item)
-        found[id(landmark.kind)].append(item)
+        found[id(kind(item))].append(item)
     return list(found.values())
 
 
@@ -63,20 +67,23 @@ class PredictedMeasurement:
         self.landmark.inliers += self.inlier
 
 
+Predictions = list[PredictedMeasurement]
+
+
 def predict_measurements(
     belief: Belief,
     sensor: MountedSensor,
     families: Mapping[str, Family],
     landmarks: list[Landmark],
-    options: "Options",
+    options: Options,
     robot: Array | None = None,
-) -> list[PredictedMeasurement]:
+) -> Predictions:
     """Everything that the sensor should see, with the covariance of each innovation.
 
     robot (7,): from another pose of its robot than the estimated one, with the covariance as it is.
     """
     predictions = []
-    kinds, view = group_by_kind(landmarks), viewpoint(sensor, robot)
+    kinds, view = group_by_kind(landmarks, KIND), viewpoint(sensor, robot)
     for family in families.values():
         for group in kinds if family.supports(sensor) else ():
             if not isinstance(group[0].kind, family.kinds):
@@ -93,22 +100,24 @@ def predict_measurements(
     return predictions
 
 
-def predict_from_pose(slam: Any, motion: Array, sensor: int = 0) -> list[PredictedMeasurement]:
+def predict_from_pose(slam: Any, motion: Array, sensor: int = 0) -> Predictions:
     """What a sensor should see after its robot has moved by a pose (7,) in its frame; nothing of the filter changes."""
     mounted = slam.sensors[sensor]
     robot = compose(mounted.robot.pose, motion)
     return predict_measurements(slam.belief, mounted, slam.families, slam.landmarks, slam.options, robot)
 
 
-def select_and_match(inputs: FrontEndInput, front_end: FrontEnd, options: "Options") -> list[PredictedMeasurement]:
+def select_and_match(inputs: FrontEndInput, front_end: FrontEnd, options: Options) -> Predictions:
     """The looks that tell most and were matched, the one that tells most first; the landmarks' histories go on."""
-    sizes: dict[int, list[PredictedMeasurement]] = defaultdict(list)
+    sizes: dict[int, Predictions] = defaultdict(list)
     for prediction in front_end.searchable(inputs):
         sizes[len(prediction.S)].append(prediction)
     # Determinants of different sizes do not compare: points and segments both count two pixels, and share the budget.
-    choose = SELECTIONS[options.selection]
-    chosen = [g[int(i)] for g in sizes.values() for i in choose(_stack_covariances(g), options.updates)]
-    by_family: dict[str, list[PredictedMeasurement]] = defaultdict(list)
+    chosen: Predictions = []
+    for group in sizes.values():
+        S = np.concatenate([prediction.S for prediction in group]).reshape(-1, *group[0].S.shape)
+        chosen += [group[i] for i in SELECTIONS[options.selection](S, options.updates).tolist()]
+    by_family: dict[str, Predictions] = defaultdict(list)
     for prediction in chosen:
         prediction.chosen = True
         prediction.landmark.searched += 1
@@ -121,9 +130,7 @@ def select_and_match(inputs: FrontEndInput, front_end: FrontEnd, options: "Optio
     return [prediction for prediction in chosen if prediction.matched]
 
 
-def update_sequentially(
-    belief: Belief, sensor: MountedSensor, predictions: list[PredictedMeasurement], options: "Options"
-) -> None:
+def update_sequentially(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> None:
     """One landmark after another, each expected anew at the mean of that moment."""
     with belief.sequential_update() as sequence:
         for prediction in predictions:
@@ -134,34 +141,31 @@ def update_sequentially(
                 prediction.apply_gate(sequence.update(columns, found.H, found.z, found.R, limit).nis, limit)
 
 
-def update_in_batch(
-    belief: Belief, sensor: MountedSensor, predictions: list[PredictedMeasurement], options: "Options"
-) -> None:
+def innovations(sensor: MountedSensor, group: Predictions) -> tuple[PredictedBatch, Innovation]:
+    """What was expected of matched landmarks of one kind, and how far what was measured is off."""
+    expected = group[0].batch.take([prediction.row for prediction in group])
+    measured = np.array([prediction.measured for prediction in group])
+    return expected, group[0].family.batch_innovation(sensor, expected, measured)
+
+
+def innovation_squares(belief: Belief, expected: PredictedBatch, found: Innovation) -> list[float]:
+    """The nis of each innovation by itself."""
+    S = innovation_covariances(belief.matrix, expected.columns, found.H, found.R)
+    squares: list[float] = mahalanobis_squared(found.z, S).tolist()
+    return squares
+
+
+def update_in_batch(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> None:
     """All at once, with the expectations of the predicted mean."""
     parts = []
     for group in group_by_kind(predictions):
-        expected = group[0].batch.take([prediction.row for prediction in group])
-        measured = np.array([prediction.measured for prediction in group])
-        found = group[0].family.batch_innovation(sensor, expected, measured)
-        S = innovation_covariances(belief.matrix, expected.columns, found.H, found.R)
-        for prediction, nis in zip(group, mahalanobis_squared(found.z, S).tolist(), strict=True):
+        expected, found = innovations(sensor, group)
+        for prediction, nis in zip(group, innovation_squares(belief, expected, found), strict=True):
             prediction.apply_gate(nis, gate(options.gate, found.z.shape[1]))
         keep = np.array([prediction.inlier for prediction in group])
         parts.append((expected.columns[keep], found.H[keep], found.z[keep], found.R[keep]))
     if any(len(z) for _, _, z, _ in parts):
         belief.update_rows(*_stacked(parts))
-
-
-def after_update(
-    belief: Belief, sensor: MountedSensor, predictions: list[PredictedMeasurement], options: "Options"
-) -> None:
-    """What each family does with the landmarks that were corrected: convert, constrain, move ends."""
-    for group in group_by_kind(prediction for prediction in predictions if prediction.inlier):
-        landmarks, measured = (
-            [prediction.landmark for prediction in group],
-            np.array([prediction.measured for prediction in group]),
-        )
-        group[0].family.after_update(belief, sensor, landmarks, measured, options)
 
 
 def _stacked(parts: list[tuple[Indices, Array, Array, Array]]) -> tuple[Indices, Array, Array, Array]:
@@ -179,5 +183,36 @@ def _stacked(parts: list[tuple[Indices, Array, Array, Array]]) -> tuple[Indices,
     return touched, H, z, R
 
 
-def _stack_covariances(predictions: list[PredictedMeasurement]) -> Array:
-    return np.concatenate([prediction.S for prediction in predictions]).reshape(-1, *predictions[0].S.shape)
+def after_update(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> None:
+    """What each family does with the landmarks that were corrected: convert, constrain, move ends."""
+    for group in group_by_kind(prediction for prediction in predictions if prediction.inlier):
+        landmarks = [prediction.landmark for prediction in group]
+        measured = np.array([prediction.measured for prediction in group])
+        group[0].family.after_update(belief, sensor, landmarks, measured, options)
+
+
+@dataclass(frozen=True, eq=False)
+class RobotUpdate:
+    """What became of a robot's measurement of itself: innovation z (m,) and its covariance S (m, m), nis, the gate."""
+
+    name: str
+    innovation: Array
+    covariance: Array
+    nis: float
+    inlier: bool
+
+
+def update_by_robot(
+    belief: Belief, robot: Robot, measured: RobotMeasurement, linearization: Linearization | None, options: Options
+) -> RobotUpdate:
+    """Gate what a robot measured of its own pose, and correct all blocks by it if it passes. Raises ShapeError."""
+    value, J = measured.model.jac(robot.pose)
+    if linearization is not None:
+        J = measured.model.jac(linearization.at(robot.block)[:7])[1]
+    result = measured.model.result
+    z = ((result.manifold if result else None) or Euclidean(len(value))).minus(measured.value, value)
+    limit = gate(options.gate, len(z))
+    with belief.sequential_update() as sequence:
+        columns = robot.block.start + np.arange(POSE)
+        found = sequence.update(columns, J[0], z, measured.covariance, limit)
+    return RobotUpdate(measured.name, z, found.covariance, found.nis, found.nis < limit)

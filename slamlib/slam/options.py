@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass, field
 from math import inf
-from typing import Annotated, Any
+from typing import Annotated
 
-from slamlib.data.plain import OneOf, Range, check, read, written
+from slamlib.data.plain import OneOf, Plain, Range, check
 from slamlib.landmarks import LINES, POINTS
 from slamlib.landmarks.linearity import THRESHOLD
 from slamlib.observation import FAMILIES
@@ -23,7 +23,7 @@ PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 
 
 @dataclass(frozen=True)
-class Options:
+class Options(Plain):
     """All options of the filter. The names in parentheses are those of the toolbox.
 
     points, lines: parametrization of new landmarks, or None for none of them (init.initType). others: the same for
@@ -98,13 +98,3 @@ class Options:
         """Means and standard deviations of what a segment does not tell about a line of this parametrization."""
         mean, std = self.inverse_distance
         return self.line_priors.get(name, ((mean, mean), (std, std)))
-
-    def to_dict(self) -> dict[str, Any]:
-        """Plain data for JSON or TOML; what is None is left out."""
-        plain: dict[str, Any] = written(self)
-        return plain
-
-    @classmethod
-    def from_dict(cls, data: dict[str, Any]) -> "Options":
-        """The options of plain data; what is missing is None or its default. Raises SlamlibError, naming the key."""
-        return read(cls, data, "options")

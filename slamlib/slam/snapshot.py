@@ -6,13 +6,14 @@ import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.data.snapshots import MapView, MeasurementView, RobotView, SensorView, Snapshot
-from slamlib.landmarks import hmg_point
 from slamlib.manifolds import Array
 from slamlib.observation import Family
-from slamlib.observation.family import columns_jacobian, landmark_means, state_columns, viewpoint
-from slamlib.observation.points import PLACEHOLDER_POINT
+from slamlib.observation.family import columns_jacobian, state_columns, viewpoint
+from slamlib.observation.segments import project_endpoints
 from slamlib.slam.entities import POSE, Landmark, MountedSensor
-from slamlib.slam.measurement_update import group_by_kind
+from slamlib.slam.measurement_update import KIND, group_by_kind
+
+COLUMNS = {"chosen": bool, "matched": bool, "inlier": bool, "nis": float}
 
 
 def snapshot_of(slam: Any) -> Snapshot:
@@ -35,20 +36,18 @@ def _sensor_view(slam: Any, i: int, sensor: MountedSensor) -> SensorView:
 
 def _measurement_view(slam: Any, i: int, family: str, size: int) -> MeasurementView:
     own = [prediction for prediction in slam.predictions[i] if prediction.family.name == family]
-    endpoints, endpoint_covariances = endpoints_in_image(
-        slam.belief, slam.sensors[i], [prediction.landmark for prediction in own]
-    )
-    d = len(own[0].S) if own else 2
+    landmarks, d = [prediction.landmark for prediction in own], len(own[0].S) if own else 2
+    endpoints, endpoint_covariances = endpoints_in_image(slam.belief, slam.sensors[i], landmarks)
+    columns: dict[str, Any] = {
+        name: np.array([getattr(p, name) for p in own], dtype) for name, dtype in COLUMNS.items()
+    }
     return MeasurementView(
-        ids=np.array([prediction.landmark.id for prediction in own], dtype=int),
-        kinds=tuple(prediction.landmark.kind.name for prediction in own),
+        ids=np.array([landmark.id for landmark in landmarks], dtype=int),
+        kinds=tuple(landmark.kind.name for landmark in landmarks),
         expected=np.array([prediction.value for prediction in own]).reshape(len(own), size),
         covariance=np.array([prediction.S for prediction in own]).reshape(len(own), d, d),
         measured=np.array([prediction.measured for prediction in own]).reshape(len(own), size),
-        chosen=np.array([prediction.chosen for prediction in own], dtype=bool),
-        matched=np.array([prediction.matched for prediction in own], dtype=bool),
-        inlier=np.array([prediction.inlier for prediction in own], dtype=bool),
-        nis=np.array([prediction.nis for prediction in own]),
+        **columns,
         endpoints=endpoints,
         endpoint_covariances=endpoint_covariances,
         scores=np.array([prediction.score for prediction in own], dtype=float),
@@ -75,26 +74,20 @@ def endpoints_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[La
     the line, so this is no region in which its end should be found. nan: points, lines that were forgotten, ends that
     lie out of view.
     """
-    endpoints, endpoint_covariances = (
-        np.full((len(landmarks), 2, 2), np.nan),
-        np.full((len(landmarks), 2, 2, 2), np.nan),
-    )
-    alive, row = set(belief.blocks), {landmark: i for i, landmark in enumerate(landmarks)}
-    for group in group_by_kind(lm for lm in landmarks if lm.abscissas is not None and lm.block in alive):
+    n, alive, row = len(landmarks), set(belief.blocks), {landmark: i for i, landmark in enumerate(landmarks)}
+    endpoints, endpoint_covariances = np.full((n, 2, 2), np.nan), np.full((n, 2, 2, 2), np.nan)
+    for group in group_by_kind([lm for lm in landmarks if lm.abscissas is not None and lm.block in alive], KIND):
         rows = [row[landmark] for landmark in group]
         endpoints[rows], endpoint_covariances[rows] = _of_one_kind(belief, sensor, group)
     return endpoints, endpoint_covariances
 
 
 def _of_one_kind(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
-    kind, abscissas = landmarks[0].kind, np.array([landmark.abscissas for landmark in landmarks])
-    view = viewpoint(sensor)
-    h, by_line = kind.point_at.jac(landmark_means(landmarks)[:, None, :], abscissas)
-    point, F = hmg_point.to_frame.jac(view.pose, h)
-    ahead = sensor.calibration.visible(point)
-    pixel, by_sensor = sensor.calibration.project_jac(np.where(ahead[..., None], point, PLACEHOLDER_POINT))
-    by = columns_jacobian(view, F.pose, F.landmark @ by_line.landmark)
-    H, columns = by_sensor.point @ by, state_columns(sensor, landmarks)
+    view, abscissas = viewpoint(sensor), np.array([landmark.abscissas for landmark in landmarks])
+    ahead, pixel, parts = project_endpoints(sensor.calibration, view.pose, landmarks, abscissas)
+    by_point, by_pose, by_place, by_line = parts
+    by = columns_jacobian(view, by_pose, by_place @ by_line)
+    H, columns = by_point @ by, state_columns(sensor, landmarks)
     P = belief.matrix[columns[:, :, None], columns[:, None, :]]
     seen = (ahead & sensor.calibration.inside(pixel))[..., None]
     covariance = H @ P[:, None] @ H.swapaxes(-1, -2)

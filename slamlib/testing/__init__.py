@@ -10,8 +10,7 @@ definition, which argument, where, and by how much. Chapter 13 uses them; the pa
 from typing import Any
 
 from slamlib.errors import SlamlibError
-from slamlib.landmarks.line import LineLandmark
-from slamlib.landmarks.point import PointLandmark
+from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import CheckError, Finding, Judge
 from slamlib.testing.landmarks import line_properties, point_properties
@@ -59,11 +58,7 @@ def check_pair(
     judge = Judge(f"{kind.name} seen by {calibration.sensor.name}", seed)
     if isinstance(kind, LineLandmark):
         line_pair_properties(judge, kind, calibration)
-        return _concluded(judge, silent, SEGMENT)
-    pair_properties(judge, kind, calibration)
-    return _concluded(judge, silent, MEASURED)
-
-
-def _concluded(judge: Judge, silent: bool, exists: str) -> bool:
+    else:
+        pair_properties(judge, kind, calibration)
     judge.conclude(silent)
-    return exists in judge.places
+    return SEGMENT in judge.places or MEASURED in judge.places

@@ -11,7 +11,16 @@ from slamlib.geometry.quaternion import exponential
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.observation.points import observe
 
-NO_LOOKS = MeasurementView(
+
+def measurements(ids: np.ndarray, *columns, **more) -> MeasurementView:
+    """What a sensor looked at; of what not every look has nan or None, where it is not said."""
+    n = len(ids)
+    none = {"endpoints": np.full((n, 2, 2), np.nan), "endpoint_covariances": np.full((n, 2, 2, 2), np.nan)}
+    none |= {"scores": np.full(n, np.nan), "predicted_patch": (None,) * n, "found_patch": (None,) * n}
+    return MeasurementView(ids, *columns, **{**none, **more})
+
+
+NO_LOOKS = measurements(
     np.zeros(0, np.int64),
     (),
     np.zeros((0, 4)),
@@ -92,7 +101,7 @@ def _looks(
     matched = np.arange(count) % 4 > 0
     inlier = matched & (np.arange(count) % 5 > 0)
     measured = np.where(matched[:, None], expected + np.where(inlier, 1, 4)[:, None] * step[..., 0], np.nan)
-    return MeasurementView(
+    return measurements(
         points.ids[some], ("x",) * count, expected, covariance, measured, matched, matched, inlier, 2 * inlier
     )
 
@@ -109,7 +118,7 @@ def with_segments(shown: Snapshot) -> Snapshot:
     endpoints[2, 1] = np.nan
     endpoint_covariances = np.where(np.isnan(endpoints)[..., None], np.nan, np.array([[90.0, 30.0], [30.0, 40.0]]))
     number, chosen = shown.segments.ids[[0, 1, 2]], np.ones(3, bool)
-    predictions = MeasurementView(
+    predictions = measurements(
         number,
         ("y",) * 3,
         expected,
@@ -119,8 +128,8 @@ def with_segments(shown: Snapshot) -> Snapshot:
         matched,
         inlier,
         inlier,
-        endpoints,
-        endpoint_covariances,
+        endpoints=endpoints,
+        endpoint_covariances=endpoint_covariances,
     )
     view = shown.sensors[0]
     scan = Scan({**view.scan.features, "segments": Features(number[1:], measured[1:])})

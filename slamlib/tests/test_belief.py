@@ -324,7 +324,7 @@ WRONG = {
     "correct: z": (
         lambda b, x: b.update(x[:1], [I2], [0, np.inf], I2),
         NonFiniteError,
-        "correct: innovation holds inf",
+        "update: innovation holds inf",
     ),
     "correct: scalar z": (lambda b, x: b.update(x[:1], [I2], 0, I2), ShapeError, r"shape \(m,\), m at least 1"),
     "correct: no z": (lambda b, x: b.update(x[:1], [I2], [], I2), ShapeError, r"but has shape \(0,\)"),
@@ -341,36 +341,36 @@ WRONG = {
     "correct: S": (
         lambda b, x: b.update(x[:1], [I2[[0, 0]]], Z2, np.zeros((2, 2))),
         CovarianceError,
-        r"number [01] of observation 0 \(of <block Euclidean\(2\) at 0>\) is claimed to be known exactly",
+        r"number [01] of measurement 0 \(of <block Euclidean\(2\) at 0>\) is claimed to be known exactly",
     ),
     "correct: scalar": (
         lambda b, x: b.update(x[:1], [I2], Z2, np.diag([1.0, 0]), method="scalar"),
         CovarianceError,
-        "number 1 of observation 0",
+        "number 1 of measurement 0",
     ),
     "correct: method": (lambda b, x: b.update(x[:1], [I2], Z2, I2, method="btach"), UnknownNameError, "mean 'batch'"),
     "correct: overflow": (
         lambda b, x: b.update(x[:1], [I2 * 1e200], Z2, I2),
         NonFiniteError,
-        "correct: the covariance",
+        "update: the covariance",
     ),
     "correct: mean": (
         lambda b, x: b.update(x[:1], [I2 * 1e-5], [1e308, 1e308], I2 * 1e-20),
         NonFiniteError,
-        "correct: the corrected means",
+        "update: the corrected means",
     ),
     "update_all: none": (lambda b, x: b.update_all([]), SlamlibError, "leave the call out"),
     "update_all: third": (
         lambda b, x: b.update_all([LinearizedMeasurement(x[:1], [I2], Z2, R) for R in (I2, I2, SKEWED)]),
         CovarianceError,
-        "R of observation 2 is not symmetric",
+        "R of measurement 2 is not symmetric",
     ),
     "update_all: second": (
         lambda b, x: b.update_all(
             [LinearizedMeasurement(x[:1], [I2], Z2, I2), LinearizedMeasurement(x[1:2], [I2], Z2, I2)]
         ),
         ShapeError,
-        "correct: Jacobian 0 of observation 1",
+        "update: Jacobian 0 of measurement 1",
     ),
     "innovation_covariance": (
         lambda b, x: b.innovation_covariance([], [], 1),
@@ -511,7 +511,7 @@ def test_numpy_and_blas_agree(rng, monkeypatch, n, m):
 def test_scipy_is_loaded_late_and_not_needed():
     program = (
         "import sys; sys.modules['scipy'] = None; import numpy as np; from slamlib.belief import Belief; b = Belief();"
-        "x = b.add(2, [0, 0], 1); b.correct([x], [np.eye(2)], [1, 1], 1); print(x.mean)"
+        "x = b.add(2, [0, 0], 1); b.update([x], [np.eye(2)], [1, 1], 1); print(x.mean)"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert done.stdout == "[0.5 0.5]\n"

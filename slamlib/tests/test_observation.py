@@ -280,7 +280,7 @@ def test_a_new_file_is_found_and_two_of_one_name_are_refused(tmp_path, monkeypat
     package = tmp_path / "own_points"
     package.mkdir()
     (package / "__init__.py").write_text("")
-    source = "from slamlib.landmarks.ahm_point import *\nfrom slamlib.landmarks.point import PointLandmark\n"
+    source = "from slamlib.landmarks.ahm_point import *\nfrom slamlib.landmarks.parametrization import PointLandmark\n"
     (package / "mine.py").write_text(source + "MINE = PointLandmark('my_Pnt', None, to_frame, from_frame, to_point)\n")
     monkeypatch.syspath_prepend(tmp_path)
     found = Registry("own_points", PointLandmark, "point")

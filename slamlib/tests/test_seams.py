@@ -17,7 +17,7 @@ from slamlib.motions import Motion
 from slamlib.observation.family import columns_jacobian, viewpoint
 from slamlib.simulation import simulate
 from slamlib.slam import Options, Slam
-from slamlib.slam.linearization import Linearization
+from slamlib.slam.entities import Linearization
 from slamlib.slam.measurement_update import predict_from_pose, predict_measurements
 
 
@@ -154,7 +154,7 @@ def test_jacobians_are_taken_at_the_point_of_linearization(name, reproject):
         )[2]
         assert np.allclose(prediction.value, value, atol=1e-9)
         assert np.allclose(
-            prediction.expected.jacobian[prediction.row], columns_jacobian(view, J.camera, J.landmark), atol=1e-9
+            prediction.batch.jacobian[prediction.row], columns_jacobian(view, J.camera, J.landmark), atol=1e-9
         )
 
 

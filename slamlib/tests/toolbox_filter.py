@@ -15,7 +15,7 @@ from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import to_euclidean
 from slamlib.observation.family import Innovation, PredictedBatch, landmark_means, state_columns
 from slamlib.observation.points import PointFamily
-from slamlib.observation.segments import LineFamily, line_innovation
+from slamlib.observation.segments import LineFamily
 from slamlib.slam import Slam
 from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.slam.entities import MountedSensor
@@ -164,7 +164,7 @@ class Lines(LineFamily):
         return line, J.line @ np.concatenate([F.pose, F.landmark], axis=-1)
 
     def innovation(self, view, landmark, measured, options):
-        return line_innovation(view.sensor, *self._line(view.sensor, landmark), measured, options)
+        return self.residual(view.sensor, *self._line(view.sensor, landmark), measured, options)
 
     def initialize(self, sensor, kind, value, options):
         x, own, jacobians = super().initialize(sensor, kind, value, options)

@@ -5,6 +5,8 @@ so that a later group is chosen in the light of the earlier correction. What it 
 if the gate had refused it, with the nis by which it was.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
@@ -15,23 +17,17 @@ import numpy as np
 from slamlib.belief import Belief
 from slamlib.manifolds import Array, Mask
 from slamlib.observation.family import viewpoint
-from slamlib.slam.data_association.gates import gate, innovation_covariances, mahalanobis_squared
+from slamlib.slam.data_association.gates import gate, mahalanobis_squared
 from slamlib.slam.data_association.jcbb import jcbb
-from slamlib.slam.data_association.joint_innovation import (
-    JointInnovation,
-    hypothesis_innovations,
-    joint_innovation,
-    rows_by_kind,
-)
+from slamlib.slam.data_association.joint_innovation import JointInnovation, hypothesis_innovations, joint_innovation
 from slamlib.slam.entities import MountedSensor
-from slamlib.slam.measurement_update import PredictedMeasurement
+from slamlib.slam.measurement_update import Predictions, group_by_kind, innovation_squares, innovations
 
 if TYPE_CHECKING:
     from slamlib.slam.options import Options
 
-OutlierRejection = Callable[
-    [Belief, MountedSensor, list[PredictedMeasurement], "Options"], Iterator[list[PredictedMeasurement]]
-]
+Groups = Iterator[Predictions]
+OutlierRejection = Callable[[Belief, MountedSensor, Predictions, "Options"], Groups]
 
 # Standard deviations of the measurement's noise: a match within this of what a hypothesis expects supports it. Low on
 # purpose (Civera et al. 2010): 86 % of the true matches of two numbers without other errors, and few wrong ones.
@@ -40,16 +36,12 @@ LOW_INNOVATION = 2.0
 MIN_SUPPORT = 3
 
 
-def individual(
-    belief: Belief, sensor: MountedSensor, predictions: list[PredictedMeasurement], options: "Options"
-) -> Iterator[list[PredictedMeasurement]]:
+def individual(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> Groups:
     """All of them: the gate judges each alone."""
     yield predictions
 
 
-def joint_compatibility(
-    belief: Belief, sensor: MountedSensor, predictions: list[PredictedMeasurement], options: "Options"
-) -> Iterator[list[PredictedMeasurement]]:
+def joint_compatibility(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> Groups:
     """The largest set that is compatible as a whole: z' S^-1 z of all passes the gate for all degrees of freedom.
 
     Neira and Tardos (2001). What fails the gate by itself is out before. The nis of a refused look is what it would add
@@ -59,14 +51,14 @@ def joint_compatibility(
         yield predictions
         return
     found = joint_innovation(belief, sensor, predictions)
-    keep = _jointly_compatible(found, _individual_squares(found) < _thresholds(found, options), options)
+    keep = _jointly_compatible(found, _individual_squares(found, options)[1], options)
     refused = _selected(predictions, ~keep)
     for prediction, nis in zip(refused, _added_squares(found, keep).tolist() if refused else (), strict=True):
         prediction.nis = nis
     yield _selected(predictions, keep)
 
 
-def _jointly_compatible(found: JointInnovation, candidates: Mask, options: "Options") -> Mask:
+def _jointly_compatible(found: JointInnovation, candidates: Mask, options: Options) -> Mask:
     """Mask of the largest jointly compatible set of the innovations that may."""
     rows, keep = np.flatnonzero(candidates), np.zeros(len(candidates), dtype=bool)
     if len(rows):
@@ -75,9 +67,7 @@ def _jointly_compatible(found: JointInnovation, candidates: Mask, options: "Opti
     return keep
 
 
-def one_point_ransac(
-    belief: Belief, sensor: MountedSensor, predictions: list[PredictedMeasurement], options: "Options"
-) -> Iterator[list[PredictedMeasurement]]:
+def one_point_ransac(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> Groups:
     """Those that agree with what one of them says of the pose and the map; then, of the rest, what passes the gate.
 
     Civera, Grasa, Davison and Montiel (2010): a filter has a prior, so that a single match makes a hypothesis. Each of
@@ -89,8 +79,7 @@ def one_point_ransac(
         yield predictions
         return
     found = joint_innovation(belief, sensor, predictions)
-    squares = _individual_squares(found)
-    candidates = squares < _thresholds(found, options)
+    squares, candidates = _individual_squares(found, options)
     support = _largest_support(sensor, predictions, found, candidates)
     if support.sum() < min(MIN_SUPPORT, candidates.sum()):
         support = _jointly_compatible(found, candidates, options)
@@ -100,15 +89,12 @@ def one_point_ransac(
     yield from _rescue_high_innovation(belief, sensor, _selected(predictions, ~support), options)
 
 
-def _largest_support(
-    sensor: MountedSensor, predictions: list[PredictedMeasurement], found: JointInnovation, candidates: Mask
-) -> Mask:
+def _largest_support(sensor: MountedSensor, predictions: Predictions, found: JointInnovation, candidates: Mask) -> Mask:
     """Mask of the matches, of those that may, that agree with the best hypothesis."""
     hypothetical = hypothesis_innovations(sensor, predictions, found)
     squares = mahalanobis_squared(hypothetical, np.broadcast_to(found.R, (len(predictions), *found.R.shape)))
-    agree = (squares < LOW_INNOVATION**2) | np.eye(
-        len(predictions), dtype=bool
-    )  # out of view is nan, and does not agree
+    agree = squares < LOW_INNOVATION**2  # out of view is nan, and does not agree
+    agree |= np.eye(len(predictions), dtype=bool)
     agree &= candidates & candidates[:, None]
     misfit = np.where(agree, squares, 0).sum(1)
     best: Mask = agree[np.lexsort((misfit, -agree.sum(1)))[0]]
@@ -116,37 +102,34 @@ def _largest_support(
 
 
 def _rescue_high_innovation(
-    belief: Belief, sensor: MountedSensor, predictions: list[PredictedMeasurement], options: "Options"
-) -> Iterator[list[PredictedMeasurement]]:
+    belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options
+) -> Groups:
     """Those of the looks that pass the gate where the belief is now; they are corrected by what is expected there."""
-    inside: list[tuple[PredictedMeasurement, PredictedMeasurement]] = []
-    for at in rows_by_kind(predictions):
-        group = {predictions[i].landmark: predictions[i] for i in at}
-        family = predictions[at[0]].family
-        expected = family.predict_batch(viewpoint(sensor), list(group), options)
+    inside: Predictions = []
+    shown = {prediction.landmark: prediction for prediction in predictions}
+    for group in group_by_kind(predictions):
+        landmarks = [prediction.landmark for prediction in group]
+        expected = group[0].family.predict_batch(viewpoint(sensor), landmarks, options)
         if not expected.landmarks:
             continue
-        seen = [group[landmark] for landmark in expected.landmarks]
-        found = family.batch_innovation(sensor, expected, np.array([prediction.measured for prediction in seen]))
-        S = innovation_covariances(belief.matrix, expected.columns, found.H, found.R)
-        for row, nis in enumerate(mahalanobis_squared(found.z, S).tolist()):
-            seen[row].nis = nis
+        anew = [replace(shown[landmark], batch=expected, row=i) for i, landmark in enumerate(expected.landmarks)]
+        found = innovations(sensor, anew)[1]
+        for prediction, nis in zip(anew, innovation_squares(belief, expected, found), strict=True):
+            shown[prediction.landmark].nis = nis
             if nis < gate(options.gate, found.z.shape[1]):
-                inside.append((seen[row], replace(seen[row], batch=expected, row=row)))
+                inside.append(prediction)
     if inside:
-        yield [anew for _, anew in inside]
-    for prediction, anew in inside:  # a look goes on showing what was expected of it before any correction
-        prediction.nis, prediction.inlier = anew.nis, anew.inlier
+        yield inside
+    for prediction in inside:  # a prediction goes on showing what was expected before any correction
+        before = shown[prediction.landmark]
+        before.nis, before.inlier = prediction.nis, prediction.inlier
 
 
-def _individual_squares(found: JointInnovation) -> Array:
-    """Square (n,) of each innovation by itself."""
+def _individual_squares(found: JointInnovation, options: Options) -> tuple[Array, Mask]:
+    """Square (n,) of each innovation by itself, and the mask (n,) of those that pass the gate."""
     rows = np.arange(len(found.z))
-    return mahalanobis_squared(found.z, found.S[rows, :, rows])
-
-
-def _thresholds(found: JointInnovation, options: "Options") -> Array:
-    return np.array([gate(options.gate, size) for size in found.dof.tolist()])
+    squares = mahalanobis_squared(found.z, found.S[rows, :, rows])
+    return squares, squares < np.array([gate(options.gate, size) for size in found.dof.tolist()])
 
 
 def _added_squares(found: JointInnovation, keep: Mask) -> Array:
@@ -161,7 +144,7 @@ def _added_squares(found: JointInnovation, keep: Mask) -> Array:
     return mahalanobis_squared((z[~kept] - gain @ z[kept]).reshape(count, d), left[rows, :, rows])
 
 
-def _selected(predictions: list[PredictedMeasurement], mask: Mask) -> list[PredictedMeasurement]:
+def _selected(predictions: Predictions, mask: Mask) -> Predictions:
     return [prediction for prediction, is_one in zip(predictions, mask.tolist(), strict=True) if is_one]
 
 

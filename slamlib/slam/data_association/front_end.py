@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from slamlib.slam.entities import MountedSensor
     from slamlib.slam.measurement_update import PredictedMeasurement
 
+NONE = Features.none(0)
 Detected = tuple[int, Array, Any]  # of a new landmark: its id, its first measurement (m,), its signature
 
 
@@ -37,9 +38,6 @@ class FrontEnd(Protocol):
     A signature is what it knows a landmark by; the filter keeps it with the landmark, and hands it back unread.
     """
 
-    def check(self, scan: Scan) -> None:
-        """Raise SlamlibError for a scan that it cannot look at, before anything is changed."""
-
     def searchable(self, inputs: FrontEndInput) -> list[PredictedMeasurement]:
         """Of the looks of a sight, those that it could find at all if the landmarks are there."""
 
@@ -54,24 +52,29 @@ class FrontEnd(Protocol):
         usable(values) is the mask of the values (n, m) that a landmark may begin with.
         """
 
+    def check(self, scan: Scan) -> None:
+        """Raise SlamlibError for a scan that it cannot look at, before anything is changed. Here: any will do."""
+        return None
+
     def dump(self) -> Any:
-        """Its own state as plain data."""
+        """Its own state as plain data. Here: it has none."""
+        return None
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave."""
+        return None
 
     def pack(self, signature: Any) -> Any:
-        """A landmark's signature as plain data."""
+        """A landmark's signature as plain data. Here: it gives none."""
+        return None
 
     def unpack(self, packed: Any) -> Any:
         """The signature that `pack` packed."""
+        return None
 
 
-class KnownAssociation:
+class KnownAssociation(FrontEnd):
     """Association by identity: simulated features, and those of labelled data, carry the id of what they show."""
-
-    def check(self, scan: Scan) -> None:
-        """Any scan will do."""
 
     def searchable(self, inputs: FrontEndInput) -> list[PredictedMeasurement]:
         """All looks."""
@@ -79,7 +82,7 @@ class KnownAssociation:
 
     def match(self, inputs: FrontEndInput, family: str, predictions: list[PredictedMeasurement]) -> tuple[Array, Mask]:
         """The features with the ids of the landmarks."""
-        features = _features(inputs, family)
+        features = inputs.scan.features.get(family, NONE)
         row_of = {number: row for row, number in enumerate(features.ids.tolist())}
         rows = np.array([row_of.get(prediction.landmark.id, -1) for prediction in predictions], dtype=int)
         size = features.values.shape[1] if len(features) or not predictions else len(predictions[0].value)
@@ -93,28 +96,10 @@ class KnownAssociation:
         self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[Detected]:
         """The features with the lowest ids that are not known."""
-        features = _features(inputs, family)
+        features = inputs.scan.features.get(family, NONE)
         fresh = sorted((number, row) for row, number in enumerate(features.ids.tolist()) if number not in known)
         if not fresh or not count:
             return []
         mask = usable(features.values[[row for _, row in fresh]])
         good = [pair for pair, is_usable in zip(fresh, mask.tolist(), strict=True) if is_usable][:count]
         return [(number, features.values[row], None) for number, row in good]
-
-    def dump(self) -> Any:
-        """It has no state."""
-
-    def restore(self, state: Any) -> None:
-        """It has no state."""
-
-    def pack(self, signature: Any) -> Any:
-        """It gives no signatures."""
-
-    def unpack(self, packed: Any) -> Any:
-        """It gives no signatures."""
-
-
-def _features(inputs: FrontEndInput, family: str) -> Features:
-    """The features of a family in the scan; none if it has none."""
-    found: Features | None = inputs.scan.features.get(family)
-    return Features.none(0) if found is None else found

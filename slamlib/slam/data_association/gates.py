@@ -22,8 +22,13 @@ def innovation_covariances(covariance: Array, columns: Indices, H: Array, R: Arr
 
 
 def mahalanobis_squared(z: Array, S: Array) -> Array:
-    """z' S^-1 z (n,) of innovations (n, d) with covariances (n, d, d)."""
-    return linalg.quadratic_forms(z, S)
+    """z' S^-1 z (n,) of innovations (n, d) with covariances (n, d, d); of 2 x 2, most pixels', by their factors."""
+    if S.shape[1:] != (2, 2):
+        squared: Array = (z * np.linalg.solve(S, z[..., None])[..., 0]).sum(-1)
+        return squared
+    a, b, c = S[:, 0, 0], S[:, 0, 1], S[:, 1, 1]
+    x, y, ratio = z[:, 0], z[:, 1], b / a
+    return x * x / a + (y - ratio * x) ** 2 / (c - ratio * b)
 
 
 def by_information(S: Array, count: int) -> Indices:

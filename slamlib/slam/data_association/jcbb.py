@@ -17,9 +17,7 @@ from slamlib.kalman import linalg
 from slamlib.manifolds import Array, Indices, Mask
 
 Threshold = Callable[[int], float]
-MAX_NODES = (
-    15  # nodes of the tree, 60 to 100 us each; the greedy set is nearly always the best (benchmarks/consensus.py)
-)
+MAX_NODES = 15  # of the tree, 60 to 100 us each; the greedy set is nearly always the best (benchmarks/consensus.py)
 
 
 class _Node:

@@ -1,7 +1,6 @@
 """The innovations of one frame as one vector, with the covariance that binds them together. Chapter 19."""
 
 from collections import defaultdict
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,7 +10,7 @@ from slamlib.geometry.pose import Pose, compose
 from slamlib.manifolds import Array, Indices
 from slamlib.observation.family import PredictedBatch, landmark_means
 from slamlib.slam.entities import POSE, MountedSensor
-from slamlib.slam.measurement_update import PredictedMeasurement
+from slamlib.slam.measurement_update import Predictions, group_by_kind, innovations
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,26 +30,14 @@ class JointInnovation:
     touched: Indices
 
 
-def rows_by_kind(predictions: Iterable[PredictedMeasurement]) -> list[list[int]]:
-    """Numbers of the looks at landmarks of one kind, so that each kind is computed in one batch."""
-    found: dict[int, list[int]] = defaultdict(list)
-    for i, prediction in enumerate(predictions):
-        found[id(prediction.landmark.kind)].append(i)
-    return list(found.values())
-
-
-def joint_innovation(belief: Belief, sensor: MountedSensor, predictions: list[PredictedMeasurement]) -> JointInnovation:
+def joint_innovation(belief: Belief, sensor: MountedSensor, predictions: Predictions) -> JointInnovation:
     """Innovations of all looks at the expectations they hold, and S = H P H' + R with all cross-correlations."""
     n, d = len(predictions), max(len(prediction.S) for prediction in predictions)
     touched = np.unique(np.concatenate([prediction.batch.columns[prediction.row] for prediction in predictions]))
     z, H, dof = np.zeros((n, d)), np.zeros((n, d, len(touched))), np.zeros(n, dtype=int)
     R = np.broadcast_to(np.eye(d), (n, d, d)).copy()
-    for at in rows_by_kind(predictions):
-        group = [predictions[i] for i in at]
-        expected = group[0].batch.take([prediction.row for prediction in group])
-        found = group[0].family.batch_innovation(
-            sensor, expected, np.array([prediction.measured for prediction in group])
-        )
+    for at in group_by_kind(range(n), lambda i: predictions[i].landmark.kind):
+        expected, found = innovations(sensor, [predictions[i] for i in at])
         size, rows = found.z.shape[1], np.array(at)[:, None]
         z[rows, np.arange(size)], dof[at] = found.z, size
         columns = np.searchsorted(touched, expected.columns)
@@ -64,9 +51,7 @@ def joint_innovation(belief: Belief, sensor: MountedSensor, predictions: list[Pr
     return JointInnovation(z, S, R, dof, gain.reshape(-1, n, d), touched)
 
 
-def hypothesis_innovations(
-    sensor: MountedSensor, predictions: list[PredictedMeasurement], joint: JointInnovation
-) -> Array:
+def hypothesis_innovations(sensor: MountedSensor, predictions: Predictions, joint: JointInnovation) -> Array:
     """Innovations (n, n, d) of all looks (second axis) at the mean corrected by one of them alone (first axis).
 
     Mean + P H_i' S_ii^-1 z_i for the poses and the landmarks looked at; nothing is corrected. Not linearized: each
@@ -75,9 +60,11 @@ def hypothesis_innovations(
     n, d = joint.z.shape
     own = joint.S[np.arange(n), :, np.arange(n)]
     steps = np.einsum("knd,nd->nk", joint.gain, np.linalg.solve(own, joint.z[..., None])[..., 0])
-    camera = _cameras(sensor, steps[:, np.searchsorted(joint.touched, sensor.columns)])
+    moved_sensor = steps[:, np.searchsorted(joint.touched, sensor.columns)]  # (n, 6), or (n, 12) with its mount
+    extrinsics = sensor.extrinsics if sensor.block is None else Pose.plus(sensor.extrinsics, moved_sensor[:, POSE:])
+    camera = compose(Pose.plus(sensor.robot.pose, moved_sensor[:, :POSE]), extrinsics)[:, None]
     in_frame: dict[str, list[tuple[list[int], Array]]] = defaultdict(list)
-    for at in rows_by_kind(predictions):
+    for at in group_by_kind(range(n), lambda i: predictions[i].landmark.kind):
         landmarks = [predictions[i].landmark for i in at]
         columns = np.array([predictions[i].batch.columns[predictions[i].row, len(sensor.columns) :] for i in at])
         step = steps[:, np.searchsorted(joint.touched, columns)]
@@ -86,22 +73,13 @@ def hypothesis_innovations(
     z = np.zeros((n, n, d))
     for kinds in in_frame.values():  # the sensor does not care for kinds: all points are projected at once
         group = [i for at, _ in kinds for i in at]
-        found = _innovations(
-            sensor, [predictions[i] for i in group], np.concatenate([there for _, there in kinds], axis=1)
-        )
+        there = np.concatenate([places for _, places in kinds], axis=1)
+        found = _innovations(sensor, [predictions[i] for i in group], there)
         z[:, group, : found.shape[-1]] = found
     return z
 
 
-def _cameras(sensor: MountedSensor, steps: Array) -> Array:
-    """Poses (n, 1, 7) of the sensor in the world after steps (n, 6), or (n, 12) where its mount is estimated."""
-    robot = Pose.plus(sensor.robot.pose, steps[:, :POSE])
-    extrinsics = sensor.extrinsics if sensor.block is None else Pose.plus(sensor.extrinsics, steps[:, POSE:])
-    camera: Array = compose(robot, extrinsics)[:, None]
-    return camera
-
-
-def _innovations(sensor: MountedSensor, predictions: list[PredictedMeasurement], in_frame: Array) -> Array:
+def _innovations(sensor: MountedSensor, predictions: Predictions, in_frame: Array) -> Array:
     """Innovations (h, n, d) of looks of one family, at landmarks in_frame (h, n, q) of the sensor."""
     family = predictions[0].family
     inner = family.innovation_input(sensor.calibration, in_frame)
