@@ -14,7 +14,7 @@ from collections import namedtuple
 from collections.abc import Callable
 from contextvars import ContextVar
 from types import ModuleType
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -44,6 +44,20 @@ class Argument:
     def __repr__(self) -> str:
         return f"{self.name}: {self.manifold or self.shape}"
 
+    def check(self, value: Array, owner: str) -> None:
+        """Raise ShapeError, NonFiniteError or UnitError, in the name of `owner`, for what is no value (..., shape)."""
+        if value.shape[value.ndim - len(self.shape) :] != self.shape or value.ndim < len(self.shape):
+            raise ShapeError.of(owner, self.name, self.shape, value.shape)
+        what = f"{owner}: argument '{self.name}'"
+        if value.dtype.kind not in "fiubc":
+            raise ShapeError(f"{what} should hold numbers, but has dtype {value.dtype}")
+        few = value.size < 10 and cmath.isfinite(sum(value.ravel().tolist()))  # for a few numbers Python is quicker
+        if not few and not np.isfinite(value).all():
+            where = tuple(int(i) for i in np.argwhere(~np.isfinite(value))[0])
+            raise NonFiniteError(f"{what} holds {value[where]} at index {where}; remove or mask it")
+        if self.manifold is not None and self.is_manifold and value.dtype.kind != "c":
+            self.manifold.check(value, what)
+
 
 def model(
     *, returns: "int | tuple[int, ...] | Manifold | None" = None, **arguments: Any
@@ -59,39 +73,49 @@ def model(
     return declare
 
 
-class Formula(Protocol):
-    """What is called like a model: a Model, or an Implicit."""
+class Formula:
+    """What is called like a model: a Model, an Implicit, or a chain of them."""
 
-    parameters: list[str]
+    name: str
     arguments: list[Argument]
 
-    @property
-    def name(self) -> str: ...
+    def __init__(self, name: str, arguments: list[Argument]) -> None:
+        self.name, self.arguments = name, arguments
+        self.parameters = [a.name for a in arguments]
+        self._jacobians = namedtuple(f"{name}_jacobians", self.parameters)  # type: ignore[misc]
 
-    def __call__(self, *args: Any, **kwargs: Any) -> Array: ...
+    def __call__(self, *args: Any, **kwargs: Any) -> Array:
+        raise NotImplementedError
 
-    def jac(self, *args: Any, **kwargs: Any) -> tuple[Array, Any]: ...
+    def jac(self, *args: Any, **kwargs: Any) -> tuple[Array, Any]:
+        """Value and Jacobians."""
+        raise NotImplementedError
+
+    def _bind(self, args: tuple[ArrayLike, ...], kwargs: dict[str, ArrayLike]) -> list[Array]:
+        """The arguments as arrays, in their order."""
+        names = self.parameters
+        if len(args) + len(kwargs) != len(names) or (kwargs and not kwargs.keys() <= set(names[len(args) :])):
+            raise SlamlibError(
+                f"{self.name} takes ({', '.join(names)}); got {len(args)} by position and {sorted(kwargs)} by name"
+            )
+        given = (*args, *[kwargs[n] for n in names[len(args) :]]) if kwargs else args
+        return [np.asarray(a) for a in given]
 
 
-class Model:
+class Model(Formula):
     """A formula with its generated value and Jacobians; made by the decorator `model`."""
 
     def __init__(self, function: Callable[..., Array], arguments: list[Argument], returns: Any) -> None:
+        super().__init__(function.__name__, arguments)
         functools.update_wrapper(self, function)
-        self.function, self.arguments = function, arguments
+        self.function = function
         self.result = None if returns is None else Argument("result", returns)
-        self.parameters = [a.name for a in arguments]
         written = list(inspect.signature(function).parameters)
         if written != self.parameters:
             raise SlamlibError(
                 f"{self.name}: the decorator names {self.parameters}, the function takes {written}; make them the same"
             )
-        self._jacobians = namedtuple(f"{self.name}_jacobians", self.parameters)  # type: ignore[misc]
         self._whole: Model | None = None
-
-    @property
-    def name(self) -> str:
-        return self.function.__name__
 
     @property
     def module(self) -> str:
@@ -142,15 +166,6 @@ class Model:
         value, *jacobians = self._evaluate(kind, self._bind(args, kwargs))
         return value, self._jacobians(*jacobians)
 
-    def _bind(self, args: tuple[ArrayLike, ...], kwargs: dict[str, ArrayLike]) -> list[Array]:
-        names = self.parameters
-        if len(args) + len(kwargs) != len(names) or (kwargs and not kwargs.keys() <= set(names[len(args) :])):
-            raise SlamlibError(
-                f"{self.name} takes ({', '.join(names)}); got {len(args)} by position and {sorted(kwargs)} by name"
-            )
-        given = (*args, *[kwargs[n] for n in names[len(args) :]]) if kwargs else args
-        return [np.asarray(a) for a in given]
-
     @functools.cache  # noqa: B019 - models live as long as their module
     def shortened(self, *sizes: int) -> "Model":
         """The model for lists of coefficients with fewer numbers, `sizes` of all arguments: the others are zero."""
@@ -190,7 +205,7 @@ class Model:
         found = kernel.single(arguments)
         if found is None:
             for argument, value in zip(self.arguments, arguments, strict=True):
-                self._check(argument, value)
+                argument.check(value, self.name)
             found = kernel(arguments)
         return found
 
@@ -199,26 +214,10 @@ class Model:
         """The generated function of a kind, with the shapes of the arrays that its entries fill."""
         shape = self.code.SHAPES[self.name]
         function = getattr(self.storage_code if kind == "_storage_jac" else self.code, self.name + kind)
-        if not kind:
-            return Kernel(function, self.name, self.arguments, [shape])
+        return Kernel(function, self.name, self.arguments, self.shapes(kind, shape))
+
+    def shapes(self, kind: str, shape: tuple[int, ...]) -> list[tuple[int, ...]]:
+        """Of the arrays that a kind of generated function gives: the value, of this shape, and the Jacobians."""
         stored = kind == "_storage_jac" or not self.has_manifold
         rows = self.result.tangent if self.result is not None and not stored else shape
-        columns = [a.shape if stored else a.tangent for a in self.arguments]
-        return Kernel(function, self.name, self.arguments, [shape, *(rows + c for c in columns)])
-
-    def _check(self, argument: Argument, value: Array) -> None:
-        wanted = argument.shape
-        if value.shape[value.ndim - len(wanted) :] != wanted or value.ndim < len(wanted):
-            raise ShapeError.of(self.name, argument.name, wanted, value.shape)
-        if value.dtype.kind not in "fiubc":
-            raise ShapeError(
-                f"{self.name}: argument '{argument.name}' should hold numbers, but has dtype {value.dtype}"
-            )
-        few = value.size < 10 and cmath.isfinite(sum(value.ravel().tolist()))  # for a few numbers Python is quicker
-        if not few and not np.isfinite(value).all():
-            where = tuple(int(i) for i in np.argwhere(~np.isfinite(value))[0])
-            raise NonFiniteError(
-                f"{self.name}: argument '{argument.name}' holds {value[where]} at index {where}; remove or mask it"
-            )
-        if argument.is_manifold and value.dtype.kind != "c":
-            argument.manifold.check(value, f"{self.name}: argument '{argument.name}'")  # type: ignore[union-attr]
+        return [shape, *(rows + (a.shape if stored else a.tangent) for a in self.arguments if kind)]

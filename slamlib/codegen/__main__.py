@@ -10,8 +10,6 @@ import sys
 import tempfile
 from collections.abc import Collection
 from pathlib import Path
-from types import ModuleType
-from typing import Any
 
 import numpy as np
 import sympy
@@ -22,6 +20,8 @@ from slamlib.codegen.emit import module
 from slamlib.data.files import write_whole
 from slamlib.errors import UnknownNameError
 from slamlib.model import FORMULA_PARTS, Model
+from slamlib.modeling.in_memory import load
+from slamlib.modeling.numerical import scaled_differences
 
 PACKAGE = Path(slamlib.__file__).parent
 TARGET = PACKAGE / "generated"
@@ -68,13 +68,14 @@ def write(target: Path, only: Collection[str] = ()) -> int:
         file = target / path
         file.parent.mkdir(parents=True, exist_ok=True)
         write_whole(file, text)
-    for left_over in set() if only else existing(target) - set(files):
+    for left_over in set() if only else texts(target).keys() - files.keys():
         (target / left_over).unlink()
     return len(files)
 
 
-def existing(target: Path) -> set[str]:
-    return {f.relative_to(target).as_posix() for f in target.rglob("*.py")}
+def texts(folder: Path) -> dict[str, str]:
+    """Text of every file in a folder, by its path below it."""
+    return {f.relative_to(folder).as_posix(): f.read_text("utf-8") for f in folder.rglob("*.py")}
 
 
 def check() -> list[str]:
@@ -94,14 +95,19 @@ def check() -> list[str]:
             errors = run.communicate()[1]
             if run.returncode:
                 return [errors]
-        one, two = ({f: (folder / f).read_text("utf-8") for f in existing(folder)} for folder in folders)
-    committed = {f: (TARGET / f).read_text("utf-8") for f in existing(TARGET)}
-    problems = [
-        f"{f}: the text depends on the hash seed\n{_diff(f, one[f], two[f])}" for f in one if one[f] != two.get(f)
-    ]
-    problems += [f"{f}: missing; run `make generate`" for f in sorted(one.keys() - committed.keys())]
-    problems += [f"{f}: no model stands behind it; run `make generate`" for f in sorted(committed.keys() - one.keys())]
-    return problems + [p for f in sorted(one.keys() & committed.keys()) if (p := _compare(f, committed[f], one[f]))]
+        one, two = map(texts, folders)
+    committed = texts(TARGET)
+    found = (_problem(path, committed.get(path), one.get(path), two.get(path)) for path in sorted(one | committed))
+    return [problem for problem in found if problem]
+
+
+def _problem(path: str, committed: str | None, one: str | None, two: str | None) -> str | None:
+    """What is wrong with a file: its committed text, and what two runs generate; None if nothing is."""
+    if one != two:
+        return f"{path}: the text depends on the hash seed\n{_diff(path, one or '', two or '')}"
+    if one is None:
+        return f"{path}: no model stands behind it; run `make generate`"
+    return f"{path}: missing; run `make generate`" if committed is None else _compare(path, committed, one)
 
 
 def _compare(path: str, committed: str, fresh: str) -> str | None:
@@ -110,26 +116,17 @@ def _compare(path: str, committed: str, fresh: str) -> str | None:
         return None
     if f"(sympy {sympy.__version__})" in committed or path.endswith("__init__.py"):
         return f"{path}: not what the models give; run `make generate`\n{_diff(path, committed, fresh)}"
-    return _compare_numbers(path, _load(committed), _load(fresh))
-
-
-def _compare_numbers(path: str, committed: ModuleType, fresh: ModuleType) -> str | None:
-    if committed.DIGESTS != fresh.DIGESTS:
+    old, new = load(committed, f"<committed {path}>"), load(fresh, f"<generated {path}>")
+    if old.DIGESTS != new.DIGESTS:
         return f"{path}: the definitions have changed; run `make generate`"
     rng = np.random.default_rng(1)
     for model in models()[path]:
         arguments = [[float(x) for x in np.ravel(random_point(a, rng))] for a in model.arguments]
-        for name in (n for n in vars(fresh) if n in (model.name, f"{model.name}_jac")):
-            a, b = (np.array(getattr(m, name)(*arguments)) for m in (committed, fresh))
-            if a.shape != b.shape or np.max(np.abs(a - b)) > 1e-12 * max(1.0, np.max(np.abs(b))):
+        for name in (n for n in vars(new) if n in (model.name, f"{model.name}_jac")):
+            a, b = (np.array(getattr(m, name)(*arguments)) for m in (old, new))
+            if a.shape != b.shape or (scaled_differences(a, b) > 1e-12).any():
                 return f"{path}: {name} gives other numbers than the models; run `make generate`"
     return None
-
-
-def _load(text: str) -> Any:
-    loaded = ModuleType("loaded")
-    exec(compile(text, "<generated>", "exec"), loaded.__dict__)
-    return loaded
 
 
 def _diff(path: str, old: str, new: str) -> str:
@@ -141,14 +138,10 @@ def _diff(path: str, old: str, new: str) -> str:
 
 def main(arguments: list[str] | None = None) -> int:
     """Exit status 0 if all is written, or current."""
-    parser = argparse.ArgumentParser(
-        prog="python -m slamlib.codegen", description="Generate NumPy code from the models of slamlib."
-    )
-    parser.add_argument(
-        "--check",
-        action="store_true",
-        help="write nothing; compare slamlib/generated with what the models give",
-    )
+    what = "Generate NumPy code from the models of slamlib."
+    parser = argparse.ArgumentParser(prog="python -m slamlib.codegen", description=what)
+    what = "write nothing; compare slamlib/generated with what the models give"
+    parser.add_argument("--check", action="store_true", help=what)
     parser.add_argument("--into", type=Path, default=TARGET, help="folder to write into (default: slamlib/generated)")
     parser.add_argument("only", nargs="*", help="write only these modules, such as landmarks/ahm_point.py")
     options = parser.parse_args(arguments)
@@ -159,7 +152,7 @@ def main(arguments: list[str] | None = None) -> int:
     for problem in problems:
         print(problem, file=sys.stderr)
     count = sum(map(len, models().values()))
-    print(f"generated code: {count} models in {len(existing(TARGET))} files, {len(problems)} out of date")
+    print(f"generated code: {count} models in {len(texts(TARGET))} files, {len(problems)} out of date")
     return 1 if problems or not count else 0
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.model import Argument, Model
-from slamlib.modeling.numerical import complex_step
+from slamlib.modeling.numerical import complex_step, scaled_differences
 
 Sampler = Callable[[np.random.Generator], list[Any]]
 
@@ -27,39 +27,26 @@ def check(
     sample(rng) gives the arguments where a model is not defined for every vector; the default draws from each space.
     """
     rng = np.random.default_rng(seed)
-    worst = dict.fromkeys(model.parameters, 0.0)
+    worst: dict[str, float] = {}
     for _ in range(points):
         arguments = sample(rng) if sample else [random_point(a, rng) for a in model.arguments]
         value, jacobians = model.jac(*arguments)
-        definition = model.definition(*arguments)
-        error = np.max(np.abs(value - definition), initial=0) / max(1.0, np.max(np.abs(definition), initial=0))
-        _require(model, "value", error, tolerance, value)
-        for index, argument in enumerate(model.arguments):
-            numerical = complex_step(model, arguments, index)
-            error = np.max(np.abs(jacobians[index] - numerical), initial=0) / max(
-                1.0, np.max(np.abs(numerical), initial=0)
-            )
-            _require(model, argument.name, error, tolerance, jacobians[index])
-            worst[argument.name] = max(worst[argument.name], error)
-    if not silent:
-        for name, error in worst.items():
-            print(f"{model.name}: J.{name} is the complex step's at {points} random points, to {_decade(error)}")
+        numerical = [complex_step(model, arguments, index) for index in range(len(arguments))]
+        pairs = [(value, model.definition(*arguments)), *zip(jacobians, numerical, strict=True)]
+        for what, (found, wanted) in zip(("value", *model.parameters), pairs, strict=True):
+            if not np.isfinite(found).all():
+                raise SlamlibError(f"{model.name}: {what} is not finite")
+            error = float(np.max(scaled_differences(found, wanted), initial=0))
+            if error > tolerance:
+                how = f"differs from its definition by {error:.3g}, relative; tolerance {tolerance:.0e}"
+                raise AssertionError(f"{model.name}: {what} {how}")
+            worst[what] = max(worst.get(what, 0.0), error)
+    for name in () if silent else model.parameters:
+        # a round bound above the error, the same on every machine: never sharper than 1e-12
+        bound = f"1e-{min(12, int(-np.log10(max(worst[name], 1e-300))))}"
+        print(f"{model.name}: J.{name} is the complex step's at {points} random points, to {bound}")
 
 
 def random_point(argument: Argument, rng: np.random.Generator) -> Any:
     """A random value for an argument."""
     return rng.standard_normal(argument.shape) if argument.manifold is None else argument.manifold.random(rng)
-
-
-def _require(model: Model, what: str, error: float, tolerance: float, found: Any) -> None:
-    if not np.isfinite(found).all():
-        raise SlamlibError(f"{model.name}: {what} is not finite")
-    if error > tolerance:
-        raise AssertionError(
-            f"{model.name}: {what} differs from its definition by {error:.3g}, relative; tolerance {tolerance:.0e}"
-        )
-
-
-def _decade(error: float) -> str:
-    """A round bound above the error, the same on every machine: never sharper than 1e-12."""
-    return f"1e-{min(12, int(-np.log10(max(error, 1e-300))))}"

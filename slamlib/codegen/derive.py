@@ -1,7 +1,6 @@
 """Show a model: as mathematics, expression and Jacobians as sympy matrices, and as source, written or generated."""
 
 import inspect
-from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -9,7 +8,7 @@ import sympy
 
 from slamlib.codegen.trace import symbols_for, trace
 from slamlib.errors import ShapeError, UnknownNameError
-from slamlib.model import Model
+from slamlib.model import Argument, Model
 from slamlib.modeling import fingerprint
 
 
@@ -45,21 +44,18 @@ def derive(model: Model, **symbols: Any) -> Derivation:
     for name in symbols:
         if name not in model.parameters:
             raise UnknownNameError.of(f"argument of {model.name}", name, model.parameters)
-    chosen = []
-    for argument in model.arguments:
-        default = symbols_for(argument)
-        chosen.append(
-            _chosen(model, argument.name, symbols[argument.name], default) if argument.name in symbols else default
-        )
-    return Derivation(model, chosen)
+    return Derivation(model, [_chosen(model, a, symbols.get(a.name)) for a in model.arguments])
 
 
-def _chosen(model: Model, name: str, given: Any, default: Any) -> Any:
+def _chosen(model: Model, argument: Argument, given: Any) -> Any:
+    default = symbols_for(argument)
+    if given is None:
+        return default
     if isinstance(given, str):
         given = [sympy.Symbol(n, real=True) for n in given.replace(",", " ").split()]
     flat = np.array(list(np.array(given, dtype=object).ravel()), dtype=object)
     if flat.size != default.size:
-        raise ShapeError.of(f"derive({model.name})", name, default.shape, flat.shape)
+        raise ShapeError.of(f"derive({model.name})", argument.name, default.shape, flat.shape)
     return flat.reshape(default.shape)
 
 
@@ -86,8 +82,5 @@ def show(thing: Any, *, generated: bool = False) -> CodeListing:
         return CodeListing(inspect.getsource(thing))
     if not generated:
         return CodeListing(fingerprint.source(thing.function))
-    return CodeListing("\n\n".join(_functions(thing.code, thing.name)))
-
-
-def _functions(code: ModuleType, name: str) -> list[str]:
-    return [inspect.getsource(f) for n in (name, f"{name}_jac") if (f := getattr(code, n, None))]
+    functions = (getattr(thing.code, thing.name + kind, None) for kind in ("", "_jac"))
+    return CodeListing("\n\n".join(inspect.getsource(f) for f in functions if f))

@@ -27,13 +27,10 @@ def functions(model: Model, traced: Trace, *, by_storage: bool = False) -> str:
     if by_storage:
         entries = flat + [e for j in traced.stored for e in j]
         return _function(model, traced, "_storage_jac", "value and derivatives by stored numbers", entries)
-    with_jacobians = flat + [e for j in traced.tangent for e in j]
-    return "\n\n".join(
-        [
-            _function(model, traced, "", "value", flat),
-            _function(model, traced, "_jac", "value and Jacobians", with_jacobians),
-        ]
+    with_jacobians = _function(
+        model, traced, "_jac", "value and Jacobians", flat + [e for j in traced.tangent for e in j]
     )
+    return _function(model, traced, "", "value", flat) + "\n\n" + with_jacobians
 
 
 def _function(model: Model, traced: Trace, suffix: str, what: str, entries: list[Any]) -> str:
@@ -127,16 +124,9 @@ def module(models: list[Model], source: str, *, by_storage: bool = False) -> str
     traces = [trace(m, staged=True) for m in models]
     code = "\n\n".join(functions(m, t, by_storage=by_storage) for m, t in zip(models, traces, strict=True))
     used = sorted(n for n in _FUNCTIONS if re.search(rf"\b{n}\(", code))
-    head = [
-        f'"""Generated from {source} by `make generate` (sympy {sympy.__version__}); never edited by hand."""',
-        "",
-    ]
+    head = [f'"""Generated from {source} by `make generate` (sympy {sympy.__version__}); never edited by hand."""', ""]
     if used:
         head += [f"from slamlib.analytic import {', '.join(used)}", ""]
-    head += ["DIGESTS = {", *(f'    "{m.name}": "{fingerprint.of(m)}",' for m in models), "}"]
-    head += [
-        "SHAPES = {",
-        *(f'    "{m.name}": {t.value.shape!r},' for m, t in zip(models, traces, strict=True)),
-        "}",
-    ]
+    head += ["DIGESTS = {", *(f'    "{m.name}": "{fingerprint.of(m)}",' for m in models), "}", "SHAPES = {"]
+    head += [*(f'    "{m.name}": {t.value.shape!r},' for m, t in zip(models, traces, strict=True)), "}"]
     return "\n".join(head) + "\n\n\n" + code

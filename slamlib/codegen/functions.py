@@ -69,7 +69,7 @@ class ArctanRatioSlope(sympy.Function):
     def closed_form(self) -> Any:
         """The same function with arctangent and square root."""
         s, w = self.args
-        return (w / (s + w**2) - sympy.atan(sympy.sqrt(s) / w) / sympy.sqrt(s)) / (2 * s)
+        return (w / (s + w**2) - ArctanRatio(s, w).closed_form()) / (2 * s)
 
     def _latex(self, printer: Any) -> str:
         return rf"a_s\left({printer._print(self.args[0])}, {printer._print(self.args[1])}\right)"

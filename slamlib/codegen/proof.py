@@ -27,12 +27,8 @@ def assert_same(left: Any, right: Any, *, unit: Any = (), points: int = 5, silen
         raise ShapeError(
             f"assert_same: {len(a)} entries on the left, {len(b)} on the right; give expressions of the same shape"
         )
-    units = [
-        list(u)
-        for u in (
-            [unit] if len(unit) and not isinstance(unit[0], list | tuple | np.ndarray | sympy.MatrixBase) else unit
-        )
-    ]
+    several = not len(unit) or isinstance(unit[0], list | tuple | np.ndarray | sympy.MatrixBase)
+    units = [list(u) for u in (unit if several else [unit])]
     differences = [closed_form(x) - closed_form(y) for x, y in zip(a, b, strict=True)]
     open_ones = {i: d for i, d in enumerate(differences) if not _vanishes(d, units)}
     if open_ones:

@@ -3,7 +3,7 @@
 import ast
 import inspect
 import textwrap
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 from slamlib.errors import WritingRuleError
@@ -12,62 +12,33 @@ _ASSEMBLY = {
     "array", "asarray", "concatenate", "stack", "hstack", "vstack", "block", "newaxis",
     "cross", "dot", "outer", "eye", "zeros", "ones", "diag", "trace", "sum",
 }  # fmt: skip
-_FUNCTIONS = {"sin", "cos", "sqrt", "arctan2"}
+_IN_PLACE = "no in-place write: build the array at once, with np.array or np.concatenate"
+_SMOOTH = {"sin", "cos", "sqrt", "arctan2", "arcsin", "arccos", "arctan", "exp", "log", "tan"}
 
 
-def violations(tree: ast.AST) -> Iterator[tuple[ast.AST, str]]:
-    """Each place that breaks a rule, with the rule and what to write instead."""
-    for node in ast.walk(tree):
-        for test in _RULES:
-            message = test(node)
-            if message:
-                yield node, message
-
-
-def _no_branches(node: ast.AST) -> str | None:
-    if isinstance(node, ast.If | ast.IfExp | ast.While | ast.Compare | ast.BoolOp | ast.Match | ast.Assert):
-        return "no branch or comparison on values: a model is one formula (slamlib.analytic has functions smooth at 0)"
+def violation(node: ast.AST) -> str | None:
+    """The rule that a node of a definition breaks, if any, and what to write instead."""
+    match node:
+        case ast.If() | ast.IfExp() | ast.While() | ast.Compare() | ast.BoolOp() | ast.Match() | ast.Assert():
+            return (
+                "no branch or comparison on values: a model is one formula (slamlib.analytic has functions smooth at 0)"
+            )
+        case ast.AugAssign():
+            return _IN_PLACE
+        case ast.Assign(targets=targets) if any(isinstance(t, ast.Subscript) for t in targets):
+            return _IN_PLACE
+        case ast.Constant(value=float() | complex()):
+            return "no decimal literal: write integers and ratios, x / 2 for 0.5 * x"
+        case ast.BinOp(left=ast.Constant(value=int()), op=ast.Div(), right=ast.Constant(value=int())):
+            return "no ratio of two plain integers, which Python rounds to a decimal: write x / 2 for 1 / 2 * x"
+        case ast.Attribute(value=ast.Name(id="math" | "np" | "numpy" as module), attr=name):
+            if module == "math" or name in _SMOOTH:
+                return (
+                    f"no {module}.{name}: it cannot work on symbols; use sin, cos, sqrt, arctan2 from slamlib.analytic"
+                )
+            if name not in _ASSEMBLY:
+                return f"no {module}.{name}: NumPy may only assemble arrays ({', '.join(sorted(_ASSEMBLY))})"
     return None
-
-
-def _no_writes(node: ast.AST) -> str | None:
-    targets = node.targets if isinstance(node, ast.Assign) else [node.target] if isinstance(node, ast.AugAssign) else []
-    if isinstance(node, ast.AugAssign) or any(isinstance(t, ast.Subscript) for t in targets):
-        return "no in-place write: build the array at once, with np.array or np.concatenate"
-    return None
-
-
-def _no_decimals(node: ast.AST) -> str | None:
-    if isinstance(node, ast.Constant) and isinstance(node.value, float | complex):
-        return "no decimal literal: write integers and ratios, x / 2 for 0.5 * x"
-    if (
-        isinstance(node, ast.BinOp)
-        and isinstance(node.op, ast.Div)
-        and _is_integer(node.left)
-        and _is_integer(node.right)
-    ):
-        return "no ratio of two plain integers, which Python rounds to a decimal: write x / 2 for 1 / 2 * x"
-    return None
-
-
-def _is_integer(node: ast.AST) -> bool:
-    return isinstance(node, ast.Constant) and isinstance(node.value, int)
-
-
-def _only_assembly(node: ast.AST) -> str | None:
-    if not (isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)):
-        return None
-    module, name = node.value.id, node.attr
-    if module == "math" or (
-        module in ("np", "numpy") and name in _FUNCTIONS | {"arcsin", "arccos", "arctan", "exp", "log", "tan"}
-    ):
-        return f"no {module}.{name}: it cannot work on symbols; use sin, cos, sqrt, arctan2 from slamlib.analytic"
-    if module in ("np", "numpy") and name not in _ASSEMBLY:
-        return f"no {module}.{name}: NumPy may only assemble arrays ({', '.join(sorted(_ASSEMBLY))})"
-    return None
-
-
-_RULES: list[Callable[[Any], str | None]] = [_no_branches, _no_writes, _no_decimals, _only_assembly]
 
 
 def check_rules(function: Callable[..., Any]) -> None:
@@ -78,8 +49,10 @@ def check_rules(function: Callable[..., Any]) -> None:
     except (OSError, TypeError, SyntaxError):
         return  # typed where no source is kept: tracing still finds what cannot be traced
     for statement in definition.body:  # type: ignore[attr-defined]
-        for node, message in violations(statement):
-            raise broken(function, first + node.lineno - 1, lines[node.lineno - 1], message)  # type: ignore[attr-defined]
+        for node in ast.walk(statement):
+            if message := violation(node):
+                line = node.lineno  # type: ignore[attr-defined]
+                raise broken(function, first + line - 1, lines[line - 1], message)
 
 
 def broken(function: Callable[..., Any], line: int, text: str, message: str) -> WritingRuleError:

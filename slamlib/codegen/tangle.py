@@ -19,6 +19,7 @@ import slamlib
 from slamlib.data.files import write_whole
 from slamlib.errors import SlamlibError
 from slamlib.model import FORMULA_PARTS
+from slamlib.modeling.in_memory import load
 
 PACKAGE = Path(slamlib.__file__).parent
 MAGIC = "%%tangle "
@@ -47,44 +48,37 @@ def run_cell(path: str, cell: str) -> tuple[dict[str, Any], DriftError | None]:
     A cell that is the same as the file is the package's own module; an edited one runs by itself, compiled in memory,
     so that a reader can experiment.
     """
-    file = PACKAGE.parent / path
-    committed = file.read_text("utf-8") if file.is_file() else ""
+    committed = _package_text(path)
     if committed == cell:
-        loaded = importlib.import_module(path.removesuffix(".py").replace("/", "."))
-        return _public(loaded), None
-    edited = ModuleType("edited")
-    exec(compile(_remembered(path, cell), f"<edited {path}>", "exec"), edited.__dict__)
-    text = "\n".join(
-        difflib.unified_diff(committed.splitlines(), cell.splitlines(), path, "this cell", lineterm="", n=1)
-    )
-    advice = (
-        "The edited cell has been run, and its names are yours to try. To keep it: `make tangle`, then `make generate`."
-    )
-    return _public(edited), DriftError(f"this cell is not {path}:\n{text}\n{advice}")
+        return _public(importlib.import_module(path.removesuffix(".py").replace("/", "."))), None
+    edited = load(cell, f"<edited {path}>")
+    lines = difflib.unified_diff(committed.splitlines(), cell.splitlines(), path, "this cell", lineterm="", n=1)
+    advice = "The edited cell has been run, and its names are yours to try. "
+    advice += "To keep it: `make tangle`, then `make generate`."
+    return _public(edited), DriftError("\n".join([f"this cell is not {path}:", *lines, advice]))
 
 
-def _remembered(path: str, text: str) -> str:
-    import linecache
-
-    name = f"<edited {path}>"
-    linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
-    return text
+def _package_text(path: str) -> str:
+    """The text of a file of the package; empty if there is none."""
+    file = PACKAGE.parent / path
+    return file.read_text("utf-8") if file.is_file() else ""
 
 
 def _public(loaded: ModuleType) -> dict[str, Any]:
     return {k: v for k, v in vars(loaded).items() if not k.startswith("_")}
 
 
-def cells(book: Path) -> Iterator[tuple[Path, dict[str, Any], str, str]]:
-    """Every tangled cell of the book: notebook, cell, path of the module, its text."""
+def cells(book: Path) -> Iterator[tuple[Path, dict[str, Any], str, str, dict[str, Any]]]:
+    """Every tangled cell of the book: notebook, its content, path of the module, its text, and the cell."""
     for notebook in sorted(book.rglob("*.ipynb")):
         if any(part.startswith((".", "_")) for part in notebook.relative_to(book).parts):
             continue
-        for cell in json.loads(notebook.read_text("utf-8"))["cells"]:
+        content = json.loads(notebook.read_text("utf-8"))
+        for cell in content["cells"]:
             source = "".join(cell["source"])
             if cell["cell_type"] == "code" and source.startswith(MAGIC):
                 first, _, text = source.partition("\n")
-                yield notebook, cell, first.removeprefix(MAGIC).strip(), text.rstrip("\n") + "\n"
+                yield notebook, content, first.removeprefix(MAGIC).strip(), text.rstrip("\n") + "\n", cell
 
 
 def formula_modules() -> set[str]:
@@ -97,12 +91,11 @@ def check(book: Path) -> list[str]:
     """What is missing, written twice or different between the chapters and the package."""
     found: dict[str, str] = {}
     problems = []
-    for notebook, _, path, text in cells(book):
+    for notebook, _, path, text, _ in cells(book):
         if path in found:
             problems.append(f"{path}: written twice, in {found[path]} and in {notebook.name}; keep one cell")
         found[path] = notebook.name
-        file = PACKAGE.parent / path
-        if not file.is_file() or file.read_text("utf-8") != text:
+        if _package_text(path) != text:
             problems.append(f"{path}: differs from its cell in {notebook.name}; run `make tangle` or `make untangle`")
     problems += [
         f"{path}: no chapter derives it; a formula module is tangled from one cell"
@@ -114,11 +107,11 @@ def check(book: Path) -> list[str]:
 def write(book: Path) -> int:
     """Write the package's files from the chapters; returns how many changed."""
     changed = 0
-    for _, _, path, text in cells(book):
-        file = PACKAGE.parent / path
+    for _, _, path, text, _ in cells(book):
         if not path.startswith("slamlib/") or ".." in path:
             raise SlamlibError(f"%%tangle {path}: a cell may only write below slamlib/")
-        if not file.is_file() or file.read_text("utf-8") != text:
+        if _package_text(path) != text:
+            file = PACKAGE.parent / path
             file.parent.mkdir(parents=True, exist_ok=True)
             write_whole(file, text)
             print(f"wrote {path}")
@@ -128,29 +121,24 @@ def write(book: Path) -> int:
 
 def back(book: Path) -> int:
     """Carry the package's files into the chapters' cells; returns how many changed."""
-    changed = 0
-    for notebook in sorted({n for n, *_ in cells(book)}):
-        content = json.loads(notebook.read_text("utf-8"))
-        before = json.dumps(content)
-        for cell in content["cells"]:
-            first, _, _ = "".join(cell["source"]).partition("\n")
-            if cell["cell_type"] == "code" and first.startswith(MAGIC):
-                text = (PACKAGE.parent / first.removeprefix(MAGIC).strip()).read_text("utf-8")
-                cell["source"] = (first + "\n" + text.rstrip("\n")).splitlines(keepends=True)
-        if json.dumps(content) != before:
-            write_whole(notebook, json.dumps(content, indent=1, ensure_ascii=False) + "\n")
-            print(f"updated {notebook.name}")
-            changed += 1
-    return changed
+    changed = {}
+    for notebook, content, path, text, cell in cells(book):
+        own = _package_text(path)
+        if own and own != text:
+            cell["source"] = f"{MAGIC}{path}\n{own}".rstrip("\n").splitlines(keepends=True)
+            changed[notebook] = content
+    for notebook, content in changed.items():
+        write_whole(notebook, json.dumps(content, indent=1, ensure_ascii=False) + "\n")
+        print(f"updated {notebook.name}")
+    return len(changed)
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Exit status 0 if chapters and package agree afterwards."""
     parser = argparse.ArgumentParser(prog="python -m slamlib.codegen.tangle", description=__doc__.split("\n")[0])
     group = parser.add_mutually_exclusive_group()
-    group.add_argument(
-        "--check", action="store_true", help="write nothing; compare the chapters' cells with the package"
-    )
+    what = "write nothing; compare the chapters' cells with the package"
+    group.add_argument("--check", action="store_true", help=what)
     group.add_argument("--back", action="store_true", help="carry changed package files back into the chapters")
     parser.add_argument("--book", type=Path, default=PACKAGE.parent / "book", help="folder of the notebooks")
     options = parser.parse_args(arguments)

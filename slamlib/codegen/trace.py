@@ -75,9 +75,12 @@ class Stages:
 
 def symbols_for(argument: Argument) -> Symbols:
     """One real symbol per stored number: pose0, pose1, ..., in the argument's shape."""
-    names = [f"{argument.name}{i}" for i in range(argument.size)] if argument.size > 1 else [argument.name]
-    flat = np.array([sympy.Symbol(n, real=True) for n in names], dtype=object)
-    return flat.reshape(argument.shape)
+    single = np.array(sympy.Symbol(argument.name, real=True), dtype=object)
+    return (_vector(argument.name, argument.size) if argument.size > 1 else single).reshape(argument.shape)
+
+
+def _vector(name: str, size: int) -> Symbols:
+    return np.array([sympy.Symbol(f"{name}{i}", real=True) for i in range(size)], dtype=object)
 
 
 def trace(model: Model, *, staged: bool = False) -> Trace:
@@ -145,28 +148,23 @@ def run(model: Model, symbols: list[Symbols]) -> Symbols:
 def lift(manifold: Any, point: Symbols) -> sympy.Matrix:
     """d plus(point, step) / d step at step = 0, (size, dof): how stored numbers move with the tangent vector."""
     if isinstance(manifold, Product):
-        return sympy.diag(
-            *[lift(part, piece) for part, piece in zip(manifold.parts, _pieces(manifold, point), strict=True)]
-        )
+        return sympy.diag(*map(lift, manifold.parts, _pieces(manifold, point)))
     if manifold.dof == manifold.size:
         return sympy.eye(manifold.size)
-    step = [sympy.Symbol(f"step{i}", real=True) for i in range(manifold.dof)]
-    moved = sympy.Matrix(manifold.plus.definition(point, np.array(step, dtype=object)).tolist())
-    return moved.jacobian(step).subs(dict.fromkeys(step, 0))
+    step = _vector("step", manifold.dof)
+    moved = sympy.Matrix(manifold.plus.definition(point, step).tolist())
+    return moved.jacobian(step.tolist()).subs(dict.fromkeys(step, 0))
 
 
 def local(manifold: Any, point: Symbols) -> sympy.Matrix:
     """d minus(other, point) / d other at other = point, (dof, size): the tangent vector of a stored change."""
     if isinstance(manifold, Product):
-        return sympy.diag(
-            *[local(part, piece) for part, piece in zip(manifold.parts, _pieces(manifold, point), strict=True)]
-        )
+        return sympy.diag(*map(local, manifold.parts, _pieces(manifold, point)))
     if manifold.dof == manifold.size:
         return sympy.eye(manifold.size)
-    here = [sympy.Symbol(f"here{i}", real=True) for i in range(manifold.size)]
-    other = [sympy.Symbol(f"other{i}", real=True) for i in range(manifold.size)]
-    step = sympy.Matrix(manifold.minus.definition(np.array(other, dtype=object), np.array(here, dtype=object)).tolist())
-    at_here = step.jacobian(other).subs(dict(zip(other, here, strict=True)))
+    here, other = _vector("here", manifold.size), _vector("other", manifold.size)
+    step = sympy.Matrix(manifold.minus.definition(other, here).tolist())
+    at_here = step.jacobian(other.tolist()).subs(dict(zip(other, here, strict=True)))
     return at_here.applyfunc(sympy.simplify).subs(dict(zip(here, point, strict=True)))
 
 

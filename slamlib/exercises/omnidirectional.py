@@ -1,11 +1,8 @@
 """Checks of the chapter: the omnidirectional camera."""
 
-from typing import Any
-
 import numpy as np
 
-from slamlib.exercises import exercise
-from slamlib.exercises.properties import array_of, same
+from slamlib.exercises.properties import Candidate, Rng, array_of, cases, exercise, given, same
 from slamlib.manifolds import Array
 
 
@@ -13,22 +10,19 @@ def _direction(angle: float, azimuth: float) -> Array:
     return np.array([np.sin(angle) * np.cos(azimuth), np.sin(angle) * np.sin(azimuth), np.cos(angle)])
 
 
-@exercise("omnidirectional.1", "the stereographic lens")
-def stereographic(candidate: Any) -> None:
+@exercise("omnidirectional.1", "the stereographic lens", seed=91)
+def stereographic(candidate: Candidate, rng: Rng) -> None:
     """Radius and azimuth at all angles, far and near; the axis; a circle on the sphere is a circle in the image."""
-    rng = np.random.default_rng(91)
-    for degrees in (1e-7, 20.0, 89.0, 90.0, 91.0, 150.0):
+    for degrees in cases((1e-7, 20.0, 89.0, 90.0, 91.0, 150.0), "{:g} degrees, in units of f"):
         f, angle, azimuth = rng.uniform(100, 500), np.radians(degrees), rng.uniform(-np.pi, np.pi)
         found = array_of(candidate(rng.uniform(0.1, 9) * _direction(angle, azimuth), f), (2,), "the image point") / f
         what = "the radius is 2 f tan(phi/2)" if degrees <= 90 else "the radius is right behind the image plane too"
-        same(np.hypot(*found), 2 * np.tan(angle / 2), what, given=f"{degrees:g} degrees, in units of f")
+        same(np.hypot(*found), 2 * np.tan(angle / 2), what)
         turned = np.array([[np.cos(azimuth), np.sin(azimuth)], [-np.sin(azimuth), np.cos(azimuth)]]) @ found
-        same(turned[1], 0.0, "the azimuth is kept", given=f"{degrees:g} degrees")
-        same(turned[0], np.hypot(*found), "the azimuth is kept", given=f"{degrees:g} degrees")
+        same(turned, [np.hypot(*found), 0], "the azimuth is kept")
     same(candidate(np.array([0.0, 0, 2]), 300.0), np.zeros(2), "the optical axis is seen at the centre")
     q, _ = np.linalg.qr(rng.standard_normal((3, 3)))
-    turn = 2 * np.pi * np.arange(12) / 12
-    ring = np.stack([np.sin(0.5) * np.cos(turn), np.sin(0.5) * np.sin(turn), np.full(12, np.cos(0.5))], axis=-1) @ q.T
+    ring = [_direction(0.5, turn) @ q.T for turn in 2 * np.pi * np.arange(12) / 12]
     image = np.array([array_of(candidate(p, 1.0), (2,), "the image point") for p in ring])
     design = np.column_stack([image, np.ones(12)])
     squares = (image**2).sum(1)
@@ -37,7 +31,7 @@ def stereographic(candidate: Any) -> None:
 
 
 @exercise("omnidirectional.2", "the angle at a radius")
-def angle_of(candidate: Any) -> None:
+def angle_of(candidate: Candidate) -> None:
     """There and back for lenses that bend inwards, outwards, and stop growing; up to the fold."""
     lenses = {
         "an equidistant lens": [300.0, 0, 0],
@@ -46,35 +40,31 @@ def angle_of(candidate: Any) -> None:
         "a lens with two places where it could stop": [447.0, -70, 4],
         "a lens that bends outwards, then inwards": [300.0, 60, -20],
     }
-    for name, b in lenses.items():
+    for name, b in cases(lenses.items()):
         coefficients = np.array(b)
         squares = np.roots([5 * b[2], 3 * b[1], b[0]])
         stops = squares[(np.abs(squares.imag) < 1e-9) & (squares.real > 0)].real
         end = np.sqrt(stops.min()) if len(stops) else 3.0
-        for share in (0.0, 1e-6, 0.3, 0.7, 0.95, 0.999):
-            angle = share * end
+        for angle in (share * end for share in (0.0, 1e-6, 0.3, 0.7, 0.95, 0.999)):
             radius = coefficients @ angle ** np.array([1, 3, 5])
-            found = array_of(candidate(radius, coefficients), (), "the angle")
-            same(found, angle, f"finds the angle of {name}", given=f"radius {radius:.6g} px, b = {b}", tolerance=1e-7)
+            given(f"radius {radius:.6g} px, b = {b}")
+            same(candidate(radius, coefficients), angle, f"finds the angle of {name}", tolerance=1e-7)
 
 
-@exercise("omnidirectional.3", "a fisheye that looks behind itself")
-def fisheye(candidate: Any) -> None:
+@exercise("omnidirectional.3", "a fisheye that looks behind itself", seed=93)
+def fisheye(candidate: Candidate, rng: Rng) -> None:
     """OpenCV's formula in front; continuous across z = 0; the azimuth is kept behind; the axis."""
-    rng = np.random.default_rng(93)
     for k in (np.zeros(4), np.array([0.0035, 0.0007, -0.0021, 0.0002])):
         for _ in range(5):
             f, azimuth = rng.uniform(150, 400), rng.uniform(-np.pi, np.pi)
             scale = rng.uniform(0.2, 8)
-            for degrees in (10.0, 60.0, 89.0, 90.0, 93.0, 120.0):
+            for degrees in cases((10.0, 60.0, 89.0, 90.0, 93.0, 120.0), "{:g} degrees, in units of f"):
                 angle = np.radians(degrees)
-                wanted = angle * (1 + k @ angle ** np.array([2, 4, 6, 8]))
-                x, y, z = scale * _direction(angle, azimuth)
-                point = np.array([x, y, 0.0 if degrees == 90 else z])
+                point = scale * _direction(angle, azimuth)
+                what = "in front it is OpenCV's" if degrees < 90 else "it is right behind the plane z = 0"
+                if degrees == 90:
+                    point[2], what = 0, "it is right on the plane z = 0"
                 found = array_of(candidate(point, f, k), (2,), "the image point") / f
-                what = {60.0: "in front it is OpenCV's", 90.0: "it is right on the plane z = 0"}.get(
-                    degrees, "in front it is OpenCV's" if degrees < 90 else "it is right behind the plane z = 0"
-                )
-                wanted = wanted * np.array([np.cos(azimuth), np.sin(azimuth)])
-                same(found, wanted, what, given=f"{degrees:g} degrees, in units of f")
+                radius = angle * (1 + k @ angle ** np.array([2, 4, 6, 8]))
+                same(found, radius * np.array([np.cos(azimuth), np.sin(azimuth)]), what)
         same(candidate(np.array([0.0, 0, 3]), 200.0, k), np.zeros(2), "the optical axis is seen at the centre")

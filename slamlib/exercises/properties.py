@@ -1,16 +1,39 @@
-"""The properties that checks are made of; each either notes that it holds or raises Rejected."""
+"""What checks are written in: exercises and their cases, and properties, which are noted or raise Rejected."""
 
-import contextlib
+import functools
 import traceback
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextvars import ContextVar
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
+
+Candidate = Any  # the reader's function, or what else an exercise asks for
+Rng = np.random.Generator
+Case = TypeVar("Case")
+KNOWN: dict[str, tuple[str, Callable[[Candidate], None]]] = {}
+_HERE = str(Path(__file__).parent)
+
+
+def exercise(number: str, title: str, seed: int | None = None) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Register a check: a function of the candidate, and of a generator with the seed, that calls the properties."""
+
+    def register(function: Callable[..., None]) -> Callable[..., None]:
+        if number in KNOWN and KNOWN[number][1].__module__ != function.__module__:
+            raise SlamlibError(f"exercise {number} is registered twice: give each exercise a number of its own")
+
+        @functools.wraps(function)
+        def checker(candidate: Candidate) -> None:
+            function(candidate, *([] if seed is None else [np.random.default_rng(seed)]))
+
+        KNOWN[number] = title, checker
+        return function
+
+    return register
 
 
 class Rejected(SlamlibError):
@@ -27,49 +50,33 @@ class Rejected(SlamlibError):
 
 
 class Found:
-    """What has been found out about a candidate so far."""
+    """What has been found out about a candidate so far, and the case that it is judged for."""
 
-    def __init__(self, candidate: Any) -> None:
-        self.candidate = _Guarded(candidate) if callable(candidate) else candidate
+    def __init__(self, candidate: Candidate) -> None:
+        self.candidate = functools.partial(_guarded, candidate) if callable(candidate) else candidate
         self.lines: list[str] = []
+        self.case = ""
 
 
-_HERE = str(Path(__file__).parent)
-_current: ContextVar[Found | None] = ContextVar("_current", default=None)
+current: ContextVar[Found] = ContextVar("current")
+current.set(Found(None))  # of a property that is called outside of a check
 
 
-@contextlib.contextmanager
-def hold(candidate: Any) -> Iterator[Found]:
-    """Collect the properties that hold for a candidate."""
-    found = Found(candidate)
-    token = _current.set(found)
-    try:
-        yield found
-    finally:
-        _current.reset(token)
-
-
-class _Guarded:
+def _guarded(function: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
     """The reader's function: failures of any kind become readable, and its arguments must stay as they are."""
-
-    def __init__(self, function: Callable[..., Any]) -> None:
-        self.function = function
-
-    def __call__(self, *arguments: Any, **named: Any) -> Any:
-        given = [*arguments, *named.values()]
-        before = [[np.array(a, copy=True) for a in _arrays(g)] for g in given]
-        shown = ", ".join([*map(_shown, arguments), *(f"{k}={_shown(v)}" for k, v in named.items())])
-        try:
-            result = self.function(*arguments, **named)
-        except Exception as error:
-            raise Rejected(f"for the input ({shown}) your function raised {type(error).__name__}: {error}") from error
-        for old, new in zip(before, given, strict=True):
-            for was, now in zip(old, _arrays(new), strict=False):
-                if was.shape != now.shape or was.tobytes() != now.tobytes():
-                    raise Rejected(f"your function changed its argument in place; it was {_shown(was)}: work on a copy")
-        if result is None:
-            raise Rejected(f"for the input ({shown}) your function returned None: is a `return` missing?")
-        return result
+    given = [*arguments, *named.values()]
+    before = [a.copy() for a in _arrays(given)]
+    shown = ", ".join([*map(_shown, arguments), *(f"{k}={_shown(v)}" for k, v in named.items())])
+    try:
+        result = function(*arguments, **named)
+    except Exception as error:
+        raise Rejected(f"for the input ({shown}) your function raised {type(error).__name__}: {error}") from error
+    for was, now in zip(before, _arrays(given), strict=False):
+        if was.shape != now.shape or was.tobytes() != now.tobytes():
+            raise Rejected(f"your function changed its argument in place; it was {_shown(was)}: work on a copy")
+    if result is None:
+        raise Rejected(f"for the input ({shown}) your function returned None: is a `return` missing?")
+    return result
 
 
 def _arrays(value: Any) -> list[Array]:
@@ -79,13 +86,57 @@ def _arrays(value: Any) -> list[Array]:
     return [a for item in value for a in _arrays(item)] if isinstance(value, list | tuple) else []
 
 
-def holds(condition: Any, what: str, otherwise: str) -> None:
-    """Note a property, or reject with the reason."""
-    if not condition:
-        raise Rejected(f"{what}: {otherwise}")
-    found = _current.get()
-    if found is not None and what not in found.lines:
-        found.lines.append(what)
+# -- cases -------------------------------------------------------------------------------------------------------------
+
+
+def cases(values: Iterable[Case], told: str = "") -> Iterator[Case]:
+    """Each of the values, a rejection being *for* it: `told`, with its numbers filled in."""
+    for value in values:
+        numbers = value if isinstance(value, tuple) else (value,)
+        given(told.format(*(_shown(n) if isinstance(n, np.ndarray) else n for n in numbers)))
+        yield value
+    given("")
+
+
+def given(told: str) -> None:
+    """What the properties that follow are judged for; the end of the cases ends it too."""
+    current.get().case = told
+
+
+def random_covariance(rng: Rng, n: int, least: float = 0.0) -> Array:
+    """A full covariance (n, n), `least` on its diagonal included, which keeps it away from a singular one."""
+    root = rng.standard_normal((n, n))
+    return np.asarray(root @ root.T + least * np.eye(n))
+
+
+def differences(function: Callable[..., Any], at: Array) -> Array:
+    """Jacobian of a function of one vector by central differences, about nine digits.
+
+    Differences, not the complex step: a reader's own function may use a norm or an arctangent, for which that is
+    silently wrong.
+    """
+    at = np.asarray(at, dtype=float)
+    stops = [(np.asarray(function(at + step)), np.asarray(function(at - step))) for step in 1e-6 * np.eye(at.size)]
+    return np.stack([(ahead - behind) / 2e-6 for ahead, behind in stops], axis=-1)
+
+
+def least_squares(mean: Array, covariance: Array, measurements: Iterable[tuple[Any, Any, Any]]) -> tuple[Array, Array]:
+    """Mean (n,) and covariance (n, n) by one batch of normal equations: what any linear filter must end with.
+
+    measurements: (H (m, n), y (m,), R (m, m)) each, or a row, a number and its variance. It shares no formula with the
+    Kalman gain.
+    """
+    information = np.linalg.inv(covariance)
+    vector = information @ np.asarray(mean, dtype=float)
+    for row, y, R in measurements:
+        H = np.atleast_2d(np.asarray(row, dtype=float))
+        weighted = np.linalg.solve(np.atleast_2d(R), H).T
+        information, vector = information + weighted @ H, vector + weighted @ np.atleast_1d(y)
+    final = np.linalg.inv(information)
+    return final @ vector, (final + final.T) / 2
+
+
+# -- what was returned -------------------------------------------------------------------------------------------------
 
 
 def array_of(value: Any, shape: tuple[int, ...], what: str) -> Array:
@@ -101,42 +152,47 @@ def array_of(value: Any, shape: tuple[int, ...], what: str) -> Array:
     return array
 
 
-def same(found: Any, expected: Any, what: str, *, given: str = "", tolerance: float = 1e-9) -> None:
+def number(value: Any, what: str) -> float:
+    """The value as one finite number, or Rejected."""
+    return float(array_of(value, (), what))
+
+
+def parts(value: Any, shapes: Mapping[str, tuple[int, ...] | None]) -> list[Any]:
+    """The things that a candidate should return together, each an array of its shape, or anything; or Rejected."""
+    if not isinstance(value, tuple | list) or len(value) != len(shapes):
+        raise Rejected(f"your function should return {' and '.join(shapes)}, but returned {type(value).__name__}")
+    return [v if s is None else array_of(v, s, what) for v, (what, s) in zip(value, shapes.items(), strict=True)]
+
+
+# -- properties --------------------------------------------------------------------------------------------------------
+
+
+def holds(condition: Any, what: str, otherwise: str = "it is not so") -> None:
+    """Note a property, or reject with the reason."""
+    found = current.get()
+    if not condition:
+        raise Rejected(f"{what}{', for ' if found.case else ''}{found.case}: {otherwise}")
+    if what not in found.lines:
+        found.lines.append(what)
+
+
+def same(found: Any, expected: Any, what: str, tolerance: float = 1e-9) -> None:
     """Two arrays agree: to `tolerance` of the largest expected entry, absolutely where that is below one."""
     expected = np.asarray(expected, dtype=float)
     found = array_of(found, expected.shape, what)
     scale = max(1.0, float(np.max(np.abs(expected), initial=0)))
     worst = float(np.max(np.abs(found - expected), initial=0)) / scale
-    where = f" for {given}" if given else ""
-    holds(worst <= tolerance, what, f"differs{where}: found {_shown(found)}, the property asks for {_shown(expected)}")
+    holds(worst <= tolerance, what, f"differs: found {_shown(found)}, the property asks for {_shown(expected)}")
 
 
-def jacobian_matches(
-    jacobian: Array, function: Callable[[Array], Any], at: Array, what: str, *, tolerance: float = 1e-6
-) -> None:
-    """A Jacobian agrees with central differences of a function of one vector.
-
-    Differences, not the complex step: a reader's own function may use a norm or an arctangent, for which that is
-    silently wrong.
-    """
-    same(jacobian, differences(function, at), what, given=_shown(np.asarray(at)), tolerance=tolerance)
+def between(value: Any, low: float, high: float, what: str) -> None:
+    """A number, or each of several, lies within its band."""
+    found = array_of(value, np.shape(value), what)
+    inside = np.all((low <= found) & (found <= high))
+    holds(inside, what, f"found {_shown(found[()])}, outside the band from {low:.4g} to {high:.4g}")
 
 
-def differences(function: Callable[[Array], Any], at: Array) -> Array:
-    """Jacobian of a function of one vector by central differences, about nine digits."""
-    at = np.asarray(at, dtype=float)
-    stops = [(np.asarray(function(at + step)), np.asarray(function(at - step))) for step in 1e-6 * np.eye(at.size)]
-    return np.stack([(ahead - behind) / 2e-6 for ahead, behind in stops], axis=-1)
-
-
-def pair(value: Any, what: str) -> tuple[Any, Any]:
-    """The two things that a candidate should return, named in `what`, or Rejected."""
-    if not isinstance(value, tuple) or len(value) != 2:
-        raise Rejected(f"your function should return {what}, but returned {type(value).__name__}")
-    return value
-
-
-def covariance(matrix: Any, size: int, what: str) -> Array:
+def covariance(matrix: Any, size: int, what: str = "the covariance") -> Array:
     """A symmetric matrix without negative eigenvalues."""
     P = array_of(matrix, (size, size), what)
     scale = max(float(np.abs(P).max()), 1e-300)
@@ -146,42 +202,13 @@ def covariance(matrix: Any, size: int, what: str) -> Array:
     return P
 
 
-def rotation_matrix(matrix: Any, what: str, *, tolerance: float = 1e-9) -> Array:
+def rotation_matrix(matrix: Any, what: str) -> Array:
     """A matrix (3, 3), or (2, 2), that turns: orthogonal, and with determinant +1."""
     R = array_of(matrix, (2, 2) if np.shape(matrix) == (2, 2) else (3, 3), what)
     error = np.abs(R @ R.T - np.eye(len(R))).max()
-    holds(error <= tolerance, f"{what} is orthogonal", f"R R' differs from the identity by {error:.3g}: {_shown(R)}")
+    holds(error <= 1e-9, f"{what} is orthogonal", f"R R' differs from the identity by {error:.3g}: {_shown(R)}")
     holds(np.linalg.det(R) > 0, f"{what} does not mirror", "its determinant is -1")
     return R
-
-
-def round_trip(there: Callable[[Any], Any], back: Callable[[Any], Any], inputs: Iterable[Array], what: str) -> None:
-    """`back` undoes `there` for each input."""
-    for value in inputs:
-        same(back(there(value)), value, what, given=_shown(value))
-
-
-def inside_band(value: float, limits: tuple[float, float], what: str) -> None:
-    """A statistic lies within its band."""
-    found = float(array_of(value, (), what))
-    low, high = limits
-    holds(low <= found <= high, what, f"found {found:.4g}, outside the band from {low:.4g} to {high:.4g}")
-
-
-def least_squares(
-    mean: Array, covariance: Array, measurements: Iterable[tuple[Array, Array, Array]]
-) -> tuple[Array, Array]:
-    """Mean (n,) and covariance (n, n) by one batch of normal equations: what any linear filter must end with.
-
-    measurements: (H (m, n), y (m,), R (m, m)) each. It shares no formula with the Kalman gain.
-    """
-    information = np.linalg.inv(covariance)
-    vector = information @ np.asarray(mean, dtype=float)
-    for H, y, R in measurements:
-        weighted = np.linalg.solve(R, np.atleast_2d(H)).T
-        information, vector = information + weighted @ np.atleast_2d(H), vector + weighted @ np.atleast_1d(y)
-    final = np.linalg.inv(information)
-    return final @ vector, (final + final.T) / 2
 
 
 def _shown(value: Any) -> str:

@@ -1,38 +1,30 @@
 """Checks of the chapter: developing an observation model of one's own."""
 
-from functools import partial
-from typing import Any
-
 import numpy as np
 
-from slamlib.exercises import exercise
-from slamlib.exercises.properties import Rejected, array_of, differences, holds, pair, same
+from slamlib.exercises import Candidate, Rejected, Rng, exercise
+from slamlib.exercises.properties import cases, differences, holds, parts, same
 from slamlib.landmarks import PointLandmark
-from slamlib.manifolds import Array, Euclidean
+from slamlib.manifolds import Euclidean
 from slamlib.testing import CheckError, check_landmark
 
 IDENTITY = np.array([0.0, 0, 0, 1, 0, 0, 0])
 
 
 @exercise("your_own_model.1", "a prior in another coordinate")
-def angle_prior(candidate: Any) -> None:
+def angle_prior(candidate: Candidate) -> None:
     """The mean through the definition of the angle, the standard deviation by differences of the candidate's mean."""
-    for rho, sigma in ((0.0, 0.1), (0.25, 0.125), (1.0, 0.5), (5.0, 2.5), (-0.01, 0.02)):
-        given = f"inverse distance {rho:g} with sigma {sigma:g} per metre"
-        angle, spread = pair(candidate(rho, sigma), "the angle and its standard deviation")
-        angle = float(array_of(angle, (), "the angle"))
-        holds(abs(angle) < np.pi / 2, "the angle lies between -90 and 90 degrees", f"found {angle:.6g} for {given}")
-        same(np.tan(angle), rho, "the tangent of the angle is the inverse distance", given=given)
-        slope = differences(partial(_mean, candidate, sigma), np.array([rho]))[0, 0]
-        same(spread, sigma * abs(slope), "the spread follows the slope of the angle", given=given, tolerance=1e-7)
-
-
-def _mean(candidate: Any, sigma: float, rho: Array) -> Array:
-    return np.atleast_1d(candidate(rho[0], sigma)[0])
+    priors = (0.0, 0.1), (0.25, 0.125), (1.0, 0.5), (5.0, 2.5), (-0.01, 0.02)
+    for rho, sigma in cases(priors, "inverse distance {:g} with sigma {:g} per metre"):
+        angle, spread = parts(candidate(rho, sigma), {"the angle": (), "its standard deviation": None})
+        holds(abs(angle) < np.pi / 2, "the angle lies between -90 and 90 degrees", f"found {angle:.6g}")
+        same(np.tan(angle), rho, "the tangent of the angle is the inverse distance")
+        slope = differences(lambda x, sigma=sigma: candidate(x[0], sigma)[0], np.array([rho]))[0]
+        same(spread, sigma * abs(slope), "the spread follows the slope of the angle", tolerance=1e-7)
 
 
 @exercise("your_own_model.2", "a point held by its distance")
-def distance_point(candidate: Any) -> None:
+def distance_point(candidate: Candidate) -> None:
     """The package's own checks of a landmark; and that the seventh number is what was asked for."""
     kind = candidate()
     if not isinstance(kind, PointLandmark):
@@ -43,22 +35,21 @@ def distance_point(candidate: Any) -> None:
         check_landmark(kind, silent=True)
     except CheckError as error:
         raise Rejected(str(error)) from None
-    holds(True, "the package's checks of a point landmark", "")
+    holds(True, "the package's checks of a point landmark")
     landmark = kind.from_frame(IDENTITY, np.array([0.6, 0, 0.8, 0.25]))
-    same(landmark[6], 4.0, "the seventh number is the distance in metres", given="a point 4 m away")
+    same(landmark[6], 4.0, "the seventh number is the distance in metres")  # of a point 4 m away
 
 
-@exercise("your_own_model.3", "closing speed")
-def closing_speed(candidate: Any) -> None:
+@exercise("your_own_model.3", "closing speed", seed=133)
+def closing_speed(candidate: Candidate, rng: Rng) -> None:
     """The range, moved a little along the velocity, shrinks at this rate."""
-    rng = np.random.default_rng(133)
     forward = np.array([1.5, 0.0, 0.0])
-    for point, wanted in ((np.array([9.0, 0, 0]), 1.5), (np.array([0, 4.0, 0]), 0.0), (np.array([-2.0, 0, 0]), -1.5)):
-        given = f"a point at {point.tolist()} m and the velocity {forward.tolist()} m/s"
-        same(candidate(point, forward), wanted, "ahead the speed itself, abeam zero, behind its negative", given=given)
+    for place, wanted in cases((([9.0, 0, 0], 1.5), ([0, 4.0, 0], 0.0), ([-2.0, 0, 0], -1.5)), "a point at {} m"):
+        found = candidate(np.array(place), forward)
+        same(found, wanted, "ahead the speed itself, abeam zero, behind its negative")
     for _ in range(5):
         point, velocity = 10 * rng.standard_normal(3), 2 * rng.standard_normal(3)
         ranges = [np.linalg.norm(point - t * velocity) for t in (-1e-5, 1e-5)]
-        what = "the rate at which the range shrinks"
-        same(candidate(point, velocity), (ranges[0] - ranges[1]) / 2e-5, what, tolerance=1e-6)
-        same(candidate(3 * point, velocity), candidate(point, velocity), "the distance does not matter")
+        found = candidate(point, velocity)
+        same(found, (ranges[0] - ranges[1]) / 2e-5, "the rate at which the range shrinks", tolerance=1e-6)
+        same(candidate(3 * point, velocity), found, "the distance does not matter")

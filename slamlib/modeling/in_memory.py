@@ -8,14 +8,16 @@ from collections.abc import Callable
 from types import ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from slamlib.errors import SlamlibError
 
 if TYPE_CHECKING:
     from slamlib.model import Model
 
 
-def compile_in_memory(model: "Model", *, by_storage: bool = False) -> ModuleType:
-    """A module with the model's generated functions; its text is kept, so that tracebacks and `show` can print it.
+def compile_in_memory(model: "Model", *, by_storage: bool = False) -> Any:
+    """A module with the model's generated functions.
 
     by_storage: with the derivatives by stored numbers instead. Raises SlamlibError without sympy.
     """
@@ -28,13 +30,18 @@ def compile_in_memory(model: "Model", *, by_storage: bool = False) -> ModuleType
             "pip install 'slamlib[book]'"
         ) from error
     text = module([model], f"{model.module}.{model.name}", by_storage=by_storage)
-    name = f"<generated from {model.module}.{model.name} {abs(hash(text)):x}>"
-    linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
-    code = ModuleType(f"generated_{model.name}")
-    code.__file__ = name
-    exec(compile(text, name, "exec"), code.__dict__)
-    code.__dict__["TEXT"] = text
+    code = load(text, f"<generated from {model.module}.{model.name} {abs(hash(text)):x}>")
+    code.TEXT = text
     return code
+
+
+def load(text: str, name: str) -> Any:
+    """A module of this text, which is kept under the name, so that tracebacks and `show` can print it."""
+    linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
+    module = ModuleType("in_memory")
+    module.__file__ = name
+    exec(compile(text, name, "exec"), module.__dict__)
+    return module
 
 
 def for_fewer(whole: "Model", short: "Model", generated: Any) -> Any:
@@ -46,18 +53,15 @@ def for_fewer(whole: "Model", short: "Model", generated: Any) -> Any:
     pairs = list(zip(whole.arguments, short.arguments, strict=True))
     lengths = {b.name: b.size for b in short.arguments}
     zeros = {f"{a.name}{i}" for a, b in pairs for i in range(b.size, a.size)}
-    shape = generated.SHAPES[whole.name]
-    functions = {}
-    for kind, stored in (("", False), ("_jac", not whole.has_manifold), ("_storage_jac", True)):
+    shape, functions = generated.SHAPES[whole.name], {}
+    for kind in ("", "_jac", "_storage_jac"):
         if (function := getattr(generated, whole.name + kind, None)) is None:
             continue
-        rows = math.prod(shape if stored or whole.result is None else whole.result.tangent)
-        kept, start = list(range(math.prod(shape))), math.prod(shape)
-        for a, b in pairs if kind else ():
-            size = math.prod(a.shape if stored else a.tangent)
-            left = size if a.shape == b.shape else b.size
-            kept += [start + size * row + column for row in range(rows) for column in range(left)]
-            start += size * rows
+        kept, start = [], 0
+        for all_of, left in zip(whole.shapes(kind, shape), short.shapes(kind, shape), strict=True):
+            entries = np.arange(start, start + math.prod(all_of)).reshape(all_of)
+            kept += entries[tuple(map(slice, left))].ravel().tolist()
+            start += entries.size
         functions[whole.name + kind] = _without(function, lengths, zeros, kept)
     return SimpleNamespace(SHAPES=generated.SHAPES, **functions)
 

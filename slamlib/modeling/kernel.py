@@ -61,7 +61,7 @@ class Kernel:
         dtype = dtype if dtype.kind in "fc" else np.dtype(float)
         if not any(batches) and dtype.kind == "f":
             return self._one([a.astype(float, copy=False).ravel().tolist() for a in arguments], dtype)
-        batch = self._common(batches)
+        batch = common(self.name, self.arguments, batches)
         if dtype == _FLOAT and 0 < math.prod(batch) <= _FEW:
             return self._few(arguments, batches, batch)
         return self._many(arguments, batches, batch, dtype)
@@ -143,12 +143,14 @@ class Kernel:
             block[i] = entries[i]
         return block
 
-    def _common(self, batches: list[Shape]) -> Shape:
-        leads = {b for b in batches if b}
-        if len(leads) == 1:
-            return leads.pop()
-        try:
-            return np.broadcast_shapes(*leads)
-        except ValueError:
-            given = ", ".join(f"{a.name} {b}" for a, b in zip(self.arguments, batches, strict=True))
-            raise ShapeError(f"{self.name}: the leading axes do not broadcast together: {given}") from None
+
+def common(name: str, arguments: list["Argument"], batches: list[Shape]) -> Shape:
+    """The shape of a batch, to which the leading axes of the arguments broadcast."""
+    leads = {b for b in batches if b}
+    if len(leads) == 1:
+        return leads.pop()
+    try:
+        return np.broadcast_shapes(*leads)
+    except ValueError:
+        given = ", ".join(f"{a.name} {b}" for a, b in zip(arguments, batches, strict=True))
+        raise ShapeError(f"{name}: the leading axes do not broadcast together: {given}") from None

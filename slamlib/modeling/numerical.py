@@ -37,6 +37,12 @@ def central_difference(model: Any, place: Sequence[Array], index: int, step: flo
     return _columns(model.arguments[index], slope)
 
 
+def scaled_differences(found: Array, wanted: Array) -> Array:
+    """Differences beside the largest wanted entry, absolute ones where that is below one; infinite for nan."""
+    errors = np.abs(found - wanted) / max(1.0, float(np.max(np.abs(wanted), initial=0)))
+    return np.where(np.isfinite(errors), errors, np.inf)
+
+
 def _moved(argument: Any, place: Sequence[Array], index: int, direction: Any) -> list[Array]:
     moved = list(place)
     moved[index] = argument.manifold.plus(place[index], direction) if argument.manifold else place[index] + direction

@@ -58,11 +58,7 @@ def check_pair(
     judge = Judge(f"{kind.name} seen by {calibration.sensor.name}", seed)
     if isinstance(kind, LineLandmark):
         line_pair_properties(judge, kind, calibration)
-        return _concluded(judge, silent, SEGMENT)
-    pair_properties(judge, kind, calibration)
-    return _concluded(judge, silent, MEASURED)
-
-
-def _concluded(judge: Judge, silent: bool, exists: str) -> bool:
+    else:
+        pair_properties(judge, kind, calibration)
     judge.conclude(silent)
-    return exists in judge.places
+    return SEGMENT in judge.places or MEASURED in judge.places

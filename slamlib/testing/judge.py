@@ -8,6 +8,7 @@ import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
+from slamlib.modeling.numerical import scaled_differences
 
 
 @dataclass(frozen=True)
@@ -48,61 +49,13 @@ class Judge:
         self.places: dict[str, int] = {}
         self.findings: dict[tuple[str, str, str], Finding] = {}
 
-    def compare(
-        self,
-        what: str,
-        definition: str,
-        found: Any,
-        wanted: Any,
-        where: Mapping[str, Array],
-        *,
-        argument: str = "",
-        tolerance: float = 1e-9,
-    ) -> bool:
-        """Two arrays agree, to `tolerance` of the largest wanted entry, absolutely where that is below one."""
-        found, wanted = np.asarray(found), np.asarray(wanted)
-        if found.shape != wanted.shape:
-            how = f"has shape {found.shape}, should have {wanted.shape}"
-            return self.fail(what, definition, how, where, argument=argument, error=np.inf)
-        scale = max(1.0, float(np.max(np.abs(wanted), initial=0)))
-        errors = np.abs(found - wanted) / scale
-        errors = np.where(np.isfinite(errors), errors, np.inf)
-        worst = float(errors.max(initial=0))
-        if worst <= tolerance:
-            return self.hold(what)
-        entry = np.unravel_index(int(np.argmax(errors)), errors.shape)
-        at = f"entry {[int(i) for i in entry]} is" if entry else "is"
-        how = f"{at} {found[entry]:.6g}, should be {wanted[entry]:.6g}"
-        return self.fail(what, definition, how, where, argument=argument, error=worst)
+    def at(self, definition: str, **where: Array) -> "Case":
+        """A definition at a place, at which properties are to be judged."""
+        return Case(self, definition, where)
 
-    def require(
-        self, what: str, definition: str, condition: Any, how: str, where: Mapping[str, Array], *, argument: str = ""
-    ) -> bool:
-        """A condition holds; `how` says what is wrong if not."""
-        if condition:
-            return self.hold(what)
-        return self.fail(what, definition, how, where, argument=argument, error=np.inf)
-
-    def hold(self, what: str) -> bool:
-        """Note a place where a property holds."""
-        self.places[what] = self.places.get(what, 0) + 1
-        return True
-
-    def fail(
-        self,
-        what: str,
-        definition: str,
-        how: str,
-        where: Mapping[str, Array],
-        *,
-        argument: str = "",
-        error: float = np.inf,
-    ) -> bool:
-        """Note a place where a property does not hold; the worst is kept."""
-        key = (what, definition, argument)
-        if key not in self.findings or self.findings[key].error < error:
-            self.findings[key] = Finding(what, definition, argument, shown(where), how, error)
-        return False
+    def lacks(self, *properties: str, definition: str = "") -> bool:
+        """Whether one of the properties has been found not to hold, for one definition or for any."""
+        return any(what in properties and definition in ("", of) for what, of, _ in self.findings)
 
     def conclude(self, silent: bool) -> None:
         """Print what holds; raise CheckError if anything does not."""
@@ -114,15 +67,49 @@ class Judge:
         if self.findings:
             raise CheckError(self.name, list(self.findings.values()))
         if not silent:
-            print(
-                f"{self.name}:", f"all {n} properties hold." if (n := len(self.places)) > 1 else "the property holds."
-            )
+            count = len(self.places)
+            print(f"{self.name}:", f"all {count} properties hold." if count > 1 else "the property holds.")
+
+
+@dataclass(frozen=True)
+class Case:
+    """A definition at a place: properties that are judged here; each returns whether it holds."""
+
+    judge: Judge
+    definition: str
+    where: Mapping[str, Array]
+
+    def hold(self, what: str) -> bool:
+        """Note that a property holds here."""
+        self.judge.places[what] = self.judge.places.get(what, 0) + 1
+        return True
+
+    def fail(self, what: str, how: str, argument: str = "", error: float = np.inf) -> bool:
+        """Note that a property does not hold here; the worst place is kept."""
+        key = (what, self.definition, argument)
+        if key not in self.judge.findings or self.judge.findings[key].error < error:
+            self.judge.findings[key] = Finding(what, self.definition, argument, shown(self.where), how, error)
+        return False
+
+    def require(self, what: str, condition: Any, how: str, argument: str = "") -> bool:
+        """A condition holds; `how` says what is wrong if not."""
+        return self.hold(what) if condition else self.fail(what, how, argument)
+
+    def compare(self, what: str, found: Any, wanted: Any, argument: str = "", tolerance: float = 1e-9) -> bool:
+        """Two arrays agree, to `tolerance` of the largest wanted entry, absolutely where that is below one."""
+        found, wanted = np.asarray(found), np.asarray(wanted)
+        if found.shape != wanted.shape:
+            return self.fail(what, f"has shape {found.shape}, should have {wanted.shape}", argument)
+        errors = scaled_differences(found, wanted)
+        worst = float(errors.max(initial=0))
+        if worst <= tolerance:
+            return self.hold(what)
+        entry = np.unravel_index(int(np.argmax(errors)), errors.shape)
+        at = f"entry {[int(i) for i in entry]} is" if entry else "is"
+        return self.fail(what, f"{at} {found[entry]:.6g}, should be {wanted[entry]:.6g}", argument, worst)
 
 
 def shown(where: Mapping[str, Array]) -> str:
     """A place in words: 'pose = [0 0 0 1 0 0 0], point = [...]'."""
-    parts = []
-    for name, value in where.items():
-        numbers = [f"{x:.4g}" for x in np.asarray(value, dtype=float).ravel()]
-        parts.append(f"{name} = [{' '.join(numbers)}]")
-    return ", ".join(parts)
+    numbers = {name: " ".join(f"{x:.4g}" for x in np.asarray(value, float).ravel()) for name, value in where.items()}
+    return ", ".join(f"{name} = [{row}]" for name, row in numbers.items())

@@ -8,7 +8,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.manifolds import Array
 from slamlib.testing.judge import Judge
-from slamlib.testing.models import DEFINED, model_properties, named
+from slamlib.testing.models import DEFINED, model_properties
 
 INTERFACE = "the definitions take and return what they should"
 ROUND_TRIP = "from_frame, then to_frame gives the point back, as a ratio"
@@ -29,65 +29,59 @@ FORWARDS = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, -0.5])  # a camera that looks al
 
 def point_properties(judge: Judge, kind: PointLandmark) -> None:
     """Interface first; then the models one by one; then how they fit together."""
-    shapes = {
-        "to_frame": [("pose", Pose.size), ("landmark", kind.manifold.size)],
-        "from_frame": [("pose", Pose.size), ("point", 4)],
-        "to_point": [("landmark", kind.manifold.size)],
-    }
-    if not interface(judge, kind, shapes):
+    sizes = {"pose": Pose.size, "landmark": kind.manifold.size, "point": 4}
+    takes = {"to_frame": ("pose", "landmark"), "from_frame": ("pose", "point"), "to_point": ("landmark",)}
+    if not _interface(judge, kind, takes, sizes):
         return
     rng = judge.rng
     poses = [IDENTITY, FORWARDS, *(Pose.random(rng) for _ in range(6))]
-    points = [homogeneous(rng) for _ in poses]
+    points = [_homogeneous(rng) for _ in poses]
     axis = np.array([0, 0, 1, 0.3])
     made = [*zip(poses, points, strict=True), (poses[2], axis), (poses[3], axis)]
-    nasty = [(pose, point) for pose in poses[:4] for point in nasty_points(rng)]
+    nasty = [(pose, point) for pose in poses[:4] for point in _nasty_points(rng)]
     model_properties(judge, kind.from_frame, f"{kind.name}.from_frame", made, nasty)
-    if _undefined(judge):
+    if judge.lacks(DEFINED):
         return
     landmarks = [kind.from_frame(*place) for place in made]
     moved = [kind.manifold.plus(x, 0.02 * rng.standard_normal(kind.manifold.dof)) for x in landmarks]
     odd = [x for place in nasty if (x := _made(kind, *place)) is not None]
     seen = [(Pose.random(rng), x) for x in moved]
-    awkward = [(pose, x) for pose, x in zip(poses, landmarks, strict=False)] + [(Pose.random(rng), x) for x in odd]
+    awkward = [*zip(poses, landmarks, strict=False), *((Pose.random(rng), x) for x in odd)]
     model_properties(judge, kind.to_frame, f"{kind.name}.to_frame", seen, awkward)
     model_properties(judge, kind.to_point, f"{kind.name}.to_point", [(x,) for x in moved], [(x,) for x in odd])
-    if not _undefined(judge):
+    if not judge.lacks(DEFINED):
         _round_trip(judge, kind, made)
-        _euclidean(judge, kind, seen)
+        for pose, landmark in seen:
+            case = judge.at(f"{kind.name}.to_frame", pose=pose, landmark=landmark)
+            with np.errstate(all="ignore"):
+                h = kind.to_frame(pose, landmark)
+                case.compare(EUCLIDEAN, h[:3] / h[3], frames.to_frame(pose, kind.to_point(landmark)))
         _infinity(judge, kind, poses)
 
 
-def interface(judge: Judge, kind: object, shapes: dict[str, list[tuple[str, int]]]) -> bool:
+def _interface(
+    judge: Judge, kind: PointLandmark | LineLandmark, takes: dict[str, tuple[str, ...]], sizes: dict[str, int]
+) -> bool:
     """The definitions have the arguments, with these names and sizes, in this order."""
-    for name, wanted in shapes.items():
-        model = getattr(kind, name)
-        found = [(a.name, a.size) for a in model.arguments]
-        how = f"takes {_listed(found)}, should take {_listed(wanted)}"
-        judge.require(INTERFACE, f"{kind.name}.{name}", found == wanted, how, {})  # type: ignore[attr-defined]
+    for name, arguments in takes.items():
+        found = ", ".join(f"{a.name} ({a.size})" for a in getattr(kind, name).arguments)
+        wanted = ", ".join(f"{argument} ({sizes[argument]})" for argument in arguments)
+        case = judge.at(f"{kind.name}.{name}")
+        case.require(INTERFACE, found == wanted, f"takes {found}, should take {wanted}")
     return not judge.findings
 
 
-def _listed(arguments: list[tuple[str, int]]) -> str:
-    return ", ".join(f"{name} ({size})" for name, size in arguments)
-
-
-def homogeneous(rng: np.random.Generator) -> Array:
+def _homogeneous(rng: np.random.Generator) -> Array:
     """A point up to 60 degrees off the axis, 1 to 20 m away: unit ray and inverse distance."""
     ray = np.array([*rng.uniform(-1.2, 1.2, 2), 1])
     return np.array([*ray / np.linalg.norm(ray), rng.uniform(0.05, 1)])
 
 
-def nasty_points(rng: np.random.Generator) -> list[Array]:
+def _nasty_points(rng: np.random.Generator) -> list[Array]:
     """On the axis exactly, behind, to the side, at infinity, near it and beyond, not of unit length."""
-    x, y, z, w = homogeneous(rng)
+    x, y, z, w = _homogeneous(rng)
     rays = [[0, 0, 1, w], [0, 0, -1, w], [1, 0, 0, w], [0, 1, 0, w], [x, y, -z, w], [x, y, 1e-9, w]]
     return [np.array(p, dtype=float) for p in [*rays, [x, y, z, 0], [0, 0, 1, 0], [x, y, z, 1e-9], [x, y, z, -0.01]]]
-
-
-def _undefined(judge: Judge) -> bool:
-    """Whether one of the definitions is the wrong shape or has no value at ordinary places."""
-    return any(what in (DEFINED, INTERFACE) for what, *_ in judge.findings)
 
 
 def _made(kind: PointLandmark | LineLandmark, *place: Array) -> Array | None:
@@ -98,42 +92,31 @@ def _made(kind: PointLandmark | LineLandmark, *place: Array) -> Array | None:
         return None
 
 
-def unit(point: Array) -> Array:
+def _unit(point: Array) -> Array:
     """A homogeneous point scaled to length one: what is left is the ratio of its numbers, with their sign."""
     return point / np.linalg.norm(point)
 
 
 def _round_trip(judge: Judge, kind: PointLandmark, made: list[tuple[Array, Array]]) -> None:
     for pose, point in [*made, *((pose, 3 * point) for pose, point in made[:2])]:
-        where = {"pose": pose, "point": point}
-        back, wanted = unit(kind.to_frame(pose, kind.from_frame(pose, point))), unit(point)
-        sign = 1 if back @ wanted >= 0 else -1
-        judge.compare(ROUND_TRIP, f"{kind.name}.from_frame", sign * back, wanted, where, argument="point")
-        how = "the sign of the homogeneous point is turned: the sensor would see it behind"
-        judge.require(FORWARD, f"{kind.name}.to_frame", sign > 0, how, where)
-        world = frames.from_frame(pose, point[:3] / point[3])
-        found = kind.to_point(kind.from_frame(pose, point))
-        judge.compare(ANCHORED, f"{kind.name}.from_frame", found, world, where, argument="pose")
-
-
-def _euclidean(judge: Judge, kind: PointLandmark, seen: list[tuple[Array, Array]]) -> None:
-    for pose, landmark in seen:
-        h = kind.to_frame(pose, landmark)
-        wanted = frames.to_frame(pose, kind.to_point(landmark))
-        how = named(kind.to_frame, (pose, landmark))
-        with np.errstate(all="ignore"):
-            judge.compare(EUCLIDEAN, f"{kind.name}.to_frame", h[:3] / h[3], wanted, how)
+        there, back = (judge.at(f"{kind.name}.{name}", pose=pose, point=point) for name in ("from_frame", "to_frame"))
+        landmark = kind.from_frame(pose, point)
+        again, wanted = _unit(kind.to_frame(pose, landmark)), _unit(point)
+        sign = 1 if again @ wanted >= 0 else -1
+        there.compare(ROUND_TRIP, sign * again, wanted, "point")
+        back.require(FORWARD, sign > 0, "the sign of the homogeneous point is turned: the sensor would see it behind")
+        there.compare(ANCHORED, kind.to_point(landmark), frames.from_frame(pose, point[:3] / point[3]), "pose")
 
 
 def _infinity(judge: Judge, kind: PointLandmark, poses: list[Array]) -> None:
     """What becomes of inverse distance zero: kept as a direction, or refused; never nan."""
     for pose in poses[2:]:
-        point = homogeneous(judge.rng)
+        point = _homogeneous(judge.rng)
         point[3] = 0
-        where = {"pose": pose, "point": point}
+        case, position = (judge.at(f"{kind.name}.{n}", pose=pose, point=point) for n in ("to_frame", "to_point"))
         landmark = _made(kind, pose, point)
         if landmark is None:
-            judge.hold(LIMITED)
+            case.hold(LIMITED)
             continue
         other = Pose.random(judge.rng)
         world = frames.from_frame(pose, point[:3]) - pose[:3]
@@ -141,25 +124,22 @@ def _infinity(judge: Judge, kind: PointLandmark, poses: list[Array]) -> None:
         try:
             found, _ = kind.to_frame.jac(other, landmark)
         except SingularPointError as error:
-            judge.fail(INFINITE, f"{kind.name}.to_frame", str(error).split(", at")[0], where, argument="landmark")
+            case.fail(INFINITE, str(error).split(", at")[0], "landmark")
             continue
-        judge.compare(INFINITE, f"{kind.name}.to_frame", unit(found), unit(wanted), where, argument="landmark")
+        case.compare(INFINITE, _unit(found), _unit(wanted), "landmark")
         try:
             kind.to_point(landmark)
         except SingularPointError:
-            judge.hold(REFUSED)
+            position.hold(REFUSED)
         else:
-            judge.fail(REFUSED, f"{kind.name}.to_point", "a point at infinity has no Euclidean coordinates", where)
+            position.fail(REFUSED, "a point at infinity has no Euclidean coordinates")
 
 
 def line_properties(judge: Judge, kind: LineLandmark) -> None:
     """Interface first; then the models one by one; then how they fit together."""
-    shapes = {
-        "to_frame": [("pose", Pose.size), ("landmark", kind.manifold.size)],
-        "from_frame": [("pose", Pose.size), ("rays", 6), ("prior", 2)],
-        "point_at": [("landmark", kind.manifold.size), ("abscissa", 1)],
-    }
-    if not interface(judge, kind, shapes):
+    sizes = {"pose": Pose.size, "landmark": kind.manifold.size, "rays": 6, "prior": 2, "abscissa": 1}
+    takes = {"to_frame": ("pose", "landmark"), "from_frame": ("pose", "rays", "prior")}
+    if not _interface(judge, kind, takes | {"point_at": ("landmark", "abscissa")}, sizes):
         return
     rng = judge.rng
     poses = [FORWARDS, *(Pose.random(rng) for _ in range(7))]
@@ -168,17 +148,17 @@ def line_properties(judge: Judge, kind: LineLandmark) -> None:
     through_axis = np.array([0, 0, 1, *_rays(rng)[3:]])
     nasty += [(pose, through_axis, np.array([0.1, 0.2])) for pose in (IDENTITY, *poses[:2])]
     model_properties(judge, kind.from_frame, f"{kind.name}.from_frame", made, nasty)
-    if _undefined(judge):
+    if judge.lacks(DEFINED):
         return
     landmarks = [kind.from_frame(*place) for place in made]
     seen = [(Pose.random(rng), x) for x in landmarks]
-    awkward = [(_onto(kind, x), x) for x in landmarks] + [
-        (IDENTITY, x) for place in nasty if (x := _made(kind, *place)) is not None
-    ]
+    on_line = [(point[:3] / point[3], x) for x in landmarks for point in [kind.point_at(x, 0.3)]]
+    awkward = [(np.array([*point, *FORWARDS[3:]]), x) for point, x in on_line]  # lines through the optical centre
+    awkward += [(IDENTITY, x) for place in nasty if (x := _made(kind, *place)) is not None]
     model_properties(judge, kind.to_frame, f"{kind.name}.to_frame", seen, awkward)
     ends = [(x, np.array(float(s))) for x in landmarks for s in (*kind.abscissas, 0.3)]
     model_properties(judge, kind.point_at, f"{kind.name}.point_at", ends)
-    if not _undefined(judge):
+    if not judge.lacks(DEFINED):
         _seen_along_rays(judge, kind, [*made, *nasty])
         _points_on_line(judge, kind, seen)
 
@@ -192,23 +172,18 @@ def _rays(rng: np.random.Generator) -> Array:
             return rays.ravel()
 
 
-def _onto(kind: LineLandmark, landmark: Array) -> Array:
-    """A pose whose origin lies on the line: the line goes through the optical centre."""
-    point = kind.point_at(landmark, 0.3)
-    return np.array([*point[:3] / point[3], *FORWARDS[3:]])
-
-
 def _seen_along_rays(judge: Judge, kind: LineLandmark, made: list[tuple[Array, Array, Array]]) -> None:
     for pose, rays, prior in made:
-        where = {"pose": pose, "rays": rays, "prior": prior}
         try:
             line = kind.to_frame(pose, kind.from_frame(pose, rays, prior))
         except SingularPointError:
             continue  # a nasty place that the models refuse
+        there, back = (
+            judge.at(f"{kind.name}.{n}", pose=pose, rays=rays, prior=prior) for n in ("from_frame", "to_frame")
+        )
         n, v = line[:3] / np.linalg.norm(line[:3]), line[3:] / max(float(np.linalg.norm(line[3:])), 1e-300)
-        judge.compare(CONSTRAINT, f"{kind.name}.to_frame", n @ v, 0.0, where, argument="landmark")
-        off = [n @ rays[:3], n @ rays[3:]]
-        judge.compare(SEEN, f"{kind.name}.from_frame", off, np.zeros(2), where, argument="rays")
+        back.compare(CONSTRAINT, n @ v, 0.0, "landmark")
+        there.compare(SEEN, [n @ rays[:3], n @ rays[3:]], np.zeros(2), "rays")
 
 
 def _points_on_line(judge: Judge, kind: LineLandmark, seen: list[tuple[Array, Array]]) -> None:
@@ -220,9 +195,8 @@ def _points_on_line(judge: Judge, kind: LineLandmark, seen: list[tuple[Array, Ar
             point = kind.point_at(landmark, s)
             here = frames.to_frame(pose, point[:3] / point[3])
             places.append(here)
-            where = {"pose": pose, "landmark": landmark, "abscissa": np.array(s)}
-            scale = np.linalg.norm(here) * np.linalg.norm(v)
-            off = (np.cross(here, v) - n) / max(float(scale), 1e-300)
-            judge.compare(INCIDENT, f"{kind.name}.point_at", off, np.zeros(3), where, argument="landmark")
+            case = judge.at(f"{kind.name}.point_at", pose=pose, landmark=landmark, abscissa=np.array(s))
+            scale = max(float(np.linalg.norm(here) * np.linalg.norm(v)), 1e-300)
+            case.compare(INCIDENT, (np.cross(here, v) - n) / scale, np.zeros(3), "landmark")
         apart = np.linalg.norm(places[0] - places[1])
-        judge.require(DISTINCT, f"{kind.name}.abscissas", apart > 1e-9, "they are the same point", {})
+        judge.at(f"{kind.name}.abscissas").require(DISTINCT, apart > 1e-9, "they are the same point")

@@ -1,6 +1,7 @@
 """Properties that every pair of a parametrization of lines and a camera must have, on a robot."""
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,14 +12,13 @@ from slamlib.landmarks.line_innovation import distances
 from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import Array
 from slamlib.model import Argument
-from slamlib.modeling.numerical import central_difference, complex_step
-from slamlib.observation.lines import initialize_line, observe_line, undistort_segments
+from slamlib.observation.lines import initialize_line, observe_line
 from slamlib.sensors.sensor import Calibration
-from slamlib.testing.judge import Judge
+from slamlib.testing.judge import Case, Judge
 from slamlib.testing.landmarks import IDENTITY
-from slamlib.testing.models import BATCH, DIFFERENCE, JACOBIAN, VALUE, named
-from slamlib.testing.pairs import stays_positive
-from slamlib.testing.sensors import visible_points
+from slamlib.testing.models import derivatives, model_properties, named
+from slamlib.testing.pairs import corrected
+from slamlib.testing.sensors import undistorted, visible_points
 
 DEFINED = "a segment makes a line"
 NO_LINES = "a sensor that sees no lines says so"
@@ -30,7 +30,10 @@ Place = list[Array]
 
 
 class _Chain:
-    """observe_line or initialize_line as a model of all that they give a Jacobian by, the camera's parameters last."""
+    """observe_line or initialize_line as a model of all that they give a Jacobian by, the camera's parameters last.
+
+    `jac` takes the parameters from the calibration; what it is called with is a place to differentiate at.
+    """
 
     result = None
     definition: Callable[..., Array]
@@ -49,47 +52,44 @@ class _Chain:
         other = Calibration(c.sensor, c.noise, image=c.image, limits=c.limits, **given)
         return self.run(other, *place[: self.own])[0]
 
+    def jac(self, *place: Array) -> tuple[Array, Any]:
+        return self.run(self.calibration, *place[: self.own])
+
 
 def line_pair_properties(judge: Judge, kind: LineLandmark, calibration: Calibration) -> None:
     """From random robots and mounts, segments everywhere in the image; a sensor without lines must refuse."""
     name, rng = f"{kind.name} x {calibration.sensor.name}", judge.rng
     if calibration.sensor.project_line is None:
-        _refused(judge, kind, calibration, name)
+        _refused(judge.at(name), kind, calibration)
         return
     initialized, observed = _initialized(kind, calibration), _observed(kind, calibration)
     made, seen = [], []
     segments = _segments(calibration, rng, 8)
     if not segments:
-        judge.fail(DEFINED, name, "it sees too few directions for a segment", {})
+        judge.at(name).fail(DEFINED, "it sees too few directions for a segment")
     for segment in segments:
-        place = [Pose.random(rng), Pose.random(rng), segment, rng.uniform(0.1, 0.5, 2)]
+        place = [Pose.random(rng), Pose.random(rng), segment, rng.uniform(0.1, 0.5, 2), *initialized.given]
+        case = judge.at(name, **named(initialized, place))
         try:
-            landmark, G = initialize_line(kind, calibration, *place)
+            landmark, G = initialized.jac(*place)
         except SingularPointError as error:
-            judge.fail(
-                DEFINED, name, str(error).split(", at")[0], dict(zip(initialized.parameters, place, strict=False))
-            )
+            case.fail(DEFINED, str(error).split(", at")[0])
             continue
-        judge.hold(DEFINED)
+        case.hold(DEFINED)
         made.append(place)
-        seen.append([*place[:2], landmark])
-        _seen_again(judge, kind, calibration, place, landmark, G, name)
-    if not made:
-        return
-    elsewhere = [[Pose.random(rng), Pose.random(rng), landmark] for *_, landmark in seen]
-    for chain, places, ordinary in ((initialized, made, made), (observed, [*seen, *elsewhere], elsewhere)):
-        for place in places:
-            _derivatives(judge, chain, place, name)
-        _batch(judge, chain, ordinary, name)
-    _nasty(judge, kind, observed, made[0], name)
+        seen.append([*place[:2], landmark, *observed.given])
+        _seen_again(case, kind, calibration, landmark, G)
+    if made:
+        elsewhere = [[Pose.random(rng), Pose.random(rng), *place[2:]] for place in seen]
+        model_properties(judge, initialized, name, made, chain=True)
+        model_properties(judge, observed, name, elsewhere, seen, chain=True)
+        _nasty(judge, kind, initialized, observed, made[0], name)
 
 
 def _initialized(kind: LineLandmark, calibration: Calibration) -> _Chain:
-    def run(camera: Calibration, *place: Array) -> Any:
-        return initialize_line(kind, camera, *place)
-
     own = [*FRAMES, Argument("measurement", 4), Argument("unmeasured", 2)]
-    return _Chain(run, own, calibration, [n for n, g in calibration.given.items() if len(g)])
+    names = [n for n, g in calibration.given.items() if len(g)]
+    return _Chain(partial(initialize_line, kind), own, calibration, names)
 
 
 def _observed(kind: LineLandmark, calibration: Calibration) -> _Chain:
@@ -112,14 +112,14 @@ def _observed(kind: LineLandmark, calibration: Calibration) -> _Chain:
     return chain
 
 
-def _refused(judge: Judge, kind: LineLandmark, calibration: Calibration, name: str) -> None:
+def _refused(case: Case, kind: LineLandmark, calibration: Calibration) -> None:
     try:
-        observe_line(kind, calibration, IDENTITY, IDENTITY, kind.manifold.random(judge.rng))
+        observe_line(kind, calibration, IDENTITY, IDENTITY, kind.manifold.random(case.judge.rng))
     except SlamlibError as error:
         told = kind.name in str(error) and calibration.sensor.name in str(error)
-        judge.require(NO_LINES, name, told, f"the error does not name both: {error}", {})
+        case.require(NO_LINES, told, f"the error does not name both: {error}")
     else:
-        judge.fail(NO_LINES, name, "observe_line gives a line", {})
+        case.fail(NO_LINES, "observe_line gives a line")
 
 
 def _segments(calibration: Calibration, rng: np.random.Generator, count: int) -> list[Array]:
@@ -133,67 +133,30 @@ def _segments(calibration: Calibration, rng: np.random.Generator, count: int) ->
     return found
 
 
-def _seen_again(
-    judge: Judge, kind: LineLandmark, calibration: Calibration, place: Place, landmark: Array, G: Any, name: str
-) -> None:
+def _seen_again(case: Case, kind: LineLandmark, calibration: Calibration, landmark: Array, G: Any) -> None:
     """The line where it was measured; then in a belief beside the robot, corrected by the distances of both ends."""
-    robot, extrinsics, segment, _ = place
-    where = {"robot": robot, "extrinsics": extrinsics, "measurement": segment}
-    seen = observe_line(kind, calibration, robot, extrinsics, landmark)
-    off, D = distances.jac(seen.value, undistort_segments(calibration, segment)[0])
-    if not judge.compare(THROUGH, name, off, np.zeros(2), where, argument="measurement", tolerance=1e-7):
-        return
-    H = [-D.line @ J for J in (seen.jacobians.robot, seen.jacobians.landmark)]
-    stays_positive(judge, kind, landmark, G, H, (np.eye(4), np.eye(2)), name, where)
+    seen = observe_line(kind, calibration, case.where["robot"], case.where["extrinsics"], landmark)
+    points, _ = calibration.back_project_jac(case.where["measurement"].reshape(2, 2), np.ones((2, 1)))
+    endpoints = calibration.sensor.project(points, **undistorted(calibration))[:, :2].ravel()
+    off, D = distances.jac(seen.value, endpoints)
+    if case.compare(THROUGH, off, np.zeros(2), "measurement", 1e-7):
+        H = [-D.line @ J for J in (seen.jacobians.robot, seen.jacobians.landmark)]
+        corrected(case, kind, landmark, G, G.measurement @ G.measurement.T, H, np.eye(2))
 
 
-def _derivatives(judge: Judge, chain: _Chain, place: Place, name: str) -> None:
-    """By each argument, relative to the largest entry, since a derivative by a pixel is small."""
-    value, jacobians = chain.run(chain.calibration, *place)
-    full = [*place, *chain.given]
-    where = named(chain, full)
-    exact = hasattr(chain, "definition")
-    if exact:
-        judge.compare(VALUE, name, value, chain.definition(*full), where)
-    for i, argument in enumerate(chain.arguments):
-        step = 1e-6 * max(1.0, float(np.abs(full[i]).max()))
-        numerical = complex_step(chain, full, i) if exact else central_difference(chain, full, i, step)
-        size = s if (s := np.abs(numerical).max()) > 1e-9 else 1.0
-        what, tolerance = (JACOBIAN, 1e-9) if exact else (DIFFERENCE, 1e-5)
-        found = getattr(jacobians, argument.name) / size
-        judge.compare(what, name, found, numerical / size, where, argument=argument.name, tolerance=tolerance)
-
-
-def _batch(judge: Judge, chain: _Chain, places: list[Place], name: str) -> None:
-    """All places at once, in two rows."""
-    places = places[: len(places) // 2 * 2]
-    value, jacobians = chain.run(
-        chain.calibration, *(np.reshape(c, (2, -1, len(c[0]))) for c in zip(*places, strict=True))
-    )
-    single = [chain.run(chain.calibration, *place) for place in places]
-    for k, argument in enumerate(("", *jacobians._fields)):
-        wanted = np.stack([[v, *J][k] for v, J in single])
-        wanted = wanted.reshape(2, len(places) // 2, *wanted.shape[1:])
-        judge.compare(BATCH, name, [value, *jacobians][k], wanted, {}, argument=argument)
-
-
-def _nasty(judge: Judge, kind: LineLandmark, observed: _Chain, ordinary: Place, name: str) -> None:
+def _nasty(judge: Judge, kind: LineLandmark, initialized: _Chain, observed: _Chain, ordinary: Place, name: str) -> None:
     """Lines at infinity, behind the camera and through its centre; segments without a length."""
-    robot, extrinsics, segment, _ = ordinary
-    calibration = observed.calibration
-    endpoints = segment.reshape(2, 2)
-    point = np.tile(endpoints[0], 2)
+    robot, extrinsics, segment, _, *given = ordinary
     priors = [np.array(p) for p in ([0.0, 0.0], [0.1, 0.0], [0.0, 0.1], [-0.1, 0.2], [-0.2, -0.1], [1e-9, 1e-9])]
-    for s, p in [*((segment, p) for p in priors), (point, np.array([0.1, 0.2])), (endpoints[::-1].ravel(), priors[1])]:
-        where = {"robot": robot, "extrinsics": extrinsics, "measurement": s, "unmeasured": p}
-        landmark = _finite(judge, name, where, initialize_line, kind, calibration, robot, extrinsics, s, p)
-        if landmark is None:
+    turned, point = np.roll(segment, 2), np.tile(segment[:2], 2)
+    for s, p in [*((segment, p) for p in priors), (point, np.array([0.1, 0.2])), (turned, priors[1])]:
+        made = _finite(judge, initialized, name, [robot, extrinsics, s, p, *given])
+        if made is None:
             continue
-        for camera in _cameras(kind, landmark, robot, extrinsics):
-            place = [camera, IDENTITY, landmark]
-            where = dict(zip(observed.parameters, place, strict=False))
-            if _finite(judge, name, where, observed.run, calibration, *place) is not None:
-                _derivatives(judge, observed, place, name)
+        for camera in _cameras(kind, made[0], robot, extrinsics):
+            place = [camera, IDENTITY, made[0], *observed.given]
+            if seen := _finite(judge, observed, name, place):
+                derivatives(judge.at(name, **named(observed, place)), observed, place, *seen, chain=True)
 
 
 def _cameras(kind: LineLandmark, landmark: Array, robot: Array, extrinsics: Array) -> list[Array]:
@@ -202,20 +165,19 @@ def _cameras(kind: LineLandmark, landmark: Array, robot: Array, extrinsics: Arra
     w, x, y, z = here[3:]
     behind = np.array([*here[:3], -y, -z, w, x])  # half a turn about its own axis that points down
     point = kind.point_at.definition(landmark, 0.3)
-    if not np.abs(point[3]) > 1e-6 * np.abs(point[:3]).max():
-        return [here, behind, IDENTITY]
-    return [here, behind, np.array([*point[:3] / point[3], *here[3:]]), IDENTITY]
+    finite = np.abs(point[3]) > 1e-6 * np.abs(point[:3]).max()
+    return [here, behind, *([np.array([*point[:3] / point[3], *here[3:]])] if finite else []), IDENTITY]
 
 
-def _finite(judge: Judge, name: str, where: dict[str, Array], run: Callable[..., Any], *arguments: Any) -> Array | None:
-    """The value, or None where it is refused; all of its numbers and of its Jacobians' must be finite."""
+def _finite(judge: Judge, chain: _Chain, name: str, place: Place) -> tuple[Array, Any] | None:
+    """The value and its Jacobians, all of whose numbers must be finite; None where they are refused, or are not."""
+    case = judge.at(name, **named(chain, place))
     try:
-        value, jacobians = run(*arguments)
+        value, jacobians = chain.jac(*place)
     except SingularPointError:
-        judge.hold(FINITE)
+        case.hold(FINITE)
         return None
-    wrong = [
-        n for n, J in zip(("value", *jacobians._fields), (value, *jacobians), strict=True) if not np.isfinite(J).all()
-    ]
-    judge.require(FINITE, name, not wrong, "not finite, and not refused", where, argument=", ".join(wrong))
-    return None if wrong else value
+    parts = zip(("value", *jacobians._fields), (value, *jacobians), strict=True)
+    wrong = [n for n, part in parts if not np.isfinite(part).all()]
+    case.require(FINITE, not wrong, "not finite, and not refused", ", ".join(wrong))
+    return None if wrong else (value, jacobians)

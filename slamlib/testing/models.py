@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import SingularPointError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Product
 from slamlib.modeling.numerical import central_difference, complex_step
-from slamlib.testing.judge import Judge
+from slamlib.testing.judge import Case, Judge
 
 Place = Sequence[Array]  # one array for each argument
 VALUE = "the generated value is the definition's"
@@ -19,22 +19,28 @@ BATCH = "a batch is a loop"
 SINGLE = "works in float32, within its precision"
 
 
-def model_properties(judge: Judge, model: Any, name: str, places: Sequence[Place], nasty: Iterable[Place] = ()) -> None:
-    """At ordinary places the model must be defined; at nasty ones it may refuse, with SingularPointError."""
+def model_properties(
+    judge: Judge, model: Any, name: str, places: Sequence[Place], nasty: Iterable[Place] = (), *, chain: bool = False
+) -> None:
+    """At ordinary places the model must be defined; at nasty ones it may refuse, with SingularPointError.
+
+    chain: of several models, which computes in double precision, and whose Jacobians may be small in all entries.
+    """
     for i, place in enumerate([*places, *nasty]):
-        where = named(model, place)
+        case = judge.at(name, **named(model, place))
         try:
             value, jacobians = model.jac(*place)
         except SingularPointError as error:
             if i < len(places):
-                judge.fail(DEFINED, name, str(error).split(", at")[0], where)
+                case.fail(DEFINED, str(error).split(", at")[0])
             continue
         if i < len(places):
-            judge.hold(DEFINED)
-        _derivatives(judge, model, name, place, value, jacobians)
-    if DEFINED not in {what for what, definition, _ in judge.findings if definition == name}:
+            case.hold(DEFINED)
+        derivatives(case, model, place, value, jacobians, chain=chain)
+    if not judge.lacks(DEFINED, definition=name):
         _batch(judge, model, name, places)
-        _single(judge, model, name, places)
+        if not chain:
+            _single(judge, model, name, places)
 
 
 def named(model: Any, place: Place) -> dict[str, Array]:
@@ -42,18 +48,26 @@ def named(model: Any, place: Place) -> dict[str, Array]:
     return dict(zip(model.parameters, place, strict=True))
 
 
-def _derivatives(judge: Judge, model: Any, name: str, place: Place, value: Array, jacobians: Any) -> None:
-    where, written = named(model, place), hasattr(model, "definition")
+def derivatives(case: Case, model: Any, place: Place, value: Array, jacobians: Any, *, chain: bool = False) -> None:
+    """The value is the definition's, if there is one, and each Jacobian the numerical derivative, where that is finite.
+
+    chain: with steps as large as the argument, and beside the Jacobian's largest entry also where that is below one, as
+    is a derivative by a pixel.
+    """
+    written = hasattr(model, "definition")
     with np.errstate(all="ignore"):
         if written and np.isfinite(expected := model.definition(*place)).all():
-            judge.compare(VALUE, name, value, expected, where)
+            case.compare(VALUE, value, expected)
         for index, argument in enumerate(model.arguments):
-            numerical = (complex_step if written else central_difference)(model, place, index)
+            if written:
+                numerical, what, tolerance = complex_step(model, place, index), JACOBIAN, 1e-9
+            else:
+                step = 1e-6 * (max(1.0, float(np.abs(place[index]).max())) if chain else 1.0)
+                numerical, what, tolerance = central_difference(model, place, index, step), DIFFERENCE, 1e-5
             if np.isfinite(numerical).all():
-                what, tolerance = (JACOBIAN, 1e-9) if written else (DIFFERENCE, 1e-5)
-                judge.compare(
-                    what, name, jacobians[index], numerical, where, argument=argument.name, tolerance=tolerance
-                )
+                size = s if chain and (s := np.abs(numerical).max()) > 1e-9 else 1.0
+                found = getattr(jacobians, argument.name) / size
+                case.compare(what, found, numerical / size, argument.name, tolerance)
 
 
 def _batch(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> None:
@@ -69,41 +83,32 @@ def _batch(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> None
             value, jacobians = model.jac(*arguments)
         except SingularPointError:
             continue  # one first argument with another's rest may be no place at all
-        for k, argument in enumerate(("", *model.parameters)):
-            wanted = np.stack([[v, *j][k] for v, j in single])
-            found = np.asarray([value, *jacobians][k])
+        case = judge.at(name, **named(model, loop[0]))
+        for k, argument in enumerate(("", *jacobians._fields)):
+            wanted, found = np.stack([[v, *j][k] for v, j in single]), np.asarray([value, *jacobians][k])
             flat = found.reshape(wanted.shape) if found.size == wanted.size else found
-            judge.compare(BATCH, name, flat, wanted, named(model, loop[0]), argument=argument)
+            case.compare(BATCH, flat, wanted, argument)
 
 
 def _single(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> None:
     for place in places:
         rounded = [np.asarray(a, dtype=np.float32) for a in place]
-        exact = [_onto(argument, r.astype(float)) for argument, r in zip(model.arguments, rounded, strict=True)]
-        where = named(model, place)
+        exact = [_onto(a.manifold, r.astype(float)) for a, r in zip(model.arguments, rounded, strict=True)]
+        case = judge.at(name, **named(model, place))
         try:
             value, jacobians = model.jac(*(r[None] for r in rounded))
             wanted, by = model.jac(*exact)
         except SingularPointError as error:
-            judge.fail(SINGLE, name, str(error), where)
+            case.fail(SINGLE, str(error))
             continue
         for k, argument in enumerate(("", *model.parameters)):
             found = np.asarray([value, *jacobians][k]).reshape(np.shape([wanted, *by][k]))
-            judge.compare(SINGLE, name, found, [wanted, *by][k], where, argument=argument, tolerance=5e-5)
+            case.compare(SINGLE, found, [wanted, *by][k], argument, 5e-5)
 
 
-def _onto(argument: Any, value: Array) -> Array:
+def _onto(manifold: Any, value: Array) -> Array:
     """A value rounded to single precision, put back onto its space: the rounded quaternion of unit length."""
-    for start, part in _parts(argument.manifold) if argument.manifold is not None else ():
-        if part.dof < part.size:
-            piece = slice(start, start + part.size)
-            value[piece] /= np.linalg.norm(value[piece])
-    return value
-
-
-def _parts(manifold: Any, start: int = 0) -> Iterable[tuple[int, Any]]:
-    for part in getattr(manifold, "parts", ()):
-        yield from _parts(part, start)
-        start += part.size
-    if not hasattr(manifold, "parts"):
-        yield start, manifold
+    if isinstance(manifold, Product):
+        stops = np.cumsum([part.size for part in manifold.parts])[:-1]
+        return np.concatenate([_onto(p, v) for p, v in zip(manifold.parts, np.split(value, stops), strict=True)])
+    return value / np.linalg.norm(value) if manifold is not None and manifold.dof < manifold.size else value

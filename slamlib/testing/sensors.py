@@ -9,7 +9,7 @@ from slamlib.errors import SingularPointError
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import Judge
-from slamlib.testing.models import DEFINED, model_properties
+from slamlib.testing.models import DEFINED, model_properties, named
 
 INTERFACE = "the models take and return what they should"
 SEES = "sees points in some direction"
@@ -32,7 +32,7 @@ def sensor_properties(judge: Judge, calibration: Calibration) -> None:
         return
     points = visible_points(calibration, rng, 10)
     how = f"of {sum(SOUGHT)} directions all around none is visible and inside the image"
-    if not judge.require(SEES, f"{sensor.name}.visible", len(points) >= 10, how, {}):
+    if not judge.at(f"{sensor.name}.visible").require(SEES, len(points) >= 10, how):
         return
     _mask(judge, calibration)
     parameters = [calibration.padded[n] for n in sensor.parameters]
@@ -43,11 +43,11 @@ def sensor_properties(judge: Judge, calibration: Calibration) -> None:
     model_properties(judge, sensor.project, f"{sensor.name}.project", ordinary, [(p, *parameters) for p in nasty])
     for p in [*points, *nasty]:
         _measurable(judge, calibration, p)
-    if any(what == DEFINED for what, *_ in judge.findings):
+    if judge.lacks(DEFINED):
         return
     measured = [(sensor.project(*place), *unmeasured(calibration, rng), *parameters) for place in ordinary]
     model_properties(judge, sensor.back_project, f"{sensor.name}.back_project", measured)
-    if not any(what == DEFINED for what, *_ in judge.findings):
+    if not judge.lacks(DEFINED):
         _undo(judge, calibration, measured)
     if sensor.project_line is not None:
         _lines(judge, calibration, points)
@@ -91,41 +91,39 @@ def unmeasured(calibration: Calibration, rng: np.random.Generator) -> tuple[Arra
 def _interface(judge: Judge, calibration: Calibration) -> bool:
     sensor = calibration.sensor
     for name, first in (("project", ["point"]), ("back_project", ["measurement", "unmeasured"])):
-        model = getattr(sensor, name)
-        found = [a.name for a in model.arguments]
+        found = [a.name for a in getattr(sensor, name).arguments]
         wanted = [n for n in first if n != "unmeasured" or n in found] + list(sensor.parameters)
         how = f"takes {', '.join(found)}; should take {', '.join(wanted)}"
-        judge.require(INTERFACE, f"{sensor.name}.{name}", found == wanted, how, {})
+        judge.at(f"{sensor.name}.{name}").require(INTERFACE, found == wanted, how)
     size = sensor.project.arguments[0].size
-    judge.require(INTERFACE, f"{sensor.name}.project", size == 4, f"point has {size} numbers, should have 4", {})
+    judge.at(f"{sensor.name}.project").require(INTERFACE, size == 4, f"point has {size} numbers, should have 4")
     return not judge.findings
 
 
 def _mask(judge: Judge, calibration: Calibration) -> None:
-    rng, name = judge.rng, f"{calibration.sensor.name}.visible"
-    points = rng.standard_normal((3, 5, 4))
+    case = judge.at(f"{calibration.sensor.name}.visible")
+    points = judge.rng.standard_normal((3, 5, 4))
     points[0, :, 3], points[1, 0], points[1, 1, :3], points[2, :, :2] = 0, 0, 0, 0
     with np.errstate(all="raise"):
         try:
             found = np.asarray(calibration.visible(points))
             single = np.array([[bool(calibration.visible(p)) for p in row] for row in points])
         except (FloatingPointError, ValueError, TypeError) as error:
-            judge.fail(MASK, name, f"raised {type(error).__name__}: {error}", {}, argument="point")
+            case.fail(MASK, f"raised {type(error).__name__}: {error}", "point")
             return
-    if judge.require(MASK, name, found.dtype == bool, f"has dtype {found.dtype}, should have bool", {}):
-        judge.compare(MASK, name, found.astype(int), single.astype(int), {}, argument="point")
+    if case.require(MASK, found.dtype == bool, f"has dtype {found.dtype}, should have bool"):
+        case.compare(MASK, found.astype(int), single.astype(int), "point")
 
 
 def _measurable(judge: Judge, calibration: Calibration, point: Array) -> None:
-    name, where = f"{calibration.sensor.name}.visible", {"point": point}
+    visible, project = (judge.at(f"{calibration.sensor.name}.{name}", point=point) for name in ("visible", "project"))
     try:
-        value = calibration.project(point)
-        scaled = calibration.project(3 * point)
+        value, scaled = calibration.project(point), calibration.project(3 * point)
     except SingularPointError as error:
-        judge.fail(MEASURABLE, name, f"project refuses a visible point: {str(error).split(', at')[0]}", where)
+        visible.fail(MEASURABLE, f"project refuses a visible point: {str(error).split(', at')[0]}")
         return
-    judge.hold(MEASURABLE)
-    judge.compare(RATIO, f"{calibration.sensor.name}.project", scaled, value, where, argument="point")
+    visible.hold(MEASURABLE)
+    project.compare(RATIO, scaled, value, "point")
 
 
 def difference(sensor: Any, a: Array, b: Array) -> Array:
@@ -142,22 +140,21 @@ def _undo(judge: Judge, calibration: Calibration, measured: list[tuple[Array, ..
     pairs = list(zip(points, measured, strict=True))
     open_ray = hidden and all(np.allclose(point[3], place[1], rtol=1e-12, atol=0) for point, place in pairs)
     for point, place in pairs:
-        where = dict(zip(sensor.back_project.parameters, place, strict=True))
+        case = judge.at(name, **named(sensor.back_project, place))
         y, parameters = place[0], place[1 + hidden :]
         again, H = sensor.project.jac(point, *parameters)
         _, G = sensor.back_project.jac(*place)
-        error = difference(sensor, again, y)
-        judge.compare(ROUND_TRIP, name, y + error, y, where, argument="measurement", tolerance=1e-8)
+        case.compare(ROUND_TRIP, y + difference(sensor, again, y), y, "measurement", 1e-8)
         if open_ray:
-            judge.compare(UNIT, name, np.linalg.norm(point[:3]), 1.0, where)
+            case.compare(UNIT, np.linalg.norm(point[:3]), 1.0)
         for i, argument in enumerate(sensor.back_project.parameters):
             found = H[0] @ G[i] + (H[i - hidden] if i > hidden else 0)
             wanted = np.eye(len(y)) if i == 0 else np.zeros_like(found)
-            judge.compare(INVERSE, name, found, wanted, where, argument=argument, tolerance=1e-6)
+            case.compare(INVERSE, found, wanted, argument, 1e-6)
         columns = np.column_stack([*(np.asarray(g) / _size(g) for g in G[: 1 + hidden]), point])
         least = np.linalg.svd(columns, compute_uv=False)
-        how = f"they reach {int((least > 1e-8 * least[0]).sum()) - 1} of the 3 dimensions of space"
-        judge.require(COMPLETE, name, least[3:] > 1e-8 * least[0] if len(least) > 3 else False, how, where)
+        reached = int((least > 1e-8 * least[0]).sum()) - 1
+        case.require(COMPLETE, reached == 3, f"they reach {reached} of the 3 dimensions of space")
 
 
 def _size(matrix: Array) -> Array:
@@ -166,15 +163,21 @@ def _size(matrix: Array) -> Array:
     return np.where(lengths > 0, lengths, 1)
 
 
+def undistorted(calibration: Calibration) -> dict[str, Array]:
+    """The parameters, those that project_line does not take (the distortion) at zero: the images of lines are lines."""
+    taken: Any = calibration.sensor.project_line
+    return {n: v if n in taken.parameters else 0 * v for n, v in calibration.padded.items()}
+
+
 def _lines(judge: Judge, calibration: Calibration, points: Array) -> None:
-    """Two points and their line, with every parameter that project_line does not take (the distortion) at zero."""
-    sensor = calibration.sensor
-    taken = {a.name for a in sensor.project_line.arguments}  # type: ignore[union-attr]
-    parameters = {n: v if n in taken else 0 * v for n, v in calibration.padded.items()}
+    """Two points and their line."""
+    project: Any = calibration.sensor.project_line
+    parameters = undistorted(calibration)
+    taken = {n: v for n, v in parameters.items() if n in project.parameters}
     for p, q in itertools.pairwise(points):
         line = np.concatenate([np.cross(p[:3], q[:3]), p[3] * q[:3] - q[3] * p[:3]])
-        image = sensor.project_line(line, **{n: v for n, v in parameters.items() if n in taken})  # type: ignore[misc]
+        image = project(line, **taken)
         image = image / np.linalg.norm(image[:2])
-        off = [image @ [*sensor.project(end, **parameters)[:2], 1] for end in (p, q)]
-        where = {"first": p, "second": q}
-        judge.compare(LINE, f"{sensor.name}.project_line", off, np.zeros(2), where, argument="line", tolerance=1e-7)
+        off = [image @ [*calibration.sensor.project(end, **parameters)[:2], 1] for end in (p, q)]
+        case = judge.at(f"{calibration.sensor.name}.project_line", first=p, second=q)
+        case.compare(LINE, off, np.zeros(2), "line", 1e-7)

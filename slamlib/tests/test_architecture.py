@@ -120,7 +120,7 @@ def test_a_new_family_is_one_written_and_one_generated_file(tmp_path):
 def test_only_the_named_modules_are_generated_and_nothing_is_removed(tmp_path):
     (tmp_path / "left_over.py").write_text("")
     assert command.write(tmp_path, ["geometry/polar.py"]) == 3
-    found = command.existing(tmp_path)
+    found = set(command.texts(tmp_path))
     assert found == {"__init__.py", "geometry/__init__.py", "geometry/polar.py", "left_over.py"}
     committed = PACKAGE / "generated" / "geometry" / "polar.py"
     assert (tmp_path / "geometry" / "polar.py").read_text() == committed.read_text()

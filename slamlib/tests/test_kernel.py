@@ -148,10 +148,8 @@ def test_fewer_coefficients_beside_a_manifold():
     short = pushed.shortened(7, 1)
     check(short, points=3, silent=True)
     at = np.array([0.1, 0.2, 0.3, 1, 0, 0, 0])
-    assert short.storage_jac(at, np.ones(1))[1].sequential_update.shape == (7, 1)
-    assert short.jac(at, np.ones(1))[1].sequential_update == pytest.approx(
-        pushed.jac(at, np.eye(3)[0])[1].sequential_update[:, :1]
-    )
+    assert short.storage_jac(at, np.ones(1))[1].sequence.shape == (7, 1)
+    assert short.jac(at, np.ones(1))[1].sequence == pytest.approx(pushed.jac(at, np.eye(3)[0])[1].sequence[:, :1])
     assert pushed.shortened(7, 3) is pushed
 
 

@@ -285,8 +285,8 @@ def test_every_pixel_of_an_image_that_is_accepted_has_a_visible_ray(rng):
     ("pixel", "error", "message"),
     [
         ([1.0, 2, 3], ShapeError, r"back_project: argument 'measurement' should have shape \(..., 2\)"),
-        ([np.inf, 0], NonFiniteError, "holds nan or infinity"),
-        ([np.nan, 0], NonFiniteError, "holds nan or infinity"),
+        ([np.inf, 0], NonFiniteError, "holds inf at index"),
+        ([np.nan, 0], NonFiniteError, "holds nan at index"),
     ],
 )
 def test_a_pixel_that_is_none_is_refused(pixel, error, message):
