@@ -27,7 +27,7 @@ quick: environment  ## while you work: lint, tangled and stored cells, the core'
 	@$(BIN)/python -m book.tools.ci lint format tangled stored core
 
 chapter: environment  ## run one notebook, compare it with what it stores, and build its page: make chapter NAME=points
-	@$(BIN)/python -m book.tools.chapter $(NAME)
+	@$(BIN)/python -m book.tools.build $(or $(NAME),$(error make chapter NAME=points))
 
 environment: $(READY)  ## create .venv from requirements.txt (exact, with hashes)
 

@@ -36,10 +36,9 @@ from slamlib.observation.family import viewpoint
 from slamlib.observation.lines import distort_segments, rays_of, undistort_segments
 from slamlib.slam import Options, Slam
 from slamlib.vision.active_search import ActiveSearch, ActiveSearchSettings
-from slamlib.vision.combined_front_end import CombinedFrontEnd
-from slamlib.vision.edges import axes, edge_strip, fitted
+from slamlib.vision.edges import axes, edge_strip, fitted, refined, segments_of
+from slamlib.vision.front_end import CombinedFrontEnd
 from slamlib.vision.line_search import SegmentSearch, SegmentSettings
-from slamlib.vision.segments import refined, segments_of
 
 DT, STD = 1 / 30, 0.1
 OPTIONS = Options(updates=12, max_new_first=12, max_new=3, min_matched_ratio=0.5, inverse_distance=(0.4, 0.4))

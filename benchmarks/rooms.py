@@ -17,7 +17,7 @@ from collections.abc import Callable
 
 import numpy as np
 from slambook import rendering
-from slambook.rendering.hand import LENS
+from slambook.rendering.film import LENS
 from slambook.rendering.judging import patches, strong_corners, zncc
 
 from slamlib.geometry.pose import compose

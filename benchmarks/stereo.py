@@ -16,12 +16,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from slambook.recorded import KITTI, kitti
-from slambook.rendering.stereo_film import stereo_film
+from slambook import stereo_films
+from slambook.stereo_films import KITTI, kitti, stereo_film
 
 from benchmarks.stereo_filter import Case, speed
 from benchmarks.stereo_filter import room as filter_in_room
-from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options
@@ -57,13 +56,12 @@ def odometry(
     extractor, counts, pose = StereoFeatureExtractor(calibration, s), Counts(), start
     motion_source = VisualOdometry(extractor, extrinsics)
     began = time.process_time()
-    for i, image in enumerate(images):
-        motion = motion_source.step(image)
-        counts.stereo.append(len(extractor.extract(image)))
+    for i, (reached, motion) in enumerate(stereo_films.odometry(motion_source, images, start)):
+        pose = reached
+        counts.stereo.append(len(extractor.extract(images[i])))
         if i:
             counts.circular.append(len(motion_source.pairs))
         if motion is not None:
-            pose = compose(pose, motion.pose)
             counts.inliers.append(int(motion.inliers.sum()))
             counts.nis_per_dof.append(motion.nis_per_dof)
     counts.seconds = time.process_time() - began
@@ -114,9 +112,21 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=5, help="of the filter: textures and noise (default 5)")
     parser.add_argument("--std", type=float, nargs=3, default=ERRORS, help="of u, v and d for the filter [px]")
     parser.add_argument("--path", choices=list(FRAMES), default="sideways", help="through the room (default sideways)")
-    parser.add_argument("--moving", choices=list(MOTION_SOURCES), default="correlated", help="what tells how it moves")
-    parser.add_argument("--turns", type=int, default=10, help="a landmark corrects in one of so many frames (10)")
-    parser.add_argument("--enough", type=int, default=30, help="landmarks in view (default 30)")
+    parser.add_argument(
+        "--moving",
+        dest="motion_source",
+        choices=list(MOTION_SOURCES),
+        default="correlated",
+        help="what tells how it moves",
+    )
+    parser.add_argument(
+        "--turns",
+        dest="update_interval",
+        type=int,
+        default=10,
+        help="a landmark corrects in one of so many frames (10)",
+    )
+    parser.add_argument("--enough", dest="max_in_view", type=int, default=30, help="landmarks in view (default 30)")
     parser.add_argument("--window", type=int, help="frames after which unseen landmarks are forgotten (default: never)")
     parser.add_argument("--sequence", action="store_true", help="correct one landmark after another")
     parser.add_argument("--only", choices=["street", "room", "filter", "speed"], help="one of the tables")

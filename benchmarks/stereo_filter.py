@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from slambook import rendering
-from slambook.rendering.stereo_film import stereo_film
+from slambook.stereo_films import stereo_film
 
 from slamlib.data.records import Frame
 from slamlib.data.setup import Rig

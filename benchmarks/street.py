@@ -25,9 +25,10 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from slambook.recorded import KITTI
+from slambook.stereo_films import KITTI
 
-from slamlib.datasets.sources import ImageSource, of_pictures
+from slamlib.datasets.dataset import ImageSource
+from slamlib.datasets.sources import of_pictures
 from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.experiments.progress import progress
@@ -67,7 +68,7 @@ def street() -> tuple[ImageSource, dict[str, Any], Trajectory]:
     left, right, calibration, poses = (str(KITTI / n) for n in ("image_l", "image_r", "calib.txt", "poses.txt"))
     source, camera, _ = open_stereo(left=left, right=right, calibration=[calibration], fps=10)
     pairs = list(progress(source, len(source), "reading"))
-    truth = read_trajectory(poses, times=np.array(source.sequence.times))
+    truth = read_trajectory(poses, times=np.array(source.times))
     return of_pictures(pairs, source.interval), camera, truth
 
 

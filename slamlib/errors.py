@@ -2,6 +2,8 @@
 
 from collections.abc import Iterable
 from difflib import get_close_matches
+from importlib import import_module
+from typing import Any
 
 
 class SlamlibError(Exception):
@@ -65,3 +67,15 @@ class UnknownCallError(UnknownNameError, AttributeError):
         if name.startswith("_"):
             return cls(f"{what} has no {name}")
         return cls(str(UnknownNameError.of(f"call of {what}", name, known)))
+
+
+def optional(module: str, purpose: str, extra: str) -> Any:
+    """A module of a package that slamlib does without; raises SlamlibError that says what for ("to read images"), and
+    which extra of slamlib holds it."""
+    try:
+        return import_module(module)
+    except ImportError as error:
+        package = module.split(".")[0]
+        raise SlamlibError(
+            f"{package} is needed {purpose}, and cannot be imported ({error}): pip install 'slamlib[{extra}]'"
+        ) from None

@@ -8,7 +8,7 @@ import pytest
 from slambook.report import SWITCHES, Memory, equations, motion, observation
 from slambook.report.angles import rotation
 from slambook.report.checks import CHECKS
-from slambook.report.findings import AuditCheck, AuditFigure, AuditFinding, at_least, at_most, near
+from slambook.report.findings import AuditCheck, AuditFigure, at_least, at_most, near
 from slambook.report.runs import monte_carlo
 from slambook.report.scenes import SCENES
 
@@ -35,7 +35,7 @@ def test_every_number_has_a_check():
 
 @pytest.mark.parametrize("number", NUMBERS)
 def test_number(number, stored):
-    row = audit.row(CHECKS[number])
+    row = CHECKS[number].run()
     assert row.holds, audit.text(row)
     kept = next(r for r in stored["rows"] if r["number"] == number)
     now = audit.plain(row)
@@ -135,7 +135,7 @@ def test_a_failure_is_the_exit_status(monkeypatch, capsys):
     monkeypatch.setattr("sys.argv", ["audit", "--only", "E11", "E30"])
     assert audit.main() == 0
     assert "2 numbers, 1 reproduced, 1 reading; all within their limits" in capsys.readouterr().out
-    broken = AuditCheck("E11", "", "", "", lambda: AuditFinding([near("wrong", 2, 1, 0.1)]))
+    broken = AuditCheck("E11", "", "", "", lambda: iter([near("wrong", 2, 1, 0.1)]))
     monkeypatch.setitem(CHECKS, "E11", broken)
     assert audit.main() == 1
     assert "FAILED: E11" in capsys.readouterr().out

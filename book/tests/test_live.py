@@ -300,15 +300,15 @@ def test_a_chapter_runs_in_the_page_but_for_what_is_tagged_otherwise(chapter):
 def tools(monkeypatch):
     """The book's tools as modules."""
     monkeypatch.syspath_prepend(str(ROOT))
-    from book.tools import assets, bundle, layout, live, parity, serve
+    from book.tools import assets, build, layout, live, parity, serve
 
-    return {"assets": assets, "bundle": bundle, "layout": layout, "live": live, "parity": parity, "serve": serve}
+    return {"assets": assets, "build": build, "layout": layout, "live": live, "parity": parity, "serve": serve}
 
 
 def test_an_archive_with_another_checksum_is_refused_and_not_kept(tools, monkeypatch, tmp_path):
     assets = tools["assets"]
     monkeypatch.setattr(assets, "ASSETS", tmp_path)
-    monkeypatch.setattr(assets, "_npm", lambda package: b"something else")
+    monkeypatch.setitem(assets.DOWNLOADS, "npm", lambda package: b"something else")
     with pytest.raises(assets.AssetError, match="the checksum is"):
         assets.archive("axe")
     assert list(tmp_path.iterdir()) == []
@@ -351,13 +351,13 @@ def test_the_book_to_take_away_holds_the_site_once_and_its_script(tools, tmp_pat
     (tmp_path / "book").mkdir()
     (tmp_path / "index.html").write_text("hello", "utf-8")
     (tmp_path / "book" / "page.html").write_text("page", "utf-8")
-    first = tools["bundle"].pack(tmp_path).read_bytes()
-    again = tools["bundle"].pack(tmp_path)
+    first = tools["build"].pack(tmp_path).read_bytes()
+    again = tools["build"].pack(tmp_path)
     assert again.read_bytes() == first
     with zipfile.ZipFile(again) as archive:
         names = sorted(archive.namelist())
     inside = ["READ_ME.txt", "book/page.html", "index.html", "open_the_book.py"]
-    assert names == [f"{tools['bundle'].FOLDER}/{n}" for n in inside]
+    assert names == [f"{tools['build'].FOLDER}/{n}" for n in inside]
 
 
 def test_a_number_that_differs_is_found(tools):

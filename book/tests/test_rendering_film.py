@@ -60,7 +60,7 @@ def test_the_rigs_start_is_the_paths(room):
     step = CONSTANT_VELOCITY.step(rig.robots[0].state, np.zeros(6), 1e-3)
     assert np.allclose(step[:7], PATH.pose(1e-3), atol=1e-6)
     elsewhere = Rig((replace(rig.robots[0], position=(0.0, 0.0, 0.0)),), rig.sensors)
-    with pytest.raises(SlamlibError, match="hand_held"):
+    with pytest.raises(SlamlibError, match="rig_along_path"):
         shot(room, rig=elsewhere)
 
 

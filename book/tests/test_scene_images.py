@@ -87,8 +87,10 @@ def test_a_strip_shows_both_patches_of_each_match_on_one_scale():
     sheet = strip(predictions, rows, 3)
     assert sheet.shape == (3 * CELL, 2 * CELL, 4)
     side = CELL - GAP
-    values = np.concatenate([np.ravel(predictions.predicted_patch[rows[1]]), np.ravel(predictions.found[rows[1]])])
-    for patch, across in ((predictions.predicted_patch[rows[1]], 0), (predictions.found[rows[1]], CELL)):
+    values = np.concatenate(
+        [np.ravel(predictions.predicted_patch[rows[1]]), np.ravel(predictions.found_patch[rows[1]])]
+    )
+    for patch, across in ((predictions.predicted_patch[rows[1]], 0), (predictions.found_patch[rows[1]], CELL)):
         cell = sheet[CELL : CELL + side, across : across + side]
         assert (cell[..., 3] == 255).all()
         wanted = 255 * (patch - values.min()) / np.ptp(values)
@@ -98,7 +100,7 @@ def test_a_strip_shows_both_patches_of_each_match_on_one_scale():
     assert not patched(PLAIN[0].sensors[0].points)
     one = replace(
         predictions,
-        found=(None,) * len(predictions.ids),
+        found_patch=(None,) * len(predictions.ids),
         predicted_patch=(np.full((3, 5), 7.0),) * len(predictions.ids),
     )
     assert not strip(one, patched(one), 2)[:, CELL:, 3].any()  # nothing is known of what was found

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from book.tools import monocular, real_images
+from book.tools import assets, monocular, real_images
 from slamlib.vision.run import options_for
 
 CUBE = Path(os.environ.get("SLAMLIB_DATA") or "no-data") / "mono_visp_cube" / "frames"
@@ -80,13 +80,14 @@ def test_the_images_are_taken_out_of_a_package(tmp_path):
 
 
 def test_what_is_no_package_is_refused(tmp_path):
-    with pytest.raises(real_images.RealImagesError, match="no Debian package"):
+    with pytest.raises(assets.AssetError, match="no Debian package"):
         real_images.unpack(b"<html>not found</html>", tmp_path)
 
 
 def test_a_package_with_another_checksum_is_refused(tmp_path, monkeypatch):
     monkeypatch.setattr(real_images, "FOLDER", tmp_path / "cube")
-    monkeypatch.setattr(real_images, "_by_apt", lambda: b"something else")
-    with pytest.raises(real_images.RealImagesError, match="checksum"):
+    monkeypatch.setattr(assets, "ASSETS", tmp_path)
+    monkeypatch.setitem(assets.DOWNLOADS, "deb", lambda path: b"something else")
+    with pytest.raises(assets.AssetError, match="checksum"):
         real_images.fetch()
     assert real_images.folder() is None

@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -9,6 +10,7 @@ import tomllib
 import urllib.error
 import urllib.request
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
 
 from book.tools import layout
@@ -16,6 +18,7 @@ from book.tools import layout
 ASSETS = layout.BUILD / "assets"
 LIST = layout.BOOK / "assets.toml"
 NPM = os.environ.get("NPM_REGISTRY", "https://registry.npmjs.org").rstrip("/")
+DEBIAN = os.environ.get("DEBIAN_MIRROR", "http://deb.debian.org/debian").rstrip("/")
 MATHJAX = "mathjax/static/mathjax/"
 MATHJAX_WANTED = ("es5/tex-chtml.js", "es5/output/chtml/fonts/woff-v2/", "es5/input/tex/extensions/", "LICENSE")
 
@@ -29,8 +32,9 @@ def archive(name: str) -> Path:
     entry = tomllib.loads(LIST.read_text("utf-8"))[name]
     file = ASSETS / f"{name}-{entry['sha256'][:16]}"
     if not file.is_file():
-        print(f"fetching {entry.get('npm') or entry['pypi']} (once)", flush=True)
-        content = _npm(entry["npm"]) if "npm" in entry else _pypi(entry["pypi"])
+        download, asked = next((get, entry[kind]) for kind, get in DOWNLOADS.items() if kind in entry)
+        print(f"fetching {Path(asked).name} (once)", flush=True)
+        content = download(asked)
         found = hashlib.sha256(content).hexdigest()
         if found != entry["sha256"]:
             raise AssetError(f"{name}: the checksum is {found}, book/assets.toml asks for {entry['sha256']}")
@@ -59,18 +63,38 @@ def _pypi(requirement: str) -> bytes:
 
 def _npm(package: str) -> bytes:
     name = package.rsplit("-", 1)[0]
+    return _url(f"{NPM}/{name}/-/{package}.tgz")
+
+
+def _deb(path: str) -> bytes:
+    """By apt-get, which needs no root for a download, or where there is none, or no such package, from a mirror."""
+    name, version, _ = Path(path).name.split("_")
+    if shutil.which("apt-get") is not None:
+        with tempfile.TemporaryDirectory() as there:
+            command = ["apt-get", "download", "-q", f"{name}={version}"]
+            subprocess.run(command, cwd=there, capture_output=True, check=False)
+            for file in Path(there).glob("*.deb"):
+                return file.read_bytes()
+    return _url(f"{DEBIAN}/pool/{path}")
+
+
+def _url(address: str) -> bytes:
     try:
-        with urllib.request.urlopen(f"{NPM}/{name}/-/{package}.tgz", timeout=180) as answer:
+        with urllib.request.urlopen(address, timeout=600) as answer:
             return bytes(answer.read())
     except (urllib.error.URLError, TimeoutError) as error:
-        raise AssetError(f"{package} cannot be downloaded from {NPM}; is the network there? ({error})") from error
+        raise AssetError(f"{address} cannot be downloaded; is the network there? ({error})") from error
+
+
+DOWNLOADS: dict[str, Callable[[str], bytes]] = {"npm": _npm, "pypi": _pypi, "deb": _deb}
 
 
 def main() -> int:
-    """Fetch all of them; exit status 0 if they are there."""
+    """Fetch all but those of Debian; exit status 0 if they are there."""
     try:
-        for name in tomllib.loads(LIST.read_text("utf-8")):
-            print(archive(name))
+        for name, entry in tomllib.loads(LIST.read_text("utf-8")).items():
+            if "deb" not in entry:
+                print(archive(name))
     except AssetError as error:
         print(error, file=sys.stderr)
         return 1

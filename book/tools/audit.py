@@ -7,19 +7,15 @@ if one failed. --store writes the file that chapter 22 draws its table from.
 
 import argparse
 import json
-import math
 import textwrap
-import time
-from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
 from slambook.report import SWITCHES
 from slambook.report.checks import CHECKS
-from slambook.report.findings import RUNS, SEED, AuditCheck, AuditFigure, AuditRow, ran
+from slambook.report.findings import RUNS, SEED, AuditFigure, AuditFinding, ran
 from slambook.report.runs import DOF, Outcome
 
-from book.tools import layout
+from book.tools import layout, stored
 from slamlib.errors import UnknownNameError
 from slamlib.evaluation.consistency import band
 from slamlib.experiments.progress import progress
@@ -31,19 +27,6 @@ ALSO = {"E03": "uneven", "E06": "optical", "E17": "rig"}  # scenes in which thes
 WIDTH = 118
 
 
-def rows(names: list[str]) -> Iterator[AuditRow]:
-    """The findings of these numbers, one after the other."""
-    for name in names:
-        yield row(CHECKS[name])
-
-
-def row(check: AuditCheck) -> AuditRow:
-    """One finding, and how long it took."""
-    began = time.perf_counter()
-    finding = check.run()
-    return AuditRow(check, finding, time.perf_counter() - began)
-
-
 def chosen(names: list[str]) -> list[str]:
     """The numbers asked for, or all; raises UnknownNameError."""
     for name in names:
@@ -52,13 +35,13 @@ def chosen(names: list[str]) -> list[str]:
     return sorted(names or CHECKS)
 
 
-def text(row: AuditRow) -> str:
-    """What is printed of a row: its head, then a line for each figure."""
-    check = row.check
+def text(found: AuditFinding) -> str:
+    """What is printed of a finding: its head, then a line for each figure."""
+    check = found.check
     head = f"{check.number} {check.where}: {check.says}. Right: {check.right}"
-    lines = [f"{row.verdict:<11}{part}" if i == 0 else f"{'':11}{part}" for i, part in enumerate(_wrapped(head))]
-    lines += [line for figure in row.finding.figures for line in _figure(figure)]
-    return "\n".join([*lines, *(f"{'':11}{part}" for part in _wrapped(row.finding.note))])
+    lines = [f"{found.verdict if i == 0 else '':<11}{part}" for i, part in enumerate(_wrapped(head))]
+    lines += [line for figure in found.figures for line in _figure(figure)]
+    return "\n".join([*lines, *(f"{'':11}{part}" for part in _wrapped(found.note))])
 
 
 def _figure(figure: AuditFigure) -> list[str]:
@@ -73,28 +56,11 @@ def _wrapped(words: str) -> list[str]:
     return textwrap.wrap(words, WIDTH - 14)
 
 
-def plain(row: AuditRow) -> dict[str, Any]:
-    """A row as plain data. A number that is not finite is written as text, as JSON knows none."""
-    check = row.check
-    figures = [
-        {
-            "what": f.what,
-            "measured": number(f.measured),
-            "low": number(f.low),
-            "high": number(f.high),
-            "listed": f.listed,
-            "remark": f.remark,
-            "corrected": f.corrected,
-        }
-        for f in row.finding.figures
-    ]
-    told = {"number": check.number, "where": check.where, "says": check.says, "right": check.right}
-    return {**told, "verdict": row.verdict, "figures": figures, "note": row.finding.note}
-
-
-def number(value: float, digits: int = 5) -> float | str:
-    """Rounded to so many digits; "inf", "-inf" or "nan"."""
-    return float(f"{value:.{digits}g}") if math.isfinite(value) else str(value)
+def plain(found: AuditFinding) -> dict[str, Any]:
+    """A finding as plain data."""
+    told = {name: getattr(found.check, name) for name in ("number", "where", "says", "right")}
+    figures = [stored.plain(vars(figure), 5) for figure in found.figures]
+    return {**told, "verdict": found.verdict, "figures": figures, "note": found.note}
 
 
 def judged(figure: dict[str, Any]) -> bool:
@@ -119,17 +85,12 @@ def series() -> dict[str, Any]:
 
 def summary(outcome: Outcome) -> dict[str, Any]:
     """What is kept of the runs with one error."""
-    average = outcome.nees.mean(0) / DOF
-    return {
-        "nees": [number(v, 4) for v in average],
-        "inside": round(outcome.inside, 3),
-        "ratio": number(outcome.ratio, 4),
-        "position": number(outcome.position, 4),
-        "rotation": number(outcome.rotation, 4),
-    }
+    kept = {"nees": outcome.nees.mean(0) / DOF, "inside": round(outcome.inside, 3)}
+    found: dict[str, Any] = stored.plain(kept | {n: getattr(outcome, n) for n in ("ratio", "position", "rotation")})
+    return found
 
 
-def stored(found: list[AuditRow]) -> str:
+def file_text(found: list[AuditFinding]) -> str:
     """The chapter's file: a row a line."""
     limits = [round(v / DOF, 4) for v in band(DOF, RUNS)]
     switches = {n: {"equation": s.equation, "slip": s.slip} for n, s in SWITCHES.items()}
@@ -150,26 +111,22 @@ def main() -> int:
     except UnknownNameError as error:
         parser.error(str(error))
     found = []
-    for each in progress(rows(names), len(names), "audit"):
-        found.append(each)
+    for name in progress(names, len(names), "audit"):
+        found.append(CHECKS[name].run())
         if not given.json:
-            print(text(each), flush=True)
+            print(text(found[-1]), flush=True)
     if given.json:
         print(json.dumps([plain(r) for r in found], indent=1))
     failed = [r.check.number for r in found if not r.holds]
     if given.store and not given.only and not failed:
-        layout.write_whole(FILE, stored(found).encode())
+        layout.write_whole(FILE, file_text(found).encode())
     if not given.json:
-        print(_end(found, failed))
+        verdicts = [finding.verdict for finding in found]
+        counts = ", ".join(f"{verdicts.count(v)} {v}" for v in ("reproduced", "corrected", "reading") if v in verdicts)
+        told = f"FAILED: {' '.join(failed)}" if failed else "all within their limits"
+        seconds = sum(finding.seconds for finding in found)
+        print(f"audit: {len(found)} numbers, {counts}; {told} ({seconds:.0f} s)")
     return 1 if failed else 0
-
-
-def _end(found: list[AuditRow], failed: list[str]) -> str:
-    verdicts = [r.verdict for r in found]
-    counts = ", ".join(f"{verdicts.count(v)} {v}" for v in ("reproduced", "corrected", "reading") if v in verdicts)
-    seconds = np.sum([r.seconds for r in found])
-    told = f"FAILED: {' '.join(failed)}" if failed else "all within their limits"
-    return f"audit: {len(found)} numbers, {counts}; {told} ({seconds:.0f} s)"
 
 
 if __name__ == "__main__":

@@ -59,7 +59,8 @@ def all_pages() -> Iterator[str]:
 
 def live_pages(every: bool = True) -> list[Path]:
     """The notebooks with live cells; unless `every`, those changed since the merge base, and four more."""
-    files = [f for f in layout.notebooks() if any(_is_live(c) for c in nbformat.read(f, as_version=4).cells)]
+    cells = {file: nbformat.read(file, as_version=4).cells for file in layout.notebooks()}
+    files = [file for file in cells if any("live" in cell.metadata.get("tags", []) for cell in cells[file])]
     changed = None if every else changed_files()
     if changed is None or any(name.startswith(BEHIND) for name in changed):
         return files
@@ -78,7 +79,3 @@ def changed_files() -> set[str] | None:
 def _git(*words: str) -> str | None:
     run = subprocess.run(["git", *words], cwd=layout.ROOT, capture_output=True, text=True)
     return run.stdout.strip() if run.returncode == 0 else None
-
-
-def _is_live(cell: Any) -> bool:
-    return "live" in cell.metadata.get("tags", [])

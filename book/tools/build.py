@@ -1,5 +1,9 @@
-"""Build the book: run every notebook (or take it from the cache), then let Sphinx make HTML with warnings as errors."""
+"""Build the book: run every notebook (or take it from the cache), then let Sphinx make HTML with warnings as errors.
 
+With a NAME, while a chapter is written: run it, compare it with what it stores, and build its page by itself.
+"""
+
+import argparse
 import csv
 import shutil
 import subprocess
@@ -7,14 +11,24 @@ import sys
 import time
 from pathlib import Path
 
-from book.tools import assets, bundle, layout, live, notebooks
+from book.tools import assets, layout, live, notebooks
 
 SOURCE = layout.BUILD / "source"
+ZIP, FOLDER = "ekf-slam-book.zip", "ekf-slam-book"
 STAMP = layout.SITE / ".built-from"
 JUPYTER_BOOK = [str(Path(sys.executable).with_name("jupyter-book")), "build"]
 
 
-def main() -> int:
+def main(arguments: list[str] | None = None) -> int:
+    """Exit status 0 if the book, or the page of the chapter that is named, is built; prints where it is."""
+    known = {page.stem: page for page in layout.notebooks()}
+    parser = argparse.ArgumentParser(prog="python -m book.tools.build", description=__doc__)
+    parser.add_argument("name", nargs="?", choices=known, metavar="NAME", help=f"a page: {', '.join(known)}")
+    name = parser.parse_args(arguments).name
+    return book() if name is None else chapter(known[name])
+
+
+def book() -> int:
     """Exit status 0 if the book is built; prints where it is."""
     start = time.perf_counter()
     print(f"running {len(layout.notebooks())} notebooks", flush=True)
@@ -56,16 +70,23 @@ def stage(executed: dict[Path, tuple[Path, bool]]) -> None:
     live.build(SOURCE / "book" / "_static" / "live")
 
 
-def page(file: Path, executed: Path) -> Path | None:
-    """Build one page by itself, from its executed copy; where it is, or None. Its links to other pages lead nowhere."""
-    stage({file: (executed, True)})
+def chapter(file: Path) -> int:
+    """Exit status 0 if a notebook prints what it stores and its page is built; links to other pages lead nowhere."""
+    compared = subprocess.run([sys.executable, "-m", *notebooks.NBVAL, str(file)], cwd=layout.ROOT).returncode
+    try:
+        copy = notebooks.executed(file, layout.digest(layout.package_files()))
+    except notebooks.BrokenNotebook as error:
+        print(error, file=sys.stderr)
+        return 1
+    stage({file: copy})
     name = file.relative_to(layout.ROOT).with_suffix("")
     (SOURCE / "_toc.yml").write_text(f"format: jb-book\nroot: {name.as_posix()}\n", "utf-8")
     print("building the page", flush=True)
     target = layout.BUILD / "chapter"
     if subprocess.run([*JUPYTER_BOOK, "-qq", str(SOURCE), "--path-output", str(target)]).returncode:
-        return None
-    return target / "_build" / "html" / f"{name}.html"
+        return 1
+    print(f"the page: {(target / '_build' / 'html' / f'{name}.html').as_uri()}")
+    return compared
 
 
 def html() -> bool:
@@ -82,7 +103,7 @@ def html() -> bool:
     shutil.rmtree(layout.SITE, ignore_errors=True)
     shutil.copytree(output / "html", layout.SITE, ignore=shutil.ignore_patterns(".buildinfo"))
     redirect(layout.SITE)
-    bundle.pack(layout.SITE)
+    pack(layout.SITE)
     return True
 
 
@@ -93,6 +114,16 @@ def redirect(site: Path) -> None:
             old, new = site / f"{row['old page']}.html", f"{Path(row['new page']).name}.html"
             text = f'<!doctype html><meta charset="utf-8"><meta http-equiv="refresh" content="0; url={new}">'
             layout.write_whole(old, f'{text}<title>Moved</title><a href="{new}">This page has moved.</a>\n'.encode())
+
+
+def pack(site: Path) -> Path:
+    """Pack the built site into one ZIP in itself that can be read, and run, without a network."""
+    target = site / ZIP
+    files = {f.relative_to(site).as_posix(): f for f in site.rglob("*") if f.is_file() and f != target}
+    files |= {f.name: f for f in (layout.BOOK / "offline").iterdir()}
+    content = {f"{FOLDER}/{name}": file.read_bytes() for name, file in files.items()}
+    layout.write_whole(target, live.zipped(content, level=6))
+    return target
 
 
 if __name__ == "__main__":

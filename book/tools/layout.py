@@ -1,7 +1,6 @@
 """Where things are, and which pages the book has."""
 
 import hashlib
-import json
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -45,13 +44,6 @@ def write_whole(file: Path, content: bytes) -> None:
     """Write a file whole or not at all, with the folders that lead to it."""
     file.parent.mkdir(parents=True, exist_ok=True)
     files.write_whole(file, content)
-
-
-def store(file: Path, found: dict[str, Any]) -> None:
-    """Write named figures as JSON, a name to a line, whole or not at all, and say so."""
-    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(value)}" for name, value in found.items())
-    write_whole(file, f"{{{rows}}}\n".encode())
-    print(f"wrote {file.relative_to(ROOT)}: {len(rows) / 1024:.0f} kB")
 
 
 def package_files() -> list[Path]:

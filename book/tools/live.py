@@ -9,13 +9,13 @@ import shutil
 import sys
 import tarfile
 import zipfile
-from collections.abc import Iterator
 from pathlib import Path
 
 from book.tools import assets, layout, wheel
 
 PAGE = layout.BOOK / "live"  # what we wrote ourselves: the worker, the page's script, the style
 NUMPY_VERSION = "1.25.2"
+PACKED = {".zip", ".whl", ".bin", ".woff", ".woff2", ".png"}  # what does not become smaller
 FIRST = ("pyodide.asm.js.bin", "pyodide.asm.wasm.bin", "python_stdlib.zip", "numpy.zip")
 # What a page has no use for: tests, headers, servers, sockets, consoles, other languages' tools.
 NOT_NUMPY = re.compile(
@@ -42,14 +42,14 @@ def build(target: Path) -> None:
         shutil.rmtree(packed.parent, ignore_errors=True)
         print("packing Python for the page (once)", flush=True)
         _interpreter(packed)
-        layout.write_whole(packed / "numpy.zip", _zip(_numpy()))
-        layout.write_whole(packed / "sympy.zip", _zip(_sympy()))
+        layout.write_whole(packed / "numpy.zip", zipped(_numpy()))
+        layout.write_whole(packed / "sympy.zip", zipped(_sympy()))
         layout.write_whole(packed / "complete", b"")
     shutil.copytree(packed, target, ignore=shutil.ignore_patterns("complete", "lock.json"))
     shutil.copytree(PAGE, target, dirs_exist_ok=True)
     stand_in = {f"standin/{f.name}": f.read_bytes() for f in (target / "standin").glob("*.py")}
     shutil.rmtree(target / "standin")
-    layout.write_whole(target / "standin.zip", _zip(stand_in))
+    layout.write_whole(target / "standin.zip", zipped(stand_in))
     shutil.copytree(layout.BOOK / "chapters" / "data", target / "data")
     made = wheel.build(target)
     files = {
@@ -83,7 +83,7 @@ def _interpreter(target: Path) -> None:
     layout.write_whole(target / "lock.json", json.dumps(lock).encode())
     with zipfile.ZipFile(io.BytesIO(content["package/python_stdlib.zip"])) as library:
         kept = {n: library.read(n) for n in library.namelist() if not n.endswith("/") and not NOT_STANDARD.match(n)}
-    layout.write_whole(target / "python_stdlib.zip", _zip(kept))
+    layout.write_whole(target / "python_stdlib.zip", zipped(kept))
 
 
 def _numpy() -> dict[str, bytes]:
@@ -99,21 +99,19 @@ def _numpy() -> dict[str, bytes]:
 
 def _sympy() -> dict[str, bytes]:
     """SymPy and mpmath as the lock has installed them here."""
-    return {n: f.read_bytes() for n, f in _installed("sympy", "mpmath") if not NOT_SYMPY.search(n)}
+    entries = (entry for package in ("sympy", "mpmath") for entry in importlib.metadata.files(package) or ())
+    return {e.as_posix(): Path(str(e.locate())).read_bytes() for e in entries if not NOT_SYMPY.search(e.as_posix())}
 
 
-def _installed(*packages: str) -> Iterator[tuple[str, Path]]:
-    for package in packages:
-        for entry in importlib.metadata.files(package) or ():
-            yield entry.as_posix(), Path(str(entry.locate()))
-
-
-def _zip(files: dict[str, bytes]) -> bytes:
-    """A zip archive, the same bytes on every run."""
+def zipped(files: dict[str, bytes], level: int = 9) -> bytes:
+    """A zip archive, the same bytes on every run; what is packed already is stored as it is."""
     buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+    with zipfile.ZipFile(buffer, "w") as archive:
         for name in sorted(files):
-            archive.writestr(zipfile.ZipInfo(name), files[name], zipfile.ZIP_DEFLATED, 9)
+            entry = zipfile.ZipInfo(name)
+            entry.external_attr = 0o644 << 16
+            method = zipfile.ZIP_STORED if Path(name).suffix in PACKED else zipfile.ZIP_DEFLATED
+            archive.writestr(entry, files[name], method, level)
     return buffer.getvalue()
 
 

@@ -5,15 +5,15 @@ with a fifth of all matches wrong; and once round the room, with the paths thems
 the same runs with their times, which belong to a machine and are not stored.
 """
 
-import argparse
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
 from slambook import rendering
 
 from benchmarks import monocular as bench
-from book.tools import layout
+from book.tools import layout, stored
 from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
@@ -71,28 +71,20 @@ def around(seed: int) -> dict[str, Any]:
     }
 
 
-def main() -> None:
-    """Run everything, and write the file when all of it is done."""
-    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
-    names: list[str | None] = [None, *OUTLIER_REJECTIONS]
-    work = [(name, seed) for name in names for seed in SEEDS]
-    plain: list[dict[str, float]] = []
-    wrong: dict[str, list[dict[str, float]]] = {name: [] for name in OUTLIER_REJECTIONS}
-    outcomes = []
-    for name, seed in progress(work, len(work), "past the wall"):
-        outcome = sideways(seed, wrong=name)
-        (plain if name is None else wrong[name]).append(row(outcome))
-        outcomes += [outcome] if name is None else []
-    found = {
-        "frames": FRAMES,
-        "inside": round(bench.inside(outcomes), 3),
-        "light": [row(sideways(seed, LIGHT)) for seed in SEEDS[:1]],
-        "sideways": plain,
-        "wrong": wrong,
-        "round": [around(seed) for seed in progress(SEEDS, len(SEEDS), "round the room")],
-    }
-    layout.store(FILE, found)
+@cache
+def past_the_wall(wrong: str | None = None) -> list[bench.Outcome]:
+    """A run with each seed, as sideways."""
+    return [sideways(seed, wrong=wrong) for seed in progress(SEEDS, len(SEEDS), f"past the wall, {wrong or 'plain'}")]
 
+
+PARTS = {
+    "frames": lambda: FRAMES,
+    "inside": lambda: round(bench.inside(past_the_wall()), 3),
+    "light": lambda: [row(sideways(seed, LIGHT)) for seed in SEEDS[:1]],
+    "sideways": lambda: [row(outcome) for outcome in past_the_wall()],
+    "wrong": lambda: {name: [row(outcome) for outcome in past_the_wall(name)] for name in OUTLIER_REJECTIONS},
+    "round": lambda: [around(seed) for seed in progress(SEEDS, len(SEEDS), "round the room")],
+}
 
 if __name__ == "__main__":
-    main()
+    stored.main(FILE, PARTS, __doc__)

@@ -23,7 +23,7 @@ from book.tools import layout
 EXECUTED = layout.BUILD / "executed"
 IMAGES = ("image/png", "image/jpeg", "image/svg+xml", "application/pdf", "application/vnd.jupyter.widget-view+json")
 NBVAL = ["pytest", "--nbval", "--nbval-current-env", "--nbval-sanitize-with", "book/tools/nbval.cfg", "-q"]
-NBVAL += ["-p", "book.tools.nbval_executed"]  # what it runs is kept for the build
+NBVAL += ["-p", "book.tools.notebooks"]  # this module is a plugin of pytest too: what nbval runs is kept for the build
 FIGURE = "nbval-ignore-output"  # cells whose output is a picture, or a time: shown in the book, not compared
 
 
@@ -101,11 +101,6 @@ def text(notebook: Any) -> str:
     return nbformat.writes(notebook, version=4, indent=1, ensure_ascii=False).rstrip("\n") + "\n"
 
 
-def write(file: Path, content: str) -> None:
-    """Write a notebook whole or not at all."""
-    layout.write_whole(file, content.encode("utf-8"))
-
-
 def executed(file: Path, key: str) -> tuple[Path, bool]:
     """A copy of the notebook with all outputs, from the cache if notebook, package and lock are unchanged."""
     cached = _cached(file, key)
@@ -117,7 +112,7 @@ def executed(file: Path, key: str) -> tuple[Path, bool]:
 def keep(file: Path, executed: Any, key: str) -> Path:
     """Write the executed copy of a notebook into the cache, in place of older ones; where it is."""
     cached = _cached(file, key)
-    write(cached, nbformat.writes(executed))
+    layout.write_whole(cached, nbformat.writes(executed).encode())
     for old in EXECUTED.glob(f"{file.stem}.*.ipynb"):
         if old != cached:
             old.unlink()
@@ -137,8 +132,14 @@ def _cached(file: Path, key: str) -> Path:
 def each(files: list[Path], action: Any) -> list[tuple[Path, Any]]:
     """Do `action` for each file, two at a time, with a line of progress each; raises the first failure at the end."""
     results, failures = [], []
+
+    def timed(file: Path) -> tuple[float, Any]:
+        start = time.perf_counter()
+        result = action(file)
+        return time.perf_counter() - start, result
+
     with ThreadPoolExecutor(max_workers=min(2, os.cpu_count() or 1)) as pool:
-        began = {pool.submit(_timed, action, f): f for f in files}
+        began = {pool.submit(timed, f): f for f in files}
         for number, future in enumerate(as_completed(began), start=1):
             file = began[future]
             try:
@@ -155,21 +156,44 @@ def each(files: list[Path], action: Any) -> list[tuple[Path, Any]]:
     return results
 
 
-def _timed(action: Any, file: Path) -> tuple[float, Any]:
-    start = time.perf_counter()
-    result = action(file)
-    return time.perf_counter() - start, result
+_outputs: dict[Path, dict[int, list[Any]]] = {}  # of the cells that nbval has run
+
+
+def pytest_runtest_teardown(item: Any) -> None:
+    """Keep the outputs of a cell that nbval has run, pictures and all, so that each notebook is executed once."""
+    if hasattr(item, "test_outputs"):
+        _outputs.setdefault(Path(item.path), {})[item.cell_num] = item.test_outputs
+
+
+def pytest_sessionfinish() -> None:
+    """Write the notebooks whose cells have all been run, in silence and without an error, where `executed` looks.
+
+    The build runs the others by itself, and says what is wrong.
+    """
+    key = layout.digest(layout.package_files()) if _outputs else ""
+    for file, found in _outputs.items():
+        notebook = nbformat.read(file, as_version=4)
+        cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
+        if len(found) < len(cells):
+            continue
+        for number, cell in enumerate(cells):
+            cell.outputs = merged([nbformat.from_dict(output) for output in found[number]])
+            cell.execution_count = number + 1
+        loud = [o for cell in cells for o in cell.outputs if o.output_type == "error" or o.get("name") == "stderr"]
+        if not loud:
+            keep(file, notebook, key)
 
 
 def unstored(files: list[Path]) -> list[Path]:
-    """The notebooks that are not in the stored form: images, counts, metadata, or cells without a run."""
-    return [f for f in files if f.read_text("utf-8") != text(normalise(nbformat.read(f, as_version=4))) or _unrun(f)]
-
-
-def _unrun(file: Path) -> bool:
-    """True if a cell that prints has no stored output at all in the whole notebook: it was never run."""
-    cells = [c for c in nbformat.read(file, as_version=4).cells if c.cell_type == "code"]
-    return bool(cells) and not any(c.outputs for c in cells)
+    """The notebooks that are not in the stored form: images, counts, metadata, or none of its cells with an output."""
+    found = []
+    for file in files:
+        notebook = nbformat.read(file, as_version=4)
+        cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
+        never_run = bool(cells) and not any(cell.outputs for cell in cells)
+        if never_run or file.read_text("utf-8") != text(normalise(notebook)):
+            found.append(file)
+    return found
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -181,7 +205,7 @@ def main(arguments: list[str] | None = None) -> int:
     files = [f.resolve() for f in options.files] or layout.notebooks()
     if options.action == "run":
         try:
-            each(files, lambda file: write(file, text(normalise(execute(file)))))
+            each(files, lambda file: layout.write_whole(file, text(normalise(execute(file))).encode()))
         except BrokenNotebook as error:
             print(error, file=sys.stderr)
             return 1

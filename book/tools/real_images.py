@@ -6,25 +6,21 @@ are not part of that package, are in book/chapters/data (visp_cube_*); how they 
 """
 
 import argparse
-import hashlib
 import io
 import json
-import os
 import platform
 import shutil
-import subprocess
 import sys
 import tarfile
 import tempfile
-import urllib.error
-import urllib.request
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from book.tools import layout
+from book.tools import assets, layout
+from book.tools.assets import AssetError
 from slamlib.datasets.opening import open_sequence
 from slamlib.evaluation.alignment import AlignedTrajectory, align_trajectory
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
@@ -32,18 +28,16 @@ from slamlib.experiments.progress import progress
 from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.results import ImageResult, summary
 from slamlib.vision.run import camera_rig, image_run, options_for
-from slamlib.vision.sequence_run import SequenceRun
-from slamlib.vision.tracking_loss import TrackingLostError
+from slamlib.vision.sequence_run import SequenceRun, TrackingLostError
 
 PACKAGE, VERSION = "visp-images-data", "3.5.0-1"
-SHA256 = "8d78de2b5d0ff5536ae5c281b11a5011fd6e95cd717c2e0ebf38bacf57723a9d"
 INSIDE = "usr/share/visp-images-data/ViSP-images/cube/"
-POOL = os.environ.get("DEBIAN_MIRROR", "http://deb.debian.org/debian").rstrip("/")
 FOLDER = layout.BUILD / "real" / "visp_cube"
 DATA = layout.BOOK / "chapters" / "data"
 CALIBRATION, FILE = DATA / "visp_cube_calibration.json", DATA / "visp_cube_run.json"
 REFERENCES = {"structure from motion": "visp_cube_sfm.txt", "dots of the cube": "visp_cube_dots.txt"}
 COUNT, FPS = 80, 25.0
+OPENCV = "opencv-python-headless"
 
 SEEDS, FEW, NOISE, IMPULSE = tuple(range(1, 21)), tuple(range(1, 6)), 0.1, (0.3, 10.0)  # [px]; [unit/s], [deg/s]
 SAID: dict[str, Any] = {"updates": 25, "outlier_rejection": "joint"}  # of the filter's options
@@ -60,57 +54,22 @@ CHANGES: dict[str, dict[str, Any]] = {
 }
 
 
-class RealImagesError(Exception):
-    """The package cannot be had, or is not the one that is wanted."""
-
-
-# -- the images --------------------------------------------------------------------------------------------------------
-
-
 def folder() -> Path | None:
     """Where the images are, if they have been fetched."""
     return FOLDER if len(list(FOLDER.glob("*.pgm"))) == COUNT else None
 
 
 def fetch() -> Path:
-    """The images' folder; the package is downloaded if they are not there yet. Raises RealImagesError."""
-    known = folder()
-    if known is not None:
-        return known
-    print(f"fetching {PACKAGE} {VERSION} (75 MB, once)", flush=True)
-    package = _by_apt() or _by_download()
-    found = hashlib.sha256(package).hexdigest()
-    if found != SHA256:
-        raise RealImagesError(f"{PACKAGE} {VERSION}: the checksum is {found}, and should be {SHA256}")
-    with tempfile.TemporaryDirectory(dir=layout.BUILD) as partial:
-        count = unpack(package, Path(partial))
-        if count != COUNT:
-            raise RealImagesError(f"{PACKAGE}: {count} images in {INSIDE}, and {COUNT} are wanted")
-        shutil.rmtree(FOLDER, ignore_errors=True)
-        FOLDER.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copytree(partial, FOLDER)
+    """The images' folder; the package is downloaded if they are not there yet. Raises AssetError."""
+    if folder() is None:
+        package = assets.archive(PACKAGE).read_bytes()
+        with tempfile.TemporaryDirectory(dir=layout.BUILD) as partial:
+            count = unpack(package, Path(partial))
+            if count != COUNT:
+                raise AssetError(f"{PACKAGE}: {count} images in {INSIDE}, and {COUNT} are wanted")
+            shutil.rmtree(FOLDER, ignore_errors=True)
+            shutil.copytree(partial, FOLDER)
     return FOLDER
-
-
-def _by_apt() -> bytes | None:
-    """The package by apt-get, which needs no root for a download; None where there is no apt, or no such package."""
-    if shutil.which("apt-get") is None:
-        return None
-    with tempfile.TemporaryDirectory() as there:
-        command = ["apt-get", "download", "-q", f"{PACKAGE}={VERSION}"]
-        subprocess.run(command, cwd=there, capture_output=True, check=False)
-        files = list(Path(there).glob("*.deb"))
-        return files[0].read_bytes() if files else None
-
-
-def _by_download() -> bytes:
-    """The package from a mirror of Debian, DEBIAN_MIRROR if that is set."""
-    address = f"{POOL}/pool/main/v/visp-images/{PACKAGE}_{VERSION}_all.deb"
-    try:
-        with urllib.request.urlopen(address, timeout=600) as answer:
-            return bytes(answer.read())
-    except (urllib.error.URLError, TimeoutError) as error:
-        raise RealImagesError(f"{address} cannot be downloaded; is the network there? ({error})") from error
 
 
 def unpack(package: bytes, target: Path) -> int:
@@ -125,14 +84,14 @@ def unpack(package: bytes, target: Path) -> int:
 
 
 def member(package: bytes, name: str) -> bytes:
-    """The member of an `ar` archive whose name begins so. Raises RealImagesError."""
+    """The member of an `ar` archive whose name begins so. Raises AssetError."""
     at = 8
     while package[:8] == b"!<arch>\n" and at + 60 <= len(package):
         head, size = package[at : at + 60], int(package[at + 48 : at + 58])
         if head[:16].decode().startswith(name):
             return package[at + 60 : at + 60 + size]
         at += 60 + size + size % 2
-    raise RealImagesError(f"this is no Debian package: there is no {name} in it")
+    raise AssetError(f"this is no Debian package: there is no {name} in it")
 
 
 # -- the runs ----------------------------------------------------------------------------------------------------------
@@ -214,29 +173,20 @@ def measured(images: Path) -> dict[str, Any]:
             row = None
         found.setdefault(name, []).append(row)
     if first is None:
-        raise RealImagesError("every run was lost")
+        raise AssetError("every run was lost")
+    apart = compared(read_trajectory(DATA / REFERENCES["dots of the cube"]))  # rms, [% of the path], and [degrees]
     light = run(images, frames=LIGHT).trajectory().positions[-1]
     return {
         "images": f"{PACKAGE} {VERSION}, cube, {COUNT} of 384 x 288 pixels",
-        "made with": {"python": platform.python_version(), **{n: version(n) for n in ("numpy", _opencv())}},
+        "made with": {"python": platform.python_version(), **{n: version(n) for n in ("numpy", OPENCV)}},
         "noise": NOISE,
         "impulse": list(IMPULSE),
         "options": options_for(1.0, **SAID).to_dict(),
-        "references agree to": _agreement(),
+        "references agree to": [round(100 * apart.relative_ate, 2), round(_rms_degrees(apart.orientation), 2)],
         "light": np.round(light, 4).tolist(),
         "first": told(first.result()),
         "runs": found,
     }
-
-
-def _opencv() -> str:
-    return "opencv-python-headless"
-
-
-def _agreement() -> list[float]:
-    """How far the two references are from one another: rms, [% of the path], and [degrees]."""
-    over = compared(read_trajectory(DATA / REFERENCES["dots of the cube"]))
-    return [round(100 * over.relative_ate, 2), round(_rms_degrees(over.orientation), 2)]
 
 
 def main() -> int:
@@ -247,7 +197,7 @@ def main() -> int:
     given = parser.parse_args()
     try:
         images = given.images or fetch()
-    except RealImagesError as error:
+    except AssetError as error:
         print(error, file=sys.stderr)
         return 1
     print(images)

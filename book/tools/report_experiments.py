@@ -6,7 +6,6 @@ run of each experiment, which a test makes again to see that the file belongs to
 are kept in _build/report_experiments, so that an interrupted one goes on where it was.
 """
 
-import argparse
 import hashlib
 import json
 from collections.abc import Callable
@@ -15,16 +14,22 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from slambook.report import correlations, memory, planar_runs, speed
+from slambook.report import correlations, memory, mrpt, planar_runs, speed
+from slambook.report.updates import naive, problem
 
-from book.tools import layout, report_times
-from book.tools.audit import number
+from book.tools import layout, stored
+from book.tools.stored import plain
 from slamlib.evaluation.consistency import band
+from slamlib.experiments.progress import progress
 
 FILE = layout.BOOK / "chapters" / "data" / "report_experiments.json"
 FOLDER = layout.BUILD / "report_experiments"
 CODE = sorted((layout.BOOK / "slambook" / "report").glob("*.py"))
 SEED = 22
+LANDMARKS = 8, 15, 31, 64, 98, 165, 231, 331  # of the times: states of 30 to 999 numbers
+REPEATS = 3
+PARTICLES = 0, 10, 30, 100, 300, 1000
+SEEN = {"3 landmarks": 3, "20 landmarks": 20, "all landmarks": None}
 FULL: dict[str, dict[str, Any]] = {
     "memory": {"runs": 100},
     "correlations": {"runs": 4000},
@@ -46,49 +51,45 @@ def rng() -> np.random.Generator:
     return np.random.default_rng(SEED)
 
 
-def remembered(**sizes: Any) -> dict[str, Any]:
+def remembered(**sizes: Any) -> Any:
     """Ways to remember, by name: errors, claims and NEES over 6 at each step."""
-    return {
+    return plain({
         found.name: {
-            "position": _list(found.position),
-            "rotation": _list(found.rotation),
-            "claimed": _list(found.claimed),
+            "position": found.position,
+            "rotation": found.rotation,
+            "claimed": found.claimed,
             "landmarks": found.landmarks.tolist(),
-            "nees": _list(found.consistency.average / memory.DOF),
+            "nees": found.consistency.average / memory.DOF,
             "inside": round(found.consistency.inside, 3),
-            "ratio": number(found.ratio, 4),
+            "ratio": found.ratio,
         }
         for found in memory.compare(rng(), **sizes)
-    }
+    })  # fmt: skip
 
 
-def correlated(**sizes: Any) -> dict[str, Any]:
+def correlated(**sizes: Any) -> Any:
     """The table of correlations, for SLAM and for odometry alone."""
-    return {
-        name: {"nees": number(found.nees, 4), "dof": len(found.claimed), "rows": [_rounded(r) for r in _rows(found)]}
+    return plain({
+        name: {"nees": found.nees, "dof": len(found.claimed), "rows": list(map(asdict, correlations.table(found)))}
         for name, found in correlations.experiment(rng(), **sizes).items()
-    }
+    })  # fmt: skip
 
 
-def _rows(found: correlations.Compared) -> list[dict[str, Any]]:
-    return [asdict(row) for row in correlations.table(found)]
-
-
-def contested(**sizes: Any) -> dict[str, Any]:
+def contested(**sizes: Any) -> Any:
     """FastSLAM by its number of particles, and EKF-SLAM."""
-    return {
+    return plain({
         found.name: {
-            "position": _list(found.position),
-            "map_error": number(found.map_error, 4),
-            "nees": _list(found.nees.mean(0) / planar_runs.DOF),
+            "position": found.position,
+            "map_error": found.map_error,
+            "nees": found.nees.mean(0) / planar_runs.DOF,
             "inside": round(found.consistency.inside, 3),
-            "typical": number(found.typical, 4),
-            "effective": _list(found.effective),
-            "ancestors": _list(found.ancestors),
+            "typical": found.typical,
+            "effective": found.effective,
+            "ancestors": found.ancestors,
             "drawn": round(found.drawn, 3),
         }
         for found in planar_runs.compare(rng(), **sizes)
-    }
+    })  # fmt: skip
 
 
 def accurate(**sizes: Any) -> dict[str, Any]:
@@ -96,18 +97,18 @@ def accurate(**sizes: Any) -> dict[str, Any]:
     found = {name: speed.accuracy(rng(), scene=name, **sizes) for name in ("gentle", "hard")}
     return {
         name: {
-            "batch": number(float(f.batch.mean())),
-            "again": number(float(f.again.mean())),
-            "gain": [number(v, 3) for v in f.gain],
-            "ratios": [number(f.together_ratio, 4), number(f.again_ratio, 4)],
+            "batch": plain(f.batch.mean(), 5),
+            "again": plain(f.again.mean(), 5),
+            "gain": plain(f.gain, 3),
+            "ratios": plain([f.together_ratio, f.again_ratio]),
         }
         for name, f in found.items()
     }
 
 
-def mapped(**sizes: Any) -> list[dict[str, Any]]:
+def mapped(**sizes: Any) -> Any:
     """Chapter 6's run by every way, without times."""
-    return [{k: v for k, v in _rounded(asdict(m)).items() if k != "seconds"} for m in speed.mapping(rng(), **sizes)]
+    return plain([{k: v for k, v in asdict(m).items() if k != "seconds"} for m in speed.mapping(rng(), **sizes)])
 
 
 EXPERIMENTS: dict[str, Callable[..., Any]] = {
@@ -119,19 +120,63 @@ EXPERIMENTS: dict[str, Callable[..., Any]] = {
 }
 
 
-def _list(values: Any) -> list[float | str]:
-    return [number(v, 4) for v in values]
+# Times: those of whoever ran this last, never tested.
 
 
-def _rounded(row: dict[str, Any]) -> dict[str, Any]:
-    return {k: number(v, 4) if isinstance(v, float) else v for k, v in row.items()}
+def machine() -> dict[str, Any]:
+    """Times of the ways of a correction, and of FastSLAM's steps."""
+    found: dict[str, Any] = {name: times(name, seen) for name, seen in SEEN.items()}
+    found["run of 92 landmarks"] = {m.method: plain(m.seconds, 3) for m in speed.mapping(rng())}
+    racers = planar_runs.compare(rng(), runs=2, steps=40, particles=PARTICLES)
+    found["FastSLAM"] = {racer.name: plain(racer.seconds, 3) for racer in racers}
+    if mrpt.available():
+        found["MRPT"] = elsewhere()
+    return found
+
+
+def times(name: str, seen: int | None) -> dict[str, Any]:
+    """Times and multiplications by way over the sizes of the state, and at which of them the quicker one changes.
+
+    seen: landmarks in a look; None: all.
+    """
+    rows = list(progress(speed.timings(rng(), sizes(seen), REPEATS), len(LANDMARKS), f"times, {name}"))
+    return {
+        "sizes": [row.size for row in rows],
+        "seconds": {way: [plain(row.seconds[way], 3) for row in rows] for way in rows[0].seconds},
+        "multiplications": {way: [row.multiplications[way] for row in rows] for way in rows[0].multiplications},
+        "crossings": [round(n) for n in speed.crossing(rows, "number by number", "whole matrices")],
+    }
+
+
+def sizes(seen: int | None) -> list[tuple[int, int]]:
+    """Landmarks, and how many of them are seen: at most so many, or all."""
+    return [(n, min(n, seen or n)) for n in LANDMARKS]
+
+
+def elsewhere() -> dict[str, Any]:
+    """The same by MRPT: seconds by method, and by how much the state is off, relative to the correction."""
+    found: dict[str, Any] = {}
+    with mrpt.compiled() as program:
+        for name in ("3 landmarks", "20 landmarks"):
+            given = [problem(rng(), *size) for size in sizes(SEEN[name])]
+            runs = [mrpt.run_update(program, p, REPEATS) for p in progress(given, len(given), f"MRPT, {name}")]
+            right = [naive(p)()[0] for p in given]
+            found[name] = {
+                method: {
+                    "seconds": [plain(run[method].seconds, 3) for run in runs],
+                    "off": [
+                        plain(float(np.linalg.norm(run[method].state[0] - x) / np.linalg.norm(x - p.x)), 3)
+                        for run, x, p in zip(runs, right, given, strict=True)
+                    ],
+                }
+                for method in runs[0]
+            }
+    return found
 
 
 def digest() -> str:
     """Fingerprint of the sizes of all experiments."""
-    return hashlib.sha256(
-        json.dumps([SEED, FULL, LIGHT, report_times.LANDMARKS, report_times.SEEN]).encode()
-    ).hexdigest()[:12]
+    return hashlib.sha256(json.dumps([SEED, FULL, LIGHT, LANDMARKS, SEEN]).encode()).hexdigest()[:12]
 
 
 def light() -> dict[str, Any]:
@@ -154,15 +199,18 @@ def kept(name: str, run: Callable[[], Any]) -> Any:
     return json.loads(file.read_text("utf-8"))
 
 
-def main() -> None:
-    """Run everything, and write the file when all of it is done."""
-    argparse.ArgumentParser(description="Run the experiments of chapter 22 on the report's filter.").parse_args()
-    parts: dict[str, Callable[[], Any]] = {name: partial(run, **FULL[name]) for name, run in EXPERIMENTS.items()}
-    parts = {"light": light, **parts, "machine": partial(report_times.machine, rng)}
-    found: dict[str, Any] = {"digest": digest(), "seed": SEED, "sizes": FULL, "bands": bands()}
-    found |= {name: kept(name, run) for name, run in parts.items()}
-    layout.store(FILE, found)
-
+RUNS: dict[str, Callable[[], Any]] = {
+    "light": light,
+    **{name: partial(run, **FULL[name]) for name, run in EXPERIMENTS.items()},
+    "machine": machine,
+}
+PARTS: dict[str, Callable[[], Any]] = {
+    "digest": digest,
+    "seed": lambda: SEED,
+    "sizes": lambda: FULL,
+    "bands": bands,
+    **{name: partial(kept, name, run) for name, run in RUNS.items()},
+}
 
 if __name__ == "__main__":
-    main()
+    stored.main(FILE, PARTS, __doc__)

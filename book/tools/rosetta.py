@@ -94,7 +94,12 @@ def chapter(name: str) -> Path:
 def text() -> str:
     """The page: the words above the mark as they are, then a table for each group."""
     words = PAGE.read_text("utf-8").split(MARK)[0]
-    types, *others = [_table(group, list(members)) for group, members in groupby(rows(), lambda r: r.group)]
+    tables = []
+    for group, members in groupby(rows(), lambda row: row.group):
+        lines = [f"| `{row.name}` | {_plain(row.what)} | {_target(row)} |" for row in members]
+        head = ["", f"## {group}", "", "| toolbox | what it is | here |", "|---|---|---|"]
+        tables.append("\n".join([*head, *lines, ""]))
+    types, *others = tables
     return "".join([words, MARK, types, pairs(), *others])
 
 
@@ -117,11 +122,6 @@ def _measured(sensor: Sensor) -> str:
     return f"{sensor.size} + {sum(a.size for a in open_ones)}"
 
 
-def _table(group: str, members: list[Row]) -> str:
-    lines = [f"| `{r.name}` | {_plain(r.what)} | {_target(r)} |" for r in members]
-    return "\n".join(["", f"## {group}", "", "| toolbox | what it is | here |", "|---|---|---|", *lines, ""])
-
-
 def _plain(words: str) -> str:
     return re.sub(r"([_*'\[\]<|])", r"\\\1", words)
 
@@ -129,15 +129,9 @@ def _plain(words: str) -> str:
 def _target(row: Row) -> str:
     if not row.places:
         return f"*not needed*: {_plain(row.target.removeprefix(NOT_NEEDED))}"
-    shown = ", ".join(_place(p) for p in row.places)
+    found = ((CHAPTER.fullmatch(place), place.removeprefix("slamlib.")) for place in row.places)
+    shown = ", ".join(f"{{doc}}`../chapters/{match[1]}`" if match else f"`{name}`" for match, name in found)
     return f"*not yet* ({shown})" if row.target.startswith(NOT_YET) else shown
-
-
-def _place(place: str) -> str:
-    match = CHAPTER.fullmatch(place)
-    if not match:
-        return f"`{place.removeprefix('slamlib.')}`"
-    return f"{{doc}}`../chapters/{match[1]}`"
 
 
 def main() -> int:

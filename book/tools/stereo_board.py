@@ -15,7 +15,7 @@ import numpy as np
 
 from book.tools.layout import ROOT
 from slamlib.data.files import write_whole
-from slamlib.datasets.optional_imports import opencv
+from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
 

@@ -1,32 +1,23 @@
 """Runs of slamlib's own stereo system in the rendered room, for chapter 22: where the motion comes from, and loops."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from slambook import rendering
+from slambook import rendering, stereo_films
+from slambook.stereo_films import stereo_film
 
 from benchmarks.stereo_filter import advance, moved_by
 from slamlib.data.records import Frame, Truth
-from slamlib.data.setup import Rig, SensorSetup
+from slamlib.data.setup import Rig
 from slamlib.evaluation.consistency import band, nees, share_inside
 from slamlib.experiments.progress import progress
-from slamlib.geometry.pose import Pose, compose
+from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
-from slamlib.slam import Options, Slam
-from slamlib.vision.stereo import (
-    MOTION_SOURCES,
-    StereoFeatureExtractor,
-    StereoSettings,
-    VisualOdometry,
-    stereo_frame,
-    stereo_rig,
-)
+from slamlib.slam import Options
+from slamlib.vision.stereo import MOTION_SOURCES, StereoFeatureExtractor, StereoSettings, VisualOdometry
 from slamlib.vision.stereo.motion_source import SplitFeatures, StereoMotionSource
 
-LENS = {"intrinsics": (159.5, 119.5, 260.0, 260.0), "distortion": (0.0,)}
-IMAGE, BASELINE, DT = (320.0, 240.0), 0.12, 1 / 30  # px, m, s
 STD = (0.06, 0.055, 0.05)  # px, of u, v and d, as measured in these rooms
 SEEDS, FRAMES, LIGHT = (1, 2, 3), 150, 10
 ROUND, ROUND_SEEDS, EVERY, WINDOW = 900, (1, 2), 15, 60  # frames
@@ -47,12 +38,6 @@ class Way:
     motion_source: Any
     update_interval: int = 1
 
-    def make(self, sensor: SensorSetup) -> StereoMotionSource:
-        """The motion and the front end of a sensor."""
-        settings = StereoSettings(update_interval=self.update_interval, max_in_view=30)
-        made: StereoMotionSource = self.motion_source(sensor.calibration, sensor.extrinsics, settings)
-        return made
-
 
 WAYS = {
     "twice": Way(Twice),
@@ -61,34 +46,13 @@ WAYS = {
     "correlated": Way(MOTION_SOURCES["correlated"]),
     "in turns": Way(MOTION_SOURCES["correlated"], update_interval=10),
 }
-Step = tuple[Slam, StereoMotionSource, Truth]
+Film = tuple[Rig, list[tuple[Frame, Truth]]]
 
 
-def carried(path: str) -> Rig:
-    """A robot carried by hand along the path, with two cameras."""
-    return rendering.rig_along_path(rendering.path(path), baseline=BASELINE, image=IMAGE, parameters=LENS)
-
-
-def rig_of(path: str) -> Rig:
-    """The same with one stereo sensor."""
-    return stereo_rig(carried(path), STD)
-
-
-def film(path: str, frames: int, seed: int) -> list[tuple[Frame, Truth]]:
-    """Pairs of pictures, and the truth beside them."""
-    rng, way = np.random.default_rng(seed), rendering.path(path)
-    made = rendering.film(rendering.default_room(), carried(path), way, frames=frames, dt=DT, rng=rng)
-    return [(stereo_frame(frame), truth) for frame, truth in made]
-
-
-def steps(pairs: list[tuple[Frame, Truth]], path: str, name: str, options: Options = OPTIONS) -> Iterator[Step]:
-    """The filter after each pair; it begins where the first pair was taken."""
-    rig = rig_of(path)
-    motion_source = WAYS[name].make(rig.sensors[0])
-    slam = moved_by(motion_source, rig, options, pairs[0][1].robots[0][:7])
-    for i, (frame, truth) in enumerate(pairs):
-        advance(slam, motion_source, frame, frame.dt if i else 0.0)
-        yield slam, motion_source, truth
+def film(path: str, frames: int, seed: int) -> Film:
+    """The rig, and pairs of pictures with the truth beside them; seed: of the noise."""
+    rig, pairs, _ = stereo_film(frames, path, seed, STD, rendering.default_room())
+    return rig, pairs
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,34 +86,34 @@ class Run:
         }
 
 
-def run(pairs: list[tuple[Frame, Truth]], path: str, name: str, options: Options = OPTIONS) -> Run:
-    """One run through a film."""
-    rows, nis, old = [], [], []
-    for slam, _, truth in steps(pairs, path, name, options):
+def run(film: Film, name: str, options: Options = OPTIONS) -> Run:
+    """One run through a film; the filter begins where the first pair was taken."""
+    (rig, pairs), rows, nis, old = film, [], list[float](), []
+    way, sensor = WAYS[name], rig.sensors[0]
+    settings = StereoSettings(update_interval=way.update_interval, max_in_view=30)
+    motion_source: StereoMotionSource = way.motion_source(sensor.calibration, sensor.extrinsics, settings)
+    slam = moved_by(motion_source, rig, options, pairs[0][1].robots[0][:7])
+    for i, (frame, truth) in enumerate(pairs):
+        advance(slam, motion_source, frame, frame.dt if i else 0.0)
         real, pose = truth.robots[0][:7], slam.robots[0].pose
         error = Pose.minus(real, pose)
         inliers = [prediction for prediction in slam.predictions[0] if prediction.inlier]
         nis += [prediction.nis for prediction in inliers]
         old.append(sum(prediction.landmark.first_seen < slam.number - OLD for prediction in inliers))
-        if slam.number > pairs[0][0].number:
+        if i:
             P = slam.belief.covariance(slam.robots[0].block)[:6, :6]
             rows.append((error, float(nees(error, P)), real[:3].copy(), pose[:3].copy()))
     errors, squares, true, found = (np.array(column) for column in zip(*rows, strict=True))
     return Run(errors, squares, true, found, float(np.mean(nis)) / 3, len(slam.landmarks), old)
 
 
-def odometry(pairs: list[tuple[Frame, Truth]], path: str) -> dict[str, float]:
+def odometry(film: Film) -> dict[str, float]:
     """The same film by visual odometry alone: the motions of all features, one after another, and nothing else."""
-    sensor = rig_of(path).sensors[0]
-    motion_source, poses = (
-        VisualOdometry(StereoFeatureExtractor(sensor.calibration), sensor.extrinsics),
-        [pairs[0][1].robots[0][:7]],
-    )
-    for i, (frame, _) in enumerate(pairs):
-        motion = motion_source.step(frame.scans[0].image)
-        if i:
-            poses.append(poses[-1] if motion is None else compose(poses[-1], motion.pose))
-    real, found = np.array([truth.robots[0][:7] for _, truth in pairs]), np.array(poses)
+    rig, pairs = film
+    source = VisualOdometry(StereoFeatureExtractor(rig.sensors[0].calibration), rig.sensors[0].extrinsics)
+    real = np.array([truth.robots[0][:7] for _, truth in pairs])
+    images = (frame.scans[0].image for frame, _ in pairs)
+    found = np.array([pose for pose, _ in stereo_films.odometry(source, images, real[0])])
     errors = np.array([Pose.minus(a, b) for a, b in zip(real, found, strict=True)])[1:]
     return Run(errors, np.zeros(len(errors)), real[1:, :3], found[1:, :3], 0.0, 0, []).row
 
@@ -160,9 +124,9 @@ def ways() -> dict[str, Any]:
     squares: dict[str, list[Array]] = {name: [] for name in WAYS}
     for seed in progress(SEEDS, len(SEEDS), "past the wall"):
         pairs = film("sideways", FRAMES, seed)
-        found["odometry"].append(odometry(pairs, "sideways"))
+        found["odometry"].append(odometry(pairs))
         for name in WAYS:
-            made = run(pairs, "sideways", name)
+            made = run(pairs, name)
             found.setdefault(name, {"runs": []})["runs"].append(made.row)
             squares[name].append(made.nees)
     limits = band(6, len(SEEDS))
@@ -176,7 +140,7 @@ def ways() -> dict[str, Any]:
 
 def light() -> dict[str, float]:
     """The beginning of one run, which a test makes again."""
-    return run(film("sideways", LIGHT, SEEDS[0]), "sideways", "in turns").row
+    return run(film("sideways", LIGHT, SEEDS[0]), "in turns").row
 
 
 def around() -> dict[str, Any]:
@@ -191,7 +155,7 @@ def around() -> dict[str, Any]:
     for seed in progress(ROUND_SEEDS, len(ROUND_SEEDS), "round the room"):
         pairs = film("round", ROUND, seed)
         for kind, (name, options) in runs.items():
-            made = run(pairs, "round", name, options)
+            made = run(pairs, name, options)
             places = {"place": made.found, "true": made.true}
             found[kind].append({
                 **made.row,

@@ -6,8 +6,6 @@ where that is at hand (benchmarks.street). Times belong to a machine and are not
 again and keeps the others.
 """
 
-import argparse
-import json
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -19,7 +17,7 @@ from slambook.report.scenes import SCENES, Scene
 from slambook.report.switches import SWITCHES, Switch
 
 from benchmarks import street as bench
-from book.tools import layout, stereo_room
+from book.tools import layout, stereo_room, stored
 from slamlib.experiments.progress import progress
 from slamlib.manifolds import Array
 
@@ -31,12 +29,8 @@ FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0)  # of a standard deviation, as the filter b
 
 def summary(outcome: Outcome) -> dict[str, Any]:
     """NEES over its degrees of freedom and errors (second half), share of the steps inside, rounded."""
-    values = outcome.ratio, outcome.inside, outcome.position, outcome.rotation
-    return dict(zip(("ratio", "inside", "position", "rotation"), map(_rounded, values), strict=True))
-
-
-def _rounded(value: float) -> float | str:
-    return float(f"{value:.4g}") if np.isfinite(value) else str(value)
+    found: dict[str, Any] = stored.plain({n: getattr(outcome, n) for n in ("ratio", "inside", "position", "rotation")})
+    return found
 
 
 def repairs() -> dict[str, list[dict[str, Any]]]:
@@ -78,39 +72,25 @@ def street() -> dict[str, Any] | None:
     """KITTI's street, without times; None where it is not at hand: its licence forbids shipping it."""
     if not bench.KITTI.is_dir():
         return None
-    found: dict[str, Any] = bench.figures()
-    return _shortened(found)
+    found: dict[str, Any] = stored.plain(_without_times(bench.figures()))
+    return found
 
 
-def _shortened(value: Any) -> Any:
-    """Plain data with rounded numbers, and without times of a machine."""
+def _without_times(value: Any) -> Any:
+    """Plain data without times of a machine."""
     if isinstance(value, dict):
-        return {k: _shortened(v) for k, v in value.items() if k != "milliseconds"}
-    if isinstance(value, list):
-        return [_shortened(v) for v in value]
-    return _rounded(value) if isinstance(value, float) else value
+        return {k: _without_times(v) for k, v in value.items() if k != "milliseconds"}
+    return [_without_times(v) for v in value] if isinstance(value, list) else value
 
 
 PARTS: dict[str, Callable[[], Any]] = {
+    "light": stereo_room.light,
     "repairs": repairs,
+    "round": stereo_room.around,
+    "street": street,
     "tuning": tuning,
     "ways": stereo_room.ways,
-    "round": stereo_room.around,
-    "light": stereo_room.light,
-    "street": street,
 }
 
-
-def main() -> None:
-    """Make the parts, and write the file when all of it is done."""
-    parser = argparse.ArgumentParser(description="Make the longer runs of chapter 22 again.")
-    parser.add_argument("--only", nargs="+", choices=sorted(PARTS), default=sorted(PARTS), help="these parts alone")
-    given = parser.parse_args()
-    made = {name: PARTS[name]() for name in given.only}
-    found = json.loads(FILE.read_text("utf-8")) if FILE.is_file() else {}
-    found |= {name: value for name, value in made.items() if value is not None}
-    layout.store(FILE, dict(sorted(found.items())))
-
-
 if __name__ == "__main__":
-    main()
+    stored.main(FILE, PARTS, __doc__)

@@ -5,35 +5,31 @@ forbids shipping it; without it the stored figures stay). Once round the room wi
 cost to keep every point that was seen on the way.
 """
 
-import argparse
-import json
 from typing import Any
 
 import numpy as np
-from slambook.recorded import KITTI, kitti
-from slambook.rendering.stereo_film import stereo_film
+from slambook import stereo_films
+from slambook.stereo_films import KITTI, kitti, stereo_film
 
 from benchmarks import stereo as bench
-from book.tools import layout
+from book.tools import layout, stored
 from slamlib.evaluation.alignment import relative_pose_errors
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
-from slamlib.geometry.pose import compose
-from slamlib.geometry.quaternion import exponential, minus
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array
+from slamlib.motions.odometry import ODOMETRY
 from slamlib.observation.points import observe
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.stereo import (
-    RelativeMotion,
     StereoFeatureExtractor,
     StereoFeatures,
     StereoSettings,
+    Tracks,
     VisualOdometry,
     mutual_nearest,
 )
-from slamlib.vision.stereo.features import within_region
-from slamlib.vision.stereo.matching import hamming_distances
+from slamlib.vision.stereo.features import hamming_distances, within_region
 
 FILE = layout.BOOK / "chapters" / "data" / "visual_odometry.json"
 SEEDS, FRAMES, ROUND, EVERY = (1, 2, 3), 120, 449, 8
@@ -68,10 +64,10 @@ def room() -> dict[str, Any]:
     return {n: variant(sensor.calibration, sensor.extrinsics, images, truth, s) for n, s in bench.VARIANTS.items()}
 
 
-def street(before: dict[str, Any]) -> dict[str, Any]:
-    """All variants on the street, and KITTI's measure of the first; the stored figures where it is not at hand."""
+def street() -> dict[str, Any] | None:
+    """All variants on the street, and KITTI's measure of the first; None where it is not at hand."""
     if not KITTI.is_dir():
-        return before
+        return None
     calibration, images, truth = kitti()
     origin = np.array([0.0, 0, 0, 1, 0, 0, 0])
     return {
@@ -84,16 +80,9 @@ def street(before: dict[str, Any]) -> dict[str, Any]:
 
 def measured(calibration: Calibration, images: list[Array], truth: Trajectory, offset: float) -> dict[str, Any]:
     """KITTI's measure [%, deg/m], the length by the true one, and z' S^-1 z by its dof; offset [px]: of disparities."""
-    motion_source, poses, fits = (
-        VisualOdometry(StereoFeatureExtractor(calibration, StereoSettings(offset=offset))),
-        [truth.poses[0]],
-        [],
-    )
-    motion_source.step(images[0])
-    for image in images[1:]:
-        motion = motion_source.step(image)
-        poses.append(poses[-1] if motion is None else compose(poses[-1], motion.pose))
-        fits += [] if motion is None else [motion.nis_per_dof]
+    source = VisualOdometry(StereoFeatureExtractor(calibration, StereoSettings(offset=offset)))
+    poses, motions = zip(*stereo_films.odometry(source, images, truth.poses[0]), strict=True)
+    fits = [motion.nis_per_dof for motion in motions if motion is not None]
     path = Trajectory(truth.times, np.array(poses))
     off = relative_pose_errors(path, truth, LENGTHS, step=5)
     return {
@@ -110,15 +99,17 @@ def around(seed: int, frames: int = ROUND) -> dict[str, Any]:
     sensor = rig.sensors[0]
     truth = np.array([t.robots[0][:7] for _, t in film])
     motion_source = VisualOdometry(StereoFeatureExtractor(sensor.calibration), sensor.extrinsics)
-    pose, P, rows, fits, library = truth[0], np.zeros((6, 6)), [], [], Library(sensor, made)
+    pose, P, rows, fits, library, tracks = truth[0], np.zeros((6, 6)), [], [], Library(sensor, made), Tracks()
     for number, (frame, there) in enumerate(film):
         motion = motion_source.step(frame.scans[0].image)
         if motion is not None:
-            pose, J = compose.jac(pose, motion.pose)
-            P = J.outer @ P @ J.outer.T + J.inner @ _of_pose(motion) @ J.inner.T
+            pose, J = ODOMETRY.step.jac(pose, motion.control.value, 0.0)
+            P = J.state @ P @ J.state.T + J.control @ motion.control.covariance @ J.control.T
             fits.append(motion.nis_per_dof)
         rows.append([np.linalg.norm(pose[:3] - truth[number, :3]), np.sqrt(np.trace(P[:3, :3]))])
-        library.add(motion_source.extractor.extract(frame.scans[0].image), motion_source.tracks, there)
+        seen = motion_source.extractor.extract(frame.scans[0].image)
+        tracks.step(len(seen), motion_source.pairs)
+        library.add(seen, tracks, there)
     return {
         "path": round(float(np.linalg.norm(np.diff(truth[:, :3], axis=0), axis=1).sum()), 3),
         "fit": round(float(np.mean(fits)), 2),
@@ -126,18 +117,6 @@ def around(seed: int, frames: int = ROUND) -> dict[str, Any]:
         "ages": np.bincount(np.array(list(library.longest.values()))).tolist(),
         "library": library.rows,
     }
-
-
-def _of_pose(motion: RelativeMotion) -> Array:
-    """The control's covariance, of a displacement and a rotation vector, as that of the pose (6, 6)."""
-    turn = motion.control.value[3:]
-    _, to_q = exponential.jac(turn)
-    q = exponential(turn)
-    _, by = minus.jac(q, q)
-    T = np.eye(6)
-    T[3:, 3:] = by.q @ to_q.vector
-    U: Array = T @ motion.control.covariance @ T.T
-    return U
 
 
 class Library:
@@ -182,19 +161,13 @@ class Library:
         return [len(found), int((~(off <= NEAR)).sum())]
 
 
-def main() -> None:
-    """Run everything, and write the file when all of it is done."""
-    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
-    before = json.loads(FILE.read_text()) if FILE.exists() else {}
-    found = {
-        "frames": FRAMES,
-        "room": room(),
-        "street": street(before.get("street", {})),
-        "every": EVERY,
-        "round": [around(seed) for seed in progress(SEEDS, len(SEEDS), "round the room")],
-    }
-    layout.store(FILE, found)
-
+PARTS = {
+    "frames": lambda: FRAMES,
+    "room": room,
+    "street": street,
+    "every": lambda: EVERY,
+    "round": lambda: [around(seed) for seed in progress(SEEDS, len(SEEDS), "round the room")],
+}
 
 if __name__ == "__main__":
-    main()
+    stored.main(FILE, PARTS, __doc__)

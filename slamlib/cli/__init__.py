@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from typing import Any
 
 from slamlib.cli import compare, listing, run
-from slamlib.cli.images import IMAGES_COMMAND, PAIRS_COMMAND, ImageCommand
+from slamlib.cli.images import ImagesCommand, PairsCommand
 from slamlib.errors import SlamlibError
 
 COMMANDS: dict[str, Any] = {
-    "run": run, "run images": IMAGES_COMMAND, "run stereo-images": PAIRS_COMMAND, "compare": compare, "list": listing
+    "run": run, "run images": ImagesCommand(), "run stereo-images": PairsCommand(), "compare": compare, "list": listing
 }  # fmt: skip
 
 
@@ -19,7 +19,7 @@ def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(prog="slamlib", description="EKF-SLAM, derived: run the book's filter.")
     commands = top.add_subparsers(dest="command", required=True, metavar="{" + ",".join(COMMANDS) + "}")
     for name, made in COMMANDS.items():
-        line = made.summary if isinstance(made, ImageCommand) else (made.__doc__ or "").strip().splitlines()[0]
+        line = (made.__doc__ or "").strip().splitlines()[0]
         command = commands.add_parser(name, help=line, description=line)
         made.arguments(command)
         command.set_defaults(execute=made.execute)

@@ -2,6 +2,7 @@
 
 import argparse
 import json
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -26,20 +27,35 @@ def add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help=OPTION)
 
 
-def count(text: str) -> int:
-    """A whole number above zero, for argparse."""
-    value = int(text)
-    if value < 1:
-        raise argparse.ArgumentTypeError(f"a whole number above 0, not {text}")
-    return value
+def at_least(least: int) -> Callable[[str], int]:
+    """A whole number, `least` or more, for argparse."""
+
+    def whole(text: str) -> int:
+        value = int(text)
+        if value < least:
+            raise argparse.ArgumentTypeError(f"a whole number, {least} or more, not {text}")
+        return value
+
+    return whole
 
 
-def from_zero(text: str) -> int:
-    """A whole number, 0 or more, for argparse."""
-    value = int(text)
-    if value < 0:
-        raise argparse.ArgumentTypeError(f"a whole number, 0 or more, not {text}")
-    return value
+count = at_least(1)
+
+
+def outputs(add: Callable[..., Any]) -> None:
+    """What becomes of a run of any kind."""
+    add("--video", metavar="PATH", help="a film: .mp4, .webm, .gif, or a folder for numbered PNG files")
+    add("--save", metavar="PATH", help="write the run to a file; an interrupted one goes there")
+    add("--resume", metavar="PATH", help="go on with a saved run instead of beginning one")
+    add("--json", action="store_true", help="print the result as JSON")
+
+
+def check_video(path: str | None) -> None:
+    """Raise SlamlibError for a film that could not be written after the run: better before it."""
+    if path:
+        from slambook.scene.video import ready
+
+        ready(path)
 
 
 def base(name: str) -> Preset:

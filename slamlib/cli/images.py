@@ -2,13 +2,13 @@
 
 import argparse
 from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
 
 from slamlib.cli import runner
-from slamlib.cli.arguments import OPTION, assignments, count, from_zero
+from slamlib.cli.arguments import OPTION, assignments, at_least, count, outputs
 from slamlib.data.plain import read
 from slamlib.data.setup import SensorSetup
 from slamlib.datasets import opening
@@ -17,8 +17,17 @@ from slamlib.landmarks import POINTS
 from slamlib.motions import MOTIONS
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.vision.active_search import ActiveSearchSettings
-from slamlib.vision.combined_front_end import make_front_end
-from slamlib.vision.run import IMAGES, PAIRS, camera_rig, image_run, load, open_stereo, options_for, stereo_run
+from slamlib.vision.run import (
+    IMAGES,
+    PAIRS,
+    camera_rig,
+    image_run,
+    load,
+    make_front_end,
+    open_stereo,
+    options_for,
+    stereo_run,
+)
 from slamlib.vision.sequence_run import SequenceKind, SequenceRun
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.motion_source import MOTION_SOURCES
@@ -37,20 +46,18 @@ pair.json of a rectified pair, in pixels and metres:
 """
 
 
-@dataclass(frozen=True)
 class ImageCommand:
-    """A command that runs on pictures of one kind. summary: what the help says of it.
+    """A command that runs on pictures of one kind; the help says its first line.
 
-    what(add), how(add): give a group its arguments, which say what is seen, and how the filter works. begun(arguments):
+    what(add), how(add): give a group its arguments, which say what is seen, and how the filter works. new_run(given):
     the run that they ask for.
     """
 
     kind: SequenceKind
-    summary: str
+    epilog: str | None = None
     what: Callable[[Add], None]
     how: Callable[[Add], None]
     new_run: Callable[[argparse.Namespace], SequenceRun]
-    epilog: str | None = None
 
     def arguments(self, parser: argparse.ArgumentParser) -> None:
         """What the command takes."""
@@ -58,7 +65,11 @@ class ImageCommand:
             parser.formatter_class, parser.epilog = argparse.RawDescriptionHelpFormatter, self.epilog
         self.what(parser.add_argument_group("what it sees").add_argument)
         self.how(parser.add_argument_group("how the filter works").add_argument)
-        runner.outputs(parser.add_argument_group("what becomes of it").add_argument)
+        add = parser.add_argument_group("what becomes of it").add_argument
+        add("--trajectory", metavar="FILE", help="write the camera's path in TUM format, for evo")
+        add("--reference", metavar="FILE", help="compare with a path of the same camera, in TUM, EuRoC or KITTI format")
+        add("--live", action="store_true", help="show the run in a window")
+        outputs(add)
 
     def execute(self, given: argparse.Namespace) -> int:
         """Run it; a run that stops, by itself or by Ctrl-C, is saved, and can be gone on with."""
@@ -74,32 +85,29 @@ class ImageCommand:
         run.patience = given.patience or run.patience
         return run
 
+    def _which(self, add: Add) -> None:
+        """Arguments that choose among pictures."""
+        of = f"{self.kind.item}s"
+        add("--fps", type=float, help=f"{of} a second, where no file says their times (default 30)")
+        add("--frames", type=count, metavar="N", help=f"how many {of}")
+        add("--start", type=at_least(0), default=0, metavar="N", help="the first one (default 0)")
+        add("--every", type=count, default=1, metavar="N", help="only each so many-th")
 
-def _which(add: Add, kind: SequenceKind) -> None:
-    """Arguments that choose among pictures."""
-    of = f"{kind.item}s"
-    add("--fps", type=float, help=f"{of} a second, where no file says their times (default 30)")
-    add("--frames", type=count, metavar="N", help=f"how many {of}")
-    add("--start", type=from_zero, default=0, metavar="N", help="the first one (default 0)")
-    add("--every", type=count, default=1, metavar="N", help="only each so many-th")
+    def _impulses(self, add: Add, before: str, default: str) -> None:
+        """Arguments of a motion that nobody tells."""
+        for name, own, what in (
+            ("impulse", self.kind.impulse, f"changes of velocity from one {self.kind.item} to the next"),
+            ("velocity", self.kind.velocity, "velocities at the start, whose mean is zero"),
+        ):
+            add(f"--{name}", nargs=2, type=float, metavar=("M/S", "DEG/S"),
+                help=f"{before}std of {what} (default {default.format(*own)})")  # fmt: skip
 
-
-def _impulses(add: Add, kind: SequenceKind, before: str, default: str) -> None:
-    """Arguments of a motion that nobody tells."""
-    for name, own, what in (
-        ("impulse", kind.impulse, f"changes of velocity from one {kind.item} to the next"),
-        ("velocity", kind.velocity, "velocities at the start, whose mean is zero"),
-    ):
-        add(f"--{name}", nargs=2, type=float, metavar=("M/S", "DEG/S"),
-            help=f"{before}std of {what} (default {default.format(*own)})")  # fmt: skip
-
-
-def _search(add: Add, kind: SequenceKind, settings: Any, of: str) -> None:
-    """Arguments of the filter's options, and of the search for features."""
-    names = ", ".join(f.name for f in fields(settings))
-    add("--option", action="append", default=[], metavar="NAME=VALUE", help=OPTION)
-    add("--search", action="append", default=[], metavar="NAME=VALUE", help=f"of {of}: {names}")
-    add("--patience", type=count, metavar="N", help=f"stop after N {kind.frames} without a match (default 30)")
+    def _search(self, add: Add, settings: Any, of: str) -> None:
+        """Arguments of the filter's options, and of the search for features."""
+        names = ", ".join(f.name for f in fields(settings))
+        add("--option", action="append", default=[], metavar="NAME=VALUE", help=OPTION)
+        add("--search", action="append", default=[], metavar="NAME=VALUE", help=f"of {of}: {names}")
+        add("--patience", type=count, metavar="N", help=f"stop after N {self.kind.item}s without a match (default 30)")
 
 
 def _given_options(given: argparse.Namespace, what: str, *names: str) -> dict[str, Any]:
@@ -110,135 +118,125 @@ def _given_options(given: argparse.Namespace, what: str, *names: str) -> dict[st
     return {**{name: value for name, value in named.items() if value is not None}, **assignments(given.option)}
 
 
-def _what_images(add: Add) -> None:
-    """Of one camera."""
-    add("--source", metavar="PATH", help="a folder, a glob in quotation marks, a video, or a data set's folder")
-    add("--calibration", metavar="FILE", help="slamlib's, EuRoC's, OpenCV's, KITTI's, or plain text; or fr1, fr2, fr3")
-    add("--camera", type=from_zero, default=0, metavar="N", help="of several cameras, which (default 0)")
-    add("--undistort", action="store_true", help="free the pictures of the lens's distortion (OpenCV)")
-    _which(add, IMAGES)
-    add("--scale", default="free", metavar="free|FILE",
-        help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3), n at least 4, and their '
-             '"pixels" (n, 2) in the first picture, "std" of the points')  # fmt: skip
+class ImagesCommand(ImageCommand):
+    """Run the filter on real pictures: a folder, a glob, a video, or TUM RGB-D, EuRoC and KITTI layouts."""
+
+    kind = IMAGES
+
+    def what(self, add: Add) -> None:
+        """Of one camera."""
+        add("--source", metavar="PATH", help="a folder, a glob in quotation marks, a video, or a data set's folder")
+        add("--calibration", metavar="FILE", help="slamlib's, EuRoC's, OpenCV's, KITTI's, plain text; or fr1, fr2, fr3")
+        add("--camera", type=at_least(0), default=0, metavar="N", help="of several cameras, which (default 0)")
+        add("--undistort", action="store_true", help="free the pictures of the lens's distortion (OpenCV)")
+        self._which(add)
+        add("--scale", default="free", metavar="free|FILE",
+            help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3), n at least 4, and '
+                 'their "pixels" (n, 2) in the first picture, "std" of the points')  # fmt: skip
+
+    def how(self, add: Add) -> None:
+        """With the motions of slamlib."""
+        add("--motion", default="constant-velocity", help="constant-velocity, or a name of `slamlib list motions`")
+        self._impulses(add, "", "{:g} times the target's distance, if there is one, and {:g}")
+        add("--noise", type=float, metavar="PX",
+            help=f"std of a measured pixel (default: the calibration file's, or {IMAGES.noise[0]})")  # fmt: skip
+        points, updates = IMAGES.options.points, IMAGES.options.updates
+        add("--landmark", default=points, help=f"parametrization of points (default {points})")
+        add("--lines", metavar="LANDMARK",
+            help="also straight edges, in this parametrization, such as idpLin (default: none)")  # fmt: skip
+        add("--updates", type=count, metavar="N", help=f"landmarks a frame (default {updates}, more with a target)")
+        add("--outlier-rejection", choices=OUTLIER_REJECTIONS,
+            help=f"how outliers among matches are rejected (default {IMAGES.options.outlier_rejection})")  # fmt: skip
+        self._search(add, ActiveSearchSettings, "active search")
+        add("--seed", type=int, default=1, metavar="N", help="of where new landmarks are sought (default 1)")
+
+    def new_run(self, given: argparse.Namespace) -> SequenceRun:
+        """With a free scale, or that of a target."""
+        if not given.source or not given.calibration:
+            raise SlamlibError("--source and --calibration are wanted, or --resume PATH; see slamlib run images --help")
+        motion = ALIASES.get(given.motion, given.motion)
+        if motion not in MOTIONS:
+            raise UnknownNameError.of("motion", given.motion, [*ALIASES, *MOTIONS])
+        opened = {"camera": given.camera, "fps": given.fps, "undistort": given.undistort}
+        source, camera = opening.open_sequence(given.source, given.calibration, **opened)
+        if given.noise is not None:
+            camera["std"] = (given.noise,)
+        target = None if given.scale == "free" else Target.load(given.scale)
+        unit = 1.0 if target is None else target.distance(read(SensorSetup, camera, "camera").calibration)
+        rig = camera_rig(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
+        settings = ActiveSearchSettings(**assignments(given.search, ActiveSearchSettings, "--search"))
+        names = "lines", "updates", "outlier_rejection"
+        said = _given_options(given, "point landmark (for lines there is --lines)", *names)
+        chosen = options_for(unit, 0 if target is None else len(target.points), **said)
+        front_end = make_front_end(chosen, rig.sensors[0].calibration, np.random.default_rng(given.seed), settings)
+        pictures = source.part(given.start, given.every, given.frames)
+        return image_run(pictures, rig, chosen, front_end, scale=target, patience=given.patience or 30)
 
 
-def _how_images(add: Add) -> None:
-    """With the motions of slamlib."""
-    add("--motion", default="constant-velocity", help="constant-velocity, or a name of `slamlib list motions`")
-    _impulses(add, IMAGES, "", "{:g} times the target's distance, if there is one, and {:g}")
-    add("--noise", type=float, metavar="PX",
-        help=f"std of a measured pixel (default: the calibration file's, or {IMAGES.noise[0]})")  # fmt: skip
-    points, updates = IMAGES.options.points, IMAGES.options.updates
-    add("--landmark", default=points, help=f"parametrization of points (default {points})")
-    add("--lines", metavar="LANDMARK",
-        help="also straight edges, in this parametrization, such as idpLin (default: none)")  # fmt: skip
-    add("--updates", type=count, metavar="N", help=f"landmarks a frame (default {updates}, more with a target)")
-    add("--outlier-rejection", choices=OUTLIER_REJECTIONS,
-        help=f"how outliers among the matches are rejected (default {IMAGES.options.outlier_rejection})")  # fmt: skip
-    _search(add, IMAGES, ActiveSearchSettings, "active search")
-    add("--seed", type=int, default=1, metavar="N", help="of where new landmarks are sought (default 1)")
+class PairsCommand(ImageCommand):
+    """Run the filter on real stereo pairs: KITTI and EuRoC layouts, or a left and a right folder, glob or video."""
 
+    kind, epilog = PAIRS, EXAMPLES
 
-def _new_image_run(given: argparse.Namespace) -> SequenceRun:
-    """With a free scale, or that of a target."""
-    if not given.source or not given.calibration:
-        raise SlamlibError("--source and --calibration are wanted, or --resume PATH; see slamlib run images --help")
-    motion = ALIASES.get(given.motion, given.motion)
-    if motion not in MOTIONS:
-        raise UnknownNameError.of("motion", given.motion, [*ALIASES, *MOTIONS])
-    opened = {"camera": given.camera, "fps": given.fps, "undistort": given.undistort}
-    source, camera = opening.open_sequence(given.source, given.calibration, **opened)
-    if given.noise is not None:
-        camera["std"] = (given.noise,)
-    target = None if given.scale == "free" else Target.load(given.scale)
-    unit = 1.0 if target is None else target.distance(read(SensorSetup, camera, "camera").calibration)
-    rig = camera_rig(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
-    settings = ActiveSearchSettings(**assignments(given.search, ActiveSearchSettings, "--search"))
-    said = _given_options(given, "point landmark (for lines there is --lines)", "lines", "updates", "outlier_rejection")
-    chosen = options_for(unit, 0 if target is None else len(target.points), **said)
-    front_end = make_front_end(chosen, rig.sensors[0].calibration, np.random.default_rng(given.seed), settings)
-    pictures = source.part(given.start, given.every, given.frames)
-    return image_run(pictures, rig, chosen, front_end, scale=target, patience=given.patience or 30)
+    def what(self, add: Add) -> None:
+        """Of two cameras."""
+        add("--source", metavar="FOLDER", help="of KITTI (image_0, image_1, calib.txt, times.txt) or EuRoC (mav0)")
+        for side in ("left", "right"):
+            add(
+                f"--{side}",
+                metavar="GLOB",
+                help=f"the {side} pictures: a folder, a glob in quotation marks, or a video",
+            )
+        add("--calibration", metavar="FILE", nargs="+",
+            help="of both cameras: KITTI's, slamlib's, Kalibr's, OpenCV's or plain JSON, or two files (EuRoC's); a "
+                 "data set's folder may hold it")  # fmt: skip
+        add("--cameras", nargs=2, type=at_least(0), metavar=("L", "R"), help="of several (default 0 1, or 2 3)")
+        add("--rectify", action="store_true",
+            help="the pictures are as the lenses made them: rectify them (OpenCV; always so for EuRoC)")  # fmt: skip
+        self._which(add)
 
+    def how(self, add: Add) -> None:
+        """With visual odometry, or alone with it."""
+        add("--motion", choices=MOTION_SOURCES, default="split-features",
+            help="where predictions come from: constant-velocity, split-features (odometry of one half of the "
+                 "features, landmarks of the other; default), correlated (all for both; wants many)")  # fmt: skip
+        add("--odometry-only", action="store_true", help="no filter: visual odometry alone, to compare")
+        self._impulses(add, "with --motion constant-velocity, ", "{:g} {:g}")
+        noise = " ".join(f"{n:g}" for n in PAIRS.noise)
+        add("--noise", nargs="+", type=float, metavar="PX",
+            help=f"std of u, v and disparity, or one for all (default: the calibration's, or {noise})")  # fmt: skip
+        points, updates = PAIRS.options.points, PAIRS.options.updates
+        add("--landmark", default=points, help=f"parametrization (default {points})")
+        for name, text in (
+            ("window", "delete landmarks not seen for N pairs (default: none)"),
+            ("capacity", "most landmarks: of more, the one unseen for longest goes"),
+            ("updates", f"landmarks a pair ({updates})"),
+        ):
+            add(f"--{name}", type=count, metavar="N", help=text)
+        self._search(add, StereoSettings, "features")
 
-def _what_pairs(add: Add) -> None:
-    """Of two cameras."""
-    add("--source", metavar="FOLDER", help="of KITTI (image_0, image_1, calib.txt, times.txt) or EuRoC (mav0)")
-    for side in ("left", "right"):
-        add(f"--{side}", metavar="GLOB", help=f"the {side} pictures: a folder, a glob in quotation marks, or a video")
-    add("--calibration", metavar="FILE", nargs="+",
-        help="of both cameras: KITTI's, slamlib's, Kalibr's, OpenCV's or plain JSON, or two files (EuRoC's); a data "
-             "set's folder may hold it")  # fmt: skip
-    add("--cameras", nargs=2, type=from_zero, metavar=("L", "R"), help="of several (default 0 1, or 2 3)")
-    add("--rectify", action="store_true",
-        help="the pictures are as the lenses made them: rectify them (OpenCV; always so for EuRoC)")  # fmt: skip
-    _which(add, PAIRS)
-
-
-def _how_pairs(add: Add) -> None:
-    """With visual odometry, or alone with it."""
-    add("--motion", choices=MOTION_SOURCES, default="split-features",
-        help="where predictions come from: constant-velocity, split-features (odometry of one half of the "
-             "features, landmarks of the other; default), correlated (all features for both; wants many)")  # fmt: skip
-    add("--odometry-only", action="store_true", help="no filter: visual odometry alone, to compare")
-    _impulses(add, PAIRS, "with --motion constant-velocity, ", "{:g} {:g}")
-    noise = " ".join(f"{n:g}" for n in PAIRS.noise)
-    add("--noise", nargs="+", type=float, metavar="PX",
-        help=f"std of u, v and disparity, or one for all (default: the calibration file's, or {noise})")  # fmt: skip
-    points, updates = PAIRS.options.points, PAIRS.options.updates
-    add("--landmark", default=points, help=f"parametrization (default {points})")
-    for name, text in (
-        ("window", "delete landmarks not seen for N pairs (default: none)"),
-        ("capacity", "most landmarks: of more, the one unseen for longest goes"),
-        ("updates", f"landmarks a pair ({updates})"),
-    ):
-        add(f"--{name}", type=count, metavar="N", help=text)
-    _search(add, PAIRS, StereoSettings, "features")
-
-
-def _new_stereo_run(given: argparse.Namespace) -> SequenceRun:
-    """The filter, or odometry alone."""
-    if not given.source and not (given.left and given.right):
-        see = "see slamlib run stereo-images --help"
-        raise SlamlibError(f"--source, or --left and --right, are wanted, or --resume PATH; {see}")
-    if given.source and (given.left or given.right):
-        raise SlamlibError("--source has both cameras in it: leave --left and --right out")
-    settings = StereoSettings(**assignments(given.search, StereoSettings, "--search"))
-    full = {} if given.capacity is None else {"pruning": "least-recently-seen"}
-    said = _given_options(given, "point landmark", "window", "capacity", "updates")
-    options = replace(PAIRS.options, **{**full, **said})
-    cameras = tuple(given.cameras) if given.cameras else None
-    source, camera, settings = open_stereo(
-        given.source, given.left, given.right, given.calibration,
-        cameras=cameras, fps=given.fps, rectify=given.rectify, settings=settings,
-    )  # fmt: skip
-    if given.noise is not None:
-        camera = {**camera, "std": _three(given.noise), "noise": None}
-    return stereo_run(
-        source.part(given.start, given.every, given.frames), camera, options,
-        motion_source="odometry" if given.odometry_only else given.motion, settings=settings,
-        impulse=given.impulse, velocity=given.velocity, patience=given.patience or 30,
-    )  # fmt: skip
-
-
-def _three(noise: list[float]) -> tuple[float, ...]:
-    if len(noise) not in (1, 3) or not min(noise) > 0:
-        raise SlamlibError(f"--noise takes one number above 0, or three (u, v, disparity), got {noise}")
-    return tuple(noise * (3 // len(noise)))
-
-
-IMAGES_COMMAND = ImageCommand(
-    IMAGES,
-    "Run the filter on real pictures: a folder, a glob, a video, or TUM RGB-D, EuRoC and KITTI layouts.",
-    _what_images,
-    _how_images,
-    _new_image_run,
-)
-PAIRS_COMMAND = ImageCommand(
-    PAIRS,
-    "Run the filter on real stereo pairs: KITTI and EuRoC layouts, or a left and a right folder, glob or video.",
-    _what_pairs,
-    _how_pairs,
-    _new_stereo_run,
-    EXAMPLES,
-)
+    def new_run(self, given: argparse.Namespace) -> SequenceRun:
+        """The filter, or odometry alone."""
+        if not given.source and not (given.left and given.right):
+            see = "see slamlib run stereo-images --help"
+            raise SlamlibError(f"--source, or --left and --right, are wanted, or --resume PATH; {see}")
+        if given.source and (given.left or given.right):
+            raise SlamlibError("--source has both cameras in it: leave --left and --right out")
+        settings = StereoSettings(**assignments(given.search, StereoSettings, "--search"))
+        full = {} if given.capacity is None else {"pruning": "least-recently-seen"}
+        said = _given_options(given, "point landmark", "window", "capacity", "updates")
+        options = replace(PAIRS.options, **{**full, **said})
+        cameras = tuple(given.cameras) if given.cameras else None
+        source, camera, settings = open_stereo(
+            given.source, given.left, given.right, given.calibration,
+            cameras=cameras, fps=given.fps, rectify=given.rectify, settings=settings,
+        )  # fmt: skip
+        if given.noise is not None:
+            if len(given.noise) not in (1, 3) or not min(given.noise) > 0:
+                raise SlamlibError(f"--noise takes one number above 0, or three (u, v, disparity), got {given.noise}")
+            camera = {**camera, "std": tuple(given.noise * (3 // len(given.noise))), "noise": None}
+        return stereo_run(
+            source.part(given.start, given.every, given.frames), camera, options,
+            motion_source="odometry" if given.odometry_only else given.motion, settings=settings,
+            impulse=given.impulse, velocity=given.velocity, patience=given.patience or 30,
+        )  # fmt: skip

@@ -23,21 +23,13 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("preset", nargs="?", help="a name of `slamlib list presets`, or a JSON or TOML file")
     parser.add_argument("--landmark", action="append", default=[], help="parametrization of new points or lines")
     shared.add(parser)
-    parser.add_argument("--video", metavar="PATH", help="a film: .mp4, .webm, .gif, or a folder for numbered PNG files")
-    parser.add_argument(
-        "--save", metavar="PATH", help="write the finished run to a file; an interrupted one goes there"
-    )
-    parser.add_argument("--resume", metavar="PATH", help="go on with a saved run instead of beginning one")
-    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    shared.outputs(parser.add_argument)
 
 
 def execute(given: argparse.Namespace) -> int:
     """Run it; an interrupted run is saved, and can be gone on with."""
     run = _run(given)
-    if given.video:
-        from slambook.scene.video import ready
-
-        ready(given.video)
+    shared.check_video(given.video)
     film: list[Any] = []
     path = given.save or f"slamlib-{run.preset.name}-{run.preset.seed}.npz"
     try:
@@ -51,7 +43,10 @@ def execute(given: argparse.Namespace) -> int:
     if given.save:
         run.save(path)
     if given.video:
-        _film(given.video, film, run)
+        from slambook.scene import animate
+
+        snapshots, truths = zip(*film, strict=True)
+        animate(snapshots, given.video, world=run.preset.world, truths=truths)
     result = run.result()
     print(json.dumps(summary(result), indent=2) if given.json else table(result))
     return 0
@@ -71,13 +66,6 @@ def _run(given: argparse.Namespace) -> Run:
     for name in given.landmark:
         chosen = shared.with_landmark(chosen, name)
     return Run(shared.changed(chosen, given))
-
-
-def _film(path: str, film: list[Any], run: Run) -> None:
-    from slambook.scene import animate
-
-    snapshots, truths = zip(*film, strict=True)
-    animate(snapshots, path, world=run.preset.world, truths=truths)
 
 
 def summary(result: Result) -> dict[str, Any]:

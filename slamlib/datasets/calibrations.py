@@ -24,14 +24,12 @@ def read_calibration(path: str | os.PathLike[str], camera: int = 0) -> dict[str,
 
     Raises SlamlibError for what cannot be read, and for lenses that slamlib's pin-hole cannot hold.
     """
-    setup: dict[str, Any] = _read(path, camera, lambda found: found.setup())
-    return setup
+    return _read(path, camera, lambda found: found.setup())
 
 
 def read_lens(path: str | os.PathLike[str], camera: int = 0) -> Lens:
     """The lens of a pin-hole or fisheye camera as its file describes it, to undistort pictures. Raises SlamlibError."""
-    lens: Lens = _read(path, camera, lambda found: found.lens)
-    return lens
+    return _read(path, camera, lambda found: found.lens)
 
 
 def read_pair(paths: list[str], cameras: tuple[int, int] = (0, 1)) -> PairCalibration:

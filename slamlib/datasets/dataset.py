@@ -1,10 +1,10 @@
-"""What a file of slamlib.datasets.formats says: a Dataset for a layout of pictures, a CalibrationReader for a format.
+"""A source of pictures, and what a file of slamlib.datasets.formats says: a Dataset for a layout, a CalibrationReader.
 
-Both are found by walking that folder, so that another data set, or another calibration tool, is one written file.
+These two are found by walking that folder, so that another data set, or another calibration tool, is one written file.
 """
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,24 +13,74 @@ import numpy as np
 from slamlib.datasets.lens import Lens
 from slamlib.datasets.pictures import TimedImage, read_image
 from slamlib.errors import SlamlibError
+from slamlib.manifolds import Array
 
 FPS = 30.0
 Numbers = range | list[int]
 
 
-@dataclass(frozen=True)
-class Sequence:
-    """Names and times [s] of all pictures, `interval` [s] between two of them as a rule.
+@dataclass(frozen=True, eq=False)
+class ImageSource:
+    """A sized iterable of pictures, all of one size; each round reads them anew.
 
-    read(numbers, ascending) yields some of them. has_times: whether a list says the times, so that they tell which
-    pictures of two cameras belong together; otherwise they are counted.
+    names, times [s]: of the whole sequence; interval [s]: between two neighbours of it as a rule. read(numbers,
+    ascending) yields some of them. frames: the numbers of its own pictures in the whole. has_times: whether a list says
+    the times, so that they tell which pictures of two cameras belong together; otherwise they are counted. layout: its
+    name; where: the absolute path; recipe: plain data to open the same again.
+    Iterating raises SlamlibError, which names the picture, for one that cannot be read or has another size.
     """
 
     names: tuple[str, ...]
     times: tuple[float, ...]
     interval: float
     read: Callable[[Numbers], Iterator[TimedImage]]
+    frames: range
     has_times: bool = False
+    layout: str = "memory"
+    where: str = "memory"
+    recipe: dict[str, Any] = field(default_factory=dict)
+
+    def __len__(self) -> int:
+        return len(self.frames)
+
+    def __iter__(self) -> Iterator[TimedImage]:
+        first: TimedImage | None = None
+        for picture in self.read(self.frames):
+            first = first or picture
+            if picture.image.shape != first.image.shape:
+                one, other = (f"{p.name} is {p.image.shape[-1]}x{p.image.shape[-2]}" for p in (first, picture))
+                raise SlamlibError(
+                    f"the pictures change their size: {one}, {other}; pictures of one camera are wanted (are there two "
+                    f"in {self.where}?)"
+                )
+            yield picture
+
+    def part(self, start: int = 0, every: int = 1, count: int | None = None) -> "ImageSource":
+        """From picture number `start` on (0: the first), each so many-th, at most `count` of them."""
+        if start < 0 or every < 1 or (count is not None and count < 1):
+            raise SlamlibError(f"start is 0 or more, every and frames 1 or more, got {start}, {every}, {count}")
+        frames = self.frames[start::every][:count]
+        if not frames:
+            raise SlamlibError(f"{self.where} has {len(self)} pictures: none is left from number {start} on")
+        chosen = [frames.start, frames.stop, frames.step]
+        return replace(self, frames=frames, recipe={**self.recipe, "frames": chosen})
+
+    def again(self, recipe: dict[str, Any], count: int | None = None) -> "ImageSource":
+        """Of the whole, the part of a recipe, or `count` pictures from its first one on. Raises SlamlibError."""
+        chosen = range(*recipe.get("frames", (len(self),)))
+        if chosen[-1] >= len(self):
+            raise SlamlibError(f"{self.where} has {len(self)} pictures, and had more when the run was saved")
+        if count is None and "frames" not in recipe:
+            return self
+        return self.part(chosen.start, chosen.step, len(chosen) if count is None else count)
+
+    def through(self, change: Callable[[Array], Array], recipe: dict[str, Any]) -> "ImageSource":
+        """The same pictures, each changed, as by an undistortion; recipe: plain data that tells of the change too."""
+
+        def read(frames: Numbers) -> Iterator[TimedImage]:
+            return (replace(picture, image=change(picture.image)) for picture in self.read(frames))
+
+        return replace(self, read=read, recipe=recipe)
 
 
 @dataclass(frozen=True)
@@ -38,18 +88,21 @@ class Dataset:
     """A layout of pictures on disk.
 
     cameras(path): the file or folder of each camera, by its number; none where this is not the layout. open(that,
-    pictures a second or None): its sequence. general: whether layouts of more special files are asked first.
+    pictures a second or None): its pictures. general: whether layouts of more special files are asked first.
     calibrations: where a data set's folder holds them, with {camera} for its number. raw: whether its pictures are as
     the lenses made them, so that pairs must be rectified. lenses: of its cameras, by names that need no file.
     """
 
     name: str
     cameras: Callable[[Path], Mapping[int, Path]]
-    open: Callable[[Path, float | None], Sequence]
+    open: Callable[[Path, float | None], ImageSource]
     general: bool = False
     calibrations: tuple[str, ...] = ()
     raw: bool = False
     lenses: Mapping[str, Lens] = field(default_factory=dict)
+
+
+Cameras = Mapping[int | None, Callable[[], Any]]
 
 
 @dataclass(frozen=True)
@@ -63,7 +116,7 @@ class CalibrationReader:
 
     name: str
     fits: Callable[[str], bool]
-    read: Callable[[Path, str], Mapping[int | None, Callable[[], Any]]]
+    read: Callable[[Path, str], Cameras]
 
 
 def table(path: Path, columns: int, separator: str | None) -> list[tuple[float, list[str]]]:
@@ -84,12 +137,12 @@ def table(path: Path, columns: int, separator: str | None) -> list[tuple[float, 
     return rows
 
 
-def counted(paths: list[Path], fps: float) -> Sequence:
+def counted(paths: list[Path], fps: float) -> ImageSource:
     """Images without times, `fps` a second."""
     return listed(paths, [number / fps for number in range(len(paths))], Path("."), 1 / fps)
 
 
-def listed(paths: list[Path], times: list[float], listing: Path, interval: float | None = None) -> Sequence:
+def listed(paths: list[Path], times: list[float], listing: Path, interval: float | None = None) -> ImageSource:
     """Images with the times [s] of a list. Raises SlamlibError for times that do not grow, and for files not there."""
     wrong = np.flatnonzero(~(np.diff(times) > 0))
     if len(wrong):
@@ -106,4 +159,5 @@ def listed(paths: list[Path], times: list[float], listing: Path, interval: float
         return (TimedImage(paths[number].name, times[number], read_image(paths[number])) for number in numbers)
 
     typical = float(np.median(np.diff(times))) if len(times) > 1 else 1 / FPS
-    return Sequence(tuple(path.name for path in paths), tuple(times), interval or typical, read, interval is None)
+    names = tuple(path.name for path in paths)
+    return ImageSource(names, tuple(times), interval or typical, read, range(len(paths)), interval is None)

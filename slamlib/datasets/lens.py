@@ -90,8 +90,7 @@ class PairCalibration:
     def transform(self) -> Array:
         """Pose of the right camera in the left one's frame (4, 4)."""
         origin = np.eye(4) if self.left.transform is None else np.reshape(self.left.transform, (4, 4))
-        found: Array = np.linalg.solve(origin, np.reshape(np.array(self.right.transform), (4, 4)))
-        return found
+        return np.linalg.solve(origin, np.reshape(np.array(self.right.transform), (4, 4)))
 
 
 def shifted(baseline: float) -> Numbers:

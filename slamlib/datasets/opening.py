@@ -1,22 +1,28 @@
 """Sequences and their cameras together: checked against each other, undistorted or rectified, opened again."""
 
+import os
+import re
+from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from slamlib.data.plain import read, written
 from slamlib.datasets.calibrations import read_calibration, read_lens, read_pair
+from slamlib.datasets.dataset import ImageSource, Numbers
 from slamlib.datasets.formats import DATASETS
 from slamlib.datasets.lens import Lens, PairCalibration, fitted
-from slamlib.datasets.pairs import CAMERAS, open_pairs, two_cameras
-from slamlib.datasets.rectification import (
-    Rectification,
-    Undistortion,
-    check_order,
-    rectified_setup,
-    why_not_rectified,
-)
-from slamlib.datasets.sources import ImageSource, open_source
+from slamlib.datasets.pictures import TimedImage, pair
+from slamlib.datasets.rectification import Rectification, Undistortion, rectified_setup, why_not_rectified
+from slamlib.datasets.sources import cameras_at, open_source
 from slamlib.errors import SlamlibError
+from slamlib.evaluation.trajectory import matched_times
+from slamlib.manifolds import Indices
+
+CAMERAS = ((0, 1), (2, 3))  # left and right; KITTI's 2 and 3 are the coloured ones
+MAX_TIME_SHARE = 0.1  # of the interval: times of one pair may differ by so much
 
 
 def open_sequence(
@@ -57,7 +63,11 @@ def open_rectified_pairs(
     else:
         raise SlamlibError("--left and --right are wanted, both, or --source for a KITTI or EuRoC folder")
     known = read_pair(calibration or _find_calibration(source, pairs.layout, numbers), numbers)
-    check_order(known)
+    if not known.transform[0, 3] > 0:
+        raise SlamlibError(
+            f"the right camera is {known.transform[0, 3]:.3g} m to the right of the left one, by the calibration: left "
+            "and right are exchanged; give --left and --right (or --cameras, or the two files) the other way round"
+        )
     size = size_of(pairs)
     for lens in (known.left, known.right):
         _check_size(lens, size, pairs)
@@ -96,15 +106,13 @@ def reopen(recipe: dict[str, Any], count: int | None = None) -> ImageSource:
     else:
         source = open_source(recipe["text"], fps=recipe["fps"], camera=recipe["camera"])
     if "remap" in recipe:
-        pair, data = "left" in recipe, recipe["remap"]
-        known = read(PairCalibration, data) if pair else read(Lens, data)
-        source, _ = remapped(source, known, tuple(recipe["size"]))
+        kind: type[Lens | PairCalibration] = PairCalibration if "left" in recipe else Lens
+        source, _ = remapped(source, read(kind, recipe["remap"]), tuple(recipe["size"]))
     return source.again(recipe, count)
 
 
 def _check_size(lens: Lens, size: tuple[int, int], source: ImageSource) -> None:
-    sized = {} if lens.image is None else {"image": lens.image}
-    fitted({**sized, "parameters": {"intrinsics": lens.intrinsics}}, size, source.where)
+    fitted({"image": lens.image, "parameters": {"intrinsics": lens.intrinsics}}, size, source.where)
 
 
 def _find_calibration(source: str | None, layout: str, cameras: tuple[int, int]) -> list[str]:
@@ -117,3 +125,78 @@ def _find_calibration(source: str | None, layout: str, cameras: tuple[int, int])
         "--calibration is wanted: a file of the rectified pair (KITTI's calib.txt, slamlib's JSON), or of both lenses "
         f"with their places{f'; {source} holds none that is known' if source else ''}"
     )
+
+
+def two_cameras(where: str | os.PathLike[str]) -> tuple[int, int]:
+    """The numbers of the left and the right camera in a data set's folder. Raises SlamlibError where there are none."""
+    there = cameras_at(where)
+    found = next((two for two in CAMERAS if set(two) <= set(there)), None)
+    if found is None:
+        have = f"it has camera {', '.join(map(str, there))}" if there else "there is none"
+        raise SlamlibError(
+            f"{where} has no pair of cameras, 0 and 1 or 2 and 3 ({have}): name the pictures with --left and --right"
+        )
+    return found
+
+
+def open_pairs(left: ImageSource, right: ImageSource) -> ImageSource:
+    """The pairs of two cameras; no picture is read yet. Raises SlamlibError for lists that do not fit together.
+
+    Pictures belong together by their times where a list tells them (EuRoC: one that the other camera lacks is left
+    out), and otherwise by their order, which the numbers in their names must agree with.
+    """
+    i, j = (_by_time if left.has_times and right.has_times else _by_order)(left, right)
+    names, times = (tuple(np.array(values)[i].tolist()) for values in (left.names, left.times))
+
+    def read(numbers: Numbers) -> Iterator[TimedImage]:
+        rows = np.array(numbers, dtype=int)
+        for one, other in zip(left.read(i[rows].tolist()), right.read(j[rows].tolist()), strict=True):
+            try:
+                yield replace(one, image=pair(one.image, other.image))
+            except SlamlibError as error:
+                raise SlamlibError(f"{one.name} and {other.name}: {error}") from None
+
+    where = left.where if left.where == right.where else f"{left.where}, {right.where}"
+    recipe = {"left": left.recipe, "right": right.recipe}
+    return replace(left, names=names, times=times, read=read, frames=range(len(i)), where=where, recipe=recipe)
+
+
+def _by_time(left: ImageSource, right: ImageSource) -> tuple[Indices, Indices]:
+    """Rows of pictures of one time; what has no partner is left out."""
+    one, other, tolerance = np.array(left.times), np.array(right.times), MAX_TIME_SHARE * left.interval
+    i, j = matched_times(one, other, tolerance)
+    if not len(i):
+        raise SlamlibError(
+            f"the times of the two cameras do not match: no left picture of {one[0]:.3f} to {one[-1]:.3f} s has a "
+            f"right one ({other[0]:.3f} to {other[-1]:.3f} s) within {tolerance:.3g} s"
+        )
+    return i, j
+
+
+def _by_order(left: ImageSource, right: ImageSource) -> tuple[Indices, Indices]:
+    """All rows, if there are as many left as right, and the numbers that count in their names agree."""
+    one, other = left.names, right.names
+    if len(one) != len(other):
+        alone = [name for name in one if name not in set(other)] + [name for name in other if name not in set(one)]
+        which = f" (alone: {', '.join(alone[:3])}{', ...' if len(alone) > 3 else ''})" if len(alone) < len(one) else ""
+        raise SlamlibError(
+            f"{left.where} has {len(one)} pictures, and {right.where} has {len(other)}{which}: as many are wanted on "
+            "the left as on the right"
+        )
+    for a, b in zip(_counted(one), _counted(other), strict=True):
+        for name, partner, n, m in zip(one, other, a, b, strict=True):
+            if n != m:
+                raise SlamlibError(
+                    f"left picture {name} and right picture {partner} come together by their order, and their numbers "
+                    "differ: pictures are missing, or the two were not taken together"
+                )
+    rows = np.arange(len(one))
+    return rows, rows
+
+
+def _counted(names: tuple[str, ...]) -> list[tuple[int, ...]]:
+    """Columns of the numbers in names that change from name to name; none where the names are not alike."""
+    numbers = [tuple(map(int, re.findall(r"\d+", name))) for name in names]
+    if len({len(row) for row in numbers}) != 1:
+        return []
+    return [column for column in zip(*numbers, strict=True) if len(set(column)) > 1]

@@ -1,18 +1,29 @@
-"""One picture of a sequence, and how a file becomes one: grey, eight bits, whole, or an error that names the file."""
+"""One picture of a sequence, and how a file becomes one: grey, eight bits, whole, or an error that names the file.
 
+A rectified pair is one picture too: its image is an array (2, h, w), the left picture and the right one.
+"""
+
+import base64
 import os
 import re
+import zlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from slamlib.datasets.optional_imports import opencv
-from slamlib.errors import SlamlibError
+from slamlib.errors import SlamlibError, optional
 from slamlib.manifolds import Array, Image
+from slamlib.sensors.sensor import Calibration
 
 ENDINGS = (".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp")
+# Some versions of OpenCV read half a file and say nothing: the end is looked for first.
+_WHOLE: dict[bytes, Callable[[bytes], bool]] = {
+    b"\x89PNG\r\n\x1a\n": lambda data: b"IEND" in data,
+    b"\xff\xd8\xff": lambda data: data.rstrip(b"\0").rfind(b"\xff\xd9") > len(data) // 2,
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,9 +35,22 @@ class TimedImage:
     image: Image
 
 
+def opencv(purpose: str) -> Any:
+    """OpenCV; raises SlamlibError that says what for ("to read images") and how to install it."""
+    return optional("cv2", purpose, "images")
+
+
 def read_image(path: str | os.PathLike[str]) -> Array:
     """Grey values (h, w), uint8, of an image file; colours become their luminance. Raises SlamlibError."""
-    data = _bytes(Path(path))
+    try:
+        data = Path(path).read_bytes()
+    except OSError as error:
+        raise SlamlibError(f"{path} cannot be read: {error.strerror}") from None
+    if not data:
+        raise SlamlibError(f"{path} is empty")
+    for beginning, is_whole in _WHOLE.items():
+        if data.startswith(beginning) and not is_whole(data):
+            raise SlamlibError(f"{path} is truncated: its end is missing; copy it again")
     cv2 = opencv("to read images")
     pixels = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_UNCHANGED)
     if pixels is None:
@@ -45,19 +69,22 @@ def grey(pixels: Array, name: str) -> Array:
         )
     if pixels.ndim == 2:
         return pixels
-    cv2 = opencv("to read images")
-    codes: dict[int, int | None] = {1: None, 3: cv2.COLOR_BGR2GRAY, 4: cv2.COLOR_BGRA2GRAY}
     channels = pixels.shape[2]
-    if channels not in codes:
+    if channels not in (1, 3, 4):
         raise SlamlibError(f"{name} has {channels} channels: grey or colour pictures are wanted")
-    code = codes[channels]
-    found: Array = pixels[..., 0] if code is None else cv2.cvtColor(pixels, code)
-    return found
+    if channels == 1:
+        return pixels[..., 0]
+    cv2 = opencv("to read images")
+    return cv2.cvtColor(pixels, cv2.COLOR_BGR2GRAY if channels == 3 else cv2.COLOR_BGRA2GRAY)
 
 
 def in_natural_order(paths: list[Path]) -> list[Path]:
     """Sorted by name, numbers in it by their value: 2.png comes before 10.png."""
-    return sorted(paths, key=lambda path: _natural(str(path)))
+
+    def natural(path: Path) -> list[tuple[int, int, str]]:
+        return [(1, int(p), p) if p.isdigit() else (0, 0, p) for p in re.split(r"(\d+)", str(path))]
+
+    return sorted(paths, key=natural)
 
 
 def images_in(folder: Path) -> list[Path]:
@@ -70,26 +97,39 @@ def is_image(path: Path) -> bool:
     return path.suffix.lower() in ENDINGS and not path.name.startswith(".") and path.is_file()
 
 
-def _natural(name: str) -> list[tuple[int, int, str]]:
-    parts = re.split(r"(\d+)", name)
-    return [(1, int(p), p) if p.isdigit() else (0, 0, p) for p in parts]
+def pair(left: Array, right: Array) -> Array:
+    """Two grey pictures (h, w), uint8, as the image (2, h, w) of a scan. Raises SlamlibError if they do not fit."""
+    left, right = np.asarray(left), np.asarray(right)
+    if left.ndim != 2 or left.shape != right.shape:
+        raise SlamlibError(
+            f"a rectified pair has two grey pictures (h, w) of one size, got {left.shape} on the left and "
+            f"{right.shape} on the right: rectify both with one size, and make colours grey"
+        )
+    return checked(np.stack([left, right]))
 
 
-def _bytes(path: Path) -> bytes:
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise SlamlibError(f"{path} cannot be read: {error.strerror}") from None
-    if not data:
-        raise SlamlibError(f"{path} is empty")
-    for beginning, is_whole in _WHOLE.items():
-        if data.startswith(beginning) and not is_whole(data):
-            raise SlamlibError(f"{path} is truncated: its end is missing; copy it again")
-    return data
+def checked(image: Any, calibration: Calibration | None = None) -> Array:
+    """The pair (2, h, w) itself. Raises SlamlibError for what is none, or has another size than the calibration's."""
+    array = np.asarray(image)
+    if array.ndim != 3 or len(array) != 2 or array.dtype != np.uint8:
+        found = "nothing" if image is None else f"{array.dtype} of shape {array.shape}"
+        raise SlamlibError(
+            f"a stereo scan's image is a rectified pair (2, h, w) of type uint8, got {found}: "
+            "slamlib.vision.stereo.pair(left, right) makes it"
+        )
+    size = array.shape[:0:-1]
+    if calibration is not None and calibration.image is not None and tuple(calibration.image) != size:
+        width, height = calibration.image
+        raise SlamlibError(f"the pair is {size[0]}x{size[1]}, and the calibration of {width:g}x{height:g} pixels")
+    return array
 
 
-# Some versions of OpenCV read half a file and say nothing: the end is looked for first.
-_WHOLE: dict[bytes, Callable[[bytes], bool]] = {
-    b"\x89PNG\r\n\x1a\n": lambda data: b"IEND" in data,
-    b"\xff\xd8\xff": lambda data: data.rstrip(b"\0").rfind(b"\xff\xd9") > len(data) // 2,
-}
+def pack(image: Array) -> list[Any]:
+    """A pair (2, h, w) as plain data, without loss: its shape, and text."""
+    return [list(image.shape), base64.b64encode(zlib.compress(image.tobytes(), 1)).decode()]
+
+
+def unpack(packed: list[Any]) -> Array:
+    """What `pack` packed."""
+    shape, text = packed
+    return np.frombuffer(zlib.decompress(base64.b64decode(text)), np.uint8).reshape(shape)

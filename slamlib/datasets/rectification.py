@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.datasets.lens import FISHEYE, MODELS, Lens, PairCalibration, shifted
-from slamlib.datasets.optional_imports import opencv
+from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
 
@@ -35,16 +35,6 @@ def why_not_rectified(pair: PairCalibration) -> str | None:
     if np.linalg.norm(aside) > ASIDE * abs(x):
         return f"the right camera is {[round(n, 4) for n in (x, *aside)]} m (right, down, front) from the left one"
     return None
-
-
-def check_order(pair: PairCalibration) -> None:
-    """Raise SlamlibError if the right camera is to the left of the left one."""
-    if not pair.transform[0, 3] > 0:
-        raise SlamlibError(
-            f"the right camera is {pair.transform[0, 3]:.3g} m to the right of the left one, by the calibration: left "
-            "and "
-            "right are exchanged; give --left and --right (or --cameras, or the two files) the other way round"
-        )
 
 
 def rectified_setup(pair: PairCalibration, size: tuple[int, int]) -> tuple[dict[str, Any], float]:
@@ -71,11 +61,21 @@ class _Remapping:
             new = ideal(zoom).matrix
             return [_maps(lens, new, size, turn) for lens, turn in zip(lenses, turns, strict=True)]
 
-        zoom = _least_zoom(lambda zoom: all(_inside(transform, size) for transform in places(zoom)))
-        if zoom is None:
+        def fits(zoom: float) -> bool:
+            w, h = size
+            return all(
+                columns.min() >= 0 and rows.min() >= 0 and columns.max() <= w - 1 and rows.max() <= h - 1
+                for columns, rows in places(zoom)
+            )
+
+        low, high = ZOOMS  # bisected: where one fits, all larger ones do
+        if not fits(high):
             seen = "does not describe" if len(lenses) == 1 else "see nothing in common in"
             raise SlamlibError(f"{' and '.join(map(str, lenses))} {seen} pictures of {size[0]}x{size[1]} pixels")
-        self.lens, self._maps = ideal(zoom), places(zoom)
+        while high / low > 1 + 1e-4:
+            middle = float(np.sqrt(low * high))
+            low, high = (low, middle) if fits(middle) else (middle, high)
+        self.lens, self._maps = ideal(high), places(high)
 
     def __call__(self, image: Array) -> Array:
         """The picture (h, w) or the pair (2, h, w), bilinear."""
@@ -107,9 +107,16 @@ class Rectification(_Remapping):
         """size: (width, height) of both pictures. Raises SlamlibError for lenses that make no sense."""
         turns, baseline = _turns(pair.transform)
         lenses = pair.left, pair.right
-        centre = np.mean([_centre(lens, turn) for lens, turn in zip(lenses, turns, strict=True)], axis=0)
+        # Where the middle of what both see lies on the new plane z = 1, roughly: it goes to the picture's middle.
+        centre = np.mean([turn[:2, 2] / turn[2, 2] for turn in turns], axis=0)
         focal = float(np.mean([lens.intrinsics[2:] for lens in lenses]))
-        super().__init__(lenses, turns, lambda zoom: _ideal(focal, zoom, centre, size), size)
+
+        def ideal(zoom: float) -> Lens:
+            f = zoom * focal
+            u, v = (np.subtract(size, 1) / 2 - f * centre).tolist()
+            return Lens((u, v, f, f), (float(size[0]), float(size[1])))
+
+        super().__init__(lenses, turns, ideal, size)
         left, right = replace(self.lens, extra=pair.left.extra), replace(self.lens, transform=shifted(baseline))
         self.setup, _ = rectified_setup(PairCalibration(left, right), size)
 
@@ -124,19 +131,6 @@ def _turns(transform: Array) -> tuple[list[Array], float]:
     return [new, new @ transform[:3, :3]], float(np.linalg.norm(transform[:3, 3]))
 
 
-def _centre(lens: Lens, turn: Array) -> Array:
-    """Where the middle of what a lens sees lies on the new plane z = 1, roughly (2,)."""
-    ray = turn @ np.array([0.0, 0, 1])
-    return ray[:2] / ray[2]
-
-
-def _ideal(focal: float, zoom: float, centre: Array, size: tuple[int, int]) -> Lens:
-    """A pin-hole with the old axis in the middle of its picture."""
-    f = zoom * focal
-    u, v = (np.subtract(size, 1) / 2 - f * centre).tolist()
-    return Lens((u, v, f, f), (float(size[0]), float(size[1])))
-
-
 def _maps(lens: Lens, new: Array, size: tuple[int, int], turn: Array) -> Any:
     """Where in the old picture each pixel of the new one comes from: columns and rows, (h, w) each.
 
@@ -146,20 +140,3 @@ def _maps(lens: Lens, new: Array, size: tuple[int, int], turn: Array) -> Any:
     distortion = np.pad(np.array(lens.distortion, dtype=float), (0, MODELS[lens.model] - len(lens.distortion)))
     maps = (cv2.fisheye if lens.model == FISHEYE else cv2).initUndistortRectifyMap
     return maps(lens.matrix, distortion, turn, new, size, cv2.CV_32FC1)
-
-
-def _least_zoom(fits: Callable[[float], bool]) -> float | None:
-    """The least factor of ZOOMS that fits, where all larger ones do, bisected; None if the largest does not."""
-    low, high = ZOOMS
-    if not fits(high):
-        return None
-    while high / low > 1 + 1e-4:
-        middle = float(np.sqrt(low * high))
-        low, high = (low, middle) if fits(middle) else (middle, high)
-    return high
-
-
-def _inside(places: Any, size: tuple[int, int]) -> bool:
-    """Whether maps (columns and rows) stay within pictures of a size (width, height)."""
-    columns, rows = places
-    return bool(columns.min() >= 0 and rows.min() >= 0 and columns.max() <= size[0] - 1 and rows.max() <= size[1] - 1)

@@ -83,7 +83,7 @@ def write_tum(path: str | os.PathLike[str], trajectory: Trajectory) -> None:
 def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) -> Trajectory:
     """Read one: TUM rows of 8 numbers, KITTI rows of 12 (3 x 4, no times), EuRoC rows with commas (nanoseconds).
 
-    times (n,) [s]: of the rows, in place of those in the file; KITTI's has none. Raises SlamlibError.
+    times (n,) [s]: of the rows of KITTI's form, which has none; the others have their own. Raises SlamlibError.
     """
     try:
         text = Path(path).read_text("utf-8")
@@ -106,10 +106,12 @@ def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) ->
         poses = np.concatenate([rows[:, 3::4], from_rotation(turns, best_pivot(turns))], axis=1)
     else:
         raise SlamlibError(f"{path} is no trajectory: rows of 8 (TUM) or 12 numbers (KITTI), or EuRoC's, are wanted")
-    times = own if times is None else times
-    if times is None:
-        raise SlamlibError(f"{path} has poses, but no times (KITTI's form): give them, times=...")
-    return Trajectory(times, poses)
+    if own is None:
+        if times is None or len(times) != len(poses):
+            given = "give them, times=..." if times is None else f"{len(times)} are given: as many are wanted"
+            raise SlamlibError(f"{path} has {len(poses)} poses, but no times (KITTI's form): {given}")
+        own = times
+    return Trajectory(own, poses)
 
 
 def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tuple[Indices, Indices]:

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.data.files import atomic_write
-from slamlib.errors import SlamlibError
+from slamlib.errors import SlamlibError, optional
 from slamlib.evaluation.consistency import Consistency
 from slamlib.experiments.presets import Preset
 from slamlib.experiments.progress import progress
@@ -77,11 +77,9 @@ def _each(preset: Preset, runs: int, seed: int, jobs: int | None, folder: Path |
     if jobs == 1:
         yield from (run_once(preset, s, folder) for s in seeds)
         return
-    try:
-        from joblib import Parallel, delayed
-    except ImportError:
-        raise SlamlibError("several runs at once need joblib: pip install 'slamlib[experiments]', or jobs=1") from None
-    yield from Parallel(n_jobs=jobs, return_as="generator")(delayed(run_once)(preset, s, folder) for s in seeds)
+    joblib = optional("joblib", "for several runs at once (jobs=1 does without)", "experiments")
+    rows = joblib.Parallel(n_jobs=jobs, return_as="generator")
+    yield from rows(joblib.delayed(run_once)(preset, s, folder) for s in seeds)
 
 
 def run_once(preset: Preset, seed: int, folder: Path | None = None) -> tuple[Array, ...]:

@@ -27,7 +27,7 @@ from slamlib.manifolds import Array
 from slamlib.motions import ODOMETRY
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.stereo.fitting import derivatives
+from slamlib.vision.stereo.fitting import _linear
 from slamlib.vision.stereo.geometry import ORIGIN
 from slamlib.vision.stereo.odometry import control_axes, motion_between
 
@@ -122,3 +122,16 @@ def _each(parts: Array, rows: Array, count: int) -> Array:
 def _spread(parts: Array, rows: Array, count: int) -> Array:
     """Jacobians (k, m, 3) by different measurements as one (m, 3 count) by all of them."""
     return _each(parts, rows, count).sum(0)
+
+
+def derivatives(
+    calibration: Calibration, extrinsics: Array, old: Array, new: Array, pose: Array
+) -> tuple[Array, Array]:
+    """How much the fitted pose (6,) moves with each old and each new measurement: (n, 6, 3) and (n, 6, 3).
+
+    To first order, as the covariance is: sum of G R G' over both is that of `fit`.
+    """
+    _, A, G, S = _linear(calibration, extrinsics, old, new, pose, old)
+    weighted = A.swapaxes(-1, -2) @ np.linalg.inv(S)
+    by_new = np.linalg.inv((weighted @ A).sum(0)) @ weighted
+    return -by_new @ G, by_new

@@ -2,9 +2,8 @@
 
 import numpy as np
 import pytest
-from slambook import recorded
-from slambook.recorded import KITTI
-from slambook.rendering.stereo_film import LENS
+from slambook import stereo_films
+from slambook.stereo_films import KITTI, LENS
 
 from slamlib.geometry.pose import compose, inverse
 from slamlib.landmarks.euc_point import EUC_POINT
@@ -35,7 +34,7 @@ def seen_from(points, robot, extrinsics=ORIGIN):
 
 
 def kitti(count=51):
-    """As slambook.recorded.kitti; skips where the excerpt is not at hand."""
+    """As slambook.stereo_films.kitti; skips where the excerpt is not at hand."""
     if not KITTI.is_dir():
         pytest.skip("the KITTI excerpt stereo_kitti_a is not at hand")
-    return recorded.kitti(count)
+    return stereo_films.kitti(count)

@@ -358,7 +358,7 @@ def test_help_and_resuming_what_is_not_there(capsys):
     assert "no such file" in capsys.readouterr().err
     assert main(["run", "points", "--frames", "2", "--save", "points.npz"]) == 0
     assert main(["run", "images", "--resume", "points.npz"]) == 2
-    assert "holds no run on images" in capsys.readouterr().err
+    assert "holds no run on pictures" in capsys.readouterr().err
 
 
 def test_a_real_sequence(capsys):

@@ -7,7 +7,7 @@ import shutil
 import numpy as np
 import pytest
 from slambook import rendering
-from slambook.recorded import KITTI
+from slambook.stereo_films import KITTI
 
 from slamlib.cli import main, runner
 from slamlib.datasets.dataset import table
@@ -206,7 +206,8 @@ def test_an_interrupted_run_goes_on_as_if_it_had_not_been(room, arguments, tmp_p
 
 def test_choices_reach_the_run(room, tmp_path):
     given = ["--start", "1", "--every", "2", "--frames", "3", "--landmark", "idpPnt", "--noise", "0.3", "0.3", "0.4"]
-    given += ["--motion", "constant-velocity", "--impulse", "0.2", "5", "--velocity", "1", "7", "--search", "each=6"]
+    given += ["--motion", "constant-velocity", "--impulse", "0.2", "5", "--velocity", "1", "7"]
+    given += ["--search", "per_cell=6"]
     assert main(words(room, *given, "--capacity", "50", "--window", "4", "--patience", "3", "--save", "run.npz")) == 0
     run = load("run.npz")
     assert (list(run.source.frames), run.patience, run.motion.name) == ([1, 3, 5], 3, "constant-velocity")
@@ -257,7 +258,7 @@ def test_kittis_poses_as_a_reference(room, tmp_path, capsys):
     assert found(capsys)["reference"]["poses"] == COUNT - 2
     (tmp_path / "poses.txt").write_text(text.split("\n")[0])
     assert main(words(room, "--json", "--reference", "poses.txt")) == 2
-    assert f"1 poses and no times (KITTI's form), and {room} has {COUNT} pictures" in capsys.readouterr().err
+    assert f"1 poses, but no times (KITTI's form): {COUNT} are given" in capsys.readouterr().err
 
 
 def test_lengths_of_parts_fit_the_path():
@@ -367,7 +368,7 @@ def test_help_has_examples_and_other_files_are_refused(room, capsys):
     assert "--odometry-only\n" in capsys.readouterr().out
     assert main(["run", "points", "--frames", "2", "--save", "points.npz"]) == 0
     assert main(["run", "stereo-images", "--resume", "points.npz"]) == 2
-    assert "holds no run on stereo pairs" in capsys.readouterr().err
+    assert "holds no run on pairs" in capsys.readouterr().err
 
 
 def test_the_street(capsys):

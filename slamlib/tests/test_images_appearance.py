@@ -8,7 +8,7 @@ import pytest
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
 from slamlib.tests.pictures import grid, photograph
 from slamlib.tests.test_images_warping import CAMERAS, FIRST, IDEAL, drawn, posed
-from slamlib.vision.appearance import LIMITS, Appearance, predict, recognizable
+from slamlib.vision.appearance import Appearance, predict, recognizable, view_change
 from slamlib.vision.patches import cut, zncc
 from slamlib.vision.search import Match, search
 from slamlib.vision.warping import in_camera
@@ -42,7 +42,7 @@ def test_from_where_it_was_taken_it_is_the_template():
     np.testing.assert_allclose(own.predicted(FIRST, IDEAL, point), own.template.pixels, atol=1e-6)
     assert own.predicted(FIRST, IDEAL, point, size=15).shape == (15, 15)
     assert own.angle_change(FIRST, point) < 1e-7
-    assert own.scale_change(FIRST, point) == 1
+    assert view_change(own.camera, FIRST, point)[1] == 1
 
 
 def test_between_pixels_the_template_is_cut_there():
@@ -123,10 +123,7 @@ def test_what_is_predicted_was_recognizable():
     for _ in range(60):
         camera = posed(rng.uniform(-2, 1.5, 3), rng.uniform(-0.5, 0.5, 3))
         # the one goes by distances, the other by the map at its very pixel
-        if (
-            own.predicted(camera, IDEAL, point, limits=LIMITS) is not None
-            and 0.6 < own.scale_change(camera, point) < 1.7
-        ):
+        if own.predicted(camera, IDEAL, point) is not None and 0.6 < view_change(own.camera, camera, point)[1] < 1.7:
             assert recognizable([own], camera, point[None]).all()
 
 

@@ -68,7 +68,7 @@ def test_the_outer_cells_may_be_used_too():
 
 def test_the_toolbox_finds_the_same_cells():
     for given_, found in cases("appearance", "getCell"):
-        grid = Grid(tuple(given_["imSize"]), tuple(given_["numCells"]))
+        grid = Grid(tuple(given_["imSize"].astype(int)), tuple(given_["numCells"].astype(int)))
         # it counts from one, columns first
         cell = tuple(found["cell"].astype(int)[::-1] - 1)
         assert grid.occupied(given_["u"][None])[cell]
@@ -77,9 +77,9 @@ def test_the_toolbox_finds_the_same_cells():
 @pytest.mark.parametrize(
     ("arguments", "match"),
     [
-        (((0, 240),), "above zero"),
-        (((320.5, 240),), "whole numbers"),
-        (((320, 240, 3),), "two whole numbers"),
+        (((0, 240),), r"image\[0\] should be 1 or more"),
+        (((320.5, 240),), "a whole number"),
+        (((320, 240, 3),), "2 values"),
         (((4, 4), (8, 6)), "ask for fewer"),
         (((320, 240), (2, 6)), "skip_outer=False"),
     ],

@@ -5,13 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from slambook.rendering.stereo_film import stereo_film
+from slambook.stereo_films import stereo_film
 
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets.calibrations import read_pair
 from slamlib.datasets.lens import Lens, PairCalibration
-from slamlib.datasets.opening import reopen
-from slamlib.datasets.pairs import open_pairs
+from slamlib.datasets.opening import open_pairs, reopen
 from slamlib.datasets.pictures import TimedImage
 from slamlib.datasets.rectification import Rectification, rectified_setup, why_not_rectified
 from slamlib.datasets.sources import of_pictures
@@ -19,8 +18,7 @@ from slamlib.errors import SlamlibError
 from slamlib.tests.pictures import KALIBR
 from slamlib.vision.run import PAIRS, load, open_stereo, stereo_run
 from slamlib.vision.stereo import StereoSettings
-from slamlib.vision.stereo.features import extract_features
-from slamlib.vision.stereo.matching import check_pair, survey
+from slamlib.vision.stereo.features import check_pair, extract_features
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads, rectifies and searches the pictures")
 K = np.array([[400.0, 0, 310], [0, 405.0, 235], [0, 0, 1]])
@@ -158,7 +156,7 @@ def test_two_principal_points_are_an_offset_of_the_disparities():
 def test_a_survey_of_pairs():
     _, film, _ = stereo_film(1)
     image = film[0][0].scans[0].image
-    good = survey(image)
+    good = check_pair(image, "this")
     assert (good.matches > 50, good.rows < 0.7, good.negative < 0.05) == (True, True, True)
     with pytest.raises(SlamlibError, match="exchanged"):
         check_pair(image[::-1], "this")
@@ -167,10 +165,10 @@ def test_a_survey_of_pairs():
     assert check_pair(np.zeros_like(image), "dark").matches == 0
 
 
-def sequence(times, told=True):
+def sequence(times, has_times=True):
     pictures = [TimedImage(f"{i}.png", t, np.full((4, 6), i, np.uint8)) for i, t in enumerate(times)]
     source = of_pictures(pictures, 0.1)
-    object.__setattr__(source.sequence, "has_times", told)
+    object.__setattr__(source, "has_times", has_times)
     return source
 
 
@@ -216,5 +214,5 @@ def test_a_run_from_python(tmp_path):
         reopen(recipe)
     with pytest.raises(SlamlibError, match="did you mean 'split-features'"):
         stereo_run(source, camera, motion_source="split-feature")
-    with pytest.raises(SlamlibError, match=r"left_0.png: the pair is 320x240, and the calibration of 100x80"):
+    with pytest.raises(SlamlibError, match=r"left_0.png is 320x240, and the calibration is of 100x80"):
         list(stereo_run(source, {**camera, "image": (100.0, 80.0)}))

@@ -15,8 +15,8 @@ from slamlib.geometry.pose import compose, to_frame
 from slamlib.geometry.quaternion import exponential
 from slamlib.vision.results import COLUMNS, PARTS, summary, table
 from slamlib.vision.run import IMAGES, camera_rig, image_run, load, options_for
+from slamlib.vision.sequence_run import TrackingLostError
 from slamlib.vision.target import Target
-from slamlib.vision.tracking_loss import TrackingLostError
 
 CAMERA = {
     "image": (64, 48),
@@ -151,7 +151,7 @@ def test_going_on_is_the_same_as_not_stopping(tmp_path):
     with pytest.raises(SlamlibError, match="were in memory"):
         load(tmp_path / "run.npz", front_end=lambda calibration: Told())
     again.slam.save(tmp_path / "other.npz")
-    with pytest.raises(SlamlibError, match="holds no run on images"):
+    with pytest.raises(SlamlibError, match="holds no run on pictures"):
         load(tmp_path / "other.npz")
 
 
@@ -197,7 +197,7 @@ def test_missing_pictures_pass_as_dark_ones_do():
 def test_a_gap_that_lasts_ends_the_run_and_nothing_is_lost(tmp_path):
     run = started(set(range(10, 25)), patience=6)
     with pytest.raises(
-        TrackingLostError, match=r"6 frames in a row without a match, from frame 11 on; was there a cut"
+        TrackingLostError, match=r"6 pictures in a row without a match, from frame 11 on; was there a cut"
     ):
         list(run)
     assert len(run.history) == 16

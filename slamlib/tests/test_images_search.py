@@ -97,7 +97,7 @@ def test_the_ellipse_is_pi_quarters_of_its_rectangle():
     rng, ratios = np.random.default_rng(1), []
     for _ in range(50):
         S = np.diag(rng.uniform(60, 90, 2) ** 2)
-        _, mask = ellipse((2000, 2000), (9, 9), rng.uniform(900, 1100, 2), S, 9.0, np.inf)
+        _, mask = ellipse((2000, 2000), (9, 9), rng.uniform(900, 1100, 2), S, 9.0)
         ratios.append(mask.mean())
     assert abs(np.mean(ratios) / (np.pi / 4) - 1) < 0.01
     drawn = rng.multivariate_normal([0, 0], S, 200_000)
@@ -231,8 +231,6 @@ def test_expected_events_are_none():
     image, template = rng.uniform(0, 255, (60, 60)), rng.uniform(0, 255, (11, 11))
     assert search(image, template, (-30, 30), np.eye(2)) is None
     assert search(image, template, (2, 30), 0.25 * np.eye(2)) is None
-    assert search(image, template, (30, 30), 100 * np.eye(2), largest=30) is None
-    assert search(image, template, (30, 30), 100 * np.eye(2), largest=31) is not None
     assert search(rng.uniform(0, 255, (9, 9)), template, (4, 4), np.eye(2)) is None  # smaller than the template
     small = search(image, template, (30, 30), 0.2 * np.eye(2))
     assert small.second == -1

@@ -20,10 +20,10 @@ from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.tests.pictures import cube
 from slamlib.tests.rooms import flat, pinhole, upright
 from slamlib.vision.active_search import ActiveSearch
-from slamlib.vision.combined_front_end import CombinedFrontEnd, make_front_end
-from slamlib.vision.edges import PROFILE, EdgeStrip, axes, edge_strip, fitted
+from slamlib.vision.edges import PROFILE, EdgeStrip, axes, directed, edge_strip, fitted, refined, segments_of
+from slamlib.vision.front_end import CombinedFrontEnd
 from slamlib.vision.line_search import SegmentSearch, SegmentSettings, across_covariances, lines_of
-from slamlib.vision.segments import directed, refined, segments_of
+from slamlib.vision.run import make_front_end
 
 pytest.importorskip("cv2", reason="OpenCV, whose detector begins the segments, is not installed")
 WIDTH, HEIGHT = 160, 120

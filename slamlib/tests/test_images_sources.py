@@ -2,12 +2,11 @@
 
 import numpy as np
 import pytest
-from slambook import rendering
 
 from slamlib.datasets import formats
 from slamlib.datasets.opening import open_rectified_pairs, reopen
 from slamlib.datasets.pictures import TimedImage, read_image
-from slamlib.datasets.sources import of_film, of_pictures, open_source
+from slamlib.datasets.sources import of_pictures, open_source
 from slamlib.errors import SlamlibError
 from slamlib.modeling.registry import Registry
 from slamlib.tests.pictures import DATA
@@ -184,24 +183,9 @@ def test_a_video_without_pictures_or_its_end(tmp_path):
         open_source(tmp_path / "text.mp4")
 
 
-def test_pictures_in_memory_and_of_a_film():
+def test_pictures_in_memory():
     there = [TimedImage(str(i), 0.1 * i, shade(i)) for i in range(6)]
     assert numbers(of_pictures(there, 0.1).part(1, 2)) == [1, 3, 5]
-    path = rendering.path("sideways")
-    film = rendering.film(
-        rendering.default_room("drawn"),
-        rendering.rig_along_path(path),
-        path,
-        frames=4,
-        dt=0.05,
-        rng=np.random.default_rng(1),
-    )
-    source = of_film(film)
-    assert (len(source), source.interval) == (4, 0.05)
-    pictures = list(source.part(1, 2))
-    assert [p.name for p in pictures] == ["frame 2", "frame 4"]
-    assert [p.time for p in pictures] == [pytest.approx(0.1), pytest.approx(0.2)]
-    assert np.array_equal(pictures[1].image, [frame for frame, _ in film][3].scans[0].image)
 
 
 def test_nothing_there(tmp_path):

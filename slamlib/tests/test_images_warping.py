@@ -5,18 +5,17 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from slamlib.errors import ShapeError, SingularPointError, SlamlibError
+from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import relative
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.sensors.omni import OMNI
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
 from slamlib.tests.pictures import grid, smooth
-from slamlib.vision.patches import Patch, ssd, zncc
+from slamlib.vision.patches import ssd, zncc
 from slamlib.vision.warping import (
     affine,
     facing_plane,
-    gain_and_bias,
     homography_through,
     in_camera,
     offsets_map,
@@ -221,17 +220,7 @@ def test_a_pixel_without_a_ray_leaves_the_others():
     assert np.isnan(found[1]).all()
 
 
-@given(st.floats(0.2, 5), st.floats(-100, 100), seeds)
-def test_gain_and_bias_are_found(gain, bias, seed):
-    template = np.random.default_rng(seed).uniform(0, 255, (11, 11))
-    np.testing.assert_allclose(gain_and_bias(template, Patch(gain * template + bias)), [gain, bias], atol=1e-8)
-
-
 def test_misuse_is_named():
-    with pytest.raises(SlamlibError, match="no texture"):
-        gain_and_bias(np.ones((9, 9)), np.ones((9, 9)))
-    with pytest.raises(ShapeError, match="sizes"):
-        gain_and_bias(np.ones((9, 9)), np.ones((11, 11)))
     with pytest.raises(SingularPointError, match="in front of both"):
         zoom_and_roll(relative(posed([0, 0, 5], [0, 0, 0]), FIRST), np.array([0, 0, 1, 0.5]))
     with pytest.raises(SingularPointError, match="on a line"):

@@ -5,7 +5,7 @@ import sys
 import numpy as np
 import pytest
 from slambook import rendering
-from slambook.rendering.stereo_film import stereo_film
+from slambook.stereo_films import stereo_film
 
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
@@ -23,9 +23,8 @@ from slamlib.vision.stereo import (
     triangulate,
 )
 from slamlib.vision.stereo.detect import detect, spread
-from slamlib.vision.stereo.features import track_features
+from slamlib.vision.stereo.features import hamming_distances, row_mask, track_features
 from slamlib.vision.stereo.geometry import pixel_noise
-from slamlib.vision.stereo.matching import hamming_distances, row_mask
 from slamlib.vision.stereo.refine import ALONG_ROW, align, align_shape, cut
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from slambook.rendering.stereo_film import stereo_film
+from slambook.stereo_films import stereo_film
 
 from slamlib.data.records import Control
 from slamlib.data.setup import Rig
@@ -14,10 +14,11 @@ from slamlib.geometry.pose import Pose
 from slamlib.motions import ODOMETRY
 from slamlib.observation.family import viewpoint
 from slamlib.slam import Options, Slam
+from slamlib.tests.shared_noise import derivatives
 from slamlib.tests.stereo import MOUNT, calibration, points_seen, seen_from
 from slamlib.tests.stereo_points import run, simulate
 from slamlib.vision.stereo import MOTION_SOURCES
-from slamlib.vision.stereo.fitting import derivatives, fit
+from slamlib.vision.stereo.fitting import fit
 from slamlib.vision.stereo.geometry import ORIGIN
 from slamlib.vision.stereo.motion_source import INFLATION, CorrelatedFeatures, MotionFallback
 from slamlib.vision.stereo.odometry import checkerboard_half
@@ -221,7 +222,7 @@ def test_a_black_picture_is_a_motion_that_nobody_could_tell(film):
 
 def test_without_strangers_all_say_where_and_none_how_well(film, monkeypatch):
     monkeypatch.setattr(
-        CorrelatedFeatures, "strangers", lambda self, new, found, slam: np.zeros(len(found.inliers), dtype=bool)
+        CorrelatedFeatures, "unmapped", lambda self, new, found, slam: np.zeros(len(found.inliers), dtype=bool)
     )
     slam, motion_source = started(film, "correlated")
     (*_, (_, control)) = go(slam, motion_source, film[1][:3])

@@ -2,14 +2,14 @@
 
 import numpy as np
 import pytest
-from slambook.rendering.stereo_film import stereo_film
+from slambook.stereo_films import stereo_film
 
 from slamlib.evaluation.consistency import chi2_quantile, nees
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import exponential
 from slamlib.motions import ODOMETRY
 from slamlib.tests.stereo import MOUNT, calibration, kitti, points_seen, seen_from
-from slamlib.vision.stereo import StereoFeatureExtractor, VisualOdometry, motion_between
+from slamlib.vision.stereo import StereoFeatureExtractor, Tracks, VisualOdometry, motion_between
 from slamlib.vision.stereo.geometry import ORIGIN, pixel_noise
 from slamlib.vision.stereo.odometry import checkerboard_half
 
@@ -92,13 +92,15 @@ def test_odometry_in_the_room_stays_near():
     sensor = rig.sensors[0]
     true = np.array([truth.robots[0][:7] for _, truth in frames])
     odometry, pose = VisualOdometry(StereoFeatureExtractor(sensor.calibration), sensor.extrinsics), true[0]
+    tracks = Tracks()
     for i, (frame, _) in enumerate(frames):
         motion = odometry.step(frame.scans[0].image)
         assert (motion is None) == (i == 0)
         pose = pose if motion is None else compose(pose, motion.pose)
-        assert len(odometry.tracks.ids) == len(odometry.old) == len(set(odometry.tracks.ids.tolist()))
-        assert odometry.reobserved.sum() == len(odometry.pairs)
-    assert odometry.tracks.ages.max() > 10
+        reobserved = tracks.step(len(odometry.old), odometry.pairs)
+        assert len(tracks.ids) == len(odometry.old) == len(set(tracks.ids.tolist()))
+        assert reobserved.sum() == len(odometry.pairs)
+    assert tracks.ages.max() > 10
     path = np.linalg.norm(np.diff(true[:, :3], axis=0), axis=1).sum()
     error = Pose.minus(true[-1], pose)
     assert np.linalg.norm(error[:3]) < 0.02 * path

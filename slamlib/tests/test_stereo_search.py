@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from slambook.rendering.stereo_film import stereo_film
+from slambook.stereo_films import stereo_film
 
 from slamlib.data.records import Frame, Scan
 from slamlib.errors import SlamlibError
@@ -14,7 +14,7 @@ from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam
 from slamlib.tests.stereo import calibration
-from slamlib.vision.stereo import StereoFeatureExtractor, StereoSearch, StereoSettings
+from slamlib.vision.stereo import StereoSearch, StereoSettings
 from slamlib.vision.stereo.front_end import LandmarkView, LandmarkViews
 from slamlib.vision.stereo.odometry import checkerboard_half
 
@@ -143,8 +143,8 @@ def test_what_is_left_to_an_odometry_is_not_measured(film):
 
 def test_a_shared_look_is_made_once(film):
     rig, frames, _ = film
-    extractor = StereoFeatureExtractor(rig.sensors[0].calibration)
-    slam = Slam(rig, OPTIONS, front_ends=[StereoSearch(rig.sensors[0].calibration, extractor=extractor)])
+    slam = filter_of(rig)
+    extractor = slam.front_ends[0].extractor
     seen = extractor.extract(frames[0][0].scans[0].image)
     slam.step(frames[0][0])
     assert extractor.last is seen

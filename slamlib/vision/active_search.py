@@ -3,8 +3,9 @@
 Each function is one step of section 6.1.3 of the toolbox's manual. Chapter 19 walks through them.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from itertools import compress
 from typing import Any
 
 import numpy as np
@@ -26,8 +27,7 @@ _WORLD = np.array([0.0, 0, 0, 1, 0, 0, 0])
 
 def _point(landmark: Any) -> Array:
     """The homogeneous point (4,) of the world where a landmark is believed to be."""
-    point: Array = landmark.kind.to_frame(_WORLD, landmark.block.mean)
-    return point
+    return landmark.kind.to_frame(_WORLD, landmark.block.mean)
 
 
 @dataclass(frozen=True)
@@ -57,14 +57,17 @@ class ActiveSearchSettings:
 class ActiveSearch(ImageFrontEnd):
     """A front end for the points of one camera with an image."""
 
+    size, signature_type = 2, Appearance
+    settings: ActiveSearchSettings
+
     def __init__(
         self, calibration: Calibration, rng: np.random.Generator, settings: ActiveSearchSettings | None = None
     ) -> None:
         """rng: draws the cells in which new landmarks are sought. Raises SlamlibError for a sensor without an image."""
         if calibration.image is None:
             raise SlamlibError(f"ActiveSearch: {calibration.sensor.name} has no image; give its calibration one")
-        super().__init__(calibration)
-        self.rng, self.settings = rng, settings or ActiveSearchSettings()
+        super().__init__(calibration, settings or ActiveSearchSettings())
+        self.rng = rng
         self.grid = Grid(self.shape[::-1], self.settings.cells, self.settings.skip_outer)
         self.found: dict[int, Match] = {}
 
@@ -75,25 +78,20 @@ class ActiveSearch(ImageFrontEnd):
         looks_like = [prediction.landmark.signature for prediction in inputs.predictions]
         mask = recognizable(looks_like, inputs.sensor.camera, points)
         mask &= self.calibration.inside(values, self.settings.patch // 2 + 1)
-        able = [prediction for prediction, is_able in zip(inputs.predictions, mask.tolist(), strict=True) if is_able]
-        return self.ready(able)
+        return self.ready(compress(inputs.predictions, mask))
 
-    def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
-        """Pixels (n, 2) of what is looked for, nan where it is not found, and the mask (n,) of those found. 2c, 2h."""
-        measured = np.full((len(predictions), 2), np.nan)
+    def find(self, inputs: FrontEndInput, predictions: list[Any]) -> Iterator[tuple[int, Array]]:
+        """Row and pixel (2,) of each landmark that is found for sure. 2c, 2h."""
         image = np.asarray(inputs.scan.image)
         self.found.clear()
-        with self.seconds.timed("search"):
-            self.predict_appearances(inputs, predictions)
-            for pixel, prediction in zip(measured, predictions, strict=True):
-                found = None if prediction.predicted_patch is None else self.scan(image, prediction)
-                if found is not None and self.accepted(found):
-                    self.found[prediction.landmark.id] = found
-                    pixel[:] = self.refined(image, prediction, found)
-        self.record_search(
-            predictions, [prediction.landmark.id in self.found for prediction in predictions], self.settings.max_backoff
-        )
-        return measured, np.isfinite(measured[:, 0])
+        self.predict_appearances(inputs, predictions)
+        for row, prediction in enumerate(predictions):
+            found = None if prediction.predicted_patch is None else self.scan(image, prediction)
+            if found is not None and self.accepted(found):
+                self.found[prediction.landmark.id] = found
+                # To a small fraction: where the template fits best with a gain and an offset of its own.
+                pixel = register(image, prediction.predicted_patch, found.pixel)
+                yield row, found.pixel if pixel is None else pixel
 
     def predict_appearances(self, inputs: FrontEndInput, predictions: list[Any]) -> None:
         """2e: each template as it should look from here; None where it cannot be told."""
@@ -118,21 +116,15 @@ class ActiveSearch(ImageFrontEnd):
         """2g: alike enough, and no other place of the region nearly as much."""
         return found.score >= self.settings.threshold and found.second <= self.settings.max_second_ratio * found.score
 
-    def refined(self, image: Image, prediction: Any, found: Match) -> Array:
-        """2h: the pixel to a small fraction, where the template fits best with a gain and an offset of its own."""
-        pixel = register(image, prediction.predicted_patch, found.pixel)
-        return found.pixel if pixel is None else pixel
-
-    def detect(
-        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
-    ) -> list[tuple[int, Array, Any]]:
-        """Up to `count` new landmarks (id, pixel, signature), each in a cell of its own without landmarks. 1a to 1h."""
+    def new_landmarks(
+        self, inputs: FrontEndInput, usable: Callable[[Array], Mask], count: int
+    ) -> Iterator[tuple[Array, Any]]:
+        """Pixel and appearance of up to `count` landmarks, each in a cell of its own without landmarks. 1a to 1h."""
         image = np.asarray(inputs.scan.image)
-        with self.seconds.timed("detection"):
-            self.renew(image, inputs)
-            seen = np.array([prediction.value for prediction in inputs.predictions]).reshape(-1, 2)
-            corners = self.new_corners(image, seen, usable, count)
-            return [(self.new_id(known), c.pixel, self.signature(image, inputs, c)) for c in corners]
+        self.renew(image, inputs)
+        seen = np.array([prediction.value for prediction in inputs.predictions]).reshape(-1, 2)
+        for corner in self.new_corners(image, seen, usable, count):
+            yield corner.pixel, self.signature(image, inputs, corner)
 
     def new_corners(self, image: Image, seen: Array, usable: Callable[[Array], Mask], count: int) -> list[Corner]:
         """1a to 1e: the best corners of cells without landmarks, drawn at random, if good enough; each cell once.
@@ -183,11 +175,3 @@ class ActiveSearch(ImageFrontEnd):
         """Go on from what `dump` gave."""
         super().restore(state)
         self.rng.bit_generator.state = state["rng"]
-
-    def pack(self, signature: Any) -> Any:
-        """A landmark's appearance as plain data."""
-        return signature.pack()
-
-    def unpack(self, packed: Any) -> Any:
-        """The appearance that `pack` packed."""
-        return Appearance.unpack(packed)

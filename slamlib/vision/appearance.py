@@ -13,7 +13,7 @@ import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import relative
-from slamlib.kalman.linalg import finite, numbers
+from slamlib.kalman.linalg import finite, numbers, read_only
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.patches import Patch, as_floats, cut, grey, half_size
@@ -23,25 +23,12 @@ from slamlib.vision.warping import angle, facing_plane, in_camera, stretch, thro
 _TYPES = {"uint8": np.uint8, "float": np.float64}
 
 
-@dataclass(frozen=True)
-class AppearanceLimits:
-    """Beyond what a prediction is worth nothing, and from where on another patch is taken.
-
-    max_angle [rad]: largest angle between the plane's normal and the line of sight. zoom: how many times larger, or
-    smaller, it may be seen. turned [rad], grown: a match seen from a direction so different from all patches that there
-    are, or so many times larger or smaller, is a reason to take another one, if its score is at least `score` and its
-    second-best is below `max_second_ratio` of that.
-    """
-
-    max_angle: float = np.radians(60)
-    zoom: float = 2.0
-    angle_change: float = np.radians(25)
-    scale_change: float = 1.5
-    score: float = 0.9
-    max_second_ratio: float = 0.8
-
-
-LIMITS = AppearanceLimits()
+# A prediction is worth nothing beyond this angle [rad] between the plane's normal and the line of sight, and for what
+# is seen so many times larger or smaller.
+MAX_ANGLE, MAX_ZOOM = np.radians(60), 2.0
+# A match seen from a direction so different [rad] from all patches that there are, or so many times larger or smaller,
+# is a reason to take another one, if its score is at least so high, and its second-best is below this share of it.
+NEW_ANGLE, NEW_SCALE, SURE_SCORE, SURE_RATIO = np.radians(25), 1.5, 0.9, 0.8
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,8 +69,7 @@ class Appearance:
         u, v = np.rint(pixel).astype(int).tolist()
         corner = max(u - half, 0), max(v - half, 0)
         piece = array[corner[1] : v + half + 1, corner[0] : u + half + 1]
-        piece = piece.copy() if piece.dtype == np.uint8 else as_floats(piece, "Appearance")
-        piece.flags.writeable = False
+        piece = read_only(piece.copy() if piece.dtype == np.uint8 else as_floats(piece, "Appearance"))
         return cls(piece, corner, pixel, camera, size, float(quality), previous)
 
     @property
@@ -93,53 +79,39 @@ class Appearance:
         assert patch is not None, "taken() has seen to it"
         return patch
 
-    def predicted(
-        self,
-        camera: Array,
-        calibration: Calibration,
-        point: Array,
-        size: int | None = None,
-        limits: AppearanceLimits = LIMITS,
-    ) -> Array | None:
+    def predicted(self, camera: Array, calibration: Calibration, point: Array, size: int | None = None) -> Array | None:
         """The template (size, size) that a camera, pose (7,), should see of it at a homogeneous world point (4,).
 
         None where it is too oblique, too large or too small, out of sight, or beyond the pixels that are kept. Only
         offsets between pixels are predicted, so an error of the point moves no template off the landmark.
         """
         point = finite(point, (4,), "Appearance", "point")
-        return predict([self], camera, calibration, point[None], self.size if size is None else size, limits)[0]
+        return predict([self], camera, calibration, point[None], self.size if size is None else size)[0]
 
     def angle_change(self, camera: Array, point: Array) -> float:
         """Angle [rad] between the directions in which the two cameras, this pose (7,) and its own, see a point (4,)."""
-        return float(angle(*(towards(pose, point) for pose in (self.camera, camera))))
+        return float(view_change(self.camera, camera, point)[0])
 
-    def scale_change(self, camera: Array, point: Array) -> float:
-        """How many times nearer this camera, pose (7,), is to a point (4,) than its own was."""
-        then, now = (np.linalg.norm(towards(pose, point)) for pose in (self.camera, camera))
-        return float(then / now)
-
-    def change(self, camera: Array, point: Array, limits: AppearanceLimits = LIMITS) -> float:
+    def change(self, camera: Array, point: Array) -> float:
         """How much this camera, pose (7,), sees a point (4,) otherwise than its own did: 1 is a reason for another."""
-        return max(
-            self.angle_change(camera, point) / limits.angle_change,
-            abs(np.log(self.scale_change(camera, point)) / np.log(limits.scale_change)),
-        )
+        turned, grown = view_change(self.camera, camera, point)
+        return float(max(turned / NEW_ANGLE, abs(np.log(grown) / np.log(NEW_SCALE))))
 
-    def nearest(self, camera: Array, point: Array, limits: AppearanceLimits = LIMITS) -> "Appearance":
+    def nearest(self, camera: Array, point: Array) -> "Appearance":
         """Of this one and those before it, the one that saw a point (4,) most as a camera, pose (7,), sees it now."""
         if self.previous is None:
             return self
-        return min(self.all, key=lambda one: one.change(camera, point, limits))
+        return min(self.all, key=lambda one: one.change(camera, point))
 
     @property
     def all(self) -> list["Appearance"]:
         """This one, and those before it."""
         return [self] if self.previous is None else [self, *self.previous.all]
 
-    def needs_renewal(self, found: Match, camera: Array, point: Array, limits: AppearanceLimits = LIMITS) -> bool:
+    def needs_renewal(self, found: Match, camera: Array, point: Array) -> bool:
         """Whether a match is so sure, and seen from a place (7,) so different from all, that it be a new patch."""
-        sure = found.score >= limits.score and found.ratio < limits.max_second_ratio
-        return sure and self.nearest(camera, point, limits).change(camera, point, limits) > 1
+        sure = found.score >= SURE_SCORE and found.ratio < SURE_RATIO
+        return sure and self.nearest(camera, point).change(camera, point) > 1
 
     def renewed(self, image: Image, found: Match, template: Image, camera: Array) -> "Appearance":
         """The appearance in this image too, around where the template that was found fits best; itself where it cannot.
@@ -153,9 +125,8 @@ class Appearance:
 
     def pack(self) -> dict[str, Any]:
         """Plain data, for JSON: nothing is lost."""
-        kind = "uint8" if self.pixels.dtype == np.uint8 else "float"
         return {
-            "type": kind,
+            "type": "uint8" if self.pixels.dtype == np.uint8 else "float",
             "pixels": self.pixels.tolist(),
             "corner": list(self.corner),
             "pixel": self.pixel.tolist(),
@@ -170,59 +141,47 @@ class Appearance:
         """What `pack` packed; raises SlamlibError for anything else."""
         try:
             pixels = numbers(packed["pixels"], "Appearance", "pixels").astype(_TYPES[packed["type"]])
-            pixels.flags.writeable = False
-            u, v = packed["corner"]
-            pixel = finite(packed["pixel"], (2,), "Appearance", "pixel")
-            camera = finite(packed["camera"], (7,), "Appearance", "camera")
-            size, quality, previous = int(packed["size"]), float(packed["quality"]), packed["previous"]
+            (u, v), size, quality = packed["corner"], int(packed["size"]), float(packed["quality"])
+            pixel, camera, previous = packed["pixel"], packed["camera"], packed["previous"]
         except (KeyError, TypeError, ValueError) as error:
             raise SlamlibError(f"Appearance: this is no packed appearance, {error!r}; pack() makes one") from None
-        return cls(
-            grey(pixels, "Appearance"),
-            (int(u), int(v)),
-            pixel,
-            camera,
-            size,
-            quality,
-            previous and cls.unpack(previous),
-        )
+        pixel, camera = finite(pixel, (2,), "Appearance", "pixel"), finite(camera, (7,), "Appearance", "camera")
+        whole = read_only(grey(pixels, "Appearance"))
+        return cls(whole, (int(u), int(v)), pixel, camera, size, quality, previous and cls.unpack(previous))
 
 
-def recognizable(
-    appearances: Sequence[Appearance], camera: Array, points: Array, limits: AppearanceLimits = LIMITS
-) -> Mask:
+def view_change(before: Array, camera: Array, points: Array) -> tuple[Array, Array]:
+    """Angles (...) [rad] between the directions in which two cameras, poses (..., 7), see points (..., 4), and how many
+    times nearer to them the second one is."""
+    then, now = towards(before, points), towards(camera, points)
+    return angle(then, now), np.linalg.norm(then, axis=-1) / np.linalg.norm(now, axis=-1)
+
+
+def recognizable(appearances: Sequence[Appearance], camera: Array, points: Array) -> Mask:
     """Mask (n,) of the landmarks at points (n, 4) that a camera, pose (7,), sees neither too obliquely nor too large
     or too small, by the distances; in a fraction of the time of `predict`.
     """
-    nearest = [a.nearest(camera, point, limits) for a, point in zip(appearances, points, strict=True)]
-    before = np.array([a.camera for a in nearest]).reshape(-1, 7)
-    then, now = towards(before, points), towards(camera, points)
-    grown = np.linalg.norm(then, axis=-1) / np.linalg.norm(now, axis=-1)
-    mask: Mask = (angle(then, now) <= limits.max_angle) & (grown <= limits.zoom) & (grown * limits.zoom >= 1)
-    return mask
+    nearest = [a.nearest(camera, point) for a, point in zip(appearances, points, strict=True)]
+    turned, grown = view_change(np.array([a.camera for a in nearest]).reshape(-1, 7), camera, points)
+    return (turned <= MAX_ANGLE) & (grown <= MAX_ZOOM) & (grown * MAX_ZOOM >= 1)
 
 
 def predict(
-    appearances: Sequence[Appearance],
-    camera: Array,
-    calibration: Calibration,
-    points: Array,
-    size: int,
-    limits: AppearanceLimits = LIMITS,
+    appearances: Sequence[Appearance], camera: Array, calibration: Calibration, points: Array, size: int
 ) -> list[Array | None]:
     """What `Appearance.predicted` tells of each of n landmarks, for points (n, 4) of the world, all at once."""
     templates: list[Array | None] = [None] * len(appearances)
-    nearest = [a.nearest(camera, point, limits) for a, point in zip(appearances, points, strict=True)]
+    nearest = [a.nearest(camera, point) for a, point in zip(appearances, points, strict=True)]
     before = np.array([a.camera for a in nearest]).reshape(-1, 7)
     then, now = in_camera(before, points), in_camera(camera, points)
-    oblique = angle(towards(before, points), towards(camera, points)) > limits.max_angle
+    oblique = view_change(before, camera, points)[0] > MAX_ANGLE
     rows = np.flatnonzero(~oblique & calibration.visible(then) & calibration.visible(now))
     if not len(rows):
         return templates
     seen = relative(camera, before[rows])
     maps = through_camera(calibration, seen, facing_plane(then[rows]), calibration.project(now[rows]), size)
     least, largest = stretch(maps)
-    for row in np.flatnonzero((largest <= limits.zoom) & (least * limits.zoom >= 1)):  # nan is neither
+    for row in np.flatnonzero((largest <= MAX_ZOOM) & (least * MAX_ZOOM >= 1)):  # nan is neither
         own = nearest[rows[row]]
         templates[rows[row]] = warp(own.pixels, own.pixel - own.corner, maps[row], size)
     return templates

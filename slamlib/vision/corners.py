@@ -6,12 +6,11 @@ least squares' own. Its larger axis is sigma^2 over S's smaller eigenvalue, whic
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
-from slamlib.errors import ShapeError, SingularPointError, SlamlibError
-from slamlib.manifolds import Array, Image, Indices
+from slamlib.errors import ShapeError, SingularPointError
+from slamlib.manifolds import Array, Image
 from slamlib.vision.patches import Patch, as_floats, as_patch, grey, top
 
 # With noise of two grey levels in both images a match of this quality has a deviation of 0.1 px in its worst direction,
@@ -22,28 +21,19 @@ QUALITY = 800.0
 EDGE = 20.0
 
 
-@dataclass(frozen=True)
-class Scales:
-    """Widths [px] of two Gaussians: of the smoothing before a gradient is taken, and of the window of the sum.
-
-    The window's weights are 1 in its middle and less around, and end with the 11 pixels of a patch: so S is a lower
-    bound of the patch's own sum, and sigma^2 S^-1 an upper bound of its covariance.
-    """
-
-    derivative: float = 1.0
-    integration: float = 2.0
-
-    def __post_init__(self) -> None:
-        if not all(0 < width < 100 for width in (self.derivative, self.integration)):
-            raise SlamlibError(f"Scales: widths are pixels, above zero and below 100; got {self}")
-
-    @property
-    def support(self) -> int:
-        """Pixels that the structure tensor needs on every side."""
-        return len(_weights(self.derivative, 4.0)) // 2 + len(_weights(self.integration, 2.5)) // 2
+def _bell(width: float, reach: float) -> tuple[Array, Array]:
+    """A Gaussian of peak 1, up to `reach` widths [px], and where its values are."""
+    x = np.arange(-np.ceil(reach * width), np.ceil(reach * width) + 1)
+    return np.exp(-(x**2) / (2 * width**2)), x
 
 
-SCALES = Scales()
+_SMOOTH, _OFFSETS = _bell(1.0, 4.0)  # before a gradient is taken
+_SLOPE = _OFFSETS * _SMOOTH
+_SMOOTH, _SLOPE = _SMOOTH / _SMOOTH.sum(), _SLOPE / (_SLOPE * _OFFSETS).sum()
+# Its weights are 1 in its middle and less around, and end with the 11 pixels of a patch: so S is a lower bound of the
+# patch's own sum, and sigma^2 S^-1 an upper bound of its covariance.
+_WINDOW, _ = _bell(2.0, 2.5)
+SUPPORT = len(_SMOOTH) // 2 + len(_WINDOW) // 2  # pixels that the structure tensor needs on every side
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,20 +44,16 @@ class Corner:
     quality: float
 
 
-def structure_tensor(image: Image, scales: Scales = SCALES) -> Array:
-    """Sums (3, h - 2 support, w - 2 support) of gu gu, gu gv, gv gv around the pixels whose support is in the image.
+def structure_tensor(image: Image) -> Array:
+    """Sums (3, h - 2 SUPPORT, w - 2 SUPPORT) of gu gu, gu gv, gv gv around the pixels whose support is in the image.
 
     In (grey level / px)^2, of gradients g of the smoothed image (h, w). Raises ShapeError, SlamlibError.
     """
     pixels = as_floats(grey(image, "structure_tensor"), "structure_tensor")
-    if min(pixels.shape) <= 2 * scales.support:
-        raise ShapeError(f"structure_tensor: {scales} need images above {2 * scales.support} px, got {pixels.shape}")
-    bell = _weights(scales.derivative, 4.0)
-    slope = _offsets(bell) * bell
-    smooth, slope = bell / bell.sum(), slope / (slope * _offsets(bell)).sum()
-    gu, gv = _filtered(pixels, smooth, slope), _filtered(pixels, slope, smooth)
-    window = _weights(scales.integration, 2.5)
-    return _filtered(np.stack([gu * gu, gu * gv, gv * gv]), window, window)
+    if min(pixels.shape) <= 2 * SUPPORT:
+        raise ShapeError(f"structure_tensor: an image has more than {2 * SUPPORT} px a side, got {pixels.shape}")
+    gu, gv = _filtered(pixels, _SMOOTH, _SLOPE), _filtered(pixels, _SLOPE, _SMOOTH)
+    return _filtered(np.stack([gu * gu, gu * gv, gv * gv]), _WINDOW, _WINDOW)
 
 
 def eigenvalues(tensor: Array) -> tuple[Array, Array]:
@@ -77,10 +63,10 @@ def eigenvalues(tensor: Array) -> tuple[Array, Array]:
     return np.maximum(middle - radius, 0), middle + radius
 
 
-def strength(image: Image, scales: Scales = SCALES) -> Array:
+def strength(image: Image) -> Array:
     """Quality (h, w) of every pixel of an image: the smaller eigenvalue, 0 where the image ends within its support."""
-    smaller, _ = eigenvalues(structure_tensor(image, scales))
-    return np.pad(smaller, scales.support)
+    smaller, _ = eigenvalues(structure_tensor(image))
+    return np.pad(smaller, SUPPORT)
 
 
 def best_corner(
@@ -89,7 +75,6 @@ def best_corner(
     quality: float = QUALITY,
     edge: float = EDGE,
     border: int = 0,
-    scales: Scales = SCALES,
 ) -> Corner | None:
     """The best corner among the pixels image[v0:v1, u0:u1] of a rectangle (u0, v0, u1, v1), to a fraction of a pixel.
 
@@ -97,14 +82,14 @@ def best_corner(
     smaller (on an edge a patch slides), `border` pixels or more from the image's border. None where there is none. Its
     fraction is not exact, and need not be: the landmark is what is seen at this very place.
     """
-    array, margin = grey(image, "best_corner"), scales.support + 1
+    array, margin = grey(image, "best_corner"), SUPPORT + 1
     u0, v0, u1, v1 = rectangle
     keep = max(border, margin)
     u0, v0 = max(u0, keep), max(v0, keep)
     u1, v1 = min(u1, array.shape[1] - keep), min(v1, array.shape[0] - keep)
     if u0 >= u1 or v0 >= v1:
         return None
-    smaller, larger = eigenvalues(structure_tensor(array[v0 - margin : v1 + margin, u0 - margin : u1 + margin], scales))
+    smaller, larger = eigenvalues(structure_tensor(array[v0 - margin : v1 + margin, u0 - margin : u1 + margin]))
     inner = smaller[1:-1, 1:-1]
     highest = np.maximum(np.maximum(smaller[:-2], smaller[1:-1]), smaller[2:])
     highest = np.maximum(np.maximum(highest[:, :-2], highest[:, 1:-1]), highest[:, 2:])
@@ -132,14 +117,12 @@ def matching_covariance(patch: Patch | Array, sigma: float, free: bool = False) 
     S = slopes.T @ slopes
     if np.linalg.eigvalsh(S)[0] <= 1e-9 * max(np.trace(S), 1e-300):
         raise SingularPointError("matching_covariance: the patch has no texture along some direction; it slides there")
-    covariance: Array = sigma**2 * np.linalg.inv(S)
-    return covariance
+    return sigma**2 * np.linalg.inv(S)
 
 
 def _filtered(stack: Array, down: Array, across: Array) -> Array:
     """Images (..., h, w) correlated with a column and with a row of weights, where these lie within the image."""
-    result: Array = _banded(down, stack.shape[-2]) @ stack @ _banded(across, stack.shape[-1]).T
-    return result
+    return _banded(down, stack.shape[-2]) @ stack @ _banded(across, stack.shape[-1]).T
 
 
 def _banded(weights: Array, length: int) -> Array:
@@ -147,14 +130,3 @@ def _banded(weights: Array, length: int) -> Array:
     padded = np.zeros(2 * length - len(weights))
     padded[length - len(weights) : length] = weights
     return np.ascontiguousarray(np.lib.stride_tricks.sliding_window_view(padded, length)[::-1])  # BLAS wants a copy
-
-
-@lru_cache
-def _weights(sigma: float, reach: float) -> Array:
-    """A Gaussian of peak 1, up to `reach` sigmas."""
-    x = np.arange(-np.ceil(reach * sigma), np.ceil(reach * sigma) + 1)
-    return np.exp(-(x**2) / (2 * sigma**2))
-
-
-def _offsets(weights: Array) -> Indices:
-    return np.arange(len(weights)) - len(weights) // 2

@@ -1,16 +1,19 @@
-"""What front ends on pictures share: numbers for new landmarks, search backoff, and the time that they spend."""
+"""What runs on pictures are made of: the course of every front end's search, and the source of the robot's motion."""
 
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Scan
+from slamlib.data.records import Control, Scan
 from slamlib.errors import SlamlibError
+from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
+from slamlib.slam import Slam
+from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput
 
 
 class Stopwatch(dict[str, float]):
@@ -45,15 +48,24 @@ class Backoff:
 
 
 class ImageFrontEnd:
-    """Search backoff, ids and times of a front end; one for a sensor's image is made of it by `searchable`, `match` ...
+    """A front end on one sensor's image: one is made of it by `searchable`, and by two methods that it calls.
+
+    find(inputs, predictions): rows of the predictions whose landmarks are found, each with the measurement (m,).
+    new_landmarks(inputs, usable, count): measurements of up to `count` new landmarks, with what they are known by.
 
     What stands before a landmark is as a rule still there in the next frame. Without a rest, hidden landmarks, which
     nothing corrects, would soon be the most uncertain ones, and be chosen first for ever. backoff: by landmarks' ids;
-    last: the last id given; seconds: spent so far in "search" and in "detection".
+    last: the last id given; seconds: spent so far in "search" and in "detection". size: numbers of a measurement;
+    signature_type: of what a landmark is known by.
     """
 
-    def __init__(self, calibration: Calibration) -> None:
-        self.calibration = calibration
+    size: int
+    signature_type: Any
+    find: Callable[[FrontEndInput, list[Any]], Iterable[tuple[int, Array]]]
+    new_landmarks: Callable[[FrontEndInput, Callable[[Array], Mask], int], Iterable[tuple[Array, Any]]]
+
+    def __init__(self, calibration: Calibration, settings: Any) -> None:
+        self.calibration, self.settings = calibration, settings
         self.seconds = Stopwatch("search", "detection")
         self.last = 0
         self.backoff: dict[int, Backoff] = {}
@@ -74,16 +86,30 @@ class ImageFrontEnd:
 
     def ready(self, predictions: Iterable[Any]) -> list[Any]:
         """The looks at landmarks that do not rest; asked once a frame."""
-        return [
-            prediction for prediction in predictions if self.backoff.get(prediction.landmark.id, Backoff()).is_over()
-        ]
+        return [p for p in predictions if self.backoff.get(p.landmark.id, Backoff()).is_over()]
 
-    def record_search(self, predictions: Iterable[Any], found: Iterable[bool], max_backoff: int) -> None:
-        """Landmarks that were not found rest, the longer the more often in a row; the others do not."""
-        for prediction, is_found in zip(predictions, found, strict=True):
+    def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
+        """Measurements (n, m) of what is looked for, nan where it is not found, and the mask (n,) of those found.
+
+        Landmarks that were not found rest, the longer the more often in a row; the others do not.
+        """
+        measured = np.full((len(predictions), self.size), np.nan)
+        with self.seconds.timed("search"):
+            for row, value in self.find(inputs, predictions):
+                measured[row] = value
+        found = np.isfinite(measured[:, 0])
+        for prediction, is_found in zip(predictions, found.tolist(), strict=True):
             before = self.backoff.pop(prediction.landmark.id, Backoff())
             if not is_found:
-                self.backoff[prediction.landmark.id] = before.increased(max_backoff)
+                self.backoff[prediction.landmark.id] = before.increased(self.settings.max_backoff)
+        return measured, found
+
+    def detect(
+        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
+    ) -> list[Detected]:
+        """Up to `count` new landmarks (id, measurement, signature)."""
+        with self.seconds.timed("detection"):
+            return [(self.new_id(known), *new) for new in self.new_landmarks(inputs, usable, count)]
 
     def new_id(self, known: set[int]) -> int:
         """A number that no landmark has had; known: ids of the landmarks in the map."""
@@ -99,3 +125,104 @@ class ImageFrontEnd:
         """Go on from what `dump` gave."""
         self.last = state["last"]
         self.backoff = {int(number): Backoff(*backoff) for number, backoff in state["backoff"].items()}
+
+    def pack(self, signature: Any) -> Any:
+        """A landmark's signature as plain data."""
+        return signature.pack()
+
+    def unpack(self, packed: Any) -> Any:
+        """The signature that `pack` packed."""
+        return self.signature_type.unpack(packed)
+
+
+class CombinedFrontEnd:
+    """Two front ends for one camera, of points and of segments: what the filter asks goes to the family's."""
+
+    def __init__(self, points: Any, segments: ImageFrontEnd) -> None:
+        self.points, self.settings = points, points.settings
+        self.front_ends: dict[str, Any] = {"points": points, "segments": segments}
+
+    @property
+    def seconds(self) -> dict[str, float]:
+        """Spent so far, by both, in "search" and in "detection"."""
+        return {part: sum(f.seconds[part] for f in self.front_ends.values()) for part in ("search", "detection")}
+
+    def check(self, scan: Scan) -> None:
+        """Raise SlamlibError for a scan that they cannot look at."""
+        self.points.check(scan)
+
+    def searchable(self, inputs: FrontEndInput) -> list[Any]:
+        """The looks that their front ends could find."""
+        return [p for name, f in self.front_ends.items() for p in f.searchable(_own(inputs, name))]
+
+    def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
+        """What the family's front end finds of them."""
+        return self.front_ends[family].match(_own(inputs, family), family, predictions)
+
+    def detect(
+        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
+    ) -> list[Detected]:
+        """What the family's front end begins, with numbers that neither of them has given before."""
+        self._share_last_id()
+        return self.front_ends[family].detect(_own(inputs, family), family, known, usable, count)
+
+    def initialize_at(self, inputs: FrontEndInput, family: str, values: Array) -> list[Detected | None]:
+        """Landmarks at given values; only points can be adopted."""
+        self._share_last_id()
+        return self.points.initialize_at(_own(inputs, family), family, values)
+
+    def _share_last_id(self) -> None:
+        last = max(f.last for f in self.front_ends.values())
+        for front_end in self.front_ends.values():
+            front_end.last = last
+
+    def dump(self) -> Any:
+        """The states of both, by family."""
+        return {name: f.dump() for name, f in self.front_ends.items()}
+
+    def restore(self, state: Any) -> None:
+        """Go on from what `dump` gave."""
+        for name, f in self.front_ends.items():
+            f.restore(state[name])
+
+    def pack(self, signature: Any) -> Any:
+        """A signature as plain data, with the family whose front end gave it."""
+        name = next(name for name, f in self.front_ends.items() if isinstance(signature, f.signature_type))
+        return {"family": name, "signature": self.front_ends[name].pack(signature)}
+
+    def unpack(self, packed: Any) -> Any:
+        """The signature that `pack` packed."""
+        return self.front_ends[packed["family"]].unpack(packed["signature"])
+
+
+def _own(inputs: FrontEndInput, family: str) -> FrontEndInput:
+    """The sight with the looks of one family alone."""
+    return replace(inputs, predictions=[p for p in inputs.predictions if p.family.name == family])
+
+
+class MotionSource:
+    """Says how the robot moves from picture to picture; this one, nothing: the noise of its motion says what may be.
+
+    name: that it is chosen by. front_end: the filter's, of the sensor that made the pictures. seconds: spent so far, by
+    part, beside the front end's.
+    """
+
+    name = "constant-velocity"
+
+    def __init__(self, front_end: FrontEnd) -> None:
+        self.front_end = front_end
+        self.seconds = Stopwatch()
+
+    def control(self, image: Image | None, dt: float, slam: Slam) -> Control | None:
+        """Of the step of dt [s] to this picture, asked once, before Slam.step; None: zeros, with the robot's noise."""
+        return None
+
+    def counts(self) -> dict[str, float]:
+        """Columns of the run's history that are not the filter's own."""
+        return {}
+
+    def dump(self) -> Any:
+        """Its state as plain data, beside that of the front end, which the filter's file holds."""
+
+    def restore(self, state: Any) -> None:
+        """Go on from what `dump` gave."""

@@ -4,15 +4,17 @@ Steps 1a to 1c of active search, section 6.1.3 of the toolbox's manual; Davison 
 """
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
 
 import numpy as np
 
+from slamlib.data.plain import Range, check
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.kalman.linalg import numbers
 from slamlib.manifolds import Array, Mask
 
 Cell = tuple[int, int]
+Count = Annotated[int, Range(ge=1)]
 
 
 @dataclass(frozen=True)
@@ -22,18 +24,16 @@ class Grid:
     A cell is named (row, column). Raises SlamlibError for cells without pixels, and where no cell would be left.
     """
 
-    image: tuple[int, int]
-    cells: tuple[int, int] = (8, 6)
+    image: tuple[Count, Count]
+    cells: tuple[Count, Count] = (8, 6)
     skip_outer: bool = True
 
     def __post_init__(self) -> None:
-        image, cells = _counts(self.image, "image"), _counts(self.cells, "cells")
-        if any(c > n for c, n in zip(cells, image, strict=True)):
-            raise SlamlibError(f"Grid: an image of {image} pixels cannot have {cells} cells; ask for fewer")
-        if self.skip_outer and min(cells) < 3:
-            raise SlamlibError(f"Grid: of {cells} cells none is left without the outer ones; use skip_outer=False")
-        object.__setattr__(self, "image", image)
-        object.__setattr__(self, "cells", cells)
+        check(self)
+        if any(c > n for c, n in zip(self.cells, self.image, strict=True)):
+            raise SlamlibError(f"Grid: an image of {self.image} pixels cannot have {self.cells} cells; ask for fewer")
+        if self.skip_outer and min(self.cells) < 3:
+            raise SlamlibError(f"Grid: of {self.cells} cells none is left without the outer ones; use skip_outer=False")
 
     @property
     def usable(self) -> Mask:
@@ -86,10 +86,3 @@ def _place(values: Array, bounds: Array) -> Array:
     """Between which bounds values (n,) lie, -1 where between none; a pixel reaches half a pixel to either side."""
     found = np.searchsorted(bounds - 0.5, values, side="right") - 1
     return np.where((values >= -0.5) & (values < bounds[-1] - 0.5), found, -1)
-
-
-def _counts(value: Any, what: str) -> tuple[int, int]:
-    array = numbers(value, "Grid", what)
-    if array.shape != (2,) or not (array >= 1).all() or not (array == np.rint(array)).all():
-        raise SlamlibError(f"Grid: {what} are two whole numbers above zero, (across, down), got {value!r}")
-    return int(array[0]), int(array[1])

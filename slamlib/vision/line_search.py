@@ -5,8 +5,9 @@ segment are to be moved across. Their covariance follows from that of the innova
 the plane of these two numbers, as that of a point is one in the image.
 """
 
-from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from itertools import compress
 from typing import Any
 
 import numpy as np
@@ -18,9 +19,8 @@ from slamlib.observation.lines import distort_segments, undistort_segments
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.slam.data_association.gates import gate
-from slamlib.vision.edges import PROFILE, STEP, Edge, EdgeStrip, axes, edge_strip, fitted, line
+from slamlib.vision.edges import PROFILE, STEP, Edge, EdgeStrip, axes, edge_strip, fitted, line, refined, segments_of
 from slamlib.vision.front_end import ImageFrontEnd
-from slamlib.vision.segments import refined, segments_of
 
 SAME = 1.0  # [px]: two fits that are nearer are of one edge
 TWINS = 1.5  # [px]: two landmarks whose edges are nearer are of the same one
@@ -34,6 +34,15 @@ class EdgeLook:
 
     profile: Array
     slope: float
+
+    def pack(self) -> Any:
+        """Plain data."""
+        return {"profile": self.profile.tolist(), "slope": float(self.slope)}
+
+    @classmethod
+    def unpack(cls, packed: Any) -> "EdgeLook":
+        """What `pack` packed."""
+        return cls(np.array(packed["profile"]), packed["slope"])
 
 
 @dataclass(frozen=True)
@@ -70,12 +79,14 @@ class SegmentSettings:
 class SegmentSearch(ImageFrontEnd):
     """A front end for the segments of one camera with an image."""
 
+    size, signature_type = 4, EdgeLook
+    settings: SegmentSettings
+
     def __init__(self, calibration: Calibration, settings: SegmentSettings | None = None) -> None:
         """Raises SlamlibError for a sensor without an image, or one to which straight lines are not straight."""
         if calibration.image is None or calibration.sensor.project_line is None:
             raise SlamlibError(f"SegmentSearch: {calibration.sensor.name} has no image of straight lines")
-        super().__init__(calibration)
-        self.settings = settings or SegmentSettings()
+        super().__init__(calibration, settings or SegmentSettings())
 
     def searchable(self, inputs: FrontEndInput) -> list[Any]:
         """The looks whose region is not too wide to tell one edge from another, and that do not rest."""
@@ -83,26 +94,23 @@ class SegmentSearch(ImageFrontEnd):
         regions = across_covariances(inputs.predictions, inputs.sensor)
         half = np.sqrt(limit * np.diagonal(regions, axis1=1, axis2=2).max(-1, initial=0))
         count = np.pi * limit * np.sqrt(np.linalg.det(regions)) / STEP**2
-        narrow = ((half <= s.largest) & (count <= s.most)).tolist()
-        predictions = [
-            prediction for prediction, is_narrow in zip(inputs.predictions, narrow, strict=True) if is_narrow
-        ]
-        return self.ready(predictions)
+        return self.ready(compress(inputs.predictions, (half <= s.largest) & (count <= s.most)))
 
-    def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
-        """Segments (n, 4) of what is looked for, nan where it is not found, and the mask (n,) of those found."""
-        measured, image = np.full((len(predictions), 4), np.nan), np.asarray(inputs.scan.image, dtype=float)
-        with self.seconds.timed("search"):
-            regions = across_covariances(predictions, inputs.sensor)
-            where = zip(
-                predictions, self.undistorted([prediction.value for prediction in predictions]), regions, strict=True
-            )
-            edges = [self.find_edge(image, prediction, ideal, region) for prediction, ideal, region in where]
-            for row in self.distinct(predictions, edges):
-                measured[row] = edges[row].segment  # type: ignore[union-attr]
-        found = np.isfinite(measured[:, 0])
-        self.record_search(predictions, found.tolist(), self.settings.max_backoff)
-        return measured, found
+    def find(self, inputs: FrontEndInput, predictions: list[Any]) -> Iterable[tuple[int, Array]]:
+        """Row and segment (4,) of each landmark that is found; of two in one place, the more alike one has it."""
+        image, regions = np.asarray(inputs.scan.image, dtype=float), across_covariances(predictions, inputs.sensor)
+        expected = self.undistorted([prediction.value for prediction in predictions])
+        found = [
+            (row, self.find_edge(image, prediction, ideal, region))
+            for row, (prediction, ideal, region) in enumerate(zip(predictions, expected, regions, strict=True))
+        ]
+        edges = [(row, edge) for row, edge in found if edge is not None]
+        kept: list[tuple[int, Edge]] = []
+        for row, edge in sorted(edges, key=lambda item: -predictions[item[0]].score):
+            others = np.array([other.ideal for _, other in kept]).reshape(-1, 4)
+            if not side_by_side(edge.ideal, others, TWINS).any():
+                kept.append((row, edge))
+        return [(row, edge.segment) for row, edge in kept]
 
     def find_edge(self, image: Image, prediction: Any, ideal: Array, region: Array) -> Edge | None:
         """The edge of the region that looks like the landmark; None: none does, or two do."""
@@ -112,78 +120,41 @@ class SegmentSearch(ImageFrontEnd):
         near = steep_lines(piece, lines_of(region, limit))
         edges = [e for offsets in near if (e := fitted(piece, self.calibration, offsets, 1.0)) is not None]
         profile = prediction.landmark.signature.profile
-        likes = [(e.likeness(profile), i) for i, e in enumerate(edges) if self.accepted(e, prediction)]
+        steep = s.min_slope_ratio * prediction.landmark.signature.slope
+        likes = [(e.likeness(profile), i) for i, e in enumerate(edges) if e.good(s.support, s.straightness, steep)]
         if not likes:
             return None
         prediction.score, best = max(likes)
         away = [np.abs(e.offsets - edges[best].offsets).mean() > SAME for e in edges]
         rivals = [like for like, i in likes if away[i]]
-        return (
-            edges[best] if prediction.score >= max(s.threshold, max(rivals, default=0.0) / s.max_second_ratio) else None
-        )
-
-    def accepted(self, edge: Edge, prediction: Any) -> bool:
-        """Whether enough of the edge is there, straight, and as steep as it was."""
-        s = self.settings
-        steep = edge.slope >= s.min_slope_ratio * prediction.landmark.signature.slope
-        return edge.support >= s.support and edge.rms <= s.straightness and steep
-
-    def distinct(self, predictions: list[Any], edges: list[Edge | None]) -> list[int]:
-        """Rows of the edges that were found; of two landmarks in one place, the more alike one has it."""
-        rows = sorted((i for i, e in enumerate(edges) if e is not None), key=lambda i: -predictions[i].score)
-        ideal = np.array([edges[i].ideal for i in rows]).reshape(-1, 4)  # type: ignore[union-attr]
-        kept: list[int] = []
-        for i, own in enumerate(ideal):
-            if not side_by_side(own, ideal[kept], TWINS).any():
-                kept.append(i)
-        return [rows[i] for i in kept]
+        least = max(s.threshold, max(rivals, default=0.0) / s.max_second_ratio)
+        return edges[best] if prediction.score >= least else None
 
     def undistorted(self, segments: Any) -> Array:
         """Segments (n, 4) as a lens without distortion would show them."""
         return undistort_segments(self.calibration, np.reshape(segments, (-1, 4)))[0]
 
-    def detect(
-        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
-    ) -> list[tuple[int, Array, Any]]:
-        """Up to `count` new edges (id, segment, EdgeLook), the longest that no expected one explains."""
-        count = min(count, self.settings.max_in_view - len(inputs.predictions))
+    def new_landmarks(
+        self, inputs: FrontEndInput, usable: Callable[[Array], Mask], count: int
+    ) -> Iterator[tuple[Array, Any]]:
+        """Segment and EdgeLook of up to `count` new edges, the longest that no expected one explains."""
+        s, image = self.settings, np.asarray(inputs.scan.image)
+        count = min(count, s.max_in_view - len(inputs.predictions))
         if count <= 0:
-            return []
-        with self.seconds.timed("detection"):
-            taken, image = (
-                self.undistorted([prediction.value for prediction in inputs.predictions]),
-                np.asarray(inputs.scan.image),
-            )
-            edges = self.new_edges(image, taken, usable, count)
-            return [(self.new_id(known), e.segment, EdgeLook(e.profile, e.slope)) for e in edges]
-
-    def new_edges(self, image: Image, taken: Array, usable: Callable[[Array], Mask], count: int) -> list[Edge]:
-        """Up to `count` edges of an image that are apart from ideal segments (n, 4), the longest first."""
-        s, found = self.settings, list[Edge]()
+            return
+        taken = self.undistorted([prediction.value for prediction in inputs.predictions])
         segments = segments_of(image, s.minimum_length)
         for segment, ideal in zip(segments, self.undistorted(segments), strict=True):
-            if len(found) == count:
-                break
             if side_by_side(ideal, taken, s.min_separation).any():
                 continue
             edge = refined(image, self.calibration, segment)
-            if edge is not None and self.good(edge) and usable(edge.segment[None])[0]:
-                found.append(edge)
-                taken = np.concatenate([taken, ideal[None]])
-        return found
-
-    def good(self, edge: Edge) -> bool:
-        """Whether an edge is steep, straight and whole enough to begin a landmark."""
-        s = self.settings
-        return edge.slope >= s.slope and edge.rms <= s.straightness and edge.support >= s.min_new_support
-
-    def pack(self, signature: Any) -> Any:
-        """A landmark's EdgeLook as plain data."""
-        return {name: np.asarray(value).tolist() for name, value in asdict(signature).items()}
-
-    def unpack(self, packed: Any) -> Any:
-        """The EdgeLook that `pack` packed."""
-        return EdgeLook(np.array(packed["profile"]), packed["slope"])
+            if edge is None or not edge.good(s.min_new_support, s.straightness, s.slope):
+                continue
+            if usable(edge.segment[None])[0]:
+                taken, count = np.concatenate([taken, ideal[None]]), count - 1
+                yield edge.segment, EdgeLook(edge.profile, edge.slope)
+                if not count:
+                    return
 
 
 def across_covariances(predictions: list[Any], sensor: Any) -> Array:
@@ -226,8 +197,7 @@ def lines_of(region: Array, limit: float) -> Array:
     a = np.stack(np.meshgrid(*steps, indexing="ij"), -1).reshape(-1, 2)
     inverse = np.linalg.inv(region)
     root = np.sqrt(np.maximum(np.einsum("ni,ij,nj->n", a, inverse, a), 0))
-    found: Array = a[root <= np.sqrt(limit) + STEP / np.sqrt(2) * np.sqrt(np.linalg.eigvalsh(inverse)[-1])]
-    return found
+    return a[root <= np.sqrt(limit) + STEP / np.sqrt(2) * np.sqrt(np.linalg.eigvalsh(inverse)[-1])]
 
 
 def steep_lines(s: EdgeStrip, offsets: Array, most: int = 4) -> Array:

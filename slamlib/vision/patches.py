@@ -142,8 +142,7 @@ def zncc(a: Array, b: Array) -> Array:
     """
     (first, power_a), (second, power_b) = (_centred(x) for x in _pair(a, b, "zncc"))
     product, power = (first * second).sum((-2, -1)), np.sqrt(power_a) * np.sqrt(power_b)
-    score: Array = np.clip(np.where(power > 0, product / np.where(power > 0, power, 1), 0), -1, 1)
-    return score
+    return np.clip(np.where(power > 0, product / np.where(power > 0, power, 1), 0), -1, 1)
 
 
 def ssd(a: Array, b: Array) -> Array:
@@ -162,8 +161,7 @@ def census(a: Array, b: Array) -> Array:
     """
     first, second = _pair(a, b, "census")
     brighter = [x > x[..., x.shape[-2] // 2, None, x.shape[-1] // 2, None] for x in (first, second)]
-    share: Array = (brighter[0] == brighter[1]).mean((-2, -1))
-    return share
+    return (brighter[0] == brighter[1]).mean((-2, -1))
 
 
 # Least squares through the nine values at (u, v) = (-1..1, -1..1), row by row: slopes by u and v, second derivatives.

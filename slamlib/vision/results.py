@@ -30,14 +30,6 @@ class ImageResult:
     trajectory: Trajectory
     size: int
 
-    @classmethod
-    def of(
-        cls, history: list[list[float]], trajectory: Trajectory, size: int, columns: tuple[str, ...] = COLUMNS
-    ) -> "ImageResult":
-        """From a run's rows."""
-        rows = np.array(history, dtype=float)
-        return cls(dict(zip(columns, rows.T, strict=True)), trajectory, size)
-
     def __getattr__(self, name: str) -> Array:
         if name == "columns" or name not in self.columns:
             raise AttributeError(name)
@@ -95,25 +87,35 @@ def summary(result: ImageResult) -> dict[str, Any]:
 
 
 def table(s: dict[str, Any]) -> list[tuple[str, str]]:
-    """The rows of a summary for people: what, and how much."""
+    """The rows of a summary, and of what `compared` says as its "reference", for people: what, and how much."""
     share = {name: "none" if s[name] is None else f"{s[name]:.1%}" for name in ("matched_share", "inlier_share")}
     nis = "no match" if s["nis_per_dof"] is None else f"{s['nis_per_dof']:.2f} (1 is ideal; the gate cuts some off)"
     unit = "m" if s.get("metric") else "of the run's own units"
     parts = ", ".join(f"{name} {spent:.1f}" for name, spent in s["milliseconds"].items())
-    return [
+    rows = [
         ("frames", f"{s['frames']}, {s['seconds']:.2f} s"),
         ("tracked features", f"{s['tracked_mean']:.1f} a frame, at least {s['tracked_least']}"),
         ("frames without a match", f"{s['frames_without_match']} (predictions)"),
-        (
-            "matched",
-            f"{share['matched_share']} of {s['searched']} searched; {share['inlier_share']} of them inliers",
-        ),
+        ("matched", f"{share['matched_share']} of {s['searched']} searched; {share['inlier_share']} of them inliers"),
         ("NIS per degree of freedom", nis),
         ("landmarks", f"{s['landmarks']} in the map, {s['initialized']} initialized, {s['deleted']} deleted"),
         ("state", f"{s['state']} degrees of freedom"),
         ("path", f"{s['path_length']:.3f} {unit} long"),
         ("milliseconds a frame", f"{sum(s['milliseconds'].values()):.1f}: {parts} (medians)"),
     ]
+    r = s.get("reference")
+    if r is not None:
+        turned, path = f"rotation from the {r['rotation_from']}", f"{r['relative_ate']:.2%} of the path"
+        rows += [
+            ("aligned with reference", f"{r['poses']} poses, scale {r['scale']:.4g}, {turned}"),
+            ("absolute trajectory error", f"{r['ate']:.4g} RMSE, {path} of {r['path_length']:.4g}"),
+            ("orientation error", f"{r['orientation_rms']:.2f} degrees rms"),
+        ]
+    p = r and r.get("parts")
+    if p:
+        means = f"{p['translation_mean']:.3%} of the length, {p['rotation_mean']:.4f} degrees a metre (KITTI's measure)"
+        rows.append((f"error over parts of {p['lengths'][0]:g} to {p['lengths'][-1]:g} m", means))
+    return rows
 
 
 def compared(path: Trajectory, reference: Trajectory, interval: float, metric: bool) -> dict[str, Any]:

@@ -11,7 +11,7 @@ gives true lengths, and so does the baseline of a stereo pair.
 camera is at its own origin. With a target the world is the target's.
 
 **Without matches** a frame is a prediction. The camera's place is sought by the filter's expectation alone (there is no
-relocalization), so that a run stops with `Lost` when a gap lasts too long (slamlib.vision.tracking_loss).
+relocalization), so that a run stops with TrackingLostError when a gap lasts too long (slamlib.vision.sequence_run).
 """
 
 import os
@@ -24,66 +24,47 @@ import numpy as np
 from slamlib.data.plain import read, read_fields
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets import opening
-from slamlib.datasets.pairs import checked
-from slamlib.datasets.pictures import TimedImage
-from slamlib.datasets.sources import ImageSource
+from slamlib.datasets.dataset import ImageSource
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.manifolds import Image
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam, checkpoint
 from slamlib.slam.data_association.front_end import FrontEnd
-from slamlib.vision.active_search import ActiveSearchSettings
-from slamlib.vision.combined_front_end import make_front_end
-from slamlib.vision.motion_source import MotionSource, OwnMotion
+from slamlib.vision.active_search import ActiveSearch, ActiveSearchSettings
+from slamlib.vision.front_end import CombinedFrontEnd, MotionSource
+from slamlib.vision.line_search import SegmentSearch
 from slamlib.vision.sequence_run import SequenceKind, SequenceRun
 from slamlib.vision.stereo.detect import StereoSettings
-from slamlib.vision.stereo.matching import check_pair
+from slamlib.vision.stereo.features import check_pair
 from slamlib.vision.stereo.motion_source import MOTION_SOURCES, OdometryOnly, StereoMotionSource
 from slamlib.vision.target import Target
 
 
-def _fitting(picture: TimedImage, calibration: Calibration) -> Image:
-    image, size = calibration.image, picture.image.shape[::-1]
-    if image is not None and tuple(image) != size:
-        raise SlamlibError(
-            f"{picture.name} is {size[0]}x{size[1]}, and the calibration is of {image[0]:g}x{image[1]:g} pixels"
-        )
-    return picture.image
+def make_front_end(
+    options: Options, calibration: Calibration, rng: np.random.Generator, settings: ActiveSearchSettings | None = None
+) -> ActiveSearch | CombinedFrontEnd:
+    """What finds the landmarks that these options ask for: points, and lines beside them if there are to be any."""
+    points = ActiveSearch(calibration, rng, settings)
+    return CombinedFrontEnd(points, SegmentSearch(calibration)) if options.lines else points
 
 
-def _fitting_pair(picture: TimedImage, calibration: Calibration) -> Image:
-    try:
-        return checked(picture.image, calibration)
-    except SlamlibError as error:
-        raise SlamlibError(f"{picture.name}: {error}") from None
+def _image_source(setup: SensorSetup, options: Options, name: str, settings: Any) -> MotionSource:
+    known = read(ActiveSearchSettings, settings)
+    return MotionSource(make_front_end(options, setup.calibration, np.random.default_rng(0), known))
 
 
-def _image_source(
-    rig: Rig, options: Options, name: str, settings: Any, front_end: Callable[[Calibration], FrontEnd] | None
-) -> MotionSource:
-    lens = rig.sensors[0].calibration
-    if front_end is not None:
-        return OwnMotion(front_end(lens))
-    return OwnMotion(make_front_end(options, lens, np.random.default_rng(0), read(ActiveSearchSettings, settings)))
-
-
-def _pair_source(rig: Rig, options: Options, name: str, settings: Any, front_end: None) -> MotionSource:
-    setup = rig.sensors[0]
+def _pair_source(setup: SensorSetup, options: Options, name: str, settings: Any) -> MotionSource:
     return PAIR_MOTION_SOURCES[name](setup.calibration, setup.extrinsics, read(StereoSettings, settings))
 
 
-PAIR_MOTION_SOURCES: dict[str, Callable[..., StereoMotionSource]] = {**MOTION_SOURCES, "odometry": OdometryOnly}
+PAIR_MOTION_SOURCES: dict[str, type[StereoMotionSource]] = {**MOTION_SOURCES, "odometry": OdometryOnly}
 IMAGES = SequenceKind(
     "images",
-    "images",
     "picture",
-    "frames",
     (
         "was there a cut, or was the camera covered? Did it move more than the motion's impulses allow for, or do "
         "they allow for so much that of regions only the middle was searched (active search's setting `largest`)?",
         "no landmark could be initialized: is there light, and texture?",
     ),
-    _fitting,
     _image_source,
     Options(
         points="ahmPnt", updates=25, max_new_first=12, max_new=3, inverse_distance=(1.0, 0.5), outlier_rejection="joint"
@@ -94,15 +75,12 @@ IMAGES = SequenceKind(
 )
 PAIRS = SequenceKind(
     "stereo-images",
-    "stereo pairs",
     "pair",
-    "pairs",
     (
         "was there a cut, or was a camera covered? Did they move so far that little is seen twice, or more than the "
         "motion's impulses allow for?",
     )
     * 2,
-    _fitting_pair,
     _pair_source,
     Options(points="eucPnt", updates=100, max_new_first=100, max_new=30, margin=0.0),
     impulse=(0.3, 2.0),  # of a car
@@ -125,15 +103,11 @@ def camera_rig(
     impulse, velocity: standard deviations as of a SequenceKind, whose own are the default. unit: typical distance of
     what is seen [m], which these are scaled with; with a free scale it is the metre of the run itself, 1.
     """
-    pushed, motion_source = (
-        (default[0] * unit, default[1]) if given is None else given
-        for given, default in ((impulse, kind.impulse), (velocity, kind.velocity))
+    velocity_std, control_std = (
+        tuple(np.repeat((default[0] * unit, default[1]) if given is None else given, 3).tolist())
+        for given, default in ((velocity, kind.velocity), (impulse, kind.impulse))
     )
-    robot = RobotSetup(
-        motion=motion,
-        velocity_std=(motion_source[0],) * 3 + (motion_source[1],) * 3,
-        control_std=(pushed[0],) * 3 + (pushed[1],) * 3,
-    )
+    robot = RobotSetup(motion=motion, velocity_std=velocity_std, control_std=control_std)
     return Rig((robot,), (SensorSetup(**{"std": kind.noise, **read_fields(SensorSetup, camera, "camera")}),))
 
 
@@ -170,7 +144,8 @@ def image_run(
     rig = rig if scale is None else scale.placed(rig)
     own = front_end or make_front_end(options, rig.sensors[0].calibration, rng or np.random.default_rng(0))
     slam = Slam(rig, options, front_ends=[own])
-    return SequenceRun(source, slam, OwnMotion(own), IMAGES, patience=patience, metric=scale is not None, target=scale)
+    metric = scale is not None
+    return SequenceRun(source, slam, MotionSource(own), IMAGES, patience=patience, metric=metric, target=scale)
 
 
 def open_stereo(
@@ -207,9 +182,9 @@ def stereo_run(
     """
     if motion_source not in PAIR_MOTION_SOURCES:
         raise UnknownNameError.of("motion of a stereo run", motion_source, PAIR_MOTION_SOURCES)
-    setup = SensorSetup(**{"std": PAIRS.noise, **read_fields(SensorSetup, camera, "camera")})
-    motion = PAIR_MOTION_SOURCES[motion_source](setup.calibration, setup.extrinsics, settings)
-    rig = camera_rig(camera, PAIRS, motion=motion.motion, impulse=impulse, velocity=velocity)
+    chosen = PAIR_MOTION_SOURCES[motion_source]
+    rig = camera_rig(camera, PAIRS, motion=chosen.motion, impulse=impulse, velocity=velocity)
+    motion = chosen(rig.sensors[0].calibration, rig.sensors[0].extrinsics, settings)
     options = Options(points=None) if motion_source == "odometry" else options
     return SequenceRun(source, Slam(rig, options, front_ends=[motion.front_end]), motion, PAIRS, patience=patience)
 
@@ -230,11 +205,14 @@ def load(
     header, _ = checkpoint.read(path)
     saved = header["extra"].get(kind.name)
     if saved is None:
-        raise SlamlibError(f"{path} holds no run on {kind.shown}: `slamlib run --resume` goes on with a simulated one")
+        raise SlamlibError(f"{path} holds no run on {kind.item}s: `slamlib run --resume` goes on with a simulated one")
     if source is None and not saved["source"]:
         raise SlamlibError(f"{path}: its {kind.item}s were in memory; give them as source=...")
     rig, options, told = Rig.from_dict(header["rig"]), Options.from_dict(header["options"]), saved["motion"]
-    motion = kind.source(rig, options, told["name"], told["settings"], front_end)
+    if front_end is None:
+        motion = kind.source(rig.sensors[0], options, told["name"], told["settings"])
+    else:
+        motion = MotionSource(front_end(rig.sensors[0].calibration))
     slam = Slam.load(path, front_ends=[motion.front_end])
     motion.restore(told["state"])
     return SequenceRun(source or opening.reopen(saved["source"], frames), slam, motion, kind, **saved["run"])

@@ -50,40 +50,30 @@ class Scores:
         row, column = divmod(int(allowed.argmax()), allowed.shape[1])
         score = float(allowed[row, column])
         allowed[max(row - width, 0) : row + width + 1, max(column - width, 0) : column + width + 1] = -2
-        pixel = np.array([column, row]) + self.corner + top(self._around(row, column))
+        around = np.pad(self.values, 1, constant_values=np.nan)[row : row + 3, column : column + 3]
+        pixel = np.array([column, row]) + self.corner + top(around)
         return Match(pixel, score, max(float(allowed.max()), -1.0))
 
-    def _around(self, row: int, column: int) -> Array:
-        """The 3 x 3 scores around a pixel, nan beyond the rectangle, which is the image's border."""
-        around = np.full((3, 3), np.nan)
-        part = self.values[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2]
-        top_, left = int(row == 0), int(column == 0)
-        around[top_ : top_ + part.shape[0], left : left + part.shape[1]] = part
-        return around
 
-
-def search(
-    image: Image, template: Patch | Array, centre: Array, S: Array, probability: float = 0.99, largest: float = np.inf
-) -> Match | None:
+def search(image: Image, template: Patch | Array, centre: Array, S: Array, probability: float = 0.99) -> Match | None:
     """The best match of a template (h, w), odd sizes, around `centre` (2,), expected with covariance S (2, 2) [px^2].
 
     Looked at: the pixels nearest to the places whose z' S^-1 z is below the chi-square quantile of `probability`, with
-    their whole window in the image; None where there is none, and where the ellipse reaches farther than `largest`
-    [px], which says that the expectation is worth nothing. Raises ShapeError, CovarianceError, SlamlibError.
+    their whole window in the image; None where there is none. Raises ShapeError, CovarianceError, SlamlibError.
     """
     patch = as_patch(template)
-    scores = score_map(image, patch, centre, S, probability, largest)
+    scores = score_map(image, patch, centre, S, probability)
     return None if scores is None else scores.best(max(patch.pixels.shape) // 2)
 
 
 def score_map(
-    image: Image, template: Patch | Array, centre: Array, S: Array, probability: float = 0.99, largest: float = np.inf
+    image: Image, template: Patch | Array, centre: Array, S: Array, probability: float = 0.99
 ) -> Scores | None:
     """All the scores that `search` chooses from."""
     array, patch = grey(image, "search"), as_patch(template)
     if patch.pixels.shape[0] % 2 == 0 or patch.pixels.shape[1] % 2 == 0:
         raise SlamlibError(f"search: a template has a pixel in its centre, odd sizes; got {patch.pixels.shape}")
-    region = ellipse(array.shape, patch.pixels.shape, centre, S, gate(probability, 2), largest)
+    region = ellipse(array.shape, patch.pixels.shape, centre, S, gate(probability, 2))
     if region is None:
         return None
     (u, v), mask = region
@@ -125,21 +115,21 @@ def register(image: Image, template: Patch | Array, start: Array, steps: int = 1
 
 
 def ellipse(
-    image: tuple[int, ...], size: tuple[int, ...], centre: Array, S: Array, limit: float, largest: float
+    image: tuple[int, ...], size: tuple[int, ...], centre: Array, S: Array, limit: float
 ) -> tuple[tuple[int, int], Array] | None:
     """The pixels nearest to the places with z' S^-1 z <= limit, if their window `size` (h, w) is in the image (h, w).
 
-    As the pixel (u, v) of the upper left corner, and a mask (rows, columns) from there; None where there is none, or
-    where it reaches farther than `largest` [px]. An ellipse between four pixels has pixels too: those nearest to it.
-    Raises CovarianceError where S is not positive definite.
+    As the pixel (u, v) of the upper left corner, and a mask (rows, columns) from there; None where there is none. An
+    ellipse between four pixels has pixels too: those nearest to it. Raises CovarianceError where S is not positive
+    definite.
     """
     (x, y), S, limit = finite(centre, (2,), "search", "centre"), finite(S, (2, 2), "search", "S"), min(limit, 1e18)
     (a, b), (_, c) = S.tolist()
     if not (a * c - b * b > 0 and a > 0 and abs(b - S[1, 0]) <= 1e-9 * np.sqrt(a * c)):
         raise CovarianceError(f"search: S should be symmetric and positive definite, got {S.tolist()}")
-    across, down = np.sqrt(limit * a), np.sqrt(limit * c)
+    down = np.sqrt(limit * c)
     v0, v1 = _whole(y - down, y + down, size[0] // 2, image[0])
-    if max(across, down) > largest or v1 < v0:
+    if v1 < v0:
         return None
     rows = np.arange(v0, v1 + 1) - y
     # A row's pixels reach half a pixel up and down: it is there that the ellipse is widest, or as near as they reach.
@@ -186,5 +176,4 @@ def _sums(piece: Array, h: int, w: int) -> Array:
     """Sums over all windows (h, w), from the integral image."""
     integral = np.zeros((piece.shape[0] + 1, piece.shape[1] + 1))
     piece.cumsum(0).cumsum(1, out=integral[1:, 1:])
-    result: Array = integral[h:, w:] - integral[:-h, w:] - integral[h:, :-w] + integral[:-h, :-w]
-    return result
+    return integral[h:, w:] - integral[:-h, w:] - integral[h:, :-w] + integral[:-h, :-w]

@@ -14,38 +14,65 @@ import numpy as np
 
 from slamlib.data.records import Control, Frame, Scan
 from slamlib.data.snapshots import Snapshot
+from slamlib.datasets.dataset import ImageSource
 from slamlib.datasets.pictures import TimedImage
-from slamlib.datasets.sources import ImageSource
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory
-from slamlib.manifolds import Image
-from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Report, Slam
-from slamlib.vision.motion_source import MotionSource
+from slamlib.vision.front_end import MotionSource
 from slamlib.vision.results import COLUMNS, ImageResult, counts
 from slamlib.vision.target import Target
-from slamlib.vision.tracking_loss import TrackingLoss
 
+RECOVERED = 3  # landmarks that end a gap: one alone may be a wrong match
 TIME, LANDMARKS = COLUMNS.index("time"), COLUMNS.index("landmarks")
+
+
+class TrackingLostError(SlamlibError):
+    """Too many frames in a row without a match; what was done before is kept, and can be saved."""
+
+
+@dataclass
+class TrackingLoss:
+    """The present gap in the matches, if there is one.
+
+    It begins with a frame in which no match is believed. It ends with one that believes in three landmarks older than
+    the gap: those that were begun in it are tied to nothing but a prediction, unless nothing was known before. first:
+    number of its first frame, or None; last: of the last frame looked at; known: landmarks in the map before the gap.
+    """
+
+    first: int | None = None
+    last: int = 0
+    known: int = 0
+
+    def update(self, number: int, births: list[int], landmarks: int) -> None:
+        """Take note of a frame; births: of what is believed in it, the frame numbers; landmarks: in the map after."""
+        if self.first is None:
+            self.first = number if not births and self.last else None
+        elif sum(born < self.first or not self.known for born in births) >= RECOVERED:
+            self.first = None
+        if self.first is None:
+            self.known = landmarks
+        self.last = number
+
+    @property
+    def frames(self) -> int:
+        """How long it lasts, 0 if there is none."""
+        return 0 if self.first is None else self.last - self.first + 1
 
 
 @dataclass(frozen=True)
 class SequenceKind:
     """What runs on single pictures and on stereo pairs have of their own.
 
-    name: of the run in a file; shown, item, frames: what its images are called; causes: of a tracking loss, with
-    landmarks in the map and without. checked(picture, calibration): the image, or SlamlibError. source(rig, options,
-    name, settings, front_end): the MotionSource of a saved run. The rest is what a run begins with if nothing else is
-    said: options, standard deviations of changes of velocity [m/s, deg/s] from one picture to the next and of both at
-    the start, and of a measurement [px].
+    name: of the run in a file; item: what one of its images is called; causes: of a tracking loss, with landmarks in
+    the map and without. source(sensor, options, name, settings): the MotionSource of a saved run. The rest is what a
+    run begins with if nothing else is said: options, standard deviations of changes of velocity [m/s, deg/s] from one
+    picture to the next and of both at the start, and of a measurement [px].
     """
 
     name: str
-    shown: str
     item: str
-    frames: str
     causes: tuple[str, str]
-    checked: Callable[[TimedImage, Calibration], Image]
     source: Callable[..., MotionSource]
     options: Options
     impulse: tuple[float, float]
@@ -105,15 +132,18 @@ class SequenceRun:
         return bool(self.slam.options.points or self.slam.options.lines)
 
     def __iter__(self) -> Iterator[ImageStep]:
-        """Work on the pictures still to do. Raises Lost, and SlamlibError for a picture that cannot be read."""
+        """Work on the pictures still to do. Raises TrackingLostError, SlamlibError for an unreadable one."""
         if not len(self):
             return
         began = time.perf_counter()
         for picture in self.source.part(len(self.history)):
             yield self._step(picture, time.perf_counter() - began)
-            if len(self):
-                causes = self.kind.causes[not self.slam.landmarks]
-                self.tracking_loss.check(self.patience, self.kind.frames, causes, self.kind.item)
+            if len(self) and self.tracking_loss.frames >= self.patience:
+                raise TrackingLostError(
+                    f"lost: {self.tracking_loss.frames} {self.kind.item}s in a row without a match, from frame "
+                    f"{self.tracking_loss.first} on; {self.kind.causes[not self.slam.landmarks]} There is no "
+                    f"relocalization: go on with more patience, or begin anew at a later {self.kind.item}"
+                )
             began = time.perf_counter()
 
     def _step(self, picture: TimedImage, reading: float) -> ImageStep:
@@ -137,10 +167,13 @@ class SequenceRun:
     def _frame(self, picture: TimedImage) -> Frame:
         """A picture with a control of zeros. Raises SlamlibError for one that does not fit; nothing is changed."""
         calibration, robot = self.slam.sensors[0].calibration, self.slam.robots[0]
-        scan = Scan(image=self.kind.checked(picture, calibration))
+        *_, height, width = picture.image.shape
+        if calibration.image is not None and tuple(calibration.image) != (width, height):
+            known = "{:g}x{:g}".format(*calibration.image)
+            raise SlamlibError(f"{picture.name} is {width}x{height}, and the calibration is of {known} pixels")
         dt = picture.time - self.history[-1][TIME] if self._can_move() else 0.0
         control = Control(np.zeros(robot.motion.control), robot.noise * (dt / self.source.interval))
-        return Frame(len(self.history) + 1, dt, (control,), (scan,))
+        return Frame(len(self.history) + 1, dt, (control,), (Scan(image=picture.image),))
 
     def _can_move(self) -> bool:
         """Not before something was seen: the first landmarks are begun from the start that is known."""
@@ -148,9 +181,7 @@ class SequenceRun:
 
     def _process(self, frame: Frame, elapsed: float) -> Report:
         """One frame of the filter; into an empty map as many landmarks are begun as in a first frame."""
-        image = frame.scans[0].image
-        assert image is not None, "_frame has seen to it"
-        control = self.motion.control(image, elapsed, self.slam)
+        control = self.motion.control(frame.scans[0].image, elapsed, self.slam)
         told = control is not None and self._can_move()
         frame = replace(frame, controls=(control,)) if told else self._predict_missing(frame)
         is_target = self.target is not None and not self.history
@@ -196,7 +227,8 @@ class SequenceRun:
 
     def result(self) -> ImageResult:
         """What has been done so far. Raises SlamlibError before the first picture."""
-        return ImageResult.of(self.history, self.trajectory(), self.slam.belief.size, self.columns)
+        path, columns = self.trajectory(), np.array(self.history, dtype=float).T
+        return ImageResult(dict(zip(self.columns, columns, strict=True)), path, self.slam.belief.size)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all of it to one file, whole or not at all. Raises SlamlibError in the middle of a frame."""
@@ -204,10 +236,6 @@ class SequenceRun:
             raise SlamlibError(f"frame {len(self.history) + 1} was broken off, and the filter is not whole any more")
         settings = getattr(self.slam.front_ends[0], "settings", None)
         run = {name: getattr(self, name) for name in ("history", "path", "patience", "metric")}
+        run["tracking_loss"] = asdict(self.tracking_loss)
         motion = {"name": self.motion.name, "settings": settings and asdict(settings), "state": self.motion.dump()}
-        saved = {
-            "source": self.source.recipe,
-            "run": {**run, "tracking_loss": asdict(self.tracking_loss)},
-            "motion": motion,
-        }
-        self.slam.save(path, **{self.kind.name: saved})
+        self.slam.save(path, **{self.kind.name: {"source": self.source.recipe, "run": run, "motion": motion}})

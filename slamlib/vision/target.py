@@ -10,7 +10,7 @@ import numpy as np
 
 from slamlib.data.records import Scan
 from slamlib.data.setup import Rig
-from slamlib.datasets.optional_imports import opencv
+from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.alignment import straightness
 from slamlib.geometry.euler import from_rotation
@@ -74,23 +74,20 @@ class Target:
             raise SlamlibError("no place of the camera explains the target's pixels")
         turn, shift = cv2.solvePnPRefineLM(points, plane, np.eye(3), None, turn, shift)
         pose: Array = inverse(np.concatenate([shift.ravel(), exponential(turn.ravel())]))
-        self._check(calibration, pose)
+        seen = np.column_stack([to_frame(pose, self.points), np.ones(len(self.points))])
+        fits = calibration.visible(seen).all()
+        error = np.linalg.norm(calibration.project(seen) - self.pixels, axis=1) if fits else np.array([np.inf])
+        rms = np.sqrt((error**2).mean())
+        if not rms <= LARGEST:
+            raise SlamlibError(
+                f"the target's pixels do not fit its points: they are {rms:.1f} px off (rms) "
+                "seen from the best pose; are both in one order, pixels u to the right and v down, calibration right?"
+            )
         return pose
 
     def distance(self, calibration: Calibration) -> float:
         """Median of the points' distances from the camera [m]: the typical one of what is seen, as far as is known."""
         return float(np.median(np.linalg.norm(self.points - self.camera(calibration)[:3], axis=1)))
-
-    def _check(self, calibration: Calibration, pose: Array) -> None:
-        seen = to_frame(pose, self.points)
-        seen = np.concatenate([seen, np.ones((len(seen), 1))], axis=1)
-        fits = calibration.visible(seen).all()
-        error = np.linalg.norm(calibration.project(seen) - self.pixels, axis=1) if fits else np.array([np.inf])
-        if not np.sqrt((error**2).mean()) <= LARGEST:
-            raise SlamlibError(
-                f"the target's pixels do not fit its points: they are {np.sqrt((error**2).mean()):.1f} px off (rms) "
-                "seen from the best pose; are both in one order, pixels u to the right and v down, calibration right?"
-            )
 
     def placed(self, rig: Rig) -> Rig:
         """The rig with its robot where the target is seen from. How well that is known the pixels will say: before,
@@ -120,19 +117,19 @@ class Target:
                 f"{type(front_end).__name__} cannot initialize landmarks at given pixels: it has no `initialize_at`"
             )
         found = front_end.initialize_at(FrontEndInput(scan, sensor, []), "points", self.pixels)
-        rows = [i for i, one in enumerate(found) if one is not None]
-        if len(rows) < LEAST:
+        if sum(one is not None for one in found) < LEAST:
             raise SlamlibError(
-                f"{len(found) - len(rows)} of the target's {len(found)} points lie too near the picture's border: "
+                f"{found.count(None)} of the target's {len(found)} points lie too near the picture's border: "
                 f"at least {LEAST} must be left"
             )
         pixel_of: dict[Any, Array] = {}
-        for i in rows:
-            number, _, signature = found[i]
-            block = slam.belief.add(EUC_POINT.manifold, self.points[i], self.std**2 * np.eye(3))
-            landmark = Landmark(number, EUC_POINT, block, first_seen=1, signature=signature)
-            slam.landmarks.append(landmark)
-            pixel_of[landmark] = self.pixels[i]
+        for one, point, pixel in zip(found, self.points, self.pixels, strict=True):
+            if one is not None:
+                number, _, signature = one
+                block = slam.belief.add(EUC_POINT.manifold, point, self.std**2 * np.eye(3))
+                landmark = Landmark(number, EUC_POINT, block, first_seen=1, signature=signature)
+                slam.landmarks.append(landmark)
+                pixel_of[landmark] = pixel
         predictions = predict_measurements(slam.belief, sensor, slam.families, slam.landmarks, slam.options)
         for prediction in predictions:
             prediction.measured, prediction.matched = pixel_of[prediction.landmark], True

@@ -8,12 +8,12 @@ pixel in the old image, where the patch was taken: so a template is filled pixel
 
 import numpy as np
 
-from slamlib.errors import ShapeError, SingularPointError, SlamlibError
+from slamlib.errors import SingularPointError
 from slamlib.geometry.quaternion import rotation
 from slamlib.kalman.linalg import finite
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.patches import Patch, as_patch, half_size, sample
+from slamlib.vision.patches import half_size, sample
 
 _CORNERS = np.array([[-1.0, -1], [1, -1], [1, 1], [-1, 1]])
 
@@ -38,8 +38,7 @@ def in_camera(pose: Array, point: Array) -> Array:
 def facing_plane(point: Array) -> Array:
     """The planes m (..., 3) through homogeneous points (..., 4) that face the camera: n = h / |h|, d = |h| / w."""
     h, w = point[..., :3], point[..., 3:]
-    plane: Array = w * h / (h * h).sum(-1, keepdims=True)
-    return plane
+    return w * h / (h * h).sum(-1, keepdims=True)
 
 
 def zoom_and_roll(relative: Array, point: Array) -> tuple[float, float]:
@@ -66,8 +65,7 @@ def plane_homography(K_new: Array, K_old: Array, relative: Array, plane: Array) 
 
     For cameras without distortion, K = [[au, 0, u0], [0, av, v0], [0, 0, 1]]. Hartley and Zisserman (2004), sec. 13.1.
     """
-    H: Array = K_new @ (rotation(relative[3:]) + np.outer(relative[:3], plane)) @ np.linalg.inv(K_old)
-    return H
+    return K_new @ (rotation(relative[3:]) + np.outer(relative[:3], plane)) @ np.linalg.inv(K_old)
 
 
 def offsets_map(H: Array, old: Array) -> Array:
@@ -157,7 +155,8 @@ def warp(reference: Array, centre: Array, H: Array, size: int) -> Array | None:
     """
     half, centre = half_size(size, "warp"), finite(centre, (2,), "warp", "centre")
     counts = [max(1, round(float(n))) for n in np.hypot(*affine(H)[:2, :2])]
-    u, v = (_spread(half, n) for n in counts)
+    # Each pixel is sampled so many times, evenly over its width.
+    u, v = ((np.arange(-half, half + 1)[:, None] + (np.arange(count) + 0.5) / count - 0.5).ravel() for count in counts)
     grid = np.stack([*np.broadcast_arrays(u, v[:, None]), np.ones((len(v), len(u)))], axis=-1)
     places = grid @ H.T
     if not (places[..., 2] > 0).all():
@@ -165,24 +164,3 @@ def warp(reference: Array, centre: Array, H: Array, size: int) -> Array | None:
     values = sample(reference, places[..., :2] / places[..., 2:] + centre)
     template = values.reshape(size, counts[1], size, counts[0]).mean((1, 3))
     return None if np.isnan(template).any() else template
-
-
-def _spread(half: int, count: int) -> Array:
-    """Where each of 2 half + 1 pixels is sampled: `count` times, evenly over its width."""
-    within = (np.arange(count) + 0.5) / count - 0.5
-    return (np.arange(-half, half + 1)[:, None] + within).ravel()
-
-
-def gain_and_bias(template: Patch | Array, patch: Patch | Array) -> tuple[float, float]:
-    """The gain and the bias with which gain * template + bias is nearest to a patch, by least squares.
-
-    Raises ShapeError for patches of two sizes, SlamlibError for a template without texture, which has every gain.
-    """
-    a, b = as_patch(template), as_patch(patch)
-    if a.pixels.shape != b.pixels.shape:
-        raise ShapeError(f"gain_and_bias: the patches have sizes {a.pixels.shape} and {b.pixels.shape}")
-    power = float((a.centred**2).sum())
-    if not power:
-        raise SlamlibError("gain_and_bias: the template has no texture, so that any gain fits; ask for its mean")
-    gain = float((a.centred * b.pixels).sum()) / power
-    return gain, (b.SI - gain * a.SI) / a.n

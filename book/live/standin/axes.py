@@ -5,12 +5,11 @@ from typing import Any
 import numpy as np
 from slambook.figures.axes import Axes as Drawn
 from slambook.figures.colors import CYCLE, color_named
-from slambook.figures.data import numbers, row_of, rows_of
 from slambook.figures.marks import Area, Edges, Line
 from slambook.figures.notes import Words
 from slambook.figures.paths import pieces
 from slambook.figures.scales import SCALES
-from slambook.figures.style import COMMON, fill_of, marker_of, named, stroke_of
+from slambook.figures.style import COMMON, fill_of, marker_of, named, numbers, row_of, rows_of, stroke_of
 from slambook.figures.ticks import nice_ticks
 
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
@@ -90,7 +89,7 @@ class Axes(Drawn):
         """A line through points with the bars of their errors: one number, one each, or (below, above)."""
         x, y = rows_of("errorbar", x=x, y=y)
         found = self.plot(x, y, fmt, **style)
-        prediction = {"color": found[0].stroke.color if found[0].stroke else found[0].marker.look.edge}  # type: ignore[union-attr]
+        prediction = {"color": found[0].stroke.color if found[0].stroke else found[0].marker.edge.color}  # type: ignore[union-attr]
         for axis, error in ((0, xerr), (1, yerr)):
             if error is None:
                 continue

@@ -1,6 +1,7 @@
 """Axes: marks, two scales, words around them; in matplotlib's names."""
 
 from collections.abc import Callable
+from itertools import groupby
 from typing import Any
 
 import numpy as np
@@ -136,11 +137,9 @@ class Axes(Calls):
         spans = [abs(float(np.diff(self.x.scale.forward(np.array(lim)))[0])) for lim in (xlim, ylim)]
         wide, high = (right - left) / spans[0], (bottom - top) / spans[1]  # points per unit
         if self.adjustable == "datalim":
-            return (
-                (box, self._widened(xlim, wide / high), ylim)
-                if wide > high
-                else (box, xlim, self._widened(ylim, high / wide))
-            )
+            if wide > high:
+                return box, self._widened(xlim, wide / high), ylim
+            return box, xlim, self._widened(ylim, high / wide)
         cut_x, cut_y = (right - left) * max(0, 1 - high / wide) / 2, (bottom - top) * max(0, 1 - wide / high) / 2
         return (left + cut_x, top + cut_y, right - cut_x, bottom - cut_y), xlim, ylim
 
@@ -162,20 +161,13 @@ class Axes(Calls):
         """Put all on the sheet."""
         view = self.view(box)
         frame.draw_grid(self, canvas, view)
-        self._draw_marks(canvas, view)
+        for clip, marks in groupby(sorted(self.marks, key=lambda m: m.zorder), lambda m: m.clip):
+            with canvas.group(clip=view.box if clip else None):
+                for mark in marks:
+                    mark.draw(canvas, view)
         frame.draw_frame(self, canvas, view)
         if self.key is not None:
             self.key.draw(self.marks, canvas, view)
-
-    def _draw_marks(self, canvas: Canvas, view: DataView) -> None:
-        ordered = sorted(self.marks, key=lambda m: m.zorder)
-        while ordered:
-            clip = ordered[0].clip
-            count = next((i for i, m in enumerate(ordered) if m.clip != clip), len(ordered))
-            with canvas.group(clip=view.box if clip else None) if clip else canvas.group():
-                for mark in ordered[:count]:
-                    mark.draw(canvas, view)
-            ordered = ordered[count:]
 
     def described(self) -> str:
         """What its words say."""

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from slambook.figures.data import row_of
-from slambook.figures.scales import SCALES, Linear, spread
+from slambook.figures.scales import SCALES, Scale, spread
+from slambook.figures.style import row_of
 from slambook.figures.words import width_of
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.manifolds import Array
@@ -30,7 +30,7 @@ class Axis:
     """The x or the y axis; an end that is None follows the data."""
 
     name: str
-    scale: Linear = SCALES["linear"]
+    scale: Scale = SCALES["linear"]
     ends: tuple[float | None, float | None] = (None, None)
     inverted: bool = False
     label: str = ""
@@ -78,7 +78,8 @@ class Axis:
         a, b = (auto if end is None else end for auto, end in zip(found, self.ends, strict=True))
         if a >= b and None in self.ends:  # one end is set, beyond the data
             a, b = (a, spread(a, a, self.scale)[1]) if self.ends[0] is not None else (spread(b, b, self.scale)[0], b)
-        self.scale.limits(a, b)
+        if self.scale.positive and min(a, b) <= 0:
+            raise SlamlibError(f"a logarithmic axis cannot span {a:g} to {b:g}: both ends must be positive")
         return (b, a) if self.inverted else (a, b)
 
     def ticks(self, limits: tuple[float, float], length: float, across: bool) -> Ticks:
@@ -87,17 +88,14 @@ class Axis:
         if self.places is None:
             return automatic(self.scale, low, high, length, across)
         places = self.places[(self.places >= low) & (self.places <= high)]
-        names = self.scale.labels(places) if self.names is None else self._names_of(places)
+        if self.names is None:
+            return Ticks(places, self.scale.labels(places), np.empty(0))
+        names = [name for place, name in zip(self.places, self.names, strict=True) if place in places]
         return Ticks(places, names, np.empty(0))
-
-    def _names_of(self, places: Array) -> list[str]:
-        assert self.places is not None
-        assert self.names is not None
-        return [name for place, name in zip(self.places, self.names, strict=True) if place in places]
 
 
 @lru_cache(maxsize=256)
-def automatic(scale: Linear, low: float, high: float, length: float, across: bool) -> Ticks:
+def automatic(scale: Scale, low: float, high: float, length: float, across: bool) -> Ticks:
     """As many ticks as there is room for between their labels."""
     for most in range(MOST, 3, -1):
         places = scale.ticks(low, high, most)

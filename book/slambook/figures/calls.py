@@ -6,9 +6,8 @@ import numpy as np
 
 from slambook.figures.axis import Axis
 from slambook.figures.colors import CYCLE, color_named, colors
-from slambook.figures.data import numbers, row_of, rows_of
 from slambook.figures.images import Image, pixels_of
-from slambook.figures.marks import Area, Edges, Line, Mark, Rule, Span
+from slambook.figures.marks import Across, Area, Edges, Line, Mark
 from slambook.figures.notes import ARROWS, PLACES, Arrow, Words
 from slambook.figures.paths import pieces
 from slambook.figures.style import (
@@ -23,7 +22,10 @@ from slambook.figures.style import (
     lettering_of,
     marker_of,
     named,
+    numbers,
     positive,
+    row_of,
+    rows_of,
     stroke_of,
 )
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
@@ -81,21 +83,34 @@ class Calls:
         line = Line(x=x, y=y, stroke=stroke_of(style, color), marker=marker_of(style, color))
         return self._add(line, style)
 
-    def axhline(self, y: float = 0.0, xmin: float = 0.0, xmax: float = 1.0, **style: Any) -> Rule:
+    def axhline(self, y: float = 0.0, xmin: float = 0.0, xmax: float = 1.0, **style: Any) -> Across:
         """A line across the axes at y, from and to shares of their width."""
-        return self._rule("axhline", 1, y, (xmin, xmax), style)
+        return self._across("axhline", 1, y, style, (xmin, xmax))
 
-    def axvline(self, x: float = 0.0, ymin: float = 0.0, ymax: float = 1.0, **style: Any) -> Rule:
+    def axvline(self, x: float = 0.0, ymin: float = 0.0, ymax: float = 1.0, **style: Any) -> Across:
         """An upright line across the axes at x, from and to shares of their height."""
-        return self._rule("axvline", 0, x, (ymin, ymax), style)
+        return self._across("axvline", 0, x, style, (ymin, ymax))
 
-    def _rule(self, function: str, axis: int, value: float, reach: tuple[float, float], style: dict[str, Any]) -> Rule:
-        chosen = named(function, style, (*COMMON, *STROKE))
-        stroke = stroke_of(chosen, CYCLE[0])
-        if stroke is None:
+    def axhspan(self, ymin: float, ymax: float, **style: Any) -> Across:
+        """A band across the axes from ymin to ymax."""
+        return self._across("axhspan", 1, [ymin, ymax], style)
+
+    def axvspan(self, xmin: float, xmax: float, **style: Any) -> Across:
+        """An upright band across the axes from xmin to xmax."""
+        return self._across("axvspan", 0, [xmin, xmax], style)
+
+    def _across(
+        self, function: str, axis: int, ends: Any, style: dict[str, Any], reach: tuple[float, float] = (0.0, 1.0)
+    ) -> Across:
+        """A line at one number, a band between two."""
+        band = function.endswith("span")
+        chosen = named(function, style, (*COMMON, *(FILL if band else STROKE)))
+        look = (fill_of if band else stroke_of)(chosen, CYCLE[0])
+        if look is None:
             raise SlamlibError(f"{function}: a line without a linestyle is none")
-        place = float(row_of(function, "xy"[axis], value)[0])
-        return self._add(Rule(axis=axis, value=place, stroke=stroke, reach=reach), chosen)
+        values = tuple(float(v) for v in row_of(function, "ends" if band else "xy"[axis], ends))
+        mark = Across(axis=axis, values=values, look=look, reach=reach, zorder=1.0 if band else 2.0)
+        return self._add(mark, chosen)
 
     # -- areas and images ----------------------------------------------------------------------------------------------
 
@@ -107,19 +122,6 @@ class Calls:
         chosen = named(function, style, (*COMMON, *FILL))
         inside = chosen.get("color") if chosen.get("facecolor") is None else chosen["facecolor"]
         return self._add(Area(rings=rings, fill=fill_of(chosen, self._next("areas", inside)), tight=tight), chosen)
-
-    def axhspan(self, ymin: float, ymax: float, **style: Any) -> Span:
-        """A band across the axes from ymin to ymax."""
-        return self._span("axhspan", 1, ymin, ymax, style)
-
-    def axvspan(self, xmin: float, xmax: float, **style: Any) -> Span:
-        """An upright band across the axes from xmin to xmax."""
-        return self._span("axvspan", 0, xmin, xmax, style)
-
-    def _span(self, function: str, axis: int, low: float, high: float, style: dict[str, Any]) -> Span:
-        chosen = named(function, style, (*COMMON, *FILL))
-        low, high = (float(v) for v in row_of(function, "ends", [low, high]))
-        return self._add(Span(axis=axis, low=low, high=high, fill=fill_of(chosen, CYCLE[0])), chosen)
 
     def imshow(
         self,

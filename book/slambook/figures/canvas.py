@@ -48,29 +48,31 @@ class Canvas:
     @contextmanager
     def group(self, style: str = "", clip: Box | None = None) -> Iterator[None]:
         """Elements that share a style, or are cut at a box; an empty group leaves nothing."""
-        start = len(self._parts)
+        outer, self._parts = self._parts, []
         yield
-        if len(self._parts) == start:
+        inner, self._parts = self._parts, outer
+        if not inner:
             return
-        reference = f' clip-path="url(#{_NAME}{self._clips})"' if clip else ""
+        reference = ""
         if clip:
-            self._parts.insert(start, f'<clipPath id="{_NAME}{self._clips}">')
-            self._move_rectangle(clip, start + 1)
-            self._parts.insert(start + 2, "</clipPath>")
-            self._clips, start = self._clips + 1, start + 3
-        self._parts.insert(start, f"<g{reference}{_styled(style)}>")
-        self._parts.append("</g>")
-
-    def _move_rectangle(self, box: Box, place: int) -> None:
-        self.rectangle(box, "")
-        self._parts.insert(place, self._parts.pop())
+            self._parts.append(f'<clipPath id="{_NAME}{self._clips}">')
+            self.rectangle(clip, "")
+            self._parts.append("</clipPath>")
+            reference, self._clips = f' clip-path="url(#{_NAME}{self._clips})"', self._clips + 1
+        self._parts += [f"<g{reference}{_styled(style)}>", *inner, "</g>"]
 
     def text(self, x: float, y: float, words: str, look: Lettering, bare: bool = False) -> None:
         """Words at a point, moved and if need be shrunk to stay on the sheet; bare: the group has their style."""
         words = str(words)
         if not words.strip():
             return
-        x, y, fitted = self._inside(x, y, words, look)
+        left, top, right, bottom = look.box(0, 0, words)
+        shrink = min(1.0, self.width / max(right - left, 1e-9), self.height / max(bottom - top, 1e-9))
+        fitted = look
+        if shrink < 1:
+            fitted = replace(look, size=max(floor(100 * shrink * look.size) / 100, 0.01))
+            left, top, right, bottom = fitted.box(0, 0, words)
+        x, y = min(max(x, -left), self.width - right), min(max(y, -top), self.height - bottom)
         style = "" if bare and fitted == look else fitted.css()
         lines = words.split("\n")
         for i, line in enumerate(lines):
@@ -78,15 +80,6 @@ class Canvas:
             turn = f' transform="rotate({number(-look.turned)} {across} {down})"' if look.turned else ""
             place = f'x="{across}" y="{down}"{turn}'
             self._parts.append(f"<text {place}{_styled(style)}>{_tspans(line, fitted.size)}</text>")
-
-    def _inside(self, x: float, y: float, words: str, look: Lettering) -> tuple[float, float, Lettering]:
-        """The place and the size that keep the words' estimated box on the sheet."""
-        left, top, right, bottom = look.box(0, 0, words)
-        shrink = min(1.0, self.width / max(right - left, 1e-9), self.height / max(bottom - top, 1e-9))
-        if shrink < 1:
-            look = replace(look, size=max(floor(100 * shrink * look.size) / 100, 0.01))
-            left, top, right, bottom = look.box(0, 0, words)
-        return min(max(x, -left), self.width - right), min(max(y, -top), self.height - bottom), look
 
     def finished(self, alt: str) -> str:
         """The whole SVG element; alt describes it for those who cannot see it."""

@@ -1,4 +1,4 @@
-"""A palette that colour-blind readers can tell apart; each colour has a light and a dark value in the page's style."""
+"""A palette that colour-blind readers can tell apart, and how it is put on; light and dark are the page's style."""
 
 import re
 from dataclasses import asdict, dataclass
@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from slambook.figures.paths import number
 from slamlib.errors import UnknownNameError
 
 
@@ -84,6 +85,43 @@ def color_named(color: Any) -> str:
 def paint(color: str) -> str:
     """The colour as CSS: the palette's colours, and plain black and white, are variables of the page's theme."""
     return _THEMED.get(color, color)
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """How a line is drawn: colour "#rrggbb", width in points, dashes in widths."""
+
+    color: str
+    width: float = 1.8
+    dashes: tuple[float, ...] = ()
+    alpha: float = 1.0
+
+    def css(self) -> str:
+        """The style of a path."""
+        text = f"stroke:{paint(self.color)};stroke-width:{number(self.width)}"
+        if self.dashes:
+            text += ";stroke-dasharray:" + " ".join(number(d * self.width) for d in self.dashes)
+        return text + (f";stroke-opacity:{number(self.alpha)}" if self.alpha < 1 else "")
+
+    @property
+    def seen(self) -> bool:
+        """Whether it leaves anything on the paper."""
+        return self.color != "none" and self.width > 0 and self.alpha > 0
+
+
+@dataclass(frozen=True)
+class Fill:
+    """How an area is drawn: the colour inside, and the line around it, if any."""
+
+    color: str
+    alpha: float = 1.0
+    edge: Stroke | None = None
+
+    def css(self) -> str:
+        """The style of a path."""
+        faded = self.alpha < 1 and self.color != "none"
+        text = f"fill:{paint(self.color)}" + (f";fill-opacity:{number(self.alpha)}" if faded else "")
+        return text if self.edge is None or not self.edge.seen else f"{text};{self.edge.css()}"
 
 
 def standing_alone(svg: str) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 from slambook.figures.axis import SIZE, Ticks
 from slambook.figures.canvas import Canvas
 from slambook.figures.colors import colors, paint
-from slambook.figures.paths import joined, number
+from slambook.figures.paths import hundredths, joined, number, settled
 from slambook.figures.scales import DataView
 from slambook.figures.words import LINE, Lettering, width_of
 from slamlib.manifolds import Array
@@ -37,8 +37,7 @@ def room(axes: Axes, view: DataView) -> Array:
     across, up = ticks(axes, view)
     left, top, right, _ = view.box
     wide = max((width_of(name, TICK) for name in up.labels), default=0.0)
-    x = view.points(across.places, np.full(len(across.places), view.ylim[0]))[0]
-    y = view.points(np.full(len(up.places), view.xlim[0]), up.places)[1]
+    x, y = view.along(0, across.places), view.along(1, up.places)
     over = [place + width_of(name, TICK) / 2 - right for place, name in zip(x, across.labels, strict=True)]
     under = [left - place + width_of(name, TICK) / 2 for place, name in zip(x, across.labels, strict=True)]
     high = [top - place + 0.6 * TICK for place in y]
@@ -55,22 +54,18 @@ def draw_grid(axes: Axes, canvas: Canvas, view: DataView) -> None:
     """Faint lines at the ticks."""
     if not (axes.ruled and axes.framed):
         return
-    left, bottom = _hundredths(view.box[0]), _hundredths(view.box[3])
-    x, y = _places(axes, view)
-    data = "".join(f"M{joined((v, bottom))}V{number(view.box[1])}" for v in x)
-    data += "".join(f"M{joined((left, v))}H{number(view.box[2])}" for v in y)
+    across, up = ticks(axes, view)
+    left, top, right, bottom = view.box
+    data = _strokes(view, 0, across.places, bottom, f"V{number(top)}")
+    data += _strokes(view, 1, up.places, left, f"H{number(right)}")
     canvas.path(data, f"stroke:{paint(colors.faint)};stroke-width:.8;stroke-opacity:.35")
 
 
-def _places(axes: Axes, view: DataView) -> tuple[list[int], list[int]]:
-    across, up = ticks(axes, view)
-    x = view.points(across.places, np.full(len(across.places), view.ylim[0]))[0]
-    y = view.points(np.full(len(up.places), view.xlim[0]), up.places)[1]
-    return [_hundredths(v) for v in x], [_hundredths(v) for v in y]
-
-
-def _hundredths(value: float) -> int:
-    return int(np.floor(round(float(value) * 100, 4) + 0.5))
+def _strokes(view: DataView, axis: int, values: Array, start: float, stroke: str) -> str:
+    """Path data: at each number of an axis a stroke that starts from a line across it."""
+    foot = int(hundredths(start))
+    places = hundredths(view.along(axis, values)).tolist()
+    return "".join(f"M{joined((foot, place) if axis else (place, foot))}{stroke}" for place in places)
 
 
 def draw_frame(axes: Axes, canvas: Canvas, view: DataView) -> None:
@@ -78,38 +73,24 @@ def draw_frame(axes: Axes, canvas: Canvas, view: DataView) -> None:
     left, top, right, bottom = view.box
     if axes.framed:
         corners = [(left, top), (left, bottom), (right, bottom)]
-        data = "M" + "L".join(joined(map(_hundredths, corner)) for corner in corners)
+        data = "M" + "L".join(joined(hundredths(np.array(corner)).tolist()) for corner in corners)
         canvas.path(data, f"stroke:{paint(colors.faint)};stroke-width:.8;stroke-linecap:square")
-        _draw_ticks(axes, canvas, view)
-        _draw_labels(axes, canvas, view)
+        across, up = ticks(axes, view)
+        data = _strokes(view, 0, across.places, bottom, f"v{number(MARK)}")
+        data += _strokes(view, 1, up.places, left, f"h{number(-MARK)}")
+        data += _strokes(view, 0, across.minor, bottom, f"v{number(SMALL_MARK)}")
+        data += _strokes(view, 1, up.minor, left, f"h{number(-SMALL_MARK)}")
+        canvas.path(data, f"stroke:{paint(colors.text)};stroke-width:.8")
+        below, beside = Lettering(TICK, ha="center", va="top"), Lettering(TICK, ha="right", va="center")
+        with canvas.group(below.css()):
+            for place, name in zip(settled(view.along(0, across.places)), across.labels, strict=True):
+                canvas.text(place, bottom + MARK + GAP, name, below, bare=True)
+        with canvas.group(beside.css()):
+            for place, name in zip(settled(view.along(1, up.places)), up.labels, strict=True):
+                canvas.text(left - MARK - GAP, place, name, beside, bare=True)
+        under = bottom + (MARK + GAP + HIGH * TICK * bool(any(across.labels)) + BETWEEN)
+        canvas.text((left + right) / 2, under, axes.x.label, Lettering(LABEL, ha="center", va="top"))
+        wide = max((width_of(name, TICK) for name in up.labels), default=0.0)
+        look = Lettering(LABEL, ha="center", va="bottom", turned=90)
+        canvas.text(left - MARK - GAP - wide - BETWEEN, (top + bottom) / 2, axes.y.label, look)
     canvas.text((left + right) / 2, top - ABOVE, axes.title, Lettering(TITLE, ha="center", va="bottom"))
-
-
-def _draw_ticks(axes: Axes, canvas: Canvas, view: DataView) -> None:
-    left, _, _, bottom = view.box
-    x, y = _places(axes, view)
-    data = "".join(f"M{joined((v, _hundredths(bottom)))}v{number(MARK)}" for v in x)
-    data += "".join(f"M{joined((_hundredths(left), v))}h{number(-MARK)}" for v in y)
-    across, up = ticks(axes, view)
-    small_x = view.points(across.minor, np.full(len(across.minor), view.ylim[0]))[0]
-    small_y = view.points(np.full(len(up.minor), view.xlim[0]), up.minor)[1]
-    data += "".join(f"M{joined((_hundredths(v), _hundredths(bottom)))}v{number(SMALL_MARK)}" for v in small_x)
-    data += "".join(f"M{joined((_hundredths(left), _hundredths(v)))}h{number(-SMALL_MARK)}" for v in small_y)
-    canvas.path(data, f"stroke:{paint(colors.text)};stroke-width:.8")
-    below, beside = Lettering(TICK, ha="center", va="top"), Lettering(TICK, ha="right", va="center")
-    with canvas.group(below.css()):
-        for place, name in zip(x, across.labels, strict=True):
-            canvas.text(place / 100, bottom + MARK + GAP, name, below, bare=True)
-    with canvas.group(beside.css()):
-        for place, name in zip(y, up.labels, strict=True):
-            canvas.text(left - MARK - GAP, place / 100, name, beside, bare=True)
-
-
-def _draw_labels(axes: Axes, canvas: Canvas, view: DataView) -> None:
-    left, top, right, bottom = view.box
-    across, up = ticks(axes, view)
-    below = MARK + GAP + HIGH * TICK * bool(any(across.labels)) + BETWEEN
-    canvas.text((left + right) / 2, bottom + below, axes.x.label, Lettering(LABEL, ha="center", va="top"))
-    wide = max((width_of(name, TICK) for name in up.labels), default=0.0)
-    beside = left - MARK - GAP - wide - BETWEEN
-    canvas.text(beside, (top + bottom) / 2, axes.y.label, Lettering(LABEL, ha="center", va="bottom", turned=90))

@@ -11,7 +11,7 @@ import numpy as np
 from slambook.figures.canvas import Canvas
 from slambook.figures.marks import Mark
 from slambook.figures.paths import number
-from slambook.figures.scales import DataView, Linear
+from slambook.figures.scales import DataView, Scale
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.manifolds import Array
 
@@ -30,17 +30,19 @@ def png(pixels: Any) -> bytes:
     rows, columns, *channels = pixels.shape
     kind = {(): 0, (3,): 2, (4,): 6}[tuple(channels)]
     lines = pixels.reshape(rows, -1)
-    up = np.diff(
-        lines, axis=0, prepend=np.zeros((1, lines.shape[1]), np.uint8)
-    )  # each row as its change: it packs well
+    # each row as its change: it packs well
+    up = np.diff(lines, axis=0, prepend=np.zeros((1, lines.shape[1]), np.uint8))
     filtered = np.concatenate([np.full((rows, 1), 2, np.uint8), up], axis=1).tobytes()
     header = struct.pack(">IIBBBBB", columns, rows, 8, kind, 0, 0, 0)
     chunks = ((b"IHDR", header), (b"IDAT", zlib.compress(filtered, 9)), (b"IEND", b""))
-    return b"\x89PNG\r\n\x1a\n" + b"".join(_chunk(name, data) for name, data in chunks)
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data)) for name, data in chunks
+    )
 
 
-def _chunk(name: bytes, data: bytes) -> bytes:
-    return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+def png_uri(pixels: Any) -> str:
+    """A PNG file of pixels, as an address that holds it."""
+    return "data:image/png;base64," + base64.b64encode(png(pixels)).decode()
 
 
 def colored(values: Array, cmap: str = "gray", vmin: float | None = None, vmax: float | None = None) -> Array:
@@ -85,7 +87,7 @@ class Image(Mark):
     alpha: float = 1.0
     zorder: float = 0.0
 
-    def bounds(self, xscale: Linear, yscale: Linear) -> Array:
+    def bounds(self, xscale: Scale, yscale: Scale) -> Array:
         return np.array([sorted(self.extent[:2]), sorted(self.extent[2:])])
 
     def draw(self, canvas: Canvas, view: DataView) -> None:
@@ -96,5 +98,4 @@ class Image(Mark):
         box = {"x": min(x0, x1), "y": min(y0, y1), "width": abs(x1 - x0), "height": abs(y1 - y0)}
         style = ("" if self.smooth else "image-rendering:pixelated") + (f";opacity:{self.alpha:g}" * (self.alpha < 1))
         place = {name: number(value) for name, value in box.items()}
-        data = "data:image/png;base64," + base64.b64encode(png(rows)).decode()
-        canvas.element("image", style.strip(";"), **place, preserveAspectRatio="none", href=data)
+        canvas.element("image", style.strip(";"), **place, preserveAspectRatio="none", href=png_uri(rows))

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from slambook.figures.canvas import Canvas
-from slambook.figures.colors import paint
-from slambook.figures.paths import dots, joined, number, settled
+from slambook.figures.colors import Fill, Stroke, paint
+from slambook.figures.paths import dots, hundredths, joined, number, settled
 from slamlib.manifolds import Array
 
 LEAST = 4.0  # points: size of a mark in a legend
@@ -20,17 +20,17 @@ class Disc:
 
     scale: float = 1.0
 
-    def draw(self, canvas: Canvas, points: Array, look: "MarkerStyle") -> None:
+    def draw(self, canvas: Canvas, points: Array, mark: "Marker") -> None:
         """Draw it at points (2, N) on the sheet."""
-        size = self.scale * look.size
-        if look.face == look.edge:
-            style = f"stroke:{paint(look.edge)};stroke-width:{number(size + look.width)};stroke-linecap:round"
-            canvas.path(dots(points), style + (f";stroke-opacity:{number(look.alpha)}" if look.alpha < 1 else ""))
+        size, edge = self.scale * mark.size, mark.edge
+        if mark.fill.color == edge.color:
+            style = f"stroke:{paint(edge.color)};stroke-width:{number(size + edge.width)};stroke-linecap:round"
+            canvas.path(dots(points), style + (f";stroke-opacity:{number(edge.alpha)}" if edge.alpha < 1 else ""))
             return
         radius = number(size / 2)
         arc = f"a{radius} {radius} 0 1 0 {number(size)} 0a{radius} {radius} 0 1 0 {number(-size)} 0z"
-        starts = _hundredths(points - [[size / 2], [0]])
-        canvas.path("".join(f"M{joined(start)}{arc}" for start in starts), look.css())
+        starts = _pairs(points - [[size / 2], [0]])
+        canvas.path("".join(f"M{joined(start)}{arc}" for start in starts), mark.fill.css())
 
 
 @dataclass(frozen=True)
@@ -41,67 +41,53 @@ class Outline:
     closed: bool = True
     scale: float = 1.0
 
-    def draw(self, canvas: Canvas, points: Array, look: "MarkerStyle") -> None:
+    def draw(self, canvas: Canvas, points: Array, mark: "Marker") -> None:
         """Draw it at points (2, N) on the sheet."""
-        shapes = [_hundredths(np.array(line).T * [[1], [-1]] * look.size * self.scale) for line in self.lines]
+        shapes = [_pairs(np.array(line).T * [[1], [-1]] * mark.size * self.scale) for line in self.lines]
         data = []
-        for x, y in _hundredths(points):
+        for x, y in _pairs(points):
             for (dx, dy), *rest in shapes:
                 steps = np.diff([(dx, dy), *rest], axis=0).ravel().tolist()
                 data.append(f"M{joined((x + dx, y + dy))}l{joined(steps)}{'z' * self.closed}")
-        canvas.path("".join(data), look.css() if self.closed else look.pen())
-
-
-@dataclass(frozen=True)
-class MarkerStyle:
-    """Size of a mark and width of its edge in points, colours of both "#rrggbb" or "none", opacity."""
-
-    edge: str
-    face: str
-    size: float = 6.0
-    width: float = 1.0
-    alpha: float = 1.0
-
-    @property
-    def layers(self) -> int:
-        """Paths over one another: where translucent marks overlap, neighbours in different ones, they darken."""
-        return 1 if self.alpha == 1 else max(2, min(6, round(-3 / np.log(1 - self.alpha)))) if self.alpha else 1
-
-    def pen(self) -> str:
-        """The style of the edge."""
-        fade = f";stroke-opacity:{number(self.alpha)}" if self.alpha < 1 else ""
-        return f"stroke:{paint(self.edge)};stroke-width:{number(self.width)}{fade}"
-
-    def css(self) -> str:
-        """The style of edge and inside."""
-        fade = f";fill-opacity:{number(self.alpha)}" if self.alpha < 1 and self.face != "none" else ""
-        edge = "" if self.edge == "none" or not self.width else ";" + self.pen()
-        return f"fill:{paint(self.face)}{fade}{edge}"
+        canvas.path("".join(data), mark.fill.css() if self.closed else mark.edge.css())
 
 
 @dataclass(frozen=True)
 class Marker:
-    """A shape and its look."""
+    """A shape, its inside and its edge, and its size [pt]."""
 
     shape: Disc | Outline
-    look: MarkerStyle
+    fill: Fill
+    size: float = 6.0
+
+    @property
+    def edge(self) -> Stroke:
+        """Its edge."""
+        assert self.fill.edge is not None
+        return self.fill.edge
+
+    @property
+    def layers(self) -> int:
+        """Paths over one another: where translucent marks overlap, neighbours in different ones, they darken."""
+        alpha = self.fill.alpha
+        return 1 if alpha in (0, 1) else max(2, min(6, round(-3 / np.log(1 - alpha))))
 
     def scaled(self, factor: float) -> "Marker":
         """The same mark in another size, large enough to be recognised."""
-        return replace(self, look=replace(self.look, size=max(factor * self.look.size, LEAST)))
+        return replace(self, size=max(factor * self.size, LEAST))
 
     def draw(self, canvas: Canvas, points: Array) -> None:
         """Draw it at points (2, N) on the sheet; nan is left out."""
         points = settled(points[:, np.all(np.isfinite(points), axis=0)])
-        if self.look.edge == self.look.face == "none" or not self.look.alpha:
+        if self.edge.color == self.fill.color == "none" or not self.fill.alpha:
             return
         points = points[:, np.lexsort((points[1], points[0], np.floor(points[1] / STRIP)))]
-        for layer in range(min(self.look.layers, points.shape[1])):
-            self.shape.draw(canvas, points[:, layer :: self.look.layers], self.look)
+        for layer in range(min(self.layers, points.shape[1])):
+            self.shape.draw(canvas, points[:, layer :: self.layers], self)
 
 
-def _hundredths(points: Array) -> Any:
-    return [tuple(p) for p in np.floor(np.round(points.T * 100, 4) + 0.5).astype(np.int64).tolist()]
+def _pairs(points: Array) -> Any:
+    return [tuple(p) for p in hundredths(points.T).tolist()]
 
 
 def _star(corners: int, inner: float) -> Outline:

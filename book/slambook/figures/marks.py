@@ -1,14 +1,14 @@
-"""What axes hold: lines, areas, rules across the axes. Each mark knows its data's bounds and how to draw itself."""
+"""What axes hold: lines, areas, rules and bands across. Each mark knows its data's bounds and how to draw itself."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
 from slambook.figures.canvas import Canvas
+from slambook.figures.colors import Fill, Stroke
 from slambook.figures.markers import Marker
 from slambook.figures.paths import Box, outline
-from slambook.figures.scales import DataView, Linear
-from slambook.figures.style import Fill, Stroke
+from slambook.figures.scales import DataView, Scale
 from slamlib.manifolds import Array
 
 NOWHERE = np.full((2, 2), np.nan)
@@ -25,7 +25,7 @@ class Mark:
     clip: bool = True
     tight: Edges = ((), ())  # values of x and of y beyond which the axes need no margin
 
-    def bounds(self, xscale: Linear, yscale: Linear) -> Array:
+    def bounds(self, xscale: Scale, yscale: Scale) -> Array:
         """Least and greatest x (first row) and y that the axes should show; nan where it does not matter."""
         return NOWHERE
 
@@ -58,7 +58,7 @@ def beyond(box: Box, other: Box) -> Array:
     return np.maximum(0, np.array([1, 1, -1, -1]) * (np.array(box) - np.array(other)))
 
 
-def extent(values: Array, scale: Linear) -> Array:
+def extent(values: Array, scale: Scale) -> Array:
     """Least and greatest number that the scale can show; nan for none."""
     shown = values[np.isfinite(scale.forward(values))]
     return np.array([shown.min(), shown.max()]) if shown.size else np.array([np.nan, np.nan])
@@ -73,7 +73,7 @@ class Line(Mark):
     stroke: Stroke | None
     marker: Marker | None = None
 
-    def bounds(self, xscale: Linear, yscale: Linear) -> Array:
+    def bounds(self, xscale: Scale, yscale: Scale) -> Array:
         return np.array([extent(self.x, xscale), extent(self.y, yscale)])
 
     def draw(self, canvas: Canvas, view: DataView) -> None:
@@ -89,12 +89,11 @@ class Line(Mark):
         return points if self.stroke is None else dense(points)
 
     def swatch(self, canvas: Canvas, box: Box, scale: float) -> None:
-        left, top, right, bottom = box
-        middle = (top + bottom) / 2
+        line = middle(box)
         if self.stroke is not None and self.stroke.seen:
-            canvas.path(outline(np.array([[left, right], [middle, middle]]), None, closed=False), self.stroke.css())
+            canvas.path(outline(line, None, closed=False), self.stroke.css())
         if self.marker is not None:
-            self.marker.scaled(scale).draw(canvas, np.array([[(left + right) / 2], [middle]]))
+            self.marker.scaled(scale).draw(canvas, line.mean(axis=1, keepdims=True))
 
 
 def dense(points: Array, step: float = 4.0, most: int = 200) -> Array:
@@ -117,7 +116,7 @@ class Area(Mark):
     holes: bool = False
     zorder: float = 1.0
 
-    def bounds(self, xscale: Linear, yscale: Linear) -> Array:
+    def bounds(self, xscale: Scale, yscale: Scale) -> Array:
         if not self.rings:
             return NOWHERE
         x, y = np.concatenate(self.rings, axis=1)
@@ -125,72 +124,62 @@ class Area(Mark):
 
     def draw(self, canvas: Canvas, view: DataView) -> None:
         sight = self.sight(view)
-        data = "".join(outline(view.floored(*ring), sight, closed=True) for ring in self.rings)
+        data = "".join(outline(view.points(ring[0], ring[1], floored=True), sight, closed=True) for ring in self.rings)
         canvas.path(data, self.fill.css() + (";fill-rule:evenodd" if self.holes else ""))
 
     def ink(self, view: DataView) -> Array:
-        return np.concatenate([np.empty((2, 0)), *(dense(view.floored(*r)) for r in self.rings)], axis=1)
+        return np.concatenate(
+            [np.empty((2, 0)), *(dense(view.points(r[0], r[1], floored=True)) for r in self.rings)], axis=1
+        )
 
     def swatch(self, canvas: Canvas, box: Box, scale: float) -> None:
         canvas.rectangle(box, self.fill.css())
 
 
 @dataclass(kw_only=True, repr=False)
-class Rule(Mark):
-    """A straight line across the axes at a value of x (axis 0) or y (axis 1); reach: from and to, in shares of them."""
+class Across(Mark):
+    """A straight line across the axes at a value of x (axis 0) or y (axis 1), or a band between two values.
+
+    reach: from and to, in shares of the axes.
+    """
 
     axis: int
-    value: float
-    stroke: Stroke
+    values: tuple[float, ...]
+    look: Stroke | Fill
     reach: tuple[float, float] = (0.0, 1.0)
 
-    def bounds(self, xscale: Linear, yscale: Linear) -> Array:
+    def bounds(self, xscale: Scale, yscale: Scale) -> Array:
         found = NOWHERE.copy()
-        found[self.axis] = extent(np.array([self.value]), (xscale, yscale)[self.axis])
+        found[self.axis] = extent(np.array(self.values), (xscale, yscale)[self.axis])
         return found
 
     def _points(self, view: DataView) -> Array:
-        return across(view, self.axis, np.array([self.value, self.value]), np.array(self.reach))
+        """The ends of the line, or the corners of the band."""
+        left, top, right, bottom = view.box
+        shares = np.array([*self.reach, *self.reach[::-1]][: 2 * len(self.values)])
+        there = view.along(self.axis, np.repeat(self.values, 2), floored=True)
+        if self.axis == 0:
+            return np.stack([there, bottom + shares * (top - bottom)])
+        return np.stack([left + shares * (right - left), there])
+
+    @property
+    def banded(self) -> bool:
+        """Whether it is a band."""
+        return len(self.values) == 2
 
     def draw(self, canvas: Canvas, view: DataView) -> None:
-        canvas.path(outline(self._points(view), self.sight(view), closed=False), self.stroke.css())
+        canvas.path(outline(self._points(view), self.sight(view), closed=self.banded), self.look.css())
 
     def ink(self, view: DataView) -> Array:
-        return dense(self._points(view))
+        return np.empty((2, 0)) if self.banded else dense(self._points(view))
 
     def swatch(self, canvas: Canvas, box: Box, scale: float) -> None:
-        middle = (box[1] + box[3]) / 2
-        canvas.path(outline(np.array([[box[0], box[2]], [middle, middle]]), None, closed=False), self.stroke.css())
+        if self.banded:
+            canvas.rectangle(box, self.look.css())
+        else:
+            canvas.path(outline(middle(box), None, closed=False), self.look.css())
 
 
-@dataclass(kw_only=True, repr=False)
-class Span(Mark):
-    """A band across the axes between two values of x (axis 0) or y (axis 1)."""
-
-    axis: int
-    low: float
-    high: float
-    fill: Fill
-    reach: tuple[float, float] = (0.0, 1.0)
-    zorder: float = 1.0
-
-    def bounds(self, xscale: Linear, yscale: Linear) -> Array:
-        found = NOWHERE.copy()
-        found[self.axis] = extent(np.array([self.low, self.high]), (xscale, yscale)[self.axis])
-        return found
-
-    def draw(self, canvas: Canvas, view: DataView) -> None:
-        (a, b), values = self.reach, np.array([self.low, self.low, self.high, self.high])
-        corners = across(view, self.axis, values, np.array([a, b, b, a]))
-        canvas.path(outline(corners, self.sight(view), closed=True), self.fill.css())
-
-    def swatch(self, canvas: Canvas, box: Box, scale: float) -> None:
-        canvas.rectangle(box, self.fill.css())
-
-
-def across(view: DataView, axis: int, values: Array, shares: Array) -> Array:
-    """Points (2, N) at values of one axis and shares of the other's length."""
-    left, top, right, bottom = view.box
-    if axis == 0:
-        return np.stack([view.floored(values, np.full(len(values), view.ylim[0]))[0], bottom + shares * (top - bottom)])
-    return np.stack([left + shares * (right - left), view.floored(np.full(len(values), view.xlim[0]), values)[1]])
+def middle(box: Box) -> Array:
+    """The ends (2, 2) of a level line through the middle of a box."""
+    return np.array([[box[0], box[2]], [(box[1] + box[3]) / 2] * 2])

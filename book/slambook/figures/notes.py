@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from slambook.figures.canvas import Canvas
+from slambook.figures.colors import Fill, Stroke
 from slambook.figures.marks import Mark, beyond
 from slambook.figures.paths import Box, cut_line, outline
 from slambook.figures.scales import DataView
-from slambook.figures.style import Fill, Stroke
 from slambook.figures.words import Lettering
 from slamlib.manifolds import Array
 
@@ -64,26 +64,14 @@ class Words(Mark):
         return np.array([[left, (left + right) / 2, right] * 2, [top] * 3 + [bottom] * 3])
 
 
-def open_head(tip: Array, along: Array, size: float) -> tuple[Array, bool]:
-    """Two strokes; along: the unit vector that the arrow points to."""
-    side = np.array([-along[1], along[0]])
-    return np.stack([tip - 0.4 * size * along + s * 0.2 * size * side for s in (1, -1)], axis=1), False
-
-
-def full_head(tip: Array, along: Array, size: float) -> tuple[Array, bool]:
-    """A filled triangle."""
-    return open_head(tip, along, size)[0], True
-
-
-Head = Callable[[Array, Array, float], tuple[Array, bool]]
-ARROWS: dict[str, tuple[Head | None, Head | None]] = {
-    "-": (None, None),
-    "->": (None, open_head),
-    "<-": (open_head, None),
-    "<->": (open_head, open_head),
-    "-|>": (None, full_head),
-    "<|-": (full_head, None),
-    "<|-|>": (full_head, full_head),
+ARROWS = {  # whether there is a head at the start and at the end, and whether heads are filled
+    "-": (False, False, False),
+    "->": (False, True, False),
+    "<-": (True, False, False),
+    "<->": (True, True, False),
+    "-|>": (False, True, True),
+    "<|-": (True, False, True),
+    "<|-|>": (True, True, True),
 }
 
 
@@ -95,7 +83,7 @@ class Arrow(Mark):
     xy: Array
     place: Place
     stroke: Stroke
-    heads: tuple[Head | None, Head | None]
+    heads: tuple[bool, bool, bool]  # as in ARROWS
     gap: tuple[float, float] = (2.0, 2.0)  # points left free at its start and end
     size: float = 11.0
     zorder: float = 3.0
@@ -118,9 +106,11 @@ class Arrow(Mark):
         along = (ends[:, 1] - ends[:, 0]) / length
         ends = ends + np.outer(along, [self.gap[0], -self.gap[1]])
         canvas.path(outline(ends, self.sight(view), closed=False), self.stroke.css())
-        for head, tip, way in zip(self.heads, ends.T, (-along, along), strict=True):
-            if head is not None:
-                corners, full = head(tip, way, self.size)
-                line = np.stack([corners[:, 0], tip, corners[:, 1]], axis=1)
-                look = Fill(self.stroke.color, self.stroke.alpha, self.stroke).css() if full else self.stroke.css()
-                canvas.path(outline(line, self.sight(view), closed=full), look)
+        *heads, full = self.heads
+        look = Fill(self.stroke.color, self.stroke.alpha, self.stroke) if full else self.stroke
+        for head, tip, way in zip(heads, ends.T, (-along, along), strict=True):
+            if head:
+                side = np.array([-way[1], way[0]])
+                one, other = (tip - 0.4 * self.size * way + s * 0.2 * self.size * side for s in (1, -1))
+                line = np.stack([one, tip, other], axis=1)
+                canvas.path(outline(line, self.sight(view), closed=full), look.css())

@@ -134,15 +134,13 @@ class Sweep:
             f' max="{len(frames) - 1}" step="1" value="{self.start}" autocomplete="off"'
             f' aria-valuetext="{value}" oninput="{html.escape(_MOVE)}"><output for="{name}">{value}</output>'
         )
-        shown = "".join(self._shown(i, frame) for i, frame in enumerate(frames))
+        shown = ""
+        for i, (number, svg, words) in enumerate(frames):
+            said = f' data-note="{html.escape(words)}"' if words else ""
+            hidden = "" if i == self.start else " hidden"
+            shown += f'<div data-frame="{i}" data-value="{html.escape(number)}"{said}{hidden}>{svg}</div>'
         caption = f'<p class="sweep-note" aria-live="polite">{html.escape(note)}</p>'
         return f'<figure class="sweep"><div class="sweep-bar">{bar}</div>{shown}{caption}</figure>'
-
-    def _shown(self, index: int, frame: tuple[str, str, str]) -> str:
-        value, note = html.escape(frame[0]), html.escape(frame[2])
-        said = f' data-note="{note}"' if note else ""
-        hidden = "" if index == self.start else " hidden"
-        return f'<div data-frame="{index}" data-value="{value}"{said}{hidden}>{frame[1]}</div>'
 
 
 def picture(fig: Any, alt: str) -> StaticPicture:

@@ -21,16 +21,17 @@ def written(hundredths: int) -> str:
 
 def number(value: float) -> str:
     """A number to a hundredth, the same on every machine: ties are decided after the noise of the last bits is gone."""
-    return written(int(np.floor(round(float(value) * 100, 4) + 0.5)))
+    return written(int(hundredths(float(value))))
 
 
-def _whole(points: Array) -> Any:
+def hundredths(points: Any) -> Any:
+    """Points as whole hundredths."""
     return np.floor(np.round(points * 100, 4) + 0.5).astype(np.int64)
 
 
 def settled(points: Array) -> Array:
     """Points (2, N) to a hundredth: what is decided by comparing them is then decided alike on every machine."""
-    return _whole(points) / 100.0
+    return hundredths(points) / 100.0
 
 
 def joined(numbers: Iterable[int]) -> str:
@@ -41,7 +42,7 @@ def joined(numbers: Iterable[int]) -> str:
 
 def polyline(points: Array, closed: bool = False) -> str:
     """Path data of a line through the points (2, N): an absolute start, then steps."""
-    whole = _whole(points)
+    whole = hundredths(points)
     if closed and whole.shape[1] > 2 and np.array_equal(whole[:, 0], whole[:, -1]):
         whole = whole[:, :-1]
     if whole.shape[1] < 2:
@@ -53,7 +54,7 @@ def polyline(points: Array, closed: bool = False) -> str:
 
 def dots(points: Array) -> str:
     """Path data of points (2, N): lines of no length, which round ends make visible; a repeated place once."""
-    whole = _whole(points)
+    whole = hundredths(points)
     if not whole.shape[1]:
         return ""
     steps = np.diff(whole, axis=1)

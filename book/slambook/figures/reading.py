@@ -1,5 +1,6 @@
 """What artists of matplotlib have in common: where they are, their colours, their strokes."""
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -46,6 +47,13 @@ def color_of(color: Any, alpha: float | None = None) -> tuple[str, float]:
     return ("none", 1.0) if a == 0 else (to_hex((r, g, b)), a)
 
 
+def fill_style(face: Any, edge: Any, width: float) -> dict[str, Any]:
+    """Of an area; an edge of the area's own colour is none."""
+    (inside, alpha), (outline, _) = color_of(face), color_of(edge)
+    edged = {"edgecolor": outline, "lw": width} if outline not in ("none", inside) and width > 0 else {}
+    return {"facecolor": inside, "alpha": alpha, **edged}
+
+
 def _dashes(style: tuple[float, Any], width: float) -> str:
     """The name of a collection's line style, which is (offset, lengths in points)."""
     lengths = () if style[1] is None else tuple(style[1])
@@ -69,6 +77,14 @@ def strokes(artist: Any, count: int) -> list[tuple[Any, ...]]:
 def turn(values: Any, i: int) -> Any:
     """A collection's styles come round again."""
     return values[i % len(values)] if len(values) else (0, 0, 0, 0)
+
+
+def alike(styles: Iterable[Any], items: Iterable[Any]) -> dict[Any, list[Any]]:
+    """The items that look alike, by their style."""
+    found: dict[Any, list[Any]] = {}
+    for style, item in zip(styles, items, strict=True):
+        found.setdefault(style, []).append(item)
+    return found
 
 
 def pieces_of(path: Any, ax: Any) -> list[Array]:

@@ -1,77 +1,59 @@
 """How numbers become places along an axis: evenly, or by their logarithm."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
 from slambook.figures import ticks
 from slambook.figures.paths import Box
-from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
 
 MARGIN = 0.05  # of the span, left free on either side of the data
 
 
-class Linear:
-    """Even steps."""
+@dataclass(frozen=True)
+class Scale:
+    """forward: numbers as even steps along the axis, nan for what has no place; backward: its inverse.
 
-    empty = (0.0, 1.0)  # the limits of axes without data
+    ticks (low, high, most): numbers worth a label; minor (low, high, ticks): those worth a small mark; labels: what
+    ticks say; empty: the limits of axes without data; positive: whether both ends of an axis must be.
+    """
 
-    def forward(self, values: Array) -> Array:
-        """Numbers as even steps along the axis; nan for what it cannot show."""
-        return np.asarray(values, dtype=float)
-
-    def backward(self, values: Array) -> Array:
-        """The inverse of forward."""
-        return np.asarray(values, dtype=float)
-
-    def ticks(self, low: float, high: float, most: int) -> Array:
-        """Numbers worth a label."""
-        return ticks.nice_ticks(low, high, most)
-
-    def minor(self, low: float, high: float, major: Array) -> Array:
-        """Numbers worth a small mark."""
-        return np.empty(0)
-
-    def labels(self, values: Array) -> list[str]:
-        """What the ticks say."""
-        return ticks.labels(values)
-
-    def limits(self, low: float, high: float) -> None:
-        """Raises SlamlibError if an axis cannot span this."""
+    forward: Callable[[Array], Array]
+    backward: Callable[[Array], Array]
+    ticks: Callable[[float, float, int], Array]
+    minor: Callable[[float, float, Array], Array]
+    labels: Callable[[Array], list[str]]
+    empty: tuple[float, float]
+    positive: bool
 
 
-class Log(Linear):
-    """Even factors; only positive numbers have a place."""
+def _floats(values: Array) -> Array:
+    return np.asarray(values, dtype=float)
 
-    empty = (1.0, 10.0)
 
-    def forward(self, values: Array) -> Array:
-        values = np.asarray(values, dtype=float)
-        return np.log10(np.where(values > 0, values, np.nan))
-
-    def backward(self, values: Array) -> Array:
-        return 10.0 ** np.asarray(values, dtype=float)
-
-    def ticks(self, low: float, high: float, most: int) -> Array:
-        return ticks.decades(low, high, most)
-
-    def minor(self, low: float, high: float, major: Array) -> Array:
-        return ticks.minor_decades(low, high, major)
-
-    def labels(self, values: Array) -> list[str]:
-        return ticks.decade_labels(values)
-
-    def limits(self, low: float, high: float) -> None:
-        if low <= 0 or high <= 0:
-            raise SlamlibError(f"a logarithmic axis cannot span {low:g} to {high:g}: both ends must be positive")
+def _logarithms(values: Array) -> Array:
+    values = _floats(values)
+    return np.log10(np.where(values > 0, values, np.nan))
 
 
 SMALLEST = 1e-290  # what differs by less is drawn as equal: the steps of its ticks would be zero in floating point
-SCALES: dict[str, Linear] = {"linear": Linear(), "log": Log()}
+SCALES = {
+    "linear": Scale(_floats, _floats, ticks.nice_ticks, lambda *_: np.empty(0), ticks.labels, (0.0, 1.0), False),
+    "log": Scale(
+        forward=_logarithms,
+        backward=lambda values: 10.0 ** _floats(values),
+        ticks=ticks.decades,
+        minor=ticks.minor_decades,
+        labels=ticks.decade_labels,
+        empty=(1.0, 10.0),
+        positive=True,
+    ),
+}
 
 
-def spread(low: float, high: float, scale: Linear, tight: tuple[bool, bool] = (False, False)) -> tuple[float, float]:
+def spread(low: float, high: float, scale: Scale, tight: tuple[bool, bool] = (False, False)) -> tuple[float, float]:
     """Limits with room around data from low to high; a single number gets room of its own size; nan: no data."""
     if not np.isfinite(low + high):
         return scale.empty
@@ -92,27 +74,25 @@ class DataView:
     box: Box
     xlim: tuple[float, float]
     ylim: tuple[float, float]
-    xscale: Linear
-    yscale: Linear
+    xscale: Scale
+    yscale: Scale
 
-    def points(self, x: Array, y: Array) -> Array:
-        """Places (2, N) on the sheet of data x (N,) and y (N,)."""
+    def along(self, axis: int, values: Array, floored: bool = False) -> Array:
+        """Places (N,) on the sheet of numbers (N,) of x (axis 0) or y (1).
+
+        floored: a number that has no place on a logarithmic axis lies below the axis's lower end.
+        """
         left, top, right, bottom = self.box
-        across = _along(x, self.xlim, self.xscale, left, right)
-        return np.stack(np.broadcast_arrays(across, _along(y, self.ylim, self.yscale, bottom, top)))
+        limits, scale = ((self.xlim, self.xscale), (self.ylim, self.yscale))[axis]
+        start, stop = ((left, right), (bottom, top))[axis]
+        a, b = scale.forward(np.array(limits))
+        with np.errstate(over="ignore"):
+            share = (scale.forward(values) / 2 - a / 2) / (b / 2 - a / 2)
+            places = np.clip(start + share * (stop - start), -1e12, 1e12)
+        if not floored:
+            return places
+        return np.where(np.isnan(places) & ~np.isnan(values), start if limits[0] < limits[1] else stop, places)
 
-    def floored(self, x: Array, y: Array) -> Array:
-        """As points; a number that has no place on a logarithmic axis lies below the axis's lower end."""
-        places = self.points(x, y)
-        for row, values, (a, b) in ((0, x, self.xlim), (1, y, self.ylim)):
-            lost = np.isnan(places[row]) & ~np.isnan(np.broadcast_to(values, places[row].shape))
-            end = (self.box[0], self.box[2]) if row == 0 else (self.box[3], self.box[1])
-            places[row, lost] = end[0] if a < b else end[1]
-        return places
-
-
-def _along(values: Array, limits: tuple[float, float], scale: Linear, start: float, stop: float) -> Array:
-    a, b = scale.forward(np.array(limits))
-    with np.errstate(over="ignore"):
-        share = (scale.forward(values) / 2 - a / 2) / (b / 2 - a / 2)
-        return np.clip(start + share * (stop - start), -1e12, 1e12)
+    def points(self, x: Array, y: Array, floored: bool = False) -> Array:
+        """Places (2, N) on the sheet of data x (N,) and y (N,); floored as in along."""
+        return np.stack(np.broadcast_arrays(self.along(0, x, floored), self.along(1, y, floored)))

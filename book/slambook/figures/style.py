@@ -1,15 +1,14 @@
-"""What a call says about looks: matplotlib's names and short forms, checked, as strokes and fills."""
+"""What a call says, checked: numbers as arrays of floats; names of looks as strokes, fills, marks and letters."""
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from slambook.figures.colors import color_named, colors, paint
-from slambook.figures.markers import MARKERS, Marker, MarkerStyle
-from slambook.figures.paths import number
+from slambook.figures.colors import Fill, Stroke, color_named, colors
+from slambook.figures.markers import MARKERS, Marker
 from slambook.figures.words import Lettering
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnknownNameError
+from slamlib.manifolds import Array
 
 SHORT = {
     "c": "color",
@@ -40,6 +39,43 @@ TURNS = {"horizontal": 0.0, "vertical": 90.0}
 FILL = ("color", "facecolor", "edgecolor", "linewidth", "linestyle")
 
 
+LARGEST = 1e300  # greater numbers overflow when limits are computed from them
+
+
+def numbers(function: str, name: str, values: Any) -> Array:
+    """Numbers as floats; nan is a gap. Raises SlamlibError for what is no real number, NonFiniteError for infinity."""
+    given = np.asarray(values)
+    if given.dtype.kind not in "buif" and given.size:
+        raise SlamlibError(f"{function}: {name} should be real numbers, not {given.dtype}")
+    found = given.astype(float)
+    beyond = np.abs(found) > LARGEST
+    if np.any(beyond):
+        at = tuple(int(i) for i in np.argwhere(beyond)[0])
+        raise NonFiniteError(
+            f"{function}: {name}[{', '.join(map(str, at))}] is {found[at]:g}: leave it out, or put nan for a gap"
+        )
+    return found
+
+
+def row_of(function: str, name: str, values: Any) -> Array:
+    """Numbers as one row; a single one is a row of one. Raises ShapeError too."""
+    found = np.atleast_1d(numbers(function, name, values))
+    if found.ndim != 1:
+        raise ShapeError(f"{function}: {name} should be one row of numbers, but has shape {found.shape}")
+    return found
+
+
+def rows_of(function: str, **values: Any) -> list[Array]:
+    """Rows of numbers of one length; a single number goes with each of the others'. Raises ShapeError too."""
+    rows = [row_of(function, name, value) for name, value in values.items()]
+    lengths = {len(row) for row in rows if len(row) != 1}
+    if len(lengths) > 1:
+        given = ", ".join(f"{name} {len(row)}" for name, row in zip(values, rows, strict=True))
+        raise ShapeError(f"{function}: these should have the same length: {given}")
+    length = lengths.pop() if lengths else 1
+    return [np.broadcast_to(row, (length,)) for row in rows]
+
+
 def named(function: str, given: dict[str, Any], known: tuple[str, ...]) -> dict[str, Any]:
     """The keywords under their long names; raises UnknownNameError for others, SlamlibError for one given twice."""
     found: dict[str, Any] = {}
@@ -67,42 +103,6 @@ def format_of(text: str) -> dict[str, Any]:
         else:
             raise UnknownNameError.of("part of a line format", rest, [*DASHES, *MARKERS, *"bgrmykw"])
     return found if "linestyle" in found or "marker" not in found else {**found, "linestyle": ""}
-
-
-@dataclass(frozen=True)
-class Stroke:
-    """How a line is drawn: colour "#rrggbb", width in points, dashes in widths."""
-
-    color: str
-    width: float = 1.8
-    dashes: tuple[float, ...] = ()
-    alpha: float = 1.0
-
-    def css(self) -> str:
-        """The style of a path."""
-        text = f"stroke:{paint(self.color)};stroke-width:{number(self.width)}"
-        if self.dashes:
-            text += ";stroke-dasharray:" + " ".join(number(d * self.width) for d in self.dashes)
-        return text + (f";stroke-opacity:{number(self.alpha)}" if self.alpha < 1 else "")
-
-    @property
-    def seen(self) -> bool:
-        """Whether it leaves anything on the paper."""
-        return self.color != "none" and self.width > 0 and self.alpha > 0
-
-
-@dataclass(frozen=True)
-class Fill:
-    """How an area is drawn: the colour inside, and the line around it, if any."""
-
-    color: str
-    alpha: float = 1.0
-    edge: Stroke | None = None
-
-    def css(self) -> str:
-        """The style of a path."""
-        text = f"fill:{paint(self.color)}" + (f";fill-opacity:{number(self.alpha)}" if self.alpha < 1 else "")
-        return text if self.edge is None or not self.edge.seen else f"{text};{self.edge.css()}"
 
 
 def stroke_of(style: dict[str, Any], color: str, width: float = 1.8) -> Stroke | None:
@@ -159,7 +159,8 @@ def marker_of(style: dict[str, Any], color: str) -> Marker | None:
         raise UnknownNameError.of("marker", name, MARKERS)
     edge, face = (color_named(style.get(k) or color) for k in ("markeredgecolor", "markerfacecolor"))
     size, width = positive(style, "markersize", 6.0), positive(style, "markeredgewidth", 1.0)
-    return Marker(MARKERS[name], MarkerStyle(edge, face, size, width, alpha_of(style)))
+    alpha = alpha_of(style)
+    return Marker(MARKERS[name], Fill(face, alpha, Stroke(edge, width, alpha=alpha)), size)
 
 
 def lettering_of(style: dict[str, Any]) -> Lettering:

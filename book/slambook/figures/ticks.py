@@ -56,7 +56,7 @@ def labels(values: Any) -> list[str]:
     plain, scaled = _decimal(values), _decimal(values / 10.0**exponent)
     if -4 < exponent < 6 or max(map(len, plain)) <= max(map(len, scaled)) + 2:
         return plain
-    return [_power(text, exponent) for text in scaled]
+    return [f"{mantissa}·{power_of_ten(exponent)}" if mantissa.strip("0.") else "0" for mantissa in scaled]
 
 
 def decade_labels(values: Any) -> list[str]:
@@ -79,7 +79,3 @@ def _decimal(values: Array) -> list[str]:
     near = min(1e-3 * float(apart.min(initial=np.inf)), 1e-6 * float(np.abs(values).max())) if len(apart) else 1e-9
     digits = next((d for d in range(17) if np.abs(values - np.round(values, d)).max() <= near), 17)
     return [f"{round(float(v), digits) + 0.0:.{digits}f}".replace("-", MINUS) for v in values]
-
-
-def _power(mantissa: str, exponent: int) -> str:
-    return "0" if not mantissa.strip("0.") else f"{mantissa}·{power_of_ten(exponent)}"

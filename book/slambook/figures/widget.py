@@ -23,7 +23,11 @@ def live(on: bool | None = True) -> None:
 
 def wanted() -> bool:
     """Whether what is shown is for a reader with a kernel."""
-    return _somebody_is_there() if _asked["live"] is None else bool(_asked["live"])
+    if _asked["live"] is not None:
+        return bool(_asked["live"])
+    # a kernel whose front end can answer `input()` has a user, who can also move a slider
+    shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
+    return bool(getattr(getattr(shell, "kernel", None), "_allow_stdin", False))
 
 
 def offered(sweep: Any) -> dict[str, Any]:
@@ -37,12 +41,6 @@ def offered(sweep: Any) -> dict[str, Any]:
             raise
         return {}
     return {VIEW: bundle[VIEW]} if VIEW in bundle else {}
-
-
-def _somebody_is_there() -> bool:
-    """True in a kernel whose front end can answer `input()`: it has a user, who can also move a slider."""
-    shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
-    return bool(getattr(getattr(shell, "kernel", None), "_allow_stdin", False))
 
 
 def live_slider(sweep: Any) -> Any:

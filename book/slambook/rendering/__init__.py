@@ -1,9 +1,8 @@
 """Rooms with textured walls, filmed by ray casting: frames with images, and the exact truth beside them."""
 
 from slambook.rendering.effects import NO_EFFECTS, Effects
-from slambook.rendering.film import Film, film
+from slambook.rendering.film import Film, film, rig_along_path
 from slambook.rendering.furnished import ROOM_STYLES, default_room
-from slambook.rendering.hand import rig_along_path
 from slambook.rendering.paths import PATHS, CameraPath, path
 from slambook.rendering.quads import Room, TexturedQuad
 from slambook.rendering.renderer import Rendered, Renderer, render

@@ -1,6 +1,7 @@
 """A film: the frames, each with its images, of a rig that is carried through a room, and the truth beside them."""
 
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 
@@ -9,20 +10,15 @@ from slambook.rendering.paths import CameraPath
 from slambook.rendering.quads import Room
 from slambook.rendering.renderer import Renderer
 from slamlib.data.records import Control, Frame, Scan, Truth
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
+from slamlib.data.setup import Numbers, Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.geometry.pose import Pose, compose, relative
 from slamlib.geometry.quaternion import logarithm
 from slamlib.kalman.linalg import read_only_copy
 from slamlib.manifolds import Array
-from slamlib.simulation.draws import Streams, drawn, root, streams
+from slamlib.simulation.draws import drawn, root, streams
 
 ASTRAY = 6.0  # standard deviations: the start of a path is at most so far from where its rig believes to start
-
-
-def _nothing(before: Array, after: Array, setup: RobotSetup, rng: np.random.Generator) -> Control | None:
-    """Nobody tells a camera in a hand how it moves."""
-    return None
 
 
 def _odometry(before: Array, after: Array, setup: RobotSetup, rng: np.random.Generator) -> Control | None:
@@ -32,14 +28,19 @@ def _odometry(before: Array, after: Array, setup: RobotSetup, rng: np.random.Gen
     return Control(exact + root(setup.noise) @ rng.standard_normal(6), setup.noise)
 
 
-# By the name of the robot's motion: what the filter is told of a step between two poses.
-TOLD: dict[str, Callable[..., Control | None]] = {"constVel": _nothing, "odometry": _odometry}
+# By the name of the robot's motion: what the filter is told of a step between two poses; a hand tells nothing.
+TOLD: dict[str, Callable[..., Control | None]] = {"constVel": lambda *step: None, "odometry": _odometry}
 
 
 class Film:
-    """Frames with images, and truths: iterate over it, as often as you like; each time it is the same film.
+    """Frames of a rig with one robot, which goes along a path, an image (h, w), uint8, per sensor each; and truths.
 
-    It is made as it is seen, a frame at a time. Frame 1 is one dt after the path's beginning.
+    Iterate over it, as often as you like; each time it is the same film. It is made as it is seen, a frame at a time.
+
+    frames: how many, dt [s] between them; frame 1 is one dt after the path's beginning. The rig's start is where the
+    path begins: rig_along_path(path) makes such a rig. A robot with constant velocity is told nothing (its controls are
+    None), one with odometry its true steps and its setup's noise. samples: s x s per pixel. The film depends on `rng`
+    as it is at this call. Raises SlamlibError at the call.
     """
 
     def __init__(
@@ -49,23 +50,27 @@ class Film:
         path: CameraPath,
         *,
         frames: int,
-        dt: float,
+        dt: float = 1 / 30,
         rng: np.random.Generator,
-        effects: Effects,
-        samples: int,
+        effects: Effects = Effects(),  # noqa: B008 - frozen
+        samples: int = 2,
     ) -> None:
-        _check(rig, path, frames, dt, effects)
+        _check(rig, path, frames, dt, rng)
         self.room, self.rig, self.path, self.effects = room, rig, path, effects
         self.frames, self.dt, self.samples = int(frames), float(dt), samples
-        self._random = _seed(rng)
+        self._random = [int(n) for n in rng.integers(2**32, size=4)]
         self.renderers = _renderers(room, rig, samples)
 
     def __len__(self) -> int:
         return self.frames
 
     def __iter__(self) -> Iterator[tuple[Frame, Truth]]:
-        own, setup = self._streams(), self.rig.robots[0]
-        all_extrinsics = self._mounts(own[1:])
+        own = streams(np.random.default_rng(self._random), 1 + len(self.rig.sensors))
+        setup = self.rig.robots[0]
+        sensors = zip(self.rig.sensors, own[1:], strict=True)
+        all_extrinsics = tuple(  # in truth: drawn, where the filter does not know
+            read_only_copy(drawn(Pose, s.extrinsics, s.covariance, stream["extrinsics"])) for s, stream in sensors
+        )
         chips = [
             Chip(self.effects, r.tiles.size, s["points"], s["faults"])
             for r, s in zip(self.renderers, own[1:], strict=True)
@@ -90,58 +95,66 @@ class Film:
         cameras = (compose(self.path.pose(moment), extrinsics) for moment in moments)
         return np.mean([self.renderers[sensor].render(camera).image for camera in cameras], axis=0)
 
-    def _streams(self) -> list[Streams]:
-        return streams(np.random.default_rng(self._random), 1 + len(self.rig.sensors))
 
-    def _mounts(self, own: list[Streams]) -> tuple[Array, ...]:
-        """Where the sensors sit in truth: drawn, where the filter does not know."""
-        sensors = zip(self.rig.sensors, own, strict=True)
-        return tuple(
-            read_only_copy(drawn(Pose, s.extrinsics, s.covariance, stream["extrinsics"])) for s, stream in sensors
-        )
+film = Film
+
+# -- rigs that start where a path begins: one camera or two in somebody's hand -----------------------------------------
+
+IMAGE: Numbers = (320.0, 240.0)
+LENS: dict[str, Numbers] = {"intrinsics": (159.5, 119.5, 260.0, 260.0), "distortion": (-0.1, 0.01)}
+# In a step of 1/30 s: a hand's accelerations are some 0.5 m/s^2 and 0.3 rad/s^2.
+IMPULSES: Numbers = (0.015, 0.015, 0.015, 0.6, 0.6, 0.6)
 
 
-def film(
-    room: Room,
-    rig: Rig,
+def rig_along_path(
     path: CameraPath,
     *,
-    frames: int,
-    dt: float = 1 / 30,
-    rng: np.random.Generator,
-    effects: Effects = Effects(),  # noqa: B008 - frozen
-    samples: int = 2,
-) -> Film:
-    """So many frames of a rig with one robot, which goes along a path, each with an image (h, w), uint8, per sensor.
+    baseline: float | None = None,
+    motion: str = "constVel",
+    control_std: Numbers = IMPULSES,
+    velocity_std: Numbers = (0.05, 0.05, 0.05, 2.0, 2.0, 2.0),
+    image: Numbers = IMAGE,
+    parameters: dict[str, Numbers] | None = None,
+    std: Numbers = (0.15,),
+) -> Rig:
+    """A robot that starts as the path does, with a pin-hole camera at its origin, which looks along its x axis.
 
-    dt [s] between the frames. The rig's start is where the path begins: hand_held(path) makes such a rig. A robot with
-    constant velocity is told nothing (its controls are None), one with odometry its true steps and its setup's noise.
-    samples: s x s per pixel. The film depends on `rng` as it is at this call. Raises SlamlibError at the call.
+    baseline [m]: with a second camera, `right`, so far to the right of the first, `left`. control_std and velocity_std
+    as in RobotSetup; std [px], image (width, height) and parameters as in SensorSetup. The default std is that of
+    correlation with sub-pixel steps in the rooms' pictures.
     """
-    return Film(room, rig, path, frames=frames, dt=dt, rng=rng, effects=effects, samples=samples)
-
-
-def _seed(rng: np.random.Generator) -> list[int]:
-    if not isinstance(rng, np.random.Generator):
-        raise SlamlibError(f"film: rng is a generator, such as np.random.default_rng(1), not {rng!r}")
-    return [int(n) for n in rng.integers(2**32, size=4)]
+    state = path.state(0)
+    robot = RobotSetup(
+        name="hand",
+        motion=motion,
+        position=tuple(state[:3].tolist()),
+        euler=tuple(np.degrees(path.knots[0, 3:]).tolist()),
+        velocity=tuple(np.concatenate([state[7:10], np.degrees(state[10:])]).tolist()),
+        velocity_std=velocity_std,
+        control_std=control_std,
+    )
+    camera: dict[str, Any] = {"image": image, "parameters": dict(parameters or LENS), "std": std}
+    if baseline is None:
+        return Rig((robot,), (SensorSetup(**camera),))
+    left = SensorSetup("left", **camera)
+    return Rig((robot,), (left, SensorSetup("right", position=(0.0, -baseline, 0.0), **camera)))
 
 
 def _renderers(room: Room, rig: Rig, samples: int) -> list[Renderer]:
     """One per sensor; sensors with the same calibration share theirs."""
-    made: dict[str, Renderer] = {}
-    return [
-        made.get(key) or made.setdefault(key, Renderer(room, setup.calibration, samples))
-        for key, setup in ((_optics(s), s) for s in rig.sensors)
-    ]
+    found, made = list[Renderer](), dict[str, Renderer]()
+    for setup in rig.sensors:
+        key = repr((setup.type, setup.image, sorted(setup.parameters.items()), sorted(setup.limits.items())))
+        if key not in made:
+            made[key] = Renderer(room, setup.calibration, samples)
+        found.append(made[key])
+    return found
 
 
-def _optics(setup: SensorSetup) -> str:
-    return repr((setup.type, setup.image, sorted(setup.parameters.items()), sorted(setup.limits.items())))
-
-
-def _check(rig: Rig, path: CameraPath, frames: int, dt: float, effects: Effects) -> None:
+def _check(rig: Rig, path: CameraPath, frames: int, dt: float, rng: np.random.Generator) -> None:
     """Raise SlamlibError for what cannot be filmed."""
+    if not isinstance(rng, np.random.Generator):
+        raise SlamlibError(f"film: rng is a generator, such as np.random.default_rng(1), not {rng!r}")
     if len(rig.robots) != 1:
         raise SlamlibError(f"film: a rig with one robot is filmed at a time, got {len(rig.robots)}")
     if not isinstance(frames, int | np.integer) or frames < 0:
@@ -157,5 +170,5 @@ def _check(rig: Rig, path: CameraPath, frames: int, dt: float, effects: Effects)
     if (off > ASTRAY * np.sqrt(np.diag(setup.covariance)[:6]) + 1e-6).any():
         raise SlamlibError(
             f"film: the rig believes to start at {setup.position} m, {setup.euler} degrees, and the path begins at "
-            f"{path.knots[0, :3].round(3).tolist()} m: use hand_held(path), or give the setup the path's start"
+            f"{path.knots[0, :3].round(3).tolist()} m: use rig_along_path(path), or give the setup the path's start"
         )

@@ -1,7 +1,7 @@
 """The room that is always there: walls with posters, boxes to walk round, and a window to a far hall."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -89,10 +89,6 @@ def _part(quad: TexturedQuad, u: float, U: float, v: float, V: float, light: flo
     return TexturedQuad(corner, (U - u) * quad.edge_u, (V - v) * quad.edge_v, texture, light, outlined=False)
 
 
-def _dim(quad: TexturedQuad, light: float, outlined: bool = False) -> TexturedQuad:
-    return TexturedQuad(quad.corner, quad.edge_u, quad.edge_v, quad.texture, light, outlined)
-
-
 def _shell(style: RoomStyle) -> list[TexturedQuad]:
     """Floor, ceiling, three whole walls, and the wall x = 3 in four parts round the window."""
     x, y = LENGTH / 2, WIDTH / 2
@@ -108,7 +104,9 @@ def _shell(style: RoomStyle) -> list[TexturedQuad]:
         (_wall(back, (-x, -y), (-x, y), 0, HEIGHT), 0.8),
         (_wall(right, (x, -y), (-x, -y), 0, HEIGHT), 0.95),
     ]
-    return [_part(ahead, *p, light=0.9) for p in round_window] + [_dim(q, light) for q, light in whole]
+    return [_part(ahead, *p, light=0.9) for p in round_window] + [
+        replace(q, light=light, outlined=False) for q, light in whole
+    ]
 
 
 def _hall(style: RoomStyle) -> list[TexturedQuad]:
@@ -122,7 +120,7 @@ def _hall(style: RoomStyle) -> list[TexturedQuad]:
         (_level(style.ceiling, x, FAR, y, Y, top), 0.7),
     ]
     hung = [_wall(style.pictures[i], (FAR - 0.1, a), (FAR - 0.1, a - 1.8), 0.6, 2.4) for i, a in ((6, 3.2), (8, -0.6))]
-    return [_dim(q, light) for q, light in parts] + [_dim(q, 0.9, outlined=True) for q in hung]
+    return [replace(q, light=light, outlined=False) for q, light in parts] + [replace(q, light=0.9) for q in hung]
 
 
 def _pictures(style: RoomStyle) -> list[TexturedQuad]:
@@ -173,4 +171,4 @@ def _box(
     edges[:, :2] = corners[[3, 1]] - corners[0]
     lid = TexturedQuad(np.array([*corners[0], top]), edges[0], edges[1], textures[0])
     lit = zip(sides, (1.0, 0.75, 0.6, 0.85), strict=True)
-    return [*(_dim(side, light, outlined=True) for side, light in lit), lid]
+    return [*(replace(side, light=light) for side, light in lit), lid]

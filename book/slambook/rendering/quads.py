@@ -60,13 +60,9 @@ class Room:
         """Corners as points, edges as segments, of the quads that are outlined; all quads as opaque triangles."""
         corners = np.stack([q.corners for q in self.quads])
         faces = corners[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 3)
-        seen = np.stack([q.corners for q in self.quads if q.outlined]) if self._outlined else np.zeros((0, 4, 3))
+        seen = corners[[q.outlined for q in self.quads]]
         edges = np.stack([seen, np.roll(seen, -1, 1)], 2).reshape(-1, 2, 3)
         return numbered(_unique(seen.reshape(-1, 3)), _unique(_sorted(edges).reshape(-1, 6)), faces)
-
-    @property
-    def _outlined(self) -> bool:
-        return any(q.outlined for q in self.quads)
 
 
 def _unique(rows: Array) -> Array:

@@ -87,23 +87,19 @@ def tiles(calibration: Calibration, samples: int) -> Tiles:
 
 
 def _pixels(size: tuple[int, int], grid: tuple[int, int], samples: int) -> Array:
-    """Places (t, s * s, TILE, TILE, 2) of the samples; tiles that reach beyond the image repeat its border."""
+    """Places (t, s * s, TILE, TILE, 2) of the samples; tiles that reach beyond the image repeat its border.
+
+    A pixel's samples are a grid that is turned a little: no two are in one column or one row, so that edges along the
+    image's axes pass through as many shades as others.
+    """
     v, u = (np.minimum(np.arange(n * TILE), limit - 1).reshape(n, TILE) for n, limit in zip(grid, size, strict=True))
-    across, down = _offsets(samples)
+    i, j = (n.ravel() for n in np.meshgrid(np.arange(samples), np.arange(samples)))
+    across = (i + (j + 0.5) / samples) / samples - 0.5  # from the pixel's centre [px]
+    down = (j + (samples - i - 0.5) / samples) / samples - 0.5
     shape = (grid[0], grid[1], samples**2, TILE, TILE)
     columns = np.broadcast_to(u[None, :, None, None, :] + across[:, None, None], shape)
     rows = np.broadcast_to(v[:, None, None, :, None] + down[:, None, None], shape)
     return np.stack([columns, rows], -1).reshape(-1, samples**2, TILE, TILE, 2)
-
-
-def _offsets(samples: int) -> tuple[Array, Array]:
-    """Places (s * s,) of a pixel's samples, across and down from its centre [px]: a grid that is turned a little.
-
-    No two are in one column or one row, so that edges along the image's axes pass through as many shades as others.
-    """
-    i, j = (n.ravel() for n in np.meshgrid(np.arange(samples), np.arange(samples)))
-    across = (i + (j + 0.5) / samples) / samples - 0.5
-    return across, (j + (samples - i - 0.5) / samples) / samples - 0.5
 
 
 def _fineness(directions: Array, samples: int) -> Array:

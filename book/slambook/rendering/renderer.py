@@ -6,14 +6,15 @@ distance, the largest of which is what is seen; u and v lie between 0 and 1 wher
 """
 
 import functools
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slambook.rendering.atlas import TextureAtlas
-from slambook.rendering.quads import Room
+from slambook.rendering.quads import Room, TexturedQuad
 from slambook.rendering.rays import Tiles, rays, tiles
+from slambook.rendering.textures import LEVELS
 from slamlib.errors import SlamlibError
 from slamlib.geometry.quaternion import rotation
 from slamlib.kalman.linalg import finite
@@ -23,6 +24,61 @@ from slamlib.sensors.sensor import Calibration
 CHUNK = 1 << 15  # samples that are shaded at a time: their numbers stay in the processor's cache
 FLAT = 1e-9  # [m]: a quad whose plane is nearer to the eye than this is seen from its edge, that is, not
 BIAS = -0.5  # levels: how much finer than a sample its texels are; as near to 64 samples a pixel as 4 come
+
+
+class TextureAtlas:
+    """All textures of a room in one array, so that the samples of one picture are looked up together.
+
+    They are the pyramids of the quads' textures; entry i of the tables belongs to quad i, the one behind the last to
+    black. A sample's row in the tables of levels is quad * LEVELS + level.
+    """
+
+    def __init__(self, quads: Sequence[TexturedQuad]) -> None:
+        textures = list({id(q.texture): q.texture for q in quads}.values())
+        black = np.zeros((2, 2), np.float32)
+        pyramids = [t.levels for t in textures] + [(black,)]
+        flat = [level.ravel() for pyramid in pyramids for level in pyramid]
+        self.texels = np.concatenate(flat).astype(np.float32)
+        starts: Iterator[int] = iter(np.cumsum([0, *map(len, flat)])[:-1].tolist())
+        rows = [_table(pyramid, starts) for pyramid in pyramids]
+        which = [textures.index(q.texture) for q in quads] + [len(textures)]
+        self.starts = np.concatenate([rows[i][0] for i in which])
+        self.widths = np.concatenate([rows[i][1] for i in which])
+        self.heights = np.concatenate([rows[i][2] for i in which])
+        self.top = np.array([len(pyramids[i]) - 1 for i in which], np.float32)
+        self.light = np.array([*(q.light for q in quads), 0], np.float32)
+        self.size = np.array([q.texture.image.shape[::-1] for q in quads], float)  # (q, 2): columns, rows
+        self.scale = np.tile(np.float32(0.5) ** np.arange(LEVELS, dtype=np.float32), len(which))
+
+    def look_up(self, quad: Image, level: Image, x: Image, y: Image) -> Image:
+        """Bilinear grey values (...) at places x, y [texels of level 0, from the corner], in levels of quads."""
+        row = quad * np.int32(LEVELS) + level
+        scale, width = self.scale.take(row), self.widths.take(row)
+        x, left = _cell(x * scale, width)
+        y, top = _cell(y * scale, self.heights.take(row))
+        first = self.starts.take(row) + top * width + left
+        a, b = self.texels.take(first), self.texels.take(first + 1)
+        first += width
+        c, d = self.texels.take(first), self.texels.take(first + 1)
+        upper = a + x * (b - a)
+        return (upper + y * (c + x * (d - c) - upper)) * self.light.take(quad)
+
+
+def _cell(place: Image, size: Image) -> tuple[Image, Image]:
+    """Shares (...) between a texel's centre and the next one's, and the texels' numbers; held at the borders."""
+    place = place - np.float32(0.5)
+    np.maximum(place, 0, out=place)
+    low = np.minimum(place.astype(np.int32), size - np.int32(2))
+    place -= low
+    return np.minimum(place, 1, out=place), low
+
+
+def _table(pyramid: tuple[Image, ...], starts: Iterator[int]) -> tuple[Image, Image, Image]:
+    """First texel, width and height of each level; above the last one, the last one's."""
+    begin = [next(starts) for _ in pyramid]
+    count = [min(i, len(pyramid) - 1) for i in range(LEVELS)]
+    rows = [(begin[i], pyramid[i].shape[1], pyramid[i].shape[0]) for i in count]
+    return tuple(np.array(column, np.int32) for column in zip(*rows, strict=True))  # type: ignore[return-value]
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +125,9 @@ class Renderer:
         camera = finite(camera, (7,), "render", "camera")
         inverse, usable = self._inverses(camera)
         near, u, v, quad = self._nearest(inverse, usable, camera)
-        shade, levels = np.empty_like(near), self._levels(inverse)
+        height = 1 / np.linalg.norm(inverse[:, 2], axis=-1)
+        levels = np.append(-np.log2(self.texel) - np.log2(height) / 2 + BIAS, 0).astype(np.float32)
+        shade = np.empty_like(near)
         step = max(1, CHUNK // shade.shape[1])
         for part in (slice(i, i + step) for i in range(0, len(shade), step)):
             shade[part] = self._shade(near[part], u[part], v[part], quad[part], self.tiles.fineness[part], levels)
@@ -121,13 +179,8 @@ class Renderer:
             quad[where] = np.where(seen, np.int32(i), quad[where])
         return near, u, v, quad
 
-    def _levels(self, inverse: Array) -> Array:
-        """Per quad (q + 1,), what is added to the logarithms of angle and distance for the level: see _shade."""
-        height = 1 / np.linalg.norm(inverse[:, 2], axis=-1)
-        return np.append(-np.log2(self.texel) - np.log2(height) / 2 + BIAS, 0).astype(np.float32)
-
     def _shade(self, near: Image, u: Image, v: Image, quad: Indices, fineness: Image, levels: Image) -> Image:
-        """Grey values (k, p).
+        """Grey values (k, p); levels (q + 1,): what is added to the logarithms of angle and distance for the level.
 
         Texels are seen from the distance r at an angle: a sample is r * angle wide one way, and longer by r / height
         the other way, height being the eye's above the plane; the geometric mean is angle * r^1.5 / height^0.5. The

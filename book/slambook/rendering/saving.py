@@ -9,13 +9,12 @@ groundtruth_0.txt, ...     poses of camera 0, ... in the room, "time x y z qx qy
 import json
 import os
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
+from slambook.figures.images import png
 from slambook.rendering.film import Film
 from slamlib.data.files import write_whole
-from slamlib.datasets.optional_imports import opencv
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory, write_tum
 from slamlib.experiments.progress import progress
@@ -26,10 +25,10 @@ from slamlib.manifolds import Array
 def save_film(folder: str | os.PathLike[str], film: Film) -> Path:
     """Write a film into a folder that is not there yet, or empty; the list of times comes last.
 
-    Each file is written whole or not at all. Raises SlamlibError if the folder holds something, for a film without
-    frames, and without OpenCV, which writes PNG.
+    Each file is written whole or not at all. Raises SlamlibError if the folder holds something, and for a film without
+    frames.
     """
-    cv2, root = opencv("to write pictures"), Path(folder)
+    root = Path(folder)
     if not len(film):
         raise SlamlibError("save_film: the film has no frames")
     if root.exists() and (not root.is_dir() or any(root.iterdir())):
@@ -37,22 +36,14 @@ def save_film(folder: str | os.PathLike[str], film: Film) -> Path:
     count = len(film.rig.sensors)
     for camera in range(count):
         (root / f"image_{camera}").mkdir(parents=True)
-    poses: list[list[Array]] = [[] for _ in range(count)]
-    times: list[float] = []
+    poses, times = [list[Array]() for _ in range(count)], list[float]()
     for frame, truth in progress(film, len(film), "filming"):
         times.append(frame.number * frame.dt)
         for camera, scan in enumerate(frame.scans):
-            _picture(cv2, root / f"image_{camera}" / f"{frame.number:06d}.png", scan.image)
+            write_whole(root / f"image_{camera}" / f"{frame.number:06d}.png", png(scan.image))
             poses[camera].append(compose(truth.robots[0][:7], truth.extrinsics[camera]))
     for camera, path in enumerate(poses):
         write_tum(root / f"groundtruth_{camera}.txt", Trajectory(np.array(times), np.array(path)))
     write_whole(root / "calibration.json", json.dumps(film.rig.to_dict(), indent=2) + "\n")
     write_whole(root / "times.txt", "".join(f"{time:.9f}\n" for time in times))
     return root
-
-
-def _picture(cv2: Any, path: Path, image: Any) -> None:
-    done, data = cv2.imencode(".png", image)
-    if not done:
-        raise SlamlibError(f"{path} cannot be written: OpenCV makes no PNG of {image.dtype}, {image.shape}")
-    write_whole(path, data.tobytes())

@@ -10,8 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from slamlib.datasets.optional_imports import skimage
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, UnknownNameError, optional
 from slamlib.kalman.linalg import numbers
 from slamlib.manifolds import Array, Image
 
@@ -70,9 +69,9 @@ def photograph(name: str) -> Texture:
     """A picture that scikit-image ships, by name (PHOTOGRAPHS); nothing is downloaded. Raises SlamlibError."""
     if name not in PHOTOGRAPHS:
         raise UnknownNameError.of("photograph", name, PHOTOGRAPHS)
-    package = skimage("skimage", "for photographs as textures (the drawn ones need nothing)")
+    package = optional("skimage", "for photographs as textures (the drawn ones need nothing)", "images")
     file = Path(package.__file__).parent / "data" / f"{name}.png"
     if not file.is_file():
         raise SlamlibError(f"this scikit-image has no {file.name} beside it: use the drawn textures")
-    picture = np.asarray(skimage("skimage.io", "to read photographs").imread(file))
+    picture = np.asarray(optional("skimage.io", "to read photographs", "images").imread(file))
     return Texture(picture if picture.ndim == 2 else (picture[..., :3] @ GREY + 500) // 1000)

@@ -104,13 +104,14 @@ def table(found: Compared) -> list[CorrelationRow]:
         "landmark, robot": count == 1,
         "robot, robot": count == 2,
     }
-    return [_row(what, found, first[chosen], second[chosen]) for what, chosen in groups.items()]
-
-
-def _row(what: str, found: Compared, i: Array, j: Array) -> CorrelationRow:
-    rho, difference, z = found.claimed[i, j], (found.measured - found.claimed)[i, j], found.z[i, j]
-    sampling = (1 - rho**2) / np.sqrt(found.runs)  # of a correlation over so many runs, to first order
-    return CorrelationRow(what, len(i), rms(rho), rms(difference), rms(sampling), rms(z), float(np.abs(rho).max()))
+    rows = []
+    for what, chosen in groups.items():
+        i, j = first[chosen], second[chosen]
+        rho, difference, z = found.claimed[i, j], (found.measured - found.claimed)[i, j], found.z[i, j]
+        sampling = (1 - rho**2) / np.sqrt(found.runs)  # of a correlation over so many runs, to first order
+        numbers = rms(rho), rms(difference), rms(sampling), rms(z), float(np.abs(rho).max())
+        rows.append(CorrelationRow(what, len(i), *numbers))
+    return rows
 
 
 def rms(values: Array) -> float:

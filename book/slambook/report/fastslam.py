@@ -37,7 +37,13 @@ class FastSlam:
 
     def step(self, u: Array, scan: PlanarScan) -> None:
         """Odometry u (3,), then what is seen; draws the particles again first if the last step left few of them."""
-        self._draw_again()
+        parents: Indices = np.arange(len(self.poses))
+        if self.effective and self.effective[-1] < self._least:
+            parents = systematic(self.weights, self._rng)
+            self.poses, self.means = self.poses[parents], self.means[parents]
+            self.covariances = self.covariances[parents]
+            self.log_weights = np.full(len(parents), -np.log(len(parents)))
+        self.parents.append(parents)
         noise = self._motion_std * self._rng.standard_normal(self.poses.shape)
         self.poses = moved(self.poses, u + noise)
         old = self.known[scan.names]
@@ -74,15 +80,6 @@ class FastSlam:
         self.means[:, scan.names] = m
         self.covariances[:, scan.names] = by_z @ self._R @ by_z.swapaxes(-1, -2)
         self.known[scan.names] = True
-
-    def _draw_again(self) -> None:
-        parents: Indices = np.arange(len(self.poses))
-        if self.effective and self.effective[-1] < self._least:
-            parents = systematic(self.weights, self._rng)
-            self.poses, self.means = self.poses[parents], self.means[parents]
-            self.covariances = self.covariances[parents]
-            self.log_weights = np.full(len(parents), -np.log(len(parents)))
-        self.parents.append(parents)
 
     def pose(self) -> tuple[Array, Array]:
         """Mean (3,) and covariance (3, 3) of the particles' poses."""

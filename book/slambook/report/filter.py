@@ -8,10 +8,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from slambook.report import update
 from slambook.report.angles import rotation, wrapped
 from slambook.report.motion import by_angles
-from slambook.report.observation import by_pose, by_vectors, placed, placed_by_pose
+from slambook.report.observation import batch, by_pose, by_vectors, placed, placed_by_pose
 from slambook.report.switches import Equations, equations
 from slamlib.manifolds import Array
 
@@ -119,24 +118,16 @@ class BatchUpdateFilter(Memory):
         """As Memory.update."""
         if not names:
             return
-        points, m = self.points[..., [self.names.index(name) for name in names], :], len(names)
+        places, m = [self.names.index(name) for name in names], len(names)
+        points = self.points[..., places, :]
         difference = (seen - by_vectors(self.x[..., :6], points)).reshape(*seen.shape[:-2], 3 * m)
-        H = self.jacobian(points, names)
-        noise = np.zeros((*seen.shape[:-2], 3 * m, 3 * m))
-        for i in range(m):
-            at = slice(3 * i, 3 * i + 3)
+        H, noise = np.zeros((*self.x.shape[:-1], 3 * m, self.x.shape[-1])), np.zeros((*seen.shape[:-2], 3 * m, 3 * m))
+        H[..., :6] = by_pose(self.x[..., :6], points).reshape(*self.x.shape[:-1], 3 * m, 6)  # (3.15), dense
+        turned = rotation(self.x[..., 3:6]).swapaxes(-1, -2)
+        for i, place in enumerate(places):
+            at, columns = slice(3 * i, 3 * i + 3), slice(6 + 3 * place, 9 + 3 * place)
+            H[..., at, columns] = turned
             noise[..., at, at] = np.broadcast_to(R, (*seen.shape, 3))[..., i, :, :]
-        self.x, self.P = update.batch(self.x, self.P, difference, H, noise)
+        self.x, self.P = batch(self.x, self.P, difference, H, noise)
         self.P = (self.P + self.P.swapaxes(-1, -2)) / 2
         self.x[..., 3:6] = wrapped(self.x[..., 3:6])
-
-    def jacobian(self, points: Array, names: list[int]) -> Array:
-        """(3.15), dense: derivative (..., 3m, 6 + 3L) of what is seen of these landmarks at points (..., m, 3)."""
-        m, n = len(names), self.x.shape[-1]
-        H = np.zeros((*self.x.shape[:-1], 3 * m, n))
-        H[..., :6] = by_pose(self.x[..., :6], points).reshape(*self.x.shape[:-1], 3 * m, 6)
-        turned = rotation(self.x[..., 3:6]).swapaxes(-1, -2)
-        for i, name in enumerate(names):
-            place = 6 + 3 * self.names.index(name)
-            H[..., 3 * i : 3 * i + 3, place : place + 3] = turned
-        return H

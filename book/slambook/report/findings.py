@@ -1,7 +1,8 @@
 """What the audit finds for each number of the list of errata: figures with their tolerances, or what was read."""
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from functools import cache
 from math import inf
 
@@ -44,37 +45,59 @@ class AuditFigure:
         return f"at most {self.high:.2g}" if self.low == -inf else f"{self.low:.4g} to {self.high:.4g}"
 
 
-def near(what: str, measured: float, listed: float, tolerance: float, remark: str = "") -> AuditFigure:
-    """A figure of the list, which must come out within the tolerance."""
-    return AuditFigure(what, float(measured), listed - tolerance, listed + tolerance, f"{listed:.4g}", remark)
+def near(
+    what: str, measured: float, expected: float, tolerance: float, remark: str = "", listed: str | None = None
+) -> AuditFigure:
+    """A figure that must come out within the tolerance; listed: what the list has, if not what is expected."""
+    said = f"{expected:.4g}" if listed is None else listed
+    return AuditFigure(what, float(measured), float(expected - tolerance), float(expected + tolerance), said, remark)
 
 
 def instead(what: str, measured: float, expected: float, tolerance: float, listed: str, remark: str) -> AuditFigure:
     """A figure of the list that is not right: what is expected in its place, within the tolerance, and why."""
-    return AuditFigure(what, float(measured), expected - tolerance, expected + tolerance, listed, remark, True)
+    return replace(near(what, measured, expected, tolerance, remark, listed), corrected=True)
 
 
 def ours(what: str, measured: float, expected: float, tolerance: float, remark: str = "") -> AuditFigure:
     """A figure that the list does not have."""
-    return AuditFigure(what, float(measured), expected - tolerance, expected + tolerance, "", remark)
+    return near(what, measured, expected, tolerance, remark, "")
 
 
 def at_least(what: str, measured: float, least: float, listed: str = "", remark: str = "") -> AuditFigure:
     """An effect that must be this large; `listed` is what the list says of it."""
-    return AuditFigure(what, float(measured), least, inf, listed, remark)
+    return AuditFigure(what, float(measured), float(least), inf, listed, remark)
 
 
 def at_most(what: str, measured: float, most: float, listed: str = "0") -> AuditFigure:
     """Something that must vanish, up to rounding."""
-    return AuditFigure(what, float(measured), -inf, most, listed)
+    return AuditFigure(what, float(measured), -inf, float(most), listed)
+
+
+Findings = Iterator[AuditFigure | str]  # figures; and words: the statistics of its runs, or what was read and where
 
 
 @dataclass(frozen=True)
 class AuditFinding:
-    """What a check found. `note`: the statistics of its runs, or what was read and where."""
+    """What a check found: its figures, all that was said beside them, and how long that took."""
 
-    figures: list[AuditFigure] = field(default_factory=list)
-    note: str = ""
+    check: "AuditCheck"
+    figures: list[AuditFigure]
+    note: str
+    seconds: float
+
+    @property
+    def holds(self) -> bool:
+        """True unless a figure is outside its limits."""
+        return all(f.holds for f in self.figures)
+
+    @property
+    def verdict(self) -> str:
+        """FAILED, reading (no figures), corrected (the list was), or reproduced."""
+        if not self.holds:
+            return "FAILED"
+        if not self.figures:
+            return "reading"
+        return "corrected" if any(f.corrected for f in self.figures) else "reproduced"
 
 
 @dataclass(frozen=True)
@@ -85,43 +108,26 @@ class AuditCheck:
     where: str
     says: str
     right: str
-    run: Callable[[], AuditFinding]
+    find: Callable[[], Findings]
 
-
-@dataclass(frozen=True)
-class AuditRow:
-    """A check with its finding."""
-
-    check: AuditCheck
-    finding: AuditFinding
-    seconds: float
-
-    @property
-    def holds(self) -> bool:
-        """True unless a figure is outside its limits."""
-        return all(f.holds for f in self.finding.figures)
-
-    @property
-    def verdict(self) -> str:
-        """FAILED, reading (no figures), corrected (the list was), or reproduced."""
-        if not self.holds:
-            return "FAILED"
-        if not self.finding.figures:
-            return "reading"
-        return "corrected" if any(f.corrected for f in self.finding.figures) else "reproduced"
+    def run(self) -> AuditFinding:
+        """Find out."""
+        began = time.perf_counter()
+        found = list(self.find())
+        figures = [part for part in found if isinstance(part, AuditFigure)]
+        note = "; ".join(part for part in found if isinstance(part, str))
+        return AuditFinding(self, figures, note, time.perf_counter() - began)
 
 
 CHECKS: dict[str, AuditCheck] = {}
 
 
-def check(
-    number: str, where: str, says: str, right: str
-) -> Callable[[Callable[[], AuditFinding]], Callable[[], AuditFinding]]:
+def check(number: str, where: str, says: str, right: str) -> Callable[[Callable[[], Findings]], Callable[[], Findings]]:
     """Put a function into the table of checks."""
 
-    def register(run: Callable[[], AuditFinding]) -> Callable[[], AuditFinding]:
-        CHECKS[number] = AuditCheck(number, where, says, right, run)
-        return run
+    def register(find: Callable[[], Findings]) -> Callable[[], Findings]:
+        CHECKS[number] = AuditCheck(number, where, says, right, find)
+        return find
 
     return register
 

@@ -12,7 +12,7 @@ import numpy as np
 from slambook.report.correlations import normalised
 from slamlib.belief import Belief
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array, Indices
+from slamlib.manifolds import Array
 
 SPACING = 4.0  # [m] between landmarks
 
@@ -55,9 +55,16 @@ def repeated_observations(
         raise SlamlibError(
             f"looking: after {observations} looks not all {landmarks} landmarks were seen; look more often"
         )
-    return _repeated_observations(
-        np.array(maps), observations - len(maps), start, limit(start, motion, noise / np.sqrt(landmarks))
-    )
+    P, first = np.array(maps), observations - len(maps)
+    absolute = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))
+    i, j = np.triu_indices(landmarks, 1)
+    between = P[:, 1:, 1:] - P[:, 1:, :1] - P[:, :1, 1:] + P[:, :1, :1]  # of the places relative to the first
+    relative = np.sqrt(np.diagonal(between, axis1=-2, axis2=-1))
+    with np.errstate(invalid="ignore"):
+        correlation = (P / absolute[:, :, None] / absolute[:, None, :])[:, i, j]
+        beside = between[:, -1, -2] / relative[:, -1] / relative[:, -2]
+    bound = limit(start, motion, noise / np.sqrt(landmarks))
+    return RepeatedObservations(start, first, correlation, absolute, relative, beside, bound)
 
 
 def _maps(
@@ -66,11 +73,15 @@ def _maps(
     """The map's covariance after each look, of the landmarks seen so far."""
     places, belief, known = SPACING * np.arange(landmarks), Belief(), 0
     robot = belief.add(1, np.zeros(1), np.array([[start**2]]))
-    for look, where in enumerate(_way(int(places[-1]), observations)):
+    end = int(places[-1])
+    steps = np.arange(observations) % (2 * end)  # to the end and back, again and again, 1 m a step
+    for look, where in enumerate(np.minimum(steps, 2 * end - steps)):
         if look:
             belief.predict(robot, robot.mean, np.eye(1), np.array([[motion**2]]))
         seen = np.flatnonzero(np.abs(places - where) <= reach)
-        _correct(belief, 1 + seen[seen < known], noise)
+        if (m := int((seen < known).sum())) > 0:  # place minus that of the robot, which is row 0
+            H = np.concatenate([-np.ones((m, 1)), np.eye(m)], axis=1)
+            belief.update_rows(np.array([0, *(1 + seen[:m])]), H, np.zeros(m), noise**2 * np.eye(m))
         for i in seen[seen >= known]:  # on the way out they are met in their order
             belief.add(1, places[[i]], np.array([[noise**2]]), given=[robot], jacobians=[np.eye(1)])
         known = max(known, seen[-1] + 1)
@@ -117,43 +128,11 @@ def common(
     information = np.array(rows).T @ np.array(rows)
     keep = np.r_[: observations - 1, observations:n]  # given a pose: its row and column go
     P = np.linalg.inv(information)
-    last, path = (
-        np.linalg.inv(information[np.ix_(keep, keep)]),
-        np.linalg.inv(information[observations:, observations:]),
-    )
-    return Common(
-        _largest(P[observations:, observations:]),
-        _largest(last[observations - 1 :, observations - 1 :]),
-        _largest(path),
-    )
+    last = np.linalg.inv(information[np.ix_(keep, keep)])[observations - 1 :, observations - 1 :]
+    path = np.linalg.inv(information[observations:, observations:])
+    return Common(*map(_largest, (P[observations:, observations:], last, path)))
 
 
 def _largest(P: Array) -> float:
     """Largest correlation, in size, of a covariance (n, n)."""
     return float(np.abs(normalised(P) - np.eye(len(P))).max())
-
-
-def _way(end: int, observations: int) -> Array:
-    """To the end and back, again and again, 1 m a step; of those who see everything from the start, too."""
-    steps = np.arange(observations) % (2 * end)
-    return np.minimum(steps, 2 * end - steps)
-
-
-def _correct(belief: Belief, rows: Indices, noise: float) -> None:
-    """A look at the landmarks of these rows of the covariance: place minus that of the robot, which is row 0."""
-    if len(rows):
-        m = len(rows)
-        H = np.concatenate([-np.ones((m, 1)), np.eye(m)], axis=1)
-        belief.update_rows(np.array([0, *rows]), H, np.zeros(m), noise**2 * np.eye(m))
-
-
-def _repeated_observations(P: Array, first: int, start: float, bound: float) -> RepeatedObservations:
-    """From the map's covariances (n, L, L)."""
-    absolute = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))
-    i, j = np.triu_indices(P.shape[-1], 1)
-    between = P[:, 1:, 1:] - P[:, 1:, :1] - P[:, :1, 1:] + P[:, :1, :1]  # of the places relative to the first
-    relative = np.sqrt(np.diagonal(between, axis1=-2, axis2=-1))
-    with np.errstate(invalid="ignore"):
-        correlation = (P / absolute[:, :, None] / absolute[:, None, :])[:, i, j]
-        beside = between[:, -1, -2] / relative[:, -1] / relative[:, -2]
-    return RepeatedObservations(start, first, correlation, absolute, relative, beside, bound)

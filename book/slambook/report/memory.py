@@ -119,17 +119,16 @@ def compare(
 ) -> list[Remembered]:
     """The ways of these names on the same way, with the same noise. Raises UnknownNameError."""
     scene, seed = ring(rng, steps), int(rng.integers(2**31))
-    return [_remembered(name, scene, runs, seed) for name in names]
-
-
-def _remembered(name: str, scene: Scene, runs: int, seed: int) -> Remembered:
-    if name not in WAYS:
-        raise UnknownNameError.of("way to remember", name, WAYS)
-    way = WAYS[name]
-    outcome = monte_carlo(
-        scene, *way.errors, runs=runs, seed=seed, again=way.again, make=partial(WindowFilter, window=way.window)
-    )
-    rotation, last = np.degrees(np.sqrt((outcome.turned**2).mean(0))), outcome.last
-    assert isinstance(last, WindowFilter)
-    sizes, nees = np.array(last.sizes[1:]), Consistency.of(outcome.nees, DOF)
-    return Remembered(name, outcome.position_error, rotation, outcome.claimed_deviation, sizes, nees)
+    found = []
+    for name in names:
+        if name not in WAYS:
+            raise UnknownNameError.of("way to remember", name, WAYS)
+        way = WAYS[name]
+        make = partial(WindowFilter, window=way.window)
+        outcome = monte_carlo(scene, *way.errors, runs=runs, seed=seed, again=way.again, make=make)
+        rotation, last = np.degrees(np.sqrt((outcome.turned**2).mean(0))), outcome.last
+        assert isinstance(last, WindowFilter)
+        sizes, nees = np.array(last.sizes[1:]), Consistency.of(outcome.nees, DOF)
+        error, claimed = outcome.position_error, outcome.claimed_deviation
+        found.append(Remembered(name, error, rotation, claimed, sizes, nees))
+    return found

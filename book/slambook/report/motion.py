@@ -30,31 +30,6 @@ def inverse(motion: Array) -> Array:
     return np.concatenate([-(R @ motion[..., :3, None])[..., 0], angles.extracted(R)], -1)
 
 
-def as_it_comes(motion: Array) -> Array:
-    """PnP's answer taken for the control: the motion backwards (E20)."""
-    return motion
-
-
-def this_one(index: int) -> int:
-    """The control of this step is u_k, as in (3.8)."""
-    return index
-
-
-def the_one_before(index: int) -> int:
-    """The control of this step is u_{k-1}, as printed in (3.15) (E03)."""
-    return max(index - 1, 0)
-
-
-def old_state(old: Array, new: Array) -> Array:
-    """F is taken at the state before the motion."""
-    return old
-
-
-def new_state(old: Array, new: Array) -> Array:
-    """F is taken at the predicted state, as section 5.2.4 prints (E02)."""
-    return new
-
-
 def exact_by_pose(pose: Array, u: Array) -> Array:
     """Rows 4 to 6 of (5.20), corrected: derivative (..., 3, 3) of the new angles by the old ones."""
     return compose.jac(pose, u)[1].pose[..., 3:, 3:]
@@ -68,36 +43,6 @@ def exact_by_control(pose: Array, u: Array) -> Array:
 def identity(pose: Array, u: Array) -> Array:
     """Rows 4 to 6 of (5.20) and of (5.21), as printed (E07, E08)."""
     return np.broadcast_to(np.eye(3), (*u.shape[:-1], 3, 3))
-
-
-def for_the_pose(Q: Array, size: int) -> Array:
-    """(5.22) belongs to the pose's rows and columns alone: (..., 6, 6)."""
-    return Q
-
-
-def for_everything(Q: Array, size: int) -> Array:
-    """(3.9) read literally: Q, 6 by 6, is added to F P F', of the whole state's size; NumPy refuses (E09)."""
-    return np.zeros((size, size)) + Q
-
-
-def with_noise(block: Array, Q: Array) -> Array:
-    """First block of (5.23), corrected."""
-    return block + Q
-
-
-def without_noise(block: Array, Q: Array) -> Array:
-    """First block of (5.23), as printed: Q is missing (E10)."""
-    return block
-
-
-def others(own: Array, other: Array) -> Array:
-    """The control comes from matches that the correction does not use."""
-    return other
-
-
-def the_same(own: Array, other: Array) -> Array:
-    """The control comes from the same matches as the correction (E21)."""
-    return own
 
 
 def aligned(before: Array, after: Array, sigma: float) -> tuple[Array, Array]:

@@ -27,18 +27,10 @@ def norm_after(steps: int, kind: type) -> float:
     return abs(float(np.linalg.norm(q.astype(float))) - 1)
 
 
-def minus_square(P: Array, h: Array, S: Array) -> Array:
-    """(5.32): P - S K K', with h = P H'."""
-    return P - np.multiply.outer(h, h) / S
-
-
-def times_factor(P: Array, h: Array, S: Array) -> Array:
-    """(3.14): (I - K H) P."""
-    one, row = np.eye(3, dtype=P.dtype), H.astype(P.dtype)
-    return (one - np.multiply.outer(h / S, row)) @ P
-
-
-FORMS: dict[str, Callable[[Array, Array, Array], Array]] = {"P - S K K'": minus_square, "(I - K H) P": times_factor}
+FORMS: dict[str, Callable[[Array, Array, Array], Array]] = {  # of P, h = P H' and S: (5.32), (3.14)
+    "P - S K K'": lambda P, h, S: P - np.multiply.outer(h, h) / S,
+    "(I - K H) P": lambda P, h, S: (np.eye(3, dtype=P.dtype) - np.multiply.outer(h / S, H.astype(P.dtype))) @ P,
+}
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Observation of a landmark, (5.24) to (5.30), and the beginning of a new one, (5.33) to (5.35)."""
+"""Observation of a landmark and its correction, (5.24) to (5.32), and the beginning of a new one, (5.33) to (5.35)."""
 
 import numpy as np
 
@@ -24,43 +24,10 @@ def by_matrices(pose: Array, points: Array) -> Array:
 def by_pose(pose: Array, points: Array) -> Array:
     """Derivative (..., m, 3, 6) of the relative point by the pose: what appendix A of the report would hold (E27)."""
     R, d = rotation(pose[..., 3:]), points - pose[..., None, :3]
-    turned = np.stack([by_angles(pose[..., 3:], axis) for axis in _axes(pose)], -3)  # by axis, row, angle
+    axes = np.broadcast_to(np.eye(3).reshape(3, *[1] * (pose.ndim - 1), 3), (3, *pose.shape[:-1], 3))
+    turned = np.stack([by_angles(pose[..., 3:], axis) for axis in axes], -3)  # by axis, row, angle
     left = np.broadcast_to(-R.swapaxes(-1, -2)[..., None, :, :], (*d.shape, 3))
     return np.concatenate([left, np.einsum("...kia,...mi->...mka", turned, d)], -1)
-
-
-def _axes(pose: Array) -> Array:
-    return np.broadcast_to(np.eye(3).reshape(3, *[1] * (pose.ndim - 1), 3), (3, *pose.shape[:-1], 3))
-
-
-def predicted_state(old: Array, new: Array) -> Array:
-    """H is taken where the measurement is predicted from."""
-    return new
-
-
-def previous_state(old: Array, new: Array) -> Array:
-    """H is taken at the state before the motion, as (3.15) prints (E01)."""
-    return old
-
-
-def squares(sigmas: Array) -> Array:
-    """(5.26) corrected: variances (3, 3)."""
-    return np.diag(sigmas**2)
-
-
-def the_letters(sigmas: Array) -> Array:
-    """(5.26), as printed: the deviations in place of variances, that of y twice (E12)."""
-    return np.diag(sigmas[[0, 1, 1]])
-
-
-def of_its_landmark(row: int, landmark: int) -> int:
-    """The block of an observation stands in the columns of its landmark."""
-    return landmark
-
-
-def on_the_diagonal(row: int, landmark: int) -> int:
-    """The block of the i-th observation stands in the i-th place, as (5.28) is drawn (E15)."""
-    return row
 
 
 def scalar_variance(hx: Array, hm: Array, Pxx: Array, Pmx: Array, Pmm: Array) -> Array:
@@ -77,6 +44,24 @@ def _form(left: Array, matrix: Array, right: Array) -> Array:
     return (left[..., None, :] @ matrix @ right[..., :, None])[..., 0, 0]
 
 
+def whitened(R: Array, *rows: Array) -> tuple[Array, ...]:
+    """Variances (..., 3) and rows (..., 3, n) of independent numbers: L^-1 rows, with R = L L'."""
+    L = np.linalg.cholesky(R)
+    return (np.ones(R.shape[:-1]), *(np.linalg.solve(L, row) for row in rows))
+
+
+def diagonal_only(R: Array, *rows: Array) -> tuple[Array, ...]:
+    """(5.27), as printed: R_jj, whatever stands beside the diagonal (E17)."""
+    return (np.diagonal(R, axis1=-2, axis2=-1), *rows)
+
+
+def batch(x: Array, P: Array, difference: Array, H: Array, R: Array) -> tuple[Array, Array]:
+    """(3.11) to (3.14): one correction by all m numbers. difference (..., m), H (..., m, n), R (..., m, m)."""
+    HP = H @ P
+    K = np.linalg.solve(HP @ H.swapaxes(-1, -2) + R, HP).swapaxes(-1, -2)
+    return x + (K @ difference[..., None])[..., 0], P - K @ HP
+
+
 def placed(pose: Array, seen: Array) -> Array:
     """(5.33): points (..., m, 3) where the pose sees them, t + R z."""
     return pose[..., None, :3] + seen @ rotation(pose[..., 3:]).swapaxes(-1, -2)
@@ -89,52 +74,7 @@ def placed_by_pose(pose: Array, seen: Array) -> Array:
     return np.concatenate([left, by_angles(orientation, seen)], -1)
 
 
-def row_of_pose(J: Array, P: Array) -> Array:
-    """New row of (5.34), corrected: J times the pose's row, for every block."""
-    return J @ P[..., :6, :]
-
-
-def row_as_printed(J: Array, P: Array) -> Array:
-    """Third entry of the last row of (5.34), as printed: J, 3 by 6, times a landmark's block; NumPy refuses (E18)."""
-    return J @ P[..., 6:9, 9:12]
-
-
-def no_row(J: Array, P: Array) -> Array:
-    """What is left if one leaves out the row of (5.34): nothing is said between new and old (E18)."""
-    return np.zeros((*J.shape[:-1], P.shape[-1]))
-
-
-def joint_corner(corner: Array) -> Array:
-    """Landmarks that begin in one picture share the pose's error: first term of (5.35), for all of them at once."""
-    return corner
-
-
 def each_alone(corner: Array) -> Array:
     """First term of (5.35) for each new landmark, and nothing between them (E18)."""
     blocks = np.kron(np.eye(corner.shape[-1] // 3), np.ones((3, 3)))
     return corner * blocks
-
-
-def as_measured(corner: Array) -> Array:
-    """(5.35) for the landmarks of the first picture as well."""
-    return corner
-
-
-def zero(corner: Array) -> Array:
-    """Section 5.1.2: all zeros at the start (E19)."""
-    return np.zeros_like(corner)
-
-
-def full_memory(x: Array, P: Array, names: list[int]) -> tuple[Array, Array, list[int]]:
-    """Nothing is forgotten."""
-    return x, P, names
-
-
-def pose_only(x: Array, P: Array, names: list[int]) -> tuple[Array, Array, list[int]]:
-    """The map is forgotten, the pose keeps its covariance: what is right if only two pictures are kept."""
-    return x[..., :6].copy(), P[..., :6, :6].copy(), []
-
-
-def reset(x: Array, P: Array, names: list[int]) -> tuple[Array, Array, list[int]]:
-    """Section 5.4: "everything is reset except for the agent localisation", the pose's covariance too (E22)."""
-    return x[..., :6].copy(), np.zeros_like(P[..., :6, :6]), []

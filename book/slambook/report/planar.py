@@ -83,11 +83,9 @@ def drive(rng: np.random.Generator, steps: int = 120, landmarks: int = 20, reach
     u, truth = np.array([0.8, 0, 2 * np.pi / LAP]), [np.array([48 / (2 * np.pi), 0, np.pi / 2])]
     for _ in range(steps):
         truth.append(moved(truth[-1], u))
-    scans = [_look(pose, points, reach, rng) for pose in truth]
+    scans = []
+    for pose in truth:
+        z = seen(pose, points)
+        names = np.flatnonzero(z[:, 0] < reach)
+        scans.append(PlanarScan(names, z[names] + LOOK * rng.standard_normal((len(names), 2))))
     return Data(points, np.array(truth), u + MOTION * rng.standard_normal((steps, 3)), scans, MOTION, LOOK)
-
-
-def _look(pose: Array, points: Array, reach: float, rng: np.random.Generator) -> PlanarScan:
-    z = seen(pose, points)
-    names = np.flatnonzero(z[:, 0] < reach)
-    return PlanarScan(names, z[names] + LOOK * rng.standard_normal((len(names), 2)))

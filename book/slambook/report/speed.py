@@ -55,13 +55,10 @@ def timings(
                 taken[name].append(time.process_time() - began)
         seconds = {name: statistics.median(times) for name, times in taken.items()}
         counted = {name: multiplications(landmarks, seen)[name] for name in methods}
-        yield Timing(landmarks, seen, len(given.x), seconds, counted, _apart(given, list(found.values())))
-
-
-def _apart(given: Problem, found: list[State]) -> float:
-    x, P = found[0]
-    moved, shrunk = np.abs(x - given.x).max(), np.abs(P - given.P).max()
-    return max(max(np.abs(y - x).max() / moved, np.abs(Q - P).max() / shrunk) for y, Q in found)
+        x, P = next(iter(found.values()))
+        moved, shrunk = np.abs(x - given.x).max(), np.abs(P - given.P).max()
+        apart = max(max(np.abs(y - x).max() / moved, np.abs(Q - P).max() / shrunk) for y, Q in found.values())
+        yield Timing(landmarks, seen, len(given.x), seconds, counted, apart)
 
 
 def crossing(rows: Sequence[Timing], one: str, other: str) -> list[float]:

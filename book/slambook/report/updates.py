@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from slambook.report import update
+from slambook.report import observation
 from slambook.report.angles import rotation
 from slambook.report.observation import by_pose, by_vectors
 from slamlib.belief import Belief
@@ -81,7 +81,7 @@ def naive(p: Problem, inverse: Callable[[Array], Any] = np.linalg.inv) -> Callab
 
 def ordered(p: Problem) -> Callable[[], State]:
     """The same matrices, in a better order: P - K (H P), and no inverse."""
-    return lambda: update.batch(p.x, p.P, p.difference.ravel(), dense(p), np.diag(p.variances.ravel()))
+    return lambda: observation.batch(p.x, p.P, p.difference.ravel(), dense(p), np.diag(p.variances.ravel()))
 
 
 def scalar(p: Problem) -> Callable[[], State]:

@@ -58,7 +58,11 @@ def map_figure(
 def view_of(options: MapOptions, snapshot: Snapshot, corners: Array, aspect: float) -> OrbitView:
     """The view that the options ask for, after the orbit of so many frames as the snapshot has behind it."""
     middle = tuple(float(v) for v in corners.mean(axis=0))
-    box = _turned(corners) if any(options.orbit) else np.stack(np.meshgrid(*corners.T), axis=-1).reshape(-1, 3)
+    box = np.stack(np.meshgrid(*corners.T), axis=-1).reshape(-1, 3)
+    if any(options.orbit):  # what the box passes through when it turns about the vertical: it fits from all sides
+        half, turn = (corners[1] - corners[0]) / 2, np.radians(np.arange(0, 360, 15))
+        ring = middle[:2] + np.stack([np.cos(turn), np.sin(turn)], axis=1) * np.hypot(half[0], half[1])
+        box = np.concatenate([np.column_stack([ring, np.full(len(ring), z)]) for z in corners[:, 2]])
     if isinstance(options.view, str):
         azimuth, elevation, follows = NAMED[options.view]
         view = OrbitView(azimuth, elevation, target=middle, perspective=options.perspective).fitted(box, aspect)
@@ -67,15 +71,7 @@ def view_of(options: MapOptions, snapshot: Snapshot, corners: Array, aspect: flo
         azimuth, elevation, field, *distance = (float(v) for v in options.view)
         view = OrbitView(azimuth, elevation, field, middle, perspective=options.perspective)
         view = replace(view, distance=distance[0]) if distance else view.fitted(box, aspect)
-    return view.orbited(*(snapshot.number * np.asarray(options.orbit)))
-
-
-def _turned(corners: Array) -> Array:
-    """The edges (N, 3) of what a box passes through when it turns about the vertical: they fit from all sides."""
-    middle, half = corners.mean(axis=0), (corners[1] - corners[0]) / 2
-    turn = np.radians(np.arange(0, 360, 15))
-    ring = np.stack([np.cos(turn), np.sin(turn)], axis=1) * np.hypot(half[0], half[1])
-    return np.concatenate([np.column_stack([middle[:2] + ring, np.full(len(ring), z)]) for z in corners[:, 2]])
+    return view.moved(*(snapshot.number * np.asarray(options.orbit)))
 
 
 def following(view: OrbitView, pose: Array) -> OrbitView:

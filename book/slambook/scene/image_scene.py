@@ -45,15 +45,24 @@ def sensor_scene(
     pair = list(options.numbers)
     _check_numbers(view, pair)
     expected, known = _means(view, pair, converged(snapshot))
-    return (
-        *([_raw(view, pair)] if options.raw else []),
+    layers = [
         *(_outcome(name, view, pair, options) for name in OUTCOMES),
         Flat("new point", marks=expected[~known]),
         Flat("point", marks=expected[known]),
         _measured(view, pair),
-        *(_labels(view, pair) if options.labels else ()),
-        *([_scores(view, pair)] if options.scores else []),
-    )
+    ]
+    if options.raw and view.scan is not None:
+        segments = strung(view.scan.segments.values.reshape(-1, 2, 2), 2)
+        layers.insert(0, Flat("raw", lines=segments, marks=numbers_of(view.scan.points.values, pair)))
+    if options.labels:  # of points above what was expected, of segments beside their middles
+        middles = beside(numbers_of(view.segments.expected, range(4)).reshape(-1, 2, 2))
+        expected = numbers_of(view.points.expected, pair)
+        layers.append(Flat("label", places=expected, words=tuple(map(str, view.points.ids))))
+        layers.append(Flat("line label", places=middles, words=tuple(map(str, view.segments.ids))))
+    if options.scores:
+        places, words = scores(view, pair)
+        layers.append(Flat("score", places=places, words=words))
+    return tuple(layers)
 
 
 def converged(snapshot: Snapshot) -> set[int]:
@@ -64,22 +73,22 @@ def converged(snapshot: Snapshot) -> set[int]:
 def _means(view: SensorView, pair: list[int], known: set[int]) -> tuple[Array, Mask]:
     """Places (n, 2) of the points expected and of the ends of segments in view, and the mask of those converged."""
     endpoints = view.segments.endpoints.reshape(-1, 2)
-    marks = np.concatenate([_expected(view, pair), endpoints])
+    marks = np.concatenate([numbers_of(view.points.expected, pair), endpoints])
     ids = [*view.points.ids, *np.repeat(view.segments.ids, 2)]
     found = np.array([int(i) in known for i in ids], dtype=bool)
     shown = np.isfinite(marks).all(axis=1)
     return marks[shown], found[shown]
 
 
-def _expected(view: SensorView, pair: list[int]) -> Array:
-    """Two numbers (n, 2) of each point expected."""
-    return view.points.expected[:, pair] if len(view.points.ids) else np.zeros((0, 2))
+def numbers_of(rows: Array, columns: Sequence[int]) -> Array:
+    """These numbers (n, k) of measurements (n, m); of none, whatever they measure, none."""
+    return rows[:, list(columns)] if len(rows) else np.zeros((0, len(columns)))
 
 
 def delivered(views: Sequence[SensorView], pair: list[int]) -> Array:
     """Two numbers (n, 2) of each point that was expected or delivered in these views."""
-    rows = [_expected(view, pair) for view in views]
-    rows += [v.scan.points.values[:, pair] for v in views if v.scan is not None and len(v.scan.points)]
+    rows = [numbers_of(view.points.expected, pair) for view in views]
+    rows += [numbers_of(v.scan.points.values, pair) for v in views if v.scan is not None]
     return np.concatenate(rows)
 
 
@@ -92,14 +101,6 @@ def _check_numbers(view: SensorView, pair: list[int]) -> None:
         )
 
 
-def _raw(view: SensorView, pair: list[int]) -> Flat:
-    if view.scan is None:
-        return Flat("raw")
-    points, segments = view.scan.points, view.scan.segments
-    marks = points.values[:, pair] if len(points) else np.zeros((0, 2))
-    return Flat("raw", lines=strung(segments.values.reshape(-1, 2, 2), 2), marks=marks)
-
-
 def _outcome(role: str, view: SensorView, pair: list[int], options: SensorOptions) -> Flat:
     """Ellipses around the points expected and the ends of segments, and the segments expected, of one outcome."""
     some, seen = OUTCOMES[role](view.points), OUTCOMES[role](view.segments)
@@ -107,15 +108,11 @@ def _outcome(role: str, view: SensorView, pair: list[int], options: SensorOption
     if options.ellipses and some.any():
         found += list(view.points.expected[some][:, None, pair] + rings(regions(view, pair, options)[some]))
     if options.ellipses and seen.any():
-        endpoints, endpoint_covariances = (
-            view.segments.endpoints[seen].reshape(-1, 2),
-            view.segments.endpoint_covariances[seen].reshape(-1, 2, 2),
-        )
+        endpoints = view.segments.endpoints[seen].reshape(-1, 2)
         shown = np.isfinite(endpoints).all(axis=1)
-        found += list(
-            endpoints[shown, None] + np.sqrt(chi2_quantile(options.gate, 2)) * rings(endpoint_covariances[shown])
-        )
-    segments = view.segments.expected[seen].reshape(-1, 2, 2) if seen.any() else np.zeros((0, 2, 2))
+        shapes = view.segments.endpoint_covariances[seen].reshape(-1, 2, 2)[shown]
+        found += list(endpoints[shown, None] + np.sqrt(chi2_quantile(options.gate, 2)) * rings(shapes))
+    segments = numbers_of(view.segments.expected[seen], range(4)).reshape(-1, 2, 2)
     return Flat(role, lines=strung(segments, 2), shells=strung(found, 2))
 
 
@@ -135,21 +132,10 @@ def regions(view: SensorView, pair: list[int], options: SensorOptions) -> Array:
 def _measured(view: SensorView, pair: list[int]) -> Flat:
     """What was matched; from each point a line to what was expected, of each segment the two ends."""
     points, segments = view.points, view.segments
-    found = points.matched
-    marks = points.measured[found][:, pair] if found.any() else np.zeros((0, 2))
-    expected = points.expected[found][:, pair] if found.any() else np.zeros((0, 2))
+    expected, marks = (numbers_of(rows[points.matched], pair) for rows in (points.expected, points.measured))
     lines = strung(np.stack([expected, marks], axis=1), 2)
-    endpoints = segments.measured[segments.matched].reshape(-1, 2) if segments.matched.any() else np.zeros((0, 2))
+    endpoints = numbers_of(segments.measured[segments.matched], range(4)).reshape(-1, 2)
     return Flat("measured", lines=lines, marks=np.concatenate([marks, endpoints]))
-
-
-def _labels(view: SensorView, pair: list[int]) -> tuple[Flat, Flat]:
-    """Numbers of the landmarks: of points above what was expected, of segments beside their middles."""
-    endpoints = view.segments.expected.reshape(-1, 2, 2) if len(view.segments.ids) else np.zeros((0, 2, 2))
-    return (
-        Flat("label", places=_expected(view, pair), words=tuple(map(str, view.points.ids))),
-        Flat("line label", places=beside(endpoints), words=tuple(map(str, view.segments.ids))),
-    )
 
 
 def scores(view: SensorView, pair: list[int]) -> tuple[Array, tuple[str, ...]]:
@@ -158,17 +144,10 @@ def scores(view: SensorView, pair: list[int]) -> tuple[Array, tuple[str, ...]]:
     for predictions, columns in ((view.points, pair), (view.segments, [0, 1, 2, 3])):
         known = np.isfinite(predictions.scores)
         if known.any():
-            found = np.where(predictions.matched[:, None], predictions.measured, predictions.expected)[known][
-                :, columns
-            ]
-            places.append(found.reshape(len(found), -1, 2).mean(axis=1))
+            found = np.where(predictions.matched[:, None], predictions.measured, predictions.expected)
+            places.append(found[known][:, columns].reshape(int(known.sum()), -1, 2).mean(axis=1))
             words += [f"{score:.2f}" for score in predictions.scores[known]]
     return np.concatenate(places), tuple(words)
-
-
-def _scores(view: SensorView, pair: list[int]) -> Flat:
-    places, words = scores(view, pair)
-    return Flat("score", places=places, words=words)
 
 
 def beside(segments: Array) -> Array:

@@ -42,7 +42,11 @@ def packed(
         frame, before = pack.frame(snapshots[i], truths[i] if truths else None, before)
         frames.append(frame)
     layers = {layer.role: layer for layer in pack.layers(snapshots[-1], None)}
-    still = {role: pack.still(layers[role].lines, layers[role].marks) for role in STILL if role in layers}
+    still = {
+        role: {"lines": pack.polylines(layers[role].lines), "marks": pack.whole(layers[role].marks)}
+        for role in STILL
+        if role in layers
+    }
     return {
         "pad": PAD,
         "perspective": options.perspective,
@@ -68,10 +72,6 @@ class Packing:
     def layers(self, snapshot: Snapshot, truth: Truth | None) -> tuple[Layer, ...]:
         """The scene with the same ground and sizes in all frames."""
         return map_scene(snapshot, world=self.world, truth=truth, options=self.options, corners=self.corners)
-
-    def still(self, lines: Array, marks: Array) -> dict[str, Any]:
-        """What does not change."""
-        return {"lines": self.polylines(lines), "marks": self.whole(marks)}
 
     def polylines(self, lines: Array) -> list[Any]:
         """Polylines with rows of nan between as a list of lists."""
@@ -120,18 +120,16 @@ class Packing:
 
     def views(self, last: Snapshot, aspect: float) -> dict[str, Any]:
         """The named views by their names, first the one that the reader asked for."""
-        asked = self.options.view
-        names = [asked, *(n for n in NAMED if n != asked)]
-        return {name if isinstance(name, str) else "custom": self._view(name, last, aspect) for name in names}
-
-    def _view(self, name: Any, last: Snapshot, aspect: float) -> dict[str, Any]:
-        view = view_of(replace(self.options, view=name, orbit=(0.0, 0.0)), last, self.corners, aspect)
-        azimuth, _, follows = NAMED[name] if isinstance(name, str) else (view.azimuth, 0, False)
-        return {
-            "azimuth": azimuth,
-            "elevation": view.elevation,
-            "field": view.field,
-            "distance": self.whole(view.distance),
-            "target": self.whole(view.target),
-            "follows": follows,
-        }
+        asked, found = self.options.view, dict[str, Any]()
+        for name in [asked, *(n for n in NAMED if n != asked)]:
+            view = view_of(replace(self.options, view=name, orbit=(0.0, 0.0)), last, self.corners, aspect)
+            azimuth, _, follows = NAMED[name] if isinstance(name, str) else (view.azimuth, 0, False)
+            found[name if isinstance(name, str) else "custom"] = {
+                "azimuth": azimuth,
+                "elevation": view.elevation,
+                "field": view.field,
+                "distance": self.whole(view.distance),
+                "target": self.whole(view.target),
+                "follows": follows,
+            }
+        return found

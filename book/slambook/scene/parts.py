@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,7 @@ from slambook.scene.options import SensorOptions
 from slambook.scene.photographs import Photograph, patched, photograph, strip
 from slambook.scene.roles import HALO, OUTLINE, SENSOR, Role, themed
 from slamlib.data.snapshots import SensorView, Snapshot
-from slamlib.errors import SlamlibError
+from slamlib.errors import optional
 
 Box = tuple[float, float, float, float]  # left, bottom, width, height, in shares of the figure
 ABOVE = 0.025  # of the figure's height: from the top of axes to their key
@@ -26,10 +25,7 @@ SPARE = 1.1  # of them above the first row, for the words
 
 def extra(module: str, purpose: str) -> Any:
     """A module of the extra `draw`; raises SlamlibError that says how to get it."""
-    try:
-        return import_module(module)
-    except ImportError as error:
-        raise SlamlibError(f'{purpose} needs {module.split(".")[0]}: pip install "slamlib[draw]"') from error
+    return optional(module, f"for {purpose}", "draw")
 
 
 class Part:
@@ -41,18 +37,16 @@ class Part:
         self.roles = {name: replace(role, color=themed(role.color, theme), label="") for name, role in roles.items()}
         self.outline = [extra("matplotlib.patheffects", "a window").withStroke(linewidth=2 * HALO, foreground=OUTLINE)]
         self.artists: list[Any] = []
-        if legend:
-            self._legend(roles)
-
-    def _legend(self, roles: dict[str, Role]) -> None:
-        """The key of all roles, whether a frame shows them or not: it never changes."""
+        if not legend:
+            return
+        # the key of all roles, whether a frame shows them or not: it never changes
         labelled = {n: replace(self.roles[n], label=role.label) for n, role in roles.items() if role.label}
         lined, nowhere = [n for n, role in labelled.items() if role.marker in ("", ".")], np.full((1, 2), np.nan)
         samples = [Flat(n, lines=nowhere) if n in lined else Flat(n, marks=nowhere) for n in labelled]
         self.show(lambda axes: draw(axes, samples, labelled))
-        corner = {"bbox_to_anchor": (self.place[0], self.place[1] + self.place[3] + ABOVE), "loc": "lower left"}
-        prediction = {"labelcolor": self.ink, "ncols": 4, "fontsize": 8, "frameon": False}
-        self.axes.legend(bbox_transform=self.figure.transFigure, **corner, **prediction)
+        corner = {"bbox_to_anchor": (place[0], place[1] + place[3] + ABOVE), "loc": "lower left"}
+        look = {"labelcolor": self.ink, "ncols": 4, "fontsize": 8, "frameon": False}
+        self.axes.legend(bbox_transform=figure.transFigure, **corner, **look)
 
     def show(self, put: Callable[[Any], None]) -> None:
         """Show what `put` puts into the axes, and nothing of the frame before."""
@@ -98,8 +92,7 @@ class SensorPart(Part):
         view = sensor_view(snapshot, self.sensor)
         changed = self._fit(view) | self.room([snapshot])
         photo = photograph(view) if self.options.image and view.image is not None else None
-        layers = sensor_scene(snapshot, self.sensor, options=self.options)
-        self.put(layers, photo)
+        self.put(sensor_scene(snapshot, self.sensor, options=self.options), photo)
         if self.patches is not None:
             self.patches.show(lambda axes: self._put_patches(axes, view))
         return changed

@@ -1,11 +1,10 @@
 """What a camera delivered, as bytes that can be shown: whole, or small enough for a page; and patches of it."""
 
-import base64
 from dataclasses import dataclass
 
 import numpy as np
 
-from slambook.figures.images import png
+from slambook.figures.images import png_uri
 from slamlib.data.snapshots import MeasurementView, SensorView
 from slamlib.errors import ShapeError
 from slamlib.manifolds import Array, Image
@@ -25,7 +24,7 @@ class Photograph:
     @property
     def uri(self) -> str:
         """The picture itself as an address."""
-        return "data:image/png;base64," + base64.b64encode(png(self.pixels)).decode()
+        return png_uri(self.pixels)
 
 
 def grey(image: Image) -> Image:
@@ -52,23 +51,11 @@ def photograph(view: SensorView, width: int | None = None) -> Photograph | None:
     pixels, step = grey(view.scan.image), 1
     if width is not None:
         step = -(-pixels.shape[1] // width)
-        pixels = _few_greys(_averaged(pixels, step))
+        down, across = max(pixels.shape[0] // step, 1), pixels.shape[1] // step  # what is left over is not shown
+        means = pixels[: down * step, : across * step].reshape(down, -1, across, step).mean(axis=(1, 3))
+        pixels = np.rint(np.rint(means * ((LEVELS - 1) / 255)) * (255 / (LEVELS - 1))).astype(np.uint8)
     rows, columns = step * np.array(pixels.shape)
     return Photograph(pixels, (-0.5, float(columns) - 0.5, float(rows) - 0.5, -0.5))
-
-
-def _averaged(pixels: Image, step: int) -> Array:
-    """Means of squares of step by step pixels; what is left over at the right and below is not shown."""
-    rows, columns = max(pixels.shape[0] // step, 1), pixels.shape[1] // step
-    squares = pixels[: rows * step, : columns * step].reshape(rows, -1, columns, step)
-    found: Array = squares.mean(axis=(1, 3))
-    return found
-
-
-def _few_greys(values: Image) -> Image:
-    steps = np.rint(values * ((LEVELS - 1) / 255))
-    found = np.rint(steps * (255 / (LEVELS - 1))).astype(np.uint8)
-    return found
 
 
 def patched(predictions: MeasurementView) -> list[int]:
@@ -91,13 +78,6 @@ def strip(predictions: MeasurementView, rows: list[int], count: int) -> Image:
             if patch is not None:
                 share = (np.nan_to_num(np.asarray(patch, dtype=float), nan=low) - low) / ((high - low) or 1.0)
                 cell = sheet[place * CELL :, side * CELL :][: CELL - GAP, : CELL - GAP]
-                cell[..., :3], cell[..., 3] = _enlarged(255 * share)[..., None], 255
+                nearest = np.ix_(*(np.arange(CELL - GAP) * n // (CELL - GAP) for n in share.shape))
+                cell[..., :3], cell[..., 3] = (255 * share)[nearest][..., None], 255
     return sheet
-
-
-def _enlarged(patch: Array) -> Array:
-    """The nearest pixels of a patch, as a square of the size of a cell."""
-    side = np.arange(CELL - GAP)
-    down, across = (side * n // (CELL - GAP) for n in patch.shape)
-    found: Array = patch[np.ix_(down, across)]
-    return found

@@ -66,17 +66,12 @@ def player(
         count = max(2, min(count - 1, int(count * most / weight)))
     for frame, snapshot in zip(data["frames"], data.pop("shown"), strict=True):
         frame["note"] = note(snapshot) if note is not None else ""
-    data |= {"fps": fps, "roles": {name: _looks(role) for name, role in MAP.items() if name in _used(data)}}
-    still = map_figure(
-        last,
-        world=world,
-        truth=truths[-1] if truths else None,
-        path=snapshots,
-        true_path=truths,
-        width=width,
-        height=height,
-        **{**options, "legend": False},
-    )
+    kinds = {row[0] for frame in data["frames"] for row in frame["landmarks"].values()}
+    lines = {role for frame in data["frames"] for role, found in frame["lines"].items() if found}
+    used = {"label", *data["still"], *lines, *(data["kinds"][kind] for kind in kinds)}  # of which something is seen
+    data |= {"fps": fps, "roles": {name: _looks(role) for name, role in MAP.items() if name in used}}
+    shown: dict[str, Any] = {"world": world, "truth": truths[-1] if truths else None, "true_path": truths}
+    still = map_figure(last, path=snapshots, width=width, height=height, **shown, **{**options, "legend": False})
     stills = [still.svg(alt)]
     if sights is not None:
         data["sensor"] = _sensor(sights, [frame["looks"] for frame in data["frames"]])
@@ -121,13 +116,6 @@ def _check(snapshots: Sequence[Snapshot], truths: Sequence[Truth], alt: str, fra
         raise SlamlibError(f"player: alt should be a sentence that says what one sees, got {alt!r}")
     if not fps > 0:
         raise SlamlibError(f"player: fps should be a positive number of frames per second, got {fps!r}")
-
-
-def _used(data: dict[str, Any]) -> set[str]:
-    """The roles of which something is to be seen in any frame."""
-    kinds = {row[0] for frame in data["frames"] for row in frame["landmarks"].values()}
-    lines = {role for frame in data["frames"] for role, found in frame["lines"].items() if found}
-    return {"label", *data["still"], *lines, *(data["kinds"][k] for k in kinds)}
 
 
 def _looks(role: Role) -> dict[str, Any]:

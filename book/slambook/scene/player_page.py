@@ -52,18 +52,15 @@ class Player:
         script = files("slambook.scene").joinpath("player.js").read_text("utf-8")
         data = json.dumps(self.data, separators=(",", ":"), ensure_ascii=False).replace("</", "<\\/")
         stage = f'data-player="stage" role="application" tabindex="0" aria-label="{html.escape(self.alt + " " + KEYS)}"'
+        shown = [self.data["roles"], self.data.get("sensor", {}).get("roles", {})]  # of the map, of the sensor's view
+        keys = "".join(_key(roles) for roles in shown if roles)
         return (
             f'<figure class="player picture"{events}><style>{STYLE}</style>{self._bar()}'
-            f'<div class="player-stage" {stage}>{self.svg}</div>{self._keys()}'
+            f'<div class="player-stage" {stage}>{self.svg}</div>{keys}'
             f'<p><span data-player="note" aria-live="polite">{html.escape(self.data["frames"][-1]["note"])}</span></p>'
             f'<script type="application/json" class="player-data">{data}</script>'
             f'<script type="text/plain" class="player-code">{script}</script></figure>'
         )
-
-    def _keys(self) -> str:
-        """What the colours mean, of the map and of the sensor's view."""
-        seen = self.data.get("sensor", {}).get("roles", {})
-        return _key(self.data["roles"]) + (_key(seen) if seen else "")
 
     def _bar(self) -> str:
         last, said = len(self.data["frames"]) - 1, html.escape(self.data["frames"][-1]["said"])
@@ -96,13 +93,8 @@ SAMPLES = {  # marks of the key; any other role is a stroke
 
 def _key(roles: dict[str, dict[str, Any]]) -> str:
     """What the colours mean, as a list beside the map, so that its words keep their size on a phone."""
-    items = [
-        f'<li><svg viewBox="0 0 26 12" aria-hidden="true">{_sample(role)}</svg> {role["label"]}</li>'
-        for role in roles.values()
-        if role["label"]
-    ]
+    items = []
+    for role in filter(lambda role: role["label"], roles.values()):
+        sample = SAMPLES.get(role["marker"], '<path d="M2 6h22" style="{line}"/>').format(**role)
+        items.append(f'<li><svg viewBox="0 0 26 12" aria-hidden="true">{sample}</svg> {role["label"]}</li>')
     return f'<ul class="player-key">{"".join(items)}</ul>'
-
-
-def _sample(role: dict[str, Any]) -> str:
-    return SAMPLES.get(role["marker"], '<path d="M2 6h22" style="{line}"/>').format(**role)

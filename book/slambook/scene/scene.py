@@ -52,12 +52,14 @@ def map_scene(
     options = options or MapOptions()
     corners = bounds(snapshot, world, truth, path, options) if corners is None else corners
     size = size_of(corners, options)
+    cones = (_sensor(snapshot.camera(i), view.image, size) for i, view in enumerate(snapshot.sensors))
+    edges = world.segments.values.reshape(-1, 2, 3) if world is not None else ()
     layers = [
         *([_ground(corners)] if options.ground else []),
-        *([_world(world)] if world is not None and options.world else []),
+        *([Layer("world", strung(edges, 3), world.points.values)] if world is not None and options.world else []),
         _truth(snapshot, truth, true_path, size),
         *(layer for view in snapshot.landmarks.values() for layer in _landmarks(view, options)),
-        _sensors(snapshot, size),
+        Layer("sensor", strung([line for cone in cones for line in cone], 3)),
         _robots(snapshot, path, size, options),
         *([_labels(snapshot, size)] if options.labels else []),
     ]
@@ -96,7 +98,9 @@ def world_points(world: World) -> Array:
 
 def _known(snapshot: Snapshot) -> Array:
     """Points and ends (N, 3) that are known well; without those that lie much farther away than most."""
-    means, shapes = (np.concatenate(parts) for parts in zip(*map(_ends, snapshot.landmarks.values()), strict=True))
+    views = snapshot.landmarks.values()  # of points, or of two ends each
+    means = np.concatenate([np.reshape(view.geometry, (-1, 3)) for view in views])
+    shapes = np.concatenate([np.reshape(view.covariance, (-1, 3, 3)) for view in views])
     spread = np.sqrt(np.trace(shapes, axis1=1, axis2=2))
     away = np.linalg.norm(means - snapshot.robots[0].pose[:3], axis=1)
     with np.errstate(invalid="ignore"):
@@ -109,11 +113,6 @@ def ends_of(view: MapView) -> int:
     return np.ndim(view.geometry) - 1
 
 
-def _ends(view: MapView) -> tuple[Array, Array]:
-    """Points, or ends of segments, as (N, 3) and (N, 3, 3)."""
-    return np.reshape(view.geometry, (-1, 3)), np.reshape(view.covariance, (-1, 3, 3))
-
-
 def _ground(corners: Array) -> Layer:
     """A square grid at the height of the lowest thing, with lines at whole steps."""
     (x0, y0, z), (x1, y1, _) = corners
@@ -123,11 +122,6 @@ def _ground(corners: Array) -> Layer:
     y = step * np.arange(np.floor(y0 / step), np.ceil(y1 / step) + 1)
     lines = [[[v, y[0], z], [v, y[-1], z]] for v in x] + [[[x[0], v, z], [x[-1], v, z]] for v in y]
     return Layer("ground", lines=strung(np.array(lines), 3))
-
-
-def _world(world: World) -> Layer:
-    segments = world.segments.values.reshape(-1, 2, 3)
-    return Layer("world", lines=strung(segments, 3), marks=world.points.values)
 
 
 def _truth(snapshot: Snapshot, truth: Truth | None, path: Sequence[Truth], size: float) -> Layer:
@@ -156,12 +150,6 @@ def _landmarks(view: MapView, options: MapOptions) -> list[Layer]:
         marks = means if geometry.ndim == 2 else np.zeros((0, 3))
         found.append(Layer(name, lines, marks, means, options.sigmas**2 * shapes))
     return found
-
-
-def _sensors(snapshot: Snapshot, size: float) -> Layer:
-    views = enumerate(snapshot.sensors)
-    lines = [line for i, view in views for line in _sensor(snapshot.camera(i), view.image, size)]
-    return Layer("sensor", lines=strung(lines, 3))
 
 
 def _sensor(pose: Array, image: Image | None, size: float) -> list[Array]:

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slambook.scene.image_scene import OUTCOMES, beside, converged, delivered, regions, scores, sensor_view
+from slambook.scene.image_scene import OUTCOMES, beside, converged, delivered, numbers_of, regions, scores, sensor_view
 from slambook.scene.layers import lower
 from slambook.scene.options import SensorOptions
 from slambook.scene.photographs import Photograph, photograph
@@ -48,17 +48,17 @@ class ImageFrames:
         view = sensor_view(snapshot, self.sensor)
         raw: dict[str, Any] = {"points": [], "segments": []}
         if view.scan is not None and self.options.raw:
-            some = view.scan.points.values[:, self.pair] if len(view.scan.points) else np.zeros((0, 2))
-            raw = {"points": self._rounded(some), "segments": self._rounded(view.scan.segments.values)}
+            points = numbers_of(view.scan.points.values, self.pair)
+            raw = {"points": self._rounded(points), "segments": self._rounded(view.scan.segments.values)}
         known, photo = converged(snapshot), self.photo(snapshot)
-        predictions = {
+        places, words = scores(view, self.pair) if self.options.scores else (np.zeros((0, 2)), ())
+        found = {
             "raw": raw,
             "points": self._points(view, known),
             "segments": self._segments(view.segments, known),
+            "scores": [[*place, word] for place, word in zip(self._rounded(places), words, strict=True)],
         }
-        places, words = scores(view, self.pair) if self.options.scores else (np.zeros((0, 2)), ())
-        predictions["scores"] = [[*place, word] for place, word in zip(self._rounded(places), words, strict=True)]
-        return {**predictions, **({} if photo is None else {"image": photo.uri, "extent": photo.extent})}
+        return found | ({} if photo is None else {"image": photo.uri, "extent": photo.extent})
 
     def photo(self, snapshot: Snapshot) -> Photograph | None:
         """The small image of a frame, if images are asked for and it has one."""
@@ -92,16 +92,12 @@ class ImageFrames:
         radius = np.sqrt(chi2_quantile(self.options.gate, 2)) * self.options.ellipses
         for i, outcome in enumerate(_outcomes(predictions)):
             measured = self._rounded(predictions.measured[i]) if predictions.matched[i] else []
-            seen = [
-                (e, P)
-                for e, P in zip(predictions.endpoints[i], predictions.endpoint_covariances[i], strict=True)
-                if np.isfinite(e).all()
+            both = zip(predictions.endpoints[i], predictions.endpoint_covariances[i], strict=True)
+            endpoints = [
+                [*self._rounded(e), *self._rounded(radius * lower(P))] for e, P in both if np.isfinite(e).all()
             ]
-            endpoints = [[*self._rounded(e), *self._rounded(radius * lower(P))] for e, P in seen]
-            number, where = (
-                int(predictions.ids[i]),
-                [*self._rounded(places[i]), *self._rounded(predictions.expected[i])],
-            )
+            number = int(predictions.ids[i])
+            where = [*self._rounded(places[i]), *self._rounded(predictions.expected[i])]
             rows.append([number, outcome, int(number in known), *where, endpoints, *measured])
         return rows
 

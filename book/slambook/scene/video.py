@@ -53,20 +53,22 @@ def animate(
     if first is None:
         raise SlamlibError("animate: there is no snapshot to show")
     known = snapshots if isinstance(snapshots, Sequence) else ()
-    corners = _corners(known, world, truths, options)
+    corners = None
+    if known:  # the last one is known already: limits of the map that hold in all frames
+        last = truths[-1] if isinstance(truths, Sequence) and truths else None
+        corners = bounds(known[-1], world, last, known, MapOptions(limits=options.get("limits")))
     window = Window(first[0], world=world, corners=corners, coming=known, **options)
-    frames = _pictures(window, chain([first], shown))
+
+    def pictures() -> Iterator[Array]:
+        for snapshot, truth in chain([first], shown):
+            window.update(snapshot, truth)
+            yield window.pixels()
+
+    frames = pictures()
     target.parent.mkdir(parents=True, exist_ok=True)
     with atomic_write(target) as unfinished:
         write(unfinished, progress(frames, -(-len(known) // every), "video") if known else frames, fps)
     return target
-
-
-def _corners(known: Sequence[Snapshot], world: World | None, truths: Any, options: dict[str, Any]) -> Array | None:
-    """Limits of the map that hold in all frames, if the last one is known already."""
-    if not known:
-        return None
-    return bounds(known[-1], world, truths[-1] if truths else None, known, MapOptions(limits=options.get("limits")))
 
 
 def ready(path: str | os.PathLike[str], *, overwrite: bool = False) -> Writer:
@@ -95,12 +97,6 @@ def _pairs(snapshots: Iterable[Snapshot], truths: Iterable[Truth]) -> Iterator[t
         if truths and (snapshot is None or truth is None):
             raise SlamlibError("animate: one truth a snapshot is wanted, but one of the two ended before the other")
         yield snapshot, truth
-
-
-def _pictures(window: Window, shown: Iterable[tuple[Snapshot, Truth | None]]) -> Iterator[Array]:
-    for snapshot, truth in shown:
-        window.update(snapshot, truth)
-        yield window.pixels()
 
 
 def _write_folder(path: Path, frames: Iterable[Array], fps: float) -> None:

@@ -55,15 +55,10 @@ class OrbitView:
         """Length on the sheet of one metre at one metre from the viewer."""
         return float(1 / np.tan(np.radians(self.field) / 2))
 
-    def orbited(self, azimuth: float, elevation: float) -> "OrbitView":
-        """The view after the viewer has moved by so many degrees; at the zenith elevation stops."""
+    def moved(self, azimuth: float, elevation: float, factor: float = 1.0) -> "OrbitView":
+        """The view after the viewer has turned by so many degrees, up to the zenith, and gone away by a factor."""
         raised = float(np.clip(self.elevation + elevation, -90, 90))
-        return replace(self, azimuth=self.azimuth + azimuth, elevation=raised)
-
-    def moved(self, azimuth: float, elevation: float, factor: float) -> "OrbitView":
-        """The view after the viewer has turned by so many degrees and gone away by a factor."""
-        turned = self.orbited(azimuth, elevation)
-        return replace(turned, distance=factor * turned.distance)
+        return replace(self, azimuth=self.azimuth + azimuth, elevation=raised, distance=factor * self.distance)
 
     def fitted(self, points: Array, aspect: float) -> "OrbitView":
         """As near as it can be with all points (N, 3) in a picture of this width over height, in its middle."""
@@ -122,21 +117,15 @@ class OrbitView:
         They are exact, in perspective too. Of an ellipsoid that reaches to the viewer the longest axis is drawn.
         """
         good = np.isfinite(means).all(-1) & np.isfinite(shapes).all((-2, -1))
-        centre, spread = self.seen(means[good]), self._turned(shapes[good])
-        whole = self._whole(centre, spread)
+        rows = self._rows * np.array([[1.0], [1.0], [-1.0]])
+        centre, spread = self.seen(means[good]), rows @ shapes[good] @ rows.T
+        if self.perspective:  # mask of those that lie before the viewer as a whole
+            whole = centre[:, 2] - np.sqrt(spread[:, 2, 2].clip(0)) > NEAR * self.distance
+        else:
+            whole = np.ones(len(centre), dtype=bool)
         rings = self._rings(centre[whole], spread[whole])
         axes = _longest(means[good][~whole], shapes[good][~whole])
         return strung([*rings, *([self.lines(strung(axes, 3))] if len(axes) else [])], 2)
-
-    def _turned(self, shapes: Array) -> Array:
-        rows = self._rows * np.array([[1.0], [1.0], [-1.0]])
-        return rows @ shapes @ rows.T
-
-    def _whole(self, centre: Array, spread: Array) -> Mask:
-        """Mask of the ellipsoids that lie before the viewer as a whole."""
-        if not self.perspective:
-            return np.ones(len(centre), dtype=bool)
-        return centre[:, 2] - np.sqrt(spread[:, 2, 2].clip(0)) > NEAR * self.distance
 
     def _rings(self, centre: Array, spread: Array) -> Array:
         """Outlines (K, n, 2) of ellipsoids as they are seen.
@@ -156,17 +145,16 @@ class OrbitView:
 
     def flat(self, layers: tuple[Layer, ...]) -> tuple[Flat, ...]:
         """A scene on the sheet; marks that are far away come first."""
-        return tuple(self._flat(layer) for layer in layers)
-
-    def _flat(self, layer: Layer) -> Flat:
-        shells = self.outlines(layer.means, layer.shapes)
-        lines = self.lines(layer.lines) if len(layer.lines) else layer.lines[:, :2]
-        marks = self.points(layer.marks)
-        far = np.argsort(-self.seen(layer.marks)[:, 2], kind="stable")
-        places = self.points(layer.places)
-        shown = np.all(np.isfinite(places), axis=-1)
-        words = tuple(w for w, s in zip(layer.words, shown, strict=True) if s)
-        return Flat(layer.role, lines, shells, marks[far], places[shown], words)
+        found = []
+        for layer in layers:
+            lines = self.lines(layer.lines) if len(layer.lines) else layer.lines[:, :2]
+            far = np.argsort(-self.seen(layer.marks)[:, 2], kind="stable")
+            places = self.points(layer.places)
+            shown = np.all(np.isfinite(places), axis=-1)
+            words = tuple(w for w, s in zip(layer.words, shown, strict=True) if s)
+            shells, marks = self.outlines(layer.means, layer.shapes), self.points(layer.marks)[far]
+            found.append(Flat(layer.role, lines, shells, marks, places[shown], words))
+        return tuple(found)
 
 
 def rings(covariances: Array) -> Array:

@@ -129,7 +129,8 @@ class Window:
             canvas.draw()
         else:
             canvas.restore_region(self.empty)
-            self._draw_artists()
+            for part in (self.map, *self.views):
+                part.draw()
         canvas.blit(self.figure.bbox)
         canvas.flush_events()
 
@@ -138,26 +139,20 @@ class Window:
         if self.figure.canvas.is_saving():
             return
         self.empty = self.figure.canvas.copy_from_bbox(self.figure.bbox)
-        self._draw_artists()
-
-    def _draw_artists(self) -> None:
         for part in (self.map, *self.views):
             part.draw()
 
     def _draw_map(self) -> None:
         snapshot, truth = self.path[-1], self.true_path[-1] if self.true_path else None
-        corners = self._grown(truth) if self.corners is None else self.corners
+        corners = self.corners
+        if corners is None:  # of what there is; they never shrink: the picture of a map that grows stays calm
+            now = bounds(snapshot, self.world, truth, self.path, self.options)
+            before = now if self.largest is None else self.largest
+            corners = self.largest = np.stack([np.minimum(now[0], before[0]), np.maximum(now[1], before[1])])
         shown: dict[str, Any] = {"world": self.world, "truth": truth, "path": self.path, "true_path": self.true_path}
         layers = map_scene(snapshot, **shown, options=self.options, corners=corners)
         view = view_of(self.options, snapshot, corners, self.aspect).moved(*self.moved)
         self.map.put(view.flat(layers))
-
-    def _grown(self, truth: Truth | None) -> Array:
-        """The limits of what there is; they never shrink, so that the picture of a map that grows stays calm."""
-        now = bounds(self.path[-1], self.world, truth, self.path, self.options)
-        before = now if self.largest is None else self.largest
-        self.largest = np.stack([np.minimum(now[0], before[0]), np.maximum(now[1], before[1])])
-        return self.largest
 
     def _key(self, event: Any) -> None:
         """Move the viewer."""

@@ -16,7 +16,7 @@ import pytest
 
 from book.tests.site.live_page import PATIENCE, address, answers, open_page, run_one, write
 from book.tools import browser as pages
-from book.tools import bundle, layout, serve
+from book.tools import build, layout, serve
 
 
 def typed_text_is_kept(page: Any) -> bool:
@@ -156,9 +156,9 @@ def under_a_prefix(chromium: Any, file: Path) -> bool:
 def from_the_zip(chromium: Any, file: Path) -> bool:
     """The book that a reader takes along is served by its own script, and its cells run."""
     with tempfile.TemporaryDirectory() as folder:
-        with zipfile.ZipFile(layout.SITE / bundle.NAME) as archive:
+        with zipfile.ZipFile(layout.SITE / build.ZIP) as archive:
             archive.extractall(folder)
-        script = Path(folder) / bundle.FOLDER / "open_the_book.py"
+        script = Path(folder) / build.FOLDER / "open_the_book.py"
         with subprocess.Popen(
             [sys.executable, "-u", str(script)],
             env={**os.environ, "BROWSER": "true"},

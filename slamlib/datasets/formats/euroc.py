@@ -4,13 +4,12 @@ Calibrations: a sensor.yaml for each camera, or one camchain.yaml: intrinsics: [
 """
 
 import re
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 
-from slamlib.datasets.dataset import CalibrationReader, Dataset, Sequence, listed, table
+from slamlib.datasets.dataset import CalibrationReader, Cameras, Dataset, ImageSource, listed, table
 from slamlib.datasets.lens import Lens, Numbers
 from slamlib.errors import SlamlibError, UnknownNameError
 
@@ -26,7 +25,7 @@ def _cameras(where: Path) -> dict[int, Path]:
     return {n: listing for n, some in there.items() for listing in some[:1] if listing.is_file()}
 
 
-def _open(listing: Path, fps: float | None) -> Sequence:
+def _open(listing: Path, fps: float | None) -> ImageSource:
     """Rows of "time in nanoseconds, file"."""
     rows = table(listing, 2, ",")
     paths = [listing.parent / "data" / name for _, (name, *_) in rows]
@@ -37,7 +36,7 @@ def _fits(text: str) -> bool:
     return re.search(r"^\s*intrinsics:\s*\[", text, re.M) is not None
 
 
-def _read(path: Path, text: str) -> dict[int | None, Callable[[], Lens]]:
+def _read(path: Path, text: str) -> Cameras:
     sections = re.split(r"^cam(\d+):\s*$", text, flags=re.M)
     if len(sections) == 1:
         return {None: partial(_lens, text)}

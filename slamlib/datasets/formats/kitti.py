@@ -4,13 +4,12 @@ calib.txt: rows "P0: " and 12 numbers, or 12 numbers alone: the projection matri
 """
 
 import re
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 
-from slamlib.datasets.dataset import CalibrationReader, Dataset, Sequence, counted, listed, table
+from slamlib.datasets.dataset import CalibrationReader, Cameras, Dataset, ImageSource, counted, listed, table
 from slamlib.datasets.lens import Lens
 from slamlib.datasets.pictures import images_in
 from slamlib.errors import SlamlibError
@@ -24,7 +23,7 @@ def _cameras(where: Path) -> dict[int, Path]:
     return {n: folder for n, folder in folders.items() if images_in(folder)}
 
 
-def _open(folder: Path, fps: float | None) -> Sequence:
+def _open(folder: Path, fps: float | None) -> ImageSource:
     paths, listing = images_in(folder), folder.parent / "times.txt"
     if not listing.is_file():
         return counted(paths, fps or FPS)
@@ -39,7 +38,7 @@ def _fits(text: str) -> bool:
     return _NAMED.search(text) is not None or (bool(rows) and all(len(row) == 12 for row in rows))
 
 
-def _read(path: Path, text: str) -> dict[int | None, Callable[[], Lens]]:
+def _read(path: Path, text: str) -> Cameras:
     named = {int(number): row for number, row in _NAMED.findall(text)}
     rows = named or dict(enumerate(line for line in text.splitlines() if line.strip()))
     return {number: partial(_lens, row) for number, row in rows.items()}

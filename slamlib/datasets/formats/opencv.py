@@ -1,15 +1,14 @@
 """What cv2.FileStorage wrote (YAML, XML, JSON): of one camera, or of two (M1, D1, M2, D2, R, T)."""
 
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from slamlib.datasets.dataset import CalibrationReader
+from slamlib.datasets.dataset import CalibrationReader, Cameras
 from slamlib.datasets.lens import Lens, Numbers
-from slamlib.datasets.optional_imports import opencv
+from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 
 _MATRIX = ("camera_matrix", "cameraMatrix", "Camera_Matrix", "K", "M", "intrinsics")
@@ -20,8 +19,17 @@ def _fits(text: str) -> bool:
     return text.startswith(("%YAML", "<?xml")) or "opencv-matrix" in text or "<opencv_storage>" in text
 
 
-def _read(path: Path, text: str) -> dict[int | None, Callable[[], Lens]]:
-    found = _values(path)
+def _read(path: Path, text: str) -> Cameras:
+    cv2 = opencv("to read calibrations that OpenCV wrote")
+    try:
+        storage = cv2.FileStorage(str(path), cv2.FILE_STORAGE_READ)
+        nodes = {name: storage.getNode(name) for name in storage.root().keys()}  # noqa: SIM118
+        found = {
+            name: node.mat() if node.isMap() else node.real() if node.isReal() or node.isInt() else None
+            for name, node in nodes.items()
+        }
+    except (cv2.error, SystemError):
+        raise ValueError("OpenCV cannot read it") from None
     names: dict[int | None, tuple[tuple[str, ...], tuple[str, ...]]] = {
         i: ((f"M{i + 1}", f"cameraMatrix{i + 1}", f"K{i + 1}"), (f"D{i + 1}", f"distCoeffs{i + 1}")) for i in range(8)
     }
@@ -30,20 +38,6 @@ def _read(path: Path, text: str) -> dict[int | None, Callable[[], Lens]]:
     if not there:
         raise SlamlibError(f"there is no camera matrix; it holds {', '.join(found)}")
     return {n: partial(_lens, found, *said, second=n == 1) for n, said in there.items()}
-
-
-def _values(path: Path) -> dict[str, Any]:
-    """Matrices and numbers by name; None for what is neither."""
-    cv2 = opencv("to read calibrations that OpenCV wrote")
-    try:
-        storage = cv2.FileStorage(str(path), cv2.FILE_STORAGE_READ)
-        nodes = {name: storage.getNode(name) for name in storage.root().keys()}  # noqa: SIM118
-        return {
-            name: node.mat() if node.isMap() else node.real() if node.isReal() or node.isInt() else None
-            for name, node in nodes.items()
-        }
-    except (cv2.error, SystemError):
-        raise ValueError("OpenCV cannot read it") from None
 
 
 def _lens(found: dict[str, Any], matrices: tuple[str, ...], distortions: tuple[str, ...], second: bool) -> Lens:

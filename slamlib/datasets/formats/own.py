@@ -2,7 +2,6 @@
 
 import json
 import tomllib
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from typing import Annotated, Any
@@ -11,7 +10,7 @@ import numpy as np
 
 from slamlib.data.plain import Range, read, read_fields
 from slamlib.data.setup import SensorSetup
-from slamlib.datasets.dataset import CalibrationReader
+from slamlib.datasets.dataset import CalibrationReader, Cameras
 from slamlib.datasets.lens import Lens, Numbers, shifted
 from slamlib.errors import SlamlibError
 from slamlib.geometry.quaternion import rotation
@@ -85,7 +84,7 @@ def _fits(text: str) -> bool:
     return text.lstrip().startswith("{") if data is None else bool(KEYS & data.keys())
 
 
-def _read(path: object, text: str) -> dict[int | None, Callable[[], Lens | OwnCamera]]:
+def _read(path: object, text: str) -> Cameras:
     data = _data(text) or json.loads(text)
     setups = data.get("sensors", [data])
     stereo = next((setup for setup in setups if setup.get("type") == "stereo"), None)

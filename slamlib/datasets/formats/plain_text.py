@@ -1,11 +1,10 @@
 """Calibrations in plain text: rows such as "fx 500", "width 640", "k1 -0.3"; or "fx fy cx cy [k1 k2 p1 p2 [k3]]"."""
 
 import re
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from slamlib.datasets.dataset import CalibrationReader
+from slamlib.datasets.dataset import CalibrationReader, Cameras
 from slamlib.datasets.lens import Lens
 from slamlib.errors import UnknownNameError
 
@@ -21,7 +20,7 @@ def _fits(text: str) -> bool:
     return bool(rows) and all(len(row) == 2 for row in rows) and "fx" in [row[0].lower() for row in rows]
 
 
-def _read(path: Path, text: str) -> dict[int | None, Callable[[], Lens]]:
+def _read(path: Path, text: str) -> Cameras:
     return {None: partial(_lens, _rows(text))}
 
 

@@ -10,9 +10,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from slamlib.datasets.dataset import FPS, Dataset, Numbers, Sequence
-from slamlib.datasets.optional_imports import opencv
-from slamlib.datasets.pictures import TimedImage, grey, is_image
+from slamlib.datasets.dataset import FPS, Dataset, ImageSource, Numbers
+from slamlib.datasets.pictures import TimedImage, grey, is_image, opencv
 from slamlib.errors import SlamlibError
 
 SLACK = 0.02  # the length in a header is often an estimate: so much of it may be missing at the end
@@ -22,7 +21,7 @@ def _cameras(where: Path) -> dict[int, Path]:
     return {0: where} if where.is_file() and not is_image(where) else {}
 
 
-def _open(where: Path, fps: float | None) -> Sequence:
+def _open(where: Path, fps: float | None) -> ImageSource:
     """The pictures of a video, at its own rate if no other is given. Raises SlamlibError."""
     cv2 = opencv("to read videos")
     with _opened(where) as film:
@@ -41,27 +40,19 @@ def _open(where: Path, fps: float | None) -> Sequence:
         with _opened(where) as film:
             for number in range(numbers[-1] + 1):
                 if not film.grab():
-                    _check_end(where, number, count)
+                    if count - number > max(2, SLACK * count):
+                        raise SlamlibError(
+                            f"{where} breaks off after {number} of {count} pictures: it is truncated or damaged; with "
+                            "--frames fewer of them can be used"
+                        )
                     return
                 if number in numbers:
-                    yield TimedImage(names[number], times[number], _picture(film, where, number))
+                    good, pixels = film.retrieve()
+                    if not good:
+                        raise SlamlibError(f"{where}: picture {number} is damaged")
+                    yield TimedImage(names[number], times[number], grey(pixels, f"{where}, picture {number}"))
 
-    return Sequence(names, times, 1 / rate, read)
-
-
-def _picture(film: Any, where: Path, number: int) -> Any:
-    good, pixels = film.retrieve()
-    if not good:
-        raise SlamlibError(f"{where}: picture {number} is damaged")
-    return grey(pixels, f"{where}, picture {number}")
-
-
-def _check_end(where: Path, number: int, count: int) -> None:
-    if count - number > max(2, SLACK * count):
-        raise SlamlibError(
-            f"{where} breaks off after {number} of {count} pictures: it is truncated or damaged; with --frames fewer "
-            "of them can be used"
-        )
+    return ImageSource(names, times, 1 / rate, read, range(count))
 
 
 @contextmanager

@@ -5,12 +5,11 @@ world lies in the same row of both, and the disparity d = u_left - u_right is fo
 is measured is (u, v, d) [px] of the left picture, as slamlib.sensors.stereo defines it. Chapter 21.
 """
 
-from slamlib.datasets.pairs import pair
+from slamlib.datasets.pictures import pair
 from slamlib.vision.stereo.detect import StereoSettings
-from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures
+from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures, circular_matches, mutual_nearest
 from slamlib.vision.stereo.front_end import StereoSearch
 from slamlib.vision.stereo.geometry import stereo_frame, stereo_rig, triangulate
-from slamlib.vision.stereo.matching import circular_matches, mutual_nearest
 from slamlib.vision.stereo.motion_source import MOTION_SOURCES, StereoMotionSource
 from slamlib.vision.stereo.odometry import RelativeMotion, Tracks, VisualOdometry, motion_between
 

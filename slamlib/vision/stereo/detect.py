@@ -7,12 +7,12 @@ what ORB adds for that costs accuracy and gives nothing; `python -m benchmarks.s
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
 
-from slamlib.datasets.optional_imports import opencv
+from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.manifolds import Array, Image
 
@@ -37,7 +37,7 @@ class StereoSettings:
     distances up to which one view serves; views: so many of a landmark are kept. max_backoff: frames for which a
     landmark rests that was missed again and again. update_interval: a landmark is measured in one of so many frames,
     since its errors last (the template is the same), and a filter takes them for new ones; the other frames are left to
-    an odometry (MOVING "correlated").
+    an odometry (MOTION_SOURCES "correlated").
     """
 
     cells: tuple[int, int] = (12, 8)
@@ -66,6 +66,8 @@ class StereoSettings:
         least, largest = self.disparity
         if not 0 < least < largest:
             raise SlamlibError(f"StereoSettings: disparity is (least, largest), above zero, got {self.disparity}")
+        if self.detector not in DETECTORS:
+            raise UnknownNameError.of("detector", self.detector, DETECTORS)
         if self.patch and (self.patch % 2 == 0 or self.patch < 5):
             raise SlamlibError(f"StereoSettings: patch is odd, 5 or more, or 0 for no refinement, got {self.patch}")
 
@@ -85,10 +87,7 @@ class Keypoints:
 def detect(image: Image, settings: StereoSettings | None = None) -> Keypoints:
     """The strongest features of each cell of the grid, sub-pixel. Raises SlamlibError without OpenCV."""
     s = settings or StereoSettings()
-    find = DETECTORS.get(s.detector)
-    if find is None:
-        raise UnknownNameError.of("detector", s.detector, DETECTORS)
-    return find(image, s)
+    return DETECTORS[s.detector](image, s)
 
 
 def spread(pixels: Array, strengths: Array, size: tuple[int, int], cells: tuple[int, int], per_cell: int) -> Array:
@@ -98,8 +97,7 @@ def spread(pixels: Array, strengths: Array, size: tuple[int, int], cells: tuple[
     cell = place[:, 1] * cells[0] + place[:, 0]
     together = np.argsort(cell, kind="stable")  # by cell, strongest first within each
     start = np.searchsorted(cell[together], cell[together])
-    kept: Array = order[np.sort(together[np.arange(len(cell)) - start < per_cell])]
-    return kept
+    return order[np.sort(together[np.arange(len(cell)) - start < per_cell])]
 
 
 def _corners(image: Image, s: StereoSettings) -> Keypoints:
@@ -113,7 +111,11 @@ def _corners(image: Image, s: StereoSettings) -> Keypoints:
     rows = spread(np.stack([u, v], 1), strength[v, u], image.shape[::-1], s.cells, s.per_cell)
     u, v = u[rows], v[rows]
     pixels = np.stack([u + _top(strength, v, u, 0, 1), v + _top(strength, v, u, 1, 0)], axis=1)
-    return _described(image, pixels, strength[v, u], np.zeros(len(u)), s)
+    points = [cv2.KeyPoint(u, v, 31.0, 0.0, 0.0, 0, i) for i, (u, v) in enumerate(pixels.tolist())]
+    kept, descriptors = _describer(s.border - 2).compute(image, points)
+    kept_rows = np.array([k.class_id for k in kept], dtype=int)
+    bits = np.zeros((0, 32), np.uint8) if descriptors is None else descriptors
+    return Keypoints(pixels[kept_rows], strength[v, u][kept_rows], bits)
 
 
 def _top(values: Array, v: Array, u: Array, down: int, right: int) -> Array:
@@ -123,24 +125,20 @@ def _top(values: Array, v: Array, u: Array, down: int, right: int) -> Array:
     return np.clip(np.where(bend < 0, (before - after) / np.where(bend < 0, 2 * bend, 1), 0), -0.5, 0.5)
 
 
-def _orb(levels: int) -> Callable[[Array, StereoSettings], Keypoints]:
+def _orb(image: Image, s: StereoSettings, levels: int) -> Keypoints:
     """ORB's own detector (FAST), with its descriptors turned by its angles; spread over the grid likewise."""
-
-    def find(image: Image, s: StereoSettings) -> Keypoints:
-        cv2 = opencv("to find features")
-        orb = cv2.ORB_create(nfeatures=5000, nlevels=levels, edgeThreshold=s.border, fastThreshold=10)
-        found = orb.detect(image, None)
-        pixels = np.array([k.pt for k in found]).reshape(-1, 2)
-        strengths = np.array([k.response for k in found])
-        rows = spread(pixels, strengths, image.shape[::-1], s.cells, s.per_cell)
-        chosen, descriptors = orb.compute(image, [found[i] for i in rows.tolist()])
-        return Keypoints(
-            np.array([k.pt for k in chosen], dtype=float).reshape(-1, 2),
-            np.array([k.response for k in chosen]),
-            np.zeros((0, 32), np.uint8) if descriptors is None else descriptors,
-        )
-
-    return find
+    cv2 = opencv("to find features")
+    orb = cv2.ORB_create(nfeatures=5000, nlevels=levels, edgeThreshold=s.border, fastThreshold=10)
+    found = orb.detect(image, None)
+    pixels = np.array([k.pt for k in found]).reshape(-1, 2)
+    strengths = np.array([k.response for k in found])
+    rows = spread(pixels, strengths, image.shape[::-1], s.cells, s.per_cell)
+    chosen, descriptors = orb.compute(image, [found[i] for i in rows.tolist()])
+    return Keypoints(
+        np.array([k.pt for k in chosen], dtype=float).reshape(-1, 2),
+        np.array([k.response for k in chosen]),
+        np.zeros((0, 32), np.uint8) if descriptors is None else descriptors,
+    )
 
 
 @lru_cache
@@ -148,20 +146,8 @@ def _describer(border: int) -> Any:
     return opencv("to describe features").ORB_create(nlevels=1, edgeThreshold=border)
 
 
-def _described(image: Image, pixels: Array, strengths: Array, degrees: Array, s: StereoSettings) -> Keypoints:
-    cv2 = opencv("to describe features")
-    points = [
-        cv2.KeyPoint(u, v, 31.0, angle, 0.0, 0, i)
-        for i, ((u, v), angle) in enumerate(zip(pixels.tolist(), degrees.tolist(), strict=True))
-    ]
-    kept, descriptors = _describer(s.border - 2).compute(image, points)
-    rows = np.array([k.class_id for k in kept], dtype=int)
-    bits = np.zeros((0, 32), np.uint8) if descriptors is None else descriptors
-    return Keypoints(pixels[rows], strengths[rows], bits)
-
-
 DETECTORS: dict[str, Callable[[Array, StereoSettings], Keypoints]] = {
     "corners": _corners,
-    "orb": _orb(1),
-    "orb8": _orb(8),
+    "orb": partial(_orb, levels=1),
+    "orb8": partial(_orb, levels=8),
 }

@@ -36,7 +36,8 @@ def fit(calibration: Calibration, extrinsics: Array, old: Array, new: Array, sta
         if keep.sum() < 3:
             return None
         pose, covariance = _minimum(calibration, extrinsics, old[keep], new[keep], pose)
-        squares = _squares(calibration, extrinsics, old, new, pose)
+        e, _, _, S = _linear(calibration, extrinsics, old, new, pose, old)
+        squares = (e * np.linalg.solve(S, e[..., None])[..., 0]).sum(-1)
         chosen, keep = keep, keep & (squares < gate(GATE_PROBABILITY, 3))
     return Fit(pose, covariance, chosen, float(squares[chosen].sum()))
 
@@ -73,23 +74,3 @@ def _linear(
     e = new - seen.value - (G @ (old - y)[..., None])[..., 0]
     R = calibration.noise
     return e, A, G, R + G @ R @ G.swapaxes(-1, -2)
-
-
-def _squares(calibration: Calibration, extrinsics: Array, old: Array, new: Array, pose: Array) -> Array:
-    """z' S^-1 z (n,) of all matches at a pose."""
-    e, _, _, S = _linear(calibration, extrinsics, old, new, pose, old)
-    squares: Array = (e * np.linalg.solve(S, e[..., None])[..., 0]).sum(-1)
-    return squares
-
-
-def derivatives(
-    calibration: Calibration, extrinsics: Array, old: Array, new: Array, pose: Array
-) -> tuple[Array, Array]:
-    """How much the fitted pose (6,) moves with each old and each new measurement: (n, 6, 3) and (n, 6, 3).
-
-    To first order, as the covariance is: sum of G R G' over both is that of `fit`.
-    """
-    _, A, G, S = _linear(calibration, extrinsics, old, new, pose, old)
-    weighted = A.swapaxes(-1, -2) @ np.linalg.inv(S)
-    by_new = np.linalg.inv((weighted @ A).sum(0)) @ weighted
-    return -by_new @ G, by_new

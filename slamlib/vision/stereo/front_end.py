@@ -1,13 +1,13 @@
 """A front end for a stereo sensor: landmarks are found again by their descriptors, within the filter's own gate."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from slamlib.data.records import Scan
-from slamlib.datasets.pairs import checked
+from slamlib.datasets.pictures import checked
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
@@ -15,8 +15,13 @@ from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.slam.data_association.gates import gate
 from slamlib.vision.front_end import ImageFrontEnd
 from slamlib.vision.stereo.detect import StereoSettings
-from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures, refine_by_templates
-from slamlib.vision.stereo.matching import hamming_distances, mutual_nearest
+from slamlib.vision.stereo.features import (
+    StereoFeatureExtractor,
+    StereoFeatures,
+    hamming_distances,
+    mutual_nearest,
+    refine_by_templates,
+)
 from slamlib.vision.stereo.odometry import checkerboard_half
 from slamlib.vision.stereo.refine import cut
 
@@ -67,25 +72,22 @@ class StereoSearch(ImageFrontEnd):
     its descriptor as soon as it lies in the gate.
     """
 
+    size, signature_type = 3, LandmarkViews
+    settings: StereoSettings
+
     def __init__(
-        self,
-        calibration: Calibration,
-        settings: StereoSettings | None = None,
-        *,
-        extractor: StereoFeatureExtractor | None = None,
-        half: int | None = None,
+        self, calibration: Calibration, settings: StereoSettings | None = None, *, half: int | None = None
     ) -> None:
-        """extractor: shared with an odometry, so that a pair is looked at once. half: 0 or 1 measures in a part of the
-        picture only, and leaves the other half to an odometry (E21). Raises SlamlibError for another sensor."""
+        """half: 0 or 1 measures in a part of the picture only, and leaves the other half to an odometry (E21), which
+        shares the extractor, so that a pair is looked at once. Raises SlamlibError for another sensor."""
         if calibration.image is None or calibration.sensor.size != 3 or "baseline" not in calibration.given:
             raise SlamlibError(
                 f"StereoSearch: a stereo sensor with an image is wanted, not {calibration.sensor.name}: "
                 "SensorSetup(type='stereo', image=(w, h), parameters={'intrinsics': ..., 'baseline': ...})"
             )
-        super().__init__(calibration)
+        super().__init__(calibration, settings or StereoSettings())
         self.half = half
-        self.settings = settings or (extractor.settings if extractor else StereoSettings())
-        self.extractor = extractor or StereoFeatureExtractor(calibration, self.settings)
+        self.extractor = StereoFeatureExtractor(calibration, self.settings)
         self.found: dict[int, int] = {}  # rows of the present features, by the landmarks that they show
         self.reserved = np.zeros(0, dtype=int)  # rows of the present features that are left to an odometry
         self.initialized: list[int] = []  # rows of the present features that began a landmark
@@ -99,15 +101,15 @@ class StereoSearch(ImageFrontEnd):
         """The looks at what was seen from about this distance before, and does not rest."""
         s = self.settings
         able = [
-            prediction
-            for prediction in inputs.predictions
-            if prediction.landmark.signature.nearest(prediction.value[2]).zoom(prediction.value[2]) <= s.zoom
-            and self.calibration.inside(prediction.value, s.border)
-            and self.in_own_half(prediction.value[None])[0]
+            p
+            for p in inputs.predictions
+            if p.landmark.signature.nearest(p.value[2]).zoom(p.value[2]) <= s.zoom
+            and self.calibration.inside(p.value, s.border)
+            and self.in_own_half(p.value[None])[0]
         ]
         self.frame += 1
         self.found, self.initialized = {}, []
-        return [prediction for prediction in self.ready(able) if self.is_due(prediction.landmark, self.frame)]
+        return [p for p in self.ready(able) if self.is_due(p.landmark, self.frame)]
 
     def is_due(self, landmark: Any, frame: int) -> bool:
         """Whether a landmark is measured in a frame, counted from 1."""
@@ -117,23 +119,19 @@ class StereoSearch(ImageFrontEnd):
         """Mask (n,) of the measurements (n, .) in this front end's part of the picture."""
         return np.ones(len(values), dtype=bool) if self.half is None else checkerboard_half(values) == self.half
 
-    def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
-        """Measurements (n, 3) of what is looked for, nan where it is not found, and the mask (n,) of those found."""
-        measured = np.full((len(predictions), 3), np.nan)
-        with self.seconds.timed("search"):
-            seen = self.extractor.extract(inputs.scan.image)
-            views = [prediction.landmark.signature.nearest(prediction.value[2]) for prediction in predictions]
-            pairs = mutual_nearest(
-                self.costs(seen, predictions, views), largest=self.settings.distance, ratio=self.settings.ratio
-            )
-            values, good = self.measure(seen, [views[i] for i in pairs[:, 0].tolist()], seen.values[pairs[:, 1]])
-            good &= self.in_own_half(values)
-            measured[pairs[good, 0]] = values[good]
-            self.found = {predictions[i].landmark.id: j for i, j in pairs[good].tolist()}
-        self.record_search(
-            predictions, [prediction.landmark.id in self.found for prediction in predictions], self.settings.max_backoff
-        )
-        return measured, np.isfinite(measured[:, 0])
+    def find(self, inputs: FrontEndInput, predictions: list[Any]) -> Iterator[tuple[int, Array]]:
+        """Row and measurement (3,) of each landmark that is found."""
+        seen = self.extractor.extract(inputs.scan.image)
+        views = [prediction.landmark.signature.nearest(prediction.value[2]) for prediction in predictions]
+        costs = self.costs(seen, predictions, views)
+        pairs = mutual_nearest(costs, largest=self.settings.distance, ratio=self.settings.ratio)
+        values, good = seen.values[pairs[:, 1]], np.ones(len(pairs), dtype=bool)
+        if self.settings.patch and len(pairs):
+            templates = np.array([views[i].patch for i in pairs[:, 0].tolist()])
+            values, good = refine_by_templates(seen.image, templates, values, self.settings, free=True)
+        good &= self.in_own_half(values)
+        self.found = {predictions[i].landmark.id: j for i, j in pairs[good].tolist()}
+        return zip(pairs[good, 0].tolist(), values[good], strict=True)
 
     def costs(self, seen: StereoFeatures, predictions: list[Any], views: list[LandmarkView]) -> Array:
         """Differing bits (n, m) of looks and features; inf where a feature lies outside the look's gate."""
@@ -149,44 +147,29 @@ class StereoSearch(ImageFrontEnd):
         allowed[:, self.reserved] = np.inf
         return allowed
 
-    def measure(self, seen: StereoFeatures, views: list[LandmarkView], values: Array) -> tuple[Array, Mask]:
-        """Values (n, 3) refined with the patches of the views, and the mask of those to believe."""
-        if not self.settings.patch or not views:
-            return values, np.ones(len(values), dtype=bool)
-        templates = np.array([view.patch for view in views])
-        return refine_by_templates(seen.image, templates, values, self.settings, free=True)
-
-    def detect(
-        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
-    ) -> list[tuple[int, Array, Any]]:
-        """Up to `count` new landmarks (id, value (3,), signature), the strongest, apart from all that is in view."""
-        with self.seconds.timed("detection"):
-            seen = self.extractor.extract(inputs.scan.image)
-            self.renew(seen, inputs)
-            expected = np.array([prediction.value for prediction in inputs.predictions]).reshape(-1, 3)
-            # What is hidden, and rests, leaves its place to what stands before it.
-            present = sum(prediction.landmark.id not in self.backoff for prediction in inputs.predictions)
-            count = min(count, self.settings.max_in_view - present)
-            rows = self.initialized = self.fresh(seen, expected, usable, count)
-            return [
-                (self.new_id(known), seen.values[i], LandmarkViews((self.view(seen, seen.values[i]),))) for i in rows
-            ]
-
-    def fresh(self, seen: StereoFeatures, expected: Array, usable: Callable[[Array], Mask], count: int) -> list[int]:
-        """Rows of features far enough from all that is expected (n, 3) and from each other, the strongest first."""
+    def new_landmarks(
+        self, inputs: FrontEndInput, usable: Callable[[Array], Mask], count: int
+    ) -> Iterator[tuple[Array, Any]]:
+        """Value (3,) and views of up to `count` new landmarks, the strongest, apart from all that is in view."""
+        seen = self.extractor.extract(inputs.scan.image)
+        self.renew(seen, inputs)
+        expected = np.array([prediction.value for prediction in inputs.predictions]).reshape(-1, 3)
+        # What is hidden, and rests, leaves its place to what stands before it.
+        present = sum(prediction.landmark.id not in self.backoff for prediction in inputs.predictions)
+        count, self.initialized = min(count, self.settings.max_in_view - present), []
         if count <= 0 or not len(seen):
-            return []
+            return
         good = usable(seen.values) & self.in_own_half(seen.values)
         good[self.reserved] = False
-        taken, rows = list(expected[:, :2]), list[int]()
+        taken = list(expected[:, :2])
         for i in np.argsort(-seen.strengths, kind="stable").tolist():
+            if len(self.initialized) >= count:
+                break
             place = seen.values[i, :2]
             if good[i] and (not taken or np.abs(np.array(taken) - place).max(1).min() >= self.settings.min_separation):
                 taken.append(place)
-                rows.append(i)
-            if len(rows) == count:
-                break
-        return rows
+                self.initialized.append(i)
+                yield seen.values[i], LandmarkViews((self.view(seen, seen.values[i]),))
 
     def view(self, seen: StereoFeatures, value: Array) -> LandmarkView:
         """How a feature looks now: the descriptor of the feature nearest to the value."""
@@ -213,11 +196,3 @@ class StereoSearch(ImageFrontEnd):
         """Go on from what `dump` gave."""
         super().restore(state)
         self.frame = state["frame"]
-
-    def pack(self, signature: Any) -> Any:
-        """A landmark's views as plain data."""
-        return signature.pack()
-
-    def unpack(self, packed: Any) -> Any:
-        """The views that `pack` packed."""
-        return LandmarkViews.unpack(packed)

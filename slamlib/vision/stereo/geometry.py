@@ -6,7 +6,7 @@ import numpy as np
 
 from slamlib.data.records import Frame, Scan
 from slamlib.data.setup import Rig, SensorSetup
-from slamlib.datasets.pairs import pair
+from slamlib.datasets.pictures import pair
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import relative
 from slamlib.landmarks.euc_point import EUC_POINT
@@ -38,8 +38,7 @@ def pixel_noise(left: float, right: float) -> Array:
     measured by laying the left patch over the right picture is not: there R is diagonal.
     """
     J = np.array([[1.0, 0, 0], [0, 1, 0], [1, 0, -1]])
-    noise: Array = J @ np.diag([left**2, left**2, right**2]) @ J.T
-    return noise
+    return J @ np.diag([left**2, left**2, right**2]) @ J.T
 
 
 def stereo_rig(rig: Rig, std: tuple[float, ...] = (0.15, 0.15, 0.15)) -> Rig:
@@ -63,16 +62,8 @@ def stereo_rig(rig: Rig, std: tuple[float, ...] = (0.15, 0.15, 0.15)) -> Rig:
             "to the right alone: rectify them, or name them the other way round"
         )
     parameters = {"intrinsics": lens["intrinsics"], "baseline": (baseline,)}
-    sensor = SensorSetup(
-        "stereo",
-        type="stereo",
-        position=left.position,
-        euler=left.euler,
-        image=left.image,
-        parameters=parameters,
-        std=std,
-    )
-    return replace(rig, sensors=(sensor,))
+    sensor = SensorSetup("stereo", type="stereo", image=left.image, parameters=parameters, std=std)
+    return replace(rig, sensors=(replace(sensor, position=left.position, euler=left.euler),))
 
 
 def stereo_frame(frame: Frame) -> Frame:

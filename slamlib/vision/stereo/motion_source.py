@@ -7,9 +7,8 @@ features that correct as well tells nothing new, so that only the others, strang
 together say where to linearize. A stranger of this pair is no landmark's measurement, and begins none, in this pair.
 """
 
-from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -17,10 +16,9 @@ from slamlib.data.records import Control
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.measurement_update import predict_from_pose
-from slamlib.vision.front_end import Stopwatch
-from slamlib.vision.motion_source import MotionSource, OwnMotion
+from slamlib.vision.front_end import MotionSource, Stopwatch
 from slamlib.vision.stereo.detect import StereoSettings
-from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures
+from slamlib.vision.stereo.features import StereoFeatures
 from slamlib.vision.stereo.fitting import fit
 from slamlib.vision.stereo.front_end import StereoSearch
 from slamlib.vision.stereo.odometry import MIN_MATCHES, RelativeMotion, VisualOdometry, as_control
@@ -34,28 +32,19 @@ NEWEST_SHARE = 0.2  # of the newest change in the mean of their squares
 INFLATION = 9.0  # a motion is lost where it changes more than usual: variances are larger by so much
 
 
-class StereoMotionSource(MotionSource, Protocol):
-    """A MotionSource of stereo pairs; a filter of the robot's motion `motion` takes its front end.
+class StereoMotionSource(MotionSource):
+    """Of stereo pairs; this one tells nothing: the robot's own noise says how its velocities may change.
 
-    found: the odometry's motion to the present pair, or None where there is none.
+    motion: of the robot whose filter takes its front end. found: the odometry's motion to the present pair, or None.
+    landmark_half: of the picture, in which landmarks are measured; None: in all of it.
     """
 
-    motion: str
-    found: RelativeMotion | None
-
-    @property
-    def front_end(self) -> StereoSearch:
-        """The filter's, of the stereo sensor."""
-
-
-class VelocityPrior(OwnMotion):
-    """Nobody tells anything: the robot's own noise says how its velocities may change."""
-
     motion = "constVel"
+    landmark_half: int | None = None
     front_end: StereoSearch
 
     def __init__(self, calibration: Calibration, extrinsics: Array, settings: StereoSettings | None = None) -> None:
-        super().__init__(StereoSearch(calibration, settings))
+        super().__init__(StereoSearch(calibration, settings, half=self.landmark_half))
         self.found: RelativeMotion | None = None
         self.seconds = Stopwatch("odometry")
 
@@ -98,7 +87,7 @@ class MotionFallback:
         self.lost = state[2]
 
 
-class SplitFeatures:
+class SplitFeatures(StereoMotionSource):
     """Odometry in the squares of one colour of a chess board over the picture, landmarks in those of the other."""
 
     name, motion = "split-features", "odometry"
@@ -106,35 +95,25 @@ class SplitFeatures:
     landmark_half: int | None = 1
 
     def __init__(self, calibration: Calibration, extrinsics: Array, settings: StereoSettings | None = None) -> None:
-        extractor = StereoFeatureExtractor(calibration, settings)
-        self.odometry = VisualOdometry(extractor, extrinsics, half=self.odometry_half)
-        self.front_end = StereoSearch(calibration, extractor=extractor, half=self.landmark_half)
+        super().__init__(calibration, extrinsics, settings)
+        self.odometry = VisualOdometry(self.front_end.extractor, extrinsics, half=self.odometry_half)
         self.fallback = MotionFallback()
-        self.found: RelativeMotion | None = None
-        self.seconds = Stopwatch("odometry")
 
-    def control(self, image: Image, dt: float, slam: Any) -> Control | None:
+    def control(self, image: Image | None, dt: float, slam: Any) -> Control:
         """The odometry's; zeros for the first pair; where none is found, the last one with a large covariance."""
         with self.seconds.timed("odometry"):
-            return self._control(image, dt, slam)
-
-    def _control(self, image: Image, dt: float, slam: Any) -> Control:
-        old = self.odometry.old
-        self.found = self.odometry.step(image)
-        if old is None:
-            return Control(np.zeros(6), np.zeros((6, 6)))
-        if self.found is None:
-            return self.fallback.extrapolate(dt)
-        self.fallback.record(self.found.control, dt)
-        return self.filter_control(old, self.odometry.extractor.extract(image), self.found, slam)
+            old = self.odometry.old
+            self.found = self.odometry.step(image)
+            if old is None:
+                return Control(np.zeros(6), np.zeros((6, 6)))
+            if self.found is None:
+                return self.fallback.extrapolate(dt)
+            self.fallback.record(self.found.control, dt)
+            return self.filter_control(old, self.odometry.extractor.extract(image), self.found, slam)
 
     def filter_control(self, old: StereoFeatures, new: StereoFeatures, found: RelativeMotion, slam: Any) -> Control:
         """What the filter is told of a motion that was found between two pairs."""
         return found.control
-
-    def counts(self) -> dict[str, float]:
-        """None: the filter's own are right."""
-        return {}
 
     def dump(self) -> Any:
         """The odometry's state, with the last pair, and how motions change."""
@@ -152,9 +131,10 @@ class CorrelatedFeatures(SplitFeatures):
     name = "correlated"
     odometry_half = landmark_half = None
 
-    def _control(self, image: Image, dt: float, slam: Any) -> Control:
+    def control(self, image: Image | None, dt: float, slam: Any) -> Control:
+        """Likewise; which features are reserved for the odometry is said anew for each pair."""
         self.front_end.reserved = np.zeros(0, dtype=int)
-        return super()._control(image, dt, slam)
+        return super().control(image, dt, slam)
 
     def filter_control(self, old: StereoFeatures, new: StereoFeatures, found: RelativeMotion, slam: Any) -> Control:
         """The motion of the strangers, from all features' motion on; if they are too few, the latter, hardly known."""
@@ -173,14 +153,10 @@ class CorrelatedFeatures(SplitFeatures):
         front_end = self.front_end
         mask = ~np.isin(pairs[:, 0], [*front_end.found.values(), *front_end.initialized])
         frame = front_end.frame + 1
-        predictions = [
-            prediction
-            for prediction in predict_from_pose(slam, found.pose)
-            if front_end.is_due(prediction.landmark, frame)
-        ]
-        if predictions:
-            expected = np.array([prediction.value[:2] for prediction in predictions])
-            spread = np.array([np.sqrt(np.diag(prediction.S)[:2]) for prediction in predictions])
+        due = [p for p in predict_from_pose(slam, found.pose) if front_end.is_due(p.landmark, frame)]
+        if due:
+            expected = np.array([prediction.value[:2] for prediction in due])
+            spread = np.array([np.sqrt(np.diag(prediction.S)[:2]) for prediction in due])
             reach = SLACK + NEAR_SIGMAS * spread
             mask &= ~(np.abs(values[:, None, :2] - expected) <= reach).all(-1).any(1)
         rows, strengths = np.flatnonzero(mask), new.strengths[pairs[mask, 1]]
@@ -221,8 +197,8 @@ class OdometryOnly(SplitFeatures):
         }
 
 
-MOTION_SOURCES: dict[str, Callable[..., StereoMotionSource]] = {
-    "constant-velocity": VelocityPrior,
+MOTION_SOURCES: dict[str, type[StereoMotionSource]] = {
+    "constant-velocity": StereoMotionSource,
     "split-features": SplitFeatures,
     "correlated": CorrelatedFeatures,
 }

@@ -6,8 +6,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.data.records import Control
-from slamlib.datasets.optional_imports import opencv
-from slamlib.datasets.pairs import pack, unpack
+from slamlib.datasets.pictures import opencv, pack, unpack
 from slamlib.geometry.pose import compose, inverse
 from slamlib.geometry.quaternion import exponential, logarithm, plus
 from slamlib.landmarks.euc_point import EUC_POINT
@@ -68,20 +67,8 @@ def ransac_pose(calibration: Calibration, old: Array, new: Array) -> tuple[Array
     points, _ = triangulate(calibration, old)
     u0, v0, au, av = calibration.given["intrinsics"]
     matrix = np.array([[au, 0, u0], [0, av, v0], [0, 0, 1]])
-    found, turn, shift, rows = cv2.solvePnPRansac(
-        points,
-        new[:, :2].copy(),
-        matrix,
-        None,
-        None,
-        None,
-        False,
-        200,
-        INLIER_THRESHOLD,
-        0.999,
-        None,
-        cv2.SOLVEPNP_EPNP,
-    )
+    how = {"reprojectionError": INLIER_THRESHOLD, "confidence": 0.999, "flags": cv2.SOLVEPNP_EPNP}
+    found, turn, shift, rows = cv2.solvePnPRansac(points, new[:, :2].copy(), matrix, None, iterationsCount=200, **how)
     if not found or rows is None or len(rows) < MIN_MATCHES:
         return None
     inliers = np.zeros(len(old), dtype=bool)
@@ -134,15 +121,6 @@ class Tracks:
         self.ids, self.ages = ids, ages
         return seen
 
-    def dump(self) -> Any:
-        """Plain data."""
-        return {"last": self.last, "ids": self.ids.tolist(), "ages": self.ages.tolist()}
-
-    def restore(self, state: Any) -> None:
-        """Go on from what `dump` gave."""
-        self.last = state["last"]
-        self.ids, self.ages = (np.array(state[name], dtype=int) for name in ("ids", "ages"))
-
 
 class VisualOdometry:
     """One motion for each pair after the first, from matches round the cycle. half: 0 or 1 takes part of the features.
@@ -150,8 +128,7 @@ class VisualOdometry:
     Motion and update of a filter must not use the same measurements (E21): two halves of the picture, as squares of a
     chess board, give one each its own (`split-features`).
 
-    After a step: pairs (k, 2) of old and new features, matched (k, 3) their new values [px], tracks with the numbers of
-    all features, and reobserved (n,), the report's mask of the old features that were matched in both new pictures.
+    After a step: pairs (k, 2) of old and new features, and matched (k, 3), their new values [px].
     """
 
     def __init__(self, extractor: StereoFeatureExtractor, extrinsics: Array = ORIGIN, half: int | None = None) -> None:
@@ -160,7 +137,6 @@ class VisualOdometry:
         self.last: Array | None = None
         self.pairs: Indices = np.zeros((0, 2), dtype=int)
         self.matched: Array = np.zeros((0, 3))
-        self.tracks, self.reobserved = Tracks(), np.zeros(0, dtype=bool)
 
     def step(self, image: Image | None, predicted: Array | None = None) -> RelativeMotion | None:
         """The motion to this pair (2, h, w) from the one before; None for the first, and where none can be told.
@@ -171,12 +147,15 @@ class VisualOdometry:
         old, new = self.old, self.extractor.extract(image)
         self.old = new
         if old is None:
-            self.reobserved = self.tracks.step(len(new), self.pairs)
             return None
         guess = self.last if predicted is None else predicted
         self.pairs, self.matched = track_features(old, new, self.extractor.settings, self.regions(old, new, guess))
-        found = self._motion(old)
-        self.reobserved = self.tracks.step(len(new), self.pairs)
+        if self.half is not None:
+            in_half = checkerboard_half(old.values[self.pairs[:, 0]]) == self.half
+            in_half &= checkerboard_half(self.matched) == self.half
+            self.pairs, self.matched = self.pairs[in_half], self.matched[in_half]
+        before = old.values[self.pairs[:, 0]]
+        found = motion_between(self.extractor.calibration, before, self.matched, self.extrinsics)
         self.last = None if found is None else found.pose
         return found
 
@@ -191,22 +170,14 @@ class VisualOdometry:
         return within_region(expected, new.values, self.extractor.settings.region)
 
     def dump(self) -> Any:
-        """The last pair, packed, the motion to it, and the tracks, as plain data."""
+        """The last pair, packed, and the motion to it, as plain data."""
         last = None if self.last is None else self.last.tolist()
-        return {"pair": None if self.old is None else pack(self.old.image), "last": last, "tracks": self.tracks.dump()}
+        return {"pair": None if self.old is None else pack(self.old.image), "last": last}
 
     def restore(self, state: Any) -> None:
         """Go on from what `dump` gave: the next step is the same."""
         self.old = None if state["pair"] is None else self.extractor.extract(unpack(state["pair"]))
         self.last = None if state["last"] is None else np.array(state["last"])
-        self.tracks.restore(state["tracks"])
-
-    def _motion(self, old: StereoFeatures) -> RelativeMotion | None:
-        if self.half is not None:
-            in_half = checkerboard_half(old.values[self.pairs[:, 0]]) == self.half
-            in_half &= checkerboard_half(self.matched) == self.half
-            self.pairs, self.matched = self.pairs[in_half], self.matched[in_half]
-        return motion_between(self.extractor.calibration, old.values[self.pairs[:, 0]], self.matched, self.extrinsics)
 
 
 CHECKERBOARD_SQUARE = 64  # px
@@ -214,5 +185,4 @@ CHECKERBOARD_SQUARE = 64  # px
 
 def checkerboard_half(values: Array) -> Array:
     """0 or 1 (n,), by the square of a chess board over the picture that each measurement (n, .) lies in."""
-    number: Array = np.floor(values[:, :2] / CHECKERBOARD_SQUARE).astype(int).sum(1) % 2
-    return number
+    return np.floor(values[:, :2] / CHECKERBOARD_SQUARE).astype(int).sum(1) % 2

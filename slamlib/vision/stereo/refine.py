@@ -16,17 +16,12 @@ def cut(image: Image, pixels: Array, size: int, shapes: Array | None = None) -> 
     """
     steps = np.arange(size) - (size - 1) / 2
     right, down = steps[None, None, :], steps[None, :, None]
+    u, v = pixels.T[:, :, None, None]
     if shapes is None:
-        return _bilinear(image, pixels[:, 0, None, None] + right, pixels[:, 1, None, None] + down)
-    u, v = (
-        pixels[:, i, None, None] + shapes[:, i, 0, None, None] * right + shapes[:, i, 1, None, None] * down
-        for i in (0, 1)
-    )
-    return _bilinear(image, u, v)
-
-
-def _bilinear(image: Image, u: Array, v: Array) -> Array:
-    """Grey values at places whose arrays broadcast."""
+        u, v = u + right, v + down
+    else:
+        (a, b), (c, d) = shapes.transpose(1, 2, 0)[..., None, None]
+        u, v = u + a * right + b * down, v + c * right + d * down
     h, w = image.shape
     i, j = np.floor(v).astype(np.intp), np.floor(u).astype(np.intp)
     q, p = v - i, u - j
@@ -35,8 +30,7 @@ def _bilinear(image: Image, u: Array, v: Array) -> Array:
     flat = image.reshape(-1)
     upper = flat[i * w + j] * (1 - p) + flat[i * w + right] * p
     lower = flat[below * w + j] * (1 - p) + flat[below * w + right] * p
-    values: Array = upper * (1 - q) + lower * q
-    return values
+    return upper * (1 - q) + lower * q
 
 
 def align(image: Image, templates: Array, pixels: Array, axes: Array = BOTH, rounds: int = 6) -> tuple[Array, Array]:
@@ -95,8 +89,7 @@ def _inverse(T: Array, J: Array) -> Array:
     J = J - J.mean(1, keepdims=True)
     J = J - T[:, :, None] * (T[:, None, :] @ J)
     transposed = J.swapaxes(1, 2)
-    inverse: Array = np.linalg.inv(transposed @ J + 1e-9 * np.eye(J.shape[2])) @ transposed
-    return inverse
+    return np.linalg.inv(transposed @ J + 1e-9 * np.eye(J.shape[2])) @ transposed
 
 
 def _normal(patches: Array) -> tuple[Array, Array]:

@@ -1,7 +1,7 @@
 """The checks of E01 to E30, by the part of the report that they are about; importing this registers all of them."""
 
 from slambook.report.checks import landmarks, motion, observation, turning, update
-from slambook.report.findings import CHECKS, AuditFinding, check
+from slambook.report.findings import CHECKS, Findings, check
 
 __all__ = ["CHECKS", "landmarks", "motion", "observation", "turning", "update"]
 
@@ -14,18 +14,18 @@ __all__ = ["CHECKS", "landmarks", "motion", "observation", "turning", "update"]
     "ISRR'99: 'the Kalman filter based SLAM ... by Sebastian Thrun'",
     "two things were brought together there",
 )
-def history() -> AuditFinding:
-    return AuditFinding(
-        note="read: 1.1, last paragraph. From memory of Durrant-Whyte and Bailey (2006): the acronym and the "
+def history() -> Findings:
+    yield (
+        "read: 1.1, last paragraph. From memory of Durrant-Whyte and Bailey (2006): the acronym and the "
         "convergence result are of ISRR'95; the session of 1999 brought Kalman-filter SLAM and the probabilistic "
         "methods of Thrun together. Not checked against the source: history only, no equation depends on it"
     )
 
 
 @check("E30", "minor", "'(0,0)'; 'variances'; 2.2.1; (5.14); 'EFK'", "(0,0,0); covariances; 2.2; no equation; EKF")
-def minor() -> AuditFinding:
-    return AuditFinding(
-        note="read: (0,0) for the origin in 1.2 and 2.1; P_xx 'contains the variances' in 5.1.2, and it holds "
+def minor() -> Findings:
+    yield (
+        "read: (0,0) for the origin in 1.2 and 2.1; P_xx 'contains the variances' in 5.1.2, and it holds "
         "covariances too; 5.2.2 refers twice to 2.2.1, which is on applications, for what 2.2 says; (5.14) numbers "
         "an empty line, and 5.2.1 and 5.2.3 cite it; 'EFK SLAM' in 3.2"
     )

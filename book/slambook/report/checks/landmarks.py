@@ -10,7 +10,7 @@ from slambook.report.correlations import compared, rms
 from slambook.report.findings import (
     RUNS,
     SEED,
-    AuditFinding,
+    Findings,
     at_least,
     at_most,
     check,
@@ -21,58 +21,42 @@ from slambook.report.findings import (
     statistics,
 )
 from slambook.report.runs import monte_carlo, two_pictures
-from slamlib.manifolds import Indices
 
 
 @check("E18", "(5.34), last row", "J P_{m_L m_2}", "J P_{x m_2}: J times the pose's row")
-def cross_terms() -> AuditFinding:
+def cross_terms() -> Findings:
     run, right = ran("gentle", "E18 dropped"), ran("gentle")
     P = right.last.P
     least = np.linalg.eigvalsh(P).min() / np.abs(P).max()
-    return AuditFinding(
-        [
-            near("as printed, (3x6)(3x3): NumPy refuses", refused("E18"), 1, 0),
-            at_least("corrected: least eigenvalue of P over its largest entry", least, -1e-12, ">= 0"),
-            near("NEES/6 without cross terms, gentle", run.ratio, 1.71, 0.5),
-        ],
-        statistics(("gentle", run), ("right", right)),
-    )
+    yield near("as printed, (3x6)(3x3): NumPy refuses", refused("E18"), 1, 0)
+    yield at_least("corrected: least eigenvalue of P over its largest entry", least, -1e-12, ">= 0")
+    yield near("NEES/6 without cross terms, gentle", run.ratio, 1.71, 0.5)
+    yield statistics(("gentle", run), ("right", right))
 
 
 @check("E19", "5.1.2", "all covariances zero at the start", "zero for the pose alone; landmarks enter with (5.35)")
-def first_landmarks() -> AuditFinding:
+def first_landmarks() -> Findings:
     run, right = ran("gentle", "E19"), ran("gentle")
-    first = len(_seen_first())
-    frozen = np.abs(run.last.P[:, 6 : 6 + 3 * first]).max()
-    return AuditFinding(
-        [
-            at_most("rows of the first landmarks in P after 60 steps", frozen, 0.0),
-            near("NEES/6, gentle", run.ratio, 3.35, 0.7),
-        ],
-        statistics(("gentle", run), ("right", right)),
-    )
-
-
-def _seen_first() -> Indices:
     scene = scenes.gentle()
-    relative = (scene.points - scene.start[:3]) @ rotation(scene.start[3:])
-    return np.flatnonzero(scene.sees(relative))
+    first = int(scene.sees((scene.points - scene.start[:3]) @ rotation(scene.start[3:])).sum())
+    frozen = np.abs(run.last.P[:, 6 : 6 + 3 * first]).max()
+    yield at_most("rows of the first landmarks in P after 60 steps", frozen, 0.0)
+    yield near("NEES/6, gentle", run.ratio, 3.35, 0.7)
+    yield statistics(("gentle", run), ("right", right))
 
 
 @check("E20", "5.2.2", "the output of PnP 'is what we call the control'", "its inverse: R_u = R', t_u = -R't")
-def direction() -> AuditFinding:
+def direction() -> Findings:
     run, right = ran("gentle", "E20"), ran("gentle")
     answer = motion.inverse(np.array([0.4, 0, 0, 0, 0, 0]))
-    figures = [
-        near("0.40 m forward is read as [m]", answer[0], -0.40, 1e-12),
-        at_least("NEES/6, gentle", run.ratio, 50, "backwards"),
-    ]
+    yield near("0.40 m forward is read as [m]", answer[0], -0.40, 1e-12)
+    yield at_least("NEES/6, gentle", run.ratio, 50, "backwards")
+    yield statistics(("gentle", run), ("right", right))
     try:
-        figures.append(near("cv2.solvePnP, the same, depth read as [m]", _opencv(), -0.40, 1e-3))
-        source = "with OpenCV itself"
+        yield near("cv2.solvePnP, the same, depth read as [m]", _opencv(), -0.40, 1e-3)
+        yield "with OpenCV itself"
     except ImportError:
-        source = "OpenCV is not installed: without its own row"
-    return AuditFinding(figures, f"{statistics(('gentle', run), ('right', right))}; {source}")
+        yield "OpenCV is not installed: without its own row"
 
 
 def _opencv() -> float:
@@ -89,37 +73,29 @@ def _opencv() -> float:
 @check(
     "E21", "5.2.2-5.2.3", "the same matches give u and z, as if independent", "other matches, odometry, or no odometry"
 )
-def twice() -> AuditFinding:
+def twice() -> Findings:
     wrong, right = two_pictures("E21"), two_pictures()
-    return AuditFinding(
-        [
-            near("NEES/6, the same matches", wrong.ratio, 1.93, 0.2),
-            near("NEES/6, other matches", right.ratio, 1.03, 0.1),
-            near("claimed deviation of the position [m]", wrong.claimed_deviation.mean(), 0.0508, 0.003),
-            near("true error of the position [m]", wrong.position, 0.0694, 0.006),
-        ],
-        "1000 runs of two pictures with 12 points, one step, 6 dof",
-    )
+    yield near("NEES/6, the same matches", wrong.ratio, 1.93, 0.2)
+    yield near("NEES/6, other matches", right.ratio, 1.03, 0.1)
+    yield near("claimed deviation of the position [m]", wrong.claimed_deviation.mean(), 0.0508, 0.003)
+    yield near("true error of the position [m]", wrong.position, 0.0694, 0.006)
+    yield "1000 runs of two pictures with 12 points, one step, 6 dof"
 
 
 @check("E22", "5.4", "'at k+2 everything is reset except for the agent localisation'", "P_xx must be carried on")
-def reset() -> AuditFinding:
+def reset() -> Findings:
     run, kept, right = ran("gentle", "E22"), ran("gentle", "E22 kept"), ran("gentle")
     again = monte_carlo(scenes.gentle(), "E22 kept", runs=RUNS, seed=SEED, again=True)
     error, claimed = run.position_error, run.claimed_deviation
     cautious = "too cautious: a picture ends one step and begins the next, and its noise cancels between them"
-    return AuditFinding(
-        [
-            near("claimed deviation, step 60 over step 15", claimed[59] / claimed[14], 1.0, 0.1),
-            at_least("true error, step 60 over step 15", error[59] / error[14], 1.6, "2"),
-            at_least("NEES/6, second half", run.ratio, 8, "grows"),
-            at_least("error of the position, two pictures over full memory", run.position / right.position, 2),
-            ours("full memory: NEES/6", right.ratio, 1.0, 0.25),
-            ours("two pictures with P_xx carried on: NEES/6", kept.ratio, 0.3, 0.15, cautious),
-            ours("the same, map begun from a second look", again.ratio, 1.0, 0.25, "and the error is twice as large"),
-        ],
-        statistics(("two pictures", run), ("P_xx carried on", kept), ("second look", again), ("full memory", right)),
-    )
+    yield near("claimed deviation, step 60 over step 15", claimed[59] / claimed[14], 1.0, 0.1)
+    yield at_least("true error, step 60 over step 15", error[59] / error[14], 1.6, "2")
+    yield at_least("NEES/6, second half", run.ratio, 8, "grows")
+    yield at_least("error of the position, two pictures over full memory", run.position / right.position, 2)
+    yield ours("full memory: NEES/6", right.ratio, 1.0, 0.25)
+    yield ours("two pictures with P_xx carried on: NEES/6", kept.ratio, 0.3, 0.15, cautious)
+    yield ours("the same, map begun from a second look", again.ratio, 1.0, 0.25, "and the error is twice as large")
+    yield statistics(("two pictures", run), ("P_xx carried on", kept), ("second look", again), ("full memory", right))
 
 
 @check(
@@ -128,7 +104,7 @@ def reset() -> AuditFinding:
     "correlations are 'extremely complicated', best found by experiment",
     "P holds them; here the experiment",
 )
-def correlations() -> AuditFinding:
+def correlations() -> Findings:
     scene = scenes.around(scenes.gentle(), np.random.default_rng(7), 8)
     scene = replace(scene, controls=scene.controls[:20])
     run = monte_carlo(scene, runs=400, seed=SEED)
@@ -136,11 +112,7 @@ def correlations() -> AuditFinding:
     beside = ~np.eye(len(found.claimed), dtype=bool)
     apart, claimed = (found.measured - found.claimed)[beside], found.claimed[beside]
     size = len(found.claimed)
-    return AuditFinding(
-        [
-            at_most("correlations, 400 runs minus the filter's, root mean square", rms(apart), 0.06),
-            at_least("correlations, root mean square", rms(claimed), 0.25, "high"),
-            near("NEES of pose and map together, over its dof", found.nees / size, 1.0, 0.06),
-        ],
-        f"400 runs of 20 steps, {len(run.last.names)} landmarks, {size} dof; one correlation is known to 0.05",
-    )
+    yield at_most("correlations, 400 runs minus the filter's, root mean square", rms(apart), 0.06)
+    yield at_least("correlations, root mean square", rms(claimed), 0.25, "high")
+    yield near("NEES of pose and map together, over its dof", found.nees / size, 1.0, 0.06)
+    yield f"400 runs of 20 steps, {len(run.last.names)} landmarks, {size} dof; one correlation is known to 0.05"

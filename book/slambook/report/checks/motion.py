@@ -5,7 +5,7 @@ import numpy as np
 from slambook.report import motion, observation, scenes
 from slambook.report.angles import rotation
 from slambook.report.findings import (
-    AuditFinding,
+    Findings,
     at_least,
     at_most,
     check,
@@ -51,67 +51,51 @@ def _at(yaw: float, pitch: float, roll: float) -> Array:
 
 
 @check("E01", "(3.15)", "H at the corrected state of the step before", "H at the predicted state")
-def place_of_H() -> AuditFinding:
+def place_of_H() -> Findings:
     a, b, b_right = ran("gentle", "E01"), ran("hard", "E01"), ran("hard")
     grows = "three seeds give 1.5 to 1.7, chapter 3 6.7 for 3.05: not mild where a step is large"
-    return AuditFinding(
-        [
-            near("H off, 0.08 m and 0.9 degrees [%]", _change_of_H(*SMALL), 1.7, 0.3),
-            near("H off, 0.5 m and 10 degrees [%]", _change_of_H(*LARGE), 17, 2),
-            near("NEES/6, gentle", a.ratio, 1.08, 0.25),
-            instead("NEES/6, hard", b.ratio, 1.65, 0.3, "1.22", grows),
-        ],
-        statistics(("gentle", a), ("hard", b), ("right", b_right)),
-    )
+    yield near("H off, 0.08 m and 0.9 degrees [%]", _change_of_H(*SMALL), 1.7, 0.3)
+    yield near("H off, 0.5 m and 10 degrees [%]", _change_of_H(*LARGE), 17, 2)
+    yield near("NEES/6, gentle", a.ratio, 1.08, 0.25)
+    yield instead("NEES/6, hard", b.ratio, 1.65, 0.3, "1.22", grows)
+    yield statistics(("gentle", a), ("hard", b), ("right", b_right))
 
 
 @check("E02", "5.2.4", "F at the predicted state", "F at the corrected state of the step before")
-def place_of_F() -> AuditFinding:
+def place_of_F() -> Findings:
     a, b, b_right = ran("gentle", "E02"), ran("hard", "E02"), ran("hard")
     share = "the list's motions are not recorded; relative to the block F14 to F36 it is the angle turned"
-    return AuditFinding(
-        [
-            instead("F14 to F36 off, 0.08 m and 0.9 degrees [%]", _change_of_F(*SMALL), 1.57, 0.05, "0.6", share),
-            instead("F14 to F36 off, 0.5 m and 10 degrees [%]", _change_of_F(*LARGE), 17.4, 0.5, "12", share),
-            near("NEES/6, gentle", a.ratio, 1.06, 0.25),
-            near("NEES/6, hard", b.ratio, 2.31, 0.8),
-            at_least("the same over that of the right filter", b.ratio / b_right.ratio, 1.4, "1.9"),
-        ],
-        statistics(("gentle", a), ("hard", b), ("right", b_right)) + "; F and df/du at the predicted state",
-    )
+    yield instead("F14 to F36 off, 0.08 m and 0.9 degrees [%]", _change_of_F(*SMALL), 1.57, 0.05, "0.6", share)
+    yield instead("F14 to F36 off, 0.5 m and 10 degrees [%]", _change_of_F(*LARGE), 17.4, 0.5, "12", share)
+    yield near("NEES/6, gentle", a.ratio, 1.06, 0.25)
+    yield near("NEES/6, hard", b.ratio, 2.31, 0.8)
+    yield at_least("the same over that of the right filter", b.ratio / b_right.ratio, 1.4, "1.9")
+    yield statistics(("gentle", a), ("hard", b), ("right", b_right)) + "; F and df/du at the predicted state"
 
 
 @check("E03", "1.2, (3.8), (3.15)", "u_k leads from k to k+1; u_k in (3.8); u_{k-1} in (3.15)", "x_k = f(x_{k-1}, u_k)")
-def index_of_u() -> AuditFinding:
+def index_of_u() -> Findings:
     wrong, right = ran("uneven", "E03"), ran("uneven")
-    return AuditFinding(
-        [
-            at_least("NEES/6, a robot that starts and stops", wrong.ratio, 2.0, "off by one"),
-            ours("the same with u_k", right.ratio, 1.0, 0.25),
-        ],
-        statistics(("uneven", wrong), ("right", right)) + "; read: all three conventions, where the table says",
-    )
+    yield at_least("NEES/6, a robot that starts and stops", wrong.ratio, 2.0, "off by one")
+    yield ours("the same with u_k", right.ratio, 1.0, 0.25)
+    yield statistics(("uneven", wrong), ("right", right)) + "; read: all three conventions, where the table says"
 
 
 @check("E07", "(5.20), rows 4-6", "[0 I]", "the derivative of the composed angles by the old ones")
-def angle_rows() -> AuditFinding:
+def angle_rows() -> Findings:
     def error(at: Array, *turn: float) -> float:
         return _norm_minus_identity(motion.exact_by_pose(at, np.radians([0.0, 0, 0, *turn])))
 
     norm = "spectral norm, 5 degrees of yaw; the list's are of other turns, and mix in largest entries"
     pitch = "the largest entry for 5 degrees of pitch is 1.0, the list's figure"
     run, right = ran("hard", "E07"), ran("hard")
-    return AuditFinding(
-        [
-            near("|A - I|, level, yaw 5", error(_at(0, 0, 0), 5, 0, 0), 0.087, 0.001),
-            instead("|A - I|, 40/20/10, yaw 5", error(_at(40, 20, 10), 5, 0, 0), 0.103, 0.001, "0.11", norm),
-            instead("|A - I|, pitch 80, yaw 5", error(_at(0, 80, 0), 5, 0, 0), 3.27, 0.01, "1.0", norm),
-            ours("|A - I|, pitch 80, pitch 5", error(_at(0, 80, 0), 0, 5, 0), 1.41, 0.01, pitch),
-            at_most("F14 to F36 as printed minus differences", _printed_minus_differences(), 1e-8),
-            ours("NEES/6, hard", run.ratio, 1.6, 0.35),
-        ],
-        statistics(("hard", run), ("right", right)),
-    )
+    yield near("|A - I|, level, yaw 5", error(_at(0, 0, 0), 5, 0, 0), 0.087, 0.001)
+    yield instead("|A - I|, 40/20/10, yaw 5", error(_at(40, 20, 10), 5, 0, 0), 0.103, 0.001, "0.11", norm)
+    yield instead("|A - I|, pitch 80, yaw 5", error(_at(0, 80, 0), 5, 0, 0), 3.27, 0.01, "1.0", norm)
+    yield ours("|A - I|, pitch 80, pitch 5", error(_at(0, 80, 0), 0, 5, 0), 1.41, 0.01, pitch)
+    yield at_most("F14 to F36 as printed minus differences", _printed_minus_differences(), 1e-8)
+    yield ours("NEES/6, hard", run.ratio, 1.6, 0.35)
+    yield statistics(("hard", run), ("right", right))
 
 
 def _printed_minus_differences() -> float:
@@ -125,7 +109,7 @@ def _printed_minus_differences() -> float:
 
 
 @check("E08", "(5.21), angle block", "identity", "the derivative of the composed angles by the control's")
-def control_rows() -> AuditFinding:
+def control_rows() -> Findings:
     def error(pitch: float, roll: float) -> float:
         return _norm_minus_identity(motion.exact_by_control(_at(0, pitch, roll), np.zeros(6)))
 
@@ -135,42 +119,32 @@ def control_rows() -> AuditFinding:
     a, b, both, right = ran("gentle", "E08"), ran("hard", "E08"), ran("hard", "E07", "E08"), ran("hard")
     formula = "spectral norm, by the list's own formula"
     alone = "the list's 34 is E07 and E08 together, the next row; E08 alone gives 9 to 13 with three seeds"
-    return AuditFinding(
-        [
-            at_most("B minus the list's formula", np.abs(B - stated).max(), 1e-12),
-            near("|B - I|, pitch 5, roll 3", error(5, 3), 0.10, 0.005),
-            instead("|B - I|, pitch 20, roll 10", error(20, 10), 0.412, 0.001, "0.42", formula),
-            near("|B - I|, pitch 45, roll 10", error(45, 10), 1.10, 0.005),
-            instead("|B - I|, pitch 80, roll 0", error(80, 0), 7.40, 0.01, "8.2", formula),
-            near("NEES/6, gentle", a.ratio, 1.11, 0.25),
-            instead("NEES/6, hard", b.ratio, 12, 4, "34", alone),
-            near("NEES/6, hard, with E07", both.ratio, 34, 12),
-            near("error of the attitude, times the right one, with E07", both.rotation / right.rotation, 5, 1),
-        ],
-        statistics(("gentle", a), ("hard", b), ("with E07", both), ("right", right)),
-    )
+    yield at_most("B minus the list's formula", np.abs(B - stated).max(), 1e-12)
+    yield near("|B - I|, pitch 5, roll 3", error(5, 3), 0.10, 0.005)
+    yield instead("|B - I|, pitch 20, roll 10", error(20, 10), 0.412, 0.001, "0.42", formula)
+    yield near("|B - I|, pitch 45, roll 10", error(45, 10), 1.10, 0.005)
+    yield instead("|B - I|, pitch 80, roll 0", error(80, 0), 7.40, 0.01, "8.2", formula)
+    yield near("NEES/6, gentle", a.ratio, 1.11, 0.25)
+    yield instead("NEES/6, hard", b.ratio, 12, 4, "34", alone)
+    yield near("NEES/6, hard, with E07", both.ratio, 34, 12)
+    yield near("error of the attitude, times the right one, with E07", both.rotation / right.rotation, 5, 1)
+    yield statistics(("gentle", a), ("hard", b), ("with E07", both), ("right", right))
 
 
 @check("E09", "(5.22)", "Q = f_u U f_u', added to F P F'; U is never given", "Q belongs to the pose's 6 by 6 block")
-def place_of_Q() -> AuditFinding:
-    return AuditFinding(
-        [near("Q 6 by 6 added to a state of 18: NumPy refuses", refused("E09"), 1, 0)],
-        "read: 5.2.4, 'U being a matrix with of established uncertainty from the beginning', and no number",
-    )
+def place_of_Q() -> Findings:
+    yield near("Q 6 by 6 added to a state of 18: NumPy refuses", refused("E09"), 1, 0)
+    yield "read: 5.2.4, 'U being a matrix with of established uncertainty from the beginning', and no number"
 
 
 @check("E10", "(5.23), first block", "f_x P_xx f_x'", "f_x P_xx f_x' + Q; the other blocks are right")
-def missing_Q() -> AuditFinding:
+def missing_Q() -> Findings:
     wrong, right = ran("gentle", "E10"), ran("gentle")
     size = np.abs(wrong.claimed).max()
-    return AuditFinding(
-        [
-            at_most("P_xx after 60 steps, largest entry", size, 0.0),
-            near("error of the position [m]", wrong.position, 0.43, 0.1),
-            near("error of the attitude [deg]", wrong.rotation, 5.7, 0.6),
-            near("with Q: position [m]", right.position, 0.028, 0.004),
-            near("with Q: attitude [deg]", right.rotation, 0.37, 0.08),
-            at_least("NEES/6 (P is singular)", wrong.ratio, float(DOF) * 1e6, "infinite"),
-        ],
-        statistics(("gentle", wrong), ("right", right)),
-    )
+    yield at_most("P_xx after 60 steps, largest entry", size, 0.0)
+    yield near("error of the position [m]", wrong.position, 0.43, 0.1)
+    yield near("error of the attitude [deg]", wrong.rotation, 5.7, 0.6)
+    yield near("with Q: position [m]", right.position, 0.028, 0.004)
+    yield near("with Q: attitude [deg]", right.rotation, 0.37, 0.08)
+    yield at_least("NEES/6 (P is singular)", wrong.ratio, float(DOF) * 1e6, "infinite")
+    yield statistics(("gentle", wrong), ("right", right))

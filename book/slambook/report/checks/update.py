@@ -1,15 +1,15 @@
 """Checks of the correction: (3.1) to (3.14), (5.27), (5.31), (5.32), chapter 6."""
 
-import time
+import timeit
+from functools import partial
 from math import inf
 
 import numpy as np
 
-from slambook.report import update
-from slambook.report.filter import Memory
-from slambook.report.findings import AuditFigure, AuditFinding, at_least, at_most, check, ours, ran, statistics
-from slambook.report.observation import by_pose, by_vectors
-from slambook.report.runs import Outcome
+from slambook.report import observation, updates
+from slambook.report.filter import BatchUpdateFilter, Memory
+from slambook.report.findings import AuditFigure, Findings, at_least, at_most, check, ours, ran, statistics
+from slambook.report.observation import by_vectors
 from slambook.report.switches import equations
 from slamlib.manifolds import Array
 
@@ -30,24 +30,17 @@ def _problem(landmarks: int, seen: int, seed: int, full: bool = False) -> tuple[
     return x, P, names, z, R
 
 
-def _scalar(x: Array, P: Array, names: list[int], z: Array, R: Array, *errors: str) -> tuple[Array, Array]:
-    filter = Memory(x[None].copy(), P[None].copy(), list(range((len(x) - 6) // 3)), equations(*errors))
+def _updated(
+    make: type[Memory], x: Array, P: Array, names: list[int], z: Array, R: Array, *errors: str
+) -> tuple[Array, Array]:
+    filter = make(x[None].copy(), P[None].copy(), list(range((len(x) - 6) // 3)), equations(*errors))
     filter.update(z[None], names, R)
     return filter.x[0], filter.P[0]
 
 
-def _naive(x: Array, P: Array, names: list[int], z: Array, R: Array) -> tuple[Array, Array]:
+def _whole(x: Array, P: Array, names: list[int], z: Array, R: Array) -> tuple[Array, Array]:
     """(3.10) to (3.14) with whole matrices."""
-    points = x[6:].reshape(-1, 3)[names]
-    Hx, m = by_pose(x[:6], points), len(names)
-    H = np.zeros((3 * m, len(x)))
-    for i, name in enumerate(names):
-        rows, at = slice(3 * i, 3 * i + 3), slice(6 + 3 * name, 9 + 3 * name)
-        H[rows, :6], H[rows, at] = Hx[i], -Hx[i][:, :3]  # H_m = R', and the first block of H_x is -R'
-    S = H @ P @ H.T + np.kron(np.eye(m), R)
-    K = P @ H.T @ np.linalg.inv(S)
-    difference = (z - by_vectors(x[:6], points)).ravel()
-    return x + K @ difference, (np.eye(len(x)) - K @ H) @ P
+    return updates.naive(updates.observe(x, P, np.array(names), z, np.broadcast_to(np.diag(R), z.shape)))()
 
 
 def _mistakes(full: bool, *errors: str) -> tuple[Array, Array]:
@@ -55,78 +48,57 @@ def _mistakes(full: bool, *errors: str) -> tuple[Array, Array]:
     off, least = [], []
     for seed in range(300):
         problem = _problem(6, 4, seed, full)
-        right, (x, P) = _naive(*problem), _scalar(*problem, *errors)
+        right, (x, P) = _updated(BatchUpdateFilter, *problem), _updated(Memory, *problem, *errors)
         off.append(np.linalg.norm(x - right[0]) / np.linalg.norm(right[0] - problem[0]))
         least.append(np.linalg.eigvalsh(P)[0])
     return np.array(off), np.array(least)
 
 
 @check("E16", "(5.31)-(5.32)", "every scalar step from the prediction", "innovation, gain and covariance run along")
-def running() -> AuditFinding:
+def running() -> Findings:
     right, stale, least = _mistakes(False)[0], _mistakes(False, "E16")[0], _mistakes(False, "E16 literal")[1]
     run, wild, ok = ran("gentle", "E16"), ran("gentle", "E16 literal"), ran("gentle")
+    finite = wild.claimed[np.isfinite(wild.claimed)]
+    size = np.abs(finite).max() if finite.size == wild.claimed.size else inf
     one = "the list's 43 % is one problem; of 300 the median, which depends on the problems"
     low, high = np.quantile(stale, (0.05, 0.95))
-    return AuditFinding(
-        [
-            at_most("corrected minus batch, relative, worst of 300", right.max(), 1e-8),
-            at_least("old innovation: state off, median of 300", float(np.median(stale)), 0.3, "43 %", one),
-            at_least("everything old: share of indefinite P", float((least < 0).mean()), 0.9, "indefinite"),
-            at_least("old innovation: error of the position, gentle [m]", run.position, 1, "10 m"),
-            at_least("old innovation: error of the attitude [deg]", run.rotation, 45, "94"),
-            at_least("everything old: variance, largest, size", _size(wild), 1e20, "-2.7e110"),
-        ],
-        f"{statistics(('old innovation', run), ('right', ok))}; of 300 problems 5 to 95 %: {low:.0%} to {high:.0%}",
-    )
-
-
-def _size(run: Outcome) -> float:
-    finite = run.claimed[np.isfinite(run.claimed)]
-    return float(np.abs(finite).max()) if finite.size == run.claimed.size else float("inf")
+    yield at_most("corrected minus batch, relative, worst of 300", right.max(), 1e-8)
+    yield at_least("old innovation: state off, median of 300", float(np.median(stale)), 0.3, "43 %", one)
+    yield at_least("everything old: share of indefinite P", float((least < 0).mean()), 0.9, "indefinite")
+    yield at_least("old innovation: error of the position, gentle [m]", run.position, 1, "10 m")
+    yield at_least("old innovation: error of the attitude [deg]", run.rotation, 45, "94")
+    yield at_least("everything old: variance, largest, size", size, 1e20, "-2.7e110")
+    yield f"{statistics(('old innovation', run), ('right', ok))}; of 300 problems 5 to 95 %: {low:.0%} to {high:.0%}"
 
 
 @check("E17", "(5.27)-(5.32)", "scalar steps with R_jj", "only for diagonal R; otherwise whiten first")
-def whitening() -> AuditFinding:
+def whitening() -> Findings:
     white, diagonal = _mistakes(True)[0], _mistakes(True, "E17")[0]
     run, right = ran("rig", "E17"), ran("rig")
     one = "the list's 6.8 % is one problem; of 300 the median"
     low, high = np.quantile(diagonal, (0.05, 0.95))
-    return AuditFinding(
-        [
-            at_most("whitened minus batch, relative, worst of 300", white.max(), 1e-8),
-            at_least("R_jj: state off, median of 300", float(np.median(diagonal)), 0.05, "6.8 %", one),
-            at_least(
-                "stereo: error of the position over the right one", run.position / right.position, 2, "bites here"
-            ),
-            at_least(
-                "stereo: error of the attitude over the right one", run.rotation / right.rotation, 2, "bites here"
-            ),
-            ours("stereo, whitened: NEES/6", right.ratio, 1.0, 0.25),
-        ],
-        f"{statistics(('stereo', run), ('right', right))}; of 300 problems 5 to 95 %: {low:.1%} to {high:.0%}",
-    )
+    yield at_most("whitened minus batch, relative, worst of 300", white.max(), 1e-8)
+    yield at_least("R_jj: state off, median of 300", float(np.median(diagonal)), 0.05, "6.8 %", one)
+    yield at_least("stereo: error of the position over the right one", run.position / right.position, 2, "bites here")
+    yield at_least("stereo: error of the attitude over the right one", run.rotation / right.rotation, 2, "bites here")
+    yield ours("stereo, whitened: NEES/6", right.ratio, 1.0, 0.25)
+    yield f"{statistics(('stereo', run), ('right', right))}; of 300 problems 5 to 95 %: {low:.1%} to {high:.0%}"
 
 
 @check(
     "E24", "3.1.1", "S is the 'Kalman innovation'; F twice since the covariance is 'quadratic'", "cov of y; cov of Fx"
 )
-def linear() -> AuditFinding:
+def linear() -> Findings:
     off = 0.0
     for seed in range(100):
         rng = np.random.default_rng(seed)
         a, H, b = rng.standard_normal((4, 4)), rng.standard_normal((2, 4)), rng.standard_normal((2, 2))
         P, R = a @ a.T, b @ b.T + np.eye(2)
-        found = update.batch(np.zeros(4), P, np.ones(2), H, R)[1]
+        found = observation.batch(np.zeros(4), P, np.ones(2), H, R)[1]
         off = max(off, float(np.abs(found - np.linalg.inv(np.linalg.inv(P) + H.T @ np.linalg.inv(R) @ H)).max()))
-    return AuditFinding(
-        [
-            at_most("(3.5), (3.7) minus least squares, 100 problems", off, 1e-9),
-            at_least(
-                "single precision, 300 corrections: least over largest eigenvalue", _single(), -1e-5, "none fails"
-            ),
-        ],
-        "read: 3.1.1, 'what we call the Kalman innovation' of (3.4), 'because the covariance is a quadratic matrix'",
-    )
+    yield at_most("(3.5), (3.7) minus least squares, 100 problems", off, 1e-9)
+    yield at_least("single precision, 300 corrections: least over largest eigenvalue", _single(), -1e-5, "none fails")
+    yield "read: 3.1.1, 'what we call the Kalman innovation' of (3.4), 'because the covariance is a quadratic matrix'"
 
 
 def _single() -> float:
@@ -146,9 +118,9 @@ def _single() -> float:
     "number by number 'the average landmark error is smaller'",
     "equal in exact arithmetic; only time differs",
 )
-def speed() -> AuditFinding:
+def speed() -> Findings:
     problem = _problem(100, 20, 25)
-    (x, P), (xb, Pb) = _scalar(*problem), _naive(*problem)
+    (x, P), (xb, Pb) = _updated(Memory, *problem), _whole(*problem)
     times = {(L, m): _seconds(L, m) for L, m in ((100, 20), (300, 40), (100, 100))}
     told = ", ".join(f"L={L}, m={m}: {1e3 * a:.0f} / {1e3 * b:.0f}" for (L, m), (a, b) in times.items())
     one, whole = times[100, 20]
@@ -156,24 +128,16 @@ def speed() -> AuditFinding:
     counted = (2 * k * n * n + k * k * n + k**3 + n * k * k + n**3) / (k * (n * n + 11 * n))
     machine = "in NumPy a loop of Python stands against a library's products; the list's ratio did not come out again"
     moved = np.abs(xb - problem[0]).max()
-    return AuditFinding(
-        [
-            at_most("state, scalar minus whole matrices, relative", np.abs(x - xb).max() / moved, 1e-9),
-            at_most("covariance, the same", np.abs(P - Pb).max() / np.abs(problem[1]).max(), 1e-9),
-            ours("multiplications, whole matrices over scalar, L = 100, m = 20", counted, 7.27, 0.05),
-            AuditFigure(
-                "time, scalar over whole matrices, L = 100, m = 20", one / whole, -inf, inf, "0.21", machine, True
-            ),
-        ],
-        f"times of this machine [ms], scalar / whole matrices: {told}",
+    yield at_most("state, scalar minus whole matrices, relative", np.abs(x - xb).max() / moved, 1e-9)
+    yield at_most("covariance, the same", np.abs(P - Pb).max() / np.abs(problem[1]).max(), 1e-9)
+    yield ours("multiplications, whole matrices over scalar, L = 100, m = 20", counted, 7.27, 0.05)
+    yield AuditFigure(
+        "time, scalar over whole matrices, L = 100, m = 20", one / whole, -inf, inf, "0.21", machine, True
     )
+    yield f"times of this machine [ms], scalar / whole matrices: {told}"
 
 
-def _seconds(landmarks: int, seen: int) -> tuple[float, float]:
-    problem, best = _problem(landmarks, seen, 25), [np.inf, np.inf]
-    for _ in range(3):
-        for i, method in enumerate((_scalar, _naive)):
-            began = time.perf_counter()
-            method(*problem)
-            best[i] = min(best[i], time.perf_counter() - began)
-    return best[0], best[1]
+def _seconds(landmarks: int, seen: int) -> list[float]:
+    problem = _problem(landmarks, seen, 25)
+    ways = partial(_updated, Memory, *problem), partial(_whole, *problem)
+    return [min(timeit.repeat(way, number=1, repeat=3)) for way in ways]

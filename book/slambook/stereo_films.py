@@ -1,0 +1,63 @@
+"""Films of two cameras, for the tests, benchmarks and longer runs of stereo: rendered, and of a real street."""
+
+import os
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from slambook import rendering
+from slamlib.datasets.pictures import read_image
+from slamlib.errors import SlamlibError
+from slamlib.evaluation.trajectory import Trajectory, read_trajectory
+from slamlib.geometry.pose import compose
+from slamlib.manifolds import Array
+from slamlib.sensors.sensor import Calibration
+from slamlib.sensors.stereo import STEREO
+from slamlib.vision.stereo import RelativeMotion, VisualOdometry, pair, stereo_frame, stereo_rig
+
+LENS = {"intrinsics": (159.5, 119.5, 260.0, 260.0), "distortion": (0.0,)}
+DATA = Path(os.environ.get("SLAMLIB_DATA", ""))
+KITTI = DATA / "stereo_kitti_a"
+
+
+def stereo_film(
+    frames: int, path: str = "sideways", seed: int = 1, std: Any = 0.1, room: rendering.Room | None = None
+) -> tuple[Any, list[Any], Any]:
+    """The rig with its one stereo sensor, frames with pairs and truths, and the film, 320 x 240 pixels, 12 cm apart.
+
+    seed: of the noise, and of the textures if no room is given; std [px]: of each of u, v, d, or one for all.
+    """
+    way, room = rendering.path(path), rendering.default_room(seed=seed) if room is None else room
+    rig = rendering.rig_along_path(way, baseline=0.12, image=(320.0, 240.0), parameters=LENS)
+    made = rendering.film(room, rig, way, frames=frames, rng=np.random.default_rng(seed))
+    pairs = [(stereo_frame(frame), truth) for frame, truth in made]
+    return stereo_rig(rig, std if np.ndim(std) else (std,) * 3), pairs, made
+
+
+def kitti(count: int = 51) -> tuple[Calibration, list[Array], Trajectory]:
+    """Calibration, pairs and true trajectory of a KITTI excerpt; raises SlamlibError where it is not at hand."""
+    if not KITTI.is_dir():
+        raise SlamlibError(f"{KITTI} is not at hand: set SLAMLIB_DATA to the folder that holds {KITTI.name}")
+    lens = np.loadtxt(KITTI / "calib.txt")
+    f, u, v, b = lens[0, 0], lens[0, 2], lens[0, 6], -lens[1, 3] / lens[1, 0]
+    made = Calibration(STEREO, 0.2**2 * np.eye(3), image=(1226, 370), intrinsics=[u, v, f, f], baseline=[b])
+    names = [f"{i:06d}.png" for i in range(count)]
+    pairs = [pair(read_image(KITTI / "image_l" / n), read_image(KITTI / "image_r" / n)) for n in names]
+    truth = read_trajectory(KITTI / "poses.txt", times=0.1 * np.arange(51.0))
+    return made, pairs, truth[np.arange(count)]
+
+
+def odometry(
+    source: VisualOdometry, images: Iterable[Array], start: Array
+) -> Iterator[tuple[Array, RelativeMotion | None]]:
+    """The robot's pose (7,) after each pair, by visual odometry alone, and the motion that led to it, if one is known.
+
+    start (7,): the pose at the first pair.
+    """
+    pose = start
+    for image in images:
+        motion = source.step(image)
+        pose = pose if motion is None else compose(pose, motion.pose)
+        yield pose, motion

@@ -1,0 +1,43 @@
+"""Longer runs of the chapters, stored as one small file of named parts each: made again, rounded, written."""
+
+import argparse
+import json
+import math
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from book.tools import layout
+
+
+def plain(value: Any, digits: int = 4) -> Any:
+    """Plain data with numbers rounded to so many digits; what is not finite is written as words, as JSON knows none."""
+    if isinstance(value, dict):
+        return {name: plain(part, digits) for name, part in value.items()}
+    if isinstance(value, list | tuple | np.ndarray):
+        return [plain(part, digits) for part in value]
+    if isinstance(value, float | np.floating):
+        return float(f"{value:.{digits}g}") if math.isfinite(value) else str(value)
+    return value
+
+
+def store(file: Path, found: dict[str, Any]) -> None:
+    """Write named figures as JSON, a name to a line, whole or not at all, and say so."""
+    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(value)}" for name, value in found.items())
+    layout.write_whole(file, f"{{{rows}}}\n".encode())
+    print(f"wrote {file.relative_to(layout.ROOT)}: {len(rows) / 1024:.0f} kB")
+
+
+def main(file: Path, parts: Mapping[str, Callable[[], Any]], description: str | None) -> None:
+    """Make the parts, and write the file when all of it is done.
+
+    Those that are not asked for, and those of which nothing comes (None) as their data are not at hand, stay.
+    """
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", nargs="+", choices=parts, default=parts, help="make these parts alone again")
+    made = {name: parts[name]() for name in parser.parse_args().only}
+    found = json.loads(file.read_text("utf-8")) if file.is_file() else {}
+    found |= {name: value for name, value in made.items() if value is not None}
+    store(file, {name: found[name] for name in parts if name in found})
