@@ -276,7 +276,7 @@ class Broken(Circle):
         raise ZeroDivisionError
 
 
-class Lost(Circle):
+class Vanished(Circle):
     """A space whose plus gives no number."""
 
     def plus(self, point, step):
@@ -392,7 +392,7 @@ def test_a_call_that_fails_says_why_and_changes_nothing(rng, wrong):
     assert state(belief) == before
 
 
-@pytest.mark.parametrize(("manifold", "error"), [(Broken(), ZeroDivisionError), (Lost(), NonFiniteError)])
+@pytest.mark.parametrize(("manifold", "error"), [(Broken(), ZeroDivisionError), (Vanished(), NonFiniteError)])
 def test_a_space_that_fails_changes_nothing(rng, manifold, error):
     belief = Belief()
     blocks = grown(belief, rng, 2)

@@ -8,10 +8,11 @@ import pytest
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
 from slamlib.geometry.pose import Pose, compose
-from slamlib.landmarks import LINES, POINTS, PointLandmark, landmark
+from slamlib.landmarks import LINES, POINTS, PointLandmark
 from slamlib.manifolds import as_manifold
 from slamlib.modeling.registry import Registry
 from slamlib.motions import motion
+from slamlib.observation import parametrization
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors import SENSORS, Calibration, sensor
 from slamlib.testing.sensors import difference, unmeasured, visible_points
@@ -262,14 +263,14 @@ def test_wrong_kinds_and_priors_are_named(by):
 
 
 def test_types_are_found_by_name():
-    assert landmark("ahmPnt") is POINTS["ahmPnt"]
-    assert landmark("plkLin") is LINES["plkLin"]
+    assert parametrization("ahmPnt") is POINTS["ahmPnt"]
+    assert parametrization("plkLin") is LINES["plkLin"]
     assert sensor("pinHole") is SENSORS["pinHole"]
     assert "ahmPnt" in POINTS
     assert "ahmPnt" not in LINES
     assert LINES.get("ahmPnt") is None
     with pytest.raises(UnknownNameError, match=r"unknown landmark 'ahmpnt'; did you mean 'ahmPnt'\?.*plkLin"):
-        landmark("ahmpnt")
+        parametrization("ahmpnt")
     with pytest.raises(UnknownNameError, match=r"unknown sensor 'pinhole'; did you mean 'pinHole'"):
         sensor("pinhole")
     with pytest.raises(UnknownNameError, match=r"unknown motion 'odo'"):

@@ -14,7 +14,7 @@ from slamlib.data.records import World
 from slamlib.data.setup import Rig
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.geometry.pose import Pose, compose
-from slamlib.landmarks import LINES, POINTS, landmark
+from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS, odometry
 from slamlib.observation.points import observe
 from slamlib.sensors import SENSORS
@@ -50,11 +50,11 @@ def test_without_noise_a_sensor_delivers_what_the_filter_expects():
             seen = frame.scans[0].points
             points = CLOISTER.points.values[seen.ids - 1]
             calibration = exact.sensors[0].calibration
-            expected = observe(landmark("eucPnt"), calibration, truth.robots[0], truth.extrinsics[0], points)
+            expected = observe(POINTS["eucPnt"], calibration, truth.robots[0], truth.extrinsics[0], points)
             assert seen.values == pytest.approx(expected.value, abs=1e-10)
             assert expected.visible.all()
             everything = observe(
-                landmark("eucPnt"), calibration, truth.robots[0], truth.extrinsics[0], CLOISTER.points.values
+                POINTS["eucPnt"], calibration, truth.robots[0], truth.extrinsics[0], CLOISTER.points.values
             )
             assert len(seen) == everything.visible.sum() > 0
 
@@ -136,7 +136,7 @@ def test_each_sensor_rides_on_its_robot():
     for j, sensor in enumerate(rig.sensors):
         seen = frame.scans[j].points
         camera = compose(truth.robots[sensor.robot], truth.extrinsics[j])
-        inside = landmark("eucPnt").to_frame(camera, CLOISTER.points.values[seen.ids - 1])
+        inside = POINTS["eucPnt"].to_frame(camera, CLOISTER.points.values[seen.ids - 1])
         assert seen.values == pytest.approx(sensor.calibration.project(inside), abs=1e-12)
 
 

@@ -13,7 +13,7 @@ from slamlib.data.records import World
 from slamlib.data.setup import RobotSetup
 from slamlib.evaluation.consistency import Consistency, chi2_quantile
 from slamlib.geometry.pose import Pose, relative
-from slamlib.landmarks import landmark
+from slamlib.landmarks import POINTS
 from slamlib.landmarks.segments import length
 from slamlib.motions import CONSTANT_VELOCITY
 from slamlib.observation.points import observe
@@ -41,7 +41,7 @@ def test_measurements_have_the_noise_of_the_calibration(sensor):
     """Of points so far inside the image that the border takes none away."""
     rig = rig_of(STILL, sensor)
     calibration, errors = rig.sensors[0].calibration, []
-    expected = observe(landmark("eucPnt"), calibration, STILL.state, sensor.extrinsics, CLOISTER.points.values)
+    expected = observe(POINTS["eucPnt"], calibration, STILL.state, sensor.extrinsics, CLOISTER.points.values)
     inner = calibration.inside(expected.value, margin=6 * np.sqrt(calibration.noise.max())) & expected.visible
     for frame, _ in run(rig, frames=400):
         seen = frame.scans[0].points
