@@ -48,22 +48,22 @@ assets: environment  ## fetch what the site serves itself (MathJax, Python for t
 parity: book  ## compare the page's Python with this one, and store the appendix's table (needs Chromium)
 	@$(BIN)/python -m pytest -q book/tests/site -k two_pythons --store-parity
 
-experiments: environment  ## run the Monte Carlo experiments of chapter 17 and store their averages (long; resumable)
+experiments: environment  ## run the Monte Carlo experiments of chapter toolbox_tour and store their averages (long; resumable)
 	@$(BIN)/python -m book.tools.experiments
 
 audit: environment  ## compute every figure of the errata E01 to E30 of the report again (ARGS=--store, "--only E07", --json)
 	@$(BIN)/python -m book.tools.audit $(ARGS)
 
-monocular: environment  ## run the longer films of chapter 20 in the rendered room, and store their figures
+monocular: environment  ## run the longer films of chapter monocular in the rendered room, and store their figures
 	@$(BIN)/python -m book.tools.monocular
 
-real-images: environment  ## fetch the real sequence of chapter 20 (75 MB), run the filter on it, store its figures
+real-images: environment  ## fetch the real sequence of chapter monocular (75 MB), run the filter on it, store its figures
 	@$(BIN)/python -m book.tools.real_images
 
-visual-odometry: environment  ## run the longer films of chapter 21, and store their figures
+visual-odometry: environment  ## run the longer films of chapter visual_odometry, and store their figures
 	@$(BIN)/python -m book.tools.visual_odometry
 
-stereo-slam: environment  ## run the longer films of chapter 22, and store their figures (long)
+stereo-slam: environment  ## run the longer films of chapter stereo_ekf_slam, and store their figures (long)
 	@$(BIN)/python -m book.tools.stereo_slam
 
 report-experiments: environment  ## run the experiments that the report asks for, and store their figures (chapter 22)

@@ -2,7 +2,7 @@
 
 The covariance is over tangent vectors, so a pose takes six rows and the matrix is never singular by construction. Every
 change is checked first and made whole or not at all. The same few functions serve a linear Kalman filter, an extended
-one, and SLAM. Derived in chapters 2 and 3 (predict, correct) and 14 (blocks; add, replace, remove; what each costs).
+one, and SLAM. Derived in chapters kalman_filter and extended_kalman_filter (predict, correct) and 14 (blocks; add, replace, remove; what each costs).
 
 The matrix has exactly the size of the state: adding, replacing and removing blocks build it anew. That costs an eighth
 of one correction; and what every correction touches is contiguous, a third quicker than a view of a larger array.

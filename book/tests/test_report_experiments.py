@@ -1,4 +1,4 @@
-"""The experiments of chapter 22 on the report's filter: what they compute is right, and the stored file is theirs."""
+"""The experiments of chapter stereo_ekf_slam on the report's filter: what they compute is right, and the stored file is theirs."""
 
 import json
 from dataclasses import replace
@@ -16,7 +16,7 @@ from book.tools import report_experiments as tool
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.evaluation.consistency import band, nees
 
-RENEW = "run `make report-experiments` and `python -m book.tools.notebooks run` for chapter 22"
+RENEW = "run `make report-experiments` and `python -m book.tools.notebooks run` for chapter stereo_ekf_slam"
 SURE = 0.999  # of the bands that a test asserts
 
 

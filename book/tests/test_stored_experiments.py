@@ -1,4 +1,4 @@
-"""The file of chapter 17's experiments belongs to the presets and to the filter as they are."""
+"""The file of chapter toolbox_tour's experiments belongs to the presets and to the filter as they are."""
 
 import json
 from dataclasses import replace
@@ -12,7 +12,7 @@ from slamlib.experiments.presets import PRESETS
 from slamlib.landmarks import LINES, POINTS
 
 pytestmark = pytest.mark.skipif(not experiments.FILE.is_file(), reason="run `make experiments` first")
-RENEW = "run `make experiments` and `python -m book.tools.notebooks run` for chapter 17"
+RENEW = "run `make experiments` and `python -m book.tools.notebooks run` for chapter toolbox_tour"
 
 
 @pytest.fixture(scope="module")

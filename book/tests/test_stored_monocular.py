@@ -1,4 +1,4 @@
-"""The figures of chapter 20 that are stored: of the rendered room, and of the real sequence where its images are."""
+"""The figures of chapter monocular that are stored: of the rendered room, and of the real sequence where its images are."""
 
 import io
 import json

@@ -1,4 +1,4 @@
-"""The stored figures of chapter 22 belong to the package as it is."""
+"""The stored figures of chapter stereo_ekf_slam belong to the package as it is."""
 
 import json
 
@@ -7,7 +7,7 @@ from slambook.report.findings import ran
 
 from book.tools import stereo_room, stereo_slam
 
-RENEW = "run `python -m book.tools.stereo_slam`, and the notebook of chapter 22"
+RENEW = "run `python -m book.tools.stereo_slam`, and the notebook of chapter stereo_ekf_slam"
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-"""What chapter 21 reads of its longer runs is what the tool computes: the beginning of one is run again."""
+"""What chapter visual_odometry reads of its longer runs is what the tool computes: the beginning of one is run again."""
 
 import json
 

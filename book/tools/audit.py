@@ -2,7 +2,7 @@
 
 For each: where the report says what, what is right, the figures as they come out now, those of the list, the limits,
 and a verdict: reproduced, corrected (the list was, and the remark says why), reading, or FAILED. The exit status is 1
-if one failed. --store writes the file that chapter 22 draws its table from.
+if one failed. --store writes the file that chapter stereo_ekf_slam draws its table from.
 """
 
 import argparse
@@ -86,8 +86,7 @@ def series() -> dict[str, Any]:
 def summary(outcome: Outcome) -> dict[str, Any]:
     """What is kept of the runs with one error."""
     kept = {"nees": outcome.nees.mean(0) / DOF, "inside": round(outcome.inside, 3)}
-    found: dict[str, Any] = stored.plain(kept | {n: getattr(outcome, n) for n in ("ratio", "position", "rotation")})
-    return found
+    return stored.plain(kept | {n: getattr(outcome, n) for n in ("ratio", "position", "rotation")})
 
 
 def file_text(found: list[AuditFinding]) -> str:

@@ -1,4 +1,4 @@
-"""`make experiments`: the Monte Carlo experiments of chapter 17, stored as one small file of averages.
+"""`make experiments`: the Monte Carlo experiments of chapter toolbox_tour, stored as one small file of averages.
 
 Every case is run RUNS times with the seeds of one experiment; finished runs are kept in _build/experiments, so that an
 interrupted one goes on where it was. The file holds what figures and tables of the chapter need, rounded, the digest of
@@ -151,7 +151,7 @@ def run(names: list[str], runs: int = RUNS, jobs: int = 1) -> dict[str, Any]:
 
 def main() -> None:
     """Run everything, and write the file when all of it is done."""
-    parser = argparse.ArgumentParser(description="Run the Monte Carlo experiments of chapter 17.")
+    parser = argparse.ArgumentParser(description="Run the Monte Carlo experiments of chapter toolbox_tour.")
     parser.add_argument("--jobs", type=int, default=2, help="runs at once (default 2)")
     given = parser.parse_args()
     found = run(list(cases()), jobs=given.jobs)

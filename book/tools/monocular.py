@@ -1,4 +1,4 @@
-"""`make monocular`: the longer runs of chapter 20 in the rendered room, stored as one small file.
+"""`make monocular`: the longer runs of chapter monocular in the rendered room, stored as one small file.
 
 Three hundred frames of 320 x 240 pixels past a wall, with five seeds (noise of the images, choice of the cells), also
 with a fifth of all matches wrong; and once round the room, with the paths themselves. benchmarks/monocular.py prints

@@ -20,8 +20,7 @@ HEADER = ["what is computed", "numbers", "largest difference"]
 def here() -> dict[str, Any]:
     """What this Python computes."""
     run = subprocess.run([sys.executable, str(PROGRAM)], capture_output=True, text=True, check=True, cwd=layout.ROOT)
-    found: dict[str, Any] = json.loads(run.stdout)
-    return found
+    return json.loads(run.stdout)
 
 
 def compare(ours: dict[str, Any], theirs: dict[str, Any]) -> tuple[list[list[str]], list[str]]:

@@ -1,4 +1,4 @@
-"""Make the pictures of the README: the map of chapter 0, and an exercise solved in the page (needs a built book).
+"""Make the pictures of the README: the map of chapter slam_in_five_minutes, and an exercise solved in the page (needs a built book).
 
 python -m book.tools.readme_pictures
 """
@@ -40,7 +40,7 @@ check("consistency.2", average_nees)""",
 
 
 def of_the_map() -> None:
-    """Run chapter 0's own cells up to its map, and save that map."""
+    """Run chapter slam_in_five_minutes's own cells up to its map, and save that map."""
     chapter = layout.BOOK / "chapters" / "slam_in_five_minutes.ipynb"
     names: dict[str, Any] = {"__name__": "__main__"}
     os.chdir(chapter.parent)
@@ -48,7 +48,7 @@ def of_the_map() -> None:
         source = "".join(cell["source"])
         if cell["cell_type"] == "code":
             with contextlib.redirect_stdout(io.StringIO()):
-                exec(compile(source, "<chapter 0>", "exec"), names)
+                exec(compile(source, "<chapter slam_in_five_minutes>", "exec"), names)
             if "def draw_state" in source:
                 break
     drawn = replayed(names["draw_state"](len(names["history"]) - 1))

@@ -1,4 +1,4 @@
-"""`make real-images`: fetch the real sequence of chapter 20, run the filter on it, and store the figures of merit.
+"""`make real-images`: fetch the real sequence of chapter monocular, run the filter on it, and store the figures of merit.
 
 The images (80 of a robot-held camera, Inria's ViSP, GPL-2) are in Debian's package visp-images-data. They are fetched
 once, by version and checksum, into _build/real, and never committed. The calibration and the two references, which
@@ -191,7 +191,9 @@ def measured(images: Path) -> dict[str, Any]:
 
 def main() -> int:
     """Fetch, run, store; exit status 0 if all went well."""
-    parser = argparse.ArgumentParser(description="Fetch the real sequence of chapter 20, and run the filter on it.")
+    parser = argparse.ArgumentParser(
+        description="Fetch the real sequence of chapter monocular, and run the filter on it."
+    )
     parser.add_argument("--images", type=Path, help="a folder that holds the 80 images already")
     parser.add_argument("--only-fetch", action="store_true", help="do not run the filter")
     given = parser.parse_args()

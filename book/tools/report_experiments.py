@@ -1,4 +1,4 @@
-"""`make report-experiments`: the longer experiments of chapter 22 on the report's filter, stored as one small file.
+"""`make report-experiments`: the longer experiments of chapter stereo_ekf_slam on the report's filter, stored as one small file.
 
 What is remembered (5.4), correlations (9.3), FastSLAM beside EKF-SLAM (3.2), and the ways of a correction (6). Times
 are kept apart, under "machine": they are those of whoever ran this last, and no test looks at them. "light" is a small
@@ -107,7 +107,7 @@ def accurate(**sizes: Any) -> dict[str, Any]:
 
 
 def mapped(**sizes: Any) -> Any:
-    """Chapter 6's run by every way, without times."""
+    """Chapter frames_and_quaternions's run by every way, without times."""
     return plain([{k: v for k, v in asdict(m).items() if k != "seconds"} for m in speed.mapping(rng(), **sizes)])
 
 

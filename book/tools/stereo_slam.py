@@ -1,4 +1,4 @@
-"""`python -m book.tools.stereo_slam`: the longer runs of chapter 22, stored as one small file, part by part.
+"""`python -m book.tools.stereo_slam`: the longer runs of chapter stereo_ekf_slam, stored as one small file, part by part.
 
 The report's errors turned on together and repaired one after another, and the filter with wrong covariances
 (slambook.report); slamlib's own system in the rendered stereo room (book.tools.stereo_room), and on KITTI's street,
@@ -29,8 +29,7 @@ FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0)  # of a standard deviation, as the filter b
 
 def summary(outcome: Outcome) -> dict[str, Any]:
     """NEES over its degrees of freedom and errors (second half), share of the steps inside, rounded."""
-    found: dict[str, Any] = stored.plain({n: getattr(outcome, n) for n in ("ratio", "inside", "position", "rotation")})
-    return found
+    return stored.plain({n: getattr(outcome, n) for n in ("ratio", "inside", "position", "rotation")})
 
 
 def repairs() -> dict[str, list[dict[str, Any]]]:
@@ -72,8 +71,7 @@ def street() -> dict[str, Any] | None:
     """KITTI's street, without times; None where it is not at hand: its licence forbids shipping it."""
     if not bench.KITTI.is_dir():
         return None
-    found: dict[str, Any] = stored.plain(_without_times(bench.figures()))
-    return found
+    return stored.plain(_without_times(bench.figures()))
 
 
 def _without_times(value: Any) -> Any:

@@ -58,8 +58,7 @@ class Plain:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON or TOML; what is None is left out."""
-        plain: dict[str, Any] = written(self)
-        return plain
+        return written(self)
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> Self:

@@ -156,8 +156,7 @@ class Rig(Plain):
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON or TOML; what is None is left out."""
         named = (replace(robot, motion=robot.model.name) for robot in self.robots)
-        plain: dict[str, Any] = written(replace(self, robots=tuple(named)))
-        return plain
+        return written(replace(self, robots=tuple(named)))
 
 
 def pose_of(position: Numbers, euler: Numbers, name: str) -> Array:

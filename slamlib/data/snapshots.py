@@ -109,5 +109,4 @@ class Snapshot(ByFamily):
     def camera(self, sensor: int) -> Array:
         """Pose (7,) of a sensor in the world."""
         view = self.sensors[sensor]
-        pose: Array = compose(self.robots[view.robot].pose, view.extrinsics)
-        return pose
+        return compose(self.robots[view.robot].pose, view.extrinsics)

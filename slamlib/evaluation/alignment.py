@@ -24,8 +24,7 @@ class Similarity:
 
     def __call__(self, points: Array) -> Array:
         """Points (..., 3), moved."""
-        moved: Array = self.scale * points @ self.rotation.T + self.translation
-        return moved
+        return self.scale * points @ self.rotation.T + self.translation
 
     def moved(self, trajectory: Trajectory) -> Trajectory:
         """A trajectory, moved: attitudes turn, positions are scaled too."""
@@ -75,8 +74,7 @@ def _nearest_rotation(M: Array) -> Array:
     """The rotation R with the largest tr(R' M)."""
     U, _, Vt = np.linalg.svd(M)
     sign = np.linalg.det(U) * np.linalg.det(Vt)
-    nearest: Array = U @ np.diag([1.0, 1.0, sign]) @ Vt
-    return nearest
+    return U @ np.diag([1.0, 1.0, sign]) @ Vt
 
 
 def turn_between(estimate: Trajectory, reference: Trajectory) -> Array:

@@ -83,7 +83,7 @@ class Preset(Plain):
 
 
 # The toolbox has (0.01, 0.5): all landmarks begin near infinity, where the first frames' linearization is poor, and the
-# filter is too sure of itself for twenty frames (chapter 17). With a quarter the prior's mean is at 4 m, and one
+# filter is too sure of itself for twenty frames (chapter toolbox_tour). With a quarter the prior's mean is at 4 m, and one
 # standard deviation reaches infinity.
 PRIOR = (0.25, 0.25)
 ROBOT = RobotSetup(position=(0.0, -5.0, 0.0), control=(0.08, 0, 0, 0, 0, 0.9), control_std=(0.005,) * 3 + (0.05,) * 3)
@@ -138,7 +138,7 @@ def stereo() -> Preset:
 def self_calibration() -> Preset:
     """Quick start 14, second half: the right camera's place is known to 2 cm and 1.5 degrees, and estimated.
 
-    Both cameras begin at once, as in the toolbox: the filter is then too sure of the mount. Chapter 18 shows by how
+    Both cameras begin at once, as in the toolbox: the filter is then too sure of the mount. Chapter many shows by how
     much, and that it is not when the left camera maps alone at first.
     """
     return replace(

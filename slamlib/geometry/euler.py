@@ -9,7 +9,7 @@ from slamlib.model import model
 
 @model(angles=3)
 def to_rotation(angles):
-    """Rotation matrix Rz(yaw) Ry(pitch) Rx(roll). Chapter 6, eq. (fq-euler)."""
+    """Rotation matrix Rz(yaw) Ry(pitch) Rx(roll). Chapter frames_and_quaternions, eq. (fq-euler)."""
     (cr, cp, cy), (sr, sp, sy) = (cos(a) for a in angles), (sin(a) for a in angles)
     return np.array([
         [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
@@ -20,7 +20,7 @@ def to_rotation(angles):
 
 @model(angles=3, returns=UnitQuaternion)
 def to_quaternion(angles):
-    """Unit quaternion of the three turns. Chapter 6, eq. (fq-euler-q)."""
+    """Unit quaternion of the three turns. Chapter frames_and_quaternions, eq. (fq-euler-q)."""
     roll, pitch, yaw = angles / 2
     about_x = np.array([cos(roll), sin(roll), 0, 0])
     about_y = np.array([cos(pitch), 0, sin(pitch), 0])
@@ -30,13 +30,13 @@ def to_quaternion(angles):
 
 @model(matrix=(3, 3))
 def yaw_of(matrix):
-    """Heading of the frame's x axis [rad]; 0 when that axis is vertical. Chapter 6, eq. (fq-yaw)."""
+    """Heading of the frame's x axis [rad]; 0 when that axis is vertical. Chapter frames_and_quaternions, eq. (fq-yaw)."""
     return arctan2(matrix[1, 0], matrix[0, 0])
 
 
 @model(matrix=(3, 3), yaw=())
 def roll_pitch_of(matrix, yaw):
-    """Roll and pitch [rad], after the yaw is undone: right at pitch 90 degrees too. Chapter 6, eq. (fq-unwound)."""
+    """Roll and pitch [rad], after the yaw is undone: right at pitch 90 degrees too. Chapter frames_and_quaternions, eq. (fq-unwound)."""
     x_ahead = cos(yaw) * matrix[0, 0] + sin(yaw) * matrix[1, 0]
     y_left = cos(yaw) * matrix[1, 1] - sin(yaw) * matrix[0, 1]
     z_right = sin(yaw) * matrix[0, 2] - cos(yaw) * matrix[1, 2]
@@ -66,7 +66,7 @@ def from_quaternion(q):
 def from_quaternion_jac(q):
     """Angles and their Jacobian (..., 3, 3) by the rotation vector, in the frame's axes, of an attitude's error.
 
-    Raises SingularPointError where pitch is 90 degrees. Chapter 6, eq. (fq-euler-jac).
+    Raises SingularPointError where pitch is 90 degrees. Chapter frames_and_quaternions, eq. (fq-euler-jac).
     """
     matrix, by_q = rotation.jac(q)
     angles, by_matrix = from_rotation_jac(matrix)

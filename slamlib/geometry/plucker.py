@@ -14,21 +14,21 @@ from slamlib.model import model
 
 @model(first=4, second=4)
 def join(first, second):
-    """The line through two homogeneous points, also at infinity. Chapter 12, eq. (li-join)."""
+    """The line through two homogeneous points, also at infinity. Chapter lines, eq. (li-join)."""
     p, q = first[:3], second[:3]
     return np.concatenate([np.cross(p, q), first[3] * q - second[3] * p])
 
 
 @model(line=6, plane=4)
 def meet(line, plane):
-    """The homogeneous point where a line goes through a plane. Chapter 12, eq. (li-meet)."""
+    """The homogeneous point where a line goes through a plane. Chapter lines, eq. (li-meet)."""
     n, v, a = line[:3], line[3:], plane[:3]
     return np.concatenate([np.cross(a, n) - plane[3] * v, np.array([a @ v])])
 
 
 @model(pose=Pose, line=6)
 def from_frame(pose, line):
-    """A line of the frame, in the world. Chapter 12, eq. (li-fromframe)."""
+    """A line of the frame, in the world. Chapter lines, eq. (li-fromframe)."""
     turn = rotation(pose[3:])
     v = turn @ line[3:]
     return np.concatenate([turn @ line[:3] + np.cross(pose[:3], v), v])
@@ -36,7 +36,7 @@ def from_frame(pose, line):
 
 @model(pose=Pose, line=6)
 def to_frame(pose, line):
-    """A line of the world, in the frame. Chapter 12, eq. (li-toframe)."""
+    """A line of the world, in the frame. Chapter lines, eq. (li-toframe)."""
     back, v = rotation(pose[3:]).T, line[3:]
     return np.concatenate([back @ (line[:3] - np.cross(pose[:3], v)), back @ v])
 
@@ -68,7 +68,7 @@ def constrain(line, eye):
 def from_rays(rays, slopes):
     """The line seen between two unit rays: v is along the segment and, against the view, `slopes` [1/m].
 
-    Its plane's normal n is of unit length; 1 / |slopes| is the distance. Chapter 12, eq. (li-rays).
+    Its plane's normal n is of unit length; 1 / |slopes| is the distance. Chapter lines, eq. (li-rays).
     """
     first, second = rays[:3], rays[3:]
     n, along = np.cross(first, second), second - first

@@ -8,13 +8,13 @@ from slamlib.model import model
 
 @model(point=2)
 def to_polar(point):
-    """Range and bearing of a point (x, y); not defined at the origin. Chapter 4."""
+    """Range and bearing of a point (x, y); not defined at the origin. Chapter proving_a_jacobian."""
     x, y = point
     return np.array([sqrt(x * x + y * y), arctan2(y, x)])
 
 
 @model(polar=2)
 def from_polar(polar):
-    """The point (x, y) at a range and bearing. Chapter 4."""
+    """The point (x, y) at a range and bearing. Chapter proving_a_jacobian."""
     distance, bearing = polar
     return np.array([distance * cos(bearing), distance * sin(bearing)])

@@ -9,40 +9,40 @@ from slamlib.model import model
 
 @model(q=4)
 def left_matrix(q):
-    """The matrix of `q (x) p` as a linear function of p. Chapter 6, eq. (fq-left)."""
+    """The matrix of `q (x) p` as a linear function of p. Chapter frames_and_quaternions, eq. (fq-left)."""
     w, x, y, z = q
     return np.array([[w, -x, -y, -z], [x, w, -z, y], [y, z, w, -x], [z, -y, x, w]])
 
 
 @model(q=4)
 def right_matrix(q):
-    """The matrix of `p (x) q` as a linear function of p. Chapter 6, eq. (fq-right)."""
+    """The matrix of `p (x) q` as a linear function of p. Chapter frames_and_quaternions, eq. (fq-right)."""
     w, x, y, z = q
     return np.array([[w, -x, -y, -z], [x, w, z, -y], [y, -z, w, x], [z, y, -x, w]])
 
 
 @model(q=4)
 def pi_matrix(q):
-    """The 4 x 3 matrix of `q (x) (0, v)`, so that dq/dt = pi_matrix(q) @ omega / 2. Chapter 6, eq. (fq-pi)."""
+    """The 4 x 3 matrix of `q (x) (0, v)`, so that dq/dt = pi_matrix(q) @ omega / 2. Chapter frames_and_quaternions, eq. (fq-pi)."""
     return left_matrix(q)[:, 1:]
 
 
 @model(left=4, right=4)
 def product(left, right):
-    """Hamilton product: the rotation `right`, then `left`. Chapter 6, eq. (fq-product)."""
+    """Hamilton product: the rotation `right`, then `left`. Chapter frames_and_quaternions, eq. (fq-product)."""
     return left_matrix(left) @ right
 
 
 @model(q=4)
 def conjugate(q):
-    """The opposite rotation, of a unit quaternion. Chapter 6, eq. (fq-conjugate)."""
+    """The opposite rotation, of a unit quaternion. Chapter frames_and_quaternions, eq. (fq-conjugate)."""
     w, x, y, z = q
     return np.array([w, -x, -y, -z])
 
 
 @model(vector=3)
 def exponential(vector):
-    """Quaternion of a rotation vector [rad], smooth at zero. Chapter 6, eq. (fq-exp)."""
+    """Quaternion of a rotation vector [rad], smooth at zero. Chapter frames_and_quaternions, eq. (fq-exp)."""
     quarter = vector @ vector / 4
     return np.concatenate([np.array([stumpff(0, quarter)]), stumpff(1, quarter) * vector / 2])
 
@@ -55,13 +55,13 @@ def logarithm(q):
 
 @model(q=4, step=3)
 def plus(q, step):
-    """Turn q by a rotation vector given in its own axes. Chapter 6, eq. (fq-plus)."""
+    """Turn q by a rotation vector given in its own axes. Chapter frames_and_quaternions, eq. (fq-plus)."""
     return product(q, exponential(step))
 
 
 @model(q=4, origin=4)
 def minus(q, origin):
-    """The rotation vector, in the axes of `origin`, that turns `origin` into q. Chapter 6, eq. (fq-minus)."""
+    """The rotation vector, in the axes of `origin`, that turns `origin` into q. Chapter frames_and_quaternions, eq. (fq-minus)."""
     return logarithm(product(conjugate(origin), q))
 
 
@@ -70,7 +70,7 @@ UnitQuaternion = CustomManifold("unit quaternion", size=4, dof=3, plus=plus, min
 
 @model(q=UnitQuaternion)
 def rotation(q):
-    """Rotation matrix: its columns are the frame's axes in the world. Chapter 6, eq. (fq-rotation)."""
+    """Rotation matrix: its columns are the frame's axes in the world. Chapter frames_and_quaternions, eq. (fq-rotation)."""
     w, x, y, z = q
     return np.array([
         [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -81,7 +81,7 @@ def rotation(q):
 
 @model(matrix=(3, 3), pivot=4)
 def from_rotation(matrix, pivot):
-    """Unit quaternion of a rotation matrix, for any pivot with pivot @ q > 0. Chapter 6, eq. (fq-from)."""
+    """Unit quaternion of a rotation matrix, for any pivot with pivot @ q > 0. Chapter frames_and_quaternions, eq. (fq-from)."""
     (a, b, c), (d, e, f), (g, h, i) = matrix
     outer = np.array([  # 4 q q', linear in the matrix
         [1 + a + e + i, h - f, c - g, d - b],

@@ -1,7 +1,7 @@
 """The measurement update: from innovations and Jacobians to a step and the rows that P loses; at once, or in a series.
 
 A series takes each measurement at the means that those before it left, with one product with the covariance for all.
-After some of them the covariance is P - W'W, where W holds the rows that each of them took away (chapter 2). The next
+After some of them the covariance is P - W'W, where W holds the rows that each of them took away (chapter kalman_filter). The next
 one needs a few rows of that, which are quickly computed of P and W; the whole of it is needed only at the end, and one
 product of many rows costs far less than many products of two rows.
 """

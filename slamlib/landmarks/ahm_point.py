@@ -11,7 +11,7 @@ from slamlib.model import model
 
 @model(pose=Pose, landmark=7)
 def to_frame(pose, landmark):
-    """Homogeneous point in the frame. Chapter 11, eq. (pt-ahm)."""
+    """Homogeneous point in the frame. Chapter points, eq. (pt-ahm)."""
     anchor, direction, inverse_distance = landmark[:3], landmark[3:6], landmark[6:]
     h = direction + inverse_distance * (anchor - pose[:3])
     return np.concatenate([rotation(pose[3:]).T @ h, inverse_distance])
@@ -19,13 +19,13 @@ def to_frame(pose, landmark):
 
 @model(pose=Pose, point=4)
 def from_frame(pose, point):
-    """Anchored at the frame's origin. Chapter 11, eq. (pt-ahm)."""
+    """Anchored at the frame's origin. Chapter points, eq. (pt-ahm)."""
     return np.concatenate([pose[:3], rotation(pose[3:]) @ point[:3], point[3:]])
 
 
 @model(landmark=7)
 def to_point(landmark):
-    """The point in the world [m]. Chapter 11, eq. (pt-ahm)."""
+    """The point in the world [m]. Chapter points, eq. (pt-ahm)."""
     return landmark[:3] + landmark[3:6] / landmark[6]
 
 

@@ -12,14 +12,14 @@ from slamlib.model import model
 
 @model(pose=Pose, landmark=9)
 def to_frame(pose, landmark):
-    """The line in the frame. Chapter 12, eq. (li-apl)."""
+    """The line in the frame. Chapter lines, eq. (li-apl)."""
     back, n, v = rotation(pose[3:]).T, landmark[3:6], landmark[6:]
     return np.concatenate([back @ (n + np.cross(landmark[:3] - pose[:3], v)), back @ v])
 
 
 @model(pose=Pose, rays=6, prior=2)
 def from_frame(pose, rays, prior):
-    """Anchored at the frame's origin; prior as for plkLin. Chapter 12, eq. (li-apl)."""
+    """Anchored at the frame's origin; prior as for plkLin. Chapter lines, eq. (li-apl)."""
     turn, line = rotation(pose[3:]), plucker.from_rays(rays, prior)
     return np.concatenate([pose[:3], turn @ line[:3], turn @ line[3:]])
 

@@ -1,4 +1,4 @@
-"""The two ends of a line landmark, kept beside the filter: where they are, and how they follow. Chapter 12.
+"""The two ends of a line landmark, kept beside the filter: where they are, and how they follow. Chapter lines.
 
 The filter estimates an infinite line. Its ends matter for drawing and for saying whether it is in view, and every image
 sees others, because things stand in front and images have borders.

@@ -12,19 +12,19 @@ from slamlib.model import model
 
 @model(pose=Pose, landmark=3)
 def to_frame(pose, landmark):
-    """Homogeneous point in the frame; its last number is 1. Chapter 11, eq. (pt-euc)."""
+    """Homogeneous point in the frame; its last number is 1. Chapter points, eq. (pt-euc)."""
     return np.concatenate([into_frame(pose, landmark), np.array([1])])
 
 
 @model(pose=Pose, point=4)
 def from_frame(pose, point):
-    """The point in the world [m]; a point at infinity has none. Chapter 11, eq. (pt-euc)."""
+    """The point in the world [m]; a point at infinity has none. Chapter points, eq. (pt-euc)."""
     return into_world(pose, point[:3] / point[3])
 
 
 @model(landmark=3)
 def to_point(landmark):
-    """The point itself [m]. Chapter 11, eq. (pt-euc)."""
+    """The point itself [m]. Chapter points, eq. (pt-euc)."""
     return landmark
 
 

@@ -12,20 +12,20 @@ from slamlib.model import model
 
 @model(pose=Pose, landmark=8)
 def to_frame(pose, landmark):
-    """The line in the frame. Chapter 12, eq. (li-two)."""
+    """The line in the frame. Chapter lines, eq. (li-two)."""
     return join(hmg_point.to_frame(pose, landmark[:4]), hmg_point.to_frame(pose, landmark[4:]))
 
 
 @model(pose=Pose, rays=6, prior=2)
 def from_frame(pose, rays, prior):
-    """Prior: inverse distances of the two endpoints [1/m]. Chapter 12, eq. (li-two-init)."""
+    """Prior: inverse distances of the two endpoints [1/m]. Chapter lines, eq. (li-two-init)."""
     first, second = np.concatenate([rays[:3], prior[:1]]), np.concatenate([rays[3:], prior[1:]])
     return np.concatenate([hmg_point.from_frame(pose, first), hmg_point.from_frame(pose, second)])
 
 
 @model(landmark=8, abscissa=())
 def point_at(landmark, abscissa):
-    """Homogeneous point: the first of the two at 0, the second at 1. Chapter 12, eq. (li-between)."""
+    """Homogeneous point: the first of the two at 0, the second at 1. Chapter lines, eq. (li-between)."""
     first, second = landmark[:4], landmark[4:]
     return (1 - abscissa) * second[3] * first + abscissa * first[3] * second
 

@@ -11,21 +11,21 @@ from slamlib.model import model
 
 @model(pose=Pose, landmark=4)
 def to_frame(pose, landmark):
-    """Homogeneous point in the frame. Chapter 11, eq. (pt-hmg)."""
+    """Homogeneous point in the frame. Chapter points, eq. (pt-hmg)."""
     m, w = landmark[:3], landmark[3:]
     return np.concatenate([rotation(pose[3:]).T @ (m - w * pose[:3]), w])
 
 
 @model(pose=Pose, point=4)
 def from_frame(pose, point):
-    """Homogeneous point in the world. Chapter 11, eq. (pt-hmg)."""
+    """Homogeneous point in the world. Chapter points, eq. (pt-hmg)."""
     h, w = point[:3], point[3:]
     return np.concatenate([rotation(pose[3:]) @ h + w * pose[:3], w])
 
 
 @model(landmark=4)
 def to_point(landmark):
-    """The point in the world [m]. Chapter 11, eq. (pt-hmg)."""
+    """The point in the world [m]. Chapter points, eq. (pt-hmg)."""
     return landmark[:3] / landmark[3]
 
 

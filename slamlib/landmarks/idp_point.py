@@ -12,21 +12,21 @@ from slamlib.model import model
 
 @model(angles=2)
 def direction(angles):
-    """Unit vector of elevation above the x-y plane and azimuth [rad]. Chapter 11, eq. (pt-idp)."""
+    """Unit vector of elevation above the x-y plane and azimuth [rad]. Chapter points, eq. (pt-idp)."""
     elevation, azimuth = angles
     return np.array([cos(elevation) * cos(azimuth), cos(elevation) * sin(azimuth), sin(elevation)])
 
 
 @model(vector=3)
 def angles_of(vector):
-    """Elevation and azimuth [rad] of a vector that is not vertical. Chapter 11, eq. (pt-angles)."""
+    """Elevation and azimuth [rad] of a vector that is not vertical. Chapter points, eq. (pt-angles)."""
     x, y, z = vector
     return np.array([arctan2(z, sqrt(x * x + y * y)), arctan2(y, x)])
 
 
 @model(pose=Pose, landmark=6)
 def to_frame(pose, landmark):
-    """Homogeneous point in the frame. Chapter 11, eq. (pt-idp)."""
+    """Homogeneous point in the frame. Chapter points, eq. (pt-idp)."""
     anchor, inverse_distance = landmark[:3], landmark[5:]
     h = direction(landmark[3:5]) + inverse_distance * (anchor - pose[:3])
     return np.concatenate([rotation(pose[3:]).T @ h, inverse_distance])
@@ -34,14 +34,14 @@ def to_frame(pose, landmark):
 
 @model(pose=Pose, point=4)
 def from_frame(pose, point):
-    """Anchored at the frame's origin; the ray must not be vertical. Chapter 11, eq. (pt-angles)."""
+    """Anchored at the frame's origin; the ray must not be vertical. Chapter points, eq. (pt-angles)."""
     h, w = point[:3], point[3:]
     return np.concatenate([pose[:3], angles_of(rotation(pose[3:]) @ h), w / sqrt(h @ h)])
 
 
 @model(landmark=6)
 def to_point(landmark):
-    """The point in the world [m]. Chapter 11, eq. (pt-idp)."""
+    """The point in the world [m]. Chapter points, eq. (pt-idp)."""
     return landmark[:3] + direction(landmark[3:5]) / landmark[5]
 
 

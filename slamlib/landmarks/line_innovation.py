@@ -15,7 +15,7 @@ def image_line(segment):
 
 @model(line=3, segment=4)
 def distances(line, segment):
-    """Signed distances [px] of the segment's endpoints from a line. Chapter 12, eq. (li-ortdst)."""
+    """Signed distances [px] of the segment's endpoints from a line. Chapter lines, eq. (li-ortdst)."""
     a, b, c = line
     length = sqrt(a * a + b * b)
     first, second = segment[:2], segment[2:]
@@ -41,6 +41,6 @@ def oriented(line, segment):
 
 @model(line=6, rays=6)
 def angles(line, rays):
-    """Sines of the angles of two unit rays with the plane of line and eye. Chapter 12, eq. (li-angles)."""
+    """Sines of the angles of two unit rays with the plane of line and eye. Chapter lines, eq. (li-angles)."""
     n = line[:3]
     return np.array([n @ rays[:3], n @ rays[3:]]) / sqrt(n @ n)

@@ -1,7 +1,7 @@
 """Is a point known well enough to be held as a Euclidean one? One rule for all parametrizations, and the prior.
 
 Everything is stated through the homogeneous point (h, w) in a frame, which every parametrization offers, so that none
-is named here. Derived and proved in chapter 11; the index is that of Civera, Davison and Montiel (2007), generalised.
+is named here. Derived and proved in chapter points; the index is that of Civera, Davison and Montiel (2007), generalised.
 """
 
 import math

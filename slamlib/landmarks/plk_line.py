@@ -9,13 +9,13 @@ from slamlib.model import model
 
 @model(pose=Pose, landmark=6)
 def to_frame(pose, landmark):
-    """The line in the frame. Chapter 12, eq. (li-toframe)."""
+    """The line in the frame. Chapter lines, eq. (li-toframe)."""
     return plucker.to_frame(pose, landmark)
 
 
 @model(pose=Pose, rays=6, prior=2)
 def from_frame(pose, rays, prior):
-    """Prior: v in its plane, along the segment and against the view [1/m]. Chapter 12, eq. (li-rays)."""
+    """Prior: v in its plane, along the segment and against the view [1/m]. Chapter lines, eq. (li-rays)."""
     return plucker.from_frame(pose, plucker.from_rays(rays, prior))
 
 

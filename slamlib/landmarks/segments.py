@@ -1,4 +1,4 @@
-"""The part of a segment that a camera sees: cut at the border of the image before it is projected. Chapter 12.
+"""The part of a segment that a camera sees: cut at the border of the image before it is projected. Chapter lines.
 
 A plane through the eye bounds the half-space of the points h with a . h >= 0. Four of them, through the four sides of
 the image, bound all that a pin-hole camera sees, and what lies behind it is outside. Cutting before the division by

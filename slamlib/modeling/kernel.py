@@ -92,8 +92,7 @@ class Kernel:
         if not lead:
             return [value.ravel().tolist()] * count
         whole = value if lead == batch else np.broadcast_to(value, batch + argument.shape)
-        numbers: list[list[float]] = whole.reshape(count, argument.size).tolist()
-        return numbers
+        return whole.reshape(count, argument.size).tolist()
 
     def _entries(self, numbers: Sequence[list[float]]) -> tuple[float, ...] | None:
         """Value and Jacobians of one item as plain numbers; None if one of them is not finite."""

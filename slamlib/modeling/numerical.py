@@ -9,7 +9,7 @@ from slamlib.manifolds import Array
 
 
 def complex_step(model: Any, place: Sequence[Array], index: int, step: float = 1e-30) -> Array:
-    """Jacobian of a definition by one argument, on the tangent space; exact but for rounding (chapter 4).
+    """Jacobian of a definition by one argument, on the tangent space; exact but for rounding (chapter proving_a_jacobian).
 
     place: one array for each argument; index: which argument.
     """
@@ -18,8 +18,7 @@ def complex_step(model: Any, place: Sequence[Array], index: int, step: float = 1
 
     def slope(direction: Array) -> Array:
         moved = model.definition(*_moved(model.arguments[index], place, index, 1j * step * direction))
-        found: Array = np.imag(manifold.minus(moved, here.astype(complex)) if manifold else moved) / step
-        return found
+        return np.imag(manifold.minus(moved, here.astype(complex)) if manifold else moved) / step
 
     return _columns(model.arguments[index], slope)
 
@@ -31,8 +30,7 @@ def central_difference(model: Any, place: Sequence[Array], index: int, step: flo
 
     def slope(direction: Array) -> Array:
         stops = [function(*_moved(model.arguments[index], place, index, sign * step * direction)) for sign in (1, -1)]
-        found: Array = (manifold.minus(*stops) if manifold else stops[0] - stops[1]) / (2 * step)
-        return found
+        return (manifold.minus(*stops) if manifold else stops[0] - stops[1]) / (2 * step)
 
     return _columns(model.arguments[index], slope)
 

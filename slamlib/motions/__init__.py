@@ -1,4 +1,4 @@
-"""How robots move: odometry, constant velocity, and the report's composition. Tangled from chapter 7."""
+"""How robots move: odometry, constant velocity, and the report's composition. Tangled from chapter motion_models."""
 
 from slamlib.modeling.registry import Registry
 from slamlib.motions.constant_velocity import CONSTANT_VELOCITY
@@ -12,5 +12,4 @@ MOTIONS = Registry(__name__, Motion, "motion")
 
 def motion(name: str) -> Motion:
     """The motion of a name, as the seeds' toolbox spells it: 'odometry', 'constVel'."""
-    found: Motion = MOTIONS[name]
-    return found
+    return MOTIONS[name]

@@ -9,7 +9,7 @@ from slamlib.model import model
 
 @model(pose=6, control=6)
 def compose(pose, control):
-    """Composition through rotation matrices, not by adding angles [m, rad]. Chapter 7, eq. (mo-euler)."""
+    """Composition through rotation matrices, not by adding angles [m, rad]. Chapter motion_models, eq. (mo-euler)."""
     before = to_rotation(pose[5:2:-1])
     after = before @ to_rotation(control[5:2:-1])
     yaw = arctan2(after[1, 0], after[0, 0])

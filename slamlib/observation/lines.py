@@ -28,7 +28,7 @@ def observe_line(
     """Expected image lines (..., 3), homogeneous and undistorted, of landmarks (..., size), with Jacobians.
 
     A line has no ends, so it has no border to lie in: `visible` is true for all; segments are judged by their ends
-    (slamlib.landmarks.segments). Raises SlamlibError for a sensor that sees no lines. Chapter 12, eq. (li-project).
+    (slamlib.landmarks.segments). Raises SlamlibError for a sensor that sees no lines. Chapter lines, eq. (li-project).
     """
     _check_lines(calibration, f"observe {kind.name}")
     camera, by_camera = compose.jac(robot, extrinsics)
@@ -51,7 +51,7 @@ def initialize_line(
 
     jacobians.robot (..., dof, 6), .extrinsics (..., dof, 6), .measurement (..., dof, 4), .unmeasured (..., dof, 2), and
     one for each parameter of the camera. Each endpoint is undistorted by itself. Raises SlamlibError for a sensor that
-    sees no lines. Chapter 12, eq. (li-chain).
+    sees no lines. Chapter lines, eq. (li-chain).
     """
     _check_lines(calibration, f"initialize {kind.name}")
     segment = np.asarray(segment, dtype=float)

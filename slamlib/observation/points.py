@@ -57,7 +57,7 @@ def observe(
 ) -> Observation:
     """Expected measurements of landmarks (..., size) from a robot's pose (7,) and the sensor's extrinsics (7,) on it.
 
-    Raises SlamlibError for what is no point. Chapter 8, the chain rule of (ph-chain).
+    Raises SlamlibError for what is no point. Chapter pinhole, the chain rule of (ph-chain).
     """
     camera, by_camera = compose.jac(robot, extrinsics)
     found = observe_from(kind, calibration, camera, landmarks)
@@ -185,7 +185,7 @@ class PointFamily(Family):
     def initialize(
         self, sensor: MountedSensor, kind: PointLandmark, value: Array, options: Options
     ) -> tuple[Array, Array, list[Array]]:
-        """Mean, own noise and Jacobians by robot and mount of a point that is seen for the first time. Chapter 15."""
+        """Mean, own noise and Jacobians by robot and mount of a point that is seen for the first time. Chapter initialization."""
         mean, std = options.inverse_distance
         calibration = sensor.calibration
         prior = [np.array([mean])] * calibration.sensor.unmeasured
@@ -198,7 +198,7 @@ class PointFamily(Family):
     def after_update(
         self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options
     ) -> None:
-        """After a measurement update: points that are known well enough become Euclidean. Chapter 11."""
+        """After a measurement update: points that are known well enough become Euclidean. Chapter points."""
         kind = landmarks[0].kind
         if not options.convert or kind is EUC_POINT:
             return
@@ -214,7 +214,7 @@ class PointFamily(Family):
                 landmark.kind = EUC_POINT
 
     def invalid(self, belief: Belief, landmarks: list[Landmark]) -> set[Landmark]:
-        """The landmarks, of one kind, that lie beyond infinity: no point is there. Chapter 11."""
+        """The landmarks, of one kind, that lie beyond infinity: no point is there. Chapter points."""
         kind = landmarks[0].kind
         if kind is EUC_POINT:
             return set()

@@ -88,7 +88,7 @@ class LineFamily(Family):
     def initialize(
         self, sensor: MountedSensor, kind: LineLandmark, value: Array, options: Options
     ) -> tuple[Array, Array, list[Array]]:
-        """Mean, own noise and Jacobians by robot and mount of a line that is seen for the first time. Chapter 15."""
+        """Mean, own noise and Jacobians by robot and mount of a line that is seen for the first time. Chapter initialization."""
         means, stds = (np.array(numbers) for numbers in options.line_prior(kind.name))
         x, J = initialize_line(kind, sensor.calibration, sensor.robot.pose, sensor.extrinsics, value, means)
         own = J.measurement @ _noise(sensor) @ J.measurement.T + J.unmeasured @ np.diag(stds**2) @ J.unmeasured.T
@@ -101,7 +101,7 @@ class LineFamily(Family):
     def after_update(
         self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options
     ) -> None:
-        """After an update: lines of one kind are made lines again, their ends follow what was seen. Chapter 12."""
+        """After an update: lines of one kind are made lines again, their ends follow what was seen. Chapter lines."""
         kind = landmarks[0].kind
         camera = viewpoint(sensor).pose
         if kind.constrain is not None:

@@ -1,4 +1,4 @@
-"""What measures: a file for each type of sensor. Tangled from chapters 8 to 10."""
+"""What measures: a file for each type of sensor. Tangled from chapters pinhole to depth_stereo_range."""
 
 from slamlib.modeling.registry import Registry
 from slamlib.sensors.sensor import Calibration, Sensor
@@ -10,5 +10,4 @@ SENSORS = Registry(__name__, Sensor, "sensor")
 
 def sensor(name: str) -> Sensor:
     """The type of sensor of a name, as the seeds' toolbox spells it: 'pinHole', 'omniCam', ..."""
-    found: Sensor = SENSORS[name]
-    return found
+    return SENSORS[name]

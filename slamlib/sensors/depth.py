@@ -11,13 +11,13 @@ from slamlib.sensors.stages import BackProjection
 
 @model(point=4, intrinsics=4, distortion=AtMost(8))
 def project(point, intrinsics, distortion):
-    """Pixel and depth of a homogeneous point; no depth at infinity. Chapter 10, eq. (dp-depth)."""
+    """Pixel and depth of a homogeneous point; no depth at infinity. Chapter depth_stereo_range, eq. (dp-depth)."""
     return np.concatenate([pinhole.project(point, intrinsics, distortion), point[2:3] / point[3]])
 
 
 @model(ideal=2, depth=1)
 def lift(ideal, depth):
-    """Unit ray and inverse distance [1/m] of an ideal point and a depth [m]. Chapter 10, eq. (dp-lift)."""
+    """Unit ray and inverse distance [1/m] of an ideal point and a depth [m]. Chapter depth_stereo_range, eq. (dp-lift)."""
     ray = np.array([*ideal, 1])
     return np.array([*ray, 1 / depth[0]]) / sqrt(ray @ ray)
 

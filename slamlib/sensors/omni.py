@@ -16,7 +16,7 @@ TERMS = 11
 
 @model(point=4)
 def angles(point):
-    """Angle from the optical axis [rad], along the image's two axes, of a homogeneous point. Chapter 9, (om-log)."""
+    """Angle from the optical axis [rad], along the image's two axes, of a homogeneous point. Chapter omnidirectional, (om-log)."""
     x, y, z, _ = point
     squared = x * x + y * y
     return 2 * arctan_ratio(squared, z + sqrt(squared + z * z)) * point[:2]
@@ -24,7 +24,7 @@ def angles(point):
 
 @model(angles=2, lens=AtMost(TERMS))
 def image(angles, lens):
-    """Where the lens puts a direction, from the image's centre [px], before the affine part. Chapter 9, (om-lens)."""
+    """Where the lens puts a direction, from the image's centre [px], before the affine part. Chapter omnidirectional, (om-lens)."""
     squared, even, odd = angles @ angles, 0, 0
     for coefficient in lens[1::2][::-1]:
         even = (even + coefficient) * squared
@@ -35,7 +35,7 @@ def image(angles, lens):
 
 @model(angles=2, intrinsics=5, lens=AtMost(TERMS))
 def pixel(angles, intrinsics, lens):
-    """Pixel of a direction; intrinsics (xc, yc, c, d, e), [px, px, -, -, -]. Chapter 9, eq. (om-pixel)."""
+    """Pixel of a direction; intrinsics (xc, yc, c, d, e), [px, px, -, -, -]. Chapter omnidirectional, eq. (om-pixel)."""
     xc, yc, c, d, e = intrinsics
     u, v = image(angles, lens)
     return np.array([u + e * v + xc, d * u + c * v + yc])
@@ -43,24 +43,24 @@ def pixel(angles, intrinsics, lens):
 
 @model(point=4, intrinsics=5, lens=AtMost(TERMS))
 def project(point, intrinsics, lens):
-    """Pixel of a homogeneous point, whose last number has no effect. Chapter 9, eq. (om-chain)."""
+    """Pixel of a homogeneous point, whose last number has no effect. Chapter omnidirectional, eq. (om-chain)."""
     return pixel(angles(point), intrinsics, lens)
 
 
 @model(angles=2, unmeasured=1)
 def ray(angles, unmeasured):
-    """Homogeneous point (h, w) of a direction: |h| = 1, w inverse distance [1/m]. Chapter 9, eq. (om-exp)."""
+    """Homogeneous point (h, w) of a direction: |h| = 1, w inverse distance [1/m]. Chapter omnidirectional, eq. (om-exp)."""
     squared = angles @ angles
     return np.array([*(stumpff(1, squared) * angles), stumpff(0, squared), *unmeasured])
 
 
 def powers(terms):
-    """The powers of the angle that a lens of so many coefficients has: 1, 3, 4, 5, ... Chapter 9, eq. (om-lens)."""
+    """The powers of the angle that a lens of so many coefficients has: 1, 3, 4, 5, ... Chapter omnidirectional, eq. (om-lens)."""
     return np.array([1, *range(3, terms + 2)])[:terms]
 
 
 def radius(angle, lens):
-    """Radius in the image (...) [px] of an angle from the axis (...) [rad]. Chapter 9, eq. (om-radius)."""
+    """Radius in the image (...) [px] of an angle from the axis (...) [rad]. Chapter omnidirectional, eq. (om-radius)."""
     return polynomial.polyval(angle, _full(lens))
 
 
@@ -71,7 +71,7 @@ def _full(lens):
 
 
 def largest_angle(lens):
-    """The angle [rad] at which the radius stops growing, at most pi. Chapter 9, eq. (om-fold)."""
+    """The angle [rad] at which the radius stops growing, at most pi. Chapter omnidirectional, eq. (om-fold)."""
     roots = polynomial.polyroots(np.trim_zeros(polynomial.polyder(_full(lens)), "b"))
     real = roots.real[(np.abs(roots.imag) <= 1e-7 * np.abs(roots)) & (roots.real > 0)]
     return float(real.min(initial=np.pi))
@@ -103,7 +103,7 @@ back_project = BackProjection(Implicit("direction", pixel, unknown="angles", sta
 
 
 def visible(point, calibration):
-    """Mask of the points inside the field of view, by their angle from the axis. Chapter 9, eq. (om-visible)."""
+    """Mask of the points inside the field of view, by their angle from the axis. Chapter omnidirectional, eq. (om-visible)."""
     x, y, z = np.moveaxis(point[..., :3], -1, 0)
     angle = np.arctan2(np.hypot(x, y), z)
     return (angle <= calibration.limits["angle"]) & (angle < np.pi)

@@ -14,7 +14,7 @@ from slamlib.sensors.stages import BackProjection
 
 @model(ideal=2, distortion=AtMost(8))
 def distort(ideal, distortion):
-    """Where the lens puts an ideal point of the plane z = 1. Chapter 8, eq. (ph-distort)."""
+    """Where the lens puts an ideal point of the plane z = 1. Chapter pinhole, eq. (ph-distort)."""
     squared, stretch = ideal @ ideal, 0
     for coefficient in distortion[::-1]:
         stretch = (stretch + coefficient) * squared
@@ -23,26 +23,26 @@ def distort(ideal, distortion):
 
 @model(ideal=2, intrinsics=4, distortion=AtMost(8))
 def pixel(ideal, intrinsics, distortion):
-    """Pixel of an ideal point; intrinsics (u0, v0, au, av) [px]. Chapter 8, eq. (ph-pixel)."""
+    """Pixel of an ideal point; intrinsics (u0, v0, au, av) [px]. Chapter pinhole, eq. (ph-pixel)."""
     return intrinsics[:2] + intrinsics[2:] * distort(ideal, distortion)
 
 
 @model(point=4, intrinsics=4, distortion=AtMost(8))
 def project(point, intrinsics, distortion):
-    """Pixel of a homogeneous point (h, w), whose w has no effect. Chapter 8, eq. (ph-chain)."""
+    """Pixel of a homogeneous point (h, w), whose w has no effect. Chapter pinhole, eq. (ph-chain)."""
     return pixel(point[:2] / point[2], intrinsics, distortion)
 
 
 @model(ideal=2, unmeasured=1)
 def ray(ideal, unmeasured):
-    """Unit ray and inverse distance [1/m] behind an ideal point. Chapter 8, eq. (ph-ray)."""
+    """Unit ray and inverse distance [1/m] behind an ideal point. Chapter pinhole, eq. (ph-ray)."""
     length = sqrt(1 + ideal @ ideal)
     return np.concatenate([ideal / length, np.array([1 / length]), unmeasured])
 
 
 @model(line=6, intrinsics=4)
 def project_line(line, intrinsics):
-    """Image line (3,) of a line (n, v), seen without distortion. Chapter 8, eq. (ph-line)."""
+    """Image line (3,) of a line (n, v), seen without distortion. Chapter pinhole, eq. (ph-line)."""
     (a, b, c), (u0, v0, au, av) = line[:3], intrinsics
     return np.array([av * a, au * b, au * av * c - av * u0 * a - au * v0 * b])
 
@@ -59,7 +59,7 @@ def _slopes(distortion):
 
 
 def distort_radius(radius, distortion):
-    """Radius (...) in the distorted plane of one in the ideal plane. Chapter 8, eq. (ph-radius)."""
+    """Radius (...) in the distorted plane of one in the ideal plane. Chapter pinhole, eq. (ph-radius)."""
     radius = np.asarray(radius, dtype=float)
     return radius * (1 + _stretch(radius, np.asarray(distortion, dtype=float)))
 
@@ -73,7 +73,7 @@ def _fold(slopes):
 
 
 def fold_radius(distortion):
-    """Ideal radius (...) where distortion (..., n) turns back, or inf. Chapter 8, eq. (ph-fold)."""
+    """Ideal radius (...) where distortion (..., n) turns back, or inf. Chapter pinhole, eq. (ph-fold)."""
     slopes = _slopes(np.asarray(distortion, dtype=float))
     folds = np.empty(slopes.shape[:-1])
     for item in np.ndindex(folds.shape):

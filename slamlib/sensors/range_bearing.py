@@ -12,7 +12,7 @@ from slamlib.sensors.sensor import Sensor
 
 @dataclass(frozen=True)
 class Angle(Euclidean):
-    """Angles: the difference of two is the short way round. Chapter 10, eq. (dp-wrap)."""
+    """Angles: the difference of two is the short way round. Chapter depth_stereo_range, eq. (dp-wrap)."""
 
     def minus(self, point, origin):
         """point - origin, in [-pi, pi] [rad]."""
@@ -25,7 +25,7 @@ RangeBearing = Product("range, yaw and pitch", Euclidean(1), Angle(1), Euclidean
 
 @model(point=4, returns=RangeBearing)
 def project(point):
-    """Range, yaw to the left and pitch downwards; no yaw on the vertical. Chapter 10, eq. (dp-range)."""
+    """Range, yaw to the left and pitch downwards; no yaw on the vertical. Chapter depth_stereo_range, eq. (dp-range)."""
     x, y, z, w = point
     level = x * x + y * y
     return np.array([sqrt(level + z * z) / w, arctan2(y, x), arctan2(-z, sqrt(level))])
@@ -33,7 +33,7 @@ def project(point):
 
 @model(measurement=RangeBearing)
 def back_project(measurement):
-    """Unit ray and inverse distance [1/m]. Chapter 10, eq. (dp-range-back)."""
+    """Unit ray and inverse distance [1/m]. Chapter depth_stereo_range, eq. (dp-range-back)."""
     distance, yaw, pitch = measurement
     return np.array([cos(pitch) * cos(yaw), cos(pitch) * sin(yaw), -sin(pitch), 1 / distance])
 

@@ -9,13 +9,13 @@ from slamlib.sensors.sensor import Sensor
 
 @model(point=4)
 def project(point):
-    """The point in the sensor's frame [m]; none at infinity. Chapter 10, eq. (dp-relative)."""
+    """The point in the sensor's frame [m]; none at infinity. Chapter depth_stereo_range, eq. (dp-relative)."""
     return point[:3] / point[3]
 
 
 @model(measurement=3)
 def back_project(measurement):
-    """Unit ray and inverse distance [1/m]; not defined at the sensor itself. Chapter 10, eq. (dp-relative-back)."""
+    """Unit ray and inverse distance [1/m]; not defined at the sensor itself. Chapter depth_stereo_range, eq. (dp-relative-back)."""
     return np.array([*measurement, 1]) / sqrt(measurement @ measurement)
 
 
@@ -33,7 +33,7 @@ RELATIVE_POSITION = Sensor("relativePosition", project, back_project, (), visibl
 def converted(calibration, measurement):
     """What a sensor that measures all says as a relative position: point (..., 3) [m] and its full covariance.
 
-    Chapter 10, eq. (dp-converted); the covariance is that of the first order, at the measurement.
+    Chapter depth_stereo_range, eq. (dp-converted); the covariance is that of the first order, at the measurement.
     """
     point, by_sensor = calibration.back_project_jac(measurement)
     position, by_point = project.jac(point)

@@ -18,7 +18,7 @@ SAMPLES = 501
 
 @model(point=4, intrinsics=5, forward=COEFFICIENTS)
 def project(point, intrinsics, forward):
-    """Pixel of a homogeneous point, as published; not defined on the axis. Chapter 9, eq. (om-forward)."""
+    """Pixel of a homogeneous point, as published; not defined on the axis. Chapter omnidirectional, eq. (om-forward)."""
     x, y, z, _ = point
     xc, yc, c, d, e = intrinsics
     level, rho = sqrt(x * x + y * y), 0
@@ -31,7 +31,7 @@ def project(point, intrinsics, forward):
 
 @model(measurement=2, unmeasured=1, intrinsics=5, backward=COEFFICIENTS)
 def back_project(measurement, unmeasured, intrinsics, backward):
-    """Homogeneous point of a pixel, as published; no derivative at the centre. Chapter 9, eq. (om-backward)."""
+    """Homogeneous point of a pixel, as published; no derivative at the centre. Chapter omnidirectional, eq. (om-backward)."""
     xc, yc, c, d, e = intrinsics
     x, y = measurement[0] - xc, measurement[1] - yc
     u, v = (c * x - e * y) / (c - d * e), (y - d * x) / (c - d * e)
@@ -60,7 +60,7 @@ def polynomials(angle, *, backward=None, forward=None, terms=None, degree=10):
 
     The lens is fitted to what `backward` says, if that is given, else to `forward`, which seldom passes through zero on
     the axis: then with few `terms`. The inverse goes up to the power `degree`. Raises SlamlibError for what is no lens.
-    Chapter 9, eq. (om-fit).
+    Chapter omnidirectional, eq. (om-fit).
     """
     if not 0 < angle < np.pi:
         raise SlamlibError(f"the field's half angle should lie between 0 and pi, got {angle}")

@@ -10,7 +10,7 @@ from slamlib.sensors.sensor import Sensor
 
 @model(point=4, intrinsics=4, baseline=1)
 def project(point, intrinsics, baseline):
-    """Left pixel and disparity [px] of a homogeneous point; the disparity is 0 at infinity. Chapter 10, (dp-stereo)."""
+    """Left pixel and disparity [px] of a homogeneous point; the disparity is 0 at infinity. Chapter depth_stereo_range, (dp-stereo)."""
     x, y, z, w = point
     u0, v0, au, av = intrinsics
     (b,) = baseline
@@ -19,7 +19,7 @@ def project(point, intrinsics, baseline):
 
 @model(measurement=3, intrinsics=4, baseline=1)
 def back_project(measurement, intrinsics, baseline):
-    """Unit ray and inverse distance [1/m]; no disparity is divided by. Chapter 10, eq. (dp-stereo-back)."""
+    """Unit ray and inverse distance [1/m]; no disparity is divided by. Chapter depth_stereo_range, eq. (dp-stereo-back)."""
     u, v, d = measurement
     u0, v0, au, av = intrinsics
     (b,) = baseline

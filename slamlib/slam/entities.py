@@ -68,8 +68,7 @@ class MountedSensor:
     @property
     def camera(self) -> Array:
         """Pose (7,) in the world, as it is estimated now."""
-        pose: Array = compose(self.robot.pose, self.extrinsics)
-        return pose
+        return compose(self.robot.pose, self.extrinsics)
 
     @property
     def columns(self) -> Indices:

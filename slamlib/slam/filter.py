@@ -1,4 +1,4 @@
-"""EKF-SLAM: robots, sensors and landmarks in one joint Gaussian, corrected by frames. Chapter 16 reads it."""
+"""EKF-SLAM: robots, sensors and landmarks in one joint Gaussian, corrected by frames. Chapter ekf_slam reads it."""
 
 import os
 from collections.abc import Sequence

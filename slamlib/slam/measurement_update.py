@@ -1,4 +1,4 @@
-"""One sensor looks at the map: choose, match, gate, correct. Chapter 16 reads it line by line."""
+"""One sensor looks at the map: choose, match, gate, correct. Chapter ekf_slam reads it line by line."""
 
 from __future__ import annotations
 
@@ -151,8 +151,7 @@ def innovations(sensor: MountedSensor, group: Predictions) -> tuple[PredictedBat
 def innovation_squares(belief: Belief, expected: PredictedBatch, found: Innovation) -> list[float]:
     """The nis of each innovation by itself."""
     S = innovation_covariances(belief.matrix, expected.columns, found.H, found.R)
-    squares: list[float] = mahalanobis_squared(found.z, S).tolist()
-    return squares
+    return mahalanobis_squared(found.z, S).tolist()
 
 
 def update_in_batch(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> None:

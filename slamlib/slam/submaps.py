@@ -1,4 +1,4 @@
-"""Several maps one after another, each in a frame of its own; joined, and tied where they overlap. Chapter 18.
+"""Several maps one after another, each in a frame of its own; joined, and tied where they overlap. Chapter many.
 
 A map's cost grows with the square of its size, and its errors with the angle that it has come to doubt. A small map in
 the frame of the robot's pose where it began knows that pose exactly. The next one shares no measurement with it: two
@@ -173,8 +173,7 @@ class SubmapSlam:
     @property
     def pose(self) -> Array:
         """The robot's pose (7,) in the frame of the first map."""
-        pose: Array = compose(self.atlas.pose, self.slam.robots[0].pose)
-        return pose
+        return compose(self.atlas.pose, self.slam.robots[0].pose)
 
     def step(self, frame: Frame) -> Report:
         """One frame; then the map is closed if it is full."""

@@ -4,7 +4,7 @@
     check_landmark(MY_POINT)
 
 Each prints a line for every property that holds, and raises CheckError with all that do not: which property, which
-definition, which argument, where, and by how much. Chapter 13 uses them; the package's tests run them on every type.
+definition, which argument, where, and by how much. Chapter your_own_model uses them; the package's tests run them on every type.
 """
 
 from typing import Any

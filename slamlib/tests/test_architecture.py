@@ -1,6 +1,6 @@
 """The acceptance test of the architecture: a type is one written file and one generated file, and nothing else changes.
 
-Chapter 13's cells with a landmark and a sensor of the reader's own are written into a scratch copy of the package, as
+Chapter your_own_model's cells with a landmark and a sensor of the reader's own are written into a scratch copy of the package, as
 the chapter tells the reader to do.
 """
 
@@ -28,7 +28,7 @@ OWN = {  # tag of the cell, where the chapter puts it, the name of the type
 
 
 def cell(tag: str) -> str:
-    """The one cell of chapter 13 that has a tag."""
+    """The one cell of chapter your_own_model that has a tag."""
     if not CHAPTER.is_file():
         pytest.skip("the book is not beside the package")
     cells = json.loads(CHAPTER.read_text("utf-8"))["cells"]

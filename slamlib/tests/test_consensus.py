@@ -198,7 +198,7 @@ def test_without_wrong_matches_nothing_is_lost(outlier_rejection):
 
 
 def test_wrong_matches_ruin_a_filter_that_judges_each_alone_and_no_other():
-    """20 % wrong, all inside three standard deviations. 20 runs of 100 frames: the notes of chapter 19."""
+    """20 % wrong, all inside three standard deviations. 20 runs of 100 frames: the notes of chapter active_search."""
     ruined, _, inliers = of_runs("individual", 0.2)
     for outlier_rejection in ROBUST:
         nees, true, wrong = of_runs(outlier_rejection, 0.2)

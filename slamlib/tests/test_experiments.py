@@ -80,7 +80,7 @@ def test_points_are_consistent_in_the_first_part_of_the_round(kind):
 
 
 def test_what_is_known_to_be_inconsistent_is_found_so():
-    """hmgPnt's unobservable direction depends on its estimate (chapter 17)."""
+    """hmgPnt's unobservable direction depends on its estimate (chapter toolbox_tour)."""
     found = first_part("hmgPnt")
     assert found.average[10:].max() > RARELY[1], found
 

@@ -39,7 +39,7 @@ def camera_line(pixels):
 
 
 def matrix_of(k):
-    """The image line is this matrix times the moment: derived in chapter 8."""
+    """The image line is this matrix times the moment: derived in chapter pinhole."""
     u, v, fu, fv = k
     return np.array([[fv, 0, 0], [0, fu, 0], [-fv * u, -fu * v, fu * fv]])
 
@@ -530,7 +530,7 @@ def test_trimmed_segments_agree_with_the_toolbox():
 
 
 def test_crossings_agree_with_the_toolbox_where_the_ray_meets_the_line():
-    """Seen from a point of the ray; for rays that miss, theirs depends on the origin, ours does not (chapter 12)."""
+    """Seen from a point of the ray; for rays that miss, theirs depends on the origin, ours does not (chapter lines)."""
     for given, wanted in cases("lines", "intersectPlucker"):
         start = plucker.point_at(given["r"], -3.0)
         eye = np.array([*start[:3] / start[3], 1.0, 0, 0, 0])

@@ -153,7 +153,7 @@ def test_single_precision(kind, rng):
 
 
 def test_homogeneous_is_a_linear_function_of_anchored(rng):
-    """So that with known cameras both are one and the same filter (chapter 11)."""
+    """So that with known cameras both are one and the same filter (chapter points)."""
     camera, point = Pose.random(rng), ray(rng)
     anchor, m, w = np.split(AHM_POINT.from_frame(camera, point), [3, 6])
     assert HMG_POINT.from_frame(camera, point) == pytest.approx(np.concatenate([m + w * anchor, w]), abs=1e-14)

@@ -24,7 +24,7 @@ from slamlib.slam.measurement_update import after_update, predict_measurements, 
 SWITCHES = {
     "selection": "by det(E) of the expectation alone, not by det(Z) with the noise (errata E57)",
     "at once": "a point is converted right after its own correction, not after all corrections of the sensor",
-    "index": "by the linearity index of the toolbox, not by that of chapter 11",
+    "index": "by the linearity index of the toolbox, not by that of chapter points",
     "reset": "a negative inverse distance becomes 0.001, and its covariance stays (no point is deleted for it)",
     "seven": "the pose is a vector of seven numbers, normalised with I / |q|, its Jacobians along |q| the toolbox's",
 }

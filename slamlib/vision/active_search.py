@@ -1,6 +1,6 @@
 """Active search: a front end that looks for landmarks where the filter expects them, and for new ones elsewhere.
 
-Each function is one step of section 6.1.3 of the toolbox's manual. Chapter 19 walks through them.
+Each function is one step of section 6.1.3 of the toolbox's manual. Chapter active_search walks through them.
 """
 
 from collections.abc import Callable, Iterator

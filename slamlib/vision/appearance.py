@@ -1,4 +1,4 @@
-"""What a landmark looks like: where it was seen, its surroundings there, and how that looks from elsewhere. Chapter 19.
+"""What a landmark looks like: where it was seen, its surroundings there, and how that looks from elsewhere. Chapter active_search.
 
 Steps 1f and 2e of active search. The patch is a small plane through the landmark that faces the camera which took it
 (Davison et al., 2007; Molton et al., 2004, estimate its normal): the better the less the view changes, whence a rule

@@ -1,4 +1,4 @@
-"""Where a patch can be found again: the structure tensor, and the best corner of a rectangle. Chapter 19.
+"""Where a patch can be found again: the structure tensor, and the best corner of a rectangle. Chapter active_search.
 
 A patch with gradients g (2,), seen again with noise, is matched with the covariance sigma^2 S^-1, S = sum of g g': the
 least squares' own. Its larger axis is sigma^2 over S's smaller eigenvalue, which is therefore the quality of a corner

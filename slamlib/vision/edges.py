@@ -1,4 +1,4 @@
-"""Straight edges of the world in an image: found, directed by their gradient, and laid to sub-pixels. Chapter 20.
+"""Straight edges of the world in an image: found, directed by their gradient, and laid to sub-pixels. Chapter monocular.
 
 A lens bends straight edges. So a strip is sampled where the edge would be without distortion, in ideal pixels, and the
 calibration bends the places back: in a strip, straight edges of the world are straight.

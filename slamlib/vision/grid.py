@@ -1,4 +1,4 @@
-"""A grid over the image, so that landmarks spread over it: where none is expected, a new one may begin. Chapter 19.
+"""A grid over the image, so that landmarks spread over it: where none is expected, a new one may begin. Chapter active_search.
 
 Steps 1a to 1c of active search, section 6.1.3 of the toolbox's manual; Davison (2003) asks for the same spread.
 """

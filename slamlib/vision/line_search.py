@@ -1,4 +1,4 @@
-"""Active search for straight edges: where the filter expects them, across; and new ones from a detector. Chapter 20.
+"""Active search for straight edges: where the filter expects them, across; and new ones from a detector. Chapter monocular.
 
 An edge looks the same wherever one goes along it, so that two numbers are sought: how far the two ends of the expected
 segment are to be moved across. Their covariance follows from that of the innovation, and the region is an ellipse in

@@ -1,4 +1,4 @@
-"""Small pieces of images, three ways to compare them (ZNCC, SSD, census), and the peak of scores. Chapter 19.
+"""Small pieces of images, three ways to compare them (ZNCC, SSD, census), and the peak of scores. Chapter active_search.
 
 The manual's pix2patch, zncc, ssd and census (section 6.1.2). All compare stacks of patches at once.
 """

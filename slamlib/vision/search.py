@@ -1,4 +1,4 @@
-"""Search for a template in the ellipse where the filter expects it: every pixel at once. Chapter 19, steps 2d to 2g.
+"""Search for a template in the ellipse where the filter expects it: every pixel at once. Chapter active_search, steps 2d to 2g.
 
 The manual scans the rectangle of +-3 sigma. The ellipse z' S^-1 z <= limit is what the filter would believe: where its
 two numbers have the correlation r, pi / 4 sqrt(1 - r^2) of the rectangle around it.

@@ -1,4 +1,4 @@
-"""A patch as it looks from elsewhere: by zoom and rotation, an affine map, or the homography of a plane. Chapter 19.
+"""A patch as it looks from elsewhere: by zoom and rotation, an affine map, or the homography of a plane. Chapter active_search.
 
 All maps are matrices (3, 3) that take an offset (u, v, 1) from the landmark's pixel in the new image to one from its
 pixel in the old image, where the patch was taken: so a template is filled pixel by pixel, whatever the zoom. A pose

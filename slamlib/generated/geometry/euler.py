@@ -3,10 +3,10 @@
 from slamlib.analytic import arctan2, cos, sin
 
 DIGESTS = {
-    "to_rotation": "176391b3f83229ae",
-    "to_quaternion": "d5f3a4b8c3c3d2cd",
-    "yaw_of": "3e981e1d1568893b",
-    "roll_pitch_of": "bbf6bea6c4545d82",
+    "to_rotation": "876e20d40b8c3efa",
+    "to_quaternion": "9ddff59805f63fe6",
+    "yaw_of": "a8236a7a584c2085",
+    "roll_pitch_of": "bed936e771890f84",
 }
 SHAPES = {
     "to_rotation": (3, 3),

@@ -3,14 +3,14 @@
 from slamlib.analytic import sqrt
 
 DIGESTS = {
-    "join": "fd4fd2033610faf5",
-    "meet": "63b7c68c8075d140",
-    "from_frame": "729eb8d4f1254579",
-    "to_frame": "7c1e848af17f4177",
+    "join": "18178fa3b41c16fe",
+    "meet": "d0a32eed23d618dd",
+    "from_frame": "9487bd3551931e01",
+    "to_frame": "e76f7f6b3c5a639e",
     "point_at": "262eae0dfe8cbea5",
     "crossing": "7b956690ca73acbe",
     "constrain": "e175be6f65dddf73",
-    "from_rays": "ae81c12f24e25e6e",
+    "from_rays": "b44201fd8ed566c6",
 }
 SHAPES = {
     "join": (6,),

@@ -1,11 +1,11 @@
 """Generated from slamlib/geometry/pose.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "from_frame": "42506ca9076aa673",
-    "to_frame": "24fc2cebaf7669e6",
-    "compose": "9ac940cd7dac52c6",
-    "inverse": "f59a4f4e8764d398",
-    "relative": "fb294965ca657570",
+    "from_frame": "fa679e55b1d53d11",
+    "to_frame": "348283312425ec46",
+    "compose": "a7ee097ecefe0165",
+    "inverse": "948777c8488afb45",
+    "relative": "49fbbc8f0a1f95a7",
 }
 SHAPES = {
     "from_frame": (3,),

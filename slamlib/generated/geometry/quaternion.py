@@ -3,17 +3,17 @@
 from slamlib.analytic import arctan_ratio, arctan_ratio_slope, sqrt, stumpff
 
 DIGESTS = {
-    "left_matrix": "dd3f666aaa06f22b",
-    "right_matrix": "2aec087a6a78dab8",
-    "pi_matrix": "e2f505da4bf9a9e0",
-    "product": "ea0fec02de8acaca",
-    "conjugate": "89e039bf6012dee4",
-    "exponential": "732620e913df7791",
+    "left_matrix": "554befca3f2248be",
+    "right_matrix": "fdb7c26a36094267",
+    "pi_matrix": "036d8b6ecdf2f6cd",
+    "product": "ed70c0da46b4008f",
+    "conjugate": "83693432e1966666",
+    "exponential": "58692098a3553fb8",
     "logarithm": "4b348faab3823bff",
-    "plus": "dd4feaf308499935",
-    "minus": "641ede26348279b8",
-    "rotation": "592d683ef3963858",
-    "from_rotation": "49ee384aa2ebcb08",
+    "plus": "94f4b32ea1ea1887",
+    "minus": "326174188a8d2456",
+    "rotation": "3ec9dcc679a9703b",
+    "from_rotation": "c2aba9bb4e9698c7",
 }
 SHAPES = {
     "left_matrix": (4, 4),

@@ -1,9 +1,9 @@
 """Generated from slamlib/landmarks/ahm_line.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "to_frame": "613555bdc6798a35",
-    "from_frame": "8b01dc09f5a1b352",
-    "point_at": "5053ef8f96fd50b8",
+    "to_frame": "88c09813e2d2e694",
+    "from_frame": "5aec9ed4a16974d0",
+    "point_at": "6e20d29c243ab5f9",
 }
 SHAPES = {
     "to_frame": (6,),

@@ -1,9 +1,9 @@
 """Generated from slamlib/landmarks/ahm_point.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "to_frame": "a98cbee92992b5e1",
-    "from_frame": "94e740555af27738",
-    "to_point": "b84ae92567922cd4",
+    "to_frame": "741fc3807c1feb9d",
+    "from_frame": "6149b4f612bf1d10",
+    "to_point": "bf6bf3a651799e17",
 }
 SHAPES = {
     "to_frame": (4,),

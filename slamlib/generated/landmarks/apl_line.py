@@ -3,8 +3,8 @@
 from slamlib.analytic import sqrt
 
 DIGESTS = {
-    "to_frame": "c76708fa8cf96e27",
-    "from_frame": "0320859a86505da6",
+    "to_frame": "d7b18a0e60914438",
+    "from_frame": "779708f490b0814a",
     "point_at": "b0d09f33d1ee7242",
     "constrain": "c8e9e66eb698a58e",
 }

@@ -1,9 +1,9 @@
 """Generated from slamlib/landmarks/euc_point.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "to_frame": "f38ff6118a6be19c",
-    "from_frame": "de367241f493e194",
-    "to_point": "b48bee403e1c286b",
+    "to_frame": "4ad3d9af87f2deaf",
+    "from_frame": "acf5a10c75c260a2",
+    "to_point": "53872251799d31d7",
 }
 SHAPES = {
     "to_frame": (4,),

@@ -1,9 +1,9 @@
 """Generated from slamlib/landmarks/fhm_point.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "to_frame": "3368722d80eae221",
-    "from_frame": "980c3cc2c57a04db",
-    "to_point": "4fdbf49b64004d66",
+    "to_frame": "782416ad79918f2c",
+    "from_frame": "7c7dbef40843e811",
+    "to_point": "9fb9984e45f11062",
 }
 SHAPES = {
     "to_frame": (4,),

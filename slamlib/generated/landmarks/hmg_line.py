@@ -1,9 +1,9 @@
 """Generated from slamlib/landmarks/hmg_line.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "to_frame": "14d0acf083dedb60",
-    "from_frame": "0c88b2efc33d9f42",
-    "point_at": "7d592894a96b4884",
+    "to_frame": "3c3aa1c7aee257db",
+    "from_frame": "cea7c1ab52297987",
+    "point_at": "d8f46d993153b189",
 }
 SHAPES = {
     "to_frame": (6,),

@@ -1,9 +1,9 @@
 """Generated from slamlib/landmarks/hmg_point.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "to_frame": "b657c4fec3297fa3",
-    "from_frame": "3c70e54c3a0c6e76",
-    "to_point": "694baf9665c44e8d",
+    "to_frame": "5be1d9466ff78e93",
+    "from_frame": "756291dd818a8c7b",
+    "to_point": "3d66c206a832c689",
 }
 SHAPES = {
     "to_frame": (4,),

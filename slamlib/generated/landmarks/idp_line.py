@@ -3,9 +3,9 @@
 from slamlib.analytic import arctan2, cos, sin, sqrt
 
 DIGESTS = {
-    "to_frame": "02e1f358b8e57b91",
-    "from_frame": "ea7f7457e565b867",
-    "point_at": "5d62be3144732a2d",
+    "to_frame": "5d08f475e049b1a9",
+    "from_frame": "6d6af14bc13a2efe",
+    "point_at": "1326a1b19df348d2",
 }
 SHAPES = {
     "to_frame": (6,),

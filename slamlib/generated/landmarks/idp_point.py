@@ -3,11 +3,11 @@
 from slamlib.analytic import arctan2, cos, sin, sqrt
 
 DIGESTS = {
-    "direction": "e6c75b77c4a0c4f4",
-    "angles_of": "ebf5ffef4876e667",
-    "to_frame": "23b7a86e8136bfea",
-    "from_frame": "25681d8610b6b5ad",
-    "to_point": "45fb3fad630d61ff",
+    "direction": "27902cccb3ab3131",
+    "angles_of": "3bcc1e79b05da071",
+    "to_frame": "b3ff469996081f2f",
+    "from_frame": "647e6091d545ef1e",
+    "to_point": "4df44fdd51af9081",
 }
 SHAPES = {
     "direction": (3,),

@@ -4,9 +4,9 @@ from slamlib.analytic import arctan2, sqrt
 
 DIGESTS = {
     "image_line": "ffd938729e5c0434",
-    "distances": "9f82543dbf88e73f",
+    "distances": "bedaf25216dea759",
     "rho_theta": "95c268f965166494",
-    "angles": "86d383d6177b58cf",
+    "angles": "6c025f5b8d757613",
 }
 SHAPES = {
     "image_line": (3,),

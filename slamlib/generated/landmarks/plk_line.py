@@ -3,8 +3,8 @@
 from slamlib.analytic import sqrt
 
 DIGESTS = {
-    "to_frame": "782f58126cdf9468",
-    "from_frame": "c71a4fb8fbf01fbe",
+    "to_frame": "d06d2fca83024858",
+    "from_frame": "42de520bf287b9d2",
     "point_at": "ac9ac0ca3878e409",
     "constrain": "7b8f610109c4d2b7",
 }

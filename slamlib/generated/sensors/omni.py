@@ -3,11 +3,11 @@
 from slamlib.analytic import arctan_ratio, arctan_ratio_slope, sqrt, stumpff
 
 DIGESTS = {
-    "angles": "427f97239d708025",
-    "image": "92f68b8a858e3a20",
-    "pixel": "1f2ff5b8bc1730d8",
-    "project": "1635b3dedb679c6a",
-    "ray": "f828436f8602591d",
+    "angles": "c8bf6a4c1a588b65",
+    "image": "1403d5e85a7f5276",
+    "pixel": "1cf58c980051caaf",
+    "project": "79465ccd7f848273",
+    "ray": "71a15cf92d61258c",
 }
 SHAPES = {
     "angles": (2,),

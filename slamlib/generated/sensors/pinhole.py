@@ -3,11 +3,11 @@
 from slamlib.analytic import sqrt
 
 DIGESTS = {
-    "distort": "e74fd5663b20a152",
-    "pixel": "be396336d560f3c3",
-    "project": "1b212bff7cd5f72c",
-    "ray": "1208cdf6eb284281",
-    "project_line": "ccec8efde220f3c3",
+    "distort": "bc6d463086eb69cb",
+    "pixel": "e11b8757ab508394",
+    "project": "f81e72057ba40fed",
+    "ray": "afd8574437e322bb",
+    "project_line": "38e94329c623c4d6",
 }
 SHAPES = {
     "distort": (2,),

@@ -3,8 +3,8 @@
 from slamlib.analytic import arctan2, cos, sin, sqrt
 
 DIGESTS = {
-    "project": "6b16f36684db0b4a",
-    "back_project": "4945db1ddede9d9e",
+    "project": "0a8a4be57a5fb4d4",
+    "back_project": "7ce01b5ab977d2b2",
 }
 SHAPES = {
     "project": (3,),

@@ -3,8 +3,8 @@
 from slamlib.analytic import sqrt
 
 DIGESTS = {
-    "project": "fdd43b3d8ce3c9de",
-    "back_project": "26cb1cbe3f0599c0",
+    "project": "65fa4db8b578433b",
+    "back_project": "fab523c8bbb8ac8a",
 }
 SHAPES = {
     "project": (3,),

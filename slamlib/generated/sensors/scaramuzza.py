@@ -3,8 +3,8 @@
 from slamlib.analytic import arctan2, sqrt
 
 DIGESTS = {
-    "project": "863f0ea29b54ec00",
-    "back_project": "c115cf5343e72e45",
+    "project": "33a8a8a1e2f2f9c6",
+    "back_project": "125dc23bf4347ea2",
 }
 SHAPES = {
     "project": (2,),

@@ -3,8 +3,8 @@
 from slamlib.analytic import sqrt
 
 DIGESTS = {
-    "project": "eee9c2e0f7b8c6ae",
-    "back_project": "a6574956194dc730",
+    "project": "bdc487b12ab0ca78",
+    "back_project": "9d402452b52bb568",
 }
 SHAPES = {
     "project": (3,),

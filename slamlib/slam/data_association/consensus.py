@@ -1,4 +1,4 @@
-"""Which of the matches of one frame are believed together, before the gate judges each by itself. Chapter 19.
+"""Which of the matches of one frame are believed together, before the gate judges each by itself. Chapter active_search.
 
 A consensus yields groups of looks, one after another: the filter corrects by a group before it asks for the next one,
 so that a later group is chosen in the light of the earlier correction. What it does not yield is refused: no inlier, as
@@ -97,8 +97,7 @@ def _largest_support(sensor: MountedSensor, predictions: Predictions, found: Joi
     agree |= np.eye(len(predictions), dtype=bool)
     agree &= candidates & candidates[:, None]
     misfit = np.where(agree, squares, 0).sum(1)
-    best: Mask = agree[np.lexsort((misfit, -agree.sum(1)))[0]]
-    return best
+    return agree[np.lexsort((misfit, -agree.sum(1)))[0]]
 
 
 def _rescue_high_innovation(

@@ -1,4 +1,4 @@
-"""Which landmarks to look at, and which measurements to believe. Chapter 16.
+"""Which landmarks to look at, and which measurements to believe. Chapter ekf_slam.
 
 A landmark's row of `columns` holds the rows of the joint covariance that its measurement depends on: the robot's pose,
 the mount if it is estimated, the landmark.
@@ -17,15 +17,13 @@ from slamlib.manifolds import Array, Indices
 def innovation_covariances(covariance: Array, columns: Indices, H: Array, R: Array) -> Array:
     """S = H P H' + R (n, d, d) of n measurements, one by one; covariance (s, s), columns (n, k), H (n, d, k)."""
     half = H @ linalg.principal_blocks(covariance, columns) @ H.swapaxes(-1, -2) / 2
-    S: Array = half + half.swapaxes(-1, -2) + R
-    return S
+    return half + half.swapaxes(-1, -2) + R
 
 
 def mahalanobis_squared(z: Array, S: Array) -> Array:
     """z' S^-1 z (n,) of innovations (n, d) with covariances (n, d, d); of 2 x 2, most pixels', by their factors."""
     if S.shape[1:] != (2, 2):
-        squared: Array = (z * np.linalg.solve(S, z[..., None])[..., 0]).sum(-1)
-        return squared
+        return (z * np.linalg.solve(S, z[..., None])[..., 0]).sum(-1)
     a, b, c = S[:, 0, 0], S[:, 0, 1], S[:, 1, 1]
     x, y, ratio = z[:, 0], z[:, 1], b / a
     return x * x / a + (y - ratio * x) ** 2 / (c - ratio * b)

@@ -1,4 +1,4 @@
-"""The largest set of innovations that fit together: joint compatibility, by branch and bound. Chapter 19.
+"""The largest set of innovations that fit together: joint compatibility, by branch and bound. Chapter active_search.
 
 Neira and Tardos (2001) let a tree decide, one innovation after another, what it is paired with. Where each innovation
 has one pairing at most, the only choice is "in" or "out", and few are out: so the tree here begins with all of them and

@@ -1,4 +1,4 @@
-"""The innovations of one frame as one vector, with the covariance that binds them together. Chapter 19."""
+"""The innovations of one frame as one vector, with the covariance that binds them together. Chapter active_search."""
 
 from collections import defaultdict
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 19."""
+"""Wrong solutions of chapter active_search."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 5."""
+"""Wrong solutions of chapter consistency."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 10."""
+"""Wrong solutions of chapter depth_stereo_range."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 16."""
+"""Wrong solutions of chapter ekf_slam."""
 
 import numpy as np
 

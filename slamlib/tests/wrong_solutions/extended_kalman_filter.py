@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 3."""
+"""Wrong solutions of chapter extended_kalman_filter."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 1."""
+"""Wrong solutions of chapter gaussians."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 15."""
+"""Wrong solutions of chapter initialization."""
 
 import numpy as np
 

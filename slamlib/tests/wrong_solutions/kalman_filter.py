@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 2."""
+"""Wrong solutions of chapter kalman_filter."""
 
 import numpy as np
 

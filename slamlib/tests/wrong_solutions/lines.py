@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 12."""
+"""Wrong solutions of chapter lines."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 18."""
+"""Wrong solutions of chapter many."""
 
 import numpy as np
 

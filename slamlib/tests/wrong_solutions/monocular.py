@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 20."""
+"""Wrong solutions of chapter monocular."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 11."""
+"""Wrong solutions of chapter points."""
 
 import numpy as np
 

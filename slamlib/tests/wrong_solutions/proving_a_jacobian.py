@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 4."""
+"""Wrong solutions of chapter proving_a_jacobian."""
 
 import numpy as np
 

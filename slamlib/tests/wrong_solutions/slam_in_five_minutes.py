@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 0."""
+"""Wrong solutions of chapter slam_in_five_minutes."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 22."""
+"""Wrong solutions of chapter stereo_ekf_slam."""
 
 import numpy as np
 

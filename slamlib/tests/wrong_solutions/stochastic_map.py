@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 14."""
+"""Wrong solutions of chapter stochastic_map."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 17."""
+"""Wrong solutions of chapter toolbox_tour."""
 
 import numpy as np
 

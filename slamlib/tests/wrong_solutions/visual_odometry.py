@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 21."""
+"""Wrong solutions of chapter visual_odometry."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Wrong solutions of chapter 13."""
+"""Wrong solutions of chapter your_own_model."""
 
 import numpy as np
 
@@ -75,7 +75,7 @@ def from_frame_inverse(pose, point):
 
 @model(pose=Pose, landmark=7)
 def to_frame_inverse(pose, landmark):
-    """The anchored homogeneous point of chapter 11."""
+    """The anchored homogeneous point of chapter points."""
     offset = landmark[3:6] + landmark[6] * (landmark[:3] - pose[:3])
     return np.array([*(rotation(pose[3:]).T @ offset), landmark[6]])
 

@@ -2,7 +2,7 @@
 
 A pair is one array (2, h, w): the left picture, then the right one, of type uint8. Both are rectified: a point of the
 world lies in the same row of both, and the disparity d = u_left - u_right is focal length times baseline by depth. What
-is measured is (u, v, d) [px] of the left picture, as slamlib.sensors.stereo defines it. Chapter 21.
+is measured is (u, v, d) [px] of the left picture, as slamlib.sensors.stereo defines it. Chapter visual_odometry.
 """
 
 from slamlib.datasets.pictures import pair

@@ -1,4 +1,4 @@
-"""Corners spread over a picture, with binary descriptors. Chapter 21.
+"""Corners spread over a picture, with binary descriptors. Chapter visual_odometry.
 
 The descriptor is ORB's pattern of 256 comparisons, upright and of one scale: BRIEF (Calonder and others, 2010) with the
 pairs that ORB (Rublee and others, 2011) chose. The two cameras of a rig do not turn or zoom against each other, so that

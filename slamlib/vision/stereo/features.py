@@ -1,4 +1,4 @@
-"""What two eyes see: features matched in both directions along rows, each with its disparity, and followed. Chapter 21.
+"""What two eyes see: features matched in both directions along rows, each with its disparity, and followed. Chapter visual_odometry.
 
 And whether two pictures are a rectified pair, the left one first: asked of the pictures themselves.
 """

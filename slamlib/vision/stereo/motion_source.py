@@ -1,4 +1,4 @@
-"""Where the prediction of a stereo filter comes from, without using a measurement twice (E21). Chapter 22.
+"""Where the prediction of a stereo filter comes from, without using a measurement twice (E21). Chapter stereo_ekf_slam.
 
 "constant-velocity": the robot keeps its velocities, and all features correct. "split-features": those in one half of
 the picture give the control, those in the other one correct. "correlated": all features do both, and their

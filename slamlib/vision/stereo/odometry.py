@@ -1,4 +1,4 @@
-"""Motion between two pairs: the control of slamlib.motions.ODOMETRY, with its covariance. Chapter 21."""
+"""Motion between two pairs: the control of slamlib.motions.ODOMETRY, with its covariance. Chapter visual_odometry."""
 
 from dataclasses import dataclass
 from typing import Any
