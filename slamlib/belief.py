@@ -1,11 +1,12 @@
-"""A Gaussian belief over blocks: each block has a mean in its own space, all share one dense covariance.
+"""A Gaussian belief over blocks: each block has a mean on its own manifold, all share one dense covariance.
 
 The covariance is over tangent vectors, so a pose takes six rows and the matrix is never singular by construction. Every
-change is checked first and made whole or not at all. The same few functions serve a linear Kalman filter, an extended
-one, and SLAM. Derived in chapters kalman_filter and extended_kalman_filter (predict, correct) and 14 (blocks; add, replace, remove; what each costs).
+change is checked first and made completely or not at all. The same few functions serve a linear Kalman filter, an
+extended one, and SLAM. Derived in chapters kalman_filter and extended_kalman_filter (predict, update) and
+stochastic_map (blocks: add, replace, remove; what each costs).
 
 The matrix has exactly the size of the state: adding, replacing and removing blocks build it anew. That costs an eighth
-of one correction; and what every correction touches is contiguous, a third quicker than a view of a larger array.
+of one update; and what every update touches is contiguous, a third quicker than a view of a larger array.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -27,7 +28,7 @@ __all__ = ["Belief", "BeliefSnapshot", "Block", "LinearizedMeasurement", "Update
 class Belief:
     """Means of blocks and their joint covariance.
 
-    retraction: how a step moves all means at once; None: each block by its own plus. It may be assigned at any time.
+    retraction: how a step moves all means together; None: each block by its own plus. It may be assigned at any time.
     """
 
     def __init__(self, retraction: Retraction | None = None) -> None:
@@ -52,27 +53,27 @@ class Belief:
         return view
 
     def covariance(self, a: Block, b: Block | None = None) -> Array:
-        """Covariance of one block (dof, dof), or between two, as a copy."""
+        """Covariance (dof, dof) of one block, or cross-covariance of two, as a copy."""
         b = a if b is None else b
         self._own([a, b])
         return self._P[a.slice, b.slice].copy()
 
     def snapshot(self) -> BeliefSnapshot:
-        """Means and covariance as they are now."""
+        """A copy of the present means and covariance."""
         blocks = self.blocks
         means, slices = tuple(b.mean for b in blocks), tuple(b.slice for b in blocks)
         return BeliefSnapshot(means, slices, read_only_copy(self._P), tuple(b.manifold for b in blocks), blocks, self)
 
     def restore(self, snapshot: BeliefSnapshot) -> None:
-        """Be again as at the snapshot: blocks removed since then are back, blocks added since then are gone."""
+        """Return to a snapshot: blocks removed since then are back, blocks added since then are gone."""
         if snapshot.belief is not self:
             raise SlamlibError("restore: the snapshot was taken from another belief, whose blocks are not of this one")
         self._set(snapshot.blocks, snapshot.covariance.copy(), zip(snapshot.manifolds, snapshot.means, strict=True))
 
     def overwrite(self, blocks: Mapping[int, Block], means: Mapping[int, Array], covariance: Array) -> None:
-        """Take over means and covariance as they were saved, bit for bit; blocks by their place among the rows.
+        """Set means and covariance to saved values, bit for bit; blocks by their index among the rows.
 
-        Raises SlamlibError unless the blocks are those of this belief, and all of them; ShapeError, NonFiniteError.
+        Raises ShapeError, NonFiniteError; SlamlibError unless the blocks are exactly those of this belief.
         """
         if sorted(map(id, blocks.values())) != sorted(map(id, self._blocks)) or sorted(blocks) != sorted(means):
             raise SlamlibError("overwrite: give every block of the belief once, with its mean")
@@ -91,11 +92,11 @@ class Belief:
         given: Sequence[Block] = (),
         jacobians: Sequence[ArrayLike] = (),
     ) -> Block:
-        """A new block, independent, or a function of the blocks `given` plus noise of this covariance (dof, dof).
+        """Add a block: independent, or a function of the blocks `given` plus noise of this covariance (dof, dof).
 
-        jacobians: of the new block by each given block, (dof, dof of the given block). The new rows are then
+        jacobians: of the new block w.r.t. each given block, (dof, dof of the given block). The new rows are then
         sum G_i P_i and the new corner sum G_i P_ij G_j' + covariance (Report eq. 5.34-5.35, corrected: errata E18).
-        Raises ShapeError, NonFiniteError, CovarianceError; UnitError where the mean is no point of the space.
+        Raises ShapeError, NonFiniteError, CovarianceError; UnitError where the mean is no point of the manifold.
         """
         manifold = as_manifold(manifold)
         mean = checked_mean(manifold, mean, "add")
@@ -114,14 +115,14 @@ class Belief:
         return block
 
     def remove(self, block: Block) -> None:
-        """Forget a block: its rows and columns go, which is exactly the marginal of the rest. Its handle is void."""
+        """Delete a block: its rows and columns go, exactly the marginal of the others remains. Its handle is void."""
         self._own([block])
         P = linalg.replace_rows(self._P, block.slice, np.zeros((0, self.size)), np.zeros((0, 0)))
         self._set([b for b in self._blocks if b is not block], P)
 
     @linalg.quiet_floats
     def replace(self, block: Block, manifold: int | Manifold, mean: Array, jacobian: Array) -> Block:
-        """Another parametrization of a block: its rows become J P, J (new dof, old dof). Every handle stays valid."""
+        """Change a block's parametrization: its rows become J P, J (new dof, old dof). Every handle stays valid."""
         manifold = as_manifold(manifold)
         mean = checked_mean(manifold, mean, "replace")
         self._own([block])
@@ -136,9 +137,9 @@ class Belief:
 
     @linalg.quiet_floats
     def predict(self, block: Block, mean: ArrayLike, F: ArrayLike, Q: ArrayLike) -> None:
-        """Move a block: its mean becomes `mean`, its rows F P, its corner F P F' + Q (Report eq. 5.23 with E10).
+        """Predict a block: its mean becomes `mean`, its rows F P, its corner F P F' + Q (Report eq. 5.23 with E10).
 
-        mean (size of the space,), F (dof, dof) at the mean before the motion (E02), Q (dof, dof) semi-definite.
+        mean (size of the manifold,), F (dof, dof) at the mean before the motion (E02), Q (dof, dof) semi-definite.
         """
         self._own([block])
         mean, n = checked_mean(block.manifold, mean, "predict"), block.dof
@@ -153,7 +154,7 @@ class Belief:
 
     @linalg.quiet_floats
     def innovation_covariance(self, blocks: Sequence[Block], jacobians: Sequence[Array], R: Array) -> Array:
-        """H P H' + R, (m, m), for the blocks that a measurement depends on: what a gate needs before correcting."""
+        """S = H P H' + R, (m, m), for the blocks that a measurement depends on: what a gate needs before the update."""
         rows = np.shape(jacobians[0])[:1] if len(jacobians) else ()
         measurement = LinearizedMeasurement(blocks, jacobians, np.zeros(rows or 1), R)
         stacked = StackedMeasurements.of([measurement], "innovation_covariance", self._own)
@@ -164,22 +165,24 @@ class Belief:
     def update(
         self, blocks: Sequence[Block], jacobians: Sequence[Array], innovation: Array, R: Array, *, method: str = "batch"
     ) -> UpdateResult:
-        """Correct all blocks by one measurement: innovation z = y - e (m,), Jacobians of e, noise R (m, m)."""
+        """Update all blocks by one measurement: innovation z = y - e (m,), Jacobians of e, noise R (m, m)."""
         return self.update_all([LinearizedMeasurement(blocks, jacobians, innovation, R)], method=method)
 
     @linalg.quiet_floats
     def update_all(self, measurements: Sequence[LinearizedMeasurement], *, method: str = "batch") -> UpdateResult:
-        """Correct all blocks by several measurements at once; Jacobians and innovations at the present means.
+        """Update all blocks by several measurements in one batch; Jacobians and innovations at the present means.
 
-        method: "batch" (one factorization), or "scalar": whitened by R and then one number after another, with the
-        innovation running along (errata E16, E17). Both give the same result but for rounding; "scalar" needs R > 0,
-        "batch" takes a semi-definite R (a number without noise) as long as H P H' + R is positive definite. One
-        landmark after another is a loop over `update`, with Jacobians and innovations anew at the running means.
+        method: "batch" (one factorization), or "scalar": whitened by R and then one number after another, the
+        innovation updated along with the state (errata E16, E17). Both give the same result but for rounding; "scalar"
+        needs R > 0, "batch" takes a semi-definite R (a number without noise) as long as H P H' + R is positive
+        definite. One landmark after another is a loop over `update`, with Jacobians and innovations anew at the current
+        means.
 
-        The covariance stays that of the tangent space before the correction. Re-centring it would multiply a rotation's
-        rows by G = I - [dtheta/2]x (Sola 2017, section 6.3), a change of P of at most the correction's angle, relative
-        to P: of the same order as taking H at the corrected mean, which this first-order filter leaves out too. Where
-        a correction turns far, apply it: belief.predict(block, block.mean, G, np.zeros_like(G)).
+        The covariance stays that of the tangent space before the update. Re-centring it would multiply a rotation's
+        rows by G = I - [dtheta/2]x (Sola 2017, section 6.3), a change of P of at most the update's angle, relative to
+        P: of the same order as taking H at the updated mean, which this first-order filter leaves out too. Where an
+        update turns
+        far, apply it: belief.predict(block, block.mean, G, np.zeros_like(G)).
 
         Rounding in P - W'W is 1e-16 of the variance *before*: a prior 1e16 times the posterior's variance leaves no
         digit. Raises ShapeError, NonFiniteError, CovarianceError; then nothing is changed.
@@ -191,16 +194,16 @@ class Belief:
         S = stacked.innovation_covariance(HP)
         step, rows, nis = stacked.solve(method, HP, S)
         flat, points = self._layout.retract(step, self.retraction)
-        linalg.finite(flat, flat.shape, "update", "the corrected means")
+        linalg.finite(flat, flat.shape, "update", "the updated means")
         for block, mean in zip(self._layout.points, points, strict=True):
-            linalg.finite(mean, (block.manifold.size,), "update", f"the corrected mean of {block!r}")
+            linalg.finite(mean, (block.manifold.size,), "update", f"the updated mean of {block!r}")
         linalg.subtract_square(self._P, rows)
         self._layout.assign(flat, points)
         return UpdateResult(stacked.z, S, nis)
 
     @linalg.quiet_floats
     def update_rows(self, columns: Indices, H: Array, innovation: Array, R: Array) -> UpdateResult:
-        """As `update`, for a Jacobian H (m, k) by the rows `columns` (k,) of the covariance: no block is looked up.
+        """As `update`, for a Jacobian H (m, k) w.r.t. the rows `columns` (k,) of the covariance: no block is looked up.
 
         The rows are those of `block.slice`; none may appear twice.
         """
@@ -212,10 +215,11 @@ class Belief:
 
     @contextmanager
     def sequential_update(self) -> Iterator[SequentialUpdate]:
-        """Corrections one after another, each at the means that those before it left.
+        """Updates one after another, each at the means that the one before left.
 
-        with belief.series() as series: series.correct(...), as often as wanted. Means follow at once; the covariance at
-        the end, also where an error ends it. Until then nothing else may be done with the belief.
+        with belief.sequential_update() as sequence: sequence.update(...), any number of times. Means follow
+        immediately, the covariance at the end, also where an error ends it. Until then nothing else may be done with
+        the belief.
         """
         sequence = SequentialUpdate(self._P, self._layout, self.retraction)
         try:
@@ -232,7 +236,7 @@ class Belief:
                 raise SlamlibError(f"{block!r} is no block of this belief (was it removed?)")
 
     def _set(self, blocks: Sequence[Block], P: Array, points: Iterable[tuple[Manifold, Array]] = ()) -> None:
-        """Take over blocks, in this order, and their covariance; points: where they are, if they are elsewhere now."""
+        """Set blocks, in this order, and their covariance; points: their new means, where these change too."""
         for block, point in zip(blocks, points, strict=False):
             block.set_mean(*point)
         self._blocks, self._P = dict.fromkeys(blocks), P

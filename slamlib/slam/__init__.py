@@ -1,4 +1,4 @@
-"""The whole filter: options, entities, what points and lines have of their own, and the step from frame to frame."""
+"""The complete EKF-SLAM filter: options, entities, data association, measurement update and map management."""
 
 from slamlib.slam.filter import Report, Slam
 from slamlib.slam.options import Options

@@ -1,7 +1,7 @@
-"""A filter in one file, whole or not at all: what is loaded goes on exactly as what was saved would have.
+"""Save a filter to one file, atomically, and load it: the loaded filter continues bit for bit like the saved one.
 
 The file is a ZIP of NumPy arrays (np.load reads it): `header`, the text of a JSON object; `P`, the joint covariance;
-`means`, all blocks' means one after another; `abscissas`, the two ends of each line (nan for points).
+`means`, all blocks' means one after another; `abscissas`, the two endpoints of each line (nan for points).
 """
 
 import os
@@ -16,11 +16,11 @@ from slamlib.slam.entities import Landmark
 from slamlib.slam.options import Options
 
 FORMAT, VERSION = "slamlib filter", 2
-HISTORY = ("id", "first_seen", "searched", "matched", "inliers", "sensor", "last_seen")  # of a landmark, as it is kept
+HISTORY = ("id", "first_seen", "searched", "matched", "inliers", "sensor", "last_seen")  # saved fields of a landmark
 
 
 def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
-    """Write the filter to a file; extra: plain data of the caller, which `load` gives back."""
+    """Write the filter to a file; extra: the caller's own plain data, which `load` returns."""
     landmarks = slam.landmarks
     order = {id(block): i for i, block in enumerate(slam.belief.blocks)}
     header = {
@@ -54,12 +54,12 @@ def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
 
 
 def read(path: str | os.PathLike[str]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """The header and the arrays of a file. Raises SlamlibError for a file that is none, or not whole."""
+    """Return the header and the arrays of a file. Raises SlamlibError for any other file, or an incomplete one."""
     return read_archive(path, FORMAT, VERSION, "files of before rows had names cannot be read; run it anew and save it")
 
 
 def load(path: str | os.PathLike[str], front_ends: Any, make: Any) -> tuple[Any, dict[str, Any]]:
-    """The filter of a file, made by make(rig, options, front_ends=...), and the caller's extra data."""
+    """Return the filter of a file, made by make(rig, options, front_ends=...), and the caller's extra data."""
     header, arrays = read(path)
     slam = make(Rig.from_dict(header["rig"]), Options.from_dict(header["options"]), front_ends=front_ends)
     stops = np.cumsum(header["sizes"])

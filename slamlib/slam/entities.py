@@ -1,4 +1,4 @@
-"""Robots, sensors and landmarks as the filter holds them: handles to blocks of the belief, and what is kept beside."""
+"""Robots, sensors and landmarks of the filter: handles to blocks of the belief, and the data kept with them."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -15,25 +15,25 @@ POSE = 6  # degrees of freedom of a pose, the first of every robot's state
 
 
 class Linearization:
-    """The point of linearization of each block: at which mean Jacobians by it are taken. Here at the present mean.
+    """The linearization point of each block, at which Jacobians with respect to it are taken. Here: the present mean.
 
-    The innovation is always computed at the present means. An ordinary EKF takes its Jacobians there too, and so they
-    are taken at ever other estimates. What learns nothing that cannot be learned, such as an EKF with first-estimates
-    Jacobians (Huang, Mourikis and Roumeliotis 2008), takes those of one block always at one point: it is a subclass,
-    and is assigned to `Slam.linearization`.
+    The innovation is always computed at the present means. An ordinary EKF takes its Jacobians there too, at an ever
+    changing estimate, and so gains spurious information. An EKF with first-estimates Jacobians (Huang, Mourikis
+    and Roumeliotis 2008) takes those of one block always at one point: a subclass of this class, assigned to
+    `Slam.linearization`.
     """
 
     def at(self, block: Block) -> Array:
-        """The mean (size,) of a block at which Jacobians by it are taken."""
+        """The linearization point of a block: a mean (size,)."""
         return block.mean
 
     def predicted(self, block: Block) -> None:
-        """A robot's block has been moved by its motion; later Jacobians may be taken where it is now."""
+        """Called after the motion has moved a robot's block; a subclass may choose the new linearization point here."""
 
 
 @dataclass(eq=False)
 class Robot:
-    """A robot in the map; its state begins with its pose. noise: of a step without a control."""
+    """A robot in the map; its state starts with its pose. noise: covariance of the process noise without a control."""
 
     name: str
     motion: Motion
@@ -48,9 +48,9 @@ class Robot:
 
 @dataclass(eq=False)
 class MountedSensor:
-    """A sensor on a robot: its mount is given, or a block of the map that is estimated.
+    """A sensor on a robot; its extrinsics are given, or a block of the map that is estimated.
 
-    linearization: where Jacobians of its measurements are taken; None: at the present means.
+    linearization: the linearization points of its measurements; None: the present means.
     """
 
     name: str
@@ -62,33 +62,33 @@ class MountedSensor:
 
     @property
     def extrinsics(self) -> Array:
-        """Pose (7,) in the robot's frame."""
+        """Pose (7,) of the sensor in the robot's frame."""
         return self.given if self.block is None else self.block.mean
 
     @property
     def camera(self) -> Array:
-        """Pose (7,) in the world, as it is estimated now."""
+        """Estimated pose (7,) of the sensor in the world."""
         return compose(self.robot.pose, self.extrinsics)
 
     @property
     def columns(self) -> Indices:
-        """Rows of the joint covariance of the robot's pose, and of the mount if it is estimated."""
+        """Rows of the joint covariance of the robot's pose, and of the extrinsics if they are estimated."""
         starts = [self.robot.block.start] + ([] if self.block is None else [self.block.start])
         return (np.array(starts)[:, None] + np.arange(POSE)).ravel()
 
     @property
     def blocks(self) -> list[Block]:
-        """The blocks of the map that it depends on."""
+        """The blocks of the map on which its measurements depend: robot, and extrinsics if they are estimated."""
         return [self.robot.block] + ([] if self.block is None else [self.block])
 
 
 @dataclass(eq=False)
 class Landmark:
-    """A landmark in the map: its parametrization, its block, its history; of a line the abscissas of its two ends.
+    """A landmark in the map: its parametrization, block and history; for a line, the abscissas of its two endpoints.
 
-    searched, matched, inliers: how often it was looked for, found, and believed. sensor: the number of the one that
-    began it; signature: what that one's front end keeps of its looks. last_seen: the frame in which it was believed
-    last, first_seen: the one in which it was begun.
+    searched, matched, inliers: how often it was searched for, matched, and accepted as an inlier. sensor: index of the
+    sensor that initialized it; signature: what that sensor's front end keeps of it. first_seen: the frame in
+    which it was initialized; last_seen: the frame of its last inlier.
     """
 
     id: int

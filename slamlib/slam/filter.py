@@ -1,4 +1,4 @@
-"""EKF-SLAM: robots, sensors and landmarks in one joint Gaussian, corrected by frames. Chapter ekf_slam reads it."""
+"""EKF-SLAM: robots, sensors and landmarks in one joint Gaussian, updated frame by frame. Chapter ekf_slam reads it."""
 
 import os
 from collections.abc import Sequence
@@ -39,7 +39,7 @@ from slamlib.slam.snapshot import snapshot_of
 
 @dataclass(frozen=True)
 class Report:
-    """What one step did: ids of the landmarks begun and deleted, and of those that the capacity kept out."""
+    """What one step did: ids of the landmarks initialized, deleted, and refused because the map was full."""
 
     initialized: list[int] = field(default_factory=list)
     deleted: list[int] = field(default_factory=list)
@@ -47,12 +47,12 @@ class Report:
 
 
 class Slam:
-    """The filter. It is built of a rig and options, takes frames one by one, and shows itself in snapshots."""
+    """The EKF-SLAM filter: made from a rig and options, it processes frames one by one; `snapshot` shows its state."""
 
     def __init__(
         self, rig: Rig, options: Options | None = None, *, front_ends: Sequence[FrontEnd] | None = None
     ) -> None:
-        """front_ends: one for each sensor, that finds its measurements (default: Identity)."""
+        """front_ends: one for each sensor, which finds its measurements (default: KnownAssociation)."""
         self.rig, self.options = rig, options or Options()
         self.belief = Belief()
         self.robots = [Robot(r.name, r.model, self.belief.add(r.model.manifold, r.state, r.covariance), r.noise)
@@ -75,7 +75,7 @@ class Slam:
 
     @property
     def linearization(self) -> Linearization | None:
-        """Where Jacobians are taken; None: at the present means."""
+        """The linearization points; None: the present means."""
         return self.sensors[0].linearization
 
     @linearization.setter
@@ -84,10 +84,10 @@ class Slam:
             sensor.linearization = linearization
 
     def step(self, frame: Frame, *, update: bool = True, first: bool = False) -> Report:
-        """One frame: all robots move; then each sensor corrects what is known, and begins what is new.
+        """Process one frame: all robots move; then each sensor updates the map and initializes new landmarks.
 
-        update: False leaves what is known as it is: this frame's measurements of it have been used already. first: as
-        many landmarks are begun as in a sensor's first frame. Raises SlamlibError for a frame that does not fit the
+        update: False skips the measurement update: this frame's measurements have been used already. first: as many
+        landmarks are initialized as in a sensor's first frame. Raises SlamlibError for a frame that does not fit the
         rig; then nothing is changed.
         """
         self._check(frame)
@@ -110,7 +110,7 @@ class Slam:
         return report
 
     def predict(self, controls: Sequence[Control | None], dt: float) -> None:
-        """Time passes without a frame: all robots move, and no sensor looks."""
+        """Move all robots by `dt` [s] without a frame: no sensor measures."""
         self.time += dt
         for robot, control in zip(self.robots, controls, strict=True):
             self._predict(robot, control, dt)
@@ -165,7 +165,7 @@ class Slam:
         after_update(self.belief, sensor, matched, self.options)
 
     def _delete(self, predictions: Predictions, report: Report) -> None:
-        """Landmarks that are not found where they should be, or found to be wrong, and points beyond infinity, go."""
+        """Delete landmarks seldom found where predicted or often outliers, out of the window, or beyond infinity."""
         bad = {p.landmark for p in predictions if p.chosen and is_bad(p.landmark, self.options)}
         bad.update(out_of_window(self.landmarks, self.number, self.options))
         for group in group_by_kind(self.landmarks, KIND):
@@ -177,27 +177,27 @@ class Slam:
             report.deleted.append(landmark.id)
 
     def snapshot(self) -> Snapshot:
-        """What may be shown of the filter now; nothing of it changes later."""
+        """Return a copy of everything that may be shown of the filter; it never changes."""
         return snapshot_of(self)
 
     def save(self, path: str | os.PathLike[str], **extra: Any) -> None:
-        """Write the filter to one file, whole or not at all; extra: plain data that `load` gives back."""
+        """Write the filter to one file, atomically; extra: plain data that `resume` returns."""
         checkpoint.save(self, path, **extra)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], *, front_ends: Sequence[FrontEnd] | None = None) -> "Slam":
-        """The filter of a file: it goes on exactly as the saved one would have. Raises SlamlibError."""
+        """Load the filter of a file: it continues bit for bit like the saved one. Raises SlamlibError."""
         return cls.resume(path, front_ends=front_ends)[0]
 
     @classmethod
     def resume(
         cls, path: str | os.PathLike[str], *, front_ends: Sequence[FrontEnd] | None = None
     ) -> tuple["Slam", Any]:
-        """The same, with the extra data that were saved beside it."""
+        """Load the filter of a file, together with the extra data that were saved with it."""
         return checkpoint.load(path, front_ends, cls)
 
     def prune(self, landmark: Landmark) -> None:
-        """Take a landmark out of the map: what remains is the marginal of the rest."""
+        """Delete a landmark from the map: what remains is the marginal of the others."""
         self.belief.remove(landmark.block)
         self.landmarks.remove(landmark)
 
@@ -218,12 +218,12 @@ class Slam:
     def _initialize_one(
         self, family: Family, i: int, kind: Any, number: int, value: Array, signature: Any, report: Report
     ) -> None:
-        """Begin one landmark; at the capacity, another one has to go for it, or it is refused."""
+        """Initialize one landmark; at the capacity another one is pruned for it, or it is refused."""
         sensor = self.sensors[i]
         try:
             x, noise, jacobians = family.initialize(sensor, kind, value, self.options)
         except SingularPointError:
-            return  # this parametrization cannot hold what is there; it may from the next place
+            return  # this parametrization cannot hold the point; it may from the next camera position
         if self.options.capacity is not None and len(self.landmarks) >= self.options.capacity:
             given_up = prune_candidate(self.landmarks, self.number, self.options)
             if given_up is None:

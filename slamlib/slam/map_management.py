@@ -1,4 +1,4 @@
-"""Which landmarks a filter forgets that are not wrong: what left the window, and what makes room in a full map."""
+"""Which good landmarks are deleted all the same: those outside the window, and those pruned from a full map."""
 
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
@@ -10,12 +10,12 @@ if TYPE_CHECKING:
 
 
 def out_of_window(landmarks: Iterable[Landmark], number: int, options: "Options") -> list[Landmark]:
-    """The landmarks that were not seen for more frames than the options' window, in frame `number`; in map order."""
+    """The landmarks last accepted more frames before frame `number` than the options' window, in map order."""
     return [] if options.window is None else [lm for lm in landmarks if number - lm.last_seen > options.window]
 
 
 def is_bad(landmark: Landmark, options: "Options") -> bool:
-    """Whether it was looked for often, and too seldom found, or too seldom believed when it was found."""
+    """Whether it was searched for often enough, and matched too seldom, or was too seldom an inlier when matched."""
     return landmark.searched >= options.min_searches and (
         landmark.matched < options.min_matched_ratio * landmark.searched
         or landmark.inliers < options.min_inlier_ratio * landmark.matched
@@ -23,22 +23,22 @@ def is_bad(landmark: Landmark, options: "Options") -> bool:
 
 
 def prune_candidate(landmarks: Iterable[Landmark], number: int, options: "Options") -> Landmark | None:
-    """The landmark that helps least by the options' rule, of those not seen in frame `number`; None: nothing goes."""
+    """The landmark that ranks lowest by the options' rule, of those not seen in frame `number`; None: prune nothing."""
     away = [landmark for landmark in landmarks if landmark.last_seen < number]
     return min(away, key=PRUNING_RULES[options.pruning], default=None) if options.pruning else None
 
 
 def least_recently_seen(landmark: Landmark) -> Any:
-    """By when it was seen last; of equals, the one that was believed least often."""
+    """Rank by the last frame as an inlier; of equals, by the number of inliers."""
     return landmark.last_seen, landmark.inliers
 
 
 def least_reliable(landmark: Landmark) -> Any:
-    """By the share of searches that ended in a measurement to believe; of equals, by when it was seen last."""
+    """Rank by the share of searches that gave an inlier; of equals, by the last frame as an inlier."""
     return landmark.inliers / landmark.searched, landmark.last_seen
 
 
-# What a landmark is worth, by the name of a rule: the least goes first.
+# The rank of a landmark, by the name of a rule: the lowest is pruned first.
 PRUNING_RULES: dict[str, Callable[[Landmark], Any]] = {
     "least-recently-seen": least_recently_seen,
     "least-reliable": least_reliable,

@@ -1,4 +1,4 @@
-"""One sensor looks at the map: choose, match, gate, correct. Chapter ekf_slam reads it line by line."""
+"""One sensor's measurement update: predict, select, match, gate, update. Chapter ekf_slam reads it line by line."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ KIND = attrgetter("kind")  # of a landmark
 
 
 def group_by_kind(items: Iterable[T], kind: Callable[[T], Any] = attrgetter("landmark.kind")) -> list[list[T]]:
-    """Predictions, or what else has a kind, by the landmark's kind, so that each kind is computed in one batch."""
+    """Group predictions, or whatever has a kind, by the landmark's kind, so that each kind is computed in one batch."""
     found: dict[int, list[T]] = defaultdict(list)
     for item in items:
         found[id(kind(item))].append(item)
@@ -36,10 +36,10 @@ def group_by_kind(items: Iterable[T], kind: Callable[[T], Any] = attrgetter("lan
 
 @dataclass(eq=False)
 class PredictedMeasurement:
-    """One expected landmark on its way through a frame.
+    """The predicted measurement of one landmark, and what becomes of it in a frame.
 
-    score, predicted_patch, found_patch: what a front end that looks at images leaves here for pictures: how well the
-    best place agrees, the patch that it looked for, and the one that it found, both grey images.
+    S (m, m): innovation covariance; measured (m,): the matched measurement. score, predicted_patch, found_patch: left
+    here by an image front end for display: the best match's score, the patch searched for and the one found, both grey.
     """
 
     family: Family
@@ -58,11 +58,11 @@ class PredictedMeasurement:
 
     @property
     def value(self) -> Array:
-        """The expected measurement (m,)."""
+        """The predicted measurement (m,)."""
         return self.batch.value[self.row]
 
     def apply_gate(self, nis: float, limit: float) -> None:
-        """Believe the measurement if a true one would be as far off with the probability of the gate."""
+        """Accept the match as an inlier if its nis is below the gate's limit."""
         self.nis, self.inlier = nis, nis < limit
         self.landmark.inliers += self.inlier
 
@@ -78,9 +78,9 @@ def predict_measurements(
     options: Options,
     robot: Array | None = None,
 ) -> Predictions:
-    """Everything that the sensor should see, with the covariance of each innovation.
+    """Predict the measurements of all landmarks in view, with the covariance of each innovation.
 
-    robot (7,): from another pose of its robot than the estimated one, with the covariance as it is.
+    robot (7,): another pose of its robot than the estimated one; the covariance remains as it is.
     """
     predictions = []
     kinds, view = group_by_kind(landmarks, KIND), viewpoint(sensor, robot)
@@ -101,18 +101,18 @@ def predict_measurements(
 
 
 def predict_from_pose(slam: Any, motion: Array, sensor: int = 0) -> Predictions:
-    """What a sensor should see after its robot has moved by a pose (7,) in its frame; nothing of the filter changes."""
+    """Predict a sensor's measurements after its robot moved by a pose (7,) in its frame; the filter is unchanged."""
     mounted = slam.sensors[sensor]
     robot = compose(mounted.robot.pose, motion)
     return predict_measurements(slam.belief, mounted, slam.families, slam.landmarks, slam.options, robot)
 
 
 def select_and_match(inputs: FrontEndInput, front_end: FrontEnd, options: Options) -> Predictions:
-    """The looks that tell most and were matched, the one that tells most first; the landmarks' histories go on."""
+    """The most informative predictions that were matched, most informative first; updates the landmarks' histories."""
     sizes: dict[int, Predictions] = defaultdict(list)
     for prediction in front_end.searchable(inputs):
         sizes[len(prediction.S)].append(prediction)
-    # Determinants of different sizes do not compare: points and segments both count two pixels, and share the budget.
+    # Determinants of different sizes cannot be compared: each size of measurement has the whole budget for itself.
     chosen: Predictions = []
     for group in sizes.values():
         S = np.concatenate([prediction.S for prediction in group]).reshape(-1, *group[0].S.shape)
@@ -131,7 +131,7 @@ def select_and_match(inputs: FrontEndInput, front_end: FrontEnd, options: Option
 
 
 def update_sequentially(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> None:
-    """One landmark after another, each expected anew at the mean of that moment."""
+    """Update by one landmark after another, each predicted anew at the current mean."""
     with belief.sequential_update() as sequence:
         for prediction in predictions:
             found = prediction.family.innovation(viewpoint(sensor), prediction.landmark, prediction.measured, options)
@@ -142,20 +142,20 @@ def update_sequentially(belief: Belief, sensor: MountedSensor, predictions: Pred
 
 
 def innovations(sensor: MountedSensor, group: Predictions) -> tuple[PredictedBatch, Innovation]:
-    """What was expected of matched landmarks of one kind, and how far what was measured is off."""
+    """Predicted measurements of matched landmarks of one kind, and their innovations."""
     expected = group[0].batch.take([prediction.row for prediction in group])
     measured = np.array([prediction.measured for prediction in group])
     return expected, group[0].family.batch_innovation(sensor, expected, measured)
 
 
 def innovation_squares(belief: Belief, expected: PredictedBatch, found: Innovation) -> list[float]:
-    """The nis of each innovation by itself."""
+    """The nis of each single innovation."""
     S = innovation_covariances(belief.matrix, expected.columns, found.H, found.R)
     return mahalanobis_squared(found.z, S).tolist()
 
 
 def update_in_batch(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> None:
-    """All at once, with the expectations of the predicted mean."""
+    """Update by all measurements in one batch, linearized at the predicted mean."""
     parts = []
     for group in group_by_kind(predictions):
         expected, found = innovations(sensor, group)
@@ -168,7 +168,7 @@ def update_in_batch(belief: Belief, sensor: MountedSensor, predictions: Predicti
 
 
 def _stacked(parts: list[tuple[Indices, Array, Array, Array]]) -> tuple[Indices, Array, Array, Array]:
-    """Touched rows, and one Jacobian, innovation and noise of all parts."""
+    """Touched rows (k,), and one stacked Jacobian, innovation and noise of all parts."""
     touched = np.unique(np.concatenate([columns.ravel() for columns, _, _, _ in parts]))
     z = np.concatenate([part[2].ravel() for part in parts])
     H, R = np.zeros((len(z), len(touched))), np.zeros((len(z), len(z)))
@@ -183,7 +183,7 @@ def _stacked(parts: list[tuple[Indices, Array, Array, Array]]) -> tuple[Indices,
 
 
 def after_update(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> None:
-    """What each family does with the landmarks that were corrected: convert, constrain, move ends."""
+    """Let each family treat its updated landmarks: convert points, constrain lines, move endpoints."""
     for group in group_by_kind(prediction for prediction in predictions if prediction.inlier):
         landmarks = [prediction.landmark for prediction in group]
         measured = np.array([prediction.measured for prediction in group])
@@ -192,7 +192,7 @@ def after_update(belief: Belief, sensor: MountedSensor, predictions: Predictions
 
 @dataclass(frozen=True, eq=False)
 class RobotUpdate:
-    """What became of a robot's measurement of itself: innovation z (m,) and its covariance S (m, m), nis, the gate."""
+    """The outcome of a robot's measurement of itself: innovation z (m,), its covariance S (m, m), nis, the gate."""
 
     name: str
     innovation: Array
@@ -204,7 +204,7 @@ class RobotUpdate:
 def update_by_robot(
     belief: Belief, robot: Robot, measured: RobotMeasurement, linearization: Linearization | None, options: Options
 ) -> RobotUpdate:
-    """Gate what a robot measured of its own pose, and correct all blocks by it if it passes. Raises ShapeError."""
+    """Gate a measurement of a robot's own pose, and update all blocks by it if it passes. Raises ShapeError."""
     value, J = measured.model.jac(robot.pose)
     if linearization is not None:
         J = measured.model.jac(linearization.at(robot.block)[:7])[1]

@@ -1,4 +1,4 @@
-"""What a reader may choose about the filter: plain data, checked when it is made, written to and read from JSON."""
+"""The filter's options: plain data, checked when it is made, written to and read from JSON."""
 
 from dataclasses import dataclass, field
 from math import inf
@@ -29,32 +29,31 @@ class Options(Plain):
     points, lines: parametrization of new landmarks, or None for none of them (init.initType). others: the same for
         other families of landmarks, by the family's name (slamlib.observation.FAMILIES).
     capacity: largest number of landmarks, or None for no limit (map.numLmks).
-    pruning: what happens to new landmarks at the capacity: None refuses them; "least-recently-seen": the landmark that
-        was not seen for longest makes room; "least-reliable": the one that was looked for in vain the largest share of
-        times does.
-    window: a landmark that was not seen in more frames than this is forgotten; None: it is remembered for ever.
-    updates: most landmarks that one sensor corrects in one frame (correct.nUpdates).
+    pruning: how the map stays within the capacity: None refuses new landmarks; "least-recently-seen" prunes the one
+                not seen for longest; "least-reliable" the one with the smallest share of searches that gave an inlier.
+    window: a landmark that was not seen for more frames than this is deleted; None: no such limit.
+    updates: most landmarks by which one sensor updates the map in one frame (correct.nUpdates).
     selection: "information": those whose innovation covariance has the largest determinant; "order": the oldest.
-    reproject: one landmark after another, each expected anew at the mean of that moment; False: all in one batch, with
+    reproject: one landmark after another, each predicted anew at the current mean; False: all in one batch, with
         Jacobians at the predicted mean (correct.reprojectLmks).
     gate: probability with which a true measurement passes, for the innovation's own degrees of freedom (MD2th); 1: all.
-    outlier_rejection: which matches of a frame are believed together: "individual" is judged by the gate alone;
-        "joint": the largest jointly compatible set; "one-point-ransac": those that agree with what one of them says of
-        the camera.
+    outlier_rejection: which matches of a frame are accepted: "individual": each that passes its own gate; "joint": the
+            largest jointly compatible set; "one-point-ransac": those consistent with the update by one of them.
     convert, convert_below: whether, and below which linearity index, points become Euclidean ones (reparametrize,
         linTestIdp).
     max_new_first, max_new: new landmarks of one sensor in its first frame, and in every other (init.nbrInits).
-    inverse_distance: mean and standard deviation [1/m] of what a bearing does not tell (init.idpPnt.nonObs*).
-    line_priors: by the name of a parametrization, means and standard deviations of the two numbers that a segment does
-        not tell (init.plkLin.nonObs*); lines that are not named take inverse_distance for both ends.
-    innovation: of lines: "ortDst" distances of the measured ends, "rhoThe" distance and angle, "angles" of their rays
-        with the plane of the line, for any camera (correct.lines.innType).
-    extend, extend_switch: how the ends of lines follow what is seen (correct.lines.extPolicy, extSwitch).
+    inverse_distance: mean and standard deviation [1/m] of the prior for what a bearing does not measure
+        (init.idpPnt.nonObs*).
+    line_priors: by the name of a parametrization, prior means and standard deviations of the two numbers that a segment
+            does not measure (init.plkLin.nonObs*); lines not listed take inverse_distance for both endpoints.
+    innovation: of lines: "ortDst" distances of the measured endpoints, "rhoThe" distance and angle, "angles" of their
+            rays with the plane of the line, for any camera (correct.lines.innType).
+    extend, extend_switch: how the endpoints of lines follow the measured ones (correct.lines.extPolicy, extSwitch).
     minimum_length: [px] of a segment (obs.lines.minLength). margin: share of the image's width in which no point is
         initialized, at every border.
-    min_searches, min_matched_ratio, min_inlier_ratio: a landmark that was looked for at least `min_searches` times goes
-        if it was found in less than `min_matched_ratio` of them, or if fewer than `min_inlier_ratio` of those passed
-        the gate.
+    min_searches, min_matched_ratio, min_inlier_ratio: a landmark that was searched for at least `min_searches` times is
+            deleted if less than `min_matched_ratio` of the searches found it, or if less than `min_inlier_ratio` of the
+            matches passed the gate.
     """
 
     points: Annotated[str, OneOf(POINTS)] | None = "idpPnt"
@@ -95,6 +94,6 @@ class Options(Plain):
         return {"points": self.points, "segments": self.lines, **(self.others or {})}.get(family)
 
     def line_prior(self, name: str) -> Prior:
-        """Means and standard deviations of what a segment does not tell about a line of this parametrization."""
+        """Prior means and standard deviations of what a segment does not measure of a line of this parametrization."""
         mean, std = self.inverse_distance
         return self.line_priors.get(name, ((mean, mean), (std, std)))

@@ -1,4 +1,4 @@
-"""A snapshot of the filter: copies of what it believes, and of what its sensors looked at in the last frame."""
+"""A snapshot of the filter: copies of its estimates, and of its sensors' predictions and measurements."""
 
 from typing import Any
 
@@ -17,7 +17,7 @@ COLUMNS = {"chosen": bool, "matched": bool, "inlier": bool, "nis": float}
 
 
 def snapshot_of(slam: Any) -> Snapshot:
-    """Everything that may be shown of a filter, after the frame that it saw last."""
+    """A copy of everything that may be shown of a filter, after its last frame."""
     robots = tuple(RobotView(r.name, r.block.mean.copy(), slam.belief.covariance(r.block)) for r in slam.robots)
     sensors = tuple(_sensor_view(slam, i, sensor) for i, sensor in enumerate(slam.sensors))
     landmarks = {family.name: _map_view(slam, family) for family in slam.families.values()}
@@ -67,12 +67,11 @@ def _array(patch: Any) -> Array | None:
 
 
 def endpoints_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
-    """The two ends of lines in the image (n, 2, 2) [px] and their covariances (n, 2, 2, 2), as the filter has them now.
+    """The two endpoints of lines in the image (n, 2, 2) [px] and their covariances (n, 2, 2, 2), as estimated now.
 
-    The covariance is H P H' of robot, mount and line together, at ends that stay where they are on the line (in the
-    manual Obs.par.endp, fig. 9). The noise of a pixel is left out: a segment that is detected ends somewhere else on
-    the line, so this is no region in which its end should be found. nan: points, lines that were forgotten, ends that
-    lie out of view.
+    The covariance is H P H' of robot, extrinsics and line together, for endpoints fixed on the line (in the manual
+    Obs.par.endp, fig. 9). Pixel noise is left out: a detected segment ends somewhere else on the line, so this is no
+    search region for its endpoint. nan: points, deleted lines, endpoints out of view.
     """
     n, alive, row = len(landmarks), set(belief.blocks), {landmark: i for i, landmark in enumerate(landmarks)}
     endpoints, endpoint_covariances = np.full((n, 2, 2), np.nan), np.full((n, 2, 2, 2), np.nan)

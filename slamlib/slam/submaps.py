@@ -1,8 +1,8 @@
-"""Several maps one after another, each in a frame of its own; joined, and tied where they overlap. Chapter many.
+"""Submaps: several maps one after another, each in its own frame, later joined and merged. Chapter many.
 
-A map's cost grows with the square of its size, and its errors with the angle that it has come to doubt. A small map in
-the frame of the robot's pose where it began knows that pose exactly. The next one shares no measurement with it: two
-neighbours are independent, as long as each is in its own frame.
+A map's cost grows with the square of its size, and its linearization errors with its uncertainty of orientation. A
+small map in the frame of its own first pose knows that pose exactly. The next one shares no measurement with it:
+neighbouring maps are independent, as long as each is in its own frame.
 """
 
 from collections.abc import Callable, Sequence
@@ -32,9 +32,9 @@ def _submap_manifold(points: int) -> Product:
 
 @dataclass(frozen=True, eq=False)
 class Submap:
-    """A finished map: the robot's last pose (7,) and points (n, 3) [m] in the map's frame, ids (n,) of the points.
+    """A finished map: the robot's last pose (7,) and points (n, 3) [m] in its frame, the points' ids (n,).
 
-    covariance (6 + 3n, 6 + 3n): of the pose's tangent vector and the points, together.
+    covariance (6 + 3n, 6 + 3n): joint, of the pose's tangent vector and the points.
     """
 
     pose: Array
@@ -44,7 +44,7 @@ class Submap:
 
     @classmethod
     def of(cls, slam: Slam) -> "Submap":
-        """What a filter of one robot knows: the marginal of its pose and its Euclidean points; the rest is left out."""
+        """The marginal of a one-robot filter over its pose and its Euclidean points; all else is left out."""
         known = [landmark for landmark in slam.landmarks if landmark.kind is EUC_POINT]
         robot = slam.robots[0].block
         starts = np.array([lm.block.start for lm in known], dtype=int)
@@ -64,11 +64,11 @@ class Atlas:
 
     @property
     def pose(self) -> Array:
-        """The robot's pose (7,) at the end of the last map, where the next one begins."""
+        """The robot's pose (7,) at the end of the last map, where the next one starts."""
         return self.blocks[-1].mean[:7] if self.blocks else WORLD
 
     def points(self, number: int) -> Array:
-        """Points (n, 3) [m] of one map, in the frame of the first."""
+        """Points (n, 3) [m] of one map, in the first map's frame."""
         return self.blocks[number].mean[7:].reshape(-1, 3)
 
     def covariance(self) -> Array:
@@ -76,9 +76,9 @@ class Atlas:
         return self.belief.covariance(self.blocks[-1])[:POSE, :POSE]
 
     def join(self, submap: Submap) -> None:
-        """Append the map that began where the last one ended: y = base (+) x, by the Jacobians of both. Eq. (ms-join).
+        """Append the map that started where the last one ended: y = base (+) x, and its Jacobians. Eq. (ms-join).
 
-        x has nothing in common with what is in the atlas: its covariance takes the place of the noise.
+        x is independent of everything in the atlas: its covariance acts as the noise.
         """
         base = self.pose
         pose, J = compose.jac(base, submap.pose)
@@ -109,10 +109,10 @@ class Atlas:
         return pairs
 
     def merge_duplicates(self, pairs: Sequence[tuple[int, int, int, int]] | None = None) -> int:
-        """Two points of two maps are one: their difference is measured to be zero, without noise. Eq. (ms-tie).
+        """Fuse duplicates: the difference of two points is measured to be zero, without noise. Eq. (ms-tie).
 
-        pairs: default `shared`, by their ids. All at once; the later of each two is then forgotten, since it is the
-        same point. Returns how many. Raises CovarianceError if the pairs contradict what is known without doubt.
+        pairs: default `shared`, by their ids. One batch; the later point of each pair is then deleted. Returns the
+        number of pairs. Raises CovarianceError if the pairs contradict something known without uncertainty.
         """
         pairs = self.shared() if pairs is None else list(pairs)
         if pairs:
@@ -130,7 +130,7 @@ class Atlas:
         return LinearizedMeasurement(blocks, jacobians, innovation, np.zeros((3, 3)))
 
     def _drop(self, number: int, rows: list[int]) -> None:
-        """Forget points of one map."""
+        """Delete points of one map."""
         block, kept = self.blocks[number], np.setdiff1d(np.arange(len(self.ids[number])), rows)
         places = np.concatenate([np.arange(POSE), (POSE + 3 * kept[:, None] + np.arange(3)).ravel()]).astype(int)
         mean = np.concatenate([block.mean[:7], self.points(number)[kept].ravel()])
@@ -139,10 +139,9 @@ class Atlas:
 
 
 class SubmapSlam:
-    """The loop around the loop: a filter that is closed and begun anew whenever its map is full.
+    """A filter that is closed and started anew whenever its map is full.
 
-    slam: the filter of the present map; atlas: the finished ones. Close the last one (`close`) before you
-    `merge_duplicates`.
+    slam: the filter of the present map; atlas: the finished maps. Call `close` before `merge_duplicates`.
     """
 
     def __init__(
@@ -153,10 +152,10 @@ class SubmapSlam:
         max_landmarks: int = 30,
         front_ends: Callable[[], Sequence[FrontEnd]] | None = None,
     ) -> None:
-        """max_landmarks: landmarks of a map, with which it is closed. front_ends(): makes those of the next map.
+        """max_landmarks: landmarks with which a map is closed. front_ends(): makes the front ends of the next map.
 
-        Raises SlamlibError for several robots, for a robot whose state is more than a pose, and for mounts that are
-        estimated: their maps would not be independent of each other.
+        Raises SlamlibError for several robots, for a robot whose state is more than a pose, and for estimated
+        extrinsics: the maps would not be independent of each other.
         """
         if len(rig.robots) != 1 or rig.robots[0].model.manifold.dof != POSE:
             raise SlamlibError("SubmapSlam: a rig of one robot whose state is its pose is wanted (motion='odometry')")
@@ -165,7 +164,7 @@ class SubmapSlam:
                 "SubmapSlam: estimated extrinsics tie all maps together; let one map estimate them first"
             )
         if max_landmarks < 1:
-            raise SlamlibError(f"SubmapSlam: most is the number of landmarks of a map, 1 or more, got {max_landmarks}")
+            raise SlamlibError(f"SubmapSlam: max_landmarks (of one map) should be 1 or more, got {max_landmarks}")
         self.rig, self.options, self.max_landmarks = rig, options or Options(), max_landmarks
         self.front_ends, self.atlas = front_ends, Atlas()
         self.slam = self._new_filter(rig)
@@ -176,14 +175,14 @@ class SubmapSlam:
         return compose(self.atlas.pose, self.slam.robots[0].pose)
 
     def step(self, frame: Frame) -> Report:
-        """One frame; then the map is closed if it is full."""
+        """Process one frame; then close the map if it is full."""
         report = self.slam.step(frame)
         if len(self.slam.landmarks) >= self.max_landmarks:
             self.close()
         return report
 
     def close(self) -> None:
-        """Join the present map to the atlas, and begin the next where the robot is: in a frame in which it knows it."""
+        """Join the present map to the atlas, and start the next one in the frame of the robot's present pose."""
         self.atlas.join(Submap.of(self.slam))
         start = replace(self.rig.robots[0], position=ZERO, euler=ZERO, position_std=ZERO, orientation_std=ZERO)
         self.slam = self._new_filter(replace(self.rig, robots=(start,)))

@@ -357,7 +357,7 @@ WRONG = {
     "correct: mean": (
         lambda b, x: b.update(x[:1], [I2 * 1e-5], [1e308, 1e308], I2 * 1e-20),
         NonFiniteError,
-        "update: the corrected means",
+        "update: the updated means",
     ),
     "update_all: none": (lambda b, x: b.update_all([]), SlamlibError, "leave the call out"),
     "update_all: third": (

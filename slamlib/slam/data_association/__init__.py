@@ -1,1 +1,1 @@
-"""Data association: which landmarks to observe, which matches pass the gates, which are believed together."""
+"""Data association: which landmarks to observe, which matches pass the gates, which are inliers."""

@@ -1,8 +1,8 @@
-"""Which of the matches of one frame are believed together, before the gate judges each by itself. Chapter active_search.
+"""Outlier rejection: which of a frame's matches are accepted, before each is gated by itself. Chapter active_search.
 
-A consensus yields groups of looks, one after another: the filter corrects by a group before it asks for the next one,
-so that a later group is chosen in the light of the earlier correction. What it does not yield is refused: no inlier, as
-if the gate had refused it, with the nis by which it was.
+A method yields groups of predictions, one after another: the filter updates by a group before it asks for the next,
+so that a later group is chosen after the earlier update. A match that is not yielded is an outlier, as if the gate
+had rejected it, with the nis for which it was rejected.
 """
 
 from __future__ import annotations
@@ -29,23 +29,23 @@ if TYPE_CHECKING:
 Groups = Iterator[Predictions]
 OutlierRejection = Callable[[Belief, MountedSensor, Predictions, "Options"], Groups]
 
-# Standard deviations of the measurement's noise: a match within this of what a hypothesis expects supports it. Low on
+# Standard deviations of the measurement noise: a match within this of a hypothesis's prediction supports it. Low on
 # purpose (Civera et al. 2010): 86 % of the true matches of two numbers without other errors, and few wrong ones.
 LOW_INNOVATION = 2.0
-# Matches that must agree, the one that makes the hypothesis among them: two wrong ones agree by chance now and then.
+# Matches that must agree, the one of the hypothesis among them: two wrong ones agree by chance now and then.
 MIN_SUPPORT = 3
 
 
 def individual(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> Groups:
-    """All of them: the gate judges each alone."""
+    """All of them, in one group: the gate judges each alone."""
     yield predictions
 
 
 def joint_compatibility(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> Groups:
-    """The largest set that is compatible as a whole: z' S^-1 z of all passes the gate for all degrees of freedom.
+    """The largest jointly compatible set: z' S^-1 z of the whole set passes the gate for all its degrees of freedom.
 
-    Neira and Tardos (2001). What fails the gate by itself is out before. The nis of a refused look is what it would add
-    to the square of those accepted.
+    Neira and Tardos (2001). What fails its own gate is rejected before. The nis of a rejected match is what it would
+    add to the square of those accepted.
     """
     if len(predictions) < 2:
         yield predictions
@@ -59,7 +59,7 @@ def joint_compatibility(belief: Belief, sensor: MountedSensor, predictions: Pred
 
 
 def _jointly_compatible(found: JointInnovation, candidates: Mask, options: Options) -> Mask:
-    """Mask of the largest jointly compatible set of the innovations that may."""
+    """Mask of the largest jointly compatible set among the candidates."""
     rows, keep = np.flatnonzero(candidates), np.zeros(len(candidates), dtype=bool)
     if len(rows):
         S = found.S[rows][:, :, rows]
@@ -68,12 +68,12 @@ def _jointly_compatible(found: JointInnovation, candidates: Mask, options: Optio
 
 
 def one_point_ransac(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> Groups:
-    """Those that agree with what one of them says of the pose and the map; then, of the rest, what passes the gate.
+    """First those that agree with the update by one of them; then, of the others, those that pass the gate.
 
     Civera, Grasa, Davison and Montiel (2010): a filter has a prior, so that a single match makes a hypothesis. Each of
-    the few that pass the gate is tried; they draw at random, to try fewer. The one with the largest support wins, and
-    among equals the one that its supporters fit best. Where no MIN_SUPPORT of them agree, one point says too little
-    about the rest of the motion, and the largest jointly compatible set is corrected first.
+    the few that pass the gate is tried (they draw at random, to try fewer). The hypothesis with the largest support
+    wins, and among equals the one that its supporters fit best. Where fewer than MIN_SUPPORT agree, one point
+    constrains the motion too little, and the map is updated by the largest jointly compatible set first.
     """
     if len(predictions) < 2:
         yield predictions
@@ -84,13 +84,13 @@ def one_point_ransac(belief: Belief, sensor: MountedSensor, predictions: Predict
     if support.sum() < min(MIN_SUPPORT, candidates.sum()):
         support = _jointly_compatible(found, candidates, options)
     for prediction, nis in zip(predictions, squares.tolist(), strict=True):
-        prediction.nis = nis  # what remains of those that go out of view
+        prediction.nis = nis  # kept by those that go out of view
     yield _selected(predictions, support)
     yield from _rescue_high_innovation(belief, sensor, _selected(predictions, ~support), options)
 
 
 def _largest_support(sensor: MountedSensor, predictions: Predictions, found: JointInnovation, candidates: Mask) -> Mask:
-    """Mask of the matches, of those that may, that agree with the best hypothesis."""
+    """Mask of the candidates that agree with the best hypothesis."""
     hypothetical = hypothesis_innovations(sensor, predictions, found)
     squares = mahalanobis_squared(hypothetical, np.broadcast_to(found.R, (len(predictions), *found.R.shape)))
     agree = squares < LOW_INNOVATION**2  # out of view is nan, and does not agree
@@ -103,7 +103,7 @@ def _largest_support(sensor: MountedSensor, predictions: Predictions, found: Joi
 def _rescue_high_innovation(
     belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options
 ) -> Groups:
-    """Those of the looks that pass the gate where the belief is now; they are corrected by what is expected there."""
+    """Those that pass the gate at the belief's present means, with the predictions made there."""
     inside: Predictions = []
     shown = {prediction.landmark: prediction for prediction in predictions}
     for group in group_by_kind(predictions):
@@ -119,20 +119,20 @@ def _rescue_high_innovation(
                 inside.append(prediction)
     if inside:
         yield inside
-    for prediction in inside:  # a prediction goes on showing what was expected before any correction
+    for prediction in inside:  # a prediction keeps showing what was predicted before any update
         before = shown[prediction.landmark]
         before.nis, before.inlier = prediction.nis, prediction.inlier
 
 
 def _individual_squares(found: JointInnovation, options: Options) -> tuple[Array, Mask]:
-    """Square (n,) of each innovation by itself, and the mask (n,) of those that pass the gate."""
+    """Square (n,) of each single innovation, and the mask (n,) of those that pass the gate."""
     rows = np.arange(len(found.z))
     squares = mahalanobis_squared(found.z, found.S[rows, :, rows])
     return squares, squares < np.array([gate(options.gate, size) for size in found.dof.tolist()])
 
 
 def _added_squares(found: JointInnovation, keep: Mask) -> Array:
-    """What each innovation that is not kept would add to the joint square of those kept."""
+    """What each innovation outside `keep` would add to the joint square of those in it."""
     n, d = found.z.shape
     count, kept = int((~keep).sum()), np.repeat(keep, d)
     S, z = found.S.reshape(n * d, n * d), found.z.ravel()

@@ -1,4 +1,4 @@
-"""What finds a sensor's measurements: the contract of a front end, what it gets to see, and association by identity."""
+"""The interface of a front end, which finds a sensor's measurements; its input; and known data association."""
 
 from __future__ import annotations
 
@@ -21,10 +21,9 @@ Detected = tuple[int, Array, Any]  # of a new landmark: its id, its first measur
 
 @dataclass(frozen=True, eq=False)
 class FrontEndInput:
-    """What a front end gets to see: the scan, the mounted sensor as it is estimated now, and all that it expects.
+    """The input of a front end: the scan, the sensor with its estimated extrinsics, and all predictions.
 
-    predictions: one for each landmark that should be in view, with its expectation (`value`, `S`) before any
-    correction.
+    predictions: one for each landmark that should be in view, with `value` and `S` as they were before any update.
     """
 
     scan: Scan
@@ -33,69 +32,69 @@ class FrontEndInput:
 
 
 class FrontEnd(Protocol):
-    """Finds the measurements of one sensor, frame by frame: `searchable`, `match` for each family, `detect` for each.
+    """Finds the measurements of one sensor, frame by frame: `searchable`, then `match` and `detect` for each family.
 
-    A signature is what it knows a landmark by; the filter keeps it with the landmark, and hands it back unread.
+    A signature is what it recognizes a landmark by; the filter keeps it with the landmark and never reads it.
     """
 
     def searchable(self, inputs: FrontEndInput) -> list[PredictedMeasurement]:
-        """Of the looks of a sight, those that it could find at all if the landmarks are there."""
+        """The predictions of the input whose landmarks it could find at all if they are there."""
 
     def match(self, inputs: FrontEndInput, family: str, predictions: list[PredictedMeasurement]) -> tuple[Array, Mask]:
-        """Measurements (n, m) of what is looked for, nan where there is none, and the mask (n,) of those found."""
+        """Measurements (n, m) of the landmarks searched for, nan where not found, and the mask (n,) of those found."""
 
     def detect(
         self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[Detected]:
-        """Up to `count` measurements to begin a landmark with; known: ids of the landmarks in the map.
+        """Return up to `count` measurements of new landmarks; known: ids of the landmarks in the map.
 
-        usable(values) is the mask of the values (n, m) that a landmark may begin with.
+        usable(values) is the mask of the values (n, m) by which a landmark may be initialized.
         """
 
     def check(self, scan: Scan) -> None:
-        """Raise SlamlibError for a scan that it cannot look at, before anything is changed. Here: any will do."""
+        """Raise SlamlibError for a scan that it cannot process, before anything is changed. Here: it accepts all."""
         return None
 
     def dump(self) -> Any:
-        """Its own state as plain data. Here: it has none."""
+        """Return its own state as plain data. Here: it has none."""
         return None
 
     def restore(self, state: Any) -> None:
-        """Go on from what `dump` gave."""
+        """Restore the state that `dump` returned."""
         return None
 
     def pack(self, signature: Any) -> Any:
-        """A landmark's signature as plain data. Here: it gives none."""
+        """Return a landmark's signature as plain data. Here: None."""
         return None
 
     def unpack(self, packed: Any) -> Any:
-        """The signature that `pack` packed."""
+        """Return the signature that `pack` packed."""
         return None
 
 
 class KnownAssociation(FrontEnd):
-    """Association by identity: simulated features, and those of labelled data, carry the id of what they show."""
+    """Known data association: simulated features, and those of labelled data, carry their landmark's id."""
 
     def searchable(self, inputs: FrontEndInput) -> list[PredictedMeasurement]:
         """All looks."""
         return inputs.predictions
 
     def match(self, inputs: FrontEndInput, family: str, predictions: list[PredictedMeasurement]) -> tuple[Array, Mask]:
-        """The features with the ids of the landmarks."""
+        """Match the features with the ids of the landmarks."""
         features = inputs.scan.features.get(family, NONE)
         row_of = {number: row for row, number in enumerate(features.ids.tolist())}
         rows = np.array([row_of.get(prediction.landmark.id, -1) for prediction in predictions], dtype=int)
         size = features.values.shape[1] if len(features) or not predictions else len(predictions[0].value)
         measured = np.full((len(predictions), size), np.nan)
         matched = rows >= 0
-        if matched.any():  # a scan without this family has features of no numbers
+        if matched.any():  # a scan without this family has features of width 0
             measured[matched] = features.values[rows[matched]]
         return measured, matched
 
     def detect(
         self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[Detected]:
-        """The features with the lowest ids that are not known."""
+        """Return the features with the lowest ids that are not known."""
         features = inputs.scan.features.get(family, NONE)
         fresh = sorted((number, row) for row, number in enumerate(features.ids.tolist()) if number not in known)
         if not fresh or not count:

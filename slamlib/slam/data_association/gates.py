@@ -1,7 +1,7 @@
-"""Which landmarks to look at, and which measurements to believe. Chapter ekf_slam.
+"""Which landmarks to observe, and which measurements pass the gate. Chapter ekf_slam.
 
 A landmark's row of `columns` holds the rows of the joint covariance that its measurement depends on: the robot's pose,
-the mount if it is estimated, the landmark.
+the extrinsics if they are estimated, the landmark.
 """
 
 import math
@@ -32,8 +32,8 @@ def mahalanobis_squared(z: Array, S: Array) -> Array:
 def by_information(S: Array, count: int) -> Indices:
     """The `count` rows whose innovation covariance (n, d, d) has the largest determinant, largest first.
 
-    A measurement lowers the entropy of the state by log(det Z / det R) / 2: with one R for all, the most uncertain
-    expectation is the one to look at. Davison (2005); the toolbox leaves R out (errata E57). Ties: the earlier row.
+    A measurement lowers the entropy of the state by log(det S / det R) / 2: with one R for all, the most uncertain
+    prediction is the most informative. Davison (2005); the toolbox leaves R out (errata E57). Ties: the earlier row.
     """
     return np.argsort(-linalg.log_determinants(S), kind="stable")[:count]
 
@@ -48,5 +48,5 @@ SELECTIONS = {"information": by_information, "order": by_order}
 
 @lru_cache
 def gate(probability: float, dof: int) -> float:
-    """The largest z' S^-1 z that passes: a true measurement of `dof` numbers does with this probability (E59)."""
+    """The largest z' S^-1 z that passes: a true measurement of `dof` numbers passes with this probability (E59)."""
     return math.inf if probability == 1 else chi2_quantile(probability, dof)

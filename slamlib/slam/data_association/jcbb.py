@@ -1,12 +1,12 @@
-"""The largest set of innovations that fit together: joint compatibility, by branch and bound. Chapter active_search.
+"""The largest jointly compatible set of innovations, by branch and bound (JCBB). Chapter active_search.
 
 Neira and Tardos (2001) let a tree decide, one innovation after another, what it is paired with. Where each innovation
-has one pairing at most, the only choice is "in" or "out", and few are out: so the tree here begins with all of them and
-takes away. With the information matrix A = S^-1 and a = A z of all, taking away the set B lowers the joint square by
+one candidate at most, the only choice is "in" or "out", and few are out: so this tree starts with all of them and
+removes some. With the information matrix A = S^-1 and a = A z of all, removing the set B lowers the joint square by
 
     drop(B) = a_B' A_BB^-1 a_B,        and leaves        A - A_:B A_BB^-1 A_B:,    a - A_:B A_BB^-1 a_B
 
-of the rest (that is marginalization): O(k^2) numbers a step for one innovation out of k.
+of the others (that is marginalization): O(k^2) numbers a step for one innovation out of k.
 """
 
 from collections.abc import Callable
@@ -21,7 +21,7 @@ MAX_NODES = 15  # of the tree, 60 to 100 us each; the greedy set is nearly alway
 
 
 class _Node:
-    """What is left of A (n, d, n, d) and a (n, d), and the drop of each innovation; those taken away have none."""
+    """What is left of A (n, d, n, d) and a (n, d), and the drop of each innovation; removed ones have none."""
 
     def __init__(self, A: Array, a: Array) -> None:
         self.A, self.a, self.each = A, a, np.arange(len(a))
@@ -29,7 +29,7 @@ class _Node:
         self.drops = (a * np.linalg.solve(self.own, a[..., None])[..., 0]).sum(-1)
 
     def without(self, i: int) -> "_Node":
-        """The node of the rest; i stays as an innovation of zero that nothing else depends on."""
+        """The node without innovation i, which stays as an innovation of zero that nothing else depends on."""
         n, d = self.a.shape
         gain = np.linalg.solve(self.own[i], self.A[i].reshape(d, n * d))
         A = self.A - (gain.T @ self.A[i].reshape(d, n * d)).reshape(n, d, n, d)
@@ -55,7 +55,7 @@ class _Node:
 
 
 class _Search:
-    """The innovations (n, d) of which as few as possible go, and the best set to go that is known."""
+    """Search for the fewest innovations (n, d) to remove; keeps the best such set found so far."""
 
     def __init__(self, z: Array, S: Array, dof: Array, limit: Threshold, max_nodes: int) -> None:
         n, d = z.shape
@@ -70,12 +70,12 @@ class _Search:
         self.drop = -np.inf
 
     def wanted(self, dof: int) -> float:
-        """The drop to be exceeded when innovations of so many degrees of freedom go."""
+        """The drop to be exceeded when innovations of `dof` degrees of freedom are removed."""
         rest = self.total - dof
         return self.square - self.limit(rest) if rest > 0 else -np.inf
 
     def greedy(self) -> tuple[tuple[int, ...], float]:
-        """Take away what lowers the square most, until the rest is compatible."""
+        """Remove what lowers the square most, until the remaining set is compatible."""
         out: list[int] = []
         drop, node = 0.0, self.root
         while len(out) < len(self.dof) and not drop > self.wanted(int(self.dof[out].sum())):
@@ -86,7 +86,7 @@ class _Search:
         return tuple(out), drop
 
     def branch(self, node: _Node, out: tuple[int, ...], drop: float, candidates: Indices, count: int) -> None:
-        """Remove `count` more of the innovations `candidates`, wherever that can be enough and better than the best."""
+        """Remove `count` more of the `candidates`, wherever that can be enough and better than the best set so far."""
         self.left -= 1
         candidates = candidates[np.argsort(-node.drops[candidates], kind="stable")]
         gone = int(self.dof[list(out)].sum())
@@ -114,8 +114,8 @@ def jcbb(z: Array, S: Array, dof: Array, limit: Threshold, max_nodes: int = MAX_
     """Mask (n,) of the largest set of innovations whose joint square z' S^-1 z is below limit(its degrees of freedom).
 
     z (n, d), S (n, d, n, d) positive definite, dof (n,). Of sets of one size the one with the smallest square. Exact,
-    unless more than `max_nodes` nodes of the tree are asked for: then the best set found by then, at worst the greedy
-    one (always take away what lowers the square most), which is compatible, and rarely another one. Raises
+    unless more than `max_nodes` nodes of the tree are needed: then the best set found so far, at worst the greedy
+    one (always remove what lowers the square most), which is compatible and rarely another one. Raises
     CovarianceError.
     """
     search = _Search(z, S, dof, limit, max_nodes)

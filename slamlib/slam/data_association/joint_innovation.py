@@ -1,4 +1,4 @@
-"""The innovations of one frame as one vector, with the covariance that binds them together. Chapter active_search."""
+"""The joint innovation of one frame, with its full covariance. Chapter active_search."""
 
 from collections import defaultdict
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from slamlib.slam.measurement_update import Predictions, group_by_kind, innovati
 class JointInnovation:
     """n innovations z (n, d) with their joint covariance S (n, d, n, d) and noises R (n, d, d); dof (n,) of each.
 
-    An innovation of fewer numbers than d is filled up with zeros of variance 1, independent of all: its squares, and
+    An innovation of fewer numbers than d is padded with zeros of variance 1, independent of all: its squares, and
     those of every set that it is in, stay what they are. gain (k, n, d) is P H', for the rows `touched` (k,) of the
     joint covariance that any of them depends on.
     """
@@ -31,7 +31,7 @@ class JointInnovation:
 
 
 def joint_innovation(belief: Belief, sensor: MountedSensor, predictions: Predictions) -> JointInnovation:
-    """Innovations of all looks at the expectations they hold, and S = H P H' + R with all cross-correlations."""
+    """Joint innovation of all predictions, as they were predicted, and S = H P H' + R with all cross-correlations."""
     n, d = len(predictions), max(len(prediction.S) for prediction in predictions)
     touched = np.unique(np.concatenate([prediction.batch.columns[prediction.row] for prediction in predictions]))
     z, H, dof = np.zeros((n, d)), np.zeros((n, d, len(touched))), np.zeros(n, dtype=int)
@@ -52,15 +52,15 @@ def joint_innovation(belief: Belief, sensor: MountedSensor, predictions: Predict
 
 
 def hypothesis_innovations(sensor: MountedSensor, predictions: Predictions, joint: JointInnovation) -> Array:
-    """Innovations (n, n, d) of all looks (second axis) at the mean corrected by one of them alone (first axis).
+    """Innovations (n, n, d) of all predictions (second axis) at the mean updated by one of them alone (first axis).
 
-    Mean + P H_i' S_ii^-1 z_i for the poses and the landmarks looked at; nothing is corrected. Not linearized: each
-    hypothesis expects anew. nan where a landmark would be out of view.
+    Mean + P H_i' S_ii^-1 z_i for the poses and the landmarks; the belief is not changed. Not linearized: each
+    hypothesis predicts anew. nan where a landmark would be out of view.
     """
     n, d = joint.z.shape
     own = joint.S[np.arange(n), :, np.arange(n)]
     steps = np.einsum("knd,nd->nk", joint.gain, np.linalg.solve(own, joint.z[..., None])[..., 0])
-    moved_sensor = steps[:, np.searchsorted(joint.touched, sensor.columns)]  # (n, 6), or (n, 12) with its mount
+    moved_sensor = steps[:, np.searchsorted(joint.touched, sensor.columns)]  # (n, 6), or (n, 12) with its extrinsics
     extrinsics = sensor.extrinsics if sensor.block is None else Pose.plus(sensor.extrinsics, moved_sensor[:, POSE:])
     camera = compose(Pose.plus(sensor.robot.pose, moved_sensor[:, :POSE]), extrinsics)[:, None]
     in_frame: dict[str, list[tuple[list[int], Array]]] = defaultdict(list)
@@ -71,7 +71,7 @@ def hypothesis_innovations(sensor: MountedSensor, predictions: Predictions, join
         kind, moved = landmarks[0].kind, landmarks[0].kind.manifold.plus(landmark_means(landmarks), step)
         in_frame[predictions[at[0]].family.name].append((at, kind.to_frame(camera, moved)))
     z = np.zeros((n, n, d))
-    for kinds in in_frame.values():  # the sensor does not care for kinds: all points are projected at once
+    for kinds in in_frame.values():  # projection does not depend on the kind: all points are projected in one batch
         group = [i for at, _ in kinds for i in at]
         there = np.concatenate([places for _, places in kinds], axis=1)
         found = _innovations(sensor, [predictions[i] for i in group], there)
@@ -80,7 +80,7 @@ def hypothesis_innovations(sensor: MountedSensor, predictions: Predictions, join
 
 
 def _innovations(sensor: MountedSensor, predictions: Predictions, in_frame: Array) -> Array:
-    """Innovations (h, n, d) of looks of one family, at landmarks in_frame (h, n, q) of the sensor."""
+    """Innovations (h, n, d) of predictions of one family, for landmarks in_frame (h, n, q) of the sensor."""
     family = predictions[0].family
     inner = family.innovation_input(sensor.calibration, in_frame)
     h, n, q = inner.shape
