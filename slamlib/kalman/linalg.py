@@ -27,7 +27,7 @@ _ROUNDING = 4 * float(np.finfo(float).eps)  # of each row, beside the variance
 
 
 def numbers(value: ArrayLike, function: str, argument: str) -> Array:
-    """`value` as an array of floats; raises SlamlibError for text, complex numbers and lists of unequal lengths."""
+    """Convert to an array of floats; raises SlamlibError for text, complex numbers and lists of unequal lengths."""
     try:
         array = np.asarray(value)
         if array.dtype.kind in "cSUMm":
@@ -38,7 +38,7 @@ def numbers(value: ArrayLike, function: str, argument: str) -> Array:
 
 
 def finite(value: ArrayLike, shape: tuple[int, ...], function: str, argument: str) -> Array:
-    """`value` as an array of floats of exactly this shape; raises ShapeError, NonFiniteError."""
+    """Convert to an array of finite floats of exactly this shape; raises ShapeError, NonFiniteError."""
     array = numbers(value, function, argument)
     if array.shape != shape:
         raise ShapeError(f"{function}: {argument} should have shape {shape}, but has shape {array.shape}")
@@ -49,12 +49,12 @@ def finite(value: ArrayLike, shape: tuple[int, ...], function: str, argument: st
 
 
 def read_only_copy(array: ArrayLike) -> Array:
-    """A read-only copy, of floats."""
+    """Return a read-only copy, of floats."""
     return read_only(np.array(array, dtype=float))
 
 
 def read_only(array: Numbers) -> Numbers:
-    """The array itself, from now on read-only: for those that nobody else holds."""
+    """Make an array read-only and return it: for arrays that nobody else holds."""
     array.flags.writeable = False
     return array
 
@@ -66,7 +66,7 @@ def check_overflow(function: str, *results: Array) -> None:
 
 
 def covariance(value: ArrayLike, size: int, function: str, argument: str) -> Array:
-    """A symmetric, positive semi-definite matrix (size, size); a number or a vector of variances is made a diagonal.
+    """Check a symmetric, positive semi-definite (size, size); a number or vector of variances becomes a diagonal.
 
     Asymmetry up to 1e-9, and negative eigenvalues down to -1e-9, of the largest entry are taken as rounding.
     Raises CovarianceError, ShapeError, NonFiniteError.
@@ -89,14 +89,14 @@ def covariance(value: ArrayLike, size: int, function: str, argument: str) -> Arr
 
 
 def _factor(matrix: Array) -> Array | None:
-    """Lower Cholesky factors of (..., n, n), or None where there is none, or one that rounding alone decides."""
+    """Lower Cholesky factors of (..., n, n); None where there is none, or only by rounding."""
     if matrix.ndim == 2 and 0 < len(matrix) <= _SMALL:
         return small_cholesky(matrix, _ROUNDING)
     try:
         factor: Any = np.linalg.cholesky(matrix)
     except np.linalg.LinAlgError:
         return None
-    # What earlier rows leave of each variance, beside that variance itself: so mixed units do no harm. NaN is not >.
+    # What earlier rows leave of each variance, relative to that variance: so mixed units do no harm. NaN is not >.
     own = np.diagonal(factor, axis1=-2, axis2=-1) ** 2
     rounding = _ROUNDING * matrix.shape[-1] * np.diagonal(matrix, axis1=-2, axis2=-1)
     return factor if (own > rounding).all() else None
@@ -132,7 +132,7 @@ def solve_lower(factor: Array, right: Array) -> Array:
 def subtract_square(matrix: Array, rows: Array) -> None:
     """matrix -= rows.T @ rows in place; a symmetric matrix stays exactly symmetric.
 
-    NumPy runs W'W as a symmetric product. BLAS can update one triangle where it lies, which is then mirrored; but only
+    NumPy computes W'W as a symmetric product. BLAS can update one triangle in place, which is then mirrored; but only
     a contiguous matrix: of a view into a larger array its wrapper silently updates a copy.
     """
     large = len(matrix) >= _LARGE and len(rows) and matrix.flags.c_contiguous
@@ -158,7 +158,7 @@ def _mirror(matrix: Array) -> None:
 
 
 def replace_rows(matrix: Array, old: slice, rows: Array, corner: Array) -> Array:
-    """A symmetric matrix with the rows and columns `old` taken out and others put there: `rows` (k, n), whose columns
+    """Replace the rows and columns `old` of a symmetric matrix by others: `rows` (k, n), whose columns
     `old` are not used, and `corner` (k, k)."""
     head, tail = slice(0, old.start), slice(old.stop, len(matrix))
     end = old.start + len(corner)
@@ -181,7 +181,7 @@ def _scipy(module: str, name: str) -> Callable[..., Any] | None:
 
 
 def joseph(P: Array, H: Array, R: Array, K: Array) -> Array:
-    """(I - K H) P (I - K H)' + K R K': the corrected covariance for any gain K, not only the optimal one.
+    """(I - K H) P (I - K H)' + K R K': the updated covariance for any gain K, not only the optimal one.
 
     P (n, n), H (m, n), R (m, m), K (n, m); single precision stays single. The belief does not use it: for the optimal
     gain it equals P - W'W, and costs two dense products of size n where the touched rows need none.
@@ -198,10 +198,10 @@ def joseph(P: Array, H: Array, R: Array, K: Array) -> Array:
 
 
 def small_cholesky(matrix: Array, rounding: float) -> Array | None:
-    """Lower Cholesky factor of one matrix (n, n), or None where there is none, or one that rounding alone decides.
+    """Lower Cholesky factor of one matrix (n, n); None where there is none, or only by rounding.
 
-    Row by row on Python's floats, four times as quick as to prepare a call of LAPACK. l_ij = (a_ij - l_i . l_j) / l_jj
-    for j < i, and l_ii^2 = a_ii - l_i . l_i, over the columns before j and i. rounding: beside n and the variance.
+    Row by row on Python's floats, four times as fast as preparing a call of LAPACK. l_ij = (a_ij - l_i . l_j) / l_jj
+    for j < i, and l_ii^2 = a_ii - l_i . l_i, over the columns before j and i. rounding: relative to n and the variance.
     """
     rows: list[list[float]] = []
     for i, row in enumerate(matrix.tolist()):
@@ -221,7 +221,7 @@ def _dot(a: list[float], b: list[float]) -> float:
 
 
 def principal_blocks(matrix: Array, rows: Indices) -> Array:
-    """Blocks (n, k, k) of a matrix (s, s): of each row of `rows` (n, k) those rows and columns."""
+    """Blocks (n, k, k) of a matrix (s, s): for each row of `rows` (n, k), those rows and columns."""
     return matrix.ravel().take(rows[:, :, None] * len(matrix) + rows[:, None, :])
 
 

@@ -1,4 +1,4 @@
-"""Blocks of a belief, and what a belief was at one moment."""
+"""Blocks of a belief, the layout of its means, and snapshots."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
@@ -20,18 +20,18 @@ class Block:
         self.set_mean(manifold, mean)
 
     def set_mean(self, manifold: Manifold, mean: Array) -> None:
-        """Become a point of another space; dof are its estimated degrees of freedom."""
+        """Make it a point of another manifold; dof: its estimated degrees of freedom."""
         self.manifold, self.dof = manifold, manifold.dof
         self.layout: StateLayout | None
         self._own, self.layout, self.slice_in_flat = mean, None, slice(0)
 
     def bind(self, layout: "StateLayout", rows: slice) -> None:
-        """From now on the mean is this piece of the layout's numbers, and changes with them."""
+        """Make the mean a view of these rows of the layout's numbers, which changes with them."""
         self.layout, self.slice_in_flat = layout, rows
 
     @property
     def mean(self) -> Array:
-        """The present mean (size,): an array that never changes, for the next mean is another one."""
+        """The present mean (size,): an array that never changes; the next mean is a new array."""
         return self._own if self.layout is None else self.layout.flat[self.slice_in_flat]
 
     @mean.setter
@@ -52,12 +52,12 @@ class Block:
         return f"<block {self.manifold!r} at {self.start}>"
 
 
-# How a step (size of the covariance,) moves all means at once: from the blocks and the step to each block's new mean.
+# How a step (size of the covariance,) moves all means together: from the blocks and the step to each block's new mean.
 Retraction = Callable[[Sequence[Block], Array], Sequence[Array]]
 
 
 class StateLayout:
-    """How blocks lie among the rows of the covariance: vectors, which are moved in one sum, and points of manifolds.
+    """How blocks lie among the rows of the covariance: vectors, moved by one sum, and points of manifolds.
 
     flat: the vectors' means in one read-only array, one after the other; rows: of the covariance, of these numbers.
     """
@@ -74,7 +74,7 @@ class StateLayout:
             block.bind(self, slice(*rows))
 
     def retract(self, step: Array, retraction: Retraction | None = None) -> tuple[Array, list[Array]]:
-        """The vectors' means, and each point's, after a step (size of the covariance,); nothing is changed yet.
+        """Return the vectors' means and each point's after a step (size of the covariance,); nothing is changed yet.
 
         retraction: None moves each block by its own plus.
         """
@@ -87,14 +87,14 @@ class StateLayout:
         return linalg.read_only(self.flat + step.take(self.rows)), points
 
     def assign(self, flat: Array, points: Iterable[Array]) -> None:
-        """Take over what `retract` gave."""
+        """Set the means to the result of `retract`."""
         self.flat = flat
         for block, mean in zip(self.points, points, strict=True):
             block.mean = mean
 
 
 def stacked_means(blocks: Sequence[Block]) -> Array:
-    """Means (n, size) of blocks of one space; of vectors that lie in one belief, all at once."""
+    """Means (n, size) of blocks of one manifold; fast for vectors that lie in one belief."""
     layouts = {block.layout for block in blocks}
     layout = layouts.pop()
     if layouts or layout is None:
@@ -105,7 +105,7 @@ def stacked_means(blocks: Sequence[Block]) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class BeliefSnapshot:
-    """Means and covariance at one moment, as read-only arrays of their own; Belief.restore goes back to it."""
+    """Means and covariance at one moment, as read-only copies; Belief.restore returns to it."""
 
     means: tuple[Array, ...]
     slices: tuple[slice, ...]
@@ -116,7 +116,7 @@ class BeliefSnapshot:
 
 
 def checked_mean(manifold: Manifold, mean: ArrayLike, function: str) -> Array:
-    """A read-only copy of a mean that is checked to be a point of its space."""
+    """Return a read-only copy of a mean, checked to be a point of its manifold."""
     point = linalg.finite(mean, (manifold.size,), function, "mean")
     manifold.check(point, f"{function}: mean")
     return linalg.read_only_copy(point)

@@ -1,8 +1,8 @@
-"""The measurement update: from innovations and Jacobians to a step and the rows that P loses; at once, or in a series.
+"""The measurement update: from innovations and Jacobians to the step and the rows W of P - W'W; batch or sequential.
 
-A series takes each measurement at the means that those before it left, with one product with the covariance for all.
-After some of them the covariance is P - W'W, where W holds the rows that each of them took away (chapter kalman_filter). The next
-one needs a few rows of that, which are quickly computed of P and W; the whole of it is needed only at the end, and one
+A sequential update takes each measurement at the means that the one before left, but multiplies the covariance once.
+After some of them the covariance is P - W'W, where W holds the rows of each of them (chapter kalman_filter). The next
+one needs a few rows of that, computed quickly from P and W; the whole of it is needed only at the end, and one
 product of many rows costs far less than many products of two rows.
 """
 
@@ -22,7 +22,7 @@ from slamlib.manifolds import Array, Indices
 
 @dataclass(frozen=True)
 class LinearizedMeasurement:
-    """What one measurement says: Jacobians (m, dof) by each block it depends on, innovation (m,), noise (m, m)."""
+    """A linearized measurement: Jacobians (m, dof) w.r.t. each block it depends on, innovation (m,), noise (m, m)."""
 
     blocks: Sequence[Any]
     jacobians: Sequence[ArrayLike]
@@ -30,7 +30,7 @@ class LinearizedMeasurement:
     noise: Array
 
     def checked_innovation(self, function: str, name: str) -> Array:
-        """The innovation, checked to be one or more finite numbers."""
+        """Return the innovation, checked to be one or more finite numbers."""
         z = linalg.numbers(self.innovation, function, f"innovation{name}")
         if z.ndim != 1 or not z.size:
             shape = z.shape
@@ -40,7 +40,7 @@ class LinearizedMeasurement:
         return linalg.finite(z, z.shape, function, f"innovation{name}")
 
     def checked_jacobians(self, rows: int, function: str, name: str = "") -> list[Array]:
-        """The Jacobians, one a block, each checked to be (rows, dof of its block) and finite."""
+        """Return the Jacobians, one a block, each checked to be (rows, dof of its block) and finite."""
         blocks, jacobians = self.blocks, self.jacobians
         if not len(blocks) or len(blocks) != len(jacobians):
             counts = f"{len(blocks)} blocks but {len(jacobians)} Jacobians{name}"
@@ -51,7 +51,7 @@ class LinearizedMeasurement:
 
 @dataclass(frozen=True)
 class UpdateResult:
-    """What a correction found: the innovation z, its covariance S, and nis = z' S^-1 z."""
+    """Result of an update: the innovation z, its covariance S, and nis = z' S^-1 z."""
 
     innovation: Array
     covariance: Array
@@ -60,9 +60,9 @@ class UpdateResult:
 
 @dataclass(frozen=True)
 class StackedMeasurements:
-    """Several measurements as one: z (m,), R (m, m), and H (m, k) by the k touched degrees of freedom alone.
+    """Several measurements as one: z (m,), R (m, m), and H (m, k) w.r.t. the k touched degrees of freedom alone.
 
-    given: what it was stacked of, where that is known.
+    given: the measurements it was stacked from, where they are known.
     """
 
     z: Array
@@ -75,7 +75,7 @@ class StackedMeasurements:
     def of(
         cls, measurements: Sequence[LinearizedMeasurement], function: str, own: Callable[..., None]
     ) -> "StackedMeasurements":
-        """All innovations in one vector, all Jacobians in one matrix, all noises in one block-diagonal matrix.
+        """Stack all innovations in one vector, all Jacobians in one matrix, all noises in one block-diagonal matrix.
 
         own: raises where a block is not one of the belief.
         """
@@ -83,7 +83,7 @@ class StackedMeasurements:
             raise SlamlibError(f"{function}: no measurement given; leave the call out when nothing was seen")
         noises: dict[tuple[int, int], Array] = {}  # landmarks mostly share one R, which is checked once
         innovations, jacobians = [], []
-        columns: dict[Any, int] = {}  # where each touched block begins in the stacked Jacobian
+        columns: dict[Any, int] = {}  # where each touched block starts in the stacked Jacobian
         end = 0
         for i, measurement in enumerate(measurements):
             own(measurement.blocks)
@@ -113,7 +113,7 @@ class StackedMeasurements:
         return half + half.T + self.R
 
     def solve(self, method: str, HP: Array, S: Array) -> tuple[Array, Array, float]:
-        """Step, lost rows and nis by the method of this name: "batch" or "scalar"."""
+        """Step, rows W and nis by the method of this name: "batch" or "scalar"."""
         if method not in _METHODS:
             raise UnknownNameError.of("method", method, _METHODS)
         linalg.check_overflow("update", S)
@@ -126,7 +126,7 @@ class StackedMeasurements:
             ) from None
 
     def _certain(self, S: Array) -> str:
-        """Which measurement, and which of its numbers, is known for certain by prediction and measurement alike."""
+        """Describe the number that prediction and measurement both claim to know exactly."""
         if not self.given:
             return "a measurement"
         row = int(np.argmax(np.abs(np.linalg.eigh(S)[1][:, 0])))
@@ -137,7 +137,7 @@ class StackedMeasurements:
 
 
 def _batch(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
-    """Step, rows W with P - W'W the corrected covariance, and nis; from one Cholesky factor of S."""
+    """Step, rows W with P - W'W the updated covariance, and nis; from one Cholesky factor of S."""
     factor = linalg.cholesky(S, "update", "the innovation covariance")
     W = linalg.solve_lower(factor, HP)
     white = linalg.solve_lower(factor, z)
@@ -150,9 +150,9 @@ def _scalar(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array)
     H, HP, z = (linalg.solve_lower(factor, a) for a in (H, HP, z))
     step, rows, nis = np.zeros(HP.shape[1]), np.zeros_like(HP), 0.0
     for j, h in enumerate(H):
-        running = HP[j] - (h @ rows[:j, touched].T) @ rows[:j]  # h P, with the covariance of this moment
+        running = HP[j] - (h @ rows[:j, touched].T) @ rows[:j]  # h P, with the covariance at this point
         variance = running[touched] @ h + 1.0
-        left = z[j] - h @ step[touched]  # the innovation of this moment
+        left = z[j] - h @ step[touched]  # the innovation at this point
         rows[j] = running / np.sqrt(variance)
         step += running * (left / variance)
         nis += left * left / variance
@@ -162,14 +162,14 @@ def _scalar(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array)
 _METHODS: dict[str, Callable[..., tuple[Array, Array, float]]] = {"batch": _batch, "scalar": _scalar}
 
 
-_ROWS = 32  # of W that there is room for at first
+_ROWS = 32  # initial capacity for rows of W
 
 
 class SequentialUpdate:
-    """Corrections in progress; made by Belief.series."""
+    """Updates in progress; made by Belief.sequential_update."""
 
     def __init__(self, covariance: Array, layout: StateLayout, retraction: Retraction | None = None) -> None:
-        """covariance (n, n): corrected in place by `finish`."""
+        """covariance (n, n): updated in place by `finish`."""
         self._P, self._layout, self._retraction = covariance, layout, retraction
         self._store, self._count = np.empty((_ROWS, len(covariance))), 0  # W is its first rows
 
@@ -197,14 +197,14 @@ class SequentialUpdate:
         return UpdateResult(innovation, S, nis)
 
     def _keep(self, rows: Array) -> None:
-        """More rows of W, in a store that doubles when it is full."""
+        """Append rows to W, in a store that doubles when it is full."""
         end = self._count + len(rows)
         while end > len(self._store):
             self._store = np.concatenate([self._store, np.empty_like(self._store)])
         self._store[self._count : end], self._count = rows, end
 
     def finish(self) -> None:
-        """The covariance becomes that of the present means, which stay as they are."""
+        """Set the covariance to that of the present means, which stay as they are."""
         if self._count:
             linalg.subtract_square(self._P, self._store[: self._count])
             self._count = 0

@@ -1,4 +1,4 @@
-"""What a sensor measures of the landmarks of each family: the chain rule once, and one value for each family."""
+"""Measurement models of landmarks: the chain rule of Jacobians, and one module for each family of landmarks."""
 
 from typing import Any
 
@@ -12,7 +12,7 @@ FAMILIES = Registry(__name__, Family, "family")
 
 
 def parametrization(name: str) -> Any:
-    """The parametrization of a name, of whatever family: 'ahmPnt', 'plkLin', ... Raises UnknownNameError."""
+    """The parametrization of this name, of any family: 'ahmPnt', 'plkLin', ... Raises UnknownNameError."""
     known = {kind: value for family in FAMILIES.values() for kind, value in family.parametrizations.items()}
     if name not in known:
         raise UnknownNameError.of("landmark", name, known)

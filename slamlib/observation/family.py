@@ -1,8 +1,8 @@
-"""What a family of landmarks (points, lines, ...) must offer to the filter and to the simulator.
+"""The interface of a family of landmarks (points, lines, ...) to the filter and the simulator.
 
-A family is one value in a module of this folder, found by a walk (observation.FAMILIES): whoever adds planes or tags
-writes one file. The methods here are those of a family whose measurements are numbers in the sensor's frame, one row
-for each landmark; what it must say itself raises NotImplementedError.
+A family is one value in a module of this folder, found by a walk (observation.FAMILIES): planes or tags are added by
+one more file. The methods here are those of a family whose measurements are numbers in the sensor's frame, one row
+for each landmark; what a family must define itself raises NotImplementedError.
 """
 
 from __future__ import annotations
@@ -20,17 +20,17 @@ from slamlib.kalman.linalg import read_only
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.sensors.sensor import Calibration
 
-if TYPE_CHECKING:  # the filter is above this folder; only the checker of types looks up
+if TYPE_CHECKING:  # the filter is above this folder; only the type checker imports it
     from slamlib.belief import Belief
     from slamlib.slam.entities import Landmark, Linearization, MountedSensor
     from slamlib.slam.options import Options
 
 
 class PredictedBatch(NamedTuple):
-    """n landmarks of one kind in view of one sensor.
+    """Predicted measurements of n landmarks of one kind in view of one sensor.
 
-    value (n, m): their measurements; inner (n, q): what the innovation is computed from, with its Jacobian
-    by (n, q, k) by the rows `columns` (n, k) of the joint covariance; options: those it was predicted with.
+    value (n, m): predicted measurements; inner (n, q): what the innovation is computed from, with its Jacobian
+    by (n, q, k) w.r.t. the rows `columns` (n, k) of the joint covariance; options: those of the prediction.
     """
 
     landmarks: list[Landmark]
@@ -41,19 +41,19 @@ class PredictedBatch(NamedTuple):
     options: Options | None = None
 
     def take(self, rows: list[int]) -> PredictedBatch:
-        """Some of the landmarks, in this order."""
+        """Select landmarks, in this order."""
         value, inner, by = (array.take(rows, axis=0) for array in (self.value, self.innovation_input, self.jacobian))
         landmarks = [self.landmarks[i] for i in rows]
         return PredictedBatch(landmarks, value, inner, by, self.columns.take(rows, axis=0), self.options)
 
     @classmethod
     def nothing(cls, size: int) -> PredictedBatch:
-        """No landmark in view, of those whose measurements have `size` numbers."""
+        """No landmark in view; measurements of `size` numbers."""
         return cls([], np.zeros((0, size)), np.zeros((0, size)), np.zeros((0, size, 0)), np.zeros((0, 0), dtype=int))
 
 
 class Innovation(NamedTuple):
-    """z (n, d), its Jacobian H (n, d, k) of the expectation, and its noise R (n, d, d); of a single one without n."""
+    """z (n, d), Jacobian H (n, d, k) of the prediction, and noise R (n, d, d); without n for a single one."""
 
     z: Array
     H: Array
@@ -61,10 +61,10 @@ class Innovation(NamedTuple):
 
 
 class Viewpoint(NamedTuple):
-    """From where a sensor looks: its pose (7,) in the world, and what Jacobians need.
+    """A sensor's pose (7,) in the world, and what Jacobians need.
 
-    at (7,): its pose at the point of linearization, `pose` itself in an ordinary EKF; by (6, k): the Jacobian of that
-    by the rows `columns` of the joint covariance.
+    at (7,): its pose at the linearization point, `pose` itself in an ordinary EKF; by (6, k): Jacobian of that w.r.t.
+    the rows `columns` of the joint covariance.
     """
 
     sensor: MountedSensor
@@ -74,14 +74,14 @@ class Viewpoint(NamedTuple):
     linearization: Linearization | None
 
     def linearized(self, landmarks: list[Landmark]) -> Array:
-        """Means (n, size) of landmarks of one kind at which their Jacobians are taken."""
+        """Linearization points (n, size) of landmarks of one kind."""
         if self.linearization is None:
             return landmark_means(landmarks)
         return np.array([self.linearization.at(landmark.block) for landmark in landmarks])
 
 
 def viewpoint(sensor: MountedSensor, robot: Array | None = None) -> Viewpoint:
-    """Where the sensor is, by its robot's pose and its own mount; robot (7,): another pose of its robot."""
+    """The sensor's viewpoint from its robot's pose and its extrinsics; robot (7,): another pose of its robot."""
     linearization, pose = sensor.linearization, sensor.robot.pose if robot is None else robot
     is_estimated = sensor.block is not None
     now, by = _composed(pose.tobytes(), sensor.extrinsics.tobytes(), is_estimated)
@@ -110,7 +110,7 @@ def state_rows(landmarks: list[Landmark]) -> Indices:
 
 
 def state_columns(sensor: MountedSensor, landmarks: list[Landmark]) -> Indices:
-    """Rows (n, k) of the joint covariance that a measurement of each landmark, all of one kind, depends on."""
+    """Rows (n, k) of the joint covariance on which each landmark's measurement depends; landmarks of one kind."""
     shared, own = sensor.columns, state_rows(landmarks)
     columns = np.empty((len(own), len(shared) + own.shape[1]), dtype=int)
     columns[:, : len(shared)], columns[:, len(shared) :] = shared, own
@@ -118,7 +118,8 @@ def state_columns(sensor: MountedSensor, landmarks: list[Landmark]) -> Indices:
 
 
 def columns_jacobian(view: Viewpoint, camera: Array, landmark: Array) -> Array:
-    """Jacobians by the sensor's pose (..., q, 6) and by the landmark (..., q, dof) as one by its rows (..., q, k)."""
+    """Combine Jacobians w.r.t. the sensor's pose (..., q, 6) and the landmark (..., q, dof) into one w.r.t. its rows
+    (..., q, k)."""
     return np.concatenate([product(camera, view.jacobian), landmark], axis=-1)
 
 
@@ -135,10 +136,10 @@ def product(left: Array, right: Array) -> Array:
 
 
 class Family:
-    """A family of landmarks: its name, the class of its parametrizations, those that there are by name.
+    """A family of landmarks: its name, the class of its parametrizations, and these by name.
 
-    world_size: numbers that say where one is in the world, for the simulator (points: 3); exact: the parametrization
-    whose state these numbers are; parts: measurements of the sensor that one of its own is made of (a segment: 2).
+    world_size: how many numbers describe one in the simulated world (points: 3); exact: the parametrization whose state
+    these numbers are; parts: how many of the sensor's measurements make one of the family's (a segment: 2 pixels).
     """
 
     name: str
@@ -162,23 +163,24 @@ class Family:
         raise NotImplementedError
 
     def usable(self, sensor: MountedSensor, values: Array, options: Options) -> Mask:
-        """Mask of the measurements (n, m) that a landmark may begin with."""
+        """Mask (n,) of the measurements (n, m) by which a landmark may be initialized."""
         return np.ones(len(values), dtype=bool)
 
     def observe(self, kind: Any, calibration: Calibration, camera: Array, means: Array) -> tuple[Array, Mask, Any]:
-        """What a measurement is compared with, (n, q), of landmarks from a sensor's pose (7,): the measurement that is
-        expected, or what `residual` takes; the mask of those in view; and the Jacobians (n, q, 6) by the pose and
-        (n, q, dof) by the landmark, as `jacobians.camera` and `jacobians.landmark`."""
+        """What the innovation is computed from, (n, q), for landmarks seen from a sensor's pose (7,): the predicted
+        measurement, or what `residual` takes; the mask of those in view; and the Jacobians (n, q, 6) w.r.t. the pose
+        and
+        (n, q, dof) w.r.t. the landmark, as `jacobians.camera` and `jacobians.landmark`."""
         raise NotImplementedError
 
     def residual(self, sensor: MountedSensor, inner: Array, by: Array, measured: Array, options: Any) -> Innovation:
-        """Measured minus expected, in the space of the measurement: of one (m,) or of many (n, m), at what `observe`
-        gave, with its Jacobian `by` by the rows of the covariance."""
+        """Innovation, measured minus predicted: of one measurement (m,) or many (n, m), from `observe`'s results, with
+        its Jacobian `by` w.r.t. the rows of the covariance."""
         z, noise = sensor.calibration.sensor.manifold.minus(measured, inner), sensor.calibration.noise
         return Innovation(z, by, noise if z.ndim == 1 else noise[None].repeat(len(z), axis=0))
 
     def predict_batch(self, view: Viewpoint, landmarks: list[Landmark], options: Options) -> PredictedBatch:
-        """What the sensor should measure of landmarks of one kind; those out of view are left out."""
+        """Predict the measurements of landmarks of one kind; those out of view are left out."""
         kind, calibration, means = landmarks[0].kind, view.sensor.calibration, landmark_means(landmarks)
         value, visible, J = self.observe(kind, calibration, view.pose, means)
         if view.linearization is not None:
@@ -191,11 +193,11 @@ class Family:
         return PredictedBatch(looked, value, value, by, state_columns(view.sensor, looked), options)
 
     def batch_innovation(self, sensor: MountedSensor, expected: PredictedBatch, measured: Array) -> Innovation:
-        """Innovations of measurements (n, m) of landmarks that were expected."""
+        """Innovations of measurements (n, m) of predicted landmarks."""
         return self.residual(sensor, expected.innovation_input, expected.jacobian, measured, expected.options)
 
     def innovation(self, view: Viewpoint, landmark: Landmark, measured: Array, options: Options) -> Innovation | None:
-        """The innovation of one landmark at the present means; None if it should not be seen from there."""
+        """The innovation of one landmark at the present means; None if it is out of view there."""
         kind, calibration = landmark.kind, view.sensor.calibration
         inner, visible, J = self.observe(kind, calibration, view.pose, landmark.block.mean)
         if not visible:
@@ -205,44 +207,44 @@ class Family:
         return self.residual(view.sensor, inner, columns_jacobian(view, J.camera, J.landmark), measured, options)
 
     def innovation_input(self, calibration: Calibration, in_frame: Array) -> Array:
-        """What the innovation is computed from, of landmarks in the sensor's frame (..., q), as kind.to_frame has it;
+        """The innovation's input, for landmarks in the sensor's frame (..., q), as kind.to_frame returns them;
         nan where it cannot see them."""
         return in_frame
 
     def initialize(
         self, sensor: MountedSensor, kind: Any, value: Array, options: Options
     ) -> tuple[Array, Array, list[Array]]:
-        """Mean (size,), own noise (dof, dof) and Jacobians (dof, 6) by robot and mount of a new landmark."""
+        """Mean (size,), own noise (dof, dof) and Jacobians (dof, 6) w.r.t. robot and extrinsics of a new landmark."""
         raise NotImplementedError
 
     def abscissas(self, kind: Any) -> Array | None:
-        """Where the two ends of a new landmark are, of a family that has ends."""
+        """The abscissas of a new landmark's two endpoints; None for a family without endpoints."""
         return None
 
     def after_update(
         self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options
     ) -> None:
-        """What happens to landmarks of one kind after a measurement update: nothing."""
+        """Treat landmarks of one kind after a measurement update: here, do nothing."""
 
     def invalid(self, belief: Belief, landmarks: list[Landmark]) -> set[Landmark]:
-        """The landmarks, of one kind, that cannot be where they are estimated: none."""
+        """The landmarks, of one kind, whose estimates are impossible: here, none."""
         return set()
 
     def geometry(self, belief: Belief, landmarks: list[Landmark]) -> tuple[Array, Array, Mask]:
-        """For pictures: where they are in the world (n, ...), covariances (n, ...), and the mask of those converged."""
+        """For display: positions in the world (n, ...), covariances (n, ...), and the mask of those converged."""
         raise NotImplementedError
 
     def distance(self, geometry: Array, there: Array) -> float:
-        """How far [m] a landmark, as `geometry` has it, is from what is there (world_size,)."""
+        """Distance [m] of a landmark, as `geometry` returns it, from the true one (world_size,)."""
         return float(np.linalg.norm(geometry - there))
 
     def check(self, name: str, calibration: Calibration) -> None:
-        """Raise SlamlibError if a sensor of this name cannot be simulated where there is something of the family."""
+        """Raise SlamlibError if a sensor of this name cannot be simulated with landmarks of the family."""
 
     def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:
-        """What a simulated sensor at a pose (7,) measures of what is there: rows (k,) of the landmarks, values (k, m).
+        """Simulate a sensor's measurements at a pose (7,): rows (k,) of the landmarks in view, values (k, m).
 
-        places (n, world_size); noise (n, m), or (n, parts, m): of each, seen or not.
+        places (n, world_size): the true landmarks; noise (n, m), or (n, parts, m): of each, in view or not.
         """
         value, visible, _ = self.observe(self.exact, sensor.calibration, camera, places)
         rows = np.flatnonzero(visible)

@@ -1,7 +1,7 @@
-"""A camera on a robot looks at straight lines: the chain rule for every pair of a camera and a parametrization.
+"""A camera on a robot observes straight lines: the chain rule for every pair of a camera and a parametrization.
 
 landmark --to_frame--> Pluecker coordinates in the camera's frame --project_line--> image line, and back from the two
-endpoints of a measured segment. And what such a segment says about an expected line, in three residuals; and segments
+endpoints of a measured segment. Also the residuals of a segment from a predicted line, in three variants; and segments
 in images that a lens bends.
 """
 
@@ -25,9 +25,9 @@ _NO_DISTORTION = np.eye(4)
 def observe_line(
     kind: LineLandmark, calibration: Calibration, robot: Array, extrinsics: Array, landmarks: Array
 ) -> Observation:
-    """Expected image lines (..., 3), homogeneous and undistorted, of landmarks (..., size), with Jacobians.
+    """Predicted image lines (..., 3), homogeneous and undistorted, of landmarks (..., size), with Jacobians.
 
-    A line has no ends, so it has no border to lie in: `visible` is true for all; segments are judged by their ends
+    An infinite line is never out of view: `visible` is true for all; segments are tested by their endpoints
     (slamlib.landmarks.segments). Raises SlamlibError for a sensor that sees no lines. Chapter lines, eq. (li-project).
     """
     _check_lines(calibration, f"observe {kind.name}")
@@ -47,7 +47,7 @@ def observe_line(
 def initialize_line(
     kind: LineLandmark, calibration: Calibration, robot: Array, extrinsics: Array, segment: Array, prior: Array
 ) -> tuple[Array, Any]:
-    """The landmark of a segment (..., 4), two pixels, and of the two numbers `prior` that it does not tell; Jacobians.
+    """Initialize a landmark from a segment (..., 4), two pixels, and a prior (..., 2) of two unmeasured numbers.
 
     jacobians.robot (..., dof, 6), .extrinsics (..., dof, 6), .measurement (..., dof, 4), .unmeasured (..., dof, 2), and
     one for each parameter of the camera. Each endpoint is undistorted by itself. Raises SlamlibError for a sensor that
@@ -70,7 +70,7 @@ def initialize_line(
 
 
 def _check_lines(calibration: Calibration, task: str) -> None:
-    """Raise SlamlibError for a sensor to which a line has no image."""
+    """Raise SlamlibError for a sensor that cannot image lines."""
     if calibration.sensor.project_line is None:
         raise SlamlibError(f"{calibration.sensor.name} measures no lines, so it cannot {task}")
 
@@ -85,12 +85,12 @@ def _of_rays(by_parameter: Array) -> Array:
 
 
 def rays_of(calibration: Calibration, segment: Array) -> tuple[Array, Array]:
-    """Unit rays (..., 6) of the ends of segments (..., 4), and their Jacobians (..., 6, 4)."""
+    """Unit rays (..., 6) of the endpoints of segments (..., 4), and their Jacobians (..., 6, 4)."""
     return _back_projected(calibration, segment)[:2]
 
 
 def _back_projected(calibration: Calibration, segment: Array) -> tuple[Array, Array, Any]:
-    """The same, and the Jacobians of the ends' homogeneous points by all that they depend on."""
+    """The same, and the Jacobians of the endpoints' homogeneous points w.r.t. all that they depend on."""
     lead = segment.shape[:-1]
     points, J = calibration.back_project_jac(segment.reshape(*lead, 2, 2), np.ones((*lead, 2, 1)))
     by = np.zeros((*lead, 6, 4))
@@ -99,7 +99,7 @@ def _back_projected(calibration: Calibration, segment: Array) -> tuple[Array, Ar
 
 
 def undistort_segments(calibration: Calibration, segment: Array) -> tuple[Array, Array]:
-    """Segments (..., 4) as a lens without distortion would have seen their ends, and the Jacobians (..., 4, 4)."""
+    """Undistort the endpoints of segments (..., 4); with the Jacobians (..., 4, 4)."""
     if not _distorts(calibration):
         return segment, _NO_DISTORTION
     rays, by_pixels = rays_of(calibration, segment)
@@ -112,7 +112,7 @@ def undistort_segments(calibration: Calibration, segment: Array) -> tuple[Array,
 
 
 def distort_segments(calibration: Calibration, segment: Array) -> Array:
-    """The inverse of `undistort_segments`: where the lens puts the ends of ideal segments (..., 4)."""
+    """The inverse of `undistort_segments`: distort the endpoints of ideal segments (..., 4)."""
     if not _distorts(calibration):
         return segment
     endpoints = segment.reshape(*segment.shape[:-1], 2, 2)
@@ -123,7 +123,7 @@ def distort_segments(calibration: Calibration, segment: Array) -> Array:
 
 
 def _without_distortion(calibration: Calibration) -> dict[str, Array]:
-    """The parameters, with those that the image of a line does not know, the lens's, at zero."""
+    """The parameters, with the lens's distortion at zero: a line's image does not depend on it."""
     project_line: Any = calibration.sensor.project_line
     return {n: v if n in project_line.parameters else np.zeros_like(v) for n, v in calibration.given.items()}
 
@@ -134,7 +134,7 @@ def _distorts(calibration: Calibration) -> bool:
 
 
 def _image_line(calibration: Calibration, line: Array) -> tuple[Array, Any]:
-    """Image lines (..., 3) of lines (..., 6) of the camera's frame, and the Jacobians by line and parameters."""
+    """Image lines (..., 3) of lines (..., 6) of the camera's frame, and the Jacobians w.r.t. line and parameters."""
     project: Any = calibration.sensor.project_line
     image, J = project.jac(line, **{n: calibration.given[n] for n in project.parameters if n in calibration.given})
     return image, J
@@ -162,5 +162,5 @@ def _angles(calibration: Calibration, line: Array, segment: Array) -> tuple[Arra
     return z, J.line, J.rays @ by_segment
 
 
-# Each gives z (..., 2), measured minus expected, and its Jacobians by the line (..., 2, 6) and the segment (..., 2, 4).
+# Each gives z (..., 2), measured minus predicted, and its Jacobians w.r.t. line (..., 2, 6) and segment (..., 2, 4).
 RESIDUALS: dict[str, Residual] = {"ortDst": _distances, "rhoThe": _rho_theta, "angles": _angles}

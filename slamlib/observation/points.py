@@ -1,4 +1,4 @@
-"""A sensor on a robot looks at landmarks: the chain rule, once, for every pair of a sensor and a parametrization.
+"""A sensor on a robot observes points: the chain rule, once, for every pair of a sensor and a parametrization.
 
 landmark --to_frame--> homogeneous point in the sensor's frame --project--> measurement, and back.
 """
@@ -33,10 +33,10 @@ PLACEHOLDER_POINT = np.array([0.25, 0.5, 1, 1])  # for points that cannot be mea
 
 @dataclass(frozen=True)
 class Observation:
-    """What a sensor should measure of landmarks: values (..., m), the mask of those it sees, and Jacobians.
+    """Predicted measurements of landmarks: values (..., m), the mask of those in view, and Jacobians.
 
     jacobians.robot (..., m, 6), .extrinsics (..., m, 6), .landmark (..., m, dof), and one for each parameter of the
-    sensor. The rows of landmarks that are not seen hold numbers without a meaning. in_frame: the landmarks in the
+    sensor. The rows of landmarks out of view hold meaningless numbers. in_frame: the landmarks in the
     sensor's frame, homogeneous points (..., 4) or lines in Pluecker coordinates (..., 6).
     """
 
@@ -47,7 +47,7 @@ class Observation:
 
     @property
     def depth(self) -> Array:
-        """How far points are in front of the sensor (...) [m], along its z axis; infinite for a point at infinity."""
+        """Depth of points in front of the sensor (...) [m], along its z axis; infinite for a point at infinity."""
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.asarray(self.in_frame[..., 2] / self.in_frame[..., 3])
 
@@ -55,7 +55,7 @@ class Observation:
 def observe(
     kind: PointLandmark, calibration: Calibration, robot: Array, extrinsics: Array, landmarks: Array
 ) -> Observation:
-    """Expected measurements of landmarks (..., size) from a robot's pose (7,) and the sensor's extrinsics (7,) on it.
+    """Predict the measurements of landmarks (..., size) from a robot's pose (7,) and the sensor's extrinsics (7,).
 
     Raises SlamlibError for what is no point. Chapter pinhole, the chain rule of (ph-chain).
     """
@@ -66,7 +66,7 @@ def observe(
 
 
 def observe_from(kind: PointLandmark, calibration: Calibration, camera: Array, landmarks: Array) -> Observation:
-    """The same from the sensor's own pose (7,) in the world: jacobians.camera (..., m, 6) is by that one."""
+    """The same from the sensor's own pose (7,) in the world: jacobians.camera (..., m, 6) is w.r.t. that one."""
     _check_point(kind, calibration, "observe")
     point, by_frame = kind.to_frame.jac(camera, landmarks)
     seen = calibration.visible(point)
@@ -88,11 +88,11 @@ def initialize(
     measurement: Array,
     *unmeasured: Array,
 ) -> tuple[Array, Any]:
-    """The landmark of a measurement (..., m) and of what it does not tell (..., u), and Jacobians.
+    """Initialize a landmark from a measurement (..., m) and a prior of the unmeasured numbers (..., u); with Jacobians.
 
     jacobians.robot (..., dof, 6), .extrinsics (..., dof, 6), .measurement (..., dof, m), .unmeasured (..., dof, u) if
-    the sensor leaves something open, and one for each parameter of the sensor. Raises SlamlibError for what is no
-    point, and for an `unmeasured` that is missing, not wanted, or a negative inverse distance.
+    the sensor leaves something unmeasured, and one for each parameter of the sensor. Raises SlamlibError for what is no
+    point, and for an `unmeasured` that is missing, superfluous, or a negative inverse distance.
     """
     _check_point(kind, calibration, "initialize")
     wanted = calibration.sensor.unmeasured
@@ -127,7 +127,7 @@ def _check_point(kind: Any, calibration: Any, function: str) -> None:
 
 
 def _seen_again(kind: PointLandmark, camera: Array, point: Array, landmark: Array) -> None:
-    """Raise SingularPointError if a landmark is not where it was measured: not every type can hold every point."""
+    """Raise SingularPointError if a new landmark is not where it was measured: not every type holds every point."""
     turned = (kind.to_frame(camera, landmark)[..., :3] * point[..., :3]).sum(-1) <= 0
     if turned.any():
         example = np.broadcast_to(point, (*turned.shape, 4))[turned][0]
@@ -138,13 +138,13 @@ def _seen_again(kind: PointLandmark, camera: Array, point: Array, landmark: Arra
 
 
 def through(by_camera: Any, by_pose: Array) -> dict[str, Array]:
-    """Jacobians by the robot and by the mount of something, from its Jacobian by the camera's pose."""
+    """Jacobians w.r.t. the robot and the extrinsics, from a Jacobian w.r.t. the camera's pose."""
     both = product(by_pose, np.concatenate([by_camera.outer, by_camera.inner], axis=-1))
     return {"robot": both[..., :6], "extrinsics": both[..., 6:]}
 
 
 def named(parts: dict[str, Array]) -> Any:
-    """Jacobians by the names of what they are taken by."""
+    """Jacobians as fields named after their arguments."""
     return _fields(tuple(parts))(*parts.values())
 
 
@@ -166,7 +166,7 @@ class PointFamily(Family):
         return True
 
     def usable(self, sensor: MountedSensor, values: Array, options: Options) -> Mask:
-        """Mask of the measurements (n, m) that a landmark may begin with: not too near the image's border."""
+        """Mask (n,) of the measurements (n, m) that may initialize a landmark: not too near the image's border."""
         image = sensor.calibration.image
         return sensor.calibration.inside(values, 0.0 if image is None else options.margin * image[0])
 
@@ -178,14 +178,14 @@ class PointFamily(Family):
         return found.value, found.visible, found.jacobians
 
     def innovation_input(self, calibration: Calibration, in_frame: Array) -> Array:
-        """Measurements expected of homogeneous points (..., 4) in the sensor's frame; nan where it cannot see them."""
+        """Predicted measurements of homogeneous points (..., 4) in the sensor's frame; nan where it cannot see them."""
         seen = calibration.visible(in_frame)[..., None]
         return np.where(seen, calibration.project(np.where(seen, in_frame, PLACEHOLDER_POINT)), np.nan)
 
     def initialize(
         self, sensor: MountedSensor, kind: PointLandmark, value: Array, options: Options
     ) -> tuple[Array, Array, list[Array]]:
-        """Mean, own noise and Jacobians by robot and mount of a point that is seen for the first time. Chapter initialization."""
+        """Mean, own noise and Jacobians w.r.t. robot and extrinsics of a new point. Chapter initialization."""
         mean, std = options.inverse_distance
         calibration = sensor.calibration
         prior = [np.array([mean])] * calibration.sensor.unmeasured
@@ -198,13 +198,13 @@ class PointFamily(Family):
     def after_update(
         self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options
     ) -> None:
-        """After a measurement update: points that are known well enough become Euclidean. Chapter points."""
+        """After a measurement update: convert points that are known well enough to Euclidean ones. Chapter points."""
         kind = landmarks[0].kind
         if not options.convert or kind is EUC_POINT:
             return
         view = viewpoint(sensor)
         columns, dof = state_columns(sensor, landmarks), landmarks[0].block.dof
-        T = np.zeros((dof + 6, columns.shape[1]))  # from (robot, mount, landmark) to (landmark, camera)
+        T = np.zeros((dof + 6, columns.shape[1]))  # from (robot, extrinsics, landmark) to (landmark, camera)
         T[:dof, -dof:], T[dof:, :-dof] = np.eye(dof), view.jacobian
         means, P = landmark_means(landmarks), principal_blocks(belief.matrix, columns)
         ripe = should_convert(kind, means, P, view.pose, options.convert_below, T)
@@ -214,13 +214,13 @@ class PointFamily(Family):
                 landmark.kind = EUC_POINT
 
     def invalid(self, belief: Belief, landmarks: list[Landmark]) -> set[Landmark]:
-        """The landmarks, of one kind, that lie beyond infinity: no point is there. Chapter points."""
+        """The landmarks, of one kind, that lie beyond infinity, where no point can be. Chapter points."""
         kind = landmarks[0].kind
         if kind is EUC_POINT:
             return set()
         means = landmark_means(landmarks)
         if (kind.to_frame(WORLD, means)[:, 3] >= 0).all():
-            return set()  # as mostly: quick, without Jacobians
+            return set()  # mostly the case: quick, without Jacobians
         beyond = beyond_infinity(kind, means, principal_blocks(belief.matrix, state_rows(landmarks)))
         return {landmarks[i] for i in np.flatnonzero(beyond)}
 
@@ -236,7 +236,7 @@ class PointFamily(Family):
         return geometry, covariance, converged
 
     def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:
-        """Points in view that nothing hides, with their noise, as long as they are still in the image with it."""
+        """Measurements of points in view and not occluded, with noise, as far as they are still in the image with it."""
         calibration = sensor.calibration
         inside = EUC_POINT.to_frame(camera, places)
         seen = np.flatnonzero(calibration.visible(inside) & ~sensor.hidden(places, camera))

@@ -1,4 +1,4 @@
-"""Straight lines as a family of landmarks: measured as segments, held as infinite lines with two ends kept beside."""
+"""Straight lines as a family of landmarks: measured as segments, estimated as infinite lines with two endpoints."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ if TYPE_CHECKING:
     from slamlib.slam.options import Options
 
 Jacobians = namedtuple("Jacobians", ("camera", "landmark"))
-CONVERGED_RATIO = 0.1  # of a segment's length: the largest standard deviation of an end of a line that has converged
+CONVERGED_RATIO = 0.1  # of a segment's length: the largest standard deviation of an endpoint of a converged line
 
 
 class LineFamily(Family):
-    """Straight lines, measured as segments: expectation, innovation, first estimate, constraint, and their two ends."""
+    """Straight lines, measured as segments: prediction, innovation, initialization, constraint, and endpoints."""
 
     name = "segments"
     kinds = LineLandmark
@@ -49,15 +49,15 @@ class LineFamily(Family):
         return 4
 
     def supports(self, sensor: MountedSensor) -> bool:
-        """Lines are for cameras that map them to straight lines, and have an image."""
+        """Lines need a camera that maps them to straight lines, and has an image."""
         return sensor.calibration.sensor.project_line is not None and sensor.calibration.image is not None
 
     def usable(self, sensor: MountedSensor, values: Array, options: Options) -> Mask:
-        """Mask of the segments (n, 4) that a landmark may begin with: long enough."""
+        """Mask (n,) of the segments (n, 4) that may initialize a landmark: long enough."""
         return segments.length(values) >= options.minimum_length
 
     def predict_batch(self, view: Viewpoint, landmarks: list[Landmark], options: Options) -> PredictedBatch:
-        """The segments that the camera should see, between the lines' ends; those out of view are left out."""
+        """Predict segments between the lines' endpoints; those out of view are left out."""
         kind, means = landmarks[0].kind, landmark_means(landmarks)
         end_points = hmg_point.to_frame(
             view.pose, endpoints.endpoints_at(kind, means, np.array([lm.abscissas for lm in landmarks]))
@@ -75,33 +75,33 @@ class LineFamily(Family):
     def observe(
         self, kind: LineLandmark, calibration: Calibration, camera: Array, means: Array
     ) -> tuple[Array, Mask, Any]:
-        """Lines (n, 6) of the sensor's frame. A line has no border: whoever saw it, sees it."""
+        """Lines (n, 6) in the sensor's frame; an infinite line is never out of view."""
         line, J = kind.to_frame.jac(camera, means)
         visible: Any = np.True_ if line.ndim == 1 else np.ones(line.shape[:-1], dtype=bool)
         return line, visible, Jacobians(J.pose, J.landmark)
 
     def residual(self, sensor: MountedSensor, inner: Array, by: Array, measured: Array, options: Any) -> Innovation:
-        """How far measured segments (n, 4) are off lines (n, 6) of the sensor's frame, as the options say it (n, 2)."""
+        """Residuals (n, 2) of measured segments (n, 4) from lines (n, 6) in the sensor's frame; options.innovation."""
         z, by_line, by_segment = RESIDUALS[options.innovation](sensor.calibration, inner, measured)
         return Innovation(z, -by_line @ by, by_segment @ _noise(sensor) @ by_segment.swapaxes(-1, -2))
 
     def initialize(
         self, sensor: MountedSensor, kind: LineLandmark, value: Array, options: Options
     ) -> tuple[Array, Array, list[Array]]:
-        """Mean, own noise and Jacobians by robot and mount of a line that is seen for the first time. Chapter initialization."""
+        """Mean, own noise and Jacobians w.r.t. robot and extrinsics of a new line. Chapter initialization."""
         means, stds = (np.array(numbers) for numbers in options.line_prior(kind.name))
         x, J = initialize_line(kind, sensor.calibration, sensor.robot.pose, sensor.extrinsics, value, means)
         own = J.measurement @ _noise(sensor) @ J.measurement.T + J.unmeasured @ np.diag(stds**2) @ J.unmeasured.T
         return x, own, [J.robot, J.extrinsics]
 
     def abscissas(self, kind: LineLandmark) -> Array:
-        """Where the two ends of a new line are."""
+        """The abscissas of a new line's two endpoints."""
         return np.array(kind.abscissas, dtype=float)
 
     def after_update(
         self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options
     ) -> None:
-        """After an update: lines of one kind are made lines again, their ends follow what was seen. Chapter lines."""
+        """After an update: enforce the line constraint, let the endpoints follow the measured ones. Chapter lines."""
         kind = landmarks[0].kind
         camera = viewpoint(sensor).pose
         if kind.constrain is not None:
@@ -119,7 +119,7 @@ class LineFamily(Family):
             landmark.abscissas = new
 
     def geometry(self, belief: Belief, landmarks: list[Landmark]) -> tuple[Array, Array, Mask]:
-        """Both ends (n, 2, 3) in the world and their covariances (n, 2, 3, 3); nan for those at or beyond infinity."""
+        """Endpoints (n, 2, 3) in the world, their covariances (n, 2, 3, 3); nan for those at or beyond infinity."""
         geometry, covariance = np.full((len(landmarks), 2, 3), np.nan), np.full((len(landmarks), 2, 3, 3), np.nan)
         for i, landmark in enumerate(landmarks):
             h, J = landmark.kind.point_at.jac(np.tile(landmark.block.mean, (2, 1)), landmark.abscissas)
@@ -131,22 +131,23 @@ class LineFamily(Family):
         return geometry, covariance, endpoints_converged(geometry, covariance)
 
     def distance(self, geometry: Array, there: Array) -> float:
-        """The larger distance [m] of the true segment's two ends from the estimated line."""
+        """The larger distance [m] of the true segment's two endpoints from the estimated line."""
         along = (geometry[1] - geometry[0]) / np.linalg.norm(geometry[1] - geometry[0])
         away = there.reshape(2, 3) - geometry[0]
         return float(np.linalg.norm(away - np.outer(away @ along, along), axis=1).max())
 
     def check(self, name: str, calibration: Calibration) -> None:
-        """Raise SlamlibError for a camera that maps lines to lines, and has no image to cut them at."""
+        """Raise SlamlibError for a camera that maps lines to lines, but has no image to clip them to."""
         if calibration.sensor.project_line is not None and calibration.image is None:
             raise SlamlibError(f"{name}: segments are cut at the border of the image; give the setup an image")
 
     def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:
-        """Cut at the image's border in the ideal image; then the lens, then noise at the ends that are left.
+        """Clip to the image's border in the ideal image; then distort, then add noise to the clipped endpoints.
 
-        The toolbox adds the noise before it cuts, at ends that may lie far outside: what is left of it at the border is
-        a mean of the two ends' noise, which is smaller than the filter is told. The last cut here moves an end by the
-        noise only, along its own segment, which leaves its distance from the line as it was to the first order.
+        The toolbox adds the noise before it clips, at endpoints that may lie far outside: what is left of it at the
+        border is an average of both endpoints' noise, smaller than the filter assumes. The last clipping here moves an
+        endpoint by the noise only, along its own segment, which leaves its distance from the line unchanged to first
+        order.
         """
         calibration = sensor.calibration
         end_points, seen = sensor.longest_seen(places.reshape(-1, 2, 3), camera)
@@ -158,7 +159,7 @@ class LineFamily(Family):
         exact = calibration.project(points[rows]).reshape(-1, 4)
         measured = segments.trim(exact + noise[rows].reshape(-1, 4), tuple(calibration.image), minimum_length=0)
         found = measured.seen & (segments.length(exact) >= sensor.shortest)
-        pixels = np.clip(measured.pixels[found], 0, np.tile(calibration.image, 2))  # the cut's own rounding
+        pixels = np.clip(measured.pixels[found], 0, np.tile(calibration.image, 2))  # rounding of the clipping itself
         return rows[found], pixels
 
 
@@ -175,8 +176,8 @@ def _noise(sensor: MountedSensor) -> Array:
 def project_endpoints(
     calibration: Calibration, camera: Array, landmarks: list[Landmark], abscissas: Array
 ) -> tuple[Mask, Array, tuple[Array, Array, Array, Array]]:
-    """What a sensor sees of lines of one kind at two abscissas of each (n, 2): the mask (n, 2) of what it can measure,
-    pixels (n, 2, 2), and Jacobians: of those by the point in the frame, of this by pose and point, of that by the line.
+    """Project the points at two abscissas (n, 2) of each line of one kind: mask (n, 2) of those in view,
+    pixels (n, 2, 2), and Jacobians: pixels w.r.t. the point in the frame, that w.r.t. pose and point, that w.r.t. line.
     """
     h, by_line = landmarks[0].kind.point_at.jac(landmark_means(landmarks)[:, None, :], abscissas)
     point, F = hmg_point.to_frame.jac(camera, h)
@@ -188,7 +189,7 @@ def project_endpoints(
 def _endpoint_std(
     belief: Belief, calibration: Calibration, camera: Array, landmarks: list[Landmark], abscissas: Array
 ) -> Array:
-    """The larger standard deviation of the lines' two ends in the image (n,) [px]; inf where one is not in view."""
+    """The larger standard deviation (n,) [px] of the lines' two endpoints in the image; inf if one is out of view."""
     seen, _, (by_point, _, F, by_line) = project_endpoints(calibration, camera, landmarks, abscissas)
     H, P = by_point @ F @ by_line, principal_blocks(belief.matrix, state_rows(landmarks))
     spread = endpoints.largest_std(H @ P[:, None] @ H.swapaxes(-1, -2))
@@ -196,9 +197,9 @@ def _endpoint_std(
 
 
 def endpoints_converged(geometry: Array, covariance: Array) -> Mask:
-    """Mask (n,) of the segments (n, 2, 3) whose ends, of covariance (n, 2, 3, 3), are known well beside their length.
+    """Mask (n,) of the segments (n, 2, 3) whose endpoint covariances (n, 2, 3, 3) are small beside their length.
 
-    A new line is known in the plane of its first image alone: its ends may lie anywhere along their rays.
+    A new line is known in the plane of its first image alone: its endpoints may lie anywhere along their rays.
     """
     found = np.zeros(len(geometry), dtype=bool)
     known = np.isfinite(geometry).all((-2, -1))
