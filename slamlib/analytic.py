@@ -58,7 +58,8 @@ def stumpff(order: int, s: Value) -> Value:
 
     c_0 = cos(sqrt s), c_1 = sin(sqrt s)/sqrt s, c_2 = (1 - cos(sqrt s))/s, c_3 = (sqrt s - sin(sqrt s))/s^(3/2);
     the family is closed under differentiation: c_k' = (k c_(k+2) - c_(k+1)) / 2. Source: Battin, An Introduction to
-    the Mathematics and Methods of Astrodynamics (1999), section 4.5 (as U-functions); derived in chapter frames_and_quaternions.
+    the Mathematics and Methods of Astrodynamics (1999), section 4.5 (as U-functions); derived in chapter
+    frames_and_quaternions.
     """
     if type(s) is float:
         return _stumpff_series(order, s) if s < _SERIES else _stumpff_closed(order, s, math)
@@ -103,7 +104,8 @@ def arctan_ratio(s: Value, w: Value) -> Value:
     """arctan(sqrt(s)/w) / sqrt(s), smooth at s = 0 and odd in w.
 
     With s the squared norm of a quaternion's vector part and w its scalar part, twice this value times the vector part
-    is the rotation vector; odd in w, so that a quaternion and its negative give the same one. Derived in chapter frames_and_quaternions.
+    is the rotation vector; odd in w, so that a quaternion and its negative give the same one. Derived in chapter
+    frames_and_quaternions.
     """
     return _arctan(s, w, "ArctanRatio", _ratio_series, _ratio_closed)
 

@@ -7,15 +7,15 @@ from typing import Any
 
 
 class SlamlibError(Exception):
-    """Any misuse that slamlib can name."""
+    """Any misuse that slamlib detects."""
 
 
 class ShapeError(SlamlibError):
-    """An array has another shape than the function takes."""
+    """An array has a shape that the function does not accept."""
 
     @classmethod
     def of(cls, function: str, argument: str, wanted: tuple[int, ...], given: tuple[int, ...]) -> "ShapeError":
-        """The standard message: names the argument, the shape wanted and the shape given."""
+        """The standard message, with the argument, the expected shape and the given shape."""
         form = ", ".join(["...", *map(str, wanted)])
         return cls(
             f"{function}: argument '{argument}' should have shape ({form}), leading axes free, but has shape {given}"
@@ -27,7 +27,7 @@ class NonFiniteError(SlamlibError):
 
 
 class CovarianceError(SlamlibError):
-    """A matrix that should be a covariance is not symmetric or not positive."""
+    """A matrix that should be a covariance is not symmetric, or not positive (semi-)definite."""
 
 
 class UnitError(SlamlibError):
@@ -47,11 +47,11 @@ class StaleCodeError(SlamlibError):
 
 
 class UnknownNameError(SlamlibError):
-    """A name is none of those that are known."""
+    """A name that is not among the known ones."""
 
     @classmethod
     def of(cls, what: str, name: object, known: Iterable[str]) -> "UnknownNameError":
-        """The standard message: names the choices and the nearest one."""
+        """The standard message, with the choices and the nearest one."""
         choices = sorted(known)
         near = get_close_matches(str(name), choices, n=1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
@@ -59,19 +59,19 @@ class UnknownNameError(SlamlibError):
 
 
 class UnknownCallError(UnknownNameError, AttributeError):
-    """Axes or a figure are asked for something that they do not have."""
+    """Axes or a figure have no method of this name."""
 
     @classmethod
     def of_object(cls, what: str, name: str, known: list[str]) -> "UnknownCallError":
-        """The message, with what is possible; names that Python asks for by itself get a short one."""
+        """The message, with the known names; names that Python itself looks up get a short one."""
         if name.startswith("_"):
             return cls(f"{what} has no {name}")
         return cls(str(UnknownNameError.of(f"call of {what}", name, known)))
 
 
 def optional(module: str, purpose: str, extra: str) -> Any:
-    """A module of a package that slamlib does without; raises SlamlibError that says what for ("to read images"), and
-    which extra of slamlib holds it."""
+    """Import a module of an optional package; raises SlamlibError that states the purpose ("to read images") and the
+    extra of slamlib that installs it."""
     try:
         return import_module(module)
     except ImportError as error:

@@ -1,4 +1,4 @@
-"""Where arguments live: vectors, and manifolds whose stored size and degrees of freedom differ."""
+"""The spaces of arguments: vectors, and manifolds whose stored size and degrees of freedom differ."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ Image: TypeAlias = NDArray[Any]  # grey values, as bytes or as floats
 
 
 class Manifold(Protocol):
-    """What a block of the state must offer: sizes, and addition and subtraction of a tangent vector."""
+    """Interface of a block's space: sizes, and addition (retraction) and subtraction of a tangent vector."""
 
     @property
     def size(self) -> int: ...
@@ -45,18 +45,18 @@ class Euclidean:
         return self.size
 
     def plus(self, point: Array, step: Array) -> Array:
-        """point + step."""
+        """Return point + step."""
         return point + step
 
     def minus(self, point: Array, origin: Array) -> Array:
-        """point - origin."""
+        """Return point - origin."""
         return point - origin
 
     def check(self, point: Array, what: str) -> None:
-        """Every vector is a point of the space."""
+        """Accept every vector."""
 
     def random(self, rng: np.random.Generator) -> Array:
-        """A standard normal vector."""
+        """Draw a standard normal vector."""
         return rng.standard_normal(self.size)
 
     def __repr__(self) -> str:
@@ -74,10 +74,10 @@ class CustomManifold:
     minus: Callable[[Array, Array], Array]
 
     def check(self, point: Array, what: str) -> None:
-        """Raise UnitError unless the points have unit length (to 1e-6, the half of the digits; 1e-3 in float32)."""
+        """Raise UnitError unless the points have unit length (to 1e-6, half the digits; 1e-3 in float32)."""
         tolerance = 2e-3 if point.dtype == np.float32 else 2e-6
         if point.ndim == 1 and abs(sum([x * x for x in point.tolist()]) - 1) <= tolerance:
-            return  # a single one, quickly
+            return  # a single one: the fast path
         with np.errstate(over="ignore"):
             squared = np.einsum("...i,...i", point, point)
         wrong = np.abs(squared - 1) > tolerance
@@ -89,7 +89,7 @@ class CustomManifold:
             )
 
     def random(self, rng: np.random.Generator) -> Array:
-        """A point drawn uniformly."""
+        """Draw a point uniformly."""
         point = rng.standard_normal(self.size)
         return point / np.sqrt(point @ point)
 
@@ -98,7 +98,7 @@ class CustomManifold:
 
 
 class Product:
-    """Several spaces side by side in one vector; plus and minus act part by part."""
+    """A product of manifolds, side by side in one vector; plus and minus act part by part."""
 
     def __init__(self, name: str, *parts: Manifold) -> None:
         self.name, self.parts = name, parts
@@ -111,7 +111,7 @@ class Product:
 
     def _join(self, pieces: list[Array]) -> Array:
         if all([p.ndim == 1 for p in pieces]):
-            return np.concatenate(pieces)  # a single one, quickly
+            return np.concatenate(pieces)  # a single one: the fast path
         lead = np.broadcast_shapes(*(p.shape[:-1] for p in pieces))
         return np.concatenate([np.broadcast_to(p, lead + p.shape[-1:]) for p in pieces], axis=-1)
 
@@ -123,7 +123,7 @@ class Product:
         return self._join([part.plus(x, d) for part, x, d in pieces])
 
     def minus(self, point: Array, origin: Array) -> Array:
-        """The step that leads from `origin` to `point`; shapes (..., size) each."""
+        """Return the tangent vector from `origin` to `point`; shapes (..., size) each."""
         self._size(point, self.size, "point")
         self._size(origin, self.size, "origin")
         pieces = zip(self.parts, self._split(point, False), self._split(origin, False), strict=True)
@@ -135,7 +135,7 @@ class Product:
             part.check(point[..., at], what)
 
     def random(self, rng: np.random.Generator) -> Array:
-        """Each part drawn by itself."""
+        """Draw each part independently."""
         return np.concatenate([part.random(rng) for part in self.parts])
 
     def _size(self, vector: Array, size: int, what: str) -> None:
@@ -147,12 +147,12 @@ class Product:
 
 
 def _ranges(sizes: list[int]) -> list[slice]:
-    """Where parts of these sizes lie, one after the other."""
+    """The slices of parts of these sizes, one after the other."""
     return [slice(end - size, end) for size, end in zip(sizes, accumulate(sizes), strict=True)]
 
 
 def as_manifold(spec: "int | Manifold") -> Manifold:
-    """The space that `spec` names: an int n means vectors of n numbers."""
+    """The manifold of `spec`: an int n means vectors of n numbers."""
     if isinstance(spec, int):
         if spec < 1:
             raise SlamlibError(f"a space needs at least one number, got {spec}")

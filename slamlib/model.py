@@ -1,6 +1,6 @@
-"""A model: one short function in which a formula is written down once, with its value and Jacobians.
+"""A model: one short function that states a formula once, with its generated value and Jacobians.
 
-`f(...)` gives the value and `value, J = f.jac(...)` the value with its Jacobians, both from generated NumPy code that
+`f(...)` returns the value and `value, J = f.jac(...)` the value with its Jacobians, both from generated NumPy code that
 broadcasts over leading axes. The definition itself runs on sympy symbols (to generate the code) and on floats (to test
 it): `f.definition(...)`.
 """
@@ -31,11 +31,11 @@ FORMULA_PARTS = ("geometry", "landmarks", "motions", "observation", "sensors")
 
 
 class AtMost(int):
-    """The size of a list of coefficients that may be shorter: those that are left out are zero, and no argument."""
+    """The size of a list of coefficients that may be shorter: omitted ones are zero and have no Jacobian columns."""
 
 
 class Argument:
-    """One argument of a model, or its result: name, stored shape, and the space if it is a vector."""
+    """One argument of a model, or its result: name, stored shape, and the manifold if it is a vector."""
 
     def __init__(self, name: str, spec: "int | tuple[int, ...] | Manifold") -> None:
         self.name, self.may_be_shorter = name, isinstance(spec, AtMost)
@@ -49,18 +49,18 @@ class Argument:
         return f"{self.name}: {self.manifold or self.shape}"
 
     def fitting(self, value: Array) -> "Argument":
-        """This argument, or one as long as the value (..., n) if that may be."""
+        """This argument, or a shortened one for a value (..., n) where the size allows it."""
         shorter = self.may_be_shorter and value.ndim > 0 and value.shape[-1] < self.size
         return Argument(self.name, value.shape[-1:]) if shorter else self
 
     def check(self, value: Array, owner: str) -> None:
-        """Raise ShapeError, NonFiniteError or UnitError, in the name of `owner`, for what is no value (..., shape)."""
+        """Raise ShapeError, NonFiniteError or UnitError, in the name of `owner`, for an invalid value (..., shape)."""
         if self.fitting(value).shape != value.shape[value.ndim - len(self.shape) :] or value.ndim < len(self.shape):
             raise ShapeError.of(owner, self.name, self.shape, value.shape)
         what = f"{owner}: argument '{self.name}'"
         if value.dtype.kind not in "fiubc":
             raise ShapeError(f"{what} should hold numbers, but has dtype {value.dtype}")
-        few = value.size < 10 and cmath.isfinite(sum(value.ravel().tolist()))  # for a few numbers Python is quicker
+        few = value.size < 10 and cmath.isfinite(sum(value.ravel().tolist()))  # for a few numbers Python is faster
         if not few and not np.isfinite(value).all():
             where = tuple(int(i) for i in np.argwhere(~np.isfinite(value))[0])
             raise NonFiniteError(f"{what} holds {value[where]} at index {where}; remove or mask it")
@@ -71,11 +71,11 @@ class Argument:
 def model(
     *, returns: "int | tuple[int, ...] | Manifold | None" = None, **arguments: Any
 ) -> Callable[[Callable[..., Array]], "Model"]:
-    """Declare a function as a model: for each argument its size (int), shape (tuple; () is a scalar) or space.
+    """Declare a function as a model: for each argument its size (int), shape (tuple; () is a scalar) or manifold.
 
     AtMost(8) is the size of a list of coefficients that may be shorter; its Jacobian is then as short.
 
-    returns: the space of the result, if it is a manifold (its Jacobian rows are then on the tangent space).
+    returns: the manifold of the result, if it has one (its Jacobian rows are then on the tangent space).
     """
 
     def declare(function: Callable[..., Array]) -> "Model":
@@ -85,7 +85,7 @@ def model(
 
 
 class Formula:
-    """What is called like a model: a Model, an Implicit, or a chain of them."""
+    """Anything called like a model: a Model, an Implicit, or a chain of them."""
 
     name: str
     arguments: list[Argument]
@@ -103,7 +103,7 @@ class Formula:
         raise NotImplementedError
 
     def _bind(self, args: tuple[ArrayLike, ...], kwargs: dict[str, ArrayLike]) -> list[Array]:
-        """The arguments as arrays, in their order."""
+        """Return the arguments as arrays, in their order."""
         names = self.parameters
         if len(args) + len(kwargs) != len(names) or (kwargs and not kwargs.keys() <= set(names[len(args) :])):
             raise SlamlibError(
@@ -146,7 +146,7 @@ class Model(Formula):
         return f"<model {self.name}({', '.join(map(repr, self.arguments))})>"
 
     def definition(self, *arguments: Any) -> Any:
-        """The formula as it is written, on floats, complex numbers or symbols; one item, no broadcasting."""
+        """The formula as written, on floats, complex numbers or symbols; one item, no broadcasting."""
         token = _defining.set(True)
         try:
             return np.asarray(self.function(*(np.asarray(a)[()] for a in arguments)))
@@ -154,7 +154,7 @@ class Model(Formula):
             _defining.reset(token)
 
     def __call__(self, *args: ArrayLike, **kwargs: ArrayLike) -> Array:
-        """Value; arguments (..., shape) broadcast over their leading axes.
+        """Return the value; arguments (..., shape) broadcast over their leading axes.
 
         Raises ShapeError, NonFiniteError, UnitError for bad arguments, SingularPointError where no value exists.
         """
@@ -169,9 +169,9 @@ class Model(Formula):
         return value, self._jacobians(*jacobians)
 
     def storage_jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Any]:
-        """Value and plain derivatives with respect to the stored numbers: seven of a pose, four of a quaternion.
+        """Value and plain derivatives w.r.t. the stored numbers: seven of a pose, four of a quaternion.
 
-        Their code is generated when they are first asked for, which needs sympy; raises SlamlibError without it.
+        Their code is generated when first needed, which requires sympy; raises SlamlibError without it.
         """
         kind = "_storage_jac" if self.has_manifold else "_jac"
         value, *jacobians = self._evaluate(kind, self._bind(args, kwargs))
@@ -179,7 +179,7 @@ class Model(Formula):
 
     @functools.cache  # noqa: B019 - models live as long as their module
     def shortened(self, *sizes: int) -> "Model":
-        """The model for lists of coefficients with fewer numbers, `sizes` of all arguments: the others are zero."""
+        """The model for shorter lists of coefficients, with `sizes` of all arguments: the omitted ones are zero."""
         arguments = [a if a.size == n else Argument(a.name, (n,)) for a, n in zip(self.arguments, sizes, strict=True)]
         if arguments == self.arguments:
             return self
@@ -189,7 +189,7 @@ class Model(Formula):
 
     @functools.cached_property
     def code(self) -> ModuleType:
-        """The module that holds the generated functions; checked against the definition."""
+        """The module of the generated functions, checked against the definition."""
         if self._whole is not None:
             return in_memory.for_fewer(self._whole, self, self._whole.code)
         if not self.is_packaged:
@@ -206,7 +206,7 @@ class Model(Formula):
 
     @functools.cached_property
     def storage_code(self) -> ModuleType:
-        """The module of the derivatives by stored numbers, which no filter needs: generated when first asked for."""
+        """The module of the derivatives w.r.t. stored numbers, which no filter needs: generated when first needed."""
         if self._whole is not None:
             return in_memory.for_fewer(self._whole, self, self._whole.storage_code)
         return in_memory.compile_in_memory(self, by_storage=True)
@@ -230,7 +230,7 @@ class Model(Formula):
         return Kernel(function, self.name, self.arguments, self.shapes(kind, shape))
 
     def shapes(self, kind: str, shape: tuple[int, ...]) -> list[tuple[int, ...]]:
-        """Of the arrays that a kind of generated function gives: the value, of this shape, and the Jacobians."""
+        """Shapes of the arrays that a generated function returns: the value, of this shape, and the Jacobians."""
         stored = kind == "_storage_jac" or not self.has_manifold
         rows = self.result.tangent if self.result is not None and not stored else shape
         return [shape, *(rows + (a.shape if stored else a.tangent) for a in self.arguments if kind)]

@@ -1,1 +1,1 @@
-"""What goes into the filter (records), what comes out (snapshots), and what it is built of (setup)."""
+"""The filter's inputs (records), outputs (snapshots), and setup (rig of robots and sensors)."""

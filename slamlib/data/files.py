@@ -1,4 +1,4 @@
-"""Files that are written whole or not at all, and archives of arrays with a header of plain data."""
+"""Files that are written atomically, and archives of arrays with a header of plain data."""
 
 import json
 import os
@@ -15,9 +15,9 @@ from slamlib.errors import SlamlibError
 
 @contextmanager
 def atomic_write(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """A path for a file or a folder, beside `path` and with its ending; it becomes `path` only if the block ends well.
+    """A temporary path beside `path`, with its suffix; it becomes `path` only if the block ends without an error.
 
-    A folder takes the place of an older one.
+    A folder replaces an older one.
     """
     target = Path(path)
     partial = target.with_name(f".{target.stem}.{os.getpid()}.partial{target.suffix}")
@@ -33,7 +33,7 @@ def atomic_write(path: str | os.PathLike[str]) -> Iterator[Path]:
 
 
 def write_whole(path: str | os.PathLike[str], content: bytes | str) -> None:
-    """Write bytes, or a text in UTF-8 with its line ends as they are."""
+    """Write bytes, or a text in UTF-8 with its line ends as they are, atomically."""
     with atomic_write(path) as partial:
         partial.write_bytes(content if isinstance(content, bytes) else content.encode("utf-8"))
 
@@ -50,16 +50,16 @@ def write_archive(
 def read_archive(
     path: str | os.PathLike[str], form: str, version: int, old: str = "install a newer one"
 ) -> tuple[dict[str, Any], dict[str, Any]]:
-    """The header and the arrays of an archive; nothing in it is run.
+    """Return the header and the arrays of an archive; nothing in it is executed.
 
-    Raises SlamlibError for a file that is not there, damaged, of another form, or of another version; old: what to do.
+    Raises SlamlibError for a file that is missing, damaged, of another form, or of another version; old: the advice.
     """
     try:
         with Path(path).open("rb") as file, np.load(file, allow_pickle=False) as archive:
             arrays = {name: archive[name] for name in archive.files}
     except FileNotFoundError:
         raise SlamlibError(f"{path}: there is no such file") from None
-    except Exception as error:  # a damaged archive fails in more ways than its modules name
+    except Exception as error:  # a damaged archive fails in more ways than its modules document
         raise SlamlibError(f"{path} cannot be read ({error}): it is damaged, or no {form} at all") from error
     try:
         header = dict(json.loads(str(arrays.pop("header"))))

@@ -1,8 +1,8 @@
 """Dataclasses as plain data (JSON, TOML, NAME=VALUE): one writer, and one reader that names the key that is wrong.
 
-The type of a field says what it takes: bool, int, float, str, tuples, dictionaries, other dataclasses, None. Limits and
-lists of names stand beside it, as in Annotated[float, Range(gt=0, unit="m")] or Annotated[str, OneOf(NAMES)]. What is
-None is not written; therefore a field that may be None is None when plain data lacks it.
+The type of a field determines what it accepts: bool, int, float, str, tuples, dictionaries, other dataclasses, None.
+Limits and lists of names are annotations: Annotated[float, Range(gt=0, unit="m")], Annotated[str, OneOf(NAMES)]. None
+is not written; therefore a field that may be None is None when plain data lacks it.
 """
 
 from collections.abc import Callable, Collection
@@ -34,7 +34,7 @@ class Range:
     unit: str = ""
 
     def check(self, value: float, path: str) -> None:
-        """Raises SlamlibError for a number that is not between the limits."""
+        """Raise SlamlibError for a number outside the limits."""
         limits = [(*_LIMITS[name], limit) for name in _LIMITS if (limit := getattr(self, name)) is not None]
         if not all(holds(value, limit) for _, holds, limit in limits):
             words = " and ".join(text.format(limit) for text, _, limit in limits if isfinite(limit)) or "finite"
@@ -43,26 +43,26 @@ class Range:
 
 @dataclass(frozen=True, eq=False)
 class OneOf:
-    """A text is one of these names, or of the keys of a registry."""
+    """A text must be one of these names, or of the keys of a registry."""
 
     names: Collection[str]
 
     def check(self, value: str, path: str) -> None:
-        """Raises UnknownNameError, with the nearest name."""
+        """Raise UnknownNameError, with the nearest name."""
         if value not in self.names:
             raise UnknownNameError.of(path, value, self.names)
 
 
 class Plain:
-    """A dataclass that is written as plain data and read from it."""
+    """A dataclass that can be written as plain data and read from it."""
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain data for JSON or TOML; what is None is left out."""
+        """Return plain data for JSON or TOML; fields that are None are left out."""
         return written(self)
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> Self:
-        """The value of plain data; what is missing has its default, or is None where it may be.
+        """Read from plain data; missing fields get their default, or None where that is allowed.
 
         Raises SlamlibError for an unknown, missing or wrong key, named by its path.
         """
@@ -70,7 +70,7 @@ class Plain:
 
 
 def written(value: Any) -> Any:
-    """Plain data of a dataclass and of all in it, lists as tuples; fields that are None are left out."""
+    """Return the plain data of a dataclass and its fields, lists as tuples; fields that are None are left out."""
     if is_dataclass(value):
         return {f.name: written(v) for f in fields(value) if (v := getattr(value, f.name)) is not None}
     if isinstance(value, dict):
@@ -79,7 +79,7 @@ def written(value: Any) -> Any:
 
 
 def read(kind: type[T], data: Any, path: str = "") -> T:
-    """The dataclass of plain data. Raises SlamlibError for an unknown, missing or wrong key, named by its path."""
+    """Read a dataclass from plain data. Raises SlamlibError for an unknown, missing or wrong key, named by its path."""
     path = path or kind.__name__
     given = read_fields(kind, data, path)
     for f in fields(kind):  # type: ignore[arg-type]
@@ -91,12 +91,12 @@ def read(kind: type[T], data: Any, path: str = "") -> T:
 
 
 def changed(value: T, changes: dict[str, Any]) -> T:
-    """The dataclass with some fields changed. Raises SlamlibError as `read` does."""
+    """Return a copy with some fields changed. Raises SlamlibError as `read` does."""
     return replace(value, **read_fields(type(value), changes))  # type: ignore[type-var]
 
 
 def read_fields(kind: type, data: Any, path: str = "") -> dict[str, Any]:
-    """Values of some fields of a dataclass, from plain data. Raises SlamlibError as `read` does."""
+    """Read some fields of a dataclass from plain data. Raises SlamlibError as `read` does."""
     path, hints = path or kind.__name__, _hints(kind)
     if not isinstance(data, dict):
         _refuse(path, "values by name", data)
@@ -107,7 +107,7 @@ def read_fields(kind: type, data: Any, path: str = "") -> dict[str, Any]:
 
 
 def check(value: Any) -> None:
-    """For __post_init__ of a frozen dataclass: checks its fields, and makes lists and arrays tuples. SlamlibError."""
+    """For __post_init__ of a frozen dataclass: check its fields, convert lists and arrays to tuples. SlamlibError."""
     for name, found in read_fields(type(value), {f.name: getattr(value, f.name) for f in fields(value)}).items():
         object.__setattr__(value, name, found)
 
@@ -122,7 +122,7 @@ _SCALARS: dict[Any, tuple[str, Callable[[Any], bool]]] = {
 
 
 def _read(hint: Any, value: Any, path: str) -> Any:
-    """A value as its type wants it."""
+    """Convert a value to the type of its field."""
     value = value.tolist() if hasattr(value, "tolist") else value
     kind, inner = get_origin(hint) or hint, get_args(hint)
     if kind is Any:
@@ -151,7 +151,7 @@ def _read(hint: Any, value: Any, path: str) -> Any:
 
 
 def _first(hints: list[Any], value: Any, path: str) -> Any:
-    """A value of the first type that takes it."""
+    """Convert a value to the first type that accepts it."""
     for hint in hints[:-1]:
         try:
             return _read(hint, value, path)

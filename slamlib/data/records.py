@@ -1,7 +1,7 @@
-"""What passes between the world and the filter: frozen, arrays only.
+"""The filter's inputs and the ground truth: frozen, arrays only.
 
-A filter gets frames. Whether a simulator, a file or a camera made them cannot be told from a frame. The truth, where
-there is one, travels beside it, to the evaluation alone.
+A filter gets frames, and cannot tell whether a simulator, a file or a camera made them. The ground truth, where
+there is one, is passed separately, to the evaluation alone.
 """
 
 from dataclasses import dataclass, field
@@ -18,7 +18,7 @@ from slamlib.observation import FAMILIES
 
 @dataclass(frozen=True, eq=False)
 class Features:
-    """Identified things: ids (n,), integers that do not repeat, and one row of numbers for each, values (n, m)."""
+    """Measured features: ids (n,), unique integers, and one row of numbers for each, values (n, m)."""
 
     ids: Indices
     values: Array
@@ -43,7 +43,7 @@ class Features:
 
     @classmethod
     def none(cls, size: int) -> "Features":
-        """No feature, of `size` numbers each."""
+        """Return no feature, of `size` numbers each."""
         return cls(np.zeros(0, np.int64), np.zeros((0, size)))
 
 
@@ -56,7 +56,7 @@ def _keep(record: Any, name: str) -> None:
 
 @dataclass(frozen=True, eq=False)
 class Control:
-    """What a robot was told to do, or felt itself do, in one step: value (c,), and the noise (c, c) in it."""
+    """A control input, or its measurement by odometry, in one step: value (c,), and its noise (c, c)."""
 
     value: Array
     covariance: Array
@@ -68,7 +68,7 @@ class Control:
 class ByFamily:
     """Holds something for each family of landmarks in a dict of the name _FAMILIES; scan.points is features["points"].
 
-    A family of which it holds nothing is ABSENT, or an AttributeError where that is None.
+    For a family that it does not hold it returns ABSENT, or raises AttributeError where that is None.
     """
 
     _FAMILIES: ClassVar[str]
@@ -87,7 +87,7 @@ class ByFamily:
 
 @dataclass(frozen=True, eq=False)
 class Scan(ByFamily):
-    """What one sensor delivered in one frame: features by the name of their family, and an image if it has one.
+    """One sensor's measurements in one frame: features by the name of their family, and an image if it has one.
 
     Families are those of slamlib.observation.FAMILIES: "points" (n, m), "segments" (k, 4) [px], ...; scan.points is
     scan.features["points"], and empty if there are none.
@@ -101,10 +101,10 @@ class Scan(ByFamily):
 
 @dataclass(frozen=True, eq=False)
 class RobotMeasurement:
-    """What a robot measures of itself in the world and no landmark has a part in: a position by GPS, a heading.
+    """A robot's measurement of its own pose without any landmark: a position by GPS, a heading.
 
-    model(pose): the measurement (m,) expected at a pose (7,), a Model; a result in a space of its own (`returns`) is
-    subtracted there. value (m,), noise (m, m); robot: its number.
+    model(pose): the predicted measurement (m,) at a pose (7,), a Model; a result on a manifold (`returns`) is
+    subtracted there. value (m,), noise (m, m); robot: its index.
     """
 
     name: str
@@ -121,8 +121,8 @@ class RobotMeasurement:
 class Frame:
     """One instant: its number, the time dt [s] since the one before, a control per robot, and a scan per sensor.
 
-    A robot without a control (None) is predicted with a control of zeros and the noise of its setup. absolute: what
-    robots measure of themselves, used before the scans.
+    A robot without a control (None) is predicted with a control of zeros and the noise of its setup. absolute: the
+    robots' measurements of themselves, used before the scans.
     """
 
     number: int
@@ -134,7 +134,7 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Truth:
-    """What really was, at one frame: the robots' states, and the sensors' all_extrinsics (7,) on them."""
+    """Ground truth at one frame: the robots' states, and the sensors' all_extrinsics (7,)."""
 
     robots: tuple[Array, ...]
     extrinsics: tuple[Array, ...]
@@ -142,11 +142,11 @@ class Truth:
 
 @dataclass(frozen=True, eq=False)
 class World(ByFamily):
-    """What there is to see: features by the name of their family, and opaque triangles (f, 3, 3) [m].
+    """Everything there is to observe: features by the name of their family, and opaque triangles (f, 3, 3) [m].
 
-    Families are those of slamlib.observation.FAMILIES: "points" (n, 3), "segments" (k, 6), two ends each, ... in the
-    world [m]; world.points is world.features["points"]. No id is used twice. Triangles hide what lies behind them, for
-    simulators that ask for it.
+    Families are those of slamlib.observation.FAMILIES: "points" (n, 3), "segments" (k, 6), two endpoints each, ... in
+    the world [m]; world.points is world.features["points"]. No id is used twice. Triangles occlude what lies behind
+    them in simulations with occlusion.
     """
 
     _FAMILIES = "features"

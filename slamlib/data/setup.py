@@ -1,6 +1,6 @@
-"""Robots and the sensors on them, as plain data that a reader copies and changes; simulator and filter are built of it.
+"""Robots and their sensors as plain data that a reader copies and changes; simulator and filter are made from it.
 
-Angles of a setup are in degrees, since people write them; everything else in slamlib is in radians.
+Angles of a setup are in degrees, for the people who write them; everything else in slamlib is in radians.
 """
 
 from dataclasses import dataclass, field, replace
@@ -19,7 +19,7 @@ from slamlib.sensors.sensor import Calibration
 
 Numbers = tuple[float, ...]
 ZERO = (0.0, 0.0, 0.0)
-# The ordinary camera, for setups that say nothing else of a type of sensor that has an image, or no other parameters.
+# The default camera, for setups that specify no other image or parameters for a type of sensor that has an image.
 IMAGE: Numbers = (640.0, 480.0)
 PARAMETERS: dict[str, Numbers] = {"intrinsics": (320.0, 240.0, 320.0, 320.0), "distortion": (0.0,)}
 UNSPECIFIED: Numbers = ()
@@ -27,13 +27,13 @@ UNSPECIFIED: Numbers = ()
 
 @dataclass(frozen=True)
 class RobotSetup:
-    """A robot: how it moves, where it starts, what it is told at each step, and how well it is known.
+    """A robot: its motion model, its start, its control at each step, and the uncertainty of both.
 
     motion: by its name, or one of your own. position [m]; euler: roll, pitch, yaw [deg]; velocity: (v [m/s] in world
-    axes, w [deg/s] in the robot's), for motions whose state has one. control: as many numbers as the motion says, in
-    metres (or m/s), its angles in degrees (or deg/s), zeros where none is said; control_std the same, the standard
+    axes, w [deg/s] in the robot's), for motions whose state has one. control: as many numbers as the motion takes, in
+    metres (or m/s), its angles in degrees (or deg/s), zeros by default; control_std the same, the standard
     deviation in one step. The other *_std belong to the start: the simulator draws the true start with them, and the
-    filter is told the mean; orientation_std [deg] is about the robot's own axes.
+    filter is given the mean; orientation_std [deg] is about the robot's own axes.
     """
 
     name: str = "robot"
@@ -49,29 +49,29 @@ class RobotSetup:
 
     @property
     def model(self) -> Motion:
-        """The motion itself."""
+        """The motion model."""
         return motion(self.motion) if isinstance(self.motion, str) else self.motion
 
     @property
     def state(self) -> Array:
-        """The mean of the state at the start (size,)."""
+        """Mean (size,) of the initial state."""
         pose = pose_of(self.position, self.euler, self.name)
         return np.concatenate([pose, _mixed(self.velocity, self.name, "velocity")])[: self.model.manifold.size]
 
     @property
     def covariance(self) -> Array:
-        """The covariance of the state at the start (dof, dof)."""
+        """Covariance (dof, dof) of the initial state."""
         std = [_pose_std(self.position_std, self.orientation_std), _mixed(self.velocity_std, self.name, "velocity_std")]
         return np.diag((np.concatenate(std) ** 2)[: self.model.manifold.dof])
 
     @property
     def nominal(self) -> Array:
-        """The control of one step (c,), in metres and radians."""
+        """Nominal control (c,) of one step, in metres and radians."""
         return self._of_control(self.control, "control")
 
     @property
     def noise(self) -> Array:
-        """The covariance of the noise in one step's control (c, c)."""
+        """Covariance (c, c) of the noise in one step's control."""
         return np.diag(self._of_control(self.control_std, "control_std") ** 2)
 
     def _of_control(self, values: Numbers, what: str) -> Array:
@@ -84,13 +84,13 @@ class RobotSetup:
 
 @dataclass(frozen=True)
 class SensorSetup:
-    """A sensor: its type by name, the robot it sits on, where, and its calibration.
+    """A sensor: its type by name, its robot, its extrinsics, and its calibration.
 
-    position [m] and euler [deg] in the robot's frame; a camera that looks ahead has euler (-90, 0, -90). With
-    estimated=True the mount is a part of the map, with position_std [m] and orientation_std [deg] at first, and the
-    simulator draws the true mount with them. std: of each number of a measurement, or one for all; noise: a
+    position [m] and euler [deg] in the robot's frame; a camera that points forward has euler (-90, 0, -90). With
+    estimated=True the extrinsics are part of the map, with initial position_std [m] and orientation_std [deg], and the
+    simulator draws the true extrinsics with them. std: of each number of a measurement, or one for all; noise: a
     full covariance instead. image: (width, height) [px]; None: an image without a border. parameters and limits: those
-    of the sensor's type. What is not said of the image and the parameters is an ordinary camera's, if it fits the type.
+    of the sensor's type. Image and parameters that are not given are those of the default camera, if it fits the type.
     """
 
     name: str = "camera"
@@ -116,18 +116,18 @@ class SensorSetup:
 
     @property
     def extrinsics(self) -> Array:
-        """Its pose (7,) in the robot's frame, as it is believed at the start."""
+        """Pose (7,) in the robot's frame; the initial mean if it is estimated."""
         return pose_of(self.position, self.euler, self.name)
 
     @property
     def covariance(self) -> Array:
-        """The covariance of the extrinsics (6, 6) at the start; zero if it is not estimated."""
+        """Initial covariance of the extrinsics (6, 6); zero if they are not estimated."""
         std = _pose_std(self.position_std, self.orientation_std)
         return np.diag(std**2) if self.estimated else np.zeros((6, 6))
 
     @property
     def calibration(self) -> Calibration:
-        """The calibrated sensor. Raises SlamlibError for what makes no sense."""
+        """The calibrated sensor. Raises SlamlibError for an invalid calibration."""
         kind = sensor(self.type)
         noise: Any = self.noise
         if noise is None:
@@ -154,7 +154,7 @@ class Rig(Plain):
                 raise SlamlibError(f"{s.name} sits on robot {s.robot}; robots are counted 0 to {len(self.robots) - 1}")
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain data for JSON or TOML; what is None is left out."""
+        """Return plain data for JSON or TOML; fields that are None are left out."""
         named = (replace(robot, motion=robot.model.name) for robot in self.robots)
         return written(replace(self, robots=tuple(named)))
 
@@ -171,6 +171,6 @@ def _pose_std(position: Numbers, orientation: Numbers) -> Array:
 
 
 def _mixed(values: Numbers, name: str, what: str) -> Array:
-    """Six numbers whose last three are degrees, in radians."""
+    """Six numbers, the last three converted from degrees to radians."""
     numbers = finite(values, (6,), name, what)
     return np.concatenate([numbers[:3], np.radians(numbers[3:])])

@@ -1,4 +1,4 @@
-"""What the filter shows of itself at one frame: all that pictures and evaluations get to see. Frozen, arrays only."""
+"""The filter's output at one frame: everything that displays and evaluations get. Frozen, arrays only."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ from slamlib.manifolds import Array, Image, Mask
 
 @dataclass(frozen=True, eq=False)
 class RobotView:
-    """A robot as it is estimated: name, state (size,) whose first seven numbers are the pose, covariance (dof, dof)."""
+    """An estimated robot: name, state (size,) whose first seven numbers are the pose, covariance (dof, dof)."""
 
     name: str
     state: Array
@@ -28,16 +28,15 @@ class RobotView:
 
 @dataclass(frozen=True, eq=False)
 class MeasurementView:
-    """How a sensor looked at the landmarks of one family (points, segments, ...) in one frame.
+    """A sensor's predictions and measurements of the landmarks of one family (points, segments, ...) in one frame.
 
-    One row for each landmark that it expected to see: ids (n,), kinds, what it expected (n, m) (of a segment: its two
-    ends in the image) with the covariance (n, d, d) of the innovation, what it measured (n, m) (nan where nothing was
-    looked for or found), masks (n,) chosen, matched, inlier, and z' S^-1 z (n,) (nan where nothing was matched).
+    One row for each landmark that was predicted to be in view: ids (n,), kinds, predicted measurements (n, m) (of a
+    segment: its two endpoints in the image) with the innovation covariances (n, d, d), measurements (n, m) (nan where
+    not searched for or not found), masks (n,) chosen, matched, inlier, and z' S^-1 z (n,) (nan where not matched).
 
-    What not every look has: of a segment endpoints (n, 2, 2), where the filter puts its two ends in the image after the
-    frame, with their covariances (n, 2, 2, 2) [px^2], nan for points and for ends out of view; from a front end that
-    looks at images scores (n,), nan where there is none, and for each look the patch that was predicted and the one
-    that was found there, as grey images or None.
+    Optional: of segments endpoints (n, 2, 2), the filter's estimate in the image after the frame, with their
+    covariances (n, 2, 2, 2) [px^2], nan for points and for endpoints out of view; from an image front end scores (n,),
+    nan where there is none, and for each prediction the predicted patch and the one found, as grey images or None.
     """
 
     ids: Array
@@ -58,10 +57,10 @@ class MeasurementView:
 
 @dataclass(frozen=True, eq=False)
 class SensorView(ByFamily):
-    """A sensor as it is estimated, what it delivered, and what it looked at.
+    """An estimated sensor, with its scan, predictions and measurements.
 
-    extrinsics (7,) on robot number `robot`, with covariance (6, 6), zero where it is given; image (width, height) or
-    None; predictions: by the family's name; view.points is view.looks["points"].
+    extrinsics (7,) on robot number `robot`, with covariance (6, 6), zero where they are given; image (width, height) or
+    None; predictions: by the family's name; view.points is view.predictions["points"].
     """
 
     _FAMILIES = "predictions"
@@ -76,10 +75,10 @@ class SensorView(ByFamily):
 
 @dataclass(frozen=True, eq=False)
 class MapView:
-    """Landmarks of one family as they are estimated: ids (n,), kinds, geometry [m], covariance, converged (n,).
+    """Estimated landmarks of one family: ids (n,), kinds, geometry [m], covariance, converged (n,).
 
-    Points: geometry (n, 3), covariance (n, 3, 3); nan where the estimate lies at infinity. Segments: both ends,
-    (n, 2, 3) and (n, 2, 3, 3). converged: points that are held as Euclidean ones; lines whose ends are known, in their
+    Points: geometry (n, 3), covariance (n, 3, 3); nan where the estimate lies at infinity. Segments: both endpoints,
+    (n, 2, 3) and (n, 2, 3, 3). converged: points held as Euclidean ones; lines whose endpoints are known, in their
     worst direction, to a tenth of the length between them.
     """
 
@@ -92,7 +91,7 @@ class MapView:
 
 @dataclass(frozen=True, eq=False)
 class Snapshot(ByFamily):
-    """Everything that a picture or an evaluation needs of the filter after one frame; nothing of it changes later.
+    """Everything that a display or an evaluation needs of the filter after one frame; it never changes.
 
     time [s] since the start; landmarks: by the family's name, snapshot.points is snapshot.landmarks["points"]; size:
     degrees of freedom of the whole state.

@@ -1,1 +1,1 @@
-"""Is an estimate consistent, and how far is it off: NEES, NIS and their bands; trajectories, aligned and compared."""
+"""Evaluation: consistency (NEES, NIS and their bands); trajectories, their alignment and errors (ATE, RPE)."""

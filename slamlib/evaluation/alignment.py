@@ -11,7 +11,7 @@ from slamlib.geometry.quaternion import best_pivot, from_rotation, product, rota
 from slamlib.kalman.linalg import finite
 from slamlib.manifolds import Array, Indices
 
-STRAIGHT_PATH = 0.05  # a path that is narrower than this share of its length says too little about the turn around it
+STRAIGHT_PATH = 0.05  # a path narrower than this share of its length hardly determines the rotation about itself
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,18 +23,18 @@ class Similarity:
     translation: Array
 
     def __call__(self, points: Array) -> Array:
-        """Points (..., 3), moved."""
+        """Transform points (..., 3)."""
         return self.scale * points @ self.rotation.T + self.translation
 
     def moved(self, trajectory: Trajectory) -> Trajectory:
-        """A trajectory, moved: attitudes turn, positions are scaled too."""
+        """Transform a trajectory: orientations turn, positions are also scaled."""
         turn = from_rotation(self.rotation, best_pivot(self.rotation))
         turned = product(turn, trajectory.poses[:, 3:])
         return Trajectory(trajectory.times, np.concatenate([self(trajectory.positions), turned], axis=1))
 
 
 def align(points: Array, reference: Array, *, scale: bool = True, turn: Array | None = None) -> Similarity:
-    """The similarity (scale: False, the rigid motion) that brings points (n, 3) nearest to their references (n, 3).
+    """The similarity (scale=False: the rigid motion) that best aligns points (n, 3) with their references (n, 3).
 
     It minimizes sum |y_i - (s R x_i + t)|^2 in closed form (Horn, 1987; here by singular values as in Umeyama, 1991,
     eqs. 34 to 43). For any s and R the best t takes centroid to centroid, which leaves centred x_i, y_i, and
@@ -45,8 +45,8 @@ def align(points: Array, reference: Array, *, scale: bool = True, turn: Array | 
     turn (3, 3): the rotation, where it is known. The scale is then 0 where the points move against their references: no
     similarity makes them fit better than a single point would.
 
-    Raises SlamlibError where the points do not determine it: fewer than three, or all on one line, around which every
-    turn fits as well; there use `align_trajectory`, which takes the turn from the attitudes.
+    Raises SlamlibError where the points do not determine it: fewer than three, or collinear, so that every rotation
+    about their line fits equally well; there use `align_trajectory`, which takes the rotation from the orientations.
     """
     shape = np.shape(points)
     if len(shape) != 2 or shape != np.shape(reference) or shape[1] != 3:
@@ -78,7 +78,7 @@ def _nearest_rotation(M: Array) -> Array:
 
 
 def turn_between(estimate: Trajectory, reference: Trajectory) -> Array:
-    """The turn R (3, 3) for which sum |Q_i - R P_i|^2 is least, P_i and Q_i being rotation matrices of the two.
+    """The rotation R (3, 3) for which sum |Q_i - R P_i|^2 is least, P_i and Q_i being rotation matrices of the two.
 
     As in `align`, with M = sum Q_i P_i'. Both trajectories must be of the same body frame (two of one camera, say).
     """
@@ -87,17 +87,17 @@ def turn_between(estimate: Trajectory, reference: Trajectory) -> Array:
 
 
 def straightness(points: Array) -> float:
-    """How wide points (n, 3) lie across their main direction, in shares of how long: second by first singular value."""
+    """Width of points (n, 3) across their main direction relative to their length: second by first singular value."""
     size = np.linalg.svd(points - points.mean(0), compute_uv=False)
     return float(size[1] / size[0]) if size[0] > 0 else 0.0
 
 
 @dataclass(frozen=True, eq=False)
 class AlignedTrajectory:
-    """An estimate laid over its reference, pair by pair, and what remains.
+    """An estimate aligned with its reference, pair by pair, and the remaining errors.
 
     position (n,): distances in the reference's unit; orientation (n,) [rad]; path: the reference's length;
-    rotation_from: where the turn was taken from; straightness: of the reference.
+    rotation_from: the source of the rotation; straightness: of the reference.
     """
 
     similarity: Similarity
@@ -115,18 +115,18 @@ class AlignedTrajectory:
 
     @property
     def relative_ate(self) -> float:
-        """The same by the length of the path (0.01 is 1 %)."""
+        """ATE relative to the length of the path (0.01 is 1 %)."""
         return self.ate / self.path if self.path > 0 else np.nan
 
 
 def align_trajectory(
     estimate: Trajectory, reference: Trajectory, *, scale: bool = True, rotation_from: str | None = None
 ) -> AlignedTrajectory:
-    """Lay an estimate over its reference (pairs, row by row) and measure what remains.
+    """Align an estimate with its reference (pairs, row by row) and compute the remaining errors.
 
-    rotation_from: whether the "positions" or the "orientations" say the turn; None: the positions, but for a path that
-    is nearly straight (STRAIGHT_PATH) the attitudes, since positions hardly tell the turn around it. Raises
-    SlamlibError.
+    rotation_from: whether the "positions" or the "orientations" determine the rotation; None: the positions, but for a
+    nearly straight path (STRAIGHT_PATH) the orientations, since positions hardly determine the rotation about it.
+    Raises SlamlibError.
     """
     if rotation_from not in (None, "positions", "orientations"):
         raise SlamlibError(f"align_trajectory: rotation_from is positions, orientations or None, got {rotation_from!r}")
@@ -143,9 +143,9 @@ def align_trajectory(
 
 @dataclass(frozen=True, eq=False)
 class RelativePoseErrors:
-    """Errors over parts of the path: lengths (k,) [m], for each the number of parts, and two means over them.
+    """Relative pose errors: lengths (k,) [m], for each the number of segments, and two means over them.
 
-    translation (k,): error per length of the path (0.01 is 1 %); rotation (k,): [rad/m]. nan where no part is so long.
+    translation (k,): error per length of the path (0.01 is 1 %); rotation (k,): [rad/m]. nan: no segment is so long.
     """
 
     lengths: Array
@@ -160,10 +160,10 @@ KITTI_LENGTHS: tuple[float, ...] = (100.0, 200.0, 300.0, 400.0, 500.0, 600.0, 70
 def relative_pose_errors(
     estimate: Trajectory, reference: Trajectory, lengths: tuple[float, ...] = KITTI_LENGTHS, step: int = 10
 ) -> RelativePoseErrors:
-    """KITTI's measure: the motion over each part of a given length, against the true one.
+    """KITTI's relative pose error: the motion over each segment of a given length, against the true one.
 
-    The two are pairs, row by row, of the same body (one camera, say), and in one unit; no alignment is needed. Parts
-    begin at each step-th pose, and end at the first pose that is a length further along the reference. Raises
+    The two are pairs, row by row, of the same body (one camera, say), and in one unit; no alignment is needed. Segments
+    start at each step-th pose, and end at the first pose that is a length further along the reference. Raises
     SlamlibError if the path is shorter than all lengths.
     """
     _check_pairs(estimate, reference)

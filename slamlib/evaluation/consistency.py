@@ -1,4 +1,4 @@
-"""Does a filter know what it does not know? NEES, NIS, their chi-square bands, and errors.
+"""Is a filter consistent? NEES, NIS, their chi-square bands, and RMSE.
 
 What may be concluded: at one step, the average over independent runs is inside its 95 % band in 95 % of all
 experiments, if the filter is consistent. What may not: steps of one run are correlated, so an average over time has no
@@ -61,7 +61,7 @@ def _numbers(value: ArrayLike, function: str, name: str) -> Array:
 def rmse(errors: Array, axis: int | tuple[int, ...] | None = None) -> Array:
     """Root mean square of the norm of errors (..., n), over `axis` of the leading axes (default: all).
 
-    It tells how large the errors are, not whether the filter knew (NEES does). Compare filters on the same runs.
+    It measures how large the errors are, not whether the filter is consistent (NEES). Compare filters on the same runs.
     """
     errors = _numbers(errors, "rmse", "errors")
     if not errors.ndim or not errors.size:
@@ -80,7 +80,7 @@ def chi2_cdf(x: float, dof: float) -> float:
 def chi2_quantile(probability: float, dof: float) -> float:
     """The x with chi2_cdf(x, dof) = probability, for 0 < probability < 1, to ten digits up to a million dof.
 
-    A gate that lets true measurements pass with probability p is chi2_quantile(p, dof of the innovation).
+    A gate that a true measurement passes with probability p is chi2_quantile(p, dof of the innovation).
     """
     _positive(dof, "chi2_quantile", "dof")
     if not 0 < probability < 1:
@@ -144,7 +144,7 @@ def _positive(value: float, function: str, name: str) -> None:
 
 
 def band(dof: int, runs: int = 1, probability: float = 0.95) -> tuple[float, float]:
-    """Where the average over `runs` independent runs of a chi-square statistic with `dof` degrees of freedom lies.
+    """Interval of the average over `runs` independent runs of a chi-square statistic with `dof` degrees of freedom.
 
     For one step. Not for an average over the steps of a run: they are correlated, and its band is wider.
     """
@@ -159,7 +159,7 @@ def band(dof: int, runs: int = 1, probability: float = 0.95) -> tuple[float, flo
 def share_inside(series: Array, limits: tuple[float, float]) -> float:
     """Share of the values that lie inside the limits; near the band's probability for a consistent filter.
 
-    How near cannot be told from one set of runs: the values at neighbouring steps are correlated.
+    How near cannot be inferred from one set of runs: the values at neighbouring steps are correlated.
     """
     series = _numbers(series, "share_inside", "series")
     if not series.size:
@@ -169,7 +169,7 @@ def share_inside(series: Array, limits: tuple[float, float]) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Consistency:
-    """A statistic averaged over independent runs at each step, beside its chi-square band."""
+    """A statistic averaged over independent runs at each step, with its chi-square band."""
 
     name: str
     dof: int
@@ -180,7 +180,7 @@ class Consistency:
 
     @classmethod
     def of(cls, statistic: Array, dof: int, *, name: str = "NEES", probability: float = 0.95) -> "Consistency":
-        """From the statistic of every run and step, shape (runs, steps)."""
+        """Average the statistic of every run and step, shape (runs, steps)."""
         statistic = _numbers(statistic, "Consistency", "statistic")
         if statistic.ndim != 2 or not statistic.size:
             raise ShapeError(f"Consistency: the statistic should have shape (runs, steps), but has {statistic.shape}")

@@ -1,6 +1,6 @@
-"""Trajectories: times and poses, the files that other tools read, and pairs by time.
+"""Trajectories: times and poses, the files that other tools read, and association by time.
 
-How an estimate is aligned with its reference, and the errors that remain, are in slamlib.evaluation.alignment.
+Alignment with a reference, and the remaining errors, are in slamlib.evaluation.alignment.
 """
 
 import os
@@ -20,7 +20,7 @@ from slamlib.manifolds import Array, Indices
 
 @dataclass(frozen=True, eq=False)
 class Trajectory:
-    """times (n,) [s], which grow, and the poses (n, 7) of one frame, as a camera's, in the world; n is at least 1.
+    """times (n,) [s], increasing, and the poses (n, 7) of one frame, such as a camera's, in the world; n at least 1.
 
     Quaternions are normalized. Raises SlamlibError for anything else.
     """
@@ -47,31 +47,31 @@ class Trajectory:
         return len(self.times)
 
     def __getitem__(self, rows: Any) -> "Trajectory":
-        """Some of the poses, in the order of their times."""
+        """Select poses, in the order of their times."""
         return Trajectory(self.times[rows], self.poses[rows])
 
     @property
     def positions(self) -> Array:
-        """(n, 3) [m]."""
+        """Positions (n, 3) [m]."""
         return self.poses[:, :3]
 
     @property
     def distances(self) -> Array:
-        """Length of the path (n,) [m] up to each pose; the last number is that of the whole."""
+        """Length of the path (n,) [m] up to each pose; the last number is the total."""
         steps = np.linalg.norm(np.diff(self.positions, axis=0), axis=1)
         return np.concatenate([[0.0], np.cumsum(steps)])
 
     def from_start(self) -> "Trajectory":
-        """The same, as seen from its first pose."""
+        """The same trajectory in the frame of its first pose."""
         return Trajectory(self.times, relative(self.poses[0], self.poses))
 
     def sensor_trajectory(self, extrinsics: Array) -> "Trajectory":
-        """Of what sits at `extrinsics` (7,) in the moving frame: of a camera, where this is of the robot."""
+        """The trajectory of a sensor at `extrinsics` (7,) in the moving frame, such as a robot's camera."""
         return Trajectory(self.times, compose(self.poses, extrinsics))
 
 
 def write_tum(path: str | os.PathLike[str], trajectory: Trajectory) -> None:
-    """Write rows of "time x y z qx qy qz qw", TUM RGB-D's format, which evo reads; whole or not at all."""
+    """Write rows of "time x y z qx qy qz qw", TUM RGB-D's format, which evo reads; atomically."""
     order = [0, 1, 2, 4, 5, 6, 3]
     rows = (
         " ".join([f"{time:.9f}", *(f"{value:.12g}" for value in pose[order])])
@@ -81,9 +81,9 @@ def write_tum(path: str | os.PathLike[str], trajectory: Trajectory) -> None:
 
 
 def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) -> Trajectory:
-    """Read one: TUM rows of 8 numbers, KITTI rows of 12 (3 x 4, no times), EuRoC rows with commas (nanoseconds).
+    """Read a trajectory: TUM rows of 8 numbers, KITTI rows of 12 (3 x 4, no times), EuRoC rows with commas (ns).
 
-    times (n,) [s]: of the rows of KITTI's form, which has none; the others have their own. Raises SlamlibError.
+    times (n,) [s]: of the rows of KITTI's format, which has none; the others have their own. Raises SlamlibError.
     """
     try:
         text = Path(path).read_text("utf-8")
@@ -115,7 +115,7 @@ def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) ->
 
 
 def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tuple[Indices, Indices]:
-    """Rows of each that belong together: nearest in time, at most `tolerance` [s] apart, none used twice.
+    """Matching rows of two trajectories: nearest in time, at most `tolerance` [s] apart, none used twice.
 
     Raises SlamlibError if there is no pair.
     """
@@ -129,7 +129,7 @@ def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tu
 
 
 def matched_times(one: Array, other: Array, tolerance: float) -> tuple[Indices, Indices]:
-    """Rows (k,) of each of two lists of growing times [s] that belong together; see `associate`."""
+    """Matching rows (k,) of two lists of increasing times [s]; see `associate`."""
     after = np.searchsorted(other, one).clip(1, max(len(other) - 1, 1))
     near = np.stack([after - 1, after.clip(max=len(other) - 1)])
     gaps = np.abs(other[near] - one)

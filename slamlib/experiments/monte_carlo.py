@@ -1,8 +1,8 @@
-"""The same experiment many times, in parallel: does the filter know what it does not know?
+"""The same experiment many times, in parallel: is the filter consistent?
 
-Every run has a random stream of its own, drawn from the experiment's seed by its number, so that the results are the
+Every run has its own random stream, derived from the experiment's seed and its number, so that the results are the
 same for any number of workers and in any order. With a folder, each finished run is a file there, and an interrupted
-experiment goes on where it was. Parallel runs are joblib's: whoever outgrows one machine runs the same call inside
+experiment continues. Parallel runs use joblib: to outgrow one machine, make the same call inside
 `joblib.parallel_config(backend="dask")` with a Dask client.
 """
 
@@ -29,8 +29,9 @@ from slamlib.manifolds import Array
 class Experiment:
     """Many runs of one preset: per run and frame (k, n), and for each of r robots.
 
-    nees (k, n, r), 6 degrees of freedom; errors, sigmas (k, n, r): distances [m], and what the filter says of them;
-    nis, nis_dof (k, n). landmarks, begun, deleted (k,); seconds (k,): processor time, median of a frame;
+    nees (k, n, r), 6 degrees of freedom; errors, sigmas (k, n, r): position errors [m] and their standard deviations
+    by the filter; nis, nis_dof (k, n). landmarks, initialized, deleted (k,); seconds (k,): processor time, median of a
+    frame;
     map_error (k,): median distance [m] of the map's landmarks from the truth.
     """
 
@@ -47,7 +48,7 @@ class Experiment:
     map_error: Array
 
     def consistency(self, robot: int = 0) -> Consistency:
-        """NEES of a robot's pose, averaged over the runs at each frame, beside its band."""
+        """NEES of a robot's pose, averaged over the runs at each frame, with its band."""
         return Consistency.of(self.nees[:, :, robot], 6)
 
 
@@ -57,10 +58,10 @@ NAMES = [f.name for f in fields(Experiment)[1:]]
 def monte_carlo(
     preset: Preset, runs: int, *, seed: int = 0, jobs: int | None = 1, folder: str | os.PathLike[str] | None = None
 ) -> Experiment:
-    """So many independent runs of a preset.
+    """Run a preset `runs` times, independently.
 
-    jobs: how many at once; None: as joblib is configured by the caller. folder: where finished runs are kept; it is
-    made, and holds one file per run, named by the preset's contents, so that no other experiment takes it for its own.
+    jobs: how many in parallel; None: as the caller configured joblib. folder: where finished runs are kept; it is
+    made, and holds one file per run, named by a digest of the preset, so that experiments cannot be confused.
     """
     if runs < 1:
         raise SlamlibError(f"monte_carlo: at least one run, got {runs}")
@@ -72,7 +73,7 @@ def monte_carlo(
 
 
 def _each(preset: Preset, runs: int, seed: int, jobs: int | None, folder: Path | None) -> Iterator[tuple[Array, ...]]:
-    """The rows of all runs, in their order, as they are finished."""
+    """Yield the rows of all runs, in their order, as they finish."""
     seeds = [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(seed).spawn(runs)]
     if jobs == 1:
         yield from (run_once(preset, s, folder) for s in seeds)

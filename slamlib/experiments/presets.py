@@ -1,4 +1,4 @@
-"""The seeds' experiments as plain data: copy one, change what you like with `dataclasses.replace`, and run it.
+"""The seeds' experiments as plain data: copy one, change it with `dataclasses.replace`, and run it.
 
 Numbers are those of the toolbox's userData files and of its quick start, except where a comment says otherwise.
 """
@@ -24,10 +24,10 @@ from slamlib.slam import Options, Slam
 
 @dataclass(frozen=True)
 class Preset(Plain):
-    """An experiment: what there is to see, who drives and looks, how the filter is set, for how long.
+    """An experiment: the world, the robots and sensors, the filter's options, and the duration.
 
     worlds: (name, arguments) of each part of the world (slamlib.simulation.WORLDS). noise_in: "control" or "truth", see
-    slamlib.simulation.simulate. dt [s]. seed: of everything that is drawn.
+    slamlib.simulation.simulate. dt [s]. seed: of all random numbers.
     """
 
     name: str
@@ -43,7 +43,7 @@ class Preset(Plain):
 
     @property
     def world(self) -> World:
-        """Everything that there is to see."""
+        """The world."""
         return join(*(world(name, **arguments) for name, arguments in self.worlds))
 
     def simulate(self, rng: np.random.Generator | None = None) -> Iterator[tuple[Frame, Truth]]:
@@ -61,16 +61,16 @@ class Preset(Plain):
         )
 
     def slam(self) -> Slam:
-        """A filter for it, before the first frame."""
+        """Make a filter for it, before the first frame."""
         return Slam(self.rig, self.options)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write it as JSON, whole or not at all."""
+        """Write it as JSON, atomically."""
         write_whole(path, json.dumps(self.to_dict(), indent=2) + "\n")
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> "Preset":
-        """Read what `save` wrote, or what a person did, as JSON or, by its name, TOML. Raises SlamlibError."""
+        """Read a preset as JSON (from `save` or by hand) or, by the file's suffix, TOML. Raises SlamlibError."""
         import tomllib
 
         source = Path(path)
@@ -82,8 +82,8 @@ class Preset(Plain):
         return cls.from_dict(data)
 
 
-# The toolbox has (0.01, 0.5): all landmarks begin near infinity, where the first frames' linearization is poor, and the
-# filter is too sure of itself for twenty frames (chapter toolbox_tour). With a quarter the prior's mean is at 4 m, and one
+# The toolbox has (0.01, 0.5): all landmarks start near infinity, where the first frames' linearization is poor, and the
+# filter is overconfident for twenty frames (chapter toolbox_tour). With a quarter the prior's mean is at 4 m, and one
 # standard deviation reaches infinity.
 PRIOR = (0.25, 0.25)
 ROBOT = RobotSetup(position=(0.0, -5.0, 0.0), control=(0.08, 0, 0, 0, 0, 0.9), control_std=(0.005,) * 3 + (0.05,) * 3)
@@ -103,7 +103,7 @@ def points() -> Preset:
 
 
 def lines() -> Preset:
-    """userDataLin: one round about a house of 23 edges, looking at it."""
+    """userDataLin: one round about a house of 23 edges, with the camera pointing at it."""
     robot = replace(ROBOT, position=(-5.0, 0.0, 0.0), euler=(0.0, 0.0, -90.0), control_std=(0.002,) * 3 + (0.02,) * 3)
     camera = replace(CAMERA, position=(0.0, 0.0, 1.5), euler=(-90.0, 0.0, 0.0))
     options = Options(points=None, lines="idpLin", max_new_first=1, inverse_distance=(0.1, 0.5), minimum_length=10.0)
@@ -111,7 +111,7 @@ def lines() -> Preset:
 
 
 def omni() -> Preset:
-    """Quick start 13: `points` with the omnidirectional camera of userData, which looks ahead and down."""
+    """Quick start 13: `points` with the omnidirectional camera of userData, which points forward and down."""
     backward = (447.3, 0.0, -1.068e-3, 1.184e-6, -1.856e-9)
     lens = polynomials(np.radians(95), backward=backward)
     camera = SensorSetup(
@@ -136,10 +136,10 @@ def stereo() -> Preset:
 
 
 def self_calibration() -> Preset:
-    """Quick start 14, second half: the right camera's place is known to 2 cm and 1.5 degrees, and estimated.
+    """Quick start 14, second half: the right camera's pose is known to 2 cm and 1.5 degrees, and estimated.
 
-    Both cameras begin at once, as in the toolbox: the filter is then too sure of the mount. Chapter many shows by how
-    much, and that it is not when the left camera maps alone at first.
+    Both cameras start together, as in the toolbox: the filter is then overconfident of the extrinsics. Chapter many
+    shows by how much, and that it is not when the left camera maps alone at first.
     """
     return replace(
         points(), name="self_calibration", rig=_pair(estimated=True, position_std=(0.02,), orientation_std=(1.5,))
@@ -169,7 +169,7 @@ PRESETS: dict[str, Callable[[], Preset]] = {
 
 
 def preset(name: str) -> Preset:
-    """The preset of a name. Raises UnknownNameError."""
+    """The preset of this name. Raises UnknownNameError."""
     if name not in PRESETS:
         raise UnknownNameError.of("preset", name, PRESETS)
     return PRESETS[name]()

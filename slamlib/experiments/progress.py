@@ -10,7 +10,7 @@ WIDTH, EVERY = 30, 0.1  # characters of the bar; seconds between two drawings
 
 
 def progress(items: Iterable[T], total: int, label: str, stream: TextIO | None = None) -> Iterator[T]:
-    """The items, one by one, with a bar of how many of `total` are done, how fast, and how long it will take."""
+    """Yield the items with a bar of how many of `total` are done, how fast, and the remaining time."""
     out = sys.stderr if stream is None else stream
     if not out.isatty():
         yield from items

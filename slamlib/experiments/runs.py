@@ -1,4 +1,4 @@
-"""A preset, run: frame by frame, with what an evaluation wants to know; saved at any frame, and gone on with."""
+"""Run a preset frame by frame, and collect what an evaluation needs; a run can be saved at any frame and resumed."""
 
 import os
 import time
@@ -22,10 +22,10 @@ COLUMNS = ("errors", "sigmas", "nees", "nis", "nis_dof", "landmarks", "size", "s
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """What a run was: per frame (n,), and for each of r robots.
+    """Results of a run: per frame (n,), and for each of r robots.
 
-    errors (n, r, 6): true pose minus estimate, in the tangent space; sigmas (n, r, 6): what the filter says of them;
-    nees (n, r), 6 degrees of freedom. nis (n,) and its degrees of freedom nis_dof (n,): of all innovations believed.
+    errors (n, r, 6): true pose minus estimate, in the tangent space; sigmas (n, r, 6): their estimated standard
+    deviations; nees (n, r), 6 degrees of freedom. nis (n,) and its degrees of freedom nis_dof (n,): of all inliers.
     landmarks, size, seconds (n,): of the map, of the state, and of the processor. initialized, deleted: in the whole
     run. map_errors: by family, distances [m] (k,) of the landmarks in the final map from the truth.
     """
@@ -46,7 +46,7 @@ class Result:
 
 @dataclass(frozen=True)
 class Step:
-    """One frame of a run, as it has just been done."""
+    """One frame of a run, just processed."""
 
     frame: Frame
     truth: Truth
@@ -54,7 +54,7 @@ class Step:
 
 
 class Run:
-    """A run in progress. Iterate over it; `save` at any time, `Run.load` goes on exactly where it was."""
+    """A run in progress. Iterate over it; `save` at any time, and `Run.load` resumes it exactly."""
 
     def __init__(self, preset: Preset, seed: int | None = None) -> None:
         self.preset = preset if seed is None else replace(preset, seed=seed)
@@ -63,11 +63,11 @@ class Run:
         self._initialized = self._deleted = 0
 
     def __len__(self) -> int:
-        """Frames still to do."""
+        """Number of remaining frames."""
         return self.preset.frames - len(self._history)
 
     def __iter__(self) -> Iterator[Step]:
-        """Do the frames that are still to do, one at a time."""
+        """Process the remaining frames, one at a time."""
         for frame, truth in self.preset.simulate():
             if frame.number <= len(self._history):
                 continue
@@ -77,7 +77,7 @@ class Run:
             yield Step(frame, truth, report)
 
     def finish(self) -> Result:
-        """Do all that is still to do."""
+        """Process all remaining frames."""
         for _ in self:
             pass
         return self.result()
@@ -98,7 +98,7 @@ class Run:
         self._history.append(row)
 
     def result(self) -> Result:
-        """What has been done so far. Raises SlamlibError before the first frame."""
+        """Results so far. Raises SlamlibError before the first frame."""
         if not self._history:
             raise SlamlibError("nothing has been run yet")
         columns = zip(COLUMNS, map(np.array, zip(*self._history, strict=True)), strict=True)
@@ -111,13 +111,13 @@ class Run:
         )
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write all of it to one file, whole or not at all."""
+        """Write all of it to one file, atomically."""
         counts = {"initialized": self._initialized, "deleted": self._deleted}
         self.slam.save(path, preset=self.preset.to_dict(), history=self._history, **counts)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> "Run":
-        """Go on with a saved run. Raises SlamlibError for a file that holds none."""
+        """Resume a saved run. Raises SlamlibError for a file that holds none."""
         slam, extra = Slam.resume(path)
         if "preset" not in extra:
             raise SlamlibError(f"{path} holds a filter, but not the experiment that it belongs to: use Slam.load")
@@ -136,7 +136,7 @@ def _nees(error: Array, covariance: Array) -> float:
 
 
 def map_errors(snapshot: Snapshot, world: World) -> dict[str, Array]:
-    """By family, distances [m] (k,) of the estimated landmarks from the world's things of the same ids."""
+    """By family, distances [m] (k,) of the estimated landmarks from the true ones of the same ids."""
     found = {}
     for name, shown in snapshot.landmarks.items():
         things, family = world.features[name], FAMILIES[name]

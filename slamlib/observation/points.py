@@ -236,7 +236,7 @@ class PointFamily(Family):
         return geometry, covariance, converged
 
     def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:
-        """Measurements of points in view and not occluded, with noise, as far as they are still in the image with it."""
+        """Measurements of points in view and not occluded, with noise, if they are still in the image with it."""
         calibration = sensor.calibration
         inside = EUC_POINT.to_frame(camera, places)
         seen = np.flatnonzero(calibration.visible(inside) & ~sensor.hidden(places, camera))

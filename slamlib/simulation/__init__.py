@@ -1,4 +1,4 @@
-"""Robots that drive through worlds with simulated sensors: the records that a real run would have, and the truth."""
+"""Simulated robots and sensors in simulated worlds: the frames that a real run would have, and the ground truth."""
 
 from slamlib.simulation import controls
 from slamlib.simulation.recording import Recording, load, save

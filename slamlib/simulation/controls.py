@@ -1,6 +1,6 @@
-"""Ways to go, as controls of an odometry robot: arrays (steps, 6) of dx [m] and rotation vector [rad], one row a step.
+"""Paths as controls of an odometry robot: arrays (steps, 6) of dx [m] and rotation vector [rad], one row a step.
 
-Ways are put together by np.concatenate. They say what a robot is told; with noise in the truth it goes elsewhere.
+Join paths with np.concatenate. They are the nominal controls; with noise in the truth, the robot deviates from them.
 """
 
 import numpy as np
@@ -11,12 +11,12 @@ from slamlib.manifolds import Array
 
 
 def straight(steps: int, length: float) -> Array:
-    """Straight ahead, `length` [m] in so many steps."""
+    """Straight ahead, `length` [m] in `steps` steps."""
     return _rows(steps, length / _whole(steps), 0.0)
 
 
 def circle(steps: int, radius: float, turns: float = 1.0) -> Array:
-    """Round to the left (turns < 0: to the right): chords of a circle of this radius [m], each before its turn.
+    """A circle to the left (turns < 0: to the right): chords of a circle of this radius [m], each before its turn.
 
     A whole number of turns comes back to the start exactly.
     """
@@ -32,7 +32,7 @@ def figure_of_eight(steps: int, radius: float) -> Array:
 
 
 def waypoints(points: Array, *, heading: float, step: float, turn: float) -> Array:
-    """From points[0], looking to `heading` [rad], through all points (n, 2) [m]: turn on the spot, then straight ahead.
+    """From points[0], heading `heading` [rad], through all points (n, 2) [m]: turn on the spot, then straight ahead.
 
     No step is longer than `step` [m] or turns by more than `turn` [rad]; those of one leg are equal.
     """
@@ -50,7 +50,7 @@ def waypoints(points: Array, *, heading: float, step: float, turn: float) -> Arr
 
 
 def _parts(length: float, angle: float, most: float) -> Array:
-    """A straight or a turn in the fewest equal steps that are at most so large."""
+    """Divide a straight or a turn into the fewest equal steps of at most this size."""
     count = int(np.ceil((abs(angle) + length) / most - 1e-9))
     return _rows(count, length / max(count, 1), angle / max(count, 1))
 

@@ -1,4 +1,4 @@
-"""Random numbers of a simulation: a stream of its own for each thing that is drawn, and Gaussians on manifolds."""
+"""Random numbers of a simulation: a separate stream for each thing that is drawn, and Gaussians on manifolds."""
 
 import numpy as np
 
@@ -12,10 +12,10 @@ Streams = dict[str, np.random.Generator]
 
 
 def streams(rng: np.random.Generator, count: int) -> list[Streams]:
-    """For each of so many robots and sensors a generator of every kind; they depend on the state of `rng` alone.
+    """A generator of every kind for each of `count` robots or sensors; they depend on the state of `rng` alone.
 
-    What is drawn from one changes nothing in the others, and nobody else draws from them: a second sensor, a fault
-    more, or a filter that goes on with `rng` leaves all other numbers as they were. Raises SlamlibError.
+    The streams are independent: another sensor, another fault, or a filter that draws from `rng` leaves all other
+    numbers as they were. Raises SlamlibError.
     """
     if not isinstance(rng, np.random.Generator):
         raise SlamlibError(f"simulate: rng is a generator, such as np.random.default_rng(1), not {rng!r}")
@@ -28,7 +28,7 @@ def streams(rng: np.random.Generator, count: int) -> list[Streams]:
 
 
 def drawn(manifold: Manifold, mean: Array, covariance: Array, rng: np.random.Generator) -> Array:
-    """A point (size,) of a Gaussian in the space's tangent: mean (size,), covariance (dof, dof)."""
+    """Draw a point (size,) from a Gaussian in the tangent space: mean (size,), covariance (dof, dof)."""
     return manifold.plus(mean, root(covariance) @ rng.standard_normal(manifold.dof))
 
 

@@ -1,15 +1,15 @@
-"""What opaque triangles hide: the shadow that a triangle throws, with the eye as the lamp, is a convex cone.
+"""Occlusion by opaque triangles: the region hidden behind a triangle, seen from the eye, is a convex cone (shadow).
 
-A shadow is bounded by four planes: three through the eye and a side of the triangle, and the triangle's own. What lies
-inside all four is hidden; what lies on the triangle, such as a window's frame, is seen. Of a segment, a shadow hides
-one stretch; the longest stretch that no shadow hides is what is seen of it.
+A shadow is bounded by four planes: three through the eye and a side of the triangle, and the triangle's own. A point
+inside all four is hidden; a point on the triangle, such as a window's frame, is visible. A shadow hides one interval
+of a segment; what is seen of a segment is the longest interval that no shadow hides.
 """
 
 import numpy as np
 
 from slamlib.manifolds import Array, Mask
 
-CLEARANCE = 1e-6  # [m]: a shadow begins so far behind its triangle, and is so much wider: no slits at common sides
+CLEARANCE = 1e-6  # [m]: a shadow starts so far behind its triangle, and is so much wider: no slits at common sides
 
 
 def shadows(faces: Array, eye: Array) -> Array:
@@ -19,28 +19,28 @@ def shadows(faces: Array, eye: Array) -> Array:
     sides = _toward(np.cross(first, second), third)
     own = _toward(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), corners[:, 0])
     height = (own * corners[:, 0]).sum(-1)
-    own[height < CLEARANCE] = 0  # seen from the edge, a triangle hides nothing
+    own[height < CLEARANCE] = 0  # seen edge-on, a triangle hides nothing
     offsets = np.concatenate([np.full(sides.shape[:2], CLEARANCE), -height[:, None] - CLEARANCE], 1)
     normals = np.concatenate([sides, own[:, None]], 1)
     return np.concatenate([normals, (offsets - normals @ eye)[..., None]], -1)
 
 
 def _toward(normals: Array, points: Array) -> Array:
-    """The normals at length one, turned to the points' side; zero where there is no side."""
+    """Unit normals, oriented toward the points; zero where the orientation is undefined."""
     side = np.sign((normals * points).sum(-1, keepdims=True))
     length = np.linalg.norm(normals, axis=-1, keepdims=True)
     return side * normals / np.where(length > 0, length, 1)
 
 
 def hidden(points: Array, faces: Array, eye: Array) -> Mask:
-    """Mask (n,) of the points (n, 3) that are not seen from the eye (3,) because of opaque triangles (f, 3, 3)."""
+    """Mask (n,) of the points (n, 3) that opaque triangles (f, 3, 3) hide from the eye (3,)."""
     if not len(faces):
         return np.zeros(len(points), bool)
     return np.any((_heights(points, shadows(faces, eye)) > 0).all(0), axis=-1)
 
 
 def longest_seen(segments: Array, faces: Array, eye: Array) -> tuple[Array, Mask]:
-    """Ends (k, 2, 3) of the longest stretch seen of each segment (k, 2, 3), and the mask (k,) of those seen at all."""
+    """Endpoints (k, 2, 3) of the longest visible part of each segment (k, 2, 3), and the mask (k,) of those visible."""
     if not len(faces):
         return segments, np.ones(len(segments), bool)
     begins, ends = _stretches(segments, shadows(faces, eye))
@@ -48,7 +48,7 @@ def longest_seen(segments: Array, faces: Array, eye: Array) -> tuple[Array, Mask
     begins, ends = np.take_along_axis(begins, order, 1), np.take_along_axis(ends, order, 1)
     edge = np.zeros((len(segments), 1))
     starts = np.concatenate([edge, np.maximum.accumulate(ends, 1)], 1)  # a gap lies between all that is hidden so far
-    stops = np.concatenate([begins, edge + 1], 1)  # and where the next shadow begins
+    stops = np.concatenate([begins, edge + 1], 1)  # and where the next shadow starts
     best = np.argmax(stops - starts, 1)[:, None]
     low, high = np.take_along_axis(starts, best, 1), np.take_along_axis(stops, best, 1)
     first, along = segments[:, 0], segments[:, 1] - segments[:, 0]
@@ -56,7 +56,7 @@ def longest_seen(segments: Array, faces: Array, eye: Array) -> tuple[Array, Mask
 
 
 def _stretches(segments: Array, planes: Array) -> tuple[Array, Array]:
-    """Where each shadow begins and ends (k, f), as shares of a segment's length; both 0 where nothing is hidden."""
+    """Where each shadow starts and stops (k, f), as fractions of a segment's length; both 0 where nothing is hidden."""
     first, second = (_heights(segments[:, i], planes) for i in (0, 1))
     change = first - second
     at = np.clip(first / np.where(change == 0, 1, change), 0, 1)
@@ -67,6 +67,6 @@ def _stretches(segments: Array, planes: Array) -> tuple[Array, Array]:
 
 
 def _heights(points: Array, planes: Array) -> Array:
-    """Of points (n, 3) above the four planes (f, 4, 4) of each shadow: (4, n, f) [m]."""
+    """Heights (4, n, f) [m] of points (n, 3) above the four planes (f, 4, 4) of each shadow."""
     planes = planes.transpose(1, 2, 0)
     return points @ planes[:, :3] + planes[:, 3:]

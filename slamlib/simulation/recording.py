@@ -1,4 +1,4 @@
-"""Runs in a file: what somebody else's filter needs to repeat one, in a layout that NumPy and JSON read.
+"""Recorded runs: a file with all that another filter needs to repeat one, in a layout that NumPy and JSON read.
 
 A recording is a compressed .npz, with arrays of 64-bit floats and integers under these names. F is the number of
 frames, i counts robots, j counts sensors, both from 0; X is points, segments, or another family of
@@ -7,17 +7,17 @@ landmarks:
     header              text: JSON with format "slamlib recording", version 1, rig (robots and sensors: the fields of
                         RobotSetup and SensorSetup, in metres and degrees), truth (whether it is there)
     number, dt          (F,): each frame's number, and the time since the one before [s]
-    robot{i}.control    (F, c) [m, rad]: what the robot was told, or felt itself do; nan: nothing was
-    robot{i}.noise      (F, c, c): the covariance of the noise in it
+        robot{i}.control    (F, c) [m, rad]: the control input, or its measurement by odometry; nan: none
+        robot{i}.noise      (F, c, c): the covariance of its noise
     sensor{j}.X.first   (F + 1,): the features of frame number f are rows first[f] up to first[f + 1] of the next two
     sensor{j}.X.ids     (n,)
     sensor{j}.X.values  (n, m): measurements; of segments two pixels (u, v, u, v)
-    world.X.ids         (n,): what there is to see; world.points.values (n, 3), world.segments.values (k, 6) [m]
+        world.X.ids         (n,): the true landmarks; world.points.values (n, 3), world.segments.values (k, 6) [m]
     world.faces         (f, 3, 3) [m]: opaque triangles
-    truth.robot{i}      (F, s): state, which begins with position [m] and unit quaternion (w, x, y, z)
+        truth.robot{i}      (F, s): state, which starts with position [m] and unit quaternion (w, x, y, z)
     truth.mount{j}      (F, 7): pose of the sensor on its robot
 
-A control moves the robot before its frame's features are seen. Nothing is rounded: what is read is what was written.
+A control moves the robot before its frame's features are measured. Values are stored exactly, without rounding.
 """
 
 from collections.abc import Iterable, Iterator
@@ -57,9 +57,9 @@ class Recording:
 
 
 def save(path: str | Path, frames: Iterable[tuple[Frame, Truth | None]], *, rig: Rig, world: World) -> None:
-    """Write a run, whole or not at all; if it fails, a file of that name stays as it was. Raises SlamlibError.
+    """Write a run, atomically; if it fails, a file of that name stays as it was. Raises SlamlibError.
 
-    frames: what simulate(...) gives, or a Recording, or pairs of one's own with the truth in all of them or None.
+    frames: the result of simulate(...), or a Recording, or your own pairs with the truth in all of them or None.
     """
     pairs = list(frames)
     _check_fit(pairs, rig)
@@ -85,7 +85,7 @@ def save(path: str | Path, frames: Iterable[tuple[Frame, Truth | None]], *, rig:
 
 
 def load(path: str | Path) -> Recording:
-    """Read a run. Raises SlamlibError for a file that is not there, damaged, or no recording."""
+    """Read a run. Raises SlamlibError for a file that is missing, damaged, or no recording."""
     header, arrays = read_archive(path, FORMAT, VERSION)
     try:
         rig = Rig.from_dict(header["rig"])

@@ -1,6 +1,6 @@
-"""A run of robots in a world: frames for the filter, and the truth beside them.
+"""Simulate robots in a world: frames for the filter, and the ground truth.
 
-Robots truly move by the same motion models as the filter's, with noise drawn into the truth or into the control.
+True motion follows the filter's own motion models, with noise drawn into the truth or into the control.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -16,14 +16,14 @@ from slamlib.manifolds import Array
 from slamlib.simulation.draws import Streams, drawn, root, streams
 from slamlib.simulation.sensors import Faults, SimulatedSensor
 
-# By name: the shares of the drawn noise in the truth, and in the control that the estimator is told.
+# By name: the shares of the drawn noise in the truth, and in the control given to the estimator.
 NOISE_IN = {"truth": (1.0, 0.0), "control": (0.0, 1.0)}
 
 Plan = Callable[[int], Array]
 
 
 class SimulatedRobot:
-    """A robot as it really is. Its start is drawn round the mean that the filter is told, by the setup's covariance."""
+    """A true robot. Its start is drawn around the mean given to the filter, with the setup's covariance."""
 
     def __init__(self, setup: RobotSetup, plan: Plan, shares: tuple[float, float], streams: Streams) -> None:
         self.motion, self.plan, self.shares, self.rng = setup.model, plan, shares, streams["control"]
@@ -32,7 +32,7 @@ class SimulatedRobot:
         self.state = read_only_copy(drawn(self.motion.manifold, setup.state, setup.covariance, streams["start"]))
 
     def move(self, number: int, dt: float) -> Control:
-        """Go one step; the control that the estimator is told, with the noise that it is told."""
+        """Move one step; return the control given to the estimator, with its noise covariance."""
         wanted = self.plan(number)
         noise = self.root @ self.rng.standard_normal(len(self.root))
         in_truth, in_control = self.shares
@@ -41,7 +41,7 @@ class SimulatedRobot:
 
 
 def _plan(given: Any, robot: RobotSetup, frames: int) -> Plan:
-    """From the frame's number (from 1) to the control (c,) that a robot is meant to have."""
+    """A function from the frame's number (from 1) to a robot's nominal control (c,)."""
     size = robot.model.control
     if given is None:
         nominal = robot.nominal
@@ -68,18 +68,19 @@ def simulate(
     controls: Sequence[Any] | None = None,
     minimum_length: float = 1.0,
 ) -> Iterator[tuple[Frame, Truth]]:
-    """So many frames with their truths, one after another; dt [s] between them. Frame 1 is one motion after the start.
+    """Generate frames with their ground truth; dt [s] between them. Frame 1 is one motion after the start.
 
-    noise_in: "truth": the robot is meant to follow the nominal control and does not, by a noise; the filter is told the
-    nominal one. "control": the robot follows the nominal control exactly, and the noise is in what the filter is told,
-    as the toolbox has it. Both have the same noise in the difference of the two, so that odometry is off by the same
-    distribution to the first order; but "control" repeats one path in all runs. With constant velocity the controls are
-    impulses: "truth" makes a robot that wanders, "control" one that flies straight and a filter that is told otherwise.
+    noise_in: "truth": the robot deviates from the nominal control by the noise; the filter is given the nominal
+    control. "control": the robot follows the nominal control exactly, and the noise is in the control given to the
+    filter, as in the toolbox. Both have the same noise in the difference of the two, so that odometry errors have the
+    same distribution to first order; but "control" repeats one path in all runs. With constant velocity the controls
+    are
+    impulses: "truth" makes a robot that wanders, "control" one that flies straight while the filter is given impulses.
 
     controls: one entry per robot: None for the control of its setup, an array (frames, c) in metres and radians, or a
-    function of the frame's number. faults: what goes wrong with the sensors. occlusion: whether the world's faces hide
-    what is behind them. minimum_length [px]: of segments. The starts of the robots and the mounts of estimated sensors
-    are drawn with the deviations of their setups. A measurement outside the image, noise included, is not delivered.
+    function of the frame's number. faults: rates of the sensors' faults. occlusion: whether the world's faces hide
+    what is behind them. minimum_length [px]: of segments. The starts of the robots and the estimated extrinsics are
+    drawn with the standard deviations of their setups. Measurements that the noise moves out of the image are dropped.
 
     The frames depend on `rng` as it is at this call, and on nothing that is done with it, or with them, afterwards.
     Raises SlamlibError at the call, not at the first frame.
@@ -109,7 +110,7 @@ def simulate(
 
 
 def _frame(number: int, dt: float, robots: list[SimulatedRobot], sensors: list[SimulatedSensor]) -> tuple[Frame, Truth]:
-    """All robots move, then all sensors look."""
+    """Move all robots, then let all sensors measure."""
     controls = tuple(robot.move(number, dt) for robot in robots)
     scans = tuple(sensor.scan(robots[sensor.robot].state[:7]) for sensor in sensors)
     truth = Truth(tuple(r.state for r in robots), tuple(s.extrinsics for s in sensors))

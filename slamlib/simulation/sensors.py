@@ -1,6 +1,6 @@
-"""Simulated sensors: what a sensor of any type delivers of a world, through the models that the filter uses as well.
+"""Simulated sensors of any type, through the same measurement models as the filter's, and their faults.
 
-And what goes wrong with real ones, at given rates: features are missed, replaced by nonsense, or taken for others.
+Faults occur at given rates: features are missed, replaced by outliers, or associated with another landmark.
 """
 
 from contextlib import suppress
@@ -27,10 +27,11 @@ Share = Annotated[float, Range(ge=0, le=1)]
 
 @dataclass(frozen=True)
 class Faults:
-    """Shares, between 0 and 1, of the features in view that fall to each fault, in this order.
+    """Rates, between 0 and 1, of the features in view that suffer each fault, applied in this order.
 
-    miss: not delivered. outlier: delivered with a measurement that has nothing to do with the landmark, uniform in the
-    image (of sensors without one, in all that they can measure). swap: delivered with the id of another one in view.
+    miss: not delivered. outlier: delivered with a measurement unrelated to the landmark, uniform in the
+    image (of sensors without one, in the range of all that they can measure). swap: delivered with the id of another
+    one.
     """
 
     miss: Share = 0.0
@@ -42,7 +43,7 @@ class Faults:
 
 
 class Clutter:
-    """Measurements of nothing: uniform in the box of all that a sensor delivers, where they can be back-projected."""
+    """False measurements: uniform in the box of all that a sensor delivers, where they can be back-projected."""
 
     def __init__(self, calibration: Calibration, reach: float) -> None:
         self.calibration = calibration
@@ -50,7 +51,7 @@ class Clutter:
         self.low, self.high = _box(calibration, reach)
 
     def draw(self, rng: np.random.Generator) -> Array:
-        """One measurement (m,). Raises SlamlibError if none is found."""
+        """Draw one measurement (m,). Raises SlamlibError if none is found."""
         for _ in range(TRIES):
             measurement = rng.uniform(self.low, self.high)
             with suppress(SingularPointError):
@@ -60,7 +61,7 @@ class Clutter:
 
 
 def _box(calibration: Calibration, reach: float, count: int = 4096) -> tuple[Array, Array]:
-    """Smallest and largest numbers (m,) that it delivers of points all around, a tenth to the whole of `reach` away."""
+    """Bounds (m,), (m,) of its measurements of points in all directions, a tenth to the whole of `reach` [m] away."""
     rng = np.random.default_rng(0)
     rays = rng.standard_normal((count, 3))
     rays /= np.linalg.norm(rays, axis=1, keepdims=True)
@@ -76,7 +77,7 @@ def _box(calibration: Calibration, reach: float, count: int = 4096) -> tuple[Arr
 
 
 def swapped(ids: Indices, rate: float, rng: np.random.Generator) -> Indices:
-    """The ids, of which each trades places with another with probability rate / 2: a share of about `rate` is wrong."""
+    """Swap ids: each is exchanged with another one with probability rate / 2: a share of about `rate` is wrong."""
     ids = ids.copy()
     chosen = np.flatnonzero(rng.random(len(ids)) < rate / 2)
     for one in chosen if len(ids) > 1 else ():
@@ -86,10 +87,10 @@ def swapped(ids: Indices, rate: float, rng: np.random.Generator) -> Indices:
 
 
 class SimulatedSensor:
-    """A sensor as it really is. The true mount of an estimated one is drawn round the mean that the filter is told.
+    """A true sensor. If its extrinsics are estimated, the true ones are drawn around the mean given to the filter.
 
-    Noise is drawn for all features of the world in each frame, seen or not: so it depends on the seed alone, and runs
-    that differ in their faults, their paths or their filters meet the same noise.
+    Noise is drawn for all features of the world in each frame, in view or not: so it depends on the seed alone, and
+    runs that differ in their faults, paths or filters have the same noise.
     """
 
     def __init__(self, setup: SensorSetup, world: World, faults: Faults, shortest: float, streams: Streams) -> None:
@@ -104,7 +105,7 @@ class SimulatedSensor:
                 family.check(setup.name, self.calibration)
 
     def scan(self, robot: Array) -> Scan:
-        """What it delivers when its robot is at a pose (7,)."""
+        """Measure with the robot at a pose (7,)."""
         camera = compose(robot, self.extrinsics)
         return Scan({name: self._features(family, camera) for name, family in FAMILIES.items()})
 
@@ -122,11 +123,11 @@ class SimulatedSensor:
         return hidden(points, self.world.faces, camera[:3])
 
     def longest_seen(self, segments: Array, camera: Array) -> tuple[Array, Mask]:
-        """The longest stretch (k, 2, 3) of each segment that no face hides, and the mask (k,) of those seen at all."""
+        """The longest visible part (k, 2, 3) of each segment, and the mask (k,) of those visible at all."""
         return longest_seen(segments, self.world.faces, camera[:3])
 
     def _faulty(self, ids: Indices, values: Array, parts: int) -> Features:
-        """The same features with faults; an outlier is made of so many parts (the two ends of a segment)."""
+        """Apply the faults to features; an outlier is made of `parts` false measurements (a segment's: 2)."""
         rng, faults = self.streams["faults"], self.faults
         miss, replace = rng.random((2, len(ids)))
         if self.clutter is not None:

@@ -1,6 +1,6 @@
-"""Worlds to see: the toolbox's cloisters and house, and worlds of any size for measuring how cost grows.
+"""Simulated worlds: the toolbox's cloisters and house, and worlds of any size for measuring how cost grows.
 
-`world(name, ...)` finds them by name in WORLDS, a dict: one's own joins by `WORLDS["mine"] = function`.
+`world(name, ...)` finds them by name in WORLDS, a dict: add your own with `WORLDS["mine"] = function`.
 """
 
 import inspect
@@ -19,7 +19,7 @@ QUARTER = np.array([[0.0, 1.0], [-1.0, 0.0]])  # rows times this: a quarter turn
 
 
 def numbered(points: ArrayLike = (), segments: ArrayLike = (), faces: ArrayLike = ()) -> World:
-    """A world of points (n, 3), segments (k, 6) and faces (f, 3, 3) [m]: points are 1 to n, segments n + 1 and on."""
+    """Make a world of points (n, 3), segments (k, 6) and faces (f, 3, 3) [m]: ids 1 to n, then n + 1 and on."""
     points, segments, faces = _rows(points, 3), _rows(segments, 6), _rows(faces, 3, 3)
     ids = 1 + np.arange(len(points) + len(segments))
     features = {"points": Features(ids[: len(points)], points), "segments": Features(ids[len(points) :], segments)}
@@ -32,7 +32,7 @@ def _rows(values: ArrayLike, *shape: int) -> Array:
 
 
 def join(*worlds: World) -> World:
-    """All worlds in one, with new numbers: points 1 to N, segments N + 1 and on, each in the order of the worlds."""
+    """Join worlds into one, with new ids: points 1 to N, segments N + 1 and on, each in the order of the worlds."""
     features, end = {}, 1
     for name, nothing in World().features.items():
         values = np.concatenate([w.features[name].values for w in worlds] or [nothing.values])
@@ -96,11 +96,11 @@ def _quad(a: Array, b: Array, c: Array, d: Array) -> list[tuple[Array, Array, Ar
 
 
 def gallery(n: int = 1000, spacing: float = 1.6, distance: float = 4.0, h: float = 2.0) -> World:
-    """n points on the outer wall of a round walk about (0, 0), in columns of four up to the height h [m].
+    """n points on the outer wall of a circular walk about (0, 0), in columns of four up to the height h [m].
 
     The walk has the radius gallery_radius(n, spacing) [m], a column every `spacing` [m], its wall at `distance` [m].
-    A camera that looks outwards, with the euler angles (-90, 0, 180) on a robot that goes round to the left, sees 15 to
-    20 points at a time whatever n is, from some hundreds on: the world for measuring what a larger map costs.
+    A camera that points outwards, with the euler angles (-90, 0, 180) on a robot that circles to the left, sees 15 to
+    20 points at a time for any n from some hundreds on: the world for measuring what a larger map costs.
     """
     columns, wall = -(-n // 4), gallery_radius(n, spacing) + distance
     angles = 2 * np.pi / columns * (np.arange(columns)[:, None] + np.array([0, 0.5, 0, 0.5]))
@@ -126,7 +126,7 @@ def town(n: int = 230, street: float = 6.0) -> World:
 
 
 def cloud(rng: np.random.Generator, n: int = 100, size: float = 10.0, h: float = 2.0) -> World:
-    """n points drawn uniformly in a box round (0, 0), `size` [m] wide and from the floor to h [m]."""
+    """n points drawn uniformly in a box around (0, 0), `size` [m] wide and from the floor to h [m]."""
     return numbered(rng.uniform([-size / 2, -size / 2, 0], [size / 2, size / 2, h], (n, 3)))
 
 
@@ -141,7 +141,7 @@ WORLDS: dict[str, Callable[..., World]] = {
 
 
 def world(name: str, **arguments: Any) -> World:
-    """The world of a name, as the toolbox spells it: world("thickCloister", n=7). Raises SlamlibError."""
+    """The world of this name, as the toolbox spells it: world("thickCloister", n=7). Raises SlamlibError."""
     if name not in WORLDS:
         raise UnknownNameError.of("world", name, WORLDS)
     function = WORLDS[name]
