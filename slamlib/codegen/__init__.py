@@ -12,7 +12,7 @@ __all__ = ["Derivation", "assert_same", "check", "derive", "load_ipython_extensi
 
 
 def load_ipython_extension(shell: object) -> None:
-    """`%load_ext slamlib.codegen` makes the cell magic %%tangle known."""
+    """`%load_ext slamlib.codegen` registers the cell magic %%tangle."""
     from slamlib.codegen.tangle import register
 
     register(shell)

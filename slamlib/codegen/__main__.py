@@ -59,7 +59,7 @@ def generate(only: Collection[str] = ()) -> dict[str, str]:
 
 
 def write(target: Path, only: Collection[str] = ()) -> int:
-    """Write all generated files, each whole or not at all, and remove those that no source file stands behind.
+    """Write all generated files, each atomically, and remove those without a source file.
 
     only: the modules to write, as 'landmarks/ahm_point.py'; then nothing is removed.
     """
@@ -74,7 +74,7 @@ def write(target: Path, only: Collection[str] = ()) -> int:
 
 
 def texts(folder: Path) -> dict[str, str]:
-    """Text of every file in a folder, by its path below it."""
+    """Text of every file in a folder, by its relative path."""
     return {f.relative_to(folder).as_posix(): f.read_text("utf-8") for f in folder.rglob("*.py")}
 
 
@@ -102,7 +102,7 @@ def check() -> list[str]:
 
 
 def _problem(path: str, committed: str | None, one: str | None, two: str | None) -> str | None:
-    """What is wrong with a file: its committed text, and what two runs generate; None if nothing is."""
+    """Compare a file's committed text with what two runs generate; None if it is current."""
     if one != two:
         return f"{path}: the text depends on the hash seed\n{_diff(path, one or '', two or '')}"
     if one is None:
@@ -137,7 +137,7 @@ def _diff(path: str, old: str, new: str) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Exit status 0 if all is written, or current."""
+    """Return exit status 0 if all is written, or current."""
     what = "Generate NumPy code from the models of slamlib."
     parser = argparse.ArgumentParser(prog="python -m slamlib.codegen", description=what)
     what = "write nothing; compare slamlib/generated with what the models give"

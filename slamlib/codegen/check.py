@@ -23,8 +23,8 @@ def check(
 ) -> None:
     """Value and Jacobians against the definition at random points; prints a line per argument, raises AssertionError.
 
-    Derivatives are taken through plus and minus of each space, by a complex step (error of rounding only).
-    sample(rng) gives the arguments where a model is not defined for every vector; the default draws from each space.
+    Derivatives are taken through plus and minus of each manifold, by a complex step (rounding errors only).
+    sample(rng) gives the arguments where a model is not defined for every vector; the default draws from each manifold.
     """
     rng = np.random.default_rng(seed)
     worst: dict[str, float] = {}
@@ -42,11 +42,11 @@ def check(
                 raise AssertionError(f"{model.name}: {what} {how}")
             worst[what] = max(worst.get(what, 0.0), error)
     for name in () if silent else model.parameters:
-        # a round bound above the error, the same on every machine: never sharper than 1e-12
+        # a rounded bound above the error, the same on every machine: never sharper than 1e-12
         bound = f"1e-{min(12, int(-np.log10(max(worst[name], 1e-300))))}"
         print(f"{model.name}: J.{name} is the complex step's at {points} random points, to {bound}")
 
 
 def random_point(argument: Argument, rng: np.random.Generator) -> Any:
-    """A random value for an argument."""
+    """Draw a random value for an argument."""
     return rng.standard_normal(argument.shape) if argument.manifold is None else argument.manifold.random(rng)

@@ -13,7 +13,7 @@ from slamlib.modeling import fingerprint
 
 
 class Derivation:
-    """Value and Jacobians of a model: `.value`, one matrix per argument name, and `.stored[name]` by stored numbers."""
+    """Value and Jacobians of a model: `.value`, one per argument, and `.stored[name]` w.r.t. stored numbers."""
 
     def __init__(self, model: Model, symbols: list[Any]) -> None:
         traced = trace(model)
@@ -77,7 +77,7 @@ class CodeListing:
 
 
 def show(thing: Any, *, generated: bool = False) -> CodeListing:
-    """Source of a model, function, class or module; generated=True gives the NumPy code generated from a model."""
+    """Source of a model, function, class or module; generated=True shows the NumPy code generated from a model."""
     if not isinstance(thing, Model):
         return CodeListing(inspect.getsource(thing))
     if not generated:

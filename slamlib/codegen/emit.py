@@ -60,7 +60,7 @@ def _unused(taken: set[str]) -> Iterator[str]:
 
 
 def factored(expression: Any, known: dict[Any, Any]) -> Any:
-    """The expression with the common factors of every sum taken out; `known` holds what has been done before."""
+    """Take the common factors out of every sum of the expression; `known` holds earlier results."""
     if not expression.args:
         return expression
     if expression not in known:
@@ -83,7 +83,7 @@ def _common(total: Any) -> Any:
 
 
 def unified(entries: list[Any], stages: dict[Any, Any] | None = None) -> list[Any]:
-    """The entries, with one expression for those that are equal, up to the sign; 0, 1 and -1 for those.
+    """Replace entries that are equal up to the sign by one expression; also those equal to 0, 1 and -1.
 
     Two that agree at a random point of the numbers modulo a prime are equal (Schwartz and Zippel), but for a chance of
     their degree in 2^61.

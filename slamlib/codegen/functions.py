@@ -23,7 +23,7 @@ class Stumpff(sympy.Function):
         return (order * Stumpff(order + 2, s) - Stumpff(order + 1, s)) / 2
 
     def closed_form(self) -> Any:
-        """The same function in cosine and sine of the square root of s."""
+        """The same function in terms of cosine and sine of the square root of s."""
         order, s = self.args
         angle = sympy.sqrt(s)
         value = sympy.cos(angle) if order % 2 == 0 else sympy.sin(angle) / angle
@@ -49,7 +49,7 @@ class ArctanRatio(sympy.Function):
         return ArctanRatioSlope(s, w) if argindex == 1 else -1 / (s + w**2)
 
     def closed_form(self) -> Any:
-        """The same function with arctangent and square root."""
+        """The same function in terms of arctangent and square root."""
         s, w = self.args
         return sympy.atan(sympy.sqrt(s) / w) / sympy.sqrt(s)
 
@@ -67,7 +67,7 @@ class ArctanRatioSlope(sympy.Function):
         return -1 / (3 * w**3) if s.is_zero else None
 
     def closed_form(self) -> Any:
-        """The same function with arctangent and square root."""
+        """The same function in terms of arctangent and square root."""
         s, w = self.args
         return (w / (s + w**2) - ArctanRatio(s, w).closed_form()) / (2 * s)
 

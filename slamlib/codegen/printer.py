@@ -14,9 +14,9 @@ _HALF = sympy.Rational(1, 2)
 
 
 class Printer(PythonCodePrinter):
-    """Python arithmetic with the functions of slamlib.analytic; `lines` collects what the printed text builds on.
+    """Python arithmetic with the functions of slamlib.analytic; `lines` collects the lines that the printed text uses.
 
-    names: unused names for those lines. A line is written once: who needs the same text again gets the same name.
+    names: unused names for those lines. Each line is written once: equal texts get the same name.
     shared, stages: symbols that stand for an expression, which is a line before the first use; a stage keeps its name.
     """
 
@@ -67,7 +67,7 @@ class Printer(PythonCodePrinter):
             return f"{self.parenthesize(rest * coefficient.p, 50)}/{coefficient.q}"
         sign, size = "-" if coefficient < 0 else "", abs(coefficient)
         first, *others = sorted(self._factors(sympy.Mul.make_args(rest)))
-        if size == 2:  # for arrays a sum is half as dear as a product with a number
+        if size == 2:  # for arrays a sum is half as expensive as a product with a number
             twice = self.line(first.removeprefix("(").removesuffix(")") if rest.is_Add else first)
             first = self.line(f"{twice} + {twice}")
         elif size != 1:

@@ -52,7 +52,7 @@ def _entries(value: Any) -> list[Any]:
 def _vanishes(difference: Any, units: list[list[Any]]) -> bool:
     """True if the difference is zero symbolically, using first^2 = 1 - (other squares) for each unit vector.
 
-    Only what takes little time is tried: beyond it, exact points prove the same in a hundredth of the time.
+    Only fast attempts are made: beyond them, exact points prove the same in a hundredth of the time.
     """
     if difference == 0:
         return True

@@ -17,7 +17,7 @@ _SMOOTH = {"sin", "cos", "sqrt", "arctan2", "arcsin", "arccos", "arctan", "exp",
 
 
 def violation(node: ast.AST) -> str | None:
-    """The rule that a node of a definition breaks, if any, and what to write instead."""
+    """The writing rule that a node of a definition breaks, if any, and what to write instead."""
     match node:
         case ast.If() | ast.IfExp() | ast.While() | ast.Compare() | ast.BoolOp() | ast.Match() | ast.Assert():
             return (

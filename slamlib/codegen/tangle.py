@@ -1,4 +1,4 @@
-"""The chapter is the source: a cell that begins with `%%tangle slamlib/...py` holds a formula module.
+"""The chapter is the source: a cell that starts with `%%tangle slamlib/...py` holds a formula module.
 
 In a notebook, the magic compares the cell with the package and gives the reader the module's names. On the command
 line, `python -m slamlib.codegen.tangle` writes the package's files from the chapters, `--back` carries an editor's
@@ -30,7 +30,7 @@ class DriftError(SlamlibError):
 
 
 def register(shell: Any) -> None:
-    """Make the magic known to an IPython shell, with the shell's own names to write into."""
+    """Register the magic with an IPython shell, and let it define names there."""
 
     def tangle(line: str, cell: str) -> None:
         names, drift = run_cell(line.strip(), cell.rstrip("\n") + "\n")
@@ -45,7 +45,7 @@ def register(shell: Any) -> None:
 def run_cell(path: str, cell: str) -> tuple[dict[str, Any], DriftError | None]:
     """The public names that the cell defines, and the drift if it is not the package's file.
 
-    A cell that is the same as the file is the package's own module; an edited one runs by itself, compiled in memory,
+    A cell that equals the file is the package's own module; an edited one runs by itself, compiled in memory,
     so that a reader can experiment.
     """
     committed = _package_text(path)
@@ -120,7 +120,7 @@ def write(book: Path) -> int:
 
 
 def back(book: Path) -> int:
-    """Carry the package's files into the chapters' cells; returns how many changed."""
+    """Copy the package's files into the chapters' cells; returns how many changed."""
     changed = {}
     for notebook, content, path, text, cell in cells(book):
         own = _package_text(path)
@@ -134,7 +134,7 @@ def back(book: Path) -> int:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Exit status 0 if chapters and package agree afterwards."""
+    """Return exit status 0 if chapters and package agree afterwards."""
     parser = argparse.ArgumentParser(prog="python -m slamlib.codegen.tangle", description=__doc__.split("\n")[0])
     group = parser.add_mutually_exclusive_group()
     what = "write nothing; compare the chapters' cells with the package"

@@ -31,7 +31,7 @@ class Trace:
 
     @cached_property
     def stored(self) -> list[sympy.Matrix]:
-        """Derivatives by the stored numbers of each argument."""
+        """Derivatives w.r.t. the stored numbers of each argument."""
         flat = sympy.Matrix(self.value.ravel().tolist())
         return [_jacobian(flat, self.stages, list(s.ravel())) for s in self.symbols]
 
@@ -48,7 +48,7 @@ class Trace:
 
 
 class Stages:
-    """What a model hands on to another one, kept as a symbol, so that the chain rule is applied and not multiplied out.
+    """The arguments of inner models, kept as symbols, so that the chain rule is applied and not multiplied out.
 
     Only quotients, roots and the like become stages: sums and products of symbols stay as they are.
     """
@@ -86,7 +86,7 @@ def _vector(name: str, size: int) -> Symbols:
 def trace(model: Model, *, staged: bool = False) -> Trace:
     """Expressions of the value and of all Jacobians; raises WritingRuleError for what cannot be traced.
 
-    staged: keep what one model hands on to another as symbols of their own.
+    staged: keep the arguments of inner models as symbols of their own.
     """
     check_rules(model.function)
     symbols = [symbols_for(a) for a in model.arguments]
@@ -157,7 +157,7 @@ def lift(manifold: Any, point: Symbols) -> sympy.Matrix:
 
 
 def local(manifold: Any, point: Symbols) -> sympy.Matrix:
-    """d minus(other, point) / d other at other = point, (dof, size): the tangent vector of a stored change."""
+    """d minus(other, point) / d other at other = point, (dof, size): the tangent vector of a change in storage."""
     if isinstance(manifold, Product):
         return sympy.diag(*map(local, manifold.parts, _pieces(manifold, point)))
     if manifold.dof == manifold.size:

@@ -20,7 +20,7 @@ def to_rotation(angles):
 
 @model(angles=3, returns=UnitQuaternion)
 def to_quaternion(angles):
-    """Unit quaternion of the three turns. Chapter frames_and_quaternions, eq. (fq-euler-q)."""
+    """Unit quaternion of the three rotations. Chapter frames_and_quaternions, eq. (fq-euler-q)."""
     roll, pitch, yaw = angles / 2
     about_x = np.array([cos(roll), sin(roll), 0, 0])
     about_y = np.array([cos(pitch), 0, sin(pitch), 0])
@@ -30,13 +30,13 @@ def to_quaternion(angles):
 
 @model(matrix=(3, 3))
 def yaw_of(matrix):
-    """Heading of the frame's x axis [rad]; 0 when that axis is vertical. Chapter frames_and_quaternions, eq. (fq-yaw)."""
+    """Heading of the frame's x axis [rad]; 0 when that axis is vertical. Eq. (fq-yaw)."""
     return arctan2(matrix[1, 0], matrix[0, 0])
 
 
 @model(matrix=(3, 3), yaw=())
 def roll_pitch_of(matrix, yaw):
-    """Roll and pitch [rad], after the yaw is undone: right at pitch 90 degrees too. Chapter frames_and_quaternions, eq. (fq-unwound)."""
+    """Roll and pitch [rad], once the yaw is undone; valid at pitch 90 degrees too. Eq. (fq-unwound)."""
     x_ahead = cos(yaw) * matrix[0, 0] + sin(yaw) * matrix[1, 0]
     y_left = cos(yaw) * matrix[1, 1] - sin(yaw) * matrix[0, 1]
     z_right = sin(yaw) * matrix[0, 2] - cos(yaw) * matrix[1, 2]
@@ -44,13 +44,13 @@ def roll_pitch_of(matrix, yaw):
 
 
 def from_rotation(matrix):
-    """Angles (..., 3) of rotation matrices (..., 3, 3); where pitch is 90 degrees yaw is 0, roll takes both turns."""
+    """Angles (..., 3) of rotation matrices (..., 3, 3); at pitch 90 degrees yaw is 0, roll takes both rotations."""
     yaw = yaw_of(matrix)
     return np.concatenate([roll_pitch_of(matrix, yaw), np.asarray(yaw)[..., None]], axis=-1)
 
 
 def from_rotation_jac(matrix):
-    """Angles and their Jacobian (..., 3, 3, 3) by the matrix; raises SingularPointError where pitch is 90 degrees."""
+    """Angles and their Jacobian (..., 3, 3, 3) w.r.t. the matrix; raises SingularPointError at pitch 90 degrees."""
     yaw, by_matrix = yaw_of.jac(matrix)
     rest, partial = roll_pitch_of.jac(matrix, yaw)
     total = partial.matrix + partial.yaw[..., None, None] * by_matrix.matrix[..., None, :, :]
@@ -59,12 +59,12 @@ def from_rotation_jac(matrix):
 
 
 def from_quaternion(q):
-    """Angles (..., 3) of unit quaternions (..., 4), as `from_rotation` has them."""
+    """Angles (..., 3) of unit quaternions (..., 4), as from `from_rotation`."""
     return from_rotation(rotation(q))
 
 
 def from_quaternion_jac(q):
-    """Angles and their Jacobian (..., 3, 3) by the rotation vector, in the frame's axes, of an attitude's error.
+    """Angles and their Jacobian (..., 3, 3) w.r.t. an orientation error: a rotation vector in the frame's axes.
 
     Raises SingularPointError where pitch is 90 degrees. Chapter frames_and_quaternions, eq. (fq-euler-jac).
     """

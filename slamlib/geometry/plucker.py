@@ -14,21 +14,21 @@ from slamlib.model import model
 
 @model(first=4, second=4)
 def join(first, second):
-    """The line through two homogeneous points, also at infinity. Chapter lines, eq. (li-join)."""
+    """Line through two homogeneous points, also at infinity. Chapter lines, eq. (li-join)."""
     p, q = first[:3], second[:3]
     return np.concatenate([np.cross(p, q), first[3] * q - second[3] * p])
 
 
 @model(line=6, plane=4)
 def meet(line, plane):
-    """The homogeneous point where a line goes through a plane. Chapter lines, eq. (li-meet)."""
+    """Homogeneous point where a line meets a plane. Chapter lines, eq. (li-meet)."""
     n, v, a = line[:3], line[3:], plane[:3]
     return np.concatenate([np.cross(a, n) - plane[3] * v, np.array([a @ v])])
 
 
 @model(pose=Pose, line=6)
 def from_frame(pose, line):
-    """A line of the frame, in the world. Chapter lines, eq. (li-fromframe)."""
+    """Transform a line from the frame to the world. Chapter lines, eq. (li-fromframe)."""
     turn = rotation(pose[3:])
     v = turn @ line[3:]
     return np.concatenate([turn @ line[:3] + np.cross(pose[:3], v), v])
@@ -36,7 +36,7 @@ def from_frame(pose, line):
 
 @model(pose=Pose, line=6)
 def to_frame(pose, line):
-    """A line of the world, in the frame. Chapter lines, eq. (li-toframe)."""
+    """Transform a line from the world to the frame. Chapter lines, eq. (li-toframe)."""
     back, v = rotation(pose[3:]).T, line[3:]
     return np.concatenate([back @ (line[:3] - np.cross(pose[:3], v)), back @ v])
 
@@ -58,7 +58,7 @@ def crossing(line, ray):
 
 @model(line=6, eye=3)
 def constrain(line, eye):
-    """The nearest line with n . v = 0 that looks the same from the point `eye`. Eq. (li-constrain)."""
+    """The nearest line with n . v = 0 and the same image from the point `eye`. Eq. (li-constrain)."""
     seen = line[:3] - np.cross(eye, line[3:])
     v = line[3:] - seen * (seen @ line[3:]) / (seen @ seen)
     return np.concatenate([seen + np.cross(eye, v), v])
@@ -66,7 +66,7 @@ def constrain(line, eye):
 
 @model(rays=6, slopes=2)
 def from_rays(rays, slopes):
-    """The line seen between two unit rays: v is along the segment and, against the view, `slopes` [1/m].
+    """Line seen between two unit rays: v is along the segment and, against the view, `slopes` [1/m].
 
     Its plane's normal n is of unit length; 1 / |slopes| is the distance. Chapter lines, eq. (li-rays).
     """

@@ -15,6 +15,6 @@ def to_polar(point):
 
 @model(polar=2)
 def from_polar(polar):
-    """The point (x, y) at a range and bearing. Chapter proving_a_jacobian."""
+    """Point (x, y) at a range and bearing. Chapter proving_a_jacobian."""
     distance, bearing = polar
     return np.array([distance * cos(bearing), distance * sin(bearing)])

@@ -14,30 +14,30 @@ Pose = Product("pose", Euclidean(3), UnitQuaternion)
 
 @model(pose=Pose, point=3)
 def from_frame(pose, point):
-    """A point of the frame, in the world [m]. Chapter frames_and_quaternions, eq. (fq-fromframe)."""
+    """Transform a point from the frame to the world [m]. Chapter frames_and_quaternions, eq. (fq-fromframe)."""
     return pose[:3] + rotation(pose[3:]) @ point
 
 
 @model(pose=Pose, point=3)
 def to_frame(pose, point):
-    """A point of the world, in the frame [m]. Chapter frames_and_quaternions, eq. (fq-toframe)."""
+    """Transform a point from the world to the frame [m]. Chapter frames_and_quaternions, eq. (fq-toframe)."""
     return rotation(pose[3:]).T @ (point - pose[:3])
 
 
 @model(outer=Pose, inner=Pose, returns=Pose)
 def compose(outer, inner):
-    """The pose `inner`, given in the frame `outer`, in the world. Chapter frames_and_quaternions, eq. (fq-compose)."""
+    """Pose in the world of `inner`, given in the frame `outer`. Chapter frames_and_quaternions, eq. (fq-compose)."""
     return np.concatenate([from_frame(outer, inner[:3]), product(outer[3:], inner[3:])])
 
 
 @model(pose=Pose, returns=Pose)
 def inverse(pose):
-    """The pose of the world in the frame. Chapter frames_and_quaternions, eq. (fq-inverse)."""
+    """Pose of the world in the frame. Chapter frames_and_quaternions, eq. (fq-inverse)."""
     turned = conjugate(pose[3:])
     return np.concatenate([-rotation(turned) @ pose[:3], turned])
 
 
 @model(origin=Pose, pose=Pose, returns=Pose)
 def relative(origin, pose):
-    """`pose` as seen in the frame `origin`: compose(origin, relative) is `pose`. Chapter frames_and_quaternions, eq. (fq-relative)."""
+    """`pose` in the frame `origin`: compose(origin, relative) is `pose`. Eq. (fq-relative)."""
     return np.concatenate([to_frame(origin, pose[:3]), product(conjugate(origin[3:]), pose[3:])])

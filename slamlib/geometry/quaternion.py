@@ -1,4 +1,4 @@
-"""Quaternions (w, x, y, z), Hamilton product, local to global: q turns vectors of the frame into the world's."""
+"""Quaternions (w, x, y, z), Hamilton product, local to global: q rotates vectors of the frame into the world."""
 
 import numpy as np
 
@@ -23,7 +23,7 @@ def right_matrix(q):
 
 @model(q=4)
 def pi_matrix(q):
-    """The 4 x 3 matrix of `q (x) (0, v)`, so that dq/dt = pi_matrix(q) @ omega / 2. Chapter frames_and_quaternions, eq. (fq-pi)."""
+    """The 4 x 3 matrix of `q (x) (0, v)`, so that dq/dt = pi_matrix(q) @ omega / 2. Eq. (fq-pi)."""
     return left_matrix(q)[:, 1:]
 
 
@@ -35,7 +35,7 @@ def product(left, right):
 
 @model(q=4)
 def conjugate(q):
-    """The opposite rotation, of a unit quaternion. Chapter frames_and_quaternions, eq. (fq-conjugate)."""
+    """The inverse rotation, of a unit quaternion. Chapter frames_and_quaternions, eq. (fq-conjugate)."""
     w, x, y, z = q
     return np.array([w, -x, -y, -z])
 
@@ -49,19 +49,19 @@ def exponential(vector):
 
 @model(q=4)
 def logarithm(q):
-    """Rotation vector [rad] of a quaternion, at most pi long; that of -q too, but at a half turn. Eq. (fq-log)."""
+    """Rotation vector [rad] of a quaternion, at most pi long; equal for -q except at a half turn. Eq. (fq-log)."""
     return 2 * arctan_ratio(q[1:] @ q[1:], q[0]) * q[1:]
 
 
 @model(q=4, step=3)
 def plus(q, step):
-    """Turn q by a rotation vector given in its own axes. Chapter frames_and_quaternions, eq. (fq-plus)."""
+    """Rotate q by a rotation vector given in its own axes. Chapter frames_and_quaternions, eq. (fq-plus)."""
     return product(q, exponential(step))
 
 
 @model(q=4, origin=4)
 def minus(q, origin):
-    """The rotation vector, in the axes of `origin`, that turns `origin` into q. Chapter frames_and_quaternions, eq. (fq-minus)."""
+    """Rotation vector, in the axes of `origin`, from `origin` to q. Eq. (fq-minus)."""
     return logarithm(product(conjugate(origin), q))
 
 
@@ -70,7 +70,7 @@ UnitQuaternion = CustomManifold("unit quaternion", size=4, dof=3, plus=plus, min
 
 @model(q=UnitQuaternion)
 def rotation(q):
-    """Rotation matrix: its columns are the frame's axes in the world. Chapter frames_and_quaternions, eq. (fq-rotation)."""
+    """Rotation matrix: its columns are the frame's axes in the world. Eq. (fq-rotation)."""
     w, x, y, z = q
     return np.array([
         [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -81,7 +81,7 @@ def rotation(q):
 
 @model(matrix=(3, 3), pivot=4)
 def from_rotation(matrix, pivot):
-    """Unit quaternion of a rotation matrix, for any pivot with pivot @ q > 0. Chapter frames_and_quaternions, eq. (fq-from)."""
+    """Unit quaternion of a rotation matrix, for any pivot with pivot @ q > 0. Eq. (fq-from)."""
     (a, b, c), (d, e, f), (g, h, i) = matrix
     outer = np.array([  # 4 q q', linear in the matrix
         [1 + a + e + i, h - f, c - g, d - b],

@@ -1,4 +1,4 @@
-"""How landmarks are held in the map, a file for each parametrization. Tangled from chapters points and lines."""
+"""Parametrizations of landmarks, one file each. Tangled from chapters points and lines."""
 
 from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.modeling.registry import Registry

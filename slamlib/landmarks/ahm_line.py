@@ -13,7 +13,7 @@ from slamlib.model import model
 
 @model(pose=Pose, landmark=11)
 def to_frame(pose, landmark):
-    """The line in the frame. Chapter lines, eq. (li-two)."""
+    """Line in the frame. Chapter lines, eq. (li-two)."""
     first, second = landmark[:7], np.concatenate([landmark[:3], landmark[7:]])
     return join(ahm_point.to_frame(pose, first), ahm_point.to_frame(pose, second))
 
@@ -27,7 +27,7 @@ def from_frame(pose, rays, prior):
 
 @model(landmark=11, abscissa=())
 def point_at(landmark, abscissa):
-    """Homogeneous point: the first of the two at 0, the second at 1. Chapter lines, eq. (li-between)."""
+    """Homogeneous point: the first endpoint at 0, the second at 1. Chapter lines, eq. (li-between)."""
     first, second = landmark[3:7], landmark[7:]
     h = (1 - abscissa) * second[3] * first + abscissa * first[3] * second
     return np.concatenate([h[:3] + h[3] * landmark[:3], h[3:]])

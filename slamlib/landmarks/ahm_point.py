@@ -25,7 +25,7 @@ def from_frame(pose, point):
 
 @model(landmark=7)
 def to_point(landmark):
-    """The point in the world [m]. Chapter points, eq. (pt-ahm)."""
+    """Point (3,) in the world [m]. Chapter points, eq. (pt-ahm)."""
     return landmark[:3] + landmark[3:6] / landmark[6]
 
 

@@ -12,7 +12,7 @@ from slamlib.model import model
 
 @model(pose=Pose, landmark=9)
 def to_frame(pose, landmark):
-    """The line in the frame. Chapter lines, eq. (li-apl)."""
+    """Line in the frame. Chapter lines, eq. (li-apl)."""
     back, n, v = rotation(pose[3:]).T, landmark[3:6], landmark[6:]
     return np.concatenate([back @ (n + np.cross(landmark[:3] - pose[:3], v)), back @ v])
 
@@ -33,7 +33,7 @@ def point_at(landmark, abscissa):
 
 @model(landmark=9, eye=3)
 def constrain(landmark, eye):
-    """The landmark made a line again, the same as seen from `eye` [m]. Eq. (li-constrain)."""
+    """Enforce the line constraint, with the image from `eye` [m] unchanged. Eq. (li-constrain)."""
     anchor = landmark[:3]
     return np.concatenate([anchor, plucker.constrain(landmark[3:], eye - anchor)])
 

@@ -1,7 +1,7 @@
-"""The two ends of a line landmark, kept beside the filter: where they are, and how they follow. Chapter lines.
+"""The two endpoints of a line landmark, kept outside the filter's state, and their update. Chapter lines.
 
-The filter estimates an infinite line. Its ends matter for drawing and for saying whether it is in view, and every image
-sees others, because things stand in front and images have borders.
+The filter estimates an infinite line. Its endpoints matter for drawing and for predicting its visibility, and every
+image shows others, because of occlusion and the image's border.
 """
 
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from slamlib.manifolds import Array, Mask
 
 
 class ObservedEndpoints(NamedTuple):
-    """Abscissas (..., 2) of a measured segment's ends, in ascending order, and the mask (...) of those to be used."""
+    """Abscissas (..., 2) of a measured segment's endpoints, ascending, and the mask (...) of the usable ones."""
 
     abscissas: Array
     usable: Mask
@@ -25,10 +25,11 @@ class ObservedEndpoints(NamedTuple):
 
 @dataclass(frozen=True)
 class EndpointExtension:
-    """How ends follow a measurement: never (extend=False), or by the rule of eq. (li-extension).
+    """How endpoints follow a measurement: never (extend=False), or by the rule of eq. (li-extension).
 
-    While the larger of the two ends' standard deviations in the image is at least `switch` [px], a measurement replaces
-    the ends; from then on it may only move them outwards. switch = inf: always outwards; 0: always replaced.
+    While the larger of both endpoints' standard deviations in the image is at least `switch` [px], a measurement
+    replaces the endpoints; from then on it may only move them outwards. switch = inf: always outwards; 0: always
+    replaced.
     """
 
     extend: bool = True
@@ -55,7 +56,7 @@ class EndpointExtension:
 
 
 def endpoints_at(kind: LineLandmark, landmark: Array, abscissas: Array) -> Array:
-    """Homogeneous points (..., 2, 4) of the world at two abscissas (..., 2) of landmarks (..., size)."""
+    """Homogeneous points (..., 2, 4) in the world at two abscissas (..., 2) of landmarks (..., size)."""
     return kind.point_at(np.asarray(landmark)[..., None, :], abscissas)
 
 
@@ -74,7 +75,7 @@ def abscissas_of(kind: LineLandmark, landmark: Array, points: Array) -> Array:
 def observed_endpoints(
     kind: LineLandmark, landmark: Array, camera: Array, rays: Array, *, smallest_angle: float = np.radians(10)
 ) -> ObservedEndpoints:
-    """Where the rays (..., 6) of a measured segment's ends, from the pose `camera` (7,), meet the landmark.
+    """Where the rays (..., 6) of a measured segment's endpoints, from the pose `camera` (7,), meet the landmark.
 
     Not usable where a ray makes less than `smallest_angle` [rad] with the line, and where they meet behind the camera.
     """

@@ -18,7 +18,7 @@ def to_frame(pose, landmark):
 
 @model(pose=Pose, point=4)
 def from_frame(pose, point):
-    """The point in the world [m]; a point at infinity has none. Chapter points, eq. (pt-euc)."""
+    """Point in the world [m]; not defined for a point at infinity. Chapter points, eq. (pt-euc)."""
     return into_world(pose, point[:3] / point[3])
 
 

@@ -22,14 +22,14 @@ def to_frame(pose, landmark):
 
 @model(pose=Pose, point=4, returns=FramedPoint)
 def from_frame(pose, point):
-    """The frame's clone, with a point in front of it (point[2] > 0). Chapter points, eq. (pt-fhm)."""
+    """The frame itself, with a point in front of it (point[2] > 0). Chapter points, eq. (pt-fhm)."""
     x, y, z, w = point
     return np.concatenate([pose, np.array([x / z, y / z, w / z])])
 
 
 @model(landmark=FramedPoint)
 def to_point(landmark):
-    """The point in the world [m]. Chapter points, eq. (pt-fhm)."""
+    """Point (3,) in the world [m]. Chapter points, eq. (pt-fhm)."""
     origin, orientation = landmark[:3], landmark[3:7]
     u, v, inverse_depth = landmark[7:]
     return origin + rotation(orientation) @ np.array([u, v, 1]) / inverse_depth

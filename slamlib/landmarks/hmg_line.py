@@ -1,4 +1,4 @@
-"""Line through two homogeneous points, (m, w) and (m, w), each held as an hmgPnt: eight numbers."""
+"""Line through two homogeneous points, (m, w) and (m, w), each an hmgPnt: eight numbers."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from slamlib.model import model
 
 @model(pose=Pose, landmark=8)
 def to_frame(pose, landmark):
-    """The line in the frame. Chapter lines, eq. (li-two)."""
+    """Line in the frame. Chapter lines, eq. (li-two)."""
     return join(hmg_point.to_frame(pose, landmark[:4]), hmg_point.to_frame(pose, landmark[4:]))
 
 
@@ -25,7 +25,7 @@ def from_frame(pose, rays, prior):
 
 @model(landmark=8, abscissa=())
 def point_at(landmark, abscissa):
-    """Homogeneous point: the first of the two at 0, the second at 1. Chapter lines, eq. (li-between)."""
+    """Homogeneous point: the first endpoint at 0, the second at 1. Chapter lines, eq. (li-between)."""
     first, second = landmark[:4], landmark[4:]
     return (1 - abscissa) * second[3] * first + abscissa * first[3] * second
 

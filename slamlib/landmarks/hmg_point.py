@@ -25,7 +25,7 @@ def from_frame(pose, point):
 
 @model(landmark=4)
 def to_point(landmark):
-    """The point in the world [m]. Chapter points, eq. (pt-hmg)."""
+    """Point (3,) in the world [m]. Chapter points, eq. (pt-hmg)."""
     return landmark[:3] / landmark[3]
 
 

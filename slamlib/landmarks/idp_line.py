@@ -14,7 +14,7 @@ from slamlib.model import model
 
 @model(pose=Pose, landmark=9)
 def to_frame(pose, landmark):
-    """The line in the frame. Chapter lines, eq. (li-two)."""
+    """Line in the frame. Chapter lines, eq. (li-two)."""
     first, second = landmark[:6], np.concatenate([landmark[:3], landmark[6:]])
     return join(idp_point.to_frame(pose, first), idp_point.to_frame(pose, second))
 
@@ -29,7 +29,7 @@ def from_frame(pose, rays, prior):
 
 @model(landmark=9, abscissa=())
 def point_at(landmark, abscissa):
-    """Homogeneous point: the first of the two at 0, the second at 1. Chapter lines, eq. (li-between)."""
+    """Homogeneous point: the first endpoint at 0, the second at 1. Chapter lines, eq. (li-between)."""
     near, far = landmark[5], landmark[8]
     w = near * far
     h = (1 - abscissa) * far * direction(landmark[3:5]) + abscissa * near * direction(landmark[6:8])

@@ -41,7 +41,7 @@ def from_frame(pose, point):
 
 @model(landmark=6)
 def to_point(landmark):
-    """The point in the world [m]. Chapter points, eq. (pt-idp)."""
+    """Point (3,) in the world [m]. Chapter points, eq. (pt-idp)."""
     return landmark[:3] + direction(landmark[3:5]) / landmark[5]
 
 

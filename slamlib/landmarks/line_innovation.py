@@ -1,4 +1,4 @@
-"""How far a measured segment is from the expected line, in three ways."""
+"""Residuals of a measured segment from the predicted line, in three variants."""
 
 import numpy as np
 
@@ -41,6 +41,6 @@ def oriented(line, segment):
 
 @model(line=6, rays=6)
 def angles(line, rays):
-    """Sines of the angles of two unit rays with the plane of line and eye. Chapter lines, eq. (li-angles)."""
+    """Sines of the angles of two unit rays with the plane of line and camera. Chapter lines, eq. (li-angles)."""
     n = line[:3]
     return np.array([n @ rays[:3], n @ rays[3:]]) / sqrt(n @ n)

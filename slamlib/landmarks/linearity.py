@@ -1,7 +1,8 @@
-"""Is a point known well enough to be held as a Euclidean one? One rule for all parametrizations, and the prior.
+"""When may a point be converted to a Euclidean one? One rule for all parametrizations; and the inverse-distance prior.
 
 Everything is stated through the homogeneous point (h, w) in a frame, which every parametrization offers, so that none
-is named here. Derived and proved in chapter points; the index is that of Civera, Davison and Montiel (2007), generalised.
+is treated specially here. Derived and proved in chapter points; the index is that of Civera, Davison and Montiel
+(2007), generalised.
 """
 
 import math
@@ -24,7 +25,7 @@ def inverse_distance_prior(nearest: float) -> tuple[float, float]:
 
 
 def linearity_index(kind: PointLandmark, mean: Array, covariance: Array, camera: Array) -> Array:
-    """How much the image of a point bends over two standard deviations of it (...); 0 if not at all. Eq. (pt-index).
+    """Nonlinearity (...) of a point's image within two of its standard deviations; 0 if linear. Eq. (pt-index).
 
     Four times the relative standard deviation of |h|. Means (..., size), the camera's pose (..., 7), and a covariance
     (..., dof, dof) of the landmark alone or (..., dof + 6, dof + 6) of landmark and camera, whose common error cancels.
@@ -41,7 +42,8 @@ def euclidean_index(
     """The linearity index (...) that the point will have as a Euclidean one; arguments as there. Eq. (pt-index-euc).
 
     Four times the relative standard deviation of the distance |h| / w. Infinite for points at or beyond infinity.
-    by: Jacobian (dof + 6, k) of landmark and camera by what the covariance (..., k, k) is of, if it is of neither.
+    by: Jacobian (dof + 6, k) of landmark and camera w.r.t. the errors of the covariance (..., k, k), if it is of
+    others.
     """
     point, J, P = _seen(kind, mean, covariance, camera, "euclidean_index", by)
     h, w = point[..., :3], point[..., 3]
@@ -59,12 +61,12 @@ def should_convert(
     threshold: float = THRESHOLD,
     by: Array | None = None,
 ) -> Mask:
-    """Mask (...) of the points that may become Euclidean: those whose index is below the threshold afterwards."""
+    """Mask (...) of the points that may become Euclidean: those whose index will then be below the threshold."""
     return euclidean_index(kind, mean, covariance, camera, by) < threshold
 
 
 def to_euclidean(kind: PointLandmark, mean: Array) -> tuple[Array, Array]:
-    """The Euclidean points (..., 3) of means (..., size), and the Jacobians (..., 3, dof) that carry the covariance.
+    """Euclidean points (..., 3) of means (..., size), and the Jacobians (..., 3, dof) that propagate the covariance.
 
     In a map: belief.replace(block, 3, *to_euclidean(kind, block.mean)). Raises SingularPointError at infinity.
     """
@@ -75,7 +77,7 @@ def to_euclidean(kind: PointLandmark, mean: Array) -> tuple[Array, Array]:
 def beyond_infinity(kind: PointLandmark, mean: Array, covariance: Array, sigmas: float = 3.0) -> Mask:
     """Mask (...) of the points whose w is negative by more than `sigmas` standard deviations: delete those.
 
-    A smaller negative w is what an unbiased estimate of a far point looks like half of the time: it is kept as it is.
+    An unbiased estimate of a far point has a smaller negative w half of the time: such points are kept unchanged.
     """
     point, J, P = _seen(kind, mean, covariance, WORLD, "beyond_infinity")
     row = J[..., 3, :]
@@ -86,7 +88,7 @@ def beyond_infinity(kind: PointLandmark, mean: Array, covariance: Array, sigmas:
 def _seen(
     kind: PointLandmark, mean: Array, covariance: Array, camera: Array, function: str, by: Array | None = None
 ) -> tuple[Array, ...]:
-    """Homogeneous point in the camera, its Jacobian by all that the covariance is of, and the covariance."""
+    """Homogeneous point in the camera, its Jacobian w.r.t. the errors of the covariance, and the covariance."""
     point, J = kind.to_frame.jac(camera, mean)
     P, dof = np.asarray(covariance), kind.manifold.dof
     if by is not None:
@@ -102,7 +104,7 @@ def _seen(
 
 
 def _index(row: Array, covariance: Array, scale: Array) -> Array:
-    """Four standard deviations of row @ error, by the scale; infinite where the scale is 0."""
+    """Four standard deviations of row @ error, divided by the scale; infinite where the scale is 0."""
     variance = (row[..., None, :] @ covariance @ row[..., None])[..., 0, 0]
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.where(scale > 0, 4 * np.sqrt(np.maximum(variance, 0)) / scale, math.inf)[()]

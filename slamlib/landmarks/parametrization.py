@@ -1,4 +1,4 @@
-"""What a parametrization of landmarks must offer: one of points, and one of straight lines."""
+"""The interface of parametrizations of landmarks: points and straight lines."""
 
 from dataclasses import dataclass
 
@@ -8,7 +8,7 @@ from slamlib.model import Model
 
 @dataclass(frozen=True)
 class PointLandmark:
-    """A way to hold a point in the map: name, space of the state, and three models.
+    """A parametrization of points: name, manifold of the state, and three models.
 
     to_frame(pose, landmark): homogeneous point (h, w) (4,) in the frame `pose`; the Euclidean point is h / w, and w = 0
     is at infinity. from_frame(pose, point): the landmark of a homogeneous point (4,) in that frame; a camera's ray has
@@ -24,13 +24,13 @@ class PointLandmark:
 
 @dataclass(frozen=True)
 class LineLandmark:
-    """A way to hold a line in the map: name, space of the state, three models, and where its endpoints start.
+    """A parametrization of lines: name, manifold of the state, three models, and the endpoints' initial abscissas.
 
     to_frame(pose, landmark): Pluecker coordinates (n, v) (6,) in the frame `pose`. from_frame(pose, rays, prior): the
-    landmark seen along two unit rays (6,) of that frame, its endpoints', with the two numbers `prior` of what they do
-    not tell. point_at(landmark, abscissa): homogeneous point (4,) of the world. abscissas: of the two endpoints.
-    constrain(landmark, eye), where the state has more numbers than it may: the landmark made a line again, the same as
-    seen from `eye` (3,); the filter calls it after each correction.
+    landmark seen along two unit rays (6,) of that frame, its endpoints', with the prior (2,) of two unmeasured
+    numbers. point_at(landmark, abscissa): homogeneous point (4,) in the world. abscissas: of the two endpoints.
+    constrain(landmark, eye), for states with redundant numbers: enforces the line constraint with the image from
+    `eye` (3,) unchanged; the filter calls it after each update.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Pluecker line (n, v): six numbers for four degrees of freedom; n . v = 0 has to be kept."""
+"""Pluecker line (n, v): six numbers for four degrees of freedom, with the constraint n . v = 0."""
 
 from slamlib.geometry import plucker
 from slamlib.geometry.pose import Pose
@@ -9,7 +9,7 @@ from slamlib.model import model
 
 @model(pose=Pose, landmark=6)
 def to_frame(pose, landmark):
-    """The line in the frame. Chapter lines, eq. (li-toframe)."""
+    """Line in the frame. Chapter lines, eq. (li-toframe)."""
     return plucker.to_frame(pose, landmark)
 
 
@@ -27,7 +27,7 @@ def point_at(landmark, abscissa):
 
 @model(landmark=6, eye=3)
 def constrain(landmark, eye):
-    """The landmark made a line again, the same as seen from `eye` [m]. Eq. (li-constrain)."""
+    """Enforce n . v = 0, with the image from `eye` [m] unchanged. Eq. (li-constrain)."""
     return plucker.constrain(landmark, eye)
 
 

@@ -1,8 +1,8 @@
-"""The part of a segment that a camera sees: cut at the border of the image before it is projected. Chapter lines.
+"""The visible part of a segment: clipped to the image's border before it is projected. Chapter lines.
 
-A plane through the eye bounds the half-space of the points h with a . h >= 0. Four of them, through the four sides of
-the image, bound all that a pin-hole camera sees, and what lies behind it is outside. Cutting before the division by
-the depth needs no case for endpoints behind the camera, nor for endpoints at infinity.
+A plane through the camera's centre bounds the half-space of the points h with a . h >= 0. Four of them, through the
+four sides of the image, bound all that a pin-hole camera sees, and exclude what lies behind it. Clipping before the
+division by the depth needs no special case for endpoints behind the camera, nor for endpoints at infinity.
 """
 
 from typing import NamedTuple
@@ -18,14 +18,14 @@ PIXELS = np.array([0.0, 0.0, 1.0, 1.0])  # the "intrinsics" of points that are p
 
 
 class Segment(NamedTuple):
-    """Pixels (..., 4) of both ends, (u, v, u, v), and the mask (...) of those that are seen; the others are nan."""
+    """Pixels (..., 4) of both endpoints, (u, v, u, v), and the mask (...) of visible segments; others are nan."""
 
     pixels: Array
     seen: Mask
 
 
 def frustum(intrinsics: Array, image: ArrayLike, margin: float = 0.0) -> Array:
-    """The four planes (4, 3) of the eye and the image's sides, moved inwards by `margin` [px]. Eq. (li-frustum)."""
+    """Four planes (4, 3) through the camera and the image's sides, moved in by `margin` [px]. Eq. (li-frustum)."""
     u, v, fu, fv = finite(np.asarray(intrinsics, dtype=float), (4,), "frustum", "intrinsics")
     width, height = finite(np.asarray(image, dtype=float), (2,), "frustum", "image")
     if not min(width, height) > 2 * margin:
@@ -35,7 +35,7 @@ def frustum(intrinsics: Array, image: ArrayLike, margin: float = 0.0) -> Array:
 
 
 def clip(first: Array, second: Array, planes: Array) -> tuple[Array, Array, Mask]:
-    """Ends (..., 3) of what lies inside all planes (k, 3) of the segments between homogeneous points, and the mask.
+    """Clip segments between homogeneous points to the planes (k, 3): endpoints (..., 3), and the mask of those left.
 
     first, second: (..., 4) with w >= 0, in the camera's frame; w = 0 makes a half-line. Eq. (li-clip).
     """
@@ -59,9 +59,9 @@ def visible(
     minimum_length: float = 1.0,
     margin: float = 0.0,
 ) -> Segment:
-    """What an ideal pin-hole camera sees of segments between homogeneous points (..., 4) of its frame.
+    """Project segments between homogeneous points (..., 4) of its frame into an ideal pin-hole camera's image.
 
-    A segment that is shorter than `minimum_length` [px] in the image is not seen.
+    A segment that is shorter than `minimum_length` [px] in the image is not visible.
     """
     start, end, seen = clip(first, second, frustum(intrinsics, image, margin))
     seen = seen & (start[..., 2] > 0) & (end[..., 2] > 0)
@@ -73,13 +73,13 @@ def visible(
 
 
 def trim(segment: Array, image: ArrayLike, *, minimum_length: float = 1.0, margin: float = 0.0) -> Segment:
-    """The part inside the image of segments (..., 4) that are pixels already."""
+    """Clip segments (..., 4), pixels already, to the image."""
     endpoints = _pixel(np.asarray(segment)[..., :2]), _pixel(np.asarray(segment)[..., 2:])
     return visible(*endpoints, PIXELS, image, minimum_length=minimum_length, margin=margin)
 
 
 def span(line: Array, image: ArrayLike) -> Segment:
-    """The part inside the image of infinite image lines (..., 3)."""
+    """Clip infinite image lines (..., 3) to the image."""
     line, centre = np.asarray(line, dtype=float), np.asarray(image) / 2
     norm = np.linalg.norm(line[..., :2], axis=-1, keepdims=True)
     normal = line[..., :2] / np.where(norm == 0, 1, norm)

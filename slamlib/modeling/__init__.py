@@ -1,1 +1,1 @@
-"""How a model finds its generated code and runs it: kernels, code in memory, fingerprints, registries."""
+"""Running a model's generated code: kernels, code in memory, fingerprints, registries."""

@@ -1,4 +1,4 @@
-"""A fingerprint of a model's definition and of all that it calls, to notice generated code that is out of date."""
+"""A fingerprint of a model's definition and of all that it calls, to detect generated code that is out of date."""
 
 import functools
 import hashlib
@@ -13,7 +13,7 @@ import numpy as np
 
 @functools.cache
 def of(model: Any) -> str | None:
-    """Sixteen hexadecimal digits for a model; None where its source is not at hand (then nobody can have edited it)."""
+    """Sixteen hexadecimal digits for a model; None where its source is not available (and so was not edited)."""
     try:
         text = "\n".join(_lines(model, set()))
     except (OSError, TypeError):
@@ -22,7 +22,7 @@ def of(model: Any) -> str | None:
 
 
 def _lines(model: Any, seen: set[int]) -> list[str]:
-    """Source of the definition, its arguments, and the same of every model, function and constant it names."""
+    """Source of the definition, its arguments, and the same of every model, function and constant it uses."""
     if id(model) in seen:
         return []
     seen.add(id(model))
@@ -41,7 +41,7 @@ def _lines(model: Any, seen: set[int]) -> list[str]:
 
 
 def source(function: Callable[..., Any]) -> str:
-    """The function's text, from its first decorator on, without indentation."""
+    """The function's source, from its first decorator on, without indentation."""
     return textwrap.dedent(inspect.getsource(function)).replace("\r\n", "\n").strip()
 
 

@@ -1,4 +1,4 @@
-"""A function known by its inverse: solved by Newton's method, differentiated by the implicit function theorem."""
+"""A function defined by its inverse: solved by Newton's method, differentiated by the implicit function theorem."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -40,7 +40,7 @@ class Implicit(Formula):
         return self._solve(*self._bind(args, kwargs))
 
     def jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Any]:
-        """The solution, and its Jacobians by the value and by the model's other arguments.
+        """The solution, and its Jacobians w.r.t. the value and the model's other arguments.
 
         Raises SingularPointError also where there is a solution without a derivative.
         """
@@ -77,12 +77,12 @@ class Implicit(Formula):
             raise SingularPointError(
                 f"{self.name}: no {self.unknown} gives the value {value.tolist()}; mask such values"
             )
-        lead = shape[:-1]  # one by one, so that a lost item takes no other with it, and is named
+        lead = shape[:-1]  # one by one, so that a failed item does not affect the others, and can be reported
         items = [np.broadcast_to(a, lead + s.fitting(a).shape) for s, a in zip(self.others, others, strict=True)]
         return np.array([self._solve(value[i], *(a[i] for a in items)) for i in np.ndindex(lead)]).reshape(shape)
 
     def _iterate(self, x: Array, value: Array, others: Sequence[Array]) -> tuple[Array, bool]:
-        """Where Newton's method ends, and whether the model has the wanted value there."""
+        """The last iterate of Newton's method, and whether the model has the given value there."""
         for _ in range(STEPS):
             found, jacobians = self.model.jac(*self._arguments(x, others))
             step = _newton(jacobians[self.place], value - found)
@@ -95,7 +95,7 @@ class Implicit(Formula):
 
 
 def _newton(matrix: Array, residual: Array) -> Array:
-    """Newton's step (..., n); zero for items whose matrix (..., n, n) has no inverse, which are judged at the end."""
+    """Newton's step (..., n); zero for items whose matrix (..., n, n) is singular, which are tested at the end."""
     try:
         step = np.linalg.solve(matrix, residual[..., None])[..., 0]
     except np.linalg.LinAlgError:
@@ -105,7 +105,7 @@ def _newton(matrix: Array, residual: Array) -> Array:
 
 
 def _inverse(matrix: Array) -> Array:
-    """The inverses of (..., n, n), not finite for items that have none."""
+    """The inverses of (..., n, n), not finite where singular."""
     try:
         found: Any = np.linalg.inv(matrix)
     except np.linalg.LinAlgError:
@@ -115,7 +115,7 @@ def _inverse(matrix: Array) -> Array:
 
 
 def _regular(matrix: Array) -> tuple[Array, Mask]:
-    """The matrices (..., n, n) with the identity for those that have no inverse, and which have one."""
+    """The matrices (..., n, n) with the identity for singular ones, and the mask of the regular ones."""
     regular = np.asarray(np.linalg.matrix_rank(matrix) == matrix.shape[-1])
     return np.where(regular[..., None, None], matrix, np.eye(matrix.shape[-1])), regular
 

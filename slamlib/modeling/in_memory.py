@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
 
 def compile_in_memory(model: "Model", *, by_storage: bool = False) -> Any:
-    """A module with the model's generated functions.
+    """Compile a module with the model's generated functions.
 
-    by_storage: with the derivatives by stored numbers instead. Raises SlamlibError without sympy.
+    by_storage: with the derivatives w.r.t. stored numbers instead. Raises SlamlibError without sympy.
     """
     try:
         from slamlib.codegen.emit import module  # and so sympy, which a filter does without
@@ -36,7 +36,7 @@ def compile_in_memory(model: "Model", *, by_storage: bool = False) -> Any:
 
 
 def load(text: str, name: str) -> Any:
-    """A module of this text, which is kept under the name, so that tracebacks and `show` can print it."""
+    """Make a module of this text, which is kept under the name, so that tracebacks and `show` can print it."""
     linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
     module = ModuleType("in_memory")
     module.__file__ = name
@@ -45,10 +45,10 @@ def load(text: str, name: str) -> Any:
 
 
 def for_fewer(whole: "Model", short: "Model", generated: Any) -> Any:
-    """The functions in `generated`, made for the model `whole`, for the model `short`, whose lists are shorter.
+    """Adapt the functions in `generated`, made for the model `whole`, to `short`, whose lists are shorter.
 
-    A lens may have eight coefficients, and most have two; the missing ones are zero. What is multiplied by a missing
-    one is left out of the generated function, and so are the derivatives by it; what remains is the same arithmetic.
+    A lens may have eight coefficients, and most have two; the missing ones are zero. Products with a missing one are
+    left out of the generated function, and so are the derivatives w.r.t. it; what remains is the same arithmetic.
     """
     pairs = list(zip(whole.arguments, short.arguments, strict=True))
     lengths = {b.name: b.size for b in short.arguments}
@@ -69,7 +69,7 @@ def for_fewer(whole: "Model", short: "Model", generated: Any) -> Any:
 def _without(
     function: Callable[..., Any], lengths: dict[str, int], zeros: set[str], kept: list[int]
 ) -> Callable[..., Any]:
-    """The function for arguments of these lengths, without the numbers named in `zeros`; its entries are those kept."""
+    """The function for arguments of these lengths, without the numbers named in `zeros`; only the entries `kept`."""
     definition: Any = ast.parse(inspect.getsource(function)).body[0]
     *lines, result = definition.body
     fold, body = _Fold(zeros), []

@@ -1,4 +1,4 @@
-"""Run a generated function: for one item on Python's floats, for a batch on arrays, and say what is singular.
+"""Run a generated function: for one item on Python's floats, for a batch on arrays; and report singular points.
 
 A generated function takes the stored numbers of each argument and returns a tuple of entries: those of the value, then
 those of each Jacobian, row by row. Entries that are constant are Python integers.
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 Shape = tuple[int, ...]
 _FLOAT = np.dtype(float)
-_FEW = 10  # items up to which a loop over Python's floats is quicker than arrays
+_FEW = 10  # items up to which a loop over Python's floats is faster than arrays
 
 
 class Kernel:
@@ -41,7 +41,7 @@ class Kernel:
         self.written: list[int] | None = None
 
     def single(self, arguments: list[Array]) -> list[Array] | None:
-        """Value and Jacobians of one item of finite floats; None for all else, which is to be checked with care."""
+        """Value and Jacobians of one item of finite floats; None for all else, which needs the full checks."""
         numbers = []
         for value, shape in zip(arguments, self.single_shapes, strict=True):
             if value.shape != shape or value.dtype != _FLOAT:
@@ -55,7 +55,7 @@ class Kernel:
         return self._one(numbers, _FLOAT)
 
     def __call__(self, arguments: list[Array]) -> list[Array]:
-        """Value and Jacobians of arrays that have been checked."""
+        """Value and Jacobians of checked arrays."""
         batches = [v.shape[: v.ndim - len(a.shape)] for a, v in zip(self.arguments, arguments, strict=True)]
         dtype = np.result_type(*arguments)
         dtype = dtype if dtype.kind in "fc" else np.dtype(float)
@@ -67,7 +67,7 @@ class Kernel:
         return self._many(arguments, batches, batch, dtype)
 
     def _one(self, numbers: list[list[float]], dtype: np.dtype[Any]) -> list[Array]:
-        """One item: plain Python floats are several times quicker than arrays of length one."""
+        """One item: plain Python floats are several times faster than arrays of length one."""
         entries = self._entries(numbers)
         if entries is None:
             raise SingularPointError(f"{self.name} is not defined, or has no derivative, at {numbers}")
@@ -75,7 +75,7 @@ class Kernel:
         return [flat[piece].reshape(shape) for piece, shape in zip(self.pieces, self.shapes, strict=True)]
 
     def _few(self, arguments: list[Array], batches: list[Shape], batch: Shape) -> list[Array]:
-        """A small batch: item by item, each on Python's floats, until arrays are quicker."""
+        """A small batch: item by item, each on Python's floats, while that is faster than arrays."""
         entries: list[float] = []
         rows = [self._items(v, a, lead, batch) for a, v, lead in zip(self.arguments, arguments, batches, strict=True)]
         for item, numbers in enumerate(zip(*rows, strict=True)):
@@ -100,7 +100,7 @@ class Kernel:
             entries: tuple[float, ...] = self.function(*numbers)
         except (ZeroDivisionError, ValueError, OverflowError):
             return None
-        # the sum is quick, and infinite also where finite entries overflow together
+        # the sum is fast, and infinite also where finite entries overflow together
         return entries if isfinite(sum(entries)) or all(map(isfinite, entries)) else None
 
     def _singular(self, item: Iterable[Any]) -> SingularPointError:
@@ -115,7 +115,7 @@ class Kernel:
         with np.errstate(all="ignore"):
             block = self._gather(self.function(*rows), batch, dtype)
             flat = block.ravel()
-            fine = np.isfinite(np.vdot(flat, flat))  # quick: nan and infinity show in the sum of the squares
+            fine = np.isfinite(np.vdot(flat, flat))  # fast: nan and infinity show in the sum of the squares
         if not fine and not (finite := np.isfinite(block)).all():
             raise self._singular(np.argwhere(~finite)[0][1:])
         return [block[piece].reshape(shape + batch).transpose(axes) for piece, shape, axes in self._layout(len(batch))]

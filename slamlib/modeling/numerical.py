@@ -1,4 +1,4 @@
-"""Numerical derivatives of a model, of its definition where it has one: a second opinion about generated Jacobians."""
+"""Numerical derivatives of a model, of its definition where it has one, to check generated Jacobians."""
 
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -9,7 +9,8 @@ from slamlib.manifolds import Array
 
 
 def complex_step(model: Any, place: Sequence[Array], index: int, step: float = 1e-30) -> Array:
-    """Jacobian of a definition by one argument, on the tangent space; exact but for rounding (chapter proving_a_jacobian).
+    """Jacobian of a definition w.r.t. one argument, on the tangent space; exact but for rounding (chapter
+    proving_a_jacobian).
 
     place: one array for each argument; index: which argument.
     """
@@ -24,7 +25,7 @@ def complex_step(model: Any, place: Sequence[Array], index: int, step: float = 1
 
 
 def central_difference(model: Any, place: Sequence[Array], index: int, step: float = 1e-6) -> Array:
-    """The same by central differences: about nine digits, also of what has no definition in one formula."""
+    """The same by central differences: about nine digits, also for models without a definition in one formula."""
     function, result = getattr(model, "definition", model), getattr(model, "result", None)
     manifold = None if result is None else result.manifold
 
@@ -36,7 +37,7 @@ def central_difference(model: Any, place: Sequence[Array], index: int, step: flo
 
 
 def scaled_differences(found: Array, wanted: Array) -> Array:
-    """Differences beside the largest wanted entry, absolute ones where that is below one; infinite for nan."""
+    """Differences relative to the largest wanted entry, absolute where that is below one; infinite for nan."""
     errors = np.abs(found - wanted) / max(1.0, float(np.max(np.abs(wanted), initial=0)))
     return np.where(np.isfinite(errors), errors, np.inf)
 

@@ -1,4 +1,4 @@
-"""Types are values that are found by walking a folder: a new landmark, sensor or motion is one new file."""
+"""Types are values found by walking a folder: a new landmark, sensor or motion is one new file."""
 
 import importlib
 import pkgutil
@@ -10,7 +10,7 @@ from slamlib.errors import SlamlibError, UnknownNameError
 
 
 class Registry(Mapping[str, Any]):
-    """The values of one kind among the modules of a package, by their names; the folder is walked at the first look."""
+    """The values of one kind among the modules of a package, by their names; the folder is walked at first use."""
 
     def __init__(self, package: str, kind: type, what: str) -> None:
         self.package, self.kind, self.what = package, kind, what
@@ -36,7 +36,7 @@ class Registry(Mapping[str, Any]):
         return name in self._values
 
     def get(self, name: str, default: Any = None) -> Any:
-        """The value of a name, or `default`."""
+        """The value of this name, or `default`."""
         return self._values.get(name, default)
 
     def __iter__(self) -> Iterator[str]:

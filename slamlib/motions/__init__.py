@@ -1,4 +1,4 @@
-"""How robots move: odometry, constant velocity, and the report's composition. Tangled from chapter motion_models."""
+"""Motion models: odometry, constant velocity, and the report's composition. Tangled from chapter motion_models."""
 
 from slamlib.modeling.registry import Registry
 from slamlib.motions.constant_velocity import CONSTANT_VELOCITY
@@ -11,5 +11,5 @@ MOTIONS = Registry(__name__, Motion, "motion")
 
 
 def motion(name: str) -> Motion:
-    """The motion of a name, as the seeds' toolbox spells it: 'odometry', 'constVel'."""
+    """The motion of this name, as the toolbox spells it: 'odometry', 'constVel'."""
     return MOTIONS[name]

@@ -15,7 +15,8 @@ MovingPose = Product("pose and velocities", Pose, Euclidean(6))
 def step(state, control, dt):
     """State (pose, v [m/s] in world axes, omega [rad/s] in the body's) after dt [s] and impulses added to both.
 
-    The position and attitude move with the velocities before the impulse, exactly. Chapter motion_models, eq. (mo-constvel).
+    Position and orientation move with the velocities before the impulse, exactly. Chapter motion_models, eq.
+    (mo-constvel).
     """
     position, orientation, velocity, spin = state[:3], state[3:7], state[7:10], state[10:]
     moved = [position + velocity * dt, plus(orientation, spin * dt)]

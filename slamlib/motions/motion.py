@@ -1,4 +1,4 @@
-"""What a motion model must offer."""
+"""The interface of a motion model."""
 
 from dataclasses import dataclass
 
@@ -8,7 +8,7 @@ from slamlib.model import Model
 
 @dataclass(frozen=True)
 class Motion:
-    """A motion: name, space of the robot's state, size of the control, and the model step(state, control, dt).
+    """A motion: name, manifold of the robot's state, size of the control, and the model step(state, control, dt).
 
     angles: which numbers of the control are angles; a setup gives those in degrees. Default: of six the last three.
     """

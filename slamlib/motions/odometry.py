@@ -10,7 +10,7 @@ from slamlib.motions.motion import Motion
 
 @model(state=Pose, control=6, dt=(), returns=Pose)
 def step(state, control, dt):
-    """Pose after the control (dx [m], rotation vector [rad]); dt [s] is not used. Chapter motion_models, eq. (mo-odometry)."""
+    """Pose after the control (dx [m], rotation vector [rad]); dt [s] is not used. Eq. (mo-odometry)."""
     return np.concatenate([from_frame(state, control[:3]), plus(state[3:], control[3:])])
 
 

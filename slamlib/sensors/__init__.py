@@ -1,4 +1,4 @@
-"""What measures: a file for each type of sensor. Tangled from chapters pinhole to depth_stereo_range."""
+"""Sensor models, one file for each type. Tangled from chapters pinhole, omnidirectional and depth_stereo_range."""
 
 from slamlib.modeling.registry import Registry
 from slamlib.sensors.sensor import Calibration, Sensor
@@ -9,5 +9,5 @@ SENSORS = Registry(__name__, Sensor, "sensor")
 
 
 def sensor(name: str) -> Sensor:
-    """The type of sensor of a name, as the seeds' toolbox spells it: 'pinHole', 'omniCam', ..."""
+    """The type of sensor of this name, as the toolbox spells it: 'pinHole', 'omniCam', ..."""
     return SENSORS[name]

@@ -17,13 +17,13 @@ def project(point, intrinsics, distortion):
 
 @model(ideal=2, depth=1)
 def lift(ideal, depth):
-    """Unit ray and inverse distance [1/m] of an ideal point and a depth [m]. Chapter depth_stereo_range, eq. (dp-lift)."""
+    """Unit ray and inverse distance [1/m] of an ideal point and a depth [m]. Eq. (dp-lift)."""
     ray = np.array([*ideal, 1])
     return np.array([*ray, 1 / depth[0]]) / sqrt(ray @ ray)
 
 
 def visible(point, calibration):
-    """What the pin-hole sees, at a finite depth between the limits `near` and `far` [m]."""
+    """Mask of the points in the pin-hole's view, at a finite depth between the limits `near` and `far` [m]."""
     z, w = point[..., 2], point[..., 3]
     near, far = calibration.limits.get("near", 0), calibration.limits.get("far", np.inf)
     within = (w > 0) & (z >= near * w) & (z <= far * np.where(w > 0, w, 1))
@@ -31,7 +31,7 @@ def visible(point, calibration):
 
 
 def check(calibration):
-    """A valid pin-hole camera."""
+    """Raise SlamlibError unless it is a valid pin-hole camera."""
     radius = {n: v for n, v in calibration.limits.items() if n == "radius"}
     Calibration(pinhole.PINHOLE, calibration.noise[:2, :2], image=calibration.image, limits=radius, **calibration.given)
 

@@ -16,7 +16,7 @@ TERMS = 11
 
 @model(point=4)
 def angles(point):
-    """Angle from the optical axis [rad], along the image's two axes, of a homogeneous point. Chapter omnidirectional, (om-log)."""
+    """Angle from the optical axis [rad] of a homogeneous point, as a vector along the image's axes. Eq. (om-log)."""
     x, y, z, _ = point
     squared = x * x + y * y
     return 2 * arctan_ratio(squared, z + sqrt(squared + z * z)) * point[:2]
@@ -24,7 +24,7 @@ def angles(point):
 
 @model(angles=2, lens=AtMost(TERMS))
 def image(angles, lens):
-    """Where the lens puts a direction, from the image's centre [px], before the affine part. Chapter omnidirectional, (om-lens)."""
+    """Image of a direction [px] from the image's centre, before the affine part. Eq. (om-lens)."""
     squared, even, odd = angles @ angles, 0, 0
     for coefficient in lens[1::2][::-1]:
         even = (even + coefficient) * squared
@@ -35,7 +35,7 @@ def image(angles, lens):
 
 @model(angles=2, intrinsics=5, lens=AtMost(TERMS))
 def pixel(angles, intrinsics, lens):
-    """Pixel of a direction; intrinsics (xc, yc, c, d, e), [px, px, -, -, -]. Chapter omnidirectional, eq. (om-pixel)."""
+    """Pixel of a direction; intrinsics (xc, yc, c, d, e), [px, px, -, -, -]. Eq. (om-pixel)."""
     xc, yc, c, d, e = intrinsics
     u, v = image(angles, lens)
     return np.array([u + e * v + xc, d * u + c * v + yc])
@@ -49,18 +49,18 @@ def project(point, intrinsics, lens):
 
 @model(angles=2, unmeasured=1)
 def ray(angles, unmeasured):
-    """Homogeneous point (h, w) of a direction: |h| = 1, w inverse distance [1/m]. Chapter omnidirectional, eq. (om-exp)."""
+    """Homogeneous point (h, w) of a direction: |h| = 1, w inverse distance [1/m]. Eq. (om-exp)."""
     squared = angles @ angles
     return np.array([*(stumpff(1, squared) * angles), stumpff(0, squared), *unmeasured])
 
 
 def powers(terms):
-    """The powers of the angle that a lens of so many coefficients has: 1, 3, 4, 5, ... Chapter omnidirectional, eq. (om-lens)."""
+    """The powers of the angle in a lens with this number of coefficients: 1, 3, 4, 5, ... Eq. (om-lens)."""
     return np.array([1, *range(3, terms + 2)])[:terms]
 
 
 def radius(angle, lens):
-    """Radius in the image (...) [px] of an angle from the axis (...) [rad]. Chapter omnidirectional, eq. (om-radius)."""
+    """Radius in the image (...) [px] of an angle from the axis (...) [rad]. Eq. (om-radius)."""
     return polynomial.polyval(angle, _full(lens))
 
 
@@ -78,7 +78,7 @@ def largest_angle(lens):
 
 
 def angle(radii, lens):
-    """The angle (...) [rad] below the largest one that is seen at a radius (...) [px]; nan if none is."""
+    """The angle (...) [rad] below the largest one whose image has a radius (...) [px]; nan if there is none."""
     coefficients, high = _full(lens), largest_angle(lens)
     slopes, goal = polynomial.polyder(coefficients), np.asarray(radii, dtype=float)
     low, high = np.zeros_like(goal), np.full_like(goal, high)
@@ -103,14 +103,14 @@ back_project = BackProjection(Implicit("direction", pixel, unknown="angles", sta
 
 
 def visible(point, calibration):
-    """Mask of the points inside the field of view, by their angle from the axis. Chapter omnidirectional, eq. (om-visible)."""
+    """Mask of the points inside the field of view, by their angle from the axis. Eq. (om-visible)."""
     x, y, z = np.moveaxis(point[..., :3], -1, 0)
     angle = np.arctan2(np.hypot(x, y), z)
     return (angle <= calibration.limits["angle"]) & (angle < np.pi)
 
 
 def check(calibration):
-    """Raise SlamlibError for parameters of no camera; a field of view that is not given is the largest there is."""
+    """Raise SlamlibError for invalid parameters; the default field of view is the largest possible."""
     intrinsics, lens = calibration.given["intrinsics"], calibration.given["lens"]
     if len(intrinsics) != 5 or not abs(intrinsics[2] - intrinsics[3] * intrinsics[4]) > 1e-6:
         raise SlamlibError(f"omniCam: intrinsics are (xc, yc, c, d, e), c - d e not zero; got {intrinsics.tolist()}")

@@ -14,7 +14,7 @@ from slamlib.sensors.stages import BackProjection
 
 @model(ideal=2, distortion=AtMost(8))
 def distort(ideal, distortion):
-    """Where the lens puts an ideal point of the plane z = 1. Chapter pinhole, eq. (ph-distort)."""
+    """Distort an ideal point of the plane z = 1. Chapter pinhole, eq. (ph-distort)."""
     squared, stretch = ideal @ ideal, 0
     for coefficient in distortion[::-1]:
         stretch = (stretch + coefficient) * squared
@@ -42,7 +42,7 @@ def ray(ideal, unmeasured):
 
 @model(line=6, intrinsics=4)
 def project_line(line, intrinsics):
-    """Image line (3,) of a line (n, v), seen without distortion. Chapter pinhole, eq. (ph-line)."""
+    """Image line (3,) of a line (n, v), without distortion. Chapter pinhole, eq. (ph-line)."""
     (a, b, c), (u0, v0, au, av) = line[:3], intrinsics
     return np.array([av * a, au * b, au * av * c - av * u0 * a - au * v0 * b])
 
@@ -73,7 +73,7 @@ def _fold(slopes):
 
 
 def fold_radius(distortion):
-    """Ideal radius (...) where distortion (..., n) turns back, or inf. Chapter pinhole, eq. (ph-fold)."""
+    """Ideal radius (...) where distortion (..., n) folds back, or inf. Chapter pinhole, eq. (ph-fold)."""
     slopes = _slopes(np.asarray(distortion, dtype=float))
     folds = np.empty(slopes.shape[:-1])
     for item in np.ndindex(folds.shape):
@@ -82,7 +82,7 @@ def fold_radius(distortion):
 
 
 def root(function, goal, x, low, high):
-    """Where an increasing function, given with its slope, is `goal`: by Newton's steps from x, kept within bounds."""
+    """Solve function(x) = goal, for an increasing function and its slope, by bounded Newton steps from x."""
     for _ in range(100):
         value, slope = function(x)
         excess = value - goal
@@ -96,7 +96,7 @@ def root(function, goal, x, low, high):
 
 
 def undistort_radius(radius, distortion):
-    """Ideal radius (...) below the fold of a distorted one, nan if none is. Eq. (ph-newton)."""
+    """Ideal radius (...) below the fold of a distorted one, nan if there is none. Eq. (ph-newton)."""
     goal, distortion = np.asarray(radius, dtype=float), np.asarray(distortion, dtype=float)
     slopes, fold = _slopes(distortion), fold_radius(distortion) + 0 * goal
     low, high = 0 * goal, np.where(np.isinf(fold), 1, fold)
@@ -136,7 +136,7 @@ def visible(point, calibration):
 
 
 def check(calibration):
-    """Raise SlamlibError for intrinsics of no camera, and for an image the lens cannot fill."""
+    """Raise SlamlibError for invalid intrinsics, and for an image that the lens cannot fill."""
     k, distortion = calibration.given["intrinsics"], calibration.given["distortion"]
     if len(k) != 4 or not (k[2:] > 0).all():
         wanted = "intrinsics are (u0, v0, au, av) with au, av > 0"

@@ -12,10 +12,10 @@ from slamlib.sensors.sensor import Sensor
 
 @dataclass(frozen=True)
 class Angle(Euclidean):
-    """Angles: the difference of two is the short way round. Chapter depth_stereo_range, eq. (dp-wrap)."""
+    """Angles: the difference of two is wrapped to [-pi, pi]. Chapter depth_stereo_range, eq. (dp-wrap)."""
 
     def minus(self, point, origin):
-        """point - origin, in [-pi, pi] [rad]."""
+        """Return point - origin, in [-pi, pi] [rad]."""
         difference = np.asarray(point) - np.asarray(origin)
         return difference - 2 * np.pi * np.round(difference.real / (2 * np.pi))
 
@@ -25,7 +25,7 @@ RangeBearing = Product("range, yaw and pitch", Euclidean(1), Angle(1), Euclidean
 
 @model(point=4, returns=RangeBearing)
 def project(point):
-    """Range, yaw to the left and pitch downwards; no yaw on the vertical. Chapter depth_stereo_range, eq. (dp-range)."""
+    """Range, yaw to the left and pitch downwards; no yaw on the vertical. Eq. (dp-range)."""
     x, y, z, w = point
     level = x * x + y * y
     return np.array([sqrt(level + z * z) / w, arctan2(y, x), arctan2(-z, sqrt(level))])
@@ -39,7 +39,7 @@ def back_project(measurement):
 
 
 def visible(point, calibration):
-    """Not on the vertical, within the limits `near`, `far` [m], `yaw` and `pitch` [rad] to both sides."""
+    """Mask of the points not on the vertical, within the limits `near`, `far` [m], `yaw` and `pitch` [rad]."""
     x, y, z, w = np.moveaxis(np.asarray(point), -1, 0)
     level = np.hypot(x, y)
     distance, limits = np.hypot(level, z), calibration.limits

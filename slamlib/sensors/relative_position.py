@@ -1,4 +1,4 @@
-"""Relative position: the sensor tells where the point is in its own frame, (x, y, z) [m]."""
+"""Relative position: the sensor measures a point in its own frame, (x, y, z) [m]."""
 
 import numpy as np
 
@@ -15,12 +15,12 @@ def project(point):
 
 @model(measurement=3)
 def back_project(measurement):
-    """Unit ray and inverse distance [1/m]; not defined at the sensor itself. Chapter depth_stereo_range, eq. (dp-relative-back)."""
+    """Unit ray and inverse distance [1/m]; not defined at the sensor itself. Eq. (dp-relative-back)."""
     return np.array([*measurement, 1]) / sqrt(measurement @ measurement)
 
 
 def visible(point, calibration):
-    """At a finite distance, between the limits `near` and `far` [m]."""
+    """Mask of the points at a finite distance, between the limits `near` and `far` [m]."""
     point = np.asarray(point)
     distance, w = np.sqrt((point[..., :3] ** 2).sum(-1)), point[..., 3]
     near, far = calibration.limits.get("near", 0), calibration.limits.get("far", np.inf)
@@ -31,7 +31,7 @@ RELATIVE_POSITION = Sensor("relativePosition", project, back_project, (), visibl
 
 
 def converted(calibration, measurement):
-    """What a sensor that measures all says as a relative position: point (..., 3) [m] and its full covariance.
+    """Convert a complete measurement to a relative position: point (..., 3) [m] and its full covariance.
 
     Chapter depth_stereo_range, eq. (dp-converted); the covariance is that of the first order, at the measurement.
     """

@@ -1,4 +1,4 @@
-"""Scaramuzza's two polynomials, as calibrations are published, and how the omnidirectional camera takes them over."""
+"""Scaramuzza's two polynomials, as calibrations are published, and their conversion to the omnidirectional camera."""
 
 from dataclasses import dataclass
 
@@ -18,7 +18,7 @@ SAMPLES = 501
 
 @model(point=4, intrinsics=5, forward=COEFFICIENTS)
 def project(point, intrinsics, forward):
-    """Pixel of a homogeneous point, as published; not defined on the axis. Chapter omnidirectional, eq. (om-forward)."""
+    """Pixel of a homogeneous point, as published; not defined on the axis. Eq. (om-forward)."""
     x, y, z, _ = point
     xc, yc, c, d, e = intrinsics
     level, rho = sqrt(x * x + y * y), 0
@@ -31,7 +31,7 @@ def project(point, intrinsics, forward):
 
 @model(measurement=2, unmeasured=1, intrinsics=5, backward=COEFFICIENTS)
 def back_project(measurement, unmeasured, intrinsics, backward):
-    """Homogeneous point of a pixel, as published; no derivative at the centre. Chapter omnidirectional, eq. (om-backward)."""
+    """Homogeneous point of a pixel, as published; no derivative at the centre. Eq. (om-backward)."""
     xc, yc, c, d, e = intrinsics
     x, y = measurement[0] - xc, measurement[1] - yc
     u, v = (c * x - e * y) / (c - d * e), (y - d * x) / (c - d * e)
@@ -43,7 +43,7 @@ def back_project(measurement, unmeasured, intrinsics, backward):
 
 @dataclass(frozen=True)
 class Polynomials:
-    """A lens of the omnidirectional camera, the polynomial that undoes it, the field's half angle [rad], and errors.
+    """A lens of the omnidirectional camera, its inverse polynomial, the field's half angle [rad], and errors.
 
     errors [px], the largest within the field: "lens", from the polynomial that it was fitted to; "backward", of the
     inverse from the lens; "forward", of the published forward polynomial from the lens, where one was given.
@@ -58,8 +58,8 @@ class Polynomials:
 def polynomials(angle, *, backward=None, forward=None, terms=None, degree=10):
     """The lens of a published calibration, for angles up to `angle` [rad], and the inverse, fitted if not given.
 
-    The lens is fitted to what `backward` says, if that is given, else to `forward`, which seldom passes through zero on
-    the axis: then with few `terms`. The inverse goes up to the power `degree`. Raises SlamlibError for what is no lens.
+    The lens is fitted to `backward` if that is given, else to `forward`, which seldom passes through zero on
+    the axis: then with few `terms`. The inverse has powers up to `degree`. Raises SlamlibError for an invalid lens.
     Chapter omnidirectional, eq. (om-fit).
     """
     if not 0 < angle < np.pi:
@@ -100,7 +100,7 @@ def _published(forward, angles):
 
 
 def _reach(c, angle):
-    """Angles and radii that the back-projecting polynomial pairs, from the axis to `angle`."""
+    """Angles and radii of the back-projecting polynomial, from the axis to `angle`."""
     end = c[0] / 100
     while np.arctan2(end, polynomial.polyval(end, c)) < angle:
         end = end * 1.02
@@ -114,7 +114,7 @@ def _reach(c, angle):
 
 
 def _inverse(lens, angles, degree):
-    """The back-projecting polynomial whose error, as seen in the image, is least in the sense of squares."""
+    """The back-projecting polynomial with the least-squares error, measured in the image."""
     seen, r = angles[1:], radius(angles[1:], lens)
     pixels = np.gradient(r, seen) * np.sin(seen) ** 2 / r  # of the image, per pixel of z
     chosen = np.array([0, *range(2, degree + 1)])
@@ -124,7 +124,7 @@ def _inverse(lens, angles, degree):
 
 
 def _fit(x, y, chosen, weights):
-    """Coefficients of the `chosen` powers, for which the polynomial is nearest to y(x)."""
+    """Coefficients of the `chosen` powers, for the polynomial nearest to y(x)."""
     scale = np.max(x) ** chosen
     design = x[:, None] ** chosen / scale
     return np.linalg.lstsq(design * weights[:, None], y * weights, rcond=None)[0] / scale

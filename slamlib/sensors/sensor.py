@@ -1,4 +1,4 @@
-"""What a type of sensor must offer, and a sensor of that type with its calibration."""
+"""The interface of a type of sensor, and a sensor of that type with its calibration."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,11 +20,11 @@ class Sensor:
 
     project(point, **parameters): measurement (m,) of a homogeneous point (4,) in the sensor's frame (axes right, down,
     front for cameras). back_project(measurement, unmeasured, **parameters): homogeneous point, |h| = 1 where only a ray
-    is measured; `unmeasured` is what the measurement does not tell (a camera: the inverse distance), and a sensor that
-    tells all has no such argument. visible(point, calibration): mask of the points that can be measured at all, by the
-    sensor's own rule; whether a pixel lies in the image is asked afterwards, for all sensors alike. check(calibration)
-    raises SlamlibError for parameters that make no sense. limits: the names of those that bound its view, such as
-    "near" [m], and may be left out; None: it takes any. project_line(line, **parameters it has): homogeneous image
+    is measured; `unmeasured` is what is not measured (for a camera: the inverse distance); a complete sensor
+    has no such argument. visible(point, calibration): mask of the points that can be measured at all, by the
+    sensor's own rule; whether a pixel lies in the image is tested afterwards, for all sensors alike. check(calibration)
+    raises SlamlibError for invalid parameters. limits: the names of those that bound its view, such as
+    "near" [m], and may be left out; None: any. project_line(line, **parameters it has): homogeneous image
     line (3,) of a line in Pluecker coordinates (6,). pixels: the first two numbers of a measurement are a pixel, which
     an image can bound. A model may also be an object with the same calls, as Implicit is.
     """
@@ -41,17 +41,17 @@ class Sensor:
 
     @cached_property
     def size(self) -> int:
-        """Numbers in a measurement."""
+        """Number of numbers in a measurement."""
         return int(self.back_project.arguments[0].size)
 
     @cached_property
     def unmeasured(self) -> int:
-        """Arguments of back_project that say what a measurement does not tell: one, or none."""
+        """Number of arguments of back_project for what is not measured: one, or none."""
         return len(self.back_project.arguments) - 1 - len(self.parameters)
 
     @cached_property
     def manifold(self) -> Manifold:
-        """Where measurements live: their difference is space.minus(measured, expected)."""
+        """Manifold of measurements: their difference is manifold.minus(measured, predicted)."""
         result = getattr(self.project, "result", None)
         return result.manifold if result is not None else as_manifold(self.size)
 
@@ -60,7 +60,7 @@ class Calibration:
     """A sensor of a type: its parameters, its noise, and its image.
 
     noise: covariance (m, m) of a measurement. image: (width, height) [px], or None; for sensors with pixels only.
-    limits: what the type's rule of visibility asks for, such as {"angle": 1.6} [rad]. parameters: by name; lists of
+    limits: for the type's rule of visibility, such as {"angle": 1.6} [rad]. parameters: by name; lists of
     coefficients may be shorter than the model's, since the missing ones are zero. Arrays are copied and read-only, and
     no attribute can be set: another calibration is another object. Raises SlamlibError, naming the parameter.
     """
@@ -113,7 +113,7 @@ class Calibration:
 
     @cached_property
     def _project(self) -> tuple[Formula, list[Array]]:
-        """The model for as many coefficients as are given, and all parameters in its order; they can never change."""
+        """The model for the given number of coefficients, and all parameters in its order; they never change."""
         project = self.sensor.project
         given = [self.given[name] for name in project.parameters[1:]]
         if not isinstance(project, Model):
@@ -126,16 +126,16 @@ class Calibration:
         return model(point, *parameters)
 
     def project_jac(self, point: Array) -> tuple[Array, Any]:
-        """Measurements, and Jacobians by the point and by each parameter as it was given."""
+        """Measurements (..., m), and Jacobians w.r.t. the point and each parameter as it was given."""
         model, parameters = self._project
         return model.jac(point, *parameters)
 
     def back_project_jac(self, measurement: Array, *unmeasured: Array) -> tuple[Array, Any]:
-        """Homogeneous points (..., 4), and Jacobians by the measurement, what it does not tell, and each parameter."""
+        """Homogeneous points (..., 4), and Jacobians w.r.t. measurement, unmeasured number, and each parameter."""
         return self.sensor.back_project.jac(measurement, *unmeasured, **self.given)
 
     def visible(self, point: Array) -> Mask:
-        """Mask (...) of the homogeneous points (..., 4) that the sensor can measure, before the image is looked at."""
+        """Mask (...) of the homogeneous points (..., 4) that the sensor can measure, but for the image's border."""
         return self.sensor.visible(np.asarray(point), self)
 
     def inside(self, measurement: ArrayLike, margin: float = 0.0) -> Mask:
@@ -143,7 +143,7 @@ class Calibration:
         if self.image is None:
             return np.ones(np.shape(measurement)[:-1], dtype=bool)
         pixel = np.asarray(measurement)[..., :2]
-        if pixel.ndim == 1:  # a single one, quickly
+        if pixel.ndim == 1:  # a single one: the fast path
             (u, v), (width, height) = pixel.tolist(), self.image.tolist()
             one: Any = np.bool_(margin <= u <= width - margin and margin <= v <= height - margin)
             return one
@@ -152,7 +152,7 @@ class Calibration:
 
 
 def _limits(sensor: Sensor, limits: dict[str, float]) -> dict[str, float]:
-    """Limits by known names, numbers from zero on; `near` is below `far`."""
+    """Check limits: known names, numbers from zero on; `near` is below `far`."""
     found = {}
     for name, value in limits.items():
         if sensor.limits is not None and name not in sensor.limits:
@@ -168,7 +168,7 @@ def _limits(sensor: Sensor, limits: dict[str, float]) -> dict[str, float]:
 
 
 def _given(sensor: str, name: str, value: ArrayLike, largest: int) -> Array:
-    """A parameter's numbers as they were given, a read-only copy."""
+    """A read-only copy of a parameter's numbers as given."""
     array = np.atleast_1d(numbers(value, sensor, name))
     if array.ndim != 1 or len(array) > largest:
         raise ShapeError(f"{sensor}: {name} has at most {largest} numbers, got shape {array.shape}")

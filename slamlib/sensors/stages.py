@@ -14,7 +14,7 @@ class BackProjection(Formula):
     """The homogeneous point (..., 4) of a measurement: inner(pixel, ...) gives its ray, outer the point.
 
     The measurement's first numbers, as many as `inner` solves for, are its pixel. outer(ray, rest) takes the others as
-    its second argument; where there are none, it takes what the measurement does not tell, `unmeasured`.
+    its second argument; where there are none, it takes the unmeasured number, `unmeasured`.
     """
 
     def __init__(self, inner: Implicit, outer: Model, *, size: int) -> None:
@@ -30,7 +30,7 @@ class BackProjection(Formula):
         return self.outer(self.inner(pixel, *parameters), rest)
 
     def jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Any]:
-        """The point, and its Jacobians by each argument."""
+        """The point, and its Jacobians w.r.t. each argument."""
         pixel, rest, parameters = self._split(args, kwargs)
         ray, inner = self.inner.jac(pixel, *parameters)
         point, outer = self.outer.jac(ray, rest)

@@ -10,7 +10,7 @@ from slamlib.sensors.sensor import Sensor
 
 @model(point=4, intrinsics=4, baseline=1)
 def project(point, intrinsics, baseline):
-    """Left pixel and disparity [px] of a homogeneous point; the disparity is 0 at infinity. Chapter depth_stereo_range, (dp-stereo)."""
+    """Left pixel and disparity [px] of a homogeneous point; the disparity is 0 at infinity. Eq. (dp-stereo)."""
     x, y, z, w = point
     u0, v0, au, av = intrinsics
     (b,) = baseline
@@ -19,7 +19,7 @@ def project(point, intrinsics, baseline):
 
 @model(measurement=3, intrinsics=4, baseline=1)
 def back_project(measurement, intrinsics, baseline):
-    """Unit ray and inverse distance [1/m]; no disparity is divided by. Chapter depth_stereo_range, eq. (dp-stereo-back)."""
+    """Unit ray and inverse distance [1/m]; no division by the disparity. Eq. (dp-stereo-back)."""
     u, v, d = measurement
     u0, v0, au, av = intrinsics
     (b,) = baseline
@@ -28,7 +28,7 @@ def back_project(measurement, intrinsics, baseline):
 
 
 def visible(point, calibration):
-    """In front of both cameras, seen by the right one too, and with at least the limit `disparity` [px]."""
+    """Mask of the points in front of both cameras, in both images, and with at least the limit `disparity` [px]."""
     x, _, z, w = np.moveaxis(np.asarray(point), -1, 0)
     u0, _, au, _ = calibration.given["intrinsics"]
     (b,) = calibration.given["baseline"]
@@ -42,7 +42,7 @@ def visible(point, calibration):
 
 
 def check(calibration):
-    """Four intrinsics, focal lengths and baseline above zero."""
+    """Raise SlamlibError unless there are four intrinsics, and focal lengths and baseline are above zero."""
     intrinsics, baseline = calibration.given["intrinsics"], calibration.given["baseline"]
     if len(intrinsics) != 4 or not (intrinsics[2:] > 0).all():
         raise SlamlibError(f"stereo: intrinsics are (u0, v0, au, av) with au, av > 0, got {intrinsics.tolist()}")
