@@ -181,8 +181,7 @@ class Belief:
         The covariance stays that of the tangent space before the update. Re-centring it would multiply a rotation's
         rows by G = I - [dtheta/2]x (Sola 2017, section 6.3), a change of P of at most the update's angle, relative to
         P: of the same order as taking H at the updated mean, which this first-order filter leaves out too. Where an
-        update turns
-        far, apply it: belief.predict(block, block.mean, G, np.zeros_like(G)).
+        update turns far, apply it: belief.predict(block, block.mean, G, np.zeros_like(G)).
 
         Rounding in P - W'W is 1e-16 of the variance *before*: a prior 1e16 times the posterior's variance leaves no
         digit. Raises ShapeError, NonFiniteError, CovarianceError; then nothing is changed.

@@ -7,14 +7,14 @@ landmarks:
     header              text: JSON with format "slamlib recording", version 1, rig (robots and sensors: the fields of
                         RobotSetup and SensorSetup, in metres and degrees), truth (whether it is there)
     number, dt          (F,): each frame's number, and the time since the one before [s]
-        robot{i}.control    (F, c) [m, rad]: the control input, or its measurement by odometry; nan: none
-        robot{i}.noise      (F, c, c): the covariance of its noise
+    robot{i}.control    (F, c) [m, rad]: the control input, or its measurement by odometry; nan: none
+    robot{i}.noise      (F, c, c): the covariance of its noise
     sensor{j}.X.first   (F + 1,): the features of frame number f are rows first[f] up to first[f + 1] of the next two
     sensor{j}.X.ids     (n,)
     sensor{j}.X.values  (n, m): measurements; of segments two pixels (u, v, u, v)
-        world.X.ids         (n,): the true landmarks; world.points.values (n, 3), world.segments.values (k, 6) [m]
+    world.X.ids         (n,): the true landmarks; world.points.values (n, 3), world.segments.values (k, 6) [m]
     world.faces         (f, 3, 3) [m]: opaque triangles
-        truth.robot{i}      (F, s): state, which starts with position [m] and unit quaternion (w, x, y, z)
+    truth.robot{i}      (F, s): state, which starts with position [m] and unit quaternion (w, x, y, z)
     truth.mount{j}      (F, 7): pose of the sensor on its robot
 
 A control moves the robot before its frame's features are measured. Values are stored exactly, without rounding.

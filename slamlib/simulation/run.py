@@ -74,8 +74,8 @@ def simulate(
     control. "control": the robot follows the nominal control exactly, and the noise is in the control given to the
     filter, as in the toolbox. Both have the same noise in the difference of the two, so that odometry errors have the
     same distribution to first order; but "control" repeats one path in all runs. With constant velocity the controls
-    are
-    impulses: "truth" makes a robot that wanders, "control" one that flies straight while the filter is given impulses.
+    are impulses: "truth" makes a robot that wanders, "control" one that flies straight while the filter is given
+    impulses.
 
     controls: one entry per robot: None for the control of its setup, an array (frames, c) in metres and radians, or a
     function of the frame's number. faults: rates of the sensors' faults. occlusion: whether the world's faces hide

@@ -30,7 +30,7 @@ class Options(Plain):
         other families of landmarks, by the family's name (slamlib.observation.FAMILIES).
     capacity: largest number of landmarks, or None for no limit (map.numLmks).
     pruning: how the map stays within the capacity: None refuses new landmarks; "least-recently-seen" prunes the one
-                not seen for longest; "least-reliable" the one with the smallest share of searches that gave an inlier.
+        not seen for longest; "least-reliable" the one with the smallest share of searches that gave an inlier.
     window: a landmark that was not seen for more frames than this is deleted; None: no such limit.
     updates: most landmarks by which one sensor updates the map in one frame (correct.nUpdates).
     selection: "information": those whose innovation covariance has the largest determinant; "order": the oldest.
@@ -38,22 +38,22 @@ class Options(Plain):
         Jacobians at the predicted mean (correct.reprojectLmks).
     gate: probability with which a true measurement passes, for the innovation's own degrees of freedom (MD2th); 1: all.
     outlier_rejection: which matches of a frame are accepted: "individual": each that passes its own gate; "joint": the
-            largest jointly compatible set; "one-point-ransac": those consistent with the update by one of them.
+        largest jointly compatible set; "one-point-ransac": those consistent with the update by one of them.
     convert, convert_below: whether, and below which linearity index, points become Euclidean ones (reparametrize,
         linTestIdp).
     max_new_first, max_new: new landmarks of one sensor in its first frame, and in every other (init.nbrInits).
     inverse_distance: mean and standard deviation [1/m] of the prior for what a bearing does not measure
         (init.idpPnt.nonObs*).
     line_priors: by the name of a parametrization, prior means and standard deviations of the two numbers that a segment
-            does not measure (init.plkLin.nonObs*); lines not listed take inverse_distance for both endpoints.
+        does not measure (init.plkLin.nonObs*); lines not listed take inverse_distance for both endpoints.
     innovation: of lines: "ortDst" distances of the measured endpoints, "rhoThe" distance and angle, "angles" of their
-            rays with the plane of the line, for any camera (correct.lines.innType).
+        rays with the plane of the line, for any camera (correct.lines.innType).
     extend, extend_switch: how the endpoints of lines follow the measured ones (correct.lines.extPolicy, extSwitch).
     minimum_length: [px] of a segment (obs.lines.minLength). margin: share of the image's width in which no point is
         initialized, at every border.
     min_searches, min_matched_ratio, min_inlier_ratio: a landmark that was searched for at least `min_searches` times is
-            deleted if less than `min_matched_ratio` of the searches found it, or if less than `min_inlier_ratio` of the
-            matches passed the gate.
+        deleted if less than `min_matched_ratio` of the searches found it, or if less than `min_inlier_ratio` of the
+        matches passed the gate.
     """
 
     points: Annotated[str, OneOf(POINTS)] | None = "idpPnt"

@@ -4,9 +4,9 @@ from slamlib.analytic import arctan2, cos, sin
 
 DIGESTS = {
     "to_rotation": "876e20d40b8c3efa",
-    "to_quaternion": "9ddff59805f63fe6",
-    "yaw_of": "a8236a7a584c2085",
-    "roll_pitch_of": "bed936e771890f84",
+    "to_quaternion": "ab234bebc639f5d2",
+    "yaw_of": "45829a9f5fcfd914",
+    "roll_pitch_of": "75f88168ed6c7f4a",
 }
 SHAPES = {
     "to_rotation": (3, 3),

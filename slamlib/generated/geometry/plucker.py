@@ -3,14 +3,14 @@
 from slamlib.analytic import sqrt
 
 DIGESTS = {
-    "join": "18178fa3b41c16fe",
-    "meet": "d0a32eed23d618dd",
-    "from_frame": "9487bd3551931e01",
-    "to_frame": "e76f7f6b3c5a639e",
+    "join": "91f184b0d318e90a",
+    "meet": "eaf4fea11dd5ce61",
+    "from_frame": "ab07d96f8cddfd2c",
+    "to_frame": "a8daa40c5afb0888",
     "point_at": "262eae0dfe8cbea5",
     "crossing": "7b956690ca73acbe",
-    "constrain": "e175be6f65dddf73",
-    "from_rays": "b44201fd8ed566c6",
+    "constrain": "25dcd8d32ce62901",
+    "from_rays": "ded7e2a8cacffb48",
 }
 SHAPES = {
     "join": (6,),

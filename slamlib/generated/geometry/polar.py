@@ -4,7 +4,7 @@ from slamlib.analytic import arctan2, cos, sin, sqrt
 
 DIGESTS = {
     "to_polar": "7bc2f852f18b9775",
-    "from_polar": "38334a05ed1b8093",
+    "from_polar": "aa700768cad9bf12",
 }
 SHAPES = {
     "to_polar": (2,),

@@ -1,11 +1,11 @@
 """Generated from slamlib/geometry/pose.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "from_frame": "fa679e55b1d53d11",
-    "to_frame": "348283312425ec46",
-    "compose": "a7ee097ecefe0165",
-    "inverse": "948777c8488afb45",
-    "relative": "49fbbc8f0a1f95a7",
+    "from_frame": "8e968060cba70639",
+    "to_frame": "c72c11f36a56f545",
+    "compose": "674ef6f67e99881a",
+    "inverse": "875714460303a3bc",
+    "relative": "50c5049cd48612e2",
 }
 SHAPES = {
     "from_frame": (3,),

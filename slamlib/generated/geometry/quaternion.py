@@ -5,15 +5,15 @@ from slamlib.analytic import arctan_ratio, arctan_ratio_slope, sqrt, stumpff
 DIGESTS = {
     "left_matrix": "554befca3f2248be",
     "right_matrix": "fdb7c26a36094267",
-    "pi_matrix": "036d8b6ecdf2f6cd",
+    "pi_matrix": "d9a66a6713c2c1da",
     "product": "ed70c0da46b4008f",
-    "conjugate": "83693432e1966666",
+    "conjugate": "b280f541515a66a7",
     "exponential": "58692098a3553fb8",
-    "logarithm": "4b348faab3823bff",
-    "plus": "94f4b32ea1ea1887",
-    "minus": "326174188a8d2456",
-    "rotation": "3ec9dcc679a9703b",
-    "from_rotation": "c2aba9bb4e9698c7",
+    "logarithm": "c1497c1df8eac33c",
+    "plus": "3bedf4199a97775b",
+    "minus": "75a7213ae9a66a2f",
+    "rotation": "615144ffd557d53c",
+    "from_rotation": "bffdeaba3d0815ed",
 }
 SHAPES = {
     "left_matrix": (4, 4),

@@ -1,9 +1,9 @@
 """Generated from slamlib/landmarks/ahm_line.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "to_frame": "88c09813e2d2e694",
-    "from_frame": "5aec9ed4a16974d0",
-    "point_at": "6e20d29c243ab5f9",
+    "to_frame": "7a8bf7340249d6ca",
+    "from_frame": "01d7933d32df8a0f",
+    "point_at": "5946f368a1a8c85f",
 }
 SHAPES = {
     "to_frame": (6,),

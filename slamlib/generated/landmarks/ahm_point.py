@@ -1,9 +1,9 @@
 """Generated from slamlib/landmarks/ahm_point.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "to_frame": "741fc3807c1feb9d",
-    "from_frame": "6149b4f612bf1d10",
-    "to_point": "bf6bf3a651799e17",
+    "to_frame": "3a73e6983fd33ff2",
+    "from_frame": "1c6c64f666062d99",
+    "to_point": "5eef459ecc12c1f7",
 }
 SHAPES = {
     "to_frame": (4,),

@@ -3,10 +3,10 @@
 from slamlib.analytic import sqrt
 
 DIGESTS = {
-    "to_frame": "d7b18a0e60914438",
-    "from_frame": "779708f490b0814a",
+    "to_frame": "109049db99d277e4",
+    "from_frame": "ebfe1d1ed3a939c9",
     "point_at": "b0d09f33d1ee7242",
-    "constrain": "c8e9e66eb698a58e",
+    "constrain": "f4b1eb3ac8cd0c0f",
 }
 SHAPES = {
     "to_frame": (6,),

@@ -1,8 +1,8 @@
 """Generated from slamlib/landmarks/euc_point.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "to_frame": "4ad3d9af87f2deaf",
-    "from_frame": "acf5a10c75c260a2",
+    "to_frame": "4cd5e9bfc21d1b38",
+    "from_frame": "bf1e0351f66c4e4b",
     "to_point": "53872251799d31d7",
 }
 SHAPES = {

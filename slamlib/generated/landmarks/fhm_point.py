@@ -1,9 +1,9 @@
 """Generated from slamlib/landmarks/fhm_point.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "to_frame": "782416ad79918f2c",
-    "from_frame": "7c7dbef40843e811",
-    "to_point": "9fb9984e45f11062",
+    "to_frame": "ab67adb7dbd0c51e",
+    "from_frame": "144e2d75b860c315",
+    "to_point": "cdeec2a0b366a79a",
 }
 SHAPES = {
     "to_frame": (4,),

@@ -1,9 +1,9 @@
 """Generated from slamlib/landmarks/hmg_line.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "to_frame": "3c3aa1c7aee257db",
-    "from_frame": "cea7c1ab52297987",
-    "point_at": "d8f46d993153b189",
+    "to_frame": "3b66265063d42386",
+    "from_frame": "62feeb9a7e9089aa",
+    "point_at": "291ca6820b137862",
 }
 SHAPES = {
     "to_frame": (6,),

@@ -1,9 +1,9 @@
 """Generated from slamlib/landmarks/hmg_point.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
 DIGESTS = {
-    "to_frame": "5be1d9466ff78e93",
-    "from_frame": "756291dd818a8c7b",
-    "to_point": "3d66c206a832c689",
+    "to_frame": "45b4c0f0a4cddb40",
+    "from_frame": "816cc3f38615ce12",
+    "to_point": "485ab31d33d8919e",
 }
 SHAPES = {
     "to_frame": (4,),

@@ -3,9 +3,9 @@
 from slamlib.analytic import arctan2, cos, sin, sqrt
 
 DIGESTS = {
-    "to_frame": "5d08f475e049b1a9",
-    "from_frame": "6d6af14bc13a2efe",
-    "point_at": "1326a1b19df348d2",
+    "to_frame": "bbba632b3d2de4b8",
+    "from_frame": "252ab2d11a915e04",
+    "point_at": "6001e8500bdb06f4",
 }
 SHAPES = {
     "to_frame": (6,),

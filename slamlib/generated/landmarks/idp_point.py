@@ -5,9 +5,9 @@ from slamlib.analytic import arctan2, cos, sin, sqrt
 DIGESTS = {
     "direction": "27902cccb3ab3131",
     "angles_of": "3bcc1e79b05da071",
-    "to_frame": "b3ff469996081f2f",
-    "from_frame": "647e6091d545ef1e",
-    "to_point": "4df44fdd51af9081",
+    "to_frame": "46b11e977d98dfc8",
+    "from_frame": "2917b9d0b1a807fc",
+    "to_point": "2fbc0dd46a196fe6",
 }
 SHAPES = {
     "direction": (3,),

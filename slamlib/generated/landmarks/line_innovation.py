@@ -6,7 +6,7 @@ DIGESTS = {
     "image_line": "ffd938729e5c0434",
     "distances": "bedaf25216dea759",
     "rho_theta": "95c268f965166494",
-    "angles": "6c025f5b8d757613",
+    "angles": "9a227a23910d2b3e",
 }
 SHAPES = {
     "image_line": (3,),

@@ -3,10 +3,10 @@
 from slamlib.analytic import sqrt
 
 DIGESTS = {
-    "to_frame": "d06d2fca83024858",
-    "from_frame": "42de520bf287b9d2",
+    "to_frame": "aee6a34f4866d567",
+    "from_frame": "081207329798bf8d",
     "point_at": "ac9ac0ca3878e409",
-    "constrain": "7b8f610109c4d2b7",
+    "constrain": "5e07b4e4de060c57",
 }
 SHAPES = {
     "to_frame": (6,),

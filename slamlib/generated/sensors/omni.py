@@ -3,11 +3,11 @@
 from slamlib.analytic import arctan_ratio, arctan_ratio_slope, sqrt, stumpff
 
 DIGESTS = {
-    "angles": "c8bf6a4c1a588b65",
-    "image": "1403d5e85a7f5276",
-    "pixel": "1cf58c980051caaf",
-    "project": "79465ccd7f848273",
-    "ray": "71a15cf92d61258c",
+    "angles": "5e8d63abc72cce73",
+    "image": "75419c6ad59a17dc",
+    "pixel": "561f0c53e2622622",
+    "project": "540312961ba33d81",
+    "ray": "8fb2471ea16807f4",
 }
 SHAPES = {
     "angles": (2,),

@@ -3,11 +3,11 @@
 from slamlib.analytic import sqrt
 
 DIGESTS = {
-    "distort": "bc6d463086eb69cb",
-    "pixel": "e11b8757ab508394",
-    "project": "f81e72057ba40fed",
+    "distort": "53d935fddfe311db",
+    "pixel": "251ce0aaada256f4",
+    "project": "c77eb70882005483",
     "ray": "afd8574437e322bb",
-    "project_line": "38e94329c623c4d6",
+    "project_line": "5db0ed55d8de5387",
 }
 SHAPES = {
     "distort": (2,),

@@ -3,7 +3,7 @@
 from slamlib.analytic import arctan2, cos, sin, sqrt
 
 DIGESTS = {
-    "project": "0a8a4be57a5fb4d4",
+    "project": "048171479618448b",
     "back_project": "7ce01b5ab977d2b2",
 }
 SHAPES = {

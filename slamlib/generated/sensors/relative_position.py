@@ -4,7 +4,7 @@ from slamlib.analytic import sqrt
 
 DIGESTS = {
     "project": "65fa4db8b578433b",
-    "back_project": "fab523c8bbb8ac8a",
+    "back_project": "6dc76607a00345f8",
 }
 SHAPES = {
     "project": (3,),

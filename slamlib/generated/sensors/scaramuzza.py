@@ -3,8 +3,8 @@
 from slamlib.analytic import arctan2, sqrt
 
 DIGESTS = {
-    "project": "33a8a8a1e2f2f9c6",
-    "back_project": "125dc23bf4347ea2",
+    "project": "1de3cf82705c9453",
+    "back_project": "fe0ebb0ae5e4eb4a",
 }
 SHAPES = {
     "project": (2,),

@@ -3,8 +3,8 @@
 from slamlib.analytic import sqrt
 
 DIGESTS = {
-    "project": "bdc487b12ab0ca78",
-    "back_project": "9d402452b52bb568",
+    "project": "4cabd375720741e8",
+    "back_project": "b7b2d6c23f1716e2",
 }
 SHAPES = {
     "project": (3,),

@@ -76,7 +76,7 @@ class KnownAssociation(FrontEnd):
     """Known data association: simulated features, and those of labelled data, carry their landmark's id."""
 
     def searchable(self, inputs: FrontEndInput) -> list[PredictedMeasurement]:
-        """All looks."""
+        """Return all predictions."""
         return inputs.predictions
 
     def match(self, inputs: FrontEndInput, family: str, predictions: list[PredictedMeasurement]) -> tuple[Array, Mask]:

@@ -1,8 +1,8 @@
 """The largest jointly compatible set of innovations, by branch and bound (JCBB). Chapter active_search.
 
 Neira and Tardos (2001) let a tree decide, one innovation after another, what it is paired with. Where each innovation
-one candidate at most, the only choice is "in" or "out", and few are out: so this tree starts with all of them and
-removes some. With the information matrix A = S^-1 and a = A z of all, removing the set B lowers the joint square by
+has one candidate at most, the only choice is "in" or "out", and few are out: so this tree starts with all of them
+and removes some. With the information matrix A = S^-1 and a = A z of all, removing the set B lowers the joint square by
 
     drop(B) = a_B' A_BB^-1 a_B,        and leaves        A - A_:B A_BB^-1 A_B:,    a - A_:B A_BB^-1 a_B
 
