@@ -1,1 +1,1 @@
-"""Rotations and frames: quaternion, euler, pose. Every formula module is tangled from chapter frames_and_quaternions."""
+"""Rotations and frames: quaternion, euler, pose. Formula modules are tangled from chapter frames_and_quaternions."""
