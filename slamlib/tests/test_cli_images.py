@@ -317,7 +317,7 @@ def test_a_window_shows_every_frame(room, monkeypatch):
 @pytest.mark.parametrize(
     ("more", "message"),
     [
-        ([], "--source and --calibration are wanted"),
+        ([], "--source and --calibration are needed"),
         (["--source", "nowhere", "--calibration", "fr3"], "there is nothing"),
         (["--source", "{room}/left", "--calibration", "nowhere"], "need no file"),
         (["--source", "{room}/left", "--calibration", "fr3"], "of pictures of 640x480 pixels, and those of"),
