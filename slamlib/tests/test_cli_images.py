@@ -58,7 +58,7 @@ def test_a_folder_with_its_table_and_trajectory(room, tmp_path, capsys):
         "24, 0.77 s",
         "tracked features",
         "NIS per degree",
-        "milliseconds a frame",
+        "milliseconds per frame",
         "rotation from the",
     ):
         assert what in text

@@ -102,7 +102,7 @@ class ActiveSearch(ImageFrontEnd):
             prediction.predicted_patch = template
 
     def scan(self, image: Image, prediction: Any) -> Match | None:
-        """2d and 2f: the best match of the template in the ellipse of the predicted measurement; None if there is none."""
+        """2d and 2f: the best match of the template in the ellipse of the predicted measurement, or None."""
         s = self.settings
         reach = np.sqrt(gate(s.probability, 2) * prediction.S.diagonal().max())
         S = prediction.S * min(1.0, s.largest / reach) ** 2

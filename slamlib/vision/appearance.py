@@ -1,8 +1,8 @@
 """A landmark's appearance: the image around it, the camera pose, and its prediction for another pose.
 
-Steps 1f and 2e of active search (Chapter active_search). The patch is a small plane through the landmark that faces the camera which took it
-(Davison et al., 2007; Molton et al., 2004, estimate its normal). It is the better the less the view changes; a rule
-decides when to take another patch.
+Steps 1f and 2e of active search (Chapter active_search). The patch is a small plane through the landmark that faces
+the camera which took it (Davison et al., 2007; Molton et al., 2004, estimate its normal). Its
+prediction is the better the less the view changes; a rule decides when to take another patch.
 """
 
 from collections.abc import Sequence
@@ -58,7 +58,7 @@ class Appearance:
         quality: float = 0.0,
         previous: "Appearance | None" = None,
     ) -> "Appearance | None":
-        """The appearance around a pixel (2,) of an image (h, w); None where a template of `size` px does not fit in it.
+        """The appearance around a pixel (2,) of an image (h, w); None where a template of `size` px does not fit.
 
         camera: its pose (7,) in the world. Raises SlamlibError for even sizes, ShapeError for colour images.
         """
@@ -80,7 +80,7 @@ class Appearance:
         return patch
 
     def predicted(self, camera: Array, calibration: Calibration, point: Array, size: int | None = None) -> Array | None:
-        """The template (size, size) that a camera, pose (7,), should see of it at a homogeneous world point (4,).
+        """The template (size, size) predicted for a camera, pose (7,), and a homogeneous world point (4,).
 
         None where it is too oblique, too large or too small, not visible, or beyond the stored pixels. Only offsets
         between pixels are predicted, so an error of the point does not shift the template.
@@ -89,7 +89,7 @@ class Appearance:
         return predict([self], camera, calibration, point[None], self.size if size is None else size)[0]
 
     def angle_change(self, camera: Array, point: Array) -> float:
-        """Angle [rad] between the directions in which the two cameras, this pose (7,) and its own, see a point (4,)."""
+        """Angle [rad] between the viewing directions of a point (4,) from its own camera and from this pose (7,)."""
         return float(view_change(self.camera, camera, point)[0])
 
     def change(self, camera: Array, point: Array) -> float:
@@ -98,7 +98,7 @@ class Appearance:
         return float(max(turned / NEW_ANGLE, abs(np.log(grown) / np.log(NEW_SCALE))))
 
     def nearest(self, camera: Array, point: Array) -> "Appearance":
-        """Of this one and those before it, the one whose view of a point (4,) is most like that of a camera, pose (7,)."""
+        """Of this one and those before it, the one with the view of a point (4,) nearest to a camera's, pose (7,)."""
         if self.previous is None:
             return self
         return min(self.all, key=lambda one: one.change(camera, point))
@@ -109,7 +109,7 @@ class Appearance:
         return [self] if self.previous is None else [self, *self.previous.all]
 
     def needs_renewal(self, found: Match, camera: Array, point: Array) -> bool:
-        """Whether a match is reliable, and its view from a camera pose (7,) differs enough from all, for a new patch."""
+        """Whether a match is reliable, and its view from a camera pose (7,) differs enough for a new patch."""
         sure = found.score >= SURE_SCORE and found.ratio < SURE_RATIO
         return sure and self.nearest(camera, point).change(camera, point) > 1
 

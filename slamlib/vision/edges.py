@@ -200,8 +200,8 @@ def segments_of(image: Image, minimum_length: float = 20.0) -> Array:
     """Straight segments (n, 4) [px] of an image (h, w), the longest first, each with its brighter side to its right.
 
     To the right of the direction from the first endpoint to the second: towards larger v if u grows. So an edge and its
-    opposite have opposite directions. Found by OpenCV's LSD (von Gioi, Jakubowicz, Morel and Randall, 2010): regions of pixels
-    whose gradients agree. The endpoints' errors are a quarter of a pixel, those of `refined` some hundredths.
+    opposite have opposite directions. Found by OpenCV's LSD (von Gioi, Jakubowicz, Morel and Randall, 2010):
+    regions of pixels whose gradients agree. The endpoints err by a quarter of a pixel, those of `refined` by some hundredths.
     Raises SlamlibError.
     """
     if not (np.isfinite(minimum_length) and minimum_length > 0):
@@ -227,7 +227,7 @@ def directed(image: Image, segments: Array) -> Array:
 
 
 def refined(image: Image, calibration: Calibration, segment: Array) -> Edge | None:
-    """The edge of a segment (4,) of `segments_of`, fitted to the positions of the steepest rise of the grey value.
+    """The edge of a segment (4,) of `segments_of`, fitted to the steepest rise of the grey value.
 
     None where there is no edge that is straight in the world.
     """
