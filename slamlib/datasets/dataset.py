@@ -143,7 +143,7 @@ def counted(paths: list[Path], fps: float) -> ImageSource:
 
 
 def listed(paths: list[Path], times: list[float], listing: Path, interval: float | None = None) -> ImageSource:
-    """Images with the times [s] of a list. Raises SlamlibError for times that do not increase, and for missing files."""
+    """Images with the times [s] of a list. Raises SlamlibError for times that do not increase, or missing files."""
     wrong = np.flatnonzero(~(np.diff(times) > 0))
     if len(wrong):
         i, j = wrong[0], wrong[0] + 1

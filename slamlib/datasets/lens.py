@@ -1,7 +1,8 @@
 """Lenses as calibration files describe them, of one camera or of a pair, and their models of distortion.
 
 slamlib's pin-hole has radial distortion only: the factor 1 + d1 r^2 + d2 r^4 + ... on points of the plane z = 1
-(chapter pinhole), which is OpenCV's k1, k2, k3 with its p1 = p2 = 0. In both, pixel (0, 0) is the upper left pixel's centre.
+(chapter pinhole), which is OpenCV's k1, k2, k3 with its p1 = p2 = 0. In both, pixel (0, 0) is the centre of the
+upper left pixel.
 """
 
 from dataclasses import dataclass, field

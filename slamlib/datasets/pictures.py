@@ -98,7 +98,7 @@ def is_image(path: Path) -> bool:
 
 
 def pair(left: Array, right: Array) -> Array:
-    """Two grey pictures (h, w), uint8, as the image (2, h, w) of a scan. Raises SlamlibError if they differ in shape."""
+    """Two grey pictures (h, w), uint8, as the image (2, h, w) of a scan. Raises SlamlibError for unequal shapes."""
     left, right = np.asarray(left), np.asarray(right)
     if left.ndim != 2 or left.shape != right.shape:
         raise SlamlibError(

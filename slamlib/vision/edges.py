@@ -201,7 +201,7 @@ def segments_of(image: Image, minimum_length: float = 20.0) -> Array:
 
     To the right of the direction from the first endpoint to the second: towards larger v if u grows. So an edge and its
     opposite have opposite directions. Found by OpenCV's LSD (von Gioi, Jakubowicz, Morel and Randall, 2010):
-    regions of pixels whose gradients agree. The endpoints err by a quarter of a pixel, those of `refined` by some hundredths.
+    regions of pixels whose gradients agree. Endpoints err by a quarter of a pixel, those of `refined` by hundredths.
     Raises SlamlibError.
     """
     if not (np.isfinite(minimum_length) and minimum_length > 0):

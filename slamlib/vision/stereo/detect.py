@@ -27,7 +27,7 @@ class StereoSettings:
     min_strength: least strength of a feature. detector: a name of DETECTORS. border: of the image, without features.
     rows: largest difference of the rows of a match. disparity: least and largest one. offset: added to each
     disparity, column of the right principal point minus that of the left one (Middlebury's doffs). distance: largest
-    Hamming distance of two descriptors of 256 bits. ratio: the best distance is below this share of the second best. patch:
+    Hamming distance of two descriptors of 256 bits. ratio: the best one is below this share of the second best. patch:
     side of the patches that measurements are refined with, odd; 0 does not refine. score: their least correlation.
     shift: largest displacement by the refinement. region: half the side of the squares in which an odometry with a
     prediction searches for its matches.

@@ -125,8 +125,8 @@ class Tracks:
 class VisualOdometry:
     """One motion for each pair after the first, from matches around the cycle. half: 0 or 1 uses half of the image.
 
-    Motion and update of a filter must not use the same measurements (E21): each has its own half of the image, squares of
-    a chess board (`split-features`).
+    Motion and update of a filter must not use the same measurements (E21): each has its own half of the image, as
+    squares of a chess board (`split-features`).
 
     After a step: pairs (k, 2) of old and new features, and matched (k, 3), their new values [px].
     """
