@@ -334,7 +334,7 @@ def test_a_window_shows_every_frame(room, monkeypatch):
         (["--camera", "1"], "no camera 1; it has 0"),
         (["--video", "film.avi"], "ending of a video"),
         (["--resume", "nowhere.npz"], "leave them out"),
-        (["--trajectory", "nowhere/t.txt"], "its folder is not there"),
+        (["--trajectory", "nowhere/t.txt"], "its folder does not exist"),
         (["--save", "."], "it is a folder itself"),
         (["--reference", "nowhere.txt"], "cannot be read"),
     ],
