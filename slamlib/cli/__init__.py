@@ -1,4 +1,4 @@
-"""The command `slamlib`: runs experiments, compares parametrizations, lists what there is."""
+"""The command `slamlib`: runs experiments, compares parametrizations, lists the available components."""
 
 import argparse
 import sys
@@ -15,7 +15,7 @@ COMMANDS: dict[str, Any] = {
 
 
 def parser() -> argparse.ArgumentParser:
-    """What the command line understands."""
+    """The parser of the command line."""
     top = argparse.ArgumentParser(prog="slamlib", description="EKF-SLAM, derived: run the book's filter.")
     commands = top.add_subparsers(dest="command", required=True, metavar="{" + ",".join(COMMANDS) + "}")
     for name, made in COMMANDS.items():
@@ -27,7 +27,7 @@ def parser() -> argparse.ArgumentParser:
 
 
 def main(words: Sequence[str] | None = None) -> int:
-    """Do what the command line says; the exit status: 0, 2 for a mistake of the caller, 130 when interrupted."""
+    """Run the command; return the exit status: 0, 2 for an error of the user, 130 if interrupted."""
     given = parser().parse_args(_joined(sys.argv[1:] if words is None else words))
     try:
         status: int = given.execute(given)
@@ -41,6 +41,6 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _joined(words: Sequence[str]) -> list[str]:
-    """The words of a command of two as one: "run images"."""
+    """The words, with those of a two-word command such as "run images" joined."""
     first = " ".join(words[:2])
     return [first, *words[2:]] if first in COMMANDS else list(words)

@@ -1,4 +1,4 @@
-"""Options of the command line that several commands share, and the preset that they make."""
+"""Command-line options shared by several commands, and the preset they select."""
 
 import argparse
 import json
@@ -18,22 +18,22 @@ OPTION = "any option of `slamlib list options`, such as gate=0.999 or inverse_di
 
 
 def add(parser: argparse.ArgumentParser) -> None:
-    """The options that change a preset."""
-    parser.add_argument("--frames", type=count, help="how many frames")
-    parser.add_argument("--seed", type=int, help="of everything that is drawn")
-    parser.add_argument("--batch", action="store_true", help="update by all landmarks at once, not one after another")
-    parser.add_argument("--calibrate", action="store_true", help="estimate the mounts of all sensors but the first")
-    parser.add_argument("--noise-in", choices=("control", "truth"), help="what the noise of the motion disturbs")
+    """Add the options that change a preset."""
+    parser.add_argument("--frames", type=count, help="number of frames")
+    parser.add_argument("--seed", type=int, help="seed of all random numbers")
+    parser.add_argument("--batch", action="store_true", help="update with all landmarks in one batch, not one by one")
+    parser.add_argument("--calibrate", action="store_true", help="estimate the extrinsics of all sensors but the first")
+    parser.add_argument("--noise-in", choices=("control", "truth"), help="what the motion noise is added to")
     parser.add_argument("--option", action="append", default=[], metavar="NAME=VALUE", help=OPTION)
 
 
 def at_least(least: int) -> Callable[[str], int]:
-    """A whole number, `least` or more, for argparse."""
+    """An argparse type: an integer, `least` or more."""
 
     def whole(text: str) -> int:
         value = int(text)
         if value < least:
-            raise argparse.ArgumentTypeError(f"a whole number, {least} or more, not {text}")
+            raise argparse.ArgumentTypeError(f"an integer, {least} or more, is expected, not {text}")
         return value
 
     return whole
@@ -43,15 +43,15 @@ count = at_least(1)
 
 
 def outputs(add: Callable[..., Any]) -> None:
-    """What becomes of a run of any kind."""
-    add("--video", metavar="PATH", help="a film: .mp4, .webm, .gif, or a folder for numbered PNG files")
-    add("--save", metavar="PATH", help="write the run to a file; an interrupted one goes there")
-    add("--resume", metavar="PATH", help="go on with a saved run instead of beginning one")
+    """Add the output options of a run of any kind."""
+    add("--video", metavar="PATH", help="write a video: .mp4, .webm, .gif, or a folder for numbered PNG files")
+    add("--save", metavar="PATH", help="save the run to a file, also if it is interrupted")
+    add("--resume", metavar="PATH", help="continue a saved run instead of starting a new one")
     add("--json", action="store_true", help="print the result as JSON")
 
 
 def check_video(path: str | None) -> None:
-    """Raise SlamlibError for a film that could not be written after the run: better before it."""
+    """Raise SlamlibError, before the run, for a video that could not be written after it."""
     if path:
         from slambook.scene.video import ready
 
@@ -68,7 +68,7 @@ def base(name: str) -> Preset:
 
 
 def changed(chosen: Preset, given: argparse.Namespace) -> Preset:
-    """The preset with what the command line says of it."""
+    """The preset with the changes given on the command line."""
     names = {"frames": given.frames, "seed": given.seed, "noise_in": given.noise_in}
     options: dict[str, Any] = assignments(given.option)
     if given.batch:
@@ -80,12 +80,12 @@ def changed(chosen: Preset, given: argparse.Namespace) -> Preset:
 
 
 def with_landmark(chosen: Preset, name: str) -> Preset:
-    """The preset with new landmarks of this parametrization, in place of those of its family."""
+    """The preset with this parametrization for the new landmarks of its family."""
     if name not in POINTS and name not in LINES:
         raise UnknownNameError.of("landmark", name, [*POINTS, *LINES])
     family = "points" if name in POINTS else "lines"
     if getattr(chosen.options, family) is None:
-        raise SlamlibError(f"the preset {chosen.name!r} has no {family}, so that {name} has no place in it")
+        raise SlamlibError(f"the preset {chosen.name!r} has no {family}, so {name} cannot be used in it")
     change: dict[str, Any] = {family: name}
     return replace(chosen, options=replace(chosen.options, **change))
 
@@ -93,8 +93,8 @@ def with_landmark(chosen: Preset, name: str) -> Preset:
 def _calibrated(rig: Rig) -> Rig:
     if len(rig.sensors) < 2:
         raise SlamlibError(
-            "--calibrate: a rig of one sensor has nothing to be calibrated against: where the sensor sits and where "
-            "the robot is cannot be told apart. Try `slamlib run stereo --calibrate`"
+            "--calibrate: a rig of one sensor cannot be calibrated: the sensor's extrinsics and the robot's pose "
+            "cannot be distinguished. Try `slamlib run stereo --calibrate`"
         )
     first, *others = rig.sensors
     loose = [
@@ -104,12 +104,12 @@ def _calibrated(rig: Rig) -> Rig:
 
 
 def assignments(texts: list[str], kind: type = Options, flag: str = "--option") -> dict[str, Any]:
-    """Values by name, of "NAME=VALUE" each: fields of the options, or of another dataclass. Raises SlamlibError."""
+    """Values by name from texts "NAME=VALUE": fields of the options, or of another dataclass. Raises SlamlibError."""
     return read_fields(kind, dict(_assignment(text, flag) for text in texts), flag.strip("-"))
 
 
 def _assignment(text: str, flag: str) -> tuple[str, Any]:
-    """NAME=VALUE, the value in JSON, or a word, or several numbers with commas."""
+    """The name and the value of NAME=VALUE; the value is JSON, a word, or numbers separated by commas."""
     name, equals, value = text.partition("=")
     if not equals:
         raise SlamlibError(f"{flag} takes NAME=VALUE, got {text!r}")
@@ -125,6 +125,6 @@ def _assignment(text: str, flag: str) -> tuple[str, Any]:
 
 
 def aligned_rows(rows: list[tuple[str, str]]) -> str:
-    """A result for people: names on the left, values in one column."""
+    """The rows (name, value) as text, the values aligned in one column."""
     width = max(len(name) for name, _ in rows)
     return "\n".join(f"{name:{width}}  {value}" for name, value in rows)

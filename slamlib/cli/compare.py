@@ -16,18 +16,18 @@ DOF = 6
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
-    """What `slamlib compare` takes."""
+    """Add the arguments of `slamlib compare`."""
     parser.add_argument("landmarks", nargs="+", help="parametrizations, of `slamlib list points` or `lines`")
     parser.add_argument("--preset", help="default: points for points, lines for lines")
     parser.add_argument("--runs", type=shared.count, default=20, help="independent runs of each (default 20)")
-    parser.add_argument("--jobs", type=int, default=1, help="runs at once, on so many processors (default 1)")
-    parser.add_argument("--folder", metavar="PATH", help="keep finished runs there, and go on with them next time")
+    parser.add_argument("--jobs", type=int, default=1, help="runs in parallel, one per processor (default 1)")
+    parser.add_argument("--folder", metavar="PATH", help="store finished runs there, and reuse them next time")
     parser.add_argument("--json", action="store_true", help="print the result as JSON")
     shared.add(parser)
 
 
 def execute(given: argparse.Namespace) -> int:
-    """Run them all; the runs of each have the same worlds, motions and noises."""
+    """Run all parametrizations, each on the same worlds, motions and noises."""
     rows = []
     for name in given.landmarks:
         base = shared.base(given.preset or ("lines" if name in LINES else "points"))
@@ -62,10 +62,10 @@ def summary(name: str, found: Experiment) -> dict[str, Any]:
 
 
 def table(rows: list[dict[str, Any]]) -> str:
-    """The result for people."""
+    """The result as a text table."""
     low, high = rows[0]["nees_band"]
     head = (
-        f"{rows[0]['runs']} runs of {rows[0]['frames']} frames. At the last frame: rms error and sigma of the place, "
+        f"{rows[0]['runs']} runs of {rows[0]['frames']} frames. At the last frame: position error (rms) and sigma, "
         f"median error of the map.\nNEES of the pose: {DOF} degrees of freedom, averaged over the runs at each frame; "
         f"95 % band [{low:.2f}, {high:.2f}]; share of the frames inside it."
     )

@@ -1,4 +1,4 @@
-"""`slamlib run images` and `slamlib run stereo-images`: what they take, and the runs that they begin or go on with."""
+"""`slamlib run images` and `slamlib run stereo-images`: their arguments, and the runs they start or resume."""
 
 import argparse
 from collections.abc import Callable
@@ -47,10 +47,10 @@ pair.json of a rectified pair, in pixels and metres:
 
 
 class ImageCommand:
-    """A command that runs on pictures of one kind; the help says its first line.
+    """A command that runs on images of one kind; a subclass's docstring starts with its help text.
 
-    what(add), how(add): give a group its arguments, which say what is seen, and how the filter works. new_run(given):
-    the run that they ask for.
+    what(add), how(add): add the arguments of the input, and of the filter, to a group. new_run(given): the run
+    specified by the arguments.
     """
 
     kind: SequenceKind
@@ -60,19 +60,19 @@ class ImageCommand:
     new_run: Callable[[argparse.Namespace], SequenceRun]
 
     def arguments(self, parser: argparse.ArgumentParser) -> None:
-        """What the command takes."""
+        """Add the arguments of the command."""
         if self.epilog:
             parser.formatter_class, parser.epilog = argparse.RawDescriptionHelpFormatter, self.epilog
-        self.what(parser.add_argument_group("what it sees").add_argument)
-        self.how(parser.add_argument_group("how the filter works").add_argument)
-        add = parser.add_argument_group("what becomes of it").add_argument
-        add("--trajectory", metavar="FILE", help="write the camera's path in TUM format, for evo")
-        add("--reference", metavar="FILE", help="compare with a path of the same camera, in TUM, EuRoC or KITTI format")
+        self.what(parser.add_argument_group("input options").add_argument)
+        self.how(parser.add_argument_group("filter options").add_argument)
+        add = parser.add_argument_group("output options").add_argument
+        add("--trajectory", metavar="FILE", help="write the camera's trajectory in TUM format, for evo")
+        add("--reference", metavar="FILE", help="compare with a trajectory of this camera (TUM, EuRoC or KITTI format)")
         add("--live", action="store_true", help="show the run in a window")
         outputs(add)
 
     def execute(self, given: argparse.Namespace) -> int:
-        """Run it; a run that stops, by itself or by Ctrl-C, is saved, and can be gone on with."""
+        """Run; a run that stops early, by an error or by Ctrl-C, is saved, and can be resumed."""
         run = self._resumed(given) if given.resume else self.new_run(given)
         if not run.has_map and (given.video or given.live):
             raise SlamlibError("--video and --live show the filter's map: with --odometry-only there is none")
@@ -80,21 +80,21 @@ class ImageCommand:
 
     def _resumed(self, given: argparse.Namespace) -> SequenceRun:
         if any(getattr(given, name, None) for name in ("source", "left", "right", "calibration")):
-            raise SlamlibError("--resume goes on with the pictures and the calibration of its file: leave them out")
+            raise SlamlibError("--resume continues with the images and the calibration of its file: leave them out")
         run = load(given.resume, self.kind, frames=given.frames)
         run.patience = given.patience or run.patience
         return run
 
     def _which(self, add: Add) -> None:
-        """Arguments that choose among pictures."""
+        """Add the arguments that select images."""
         of = f"{self.kind.item}s"
-        add("--fps", type=float, help=f"{of} a second, where no file says their times (default 30)")
-        add("--frames", type=count, metavar="N", help=f"how many {of}")
-        add("--start", type=at_least(0), default=0, metavar="N", help="the first one (default 0)")
-        add("--every", type=count, default=1, metavar="N", help="only each so many-th")
+        add("--fps", type=float, help=f"{of} per second, if no file gives their times (default 30)")
+        add("--frames", type=count, metavar="N", help=f"number of {of}")
+        add("--start", type=at_least(0), default=0, metavar="N", help="number of the first one (default 0)")
+        add("--every", type=count, default=1, metavar="N", help="use every N-th only (default 1)")
 
     def _impulses(self, add: Add, before: str, default: str) -> None:
-        """Arguments of a motion that nobody tells."""
+        """Add the arguments of the constant-velocity motion."""
         for name, own, what in (
             ("impulse", self.kind.impulse, f"changes of velocity from one {self.kind.item} to the next"),
             ("velocity", self.kind.velocity, "velocities at the start, whose mean is zero"),
@@ -103,15 +103,15 @@ class ImageCommand:
                 help=f"{before}std of {what} (default {default.format(*own)})")  # fmt: skip
 
     def _search(self, add: Add, settings: Any, of: str) -> None:
-        """Arguments of the filter's options, and of the search for features."""
+        """Add the arguments of the filter's options, and of the search for features."""
         names = ", ".join(f.name for f in fields(settings))
         add("--option", action="append", default=[], metavar="NAME=VALUE", help=OPTION)
-        add("--search", action="append", default=[], metavar="NAME=VALUE", help=f"of {of}: {names}")
+        add("--search", action="append", default=[], metavar="NAME=VALUE", help=f"setting of {of}: {names}")
         add("--patience", type=count, metavar="N", help=f"stop after N {self.kind.item}s without a match (default 30)")
 
 
 def _given_options(given: argparse.Namespace, what: str, *names: str) -> dict[str, Any]:
-    """The filter's options that the command line says. Raises SlamlibError; what: a parametrization of points."""
+    """The filter's options given on the command line. Raises SlamlibError, which calls the parametrization `what`."""
     if given.landmark not in POINTS:
         raise UnknownNameError.of(what, given.landmark, POINTS)
     named = {"points": given.landmark, **{name: getattr(given, name) for name in names}}
@@ -124,36 +124,36 @@ class ImagesCommand(ImageCommand):
     kind = IMAGES
 
     def what(self, add: Add) -> None:
-        """Of one camera."""
-        add("--source", metavar="PATH", help="a folder, a glob in quotation marks, a video, or a data set's folder")
+        """Add the input arguments of one camera."""
+        add("--source", metavar="PATH", help="a folder, a quoted glob, a video, or a data set's folder")
         add("--calibration", metavar="FILE", help="slamlib's, EuRoC's, OpenCV's, KITTI's, plain text; or fr1, fr2, fr3")
-        add("--camera", type=at_least(0), default=0, metavar="N", help="of several cameras, which (default 0)")
-        add("--undistort", action="store_true", help="free the pictures of the lens's distortion (OpenCV)")
+        add("--camera", type=at_least(0), default=0, metavar="N", help="number of the camera (default 0)")
+        add("--undistort", action="store_true", help="remove the lens distortion from the images (OpenCV)")
         self._which(add)
         add("--scale", default="free", metavar="free|FILE",
-            help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3), n at least 4, and '
-                 'their "pixels" (n, 2) in the first picture, "std" of the points')  # fmt: skip
+            help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3) [m], n at least 4, '
+                 'their "pixels" (n, 2) in the first image, and the "std" of the points [m]')  # fmt: skip
 
     def how(self, add: Add) -> None:
-        """With the motions of slamlib."""
+        """Add the filter arguments, with all motions of slamlib."""
         add("--motion", default="constant-velocity", help="constant-velocity, or a name of `slamlib list motions`")
         self._impulses(add, "", "{:g} times the target's distance, if there is one, and {:g}")
         add("--noise", type=float, metavar="PX",
-            help=f"std of a measured pixel (default: the calibration file's, or {IMAGES.noise[0]})")  # fmt: skip
+            help=f"std of a pixel coordinate (default: the calibration file's, or {IMAGES.noise[0]})")  # fmt: skip
         points, updates = IMAGES.options.points, IMAGES.options.updates
         add("--landmark", default=points, help=f"parametrization of points (default {points})")
         add("--lines", metavar="LANDMARK",
             help="also straight edges, in this parametrization, such as idpLin (default: none)")  # fmt: skip
-        add("--updates", type=count, metavar="N", help=f"landmarks a frame (default {updates}, more with a target)")
+        add("--updates", type=count, metavar="N", help=f"landmarks per frame (default {updates}, more with a target)")
         add("--outlier-rejection", choices=OUTLIER_REJECTIONS,
             help=f"how outliers among matches are rejected (default {IMAGES.options.outlier_rejection})")  # fmt: skip
         self._search(add, ActiveSearchSettings, "active search")
-        add("--seed", type=int, default=1, metavar="N", help="of where new landmarks are sought (default 1)")
+        add("--seed", type=int, default=1, metavar="N", help="seed of the search for new landmarks (default 1)")
 
     def new_run(self, given: argparse.Namespace) -> SequenceRun:
-        """With a free scale, or that of a target."""
+        """A run with free scale, or with that of a target."""
         if not given.source or not given.calibration:
-            raise SlamlibError("--source and --calibration are wanted, or --resume PATH; see slamlib run images --help")
+            raise SlamlibError("--source and --calibration are needed, or --resume PATH; see slamlib run images --help")
         motion = ALIASES.get(given.motion, given.motion)
         if motion not in MOTIONS:
             raise UnknownNameError.of("motion", given.motion, [*ALIASES, *MOTIONS])
@@ -179,47 +179,47 @@ class PairsCommand(ImageCommand):
     kind, epilog = PAIRS, EXAMPLES
 
     def what(self, add: Add) -> None:
-        """Of two cameras."""
+        """Add the input arguments of two cameras."""
         add("--source", metavar="FOLDER", help="of KITTI (image_0, image_1, calib.txt, times.txt) or EuRoC (mav0)")
         for side in ("left", "right"):
             add(
                 f"--{side}",
                 metavar="GLOB",
-                help=f"the {side} pictures: a folder, a glob in quotation marks, or a video",
+                help=f"the {side} images: a folder, a quoted glob, or a video",
             )
         add("--calibration", metavar="FILE", nargs="+",
             help="of both cameras: KITTI's, slamlib's, Kalibr's, OpenCV's or plain JSON, or two files (EuRoC's); a "
-                 "data set's folder may hold it")  # fmt: skip
-        add("--cameras", nargs=2, type=at_least(0), metavar=("L", "R"), help="of several (default 0 1, or 2 3)")
+                 "data set's folder may contain it")  # fmt: skip
+        add("--cameras", nargs=2, type=at_least(0), metavar=("L", "R"), help="their numbers (default 0 1, or 2 3)")
         add("--rectify", action="store_true",
-            help="the pictures are as the lenses made them: rectify them (OpenCV; always so for EuRoC)")  # fmt: skip
+            help="the images are not rectified: rectify them (OpenCV; always done for EuRoC)")  # fmt: skip
         self._which(add)
 
     def how(self, add: Add) -> None:
-        """With visual odometry, or alone with it."""
+        """Add the filter arguments, with visual odometry."""
         add("--motion", choices=MOTION_SOURCES, default="split-features",
             help="where predictions come from: constant-velocity, split-features (odometry of one half of the "
-                 "features, landmarks of the other; default), correlated (all for both; wants many)")  # fmt: skip
-        add("--odometry-only", action="store_true", help="no filter: visual odometry alone, to compare")
+                 "features, landmarks of the other; default), correlated (all for both; needs many)")  # fmt: skip
+        add("--odometry-only", action="store_true", help="no filter: visual odometry alone, for comparison")
         self._impulses(add, "with --motion constant-velocity, ", "{:g} {:g}")
         noise = " ".join(f"{n:g}" for n in PAIRS.noise)
         add("--noise", nargs="+", type=float, metavar="PX",
             help=f"std of u, v and disparity, or one for all (default: the calibration's, or {noise})")  # fmt: skip
         points, updates = PAIRS.options.points, PAIRS.options.updates
-        add("--landmark", default=points, help=f"parametrization (default {points})")
+        add("--landmark", default=points, help=f"parametrization of points (default {points})")
         for name, text in (
             ("window", "delete landmarks not seen for N pairs (default: none)"),
-            ("capacity", "most landmarks: of more, the one unseen for longest goes"),
-            ("updates", f"landmarks a pair ({updates})"),
+            ("capacity", "most landmarks; beyond it the least recently seen one is deleted"),
+            ("updates", f"landmarks measured per pair (default {updates})"),
         ):
             add(f"--{name}", type=count, metavar="N", help=text)
         self._search(add, StereoSettings, "features")
 
     def new_run(self, given: argparse.Namespace) -> SequenceRun:
-        """The filter, or odometry alone."""
+        """A run of the filter, or of visual odometry alone."""
         if not given.source and not (given.left and given.right):
             see = "see slamlib run stereo-images --help"
-            raise SlamlibError(f"--source, or --left and --right, are wanted, or --resume PATH; {see}")
+            raise SlamlibError(f"--source, or --left and --right, are needed, or --resume PATH; {see}")
         if given.source and (given.left or given.right):
             raise SlamlibError("--source has both cameras in it: leave --left and --right out")
         settings = StereoSettings(**assignments(given.search, StereoSettings, "--search"))

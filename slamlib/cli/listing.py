@@ -36,12 +36,12 @@ LISTS: dict[str, Callable[[], list[str]]] = {
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
-    """What `slamlib list` takes."""
-    parser.add_argument("what", nargs="?", choices=LISTS, help="one of them; all but the options, if left out")
+    """Add the arguments of `slamlib list`."""
+    parser.add_argument("what", nargs="?", choices=LISTS, help="one of these lists (default: all but the options)")
 
 
 def execute(given: argparse.Namespace) -> int:
-    """Print what there is."""
+    """Print the chosen lists."""
     chosen = [given.what] if given.what else [name for name in LISTS if name != "options"]
     for name in chosen:
         print(f"{name}:")

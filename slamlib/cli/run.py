@@ -1,4 +1,4 @@
-"""Run one experiment, and say how well it went."""
+"""Run one experiment, and report its errors and consistency."""
 
 import argparse
 import json
@@ -18,7 +18,7 @@ DOF = 6
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
-    """What `slamlib run` takes."""
+    """Add the arguments of `slamlib run`."""
     parser.epilog = "On real pictures: slamlib run images --help; on stereo pairs: slamlib run stereo-images --help"
     parser.add_argument("preset", nargs="?", help="a name of `slamlib list presets`, or a JSON or TOML file")
     parser.add_argument("--landmark", action="append", default=[], help="parametrization of new points or lines")
@@ -27,7 +27,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def execute(given: argparse.Namespace) -> int:
-    """Run it; an interrupted run is saved, and can be gone on with."""
+    """Run the experiment; an interrupted run is saved, and can be resumed."""
     run = _run(given)
     shared.check_video(given.video)
     film: list[Any] = []
@@ -38,7 +38,7 @@ def execute(given: argparse.Namespace) -> int:
                 film.append((run.slam.snapshot(), step.truth))
     except KeyboardInterrupt:
         run.save(path)
-        print(f"interrupted after frame {run.slam.number}; go on with: slamlib run --resume {path}", file=sys.stderr)
+        print(f"interrupted after frame {run.slam.number}; resume with: slamlib run --resume {path}", file=sys.stderr)
         return 130
     if given.save:
         run.save(path)
@@ -55,13 +55,13 @@ def execute(given: argparse.Namespace) -> int:
 def _run(given: argparse.Namespace) -> Run:
     if given.resume:
         if given.preset:
-            raise SlamlibError("--resume goes on with the preset of its file: leave the name out")
+            raise SlamlibError("--resume continues with the preset of its file: leave the name out")
         run = Run.load(given.resume)
         if given.frames:
             run.preset = replace(run.preset, frames=given.frames)
         return run
     if not given.preset:
-        raise SlamlibError("which preset? `slamlib list presets` shows them; --resume PATH goes on with a saved run")
+        raise SlamlibError("which preset? `slamlib list presets` shows them; --resume PATH continues a saved run")
     chosen = shared.base(given.preset)
     for name in given.landmark:
         chosen = shared.with_landmark(chosen, name)
@@ -105,7 +105,7 @@ def _median(values: Any) -> float | None:
 
 
 def table(result: Result) -> str:
-    """The result for people."""
+    """The result as a text table."""
     s = summary(result)
     rows = [("preset", f"{s['preset']}, seed {s['seed']}, {s['frames']} frames")]
     low, high = s["nees_band"]

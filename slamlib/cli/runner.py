@@ -1,4 +1,4 @@
-"""What a command does while a run on pictures works: a bar, a film or a window, and a stop that loses nothing."""
+"""Execution of a run on images: progress bar, video or window, and saving when it is interrupted."""
 
 import argparse
 import json
@@ -22,25 +22,25 @@ from slamlib.vision.results import compared, summary, table
 from slamlib.vision.sequence_run import SequenceRun
 
 EXIT_ERROR, EXIT_INTERRUPTED = 2, 130
-JUDGED, ENOUGH = 30, 0.85  # frames, and the share of the matches that is believed in a run that goes well
-NO_MATCH = "no match in {}: the filter predicts, and stops after {} such frames in a row (said once; they are counted)"
+JUDGED, ENOUGH = 30, 0.85  # frames, and the least share of inliers among the matches of a good run
+NO_MATCH = "no match in {}: prediction only; the run stops after {} such frames in a row (reported once)"
 REVERSED = (
-    "only {:.0%} of the matches are inliers: the path may be reversed (near taken for far, and the motion for its "
-    "opposite), which one camera can hardly tell when it is moving already in the first picture. Begin where it is at "
-    "rest, or say more: a target (--scale FILE), another --velocity"
+    "only {:.0%} of the matches are inliers: the path may be reversed (near points estimated as far, and the motion as "
+    "its opposite), which one camera can hardly detect if it already moves in the first image. Start where it is at "
+    "rest, or give more information: a target (--scale FILE), another --velocity"
 )
 
 
 def execute_run(run: SequenceRun, given: argparse.Namespace, command: str) -> int:
-    """Run it to its end, or until something stops it, and say what came of it; the exit status.
+    """Run to the end, or until something stops it, and print the result; return the exit status.
 
-    What was done is written and saved in both cases. command: the one that goes on with it, "run images"; what stopped
-    and has no name is slamlib-images.npz then. Raises SlamlibError if nothing was run.
+    The results are written and saved in both cases. command: the one that resumes it, such as "run images"; a stopped
+    run without --save is saved as slamlib-images.npz then. Raises SlamlibError if nothing was run.
     """
     reference = read_trajectory(given.reference, np.array(run.source.times)) if given.reference else None
     for path in filter(None, (given.trajectory, given.save)):
         if not Path(path).absolute().parent.is_dir() or Path(path).is_dir():
-            raise SlamlibError(f"{path} cannot be written: its folder is not there, or it is a folder itself")
+            raise SlamlibError(f"{path} cannot be written: its folder does not exist, or it is a folder itself")
     check_video(given.video)
     ended = RunEnd()
     shown, fps = _shown(run, given, ended), 1 / (run.source.interval * run.source.frames.step)
@@ -54,7 +54,7 @@ def execute_run(run: SequenceRun, given: argparse.Namespace, command: str) -> in
     except Exception as error:
         if not run.is_intact or not given.video:
             raise
-        ended.by(f"the film cannot be written: {error}")
+        ended.by(f"the video cannot be written: {error}")
     if not run.history:
         raise SlamlibError(ended.why or "nothing has been run")
     if given.trajectory:
@@ -66,7 +66,7 @@ def execute_run(run: SequenceRun, given: argparse.Namespace, command: str) -> in
     try:
         if reference is not None:
             s["reference"] = compared(run.trajectory(), reference, run.source.interval, run.metric)
-    except SlamlibError as error:  # the run is good, whatever the reference
+    except SlamlibError as error:  # the run is valid without the reference
         ended.status = EXIT_ERROR
         print(f"slamlib: {given.reference}: {error}", file=sys.stderr)
     rows = [("source", f"{s['source']} ({s['layout']})"), *table(s)]
@@ -79,29 +79,29 @@ def execute_run(run: SequenceRun, given: argparse.Namespace, command: str) -> in
 
 @dataclass
 class RunEnd:
-    """How a run ended: the exit status, and why it stopped before its end, or None."""
+    """How a run ended: the exit status, and why it stopped early, or None."""
 
     status: int = 0
     why: str | None = None
 
     def by(self, why: str, status: int = EXIT_ERROR) -> None:
-        """Something stopped it; the first status stays."""
+        """Record a reason for stopping; the first status is kept."""
         self.status, self.why = self.status or status, why if self.why is None else f"{self.why}\n{why}"
 
 
 def _keep(run: SequenceRun, chosen: str | None, stopped: str | None, command: str) -> None:
     path = chosen or f"slamlib-{command.split()[-1]}.npz"
     if not run.is_intact:
-        print(f"slamlib: {stopped}; the frame was broken off, and the run cannot be saved", file=sys.stderr)
+        print(f"slamlib: {stopped}; the frame was interrupted, and the run cannot be saved", file=sys.stderr)
         return
     run.save(path)
     if stopped:
-        done = f"after {len(run.history)} {run.kind.item}s; go on with: slamlib {command} --resume {path}"
+        done = f"after {len(run.history)} {run.kind.item}s; resume with: slamlib {command} --resume {path}"
         print(f"slamlib: {stopped}\nslamlib: saved {done}", file=sys.stderr)
 
 
 def _shown(run: SequenceRun, given: argparse.Namespace, ended: RunEnd) -> Iterator[Snapshot | None]:
-    """Step by step; snapshots are made if somebody looks at them. What stops the run ends them, and is told."""
+    """Run step by step; yield snapshots if a window or a video needs them. Errors end the run and are recorded."""
     window, warned = None, False
     if given.live:
         from slambook.scene import Window
@@ -127,11 +127,11 @@ def _shown(run: SequenceRun, given: argparse.Namespace, ended: RunEnd) -> Iterat
 
 @contextmanager
 def _interrupts() -> Iterator[list[int]]:
-    """Ctrl-C is taken note of in the list, for the end of the frame: the middle of one cannot be saved."""
+    """Record Ctrl-C in the list, to be handled at the end of the frame: within one the run cannot be saved."""
     asked: list[int] = []
     try:
         before = signal.signal(signal.SIGINT, lambda number, _: asked.append(number))
-    except ValueError:  # not in the main thread, where nobody presses Ctrl-C
+    except ValueError:  # not in the main thread, which alone receives Ctrl-C
         yield asked
         return
     try:

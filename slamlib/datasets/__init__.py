@@ -1,1 +1,1 @@
-"""Image sequences and calibrations as files hold them: public layouts, folders, videos, pairs."""
+"""Image sequences and calibrations from files: public layouts, folders, videos, pairs."""

@@ -1,4 +1,4 @@
-"""Calibration files of one camera or of a pair, recognised by what is in them; a format is a file in formats/.
+"""Calibration files of one camera or of a pair, recognised by their content; each format is a file in formats/.
 
 fr1, fr2 and fr3 are the colour cameras of TUM RGB-D, by name: no file is needed.
 """
@@ -14,7 +14,7 @@ from slamlib.datasets.lens import Lens, PairCalibration
 from slamlib.errors import SlamlibError
 
 NO_BASELINE = (
-    "the baseline is missing: how far the right camera is from the left one. Write a JSON file with "
+    "the baseline is missing: the distance of the right camera from the left one. Write a JSON file with "
     '{"intrinsics": [u0, v0, au, av], "baseline": metres}, or give a file of both cameras'
 )
 
@@ -22,7 +22,7 @@ NO_BASELINE = (
 def read_calibration(path: str | os.PathLike[str], camera: int = 0) -> dict[str, Any]:
     """Plain data of a SensorSetup; camera: its number in files of several.
 
-    Raises SlamlibError for what cannot be read, and for lenses that slamlib's pin-hole cannot hold.
+    Raises SlamlibError for an unreadable file, and for lenses that slamlib's pin-hole cannot represent.
     """
     return _read(path, camera, lambda found: found.setup())
 
@@ -35,7 +35,7 @@ def read_lens(path: str | os.PathLike[str], camera: int = 0) -> Lens:
 def read_pair(paths: list[str], cameras: tuple[int, int] = (0, 1)) -> PairCalibration:
     """The calibration in one file, or in one for each camera; cameras: their numbers in files of several.
 
-    Raises SlamlibError for what cannot be read, and where the baseline is missing.
+    Raises SlamlibError for an unreadable file, and if the baseline is missing.
     """
     if len(paths) > 2:
         raise SlamlibError(f"a calibration is one file, or one for each of two cameras, not {len(paths)}")
@@ -43,12 +43,12 @@ def read_pair(paths: list[str], cameras: tuple[int, int] = (0, 1)) -> PairCalibr
     if pair.right.transform is None:
         raise SlamlibError(f"{' and '.join(paths)}: {NO_BASELINE}")
     if not np.linalg.norm(pair.transform[:3, 3]) > 0:
-        raise SlamlibError(f"{' and '.join(paths)}: both cameras are in one place; {NO_BASELINE}")
+        raise SlamlibError(f"{' and '.join(paths)}: both cameras have the same position; {NO_BASELINE}")
     return pair
 
 
 def _read(path: str | os.PathLike[str], camera: int, what: Any) -> Any:
-    """What is wanted of a camera: what(camera of the file, which has setup() and lens)."""
+    """The value of what(camera), for a camera of the file, which has setup() and lens."""
     named = {name: lens for dataset in DATASETS.values() for name, lens in dataset.lenses.items()}
     if str(path) in named and not Path(path).exists():
         return what(named[str(path)])
@@ -70,4 +70,4 @@ def _read(path: str | os.PathLike[str], camera: int, what: Any) -> Any:
     except SlamlibError as error:
         raise SlamlibError(f"{path} ({reader.name}): {error}") from None
     except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
-        raise SlamlibError(f"{path} looks like a calibration of {reader.name}, but is no whole one: {error}") from None
+        raise SlamlibError(f"{path} looks like a calibration of {reader.name}, but is incomplete: {error}") from None

@@ -1,6 +1,6 @@
-"""A source of pictures, and what a file of slamlib.datasets.formats says: a Dataset for a layout, a CalibrationReader.
+"""A source of images, and what a file of slamlib.datasets.formats defines: a Dataset, or a CalibrationReader.
 
-These two are found by walking that folder, so that another data set, or another calibration tool, is one written file.
+Both are found by walking that folder, so another data set, or another calibration tool, needs one new file.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -21,12 +21,12 @@ Numbers = range | list[int]
 
 @dataclass(frozen=True, eq=False)
 class ImageSource:
-    """A sized iterable of pictures, all of one size; each round reads them anew.
+    """A sized iterable of images, all of one size; each iteration reads them again.
 
-    names, times [s]: of the whole sequence; interval [s]: between two neighbours of it as a rule. read(numbers,
-    ascending) yields some of them. frames: the numbers of its own pictures in the whole. has_times: whether a list says
-    the times, so that they tell which pictures of two cameras belong together; otherwise they are counted. layout: its
-    name; where: the absolute path; recipe: plain data to open the same again.
+    names, times [s]: of the whole sequence; interval [s]: typical, between two neighbours of it. read(numbers,
+    ascending) yields some of them. frames: the numbers of its own images in the whole. has_times: whether a list gives
+    the times, by which images of two cameras can be paired; otherwise they follow from the numbers. layout: its name;
+    where: the absolute path; recipe: plain data to open the same source again.
     Iterating raises SlamlibError, which names the picture, for one that cannot be read or has another size.
     """
 
@@ -56,7 +56,7 @@ class ImageSource:
             yield picture
 
     def part(self, start: int = 0, every: int = 1, count: int | None = None) -> "ImageSource":
-        """From picture number `start` on (0: the first), each so many-th, at most `count` of them."""
+        """The images from number `start` on (0: the first), each `every`-th, at most `count` of them."""
         if start < 0 or every < 1 or (count is not None and count < 1):
             raise SlamlibError(f"start is 0 or more, every and frames 1 or more, got {start}, {every}, {count}")
         frames = self.frames[start::every][:count]
@@ -66,7 +66,7 @@ class ImageSource:
         return replace(self, frames=frames, recipe={**self.recipe, "frames": chosen})
 
     def again(self, recipe: dict[str, Any], count: int | None = None) -> "ImageSource":
-        """Of the whole, the part of a recipe, or `count` pictures from its first one on. Raises SlamlibError."""
+        """The part given by a recipe, or `count` images from its first one on. Raises SlamlibError."""
         chosen = range(*recipe.get("frames", (len(self),)))
         if chosen[-1] >= len(self):
             raise SlamlibError(f"{self.where} has {len(self)} pictures, and had more when the run was saved")
@@ -75,7 +75,7 @@ class ImageSource:
         return self.part(chosen.start, chosen.step, len(chosen) if count is None else count)
 
     def through(self, change: Callable[[Array], Array], recipe: dict[str, Any]) -> "ImageSource":
-        """The same pictures, each changed, as by an undistortion; recipe: plain data that tells of the change too."""
+        """The same images, each changed, as by an undistortion; recipe: plain data that includes the change."""
 
         def read(frames: Numbers) -> Iterator[TimedImage]:
             return (replace(picture, image=change(picture.image)) for picture in self.read(frames))
@@ -85,12 +85,12 @@ class ImageSource:
 
 @dataclass(frozen=True)
 class Dataset:
-    """A layout of pictures on disk.
+    """A layout of images on disk.
 
     cameras(path): the file or folder of each camera, by its number; none where this is not the layout. open(that,
-    pictures a second or None): its pictures. general: whether layouts of more special files are asked first.
-    calibrations: where a data set's folder holds them, with {camera} for its number. raw: whether its pictures are as
-    the lenses made them, so that pairs must be rectified. lenses: of its cameras, by names that need no file.
+    images per second or None): its images. general: whether layouts of more special files are tried first.
+    calibrations: where a data set's folder holds them, with {camera} for its number. raw: whether its images are
+    not rectified, so that pairs must be. lenses: of its cameras, by names that need no file.
     """
 
     name: str
@@ -107,10 +107,10 @@ Cameras = Mapping[int | None, Callable[[], Any]]
 
 @dataclass(frozen=True)
 class CalibrationReader:
-    """A format of calibration files, recognised by what is in them.
+    """A format of calibration files, recognised by their content.
 
-    fits(text): whether a file is of this format. read(path, text): for the number of each camera (None in a file of
-    one, which has no number) what gives its lens, or a camera of another type with setup() and lens. Both may raise
+    fits(text): whether a file is of this format. read(path, text): by the number of each camera (None in a file of
+    one, without number), a function that returns its lens, or another camera with setup() and lens. Both may raise
     SlamlibError, AttributeError, IndexError, KeyError, TypeError or ValueError.
     """
 
@@ -120,7 +120,7 @@ class CalibrationReader:
 
 
 def table(path: Path, columns: int, separator: str | None) -> list[tuple[float, list[str]]]:
-    """The rows of a list: time, and the words after it; # begins a comment. Raises SlamlibError, naming the line."""
+    """The rows of a list: time, and the words after it; # starts a comment. Raises SlamlibError, naming the line."""
     rows = []
     for number, line in enumerate(path.read_text("utf-8", errors="replace").splitlines(), 1):
         time, *words = [word.strip() for word in line.split(separator)] or [""]
@@ -138,12 +138,12 @@ def table(path: Path, columns: int, separator: str | None) -> list[tuple[float, 
 
 
 def counted(paths: list[Path], fps: float) -> ImageSource:
-    """Images without times, `fps` a second."""
+    """Images without times, `fps` per second."""
     return listed(paths, [number / fps for number in range(len(paths))], Path("."), 1 / fps)
 
 
 def listed(paths: list[Path], times: list[float], listing: Path, interval: float | None = None) -> ImageSource:
-    """Images with the times [s] of a list. Raises SlamlibError for times that do not grow, and for files not there."""
+    """Images with the times [s] of a list. Raises SlamlibError for times that do not increase, or missing files."""
     wrong = np.flatnonzero(~(np.diff(times) > 0))
     if len(wrong):
         i, j = wrong[0], wrong[0] + 1

@@ -1,7 +1,8 @@
 """Lenses as calibration files describe them, of one camera or of a pair, and their models of distortion.
 
 slamlib's pin-hole has radial distortion only: the factor 1 + d1 r^2 + d2 r^4 + ... on points of the plane z = 1
-(chapter pinhole), which is OpenCV's k1, k2, k3 with its p1 = p2 = 0. In both, pixel (0, 0) is the upper left pixel's centre.
+(chapter pinhole), which is OpenCV's k1, k2, k3 with its p1 = p2 = 0. In both, pixel (0, 0) is the centre of the
+upper left pixel.
 """
 
 from dataclasses import dataclass, field
@@ -47,12 +48,12 @@ class Lens:
 
     @property
     def lens(self) -> "Lens":
-        """Itself: what a reader finds may be a camera of another type."""
+        """Itself: a reader may also return a camera of another type."""
         return self
 
     @property
     def radial(self) -> Numbers | None:
-        """The coefficients of slamlib's pin-hole, or None if it cannot hold the lens."""
+        """The coefficients of slamlib's pin-hole, or None if it cannot represent the lens."""
         k1, k2, p1, p2, k3, *rest = (*self.distortion, *(0.0,) * (5 - len(self.distortion)))
         found: Numbers = (k1, k2, k3)
         while found and not found[-1]:
@@ -60,12 +61,12 @@ class Lens:
         return None if self.model != RADIAL or p1 or p2 or any(rest) else found
 
     def setup(self) -> dict[str, Any]:
-        """Plain data of a SensorSetup: a pin-hole. Raises SlamlibError for a lens that is none."""
+        """Plain data of a SensorSetup: a pin-hole. Raises SlamlibError for any other lens."""
         radial = self.radial
         if radial is None:
             raise SlamlibError(
                 f"this lens ({self.model}, coefficients {', '.join(f'{d:g}' for d in self.distortion)}) is no pin-hole "
-                "with radial distortion alone, which is what slamlib's pinHole holds: free the pictures of it with "
+                "with radial distortion alone, as slamlib's pinHole is: remove it from the images with "
                 "--undistort, which makes them those of a pin-hole without distortion"
             )
         parameters = {"intrinsics": self.intrinsics, "distortion": radial or (0.0,)}
@@ -81,7 +82,7 @@ class Lens:
 
 @dataclass(frozen=True)
 class PairCalibration:
-    """The lenses of the left and the right camera, with places in one frame; a left one without one is its origin."""
+    """The lenses of the left and the right camera, with poses in one frame; a left one without pose is its origin."""
 
     left: Lens
     right: Lens
@@ -94,14 +95,14 @@ class PairCalibration:
 
 
 def shifted(baseline: float) -> Numbers:
-    """The place of a right camera that is `baseline` [m] to the right of the left one."""
+    """The pose (row by row) of a right camera that is `baseline` [m] to the right of the left one."""
     return (1.0, 0.0, 0.0, baseline, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
 
 def fitted(setup: dict[str, Any], size: tuple[int, int], what: str) -> dict[str, Any]:
-    """A setup with the size (width, height) of the pictures. Raises SlamlibError if it is of other pictures.
+    """A setup with the size (width, height) of the pictures. Raises SlamlibError if it is for other images.
 
-    what: the pictures' name. Only pin-holes say where their principal point is.
+    what: the images' name. The principal point is checked for pin-holes only.
     """
     image = setup.get("image")
     if image is not None and tuple(image) != size:
@@ -112,7 +113,7 @@ def fitted(setup: dict[str, Any], size: tuple[int, int], what: str) -> dict[str,
     centre = np.array(setup.get("parameters", {}).get("intrinsics", (np.nan, np.nan))[:2]) / size
     spare = 0.0 if image is not None else 0.3
     if (np.abs(centre - 0.5) > 0.5 - spare).any():
-        say = "" if image else "; if they are a part of larger pictures, say their width and height in the file"
+        say = "" if image else "; if they are cropped from larger images, give their width and height in the file"
         raise SlamlibError(
             f"the calibration's principal point ({centre[0] * size[0]:.1f}, {centre[1] * size[1]:.1f}) does not fit "
             f"pictures of {size[0]}x{size[1]} pixels ({what}): is it of pictures of another size?{say}"

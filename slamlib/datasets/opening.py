@@ -1,4 +1,4 @@
-"""Sequences and their cameras together: checked against each other, undistorted or rectified, opened again."""
+"""Sequences with their cameras: checked for consistency, undistorted or rectified, reopened."""
 
 import os
 import re
@@ -22,15 +22,15 @@ from slamlib.evaluation.trajectory import matched_times
 from slamlib.manifolds import Indices
 
 CAMERAS = ((0, 1), (2, 3))  # left and right; KITTI's 2 and 3 are the coloured ones
-MAX_TIME_SHARE = 0.1  # of the interval: times of one pair may differ by so much
+MAX_TIME_SHARE = 0.1  # of the interval: largest difference of the times of one pair
 
 
 def open_sequence(
     source: str, calibration: str, *, camera: int = 0, fps: float | None = None, undistort: bool = False
 ) -> tuple[ImageSource, dict[str, Any]]:
-    """The pictures, and plain data of the SensorSetup that they fit; the first picture is read to know their size.
+    """The images, and plain data of their SensorSetup; the first image is read for their size.
 
-    undistort: free the pictures of the lens's distortion. Raises SlamlibError.
+    undistort: remove the lens distortion from the images. Raises SlamlibError.
     """
     pictures = open_source(source, fps=fps, camera=camera)
     size = size_of(pictures)
@@ -51,7 +51,7 @@ def open_rectified_pairs(
     fps: float | None = None,
     rectify: bool = False,
 ) -> tuple[ImageSource, dict[str, Any], float]:
-    """Rectified pairs, plain data of the stereo SensorSetup that they fit, and the offset [px] of their disparities.
+    """Rectified pairs, plain data of their stereo SensorSetup, and the offset [px] of their disparities.
 
     Of a data set's folder, or of a left and a right folder, glob or video. Raises SlamlibError.
     """
@@ -61,7 +61,7 @@ def open_rectified_pairs(
     elif left is not None and right is not None:
         pairs = open_pairs(open_source(left, fps=fps), open_source(right, fps=fps))
     else:
-        raise SlamlibError("--left and --right are wanted, both, or --source for a KITTI or EuRoC folder")
+        raise SlamlibError("both --left and --right are needed, or --source for a KITTI or EuRoC folder")
     known = read_pair(calibration or _find_calibration(source, pairs.layout, numbers), numbers)
     if not known.transform[0, 3] > 0:
         raise SlamlibError(
@@ -76,7 +76,7 @@ def open_rectified_pairs(
         return (*remapped(pairs, known, size), 0.0)
     if why:
         raise SlamlibError(
-            f"the calibration is not that of a rectified pair: {why}. If the pictures are as the lenses made them, "
+            f"the calibration is not that of a rectified pair: {why}. If the images are not rectified, "
             "rectify them with --rectify; if they are rectified, give the calibration of the rectified pair"
         )
     return (pairs, *rectified_setup(known, size))
@@ -91,15 +91,15 @@ def size_of(source: ImageSource) -> tuple[int, int]:
 def remapped(
     source: ImageSource, known: Lens | PairCalibration, size: tuple[int, int]
 ) -> tuple[ImageSource, dict[str, Any]]:
-    """Pictures without their distortion, or rectified pairs, and plain data of the SensorSetup that they fit."""
+    """Images without distortion, or rectified pairs, and plain data of their SensorSetup."""
     change = Undistortion(known, size) if isinstance(known, Lens) else Rectification(known, size)
     return source.through(change, {**source.recipe, "remap": written(known), "size": list(size)}), change.setup
 
 
 def reopen(recipe: dict[str, Any], count: int | None = None) -> ImageSource:
-    """The source of a recipe, of pictures or of pairs, changed as it was; count: how many, if not as many as before.
+    """The source of a recipe, of images or of pairs, with the same changes; count: number of images, if not as before.
 
-    Raises SlamlibError if it is not there any more, or has become shorter.
+    Raises SlamlibError if it does not exist any more, or has become shorter.
     """
     if "left" in recipe:
         source = open_pairs(reopen(recipe["left"]), reopen(recipe["right"]))
@@ -123,12 +123,12 @@ def _find_calibration(source: str | None, layout: str, cameras: tuple[int, int])
             return sorted(set(paths))
     raise SlamlibError(
         "--calibration is wanted: a file of the rectified pair (KITTI's calib.txt, slamlib's JSON), or of both lenses "
-        f"with their places{f'; {source} holds none that is known' if source else ''}"
+        f"with their extrinsics{f'; {source} has none in a known format' if source else ''}"
     )
 
 
 def two_cameras(where: str | os.PathLike[str]) -> tuple[int, int]:
-    """The numbers of the left and the right camera in a data set's folder. Raises SlamlibError where there are none."""
+    """The numbers of the left and the right camera in a data set's folder. Raises SlamlibError if there are none."""
     there = cameras_at(where)
     found = next((two for two in CAMERAS if set(two) <= set(there)), None)
     if found is None:
@@ -142,8 +142,8 @@ def two_cameras(where: str | os.PathLike[str]) -> tuple[int, int]:
 def open_pairs(left: ImageSource, right: ImageSource) -> ImageSource:
     """The pairs of two cameras; no picture is read yet. Raises SlamlibError for lists that do not fit together.
 
-    Pictures belong together by their times where a list tells them (EuRoC: one that the other camera lacks is left
-    out), and otherwise by their order, which the numbers in their names must agree with.
+    Images are paired by their times if a list gives them (EuRoC: one without a partner is left out), and otherwise by
+    their order, which must agree with the numbers in their names.
     """
     i, j = (_by_time if left.has_times and right.has_times else _by_order)(left, right)
     names, times = (tuple(np.array(values)[i].tolist()) for values in (left.names, left.times))
@@ -162,7 +162,7 @@ def open_pairs(left: ImageSource, right: ImageSource) -> ImageSource:
 
 
 def _by_time(left: ImageSource, right: ImageSource) -> tuple[Indices, Indices]:
-    """Rows of pictures of one time; what has no partner is left out."""
+    """Rows of images with equal times; one without a partner is left out."""
     one, other, tolerance = np.array(left.times), np.array(right.times), MAX_TIME_SHARE * left.interval
     i, j = matched_times(one, other, tolerance)
     if not len(i):
@@ -174,7 +174,7 @@ def _by_time(left: ImageSource, right: ImageSource) -> tuple[Indices, Indices]:
 
 
 def _by_order(left: ImageSource, right: ImageSource) -> tuple[Indices, Indices]:
-    """All rows, if there are as many left as right, and the numbers that count in their names agree."""
+    """All rows, if there are as many left as right, and the counting numbers in their names agree."""
     one, other = left.names, right.names
     if len(one) != len(other):
         alone = [name for name in one if name not in set(other)] + [name for name in other if name not in set(one)]

@@ -1,6 +1,6 @@
-"""One picture of a sequence, and how a file becomes one: grey, eight bits, whole, or an error that names the file.
+"""Images of a sequence, and reading them: grey, eight bits, complete, or an error that names the file.
 
-A rectified pair is one picture too: its image is an array (2, h, w), the left picture and the right one.
+A rectified pair is one image too: an array (2, h, w), the left image and the right one.
 """
 
 import base64
@@ -19,7 +19,7 @@ from slamlib.manifolds import Array, Image
 from slamlib.sensors.sensor import Calibration
 
 ENDINGS = (".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp")
-# Some versions of OpenCV read half a file and say nothing: the end is looked for first.
+# Some versions of OpenCV read a truncated file without an error: so its end is checked first.
 _WHOLE: dict[bytes, Callable[[bytes], bool]] = {
     b"\x89PNG\r\n\x1a\n": lambda data: b"IEND" in data,
     b"\xff\xd8\xff": lambda data: data.rstrip(b"\0").rfind(b"\xff\xd9") > len(data) // 2,
@@ -28,7 +28,7 @@ _WHOLE: dict[bytes, Callable[[bytes], bool]] = {
 
 @dataclass(frozen=True, eq=False)
 class TimedImage:
-    """One instant: the file's name (of a video, its number in it), time [s], grey values (h, w) of type uint8."""
+    """An image: the file's name (of a video, its number in it), time [s], grey values (h, w) of type uint8."""
 
     name: str
     time: float
@@ -36,7 +36,7 @@ class TimedImage:
 
 
 def opencv(purpose: str) -> Any:
-    """OpenCV; raises SlamlibError that says what for ("to read images") and how to install it."""
+    """OpenCV; without it raises SlamlibError, which states the purpose ("to read images") and how to install it."""
     return optional("cv2", purpose, "images")
 
 
@@ -65,7 +65,7 @@ def grey(pixels: Array, name: str) -> Array:
     if pixels.dtype != np.uint8:
         raise SlamlibError(
             f"{name} has {8 * pixels.dtype.itemsize} bits a value ({pixels.dtype}); eight are wanted: convert the "
-            "pictures, with one scale for all of them lest their brightness jump (or is this a depth image?)"
+            "images, with one scale for all of them to keep their brightness (or is this a depth image?)"
         )
     if pixels.ndim == 2:
         return pixels
@@ -93,12 +93,12 @@ def images_in(folder: Path) -> list[Path]:
 
 
 def is_image(path: Path) -> bool:
-    """Whether a file's name ends as an image's does; hidden files are none."""
+    """Whether a file's name ends as an image's does; hidden files are excluded."""
     return path.suffix.lower() in ENDINGS and not path.name.startswith(".") and path.is_file()
 
 
 def pair(left: Array, right: Array) -> Array:
-    """Two grey pictures (h, w), uint8, as the image (2, h, w) of a scan. Raises SlamlibError if they do not fit."""
+    """Two grey pictures (h, w), uint8, as the image (2, h, w) of a scan. Raises SlamlibError for unequal shapes."""
     left, right = np.asarray(left), np.asarray(right)
     if left.ndim != 2 or left.shape != right.shape:
         raise SlamlibError(
@@ -109,7 +109,7 @@ def pair(left: Array, right: Array) -> Array:
 
 
 def checked(image: Any, calibration: Calibration | None = None) -> Array:
-    """The pair (2, h, w) itself. Raises SlamlibError for what is none, or has another size than the calibration's."""
+    """The pair (2, h, w) itself. Raises SlamlibError for anything else, or a size other than the calibration's."""
     array = np.asarray(image)
     if array.ndim != 3 or len(array) != 2 or array.dtype != np.uint8:
         found = "nothing" if image is None else f"{array.dtype} of shape {array.shape}"

@@ -1,8 +1,8 @@
-"""Pictures without the distortion of their lens, and pairs as rectified ones: OpenCV reads them through maps.
+"""Undistortion of images and rectification of pairs, by OpenCV's remapping.
 
-In a rectified pair rows correspond, and the right camera is to the right alone: both cameras are turned where they
-are. The new x axis is the baseline, the new z axis as near as can be to where both looked: Fusiello, Trucco and Verri
-(2000). One pin-hole for both, as wide as it can be without a place that one of the lenses did not see.
+In a rectified pair rows correspond, and the right camera is to the right alone: both cameras are rotated about their
+centres. The new x axis is the baseline, the new z axis as near as possible to both optical axes: Fusiello, Trucco and
+Verri (2000). One pin-hole for both, with the widest view in which all pixels are seen by both lenses.
 """
 
 from collections.abc import Callable, Sequence
@@ -22,7 +22,7 @@ SLANT, ASIDE, UNLIKE = 0.002, 0.01, 0.002  # rad; share of the baseline; share o
 
 
 def why_not_rectified(pair: PairCalibration) -> str | None:
-    """What keeps two cameras from being a rectified pair, or None."""
+    """The reason why two cameras are no rectified pair, or None."""
     x, *aside = pair.transform[:3, 3].tolist()
     (_, v, a, b), (_, v_right, a_right, b_right) = pair.left.intrinsics, pair.right.intrinsics
     turned = float(np.linalg.norm(pair.transform[:3, :3] - np.eye(3))) / np.sqrt(2)
@@ -40,7 +40,7 @@ def why_not_rectified(pair: PairCalibration) -> str | None:
 def rectified_setup(pair: PairCalibration, size: tuple[int, int]) -> tuple[dict[str, Any], float]:
     """Plain data of the stereo SensorSetup of a rectified pair, and the offset [px] of its disparities.
 
-    size: (width, height) of the pictures. Columns of the two principal points that differ are the offset.
+    size: (width, height) of the pictures. The offset is the difference of the columns of the two principal points.
     """
     parameters = {"intrinsics": pair.left.intrinsics, "baseline": (float(pair.transform[0, 3]),)}
     setup = {"name": "stereo", "type": "stereo", "image": tuple(map(float, size)), "parameters": parameters}
@@ -48,10 +48,10 @@ def rectified_setup(pair: PairCalibration, size: tuple[int, int]) -> tuple[dict[
 
 
 class _Remapping:
-    """Makes pictures (h, w) of one lens, or pairs (2, h, w) of two, those of one pin-hole without distortion.
+    """Maps images (h, w) of one lens, or pairs (2, h, w) of two, to those of one pin-hole without distortion.
 
-    ideal(zoom): that pin-hole, by a factor of its focal lengths; the least one is taken with which no pixel comes from
-    a place that a lens did not see.
+    ideal(zoom): that pin-hole, by a factor of its focal lengths; the least one is taken for which all pixels are
+    seen by the lenses.
     """
 
     def __init__(
@@ -78,7 +78,7 @@ class _Remapping:
         self.lens, self._maps = ideal(high), places(high)
 
     def __call__(self, image: Array) -> Array:
-        """The picture (h, w) or the pair (2, h, w), bilinear."""
+        """The remapped image (h, w) or pair (2, h, w), bilinear."""
         cv2 = opencv(PURPOSE)
         pictures = image if image.ndim == 3 else image[None]
         each = zip(pictures, self._maps, strict=True)
@@ -87,13 +87,13 @@ class _Remapping:
 
 
 class Undistortion(_Remapping):
-    """Makes pictures of a lens those of a pin-hole; setup: plain data of its SensorSetup.
+    """Maps images of a lens to those of a pin-hole; setup: plain data of its SensorSetup.
 
-    Focal lengths become shorter or longer, both by one factor; the principal point stays.
+    Both focal lengths are scaled by one factor; the principal point is kept.
     """
 
     def __init__(self, lens: Lens, size: tuple[int, int]) -> None:
-        """size: (width, height) of the pictures. Raises SlamlibError for a lens that makes no sense."""
+        """size: (width, height) of the pictures. Raises SlamlibError for an invalid lens."""
         u, v, a, b = lens.intrinsics
         image = float(size[0]), float(size[1])
         super().__init__([lens], [np.eye(3)], lambda zoom: Lens((u, v, zoom * a, zoom * b), image), size)
@@ -101,13 +101,13 @@ class Undistortion(_Remapping):
 
 
 class Rectification(_Remapping):
-    """Makes pairs (2, h, w) of two lenses those of a rectified pair; setup: plain data of the SensorSetup of those."""
+    """Maps pairs (2, h, w) of two lenses to rectified pairs; setup: plain data of their SensorSetup."""
 
     def __init__(self, pair: PairCalibration, size: tuple[int, int]) -> None:
-        """size: (width, height) of both pictures. Raises SlamlibError for lenses that make no sense."""
+        """size: (width, height) of both pictures. Raises SlamlibError for invalid lenses."""
         turns, baseline = _turns(pair.transform)
         lenses = pair.left, pair.right
-        # Where the middle of what both see lies on the new plane z = 1, roughly: it goes to the picture's middle.
+        # Approximate middle of the common view on the new plane z = 1, which is mapped to the image's middle.
         centre = np.mean([turn[:2, 2] / turn[2, 2] for turn in turns], axis=0)
         focal = float(np.mean([lens.intrinsics[2:] for lens in lenses]))
 
@@ -132,7 +132,7 @@ def _turns(transform: Array) -> tuple[list[Array], float]:
 
 
 def _maps(lens: Lens, new: Array, size: tuple[int, int], turn: Array) -> Any:
-    """Where in the old picture each pixel of the new one comes from: columns and rows, (h, w) each.
+    """Pixels of the old image for those of the new one: columns and rows, (h, w) each.
 
     new: its camera matrix (3, 3). turn (3, 3): takes rays of the old camera to those of the new one.
     """

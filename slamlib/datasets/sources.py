@@ -1,14 +1,14 @@
 """Where pictures come from: a folder, a glob, a video, or a public layout (slamlib.datasets.formats).
 
-    layout      what is there                               times
+    layout      files                                       times
     TUM RGB-D   PATH/rgb.txt                                of rgb.txt
     EuRoC       PATH/[mav0/]camN/data.csv, or PATH/data.csv of data.csv
-    KITTI       PATH/image_N/, best with PATH/times.txt     of times.txt, or 10 pictures a second
-    folder      PATH/*.png, *.jpg, *.pgm, ...               30 a second, if nothing else is said
-    video       one file that OpenCV can open               its number of pictures a second
-    glob        "PATH/left_*.png", or one image             30 a second, if nothing else is said
+    KITTI       PATH/image_N/, best with PATH/times.txt     of times.txt, or 10 images per second
+    folder      PATH/*.png, *.jpg, *.pgm, ...               30 per second by default
+    video       one file that OpenCV can open               its own images per second
+    glob        "PATH/left_*.png", or one image             30 per second by default
 
-Pictures are read one at a time, when they are asked for, in the order of their times, or of the numbers in their names.
+Images are read one at a time, on demand, in the order of their times, or of the numbers in their names.
 """
 
 import os
@@ -23,16 +23,16 @@ from slamlib.errors import SlamlibError
 
 
 def of_pictures(pictures: list[TimedImage], interval: float) -> ImageSource:
-    """A source of pictures that are in memory, `interval` [s] apart as a rule; it cannot be opened again."""
+    """A source of images in memory, typically `interval` [s] apart; it cannot be reopened."""
     names, times = zip(*((p.name, p.time) for p in pictures), strict=True) if pictures else ((), ())
     return ImageSource(names, times, interval, lambda frames: (pictures[i] for i in frames), range(len(pictures)))
 
 
 def open_source(text: str | os.PathLike[str], *, fps: float | None = None, camera: int = 0) -> ImageSource:
-    """The pictures at a path or a glob; no picture is read yet, but of a video's header.
+    """The pictures at a path or a glob; no image is read yet, only a video's header.
 
-    fps: pictures a second, where there are no times, or in place of a video's own. camera: its number, in layouts with
-    several (EuRoC, KITTI). Raises SlamlibError for nothing there, and for lists that make no sense.
+    fps: images per second, if there are no times, or instead of a video's own. camera: its number, in layouts with
+    several (EuRoC, KITTI). Raises SlamlibError for a missing path, and for invalid lists.
     """
     if fps is not None and not fps > 0:
         raise SlamlibError(f"fps is the number of pictures a second, above 0, got {fps}")
@@ -47,12 +47,12 @@ def open_source(text: str | os.PathLike[str], *, fps: float | None = None, camer
 
 
 def cameras_at(where: str | os.PathLike[str]) -> list[int]:
-    """Numbers of the cameras whose pictures are there."""
+    """Numbers of the cameras at a path."""
     return sorted(_found(os.path.abspath(where))[1])
 
 
 def _found(where: str) -> tuple[Dataset | None, Mapping[int, Path]]:
-    """The layout of what is at a path, and its cameras; layouts of special files come first."""
+    """The layout of what is at a path, and its cameras; more special layouts come first."""
     for dataset in sorted(DATASETS.values(), key=lambda dataset: dataset.general):
         if cameras := dataset.cameras(Path(where)):
             return dataset, cameras

@@ -22,17 +22,17 @@ def runs_needed(candidate: Candidate) -> None:
 
 @exercise("consistency.2", "NEES averaged over runs", seed=52)
 def average_nees(candidate: Candidate, rng: Rng) -> None:
-    """Inside its band for honest errors, blind to a change of units, a quarter for twice the claimed deviation."""
+    """Inside its band for a consistent filter, invariant to units, a quarter for twice the claimed std."""
     runs, steps, n = 200, 15, 3
     roots = rng.standard_normal((runs, steps, n, n)) + 2 * np.eye(n)
     covariances = roots @ roots.transpose(0, 1, 3, 2)
     errors = (roots @ rng.standard_normal((runs, steps, n, 1)))[..., 0]
     found = array_of(candidate(errors, covariances), (steps,), "the average")
-    between(found, *band(n, runs, 0.9999), "honest errors lie in the band")
+    between(found, *band(n, runs, 0.9999), "the errors of a consistent filter lie in the band")
     units = np.diag([1000.0, 1, 0.01])
     scaled = candidate(errors @ units, units @ covariances @ units)
     same(scaled, found, "metres or millimetres make no difference")
-    same(candidate(errors, 4 * covariances), found / 4, "twice the claimed deviation, a quarter of the NEES")
+    same(candidate(errors, 4 * covariances), found / 4, "twice the claimed standard deviation, a quarter of the NEES")
     one = (np.linalg.solve(np.linalg.cholesky(covariances[0, 0]), errors[0, 0]) ** 2).sum()
     same(candidate(errors[:1], covariances[:1])[0], one, "one run is e' P^-1 e")
 

@@ -6,7 +6,7 @@ from slamlib.exercises.properties import Candidate, Rng, array_of, cases, differ
 from slamlib.manifolds import Array
 
 
-@exercise("ekf_slam.1", "what a look is worth", seed=161)
+@exercise("ekf_slam.1", "what a measurement is worth", seed=161)
 def worth(candidate: Candidate, rng: Rng) -> None:
     """Entropies of the state before and after, by least squares on the information matrix; and their sum."""
     for kind in cases(range(6)):
@@ -20,9 +20,9 @@ def worth(candidate: Candidate, rng: Rng) -> None:
         before, bits = np.linalg.slogdet(P)[1], np.log(4)
         one = np.linalg.slogdet(np.linalg.inv(P) + np.diag([1 / v, 0]))[1]
         two = np.linalg.slogdet(np.linalg.inv(P) + np.eye(2) / v)[1]
-        same(first, (before + one) / bits, "one look takes away its gain from the entropy [bits]")
-        same(both, (before + two) / bits, "two looks take away theirs, what they share counted once")
-        same(first + then, both, "the first look and the second after it make both")
+        same(first, (before + one) / bits, "one measurement reduces the entropy [bits] by its gain")
+        same(both, (before + two) / bits, "two measurements reduce it by theirs, what they share counted once")
+        same(first + then, both, "the gains of the first and then the second add up to that of both")
 
 
 @exercise("ekf_slam.2", "the greedy choice", seed=162)
@@ -52,7 +52,7 @@ def _logdet(S: Array, m: int, chosen: list[int]) -> float:
     return float(np.linalg.slogdet(S[np.ix_(rows, rows)])[1])
 
 
-@exercise("ekf_slam.3", "what no look can see", seed=163)
+@exercise("ekf_slam.3", "what no measurement observes", seed=163)
 def directions(candidate: Candidate, rng: Rng) -> None:
     """Three independent columns along which range and bearing of every landmark stay as they are."""
     for landmarks in cases((1, 1, 1, 2, 2, 2, 5, 5, 5), "{} landmarks"):
@@ -61,7 +61,7 @@ def directions(candidate: Candidate, rng: Rng) -> None:
         holds(np.linalg.svd(N)[1][-1] > 1e-6, "they are three, not fewer", "the columns are dependent")
         seen = differences(_looks, x) @ N / max(1.0, float(np.abs(N).max()))
         what = "range and bearing of no landmark change along them"
-        holds(np.abs(seen).max() < 1e-6, what, f"a look changes by {np.abs(seen).max():.3g}")
+        holds(np.abs(seen).max() < 1e-6, what, f"a measurement changes by {np.abs(seen).max():.3g}")
 
 
 def _looks(x: Array) -> Array:

@@ -18,7 +18,7 @@ def range_bias(candidate: Candidate, rng: Rng) -> None:
         sharp = candidate(x, landmark, 0.3 * np.outer(ahead, ahead))
         same(sharp, 0.0, "an error along the line of sight has no bias")
         found = array_of(candidate(x, landmark, P), (), "the bias")
-        holds(found > 0, "a robot beside its place is farther away, never nearer", f"found {found:.4g}")
+        holds(found > 0, "a robot displaced sideways is farther away, never nearer", f"found {found:.4g}")
         variances, axes = np.linalg.eigh(P)
         stops = [np.hypot(*(x[:, None] + step * axes - landmark[:, None])) for step in (-1e-3, 0, 1e-3)]
         total = variances @ (stops[0] - 2 * stops[1] + stops[2]) / 1e-6 / 2  # the trace, along the principal axes

@@ -29,8 +29,8 @@ def slerp(candidate: Candidate, rng: Rng) -> None:
         for end in (q1, -q1):
             path = [array_of(candidate(q0, end, u), (4,), "the interpolated quaternion") for u in np.linspace(0, 1, 9)]
             same([p @ p for p in path], np.ones(9), "unit length all the way")
-            same(rotation(path[0]), rotation(q0), "starts at the first attitude")
-            same(rotation(path[-1]), rotation(q1), "ends at the second attitude")
+            same(rotation(path[0]), rotation(q0), "starts at the first orientation")
+            same(rotation(path[-1]), rotation(q1), "ends at the second orientation")
             steps = [np.linalg.norm(minus(b, a)) for a, b in pairwise(path)]
             same(steps, np.full(8, np.mean(steps)), "constant speed")
             holds(sum(steps) <= np.pi + 1e-9, "the short way round", f"turned by {np.degrees(sum(steps)):.0f} degrees")

@@ -8,17 +8,17 @@ from slamlib.manifolds import Array
 UNKNOWN = 1e9  # the variance of what nothing is known of
 
 
-@exercise("initialization.1", "one uncertain mount, two pictures")
+@exercise("initialization.1", "uncertain extrinsics, two images")
 def two_pictures(candidate: Candidate) -> None:
-    """Against least squares over both places of the robot, the mount and both landmarks."""
+    """Against least squares over both poses of the robot, the extrinsics and both landmarks."""
     variances = (1.0, 1.0, 1.0, 1.0), (0.5, 2.0, 0.3, 0.1), (3.0, 0.0, 0.2, 0.7), (0.0, 1.0, 2.0, 0.5)
     for p, q, s, v in cases(variances, "p {}, q {}, s {}, R {}"):
         P = covariance(candidate(p, q, s, v), 4)
-        rows = [([1, 0, 0, 0, 0], p), ([-1, 1, 0, 0, 0], q), ([0, 0, 1, 0, 0], s)]  # robot twice, mount, landmarks
+        rows = [([1, 0, 0, 0, 0], p), ([-1, 1, 0, 0, 0], q), ([0, 0, 1, 0, 0], s)]  # robot twice, extrinsics, landmarks
         rows += [([-1, 0, -1, 1, 0], v), ([0, -1, -1, 0, 1], v)]
         best = least_squares(np.zeros(5), UNKNOWN * np.eye(5), [(row, 0, r + 1e-9) for row, r in rows])[1][1:, 1:]
         apart = P[2, 2] + P[3, 3] - 2 * P[2, 3]
-        same(apart, q + 2 * v, "between the landmarks stand the motion and two measurements, no mount")
+        same(apart, q + 2 * v, "between the landmarks are the motion and two measurements, not the extrinsics")
         same(P, best, "all that was measured is used, and used once", tolerance=1e-6)
 
 
@@ -50,8 +50,8 @@ def from_direct(candidate: Candidate, rng: Rng) -> None:
         H, unknown = np.hstack([H_r, H_l]), np.zeros((k, m))
         prior = np.block([[P, unknown], [unknown.T, UNKNOWN * np.eye(m)]])
         best = least_squares(np.zeros(k + m), prior, [(H, np.zeros(m), R)])[1]
-        same(corner, best[k:, k:], "P_ll is that of a correction without a prior", tolerance=1e-5)
-        same(cross, best[k:, :k], "P_lr is that of a correction without a prior", tolerance=1e-5)
+        same(corner, best[k:, k:], "P_ll is that of an update without a prior", tolerance=1e-5)
+        same(cross, best[k:, :k], "P_lr is that of an update without a prior", tolerance=1e-5)
         joint = np.block([[P, cross.T], [cross, corner]])
         shared = np.abs((H @ joint)[:, :k]).max() / max(1, np.abs(joint).max())
         what = "what the sensor sees of the two errors together is its own noise, which the robot does not share"

@@ -23,7 +23,7 @@ def fuse(candidate: Candidate) -> None:
         same((mean - z1) / v1, (z2 - mean) / v2, "each pulls with the inverse of its variance")
         same(1 / variance, 1 / v1 + 1 / v2, "information adds")
         same(fused(z1 + 100, v1, z2 + 100, v2), (mean + 100, variance), "the zero of the scale is free")
-        same(fused(z1, v1, z2, 0.0), (z2, 0.0), "a perfect thermometer is believed")
+        same(fused(z1, v1, z2, 0.0), (z2, 0.0), "a perfect thermometer determines the estimate")
         same(fused(z1, v1, z2, 1e14), (z1, v1), "a useless one changes nothing")
 
 
@@ -57,5 +57,5 @@ def gain(candidate: Candidate) -> None:
         holds(candidate(P, 2 * Q, R) > K, "a level that wanders more gets a larger gain")
         holds(candidate(2 * P, Q, R) > K, "a less certain level gets a larger gain")
         same(candidate(P, Q, 1e12), 0.0, "a useless measurement is ignored")
-        same(candidate(P, Q, 0.0), 1.0, "a perfect measurement is believed")
+        same(candidate(P, Q, 0.0), 1.0, "a perfect measurement determines the estimate")
         same(1 / ((1 - K) * (P + Q)), 1 / (P + Q) + 1 / R, "information adds")

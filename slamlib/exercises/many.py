@@ -10,24 +10,24 @@ from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.manifolds import Array
 
 
-@exercise("many.1", "what robot and mount do to a point", seed=181)
+@exercise("many.1", "the effect of robot and extrinsics on a point", seed=181)
 def two_jacobians(candidate: Candidate, rng: Rng) -> None:
-    """Against differences; and what robot and mount can trade must leave the point where it is."""
+    """Against differences; and opposite changes of robot and extrinsics must not move the point."""
     for _ in range(3):
         r, s = (exponential(rng.uniform(-2, 2, 3)) for _ in range(2))
         p, t, q = rng.uniform(-3, 3, 3), rng.uniform(-1, 1, 3), rng.uniform(1, 5, 3)
         robot, camera, R, S = np.concatenate([p, r]), np.concatenate([t, s]), rotation(r), rotation(s)
-        shapes = {"the derivative by the robot": (3, 6), "the derivative by the mount": (3, 6)}
+        shapes = {"the derivative w.r.t. the robot": (3, 6), "the derivative w.r.t. the extrinsics": (3, 6)}
         by_robot, by_mount = parts(candidate(R, t, S, q), shapes)
         inside = from_frame(camera, q)
         moved = differences(lambda f, camera=camera, at=inside: to_frame(Pose.plus(camera, f), at), np.zeros(6))
-        same(by_mount, moved, "the derivative by the mount", tolerance=1e-6)
+        same(by_mount, moved, "the derivative w.r.t. the extrinsics", tolerance=1e-6)
         world = from_frame(robot, inside)
         moved = differences(lambda e, robot=robot, at=world: to_frame(Pose.plus(robot, e), at), np.zeros(6))
-        same(by_robot, rotation(s).T @ moved, "the derivative by the robot", tolerance=1e-6)
+        same(by_robot, rotation(s).T @ moved, "the derivative w.r.t. the robot", tolerance=1e-6)
         tau, alpha = rng.standard_normal((2, 3))
         own, other = np.concatenate([-R @ tau, -alpha]), np.concatenate([tau + np.cross(alpha, t), S.T @ alpha])
-        what = "a robot and a mount that move against each other leave the camera, and the point in it, in place"
+        what = "opposite changes of robot and extrinsics leave the camera, and the point in it, unchanged"
         same(by_robot @ own + by_mount @ other, np.zeros(3), what)
 
 
@@ -80,12 +80,12 @@ def extrinsics(candidate: Candidate, rng: Rng) -> None:
         same(centre, [0, 0, 0, 1], "the first camera's place, seen by that camera, is where the camera is")
 
 
-@exercise("many.4", "hearing without believing twice", seed=184)
+@exercise("many.4", "fusion without double counting", seed=184)
 def hear(candidate: Candidate, rng: Rng) -> None:
-    """Never too sure, whatever the correlation of what was known and what was told; and never worse than before."""
+    """Never overconfident, whatever the correlation of own and received estimate; and never worse than before."""
     random = random_covariance(rng, 2, 0.1), random_covariance(rng, 2, 0.1)
     pairs = random, (np.diag([1.0, 0.1]), np.diag([0.1, 1.0])), (np.eye(2), np.eye(2))
-    for own, told in cases(pairs, "the own covariance {} and the told one {}"):
+    for own, told in cases(pairs, "the own covariance {} and the received one {}"):
         w, claimed = parts(candidate(own, told), {"the weight": (), "the covariance": (2, 2)})
         holds(0 <= w <= 1, "the weight lies between 0 and 1", f"found {w:.4g}")
         P = covariance(claimed, 2)

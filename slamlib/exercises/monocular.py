@@ -12,8 +12,8 @@ from slamlib.motions.constant_velocity import step
 
 @exercise("monocular.1", "an inverse distance from parallaxes", seed=201)
 def parallax(candidate: Candidate, rng: Rng) -> None:
-    """It is what one batch of normal equations gives, with any number of looks."""
-    for n in cases((1, 2, 5, 12), "{} looks"):
+    """It is what one batch of normal equations gives, with any number of measurements."""
+    for n in cases((1, 2, 5, 12), "{} measurements"):
         f, sigma_u, rho_0, sigma_0 = (float(rng.uniform(*r)) for r in ((100, 300), (0.1, 1), (0.2, 1), (0.1, 0.5)))
         b = rng.uniform(-0.02, 0.05, n)
         u = f * b * rng.uniform(0, 1) + sigma_u * rng.standard_normal(n)

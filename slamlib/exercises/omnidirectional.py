@@ -51,7 +51,7 @@ def angle_of(candidate: Candidate) -> None:
             same(candidate(radius, coefficients), angle, f"finds the angle of {name}", tolerance=1e-7)
 
 
-@exercise("omnidirectional.3", "a fisheye that looks behind itself", seed=93)
+@exercise("omnidirectional.3", "a fisheye that sees behind itself", seed=93)
 def fisheye(candidate: Candidate, rng: Rng) -> None:
     """OpenCV's formula in front; continuous across z = 0; the azimuth is kept behind; the axis."""
     for k in (np.zeros(4), np.array([0.0035, 0.0007, -0.0021, 0.0002])):

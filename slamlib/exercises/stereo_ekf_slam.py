@@ -28,7 +28,7 @@ def noise_rows(candidate: Candidate, rng: Rng) -> None:
 @exercise("stereo_ekf_slam.2", "the lost appendix", seed=222)
 def appendix(candidate: Candidate, rng: Rng) -> None:
     """The value undoes the placing of a point; both Jacobians agree with differences of the reader's own value."""
-    shapes = {"z": (3,), "the derivative by the pose": (3, 6), "the derivative by the point": (3, 3)}
+    shapes = {"z": (3,), "the derivative w.r.t. the pose": (3, 6), "the derivative w.r.t. the point": (3, 3)}
     for _ in range(6):
         pose = np.concatenate([rng.uniform(-3, 3, 3), rng.uniform(-1, 1, 3) * [3, 1.2, 3]])
         point = rng.uniform(-5, 5, 3)
@@ -53,7 +53,7 @@ def innovations(candidate: Candidate, rng: Rng) -> None:
         other = array_of(candidate(nu * scale, S * np.outer(scale, scale)), (m, m), "the matrix")
         what = "its eigenvalues do not depend on the units"
         same(np.linalg.eigvalsh(other), np.linalg.eigvalsh(found), what)
-    # Innovations of a known covariance, which the filter believes, or of which it believes the diagonal. Eigenvalues
+    # Innovations of a known covariance, which the filter uses, or of which it uses the diagonal. Eigenvalues
     # of a sample of four thousand are within 0.15 of 1 by far (their standard deviation is about 0.03).
     R = np.array([[4, 1.8, 0], [1.8, 1, 0.1], [0, 0.1, 0.5]])
     nu = rng.standard_normal((4000, 3)) @ np.linalg.cholesky(R).T

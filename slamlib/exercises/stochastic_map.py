@@ -6,9 +6,9 @@ from slamlib.exercises import Candidate, Rng, exercise
 from slamlib.exercises.properties import cases, covariance, holds, least_squares, random_covariance, same
 
 
-@exercise("stochastic_map.1", "a second look")
+@exercise("stochastic_map.1", "a second measurement")
 def second_look(candidate: Candidate) -> None:
-    """Against least squares over both places of the robot and both landmarks, and what must not change."""
+    """Against least squares over both positions of the robot and both landmarks, and what must not change."""
     for p, q, v in cases(((1.0, 1.0, 1.0), (0.5, 2.0, 0.1), (3.0, 0.2, 0.7)), "p {}, q {}, v {}"):
         P = covariance(candidate(p, q, v), 3)
         unknown = np.diag([p, 1e9, 1e9, 1e9])  # robot before and after, two landmarks of which nothing is known
@@ -17,7 +17,7 @@ def second_look(candidate: Candidate) -> None:
         apart = P[0, 0] + P[2, 2] - 2 * P[0, 2]
         same(apart, v, "landmark 2 is as far from the robot as it was: nothing new about that")
         same(P, best, "all that was measured is used, and used once", tolerance=1e-6)
-        what = "from a certain start, landmark 1 is known by two independent ways: directly, and by the wheels"
+        what = "from a certain start, landmark 1 is known by two independent sources: directly, and by odometry"
         same(1 / candidate(0.0, q, v)[1][1], 1 / v + 1 / (q + v), what)
 
 
@@ -57,7 +57,7 @@ def rows_after(candidate: Candidate, rng: Rng) -> None:
             holds(right, "each pair of survivors finds its own block", f"blocks {i} and {j} do not")
 
 
-@exercise("stochastic_map.4", "forgetting, honestly", seed=144)
+@exercise("stochastic_map.4", "deleting correlations consistently", seed=144)
 def decouple(candidate: Candidate, rng: Rng) -> None:
     """Block diagonal, never claims more than P in any direction, and no more careful than one factor must be."""
     for sizes in cases(([2, 3], [1, 1, 1], [3, 2, 2, 1], [4]), "groups of {}"):
@@ -73,5 +73,5 @@ def decouple(candidate: Candidate, rng: Rng) -> None:
             what = "in no direction does it claim more than P"
             holds(least > -1e-6 * np.abs(P).max(), what, f"P exceeds it by {-least:.3g}")
             share = float(np.sum(np.diag(P) / np.diag(D)) / n)
-            what = "it is no more careful than somebody must be who does not know the correlations"
+            what = "it is no more conservative than unknown correlations require"
             holds(share > 1 / groups - 1e-6, what, f"variances grow by a factor {1 / share:.3g}")

@@ -20,20 +20,20 @@ def shifted_line(candidate: Candidate, rng: Rng) -> None:
             same(np.cross(p + step * v + c, v), moved[:3], "the moved points are on the moved line")
 
 
-@exercise("toolbox_tour.2", "what no look can see", seed=172)
+@exercise("toolbox_tour.2", "what no measurement observes", seed=172)
 def unseen(candidate: Candidate, rng: Rng) -> None:
-    """An orthonormal basis of all directions that every look maps to zero, and of no other."""
+    """An orthonormal basis of all directions that every measurement maps to zero, and of no other."""
     sizes = (2, 7, 3), (3, 5, 0), (1, 6, 6), (8, 9, 1)
-    for count, n, hidden in cases(sizes, "{} looks at {} numbers, {} of them hidden"):
+    for count, n, hidden in cases(sizes, "{} measurements of {} numbers, {} unobserved"):
         basis = np.linalg.qr(rng.standard_normal((n, n)))[0]
         seen = basis[:, hidden:]
         predictions = np.array([rng.standard_normal((2, n - hidden)) @ seen.T for _ in range(count)])
         found = array_of(candidate(predictions), (n, hidden), "the directions")
         same(found.T @ found, np.eye(hidden), "the directions are orthonormal")
-        same(predictions @ found, np.zeros((count, 2, hidden)), "no look sees them")
+        same(predictions @ found, np.zeros((count, 2, hidden)), "no measurement observes them")
     predictions = np.array([[[1.0, 0, 0]], [[0, 1000.0, 0]]])
-    found = array_of(candidate(predictions), (3, 1), "what two looks of one number leave")
-    same(np.abs(found[:, 0]), [0, 0, 1], "each look is used, whatever its scale")
+    found = array_of(candidate(predictions), (3, 1), "what two scalar measurements leave unobserved")
+    same(np.abs(found[:, 0]), [0, 0, 1], "each measurement is used, whatever its scale")
 
 
 @exercise("toolbox_tour.3", "a stream for every run")

@@ -11,7 +11,7 @@ from slamlib.manifolds import Array
 
 @exercise("visual_odometry.1", "how far a pair went ahead", seed=211)
 def advance(candidate: Candidate, rng: Rng) -> None:
-    """Exact without noise; never worse than any other weighted mean; and as far off as it says."""
+    """Exact without noise; never worse than any other weighted mean; and with the stated standard deviation."""
     for n in cases((1, 2, 5, 40), "{} points"):
         f, b, sigma, t = (float(rng.uniform(*r)) for r in ((200, 700), (0.1, 0.5), (0.1, 0.4), (-0.3, 0.3)))
         z = rng.uniform(1.5, 8, n)
@@ -50,7 +50,7 @@ def closes(candidate: Candidate, rng: Rng) -> None:
         closed = (one == other) & (one >= 0)
         holds(closed[found.astype(int)].all(), "each of them comes back to itself", "not all do")
         kept = np.setdiff1d(np.flatnonzero(closed), found)
-        holds(not kept.size, "none that closes the cycle is forgotten", f"{kept.size} are")
+        holds(not kept.size, "none that closes the cycle is missing", f"{kept.size} are")
         holds((np.diff(found) > 0).all(), "each is named once, in growing order")
 
 

@@ -4,7 +4,8 @@
     check_landmark(MY_POINT)
 
 Each prints a line for every property that holds, and raises CheckError with all that do not: which property, which
-definition, which argument, where, and by how much. Chapter your_own_model uses them; the package's tests run them on every type.
+definition, which argument, where, and by how much. Chapter your_own_model uses them; the package's tests run them on
+every type.
 """
 
 from typing import Any
@@ -24,7 +25,7 @@ __all__ = ["CheckError", "Finding", "check_landmark", "check_pair", "check_senso
 
 
 def check_landmark(kind: Any, *, silent: bool = False, seed: int = 0) -> None:
-    """Judge a parametrization of points or of lines: prints what holds, raises CheckError with all that does not."""
+    """Check a parametrization of points or lines: print the properties that hold, raise CheckError with the others."""
     judge = Judge(getattr(kind, "name", "?"), seed)
     if isinstance(kind, PointLandmark):
         point_properties(judge, kind)
@@ -36,10 +37,10 @@ def check_landmark(kind: Any, *, silent: bool = False, seed: int = 0) -> None:
 
 
 def check_sensor(calibration: Calibration, *, silent: bool = False, seed: int = 0) -> None:
-    """Judge a type of sensor at one calibration of it: prints what holds, raises CheckError with all that does not."""
+    """Check a sensor with one calibration: print the properties that hold, raise CheckError with the others."""
     if not isinstance(calibration, Calibration):
         raise SlamlibError(
-            "check_sensor: a sensor is judged with its calibration: give Calibration(SENSOR, noise, parameter=...), "
+            "check_sensor: a sensor is checked with its calibration: give Calibration(SENSOR, noise, parameter=...), "
             f"not {type(calibration).__name__}"
         )
     judge = Judge(calibration.sensor.name, seed)
@@ -50,7 +51,7 @@ def check_sensor(calibration: Calibration, *, silent: bool = False, seed: int = 
 def check_pair(
     kind: PointLandmark | LineLandmark, calibration: Calibration, *, silent: bool = False, seed: int = 0
 ) -> bool:
-    """Judge a parametrization seen by a sensor on a robot: initialize, observe again, correct. As check_landmark.
+    """Check a parametrization with a sensor on a robot: initialize, observe again, update. As check_landmark.
 
     False if the pair does not exist: a parametrization of points refuses every point that the sensor measures, or the
     sensor has no images of lines.

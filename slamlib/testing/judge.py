@@ -1,4 +1,4 @@
-"""What is found out about a candidate: which properties hold, and for those that do not where and by how much."""
+"""Results of checks of a candidate: the properties that hold; for the others where they fail, and by how much."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from slamlib.modeling.numerical import scaled_differences
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that is wrong: the property, the definition and its argument, the place, what was found there."""
+    """One failure: the property, the definition and its argument, the arguments' values, and what was found there."""
 
     what: str
     definition: str
@@ -29,7 +29,7 @@ class Finding:
 
 
 class CheckError(SlamlibError):
-    """Properties that a landmark or a sensor lacks; .findings has them one by one, each at its worst place."""
+    """Properties that a landmark or a sensor lacks; .findings has them one by one, each at its worst arguments."""
 
     def __init__(self, name: str, findings: list[Finding]) -> None:
         self.findings = findings
@@ -37,12 +37,12 @@ class CheckError(SlamlibError):
         super().__init__("\n  ".join([f"{name}: {count} not hold.", *map(str, findings)]))
 
     def _render_traceback_(self) -> list[str]:
-        """What IPython shows: what is wrong, not how the checks are built."""
+        """IPython's traceback: the message alone."""
         return f"CheckError: {self}".splitlines()
 
 
 class Judge:
-    """Collects the properties that hold, with the number of places, and those that do not, each at its worst."""
+    """Collects the properties that hold, with the number of comparisons, and the worst failures of the others."""
 
     def __init__(self, name: str, seed: int = 0) -> None:
         self.name, self.rng = name, np.random.default_rng(seed)
@@ -50,7 +50,7 @@ class Judge:
         self.findings: dict[tuple[str, str, str], Finding] = {}
 
     def at(self, definition: str, **where: Array) -> "Case":
-        """A definition at a place, at which properties are to be judged."""
+        """A definition with the values of its arguments, at which properties are checked."""
         return Case(self, definition, where)
 
     def lacks(self, *properties: str, definition: str = "") -> bool:
@@ -73,30 +73,30 @@ class Judge:
 
 @dataclass(frozen=True)
 class Case:
-    """A definition at a place: properties that are judged here; each returns whether it holds."""
+    """A definition at values of its arguments; each method checks a property here, and returns whether it holds."""
 
     judge: Judge
     definition: str
     where: Mapping[str, Array]
 
     def hold(self, what: str) -> bool:
-        """Note that a property holds here."""
+        """Record that a property holds here."""
         self.judge.places[what] = self.judge.places.get(what, 0) + 1
         return True
 
     def fail(self, what: str, how: str, argument: str = "", error: float = np.inf) -> bool:
-        """Note that a property does not hold here; the worst place is kept."""
+        """Record that a property does not hold here; the worst failure is kept."""
         key = (what, self.definition, argument)
         if key not in self.judge.findings or self.judge.findings[key].error < error:
             self.judge.findings[key] = Finding(what, self.definition, argument, shown(self.where), how, error)
         return False
 
     def require(self, what: str, condition: Any, how: str, argument: str = "") -> bool:
-        """A condition holds; `how` says what is wrong if not."""
+        """Check a condition; `how` describes the failure."""
         return self.hold(what) if condition else self.fail(what, how, argument)
 
     def compare(self, what: str, found: Any, wanted: Any, argument: str = "", tolerance: float = 1e-9) -> bool:
-        """Two arrays agree, to `tolerance` of the largest wanted entry, absolutely where that is below one."""
+        """Check that two arrays agree, to `tolerance` of the largest wanted entry, absolutely if that is below one."""
         found, wanted = np.asarray(found), np.asarray(wanted)
         if found.shape != wanted.shape:
             return self.fail(what, f"has shape {found.shape}, should have {wanted.shape}", argument)
@@ -110,6 +110,6 @@ class Case:
 
 
 def shown(where: Mapping[str, Array]) -> str:
-    """A place in words: 'pose = [0 0 0 1 0 0 0], point = [...]'."""
+    """The arguments as text: 'pose = [0 0 0 1 0 0 0], point = [...]'."""
     numbers = {name: " ".join(f"{x:.4g}" for x in np.asarray(value, float).ravel()) for name, value in where.items()}
     return ", ".join(f"{name} = [{row}]" for name, row in numbers.items())

@@ -24,7 +24,7 @@ INCIDENT = "point_at gives points on the line, seen from anywhere"
 DISTINCT = "the endpoints are two points"
 
 IDENTITY = np.array([0.0, 0, 0, 1, 0, 0, 0])
-FORWARDS = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, -0.5])  # a camera that looks along the world's x axis
+FORWARDS = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, -0.5])  # a camera with its optical axis along the world's x axis
 
 
 def point_properties(judge: Judge, kind: PointLandmark) -> None:
@@ -85,7 +85,7 @@ def _nasty_points(rng: np.random.Generator) -> list[Array]:
 
 
 def _made(kind: PointLandmark | LineLandmark, *place: Array) -> Array | None:
-    """The landmark, or None where it is refused."""
+    """The landmark, or None where the model raises an error."""
     try:
         return kind.from_frame(*place)
     except SingularPointError:
@@ -93,7 +93,7 @@ def _made(kind: PointLandmark | LineLandmark, *place: Array) -> Array | None:
 
 
 def _unit(point: Array) -> Array:
-    """A homogeneous point scaled to length one: what is left is the ratio of its numbers, with their sign."""
+    """A homogeneous point scaled to length one: the ratio of its coordinates, with their sign."""
     return point / np.linalg.norm(point)
 
 
@@ -109,7 +109,7 @@ def _round_trip(judge: Judge, kind: PointLandmark, made: list[tuple[Array, Array
 
 
 def _infinity(judge: Judge, kind: PointLandmark, poses: list[Array]) -> None:
-    """What becomes of inverse distance zero: kept as a direction, or refused; never nan."""
+    """Check inverse distance zero: kept as a direction, or refused; never nan."""
     for pose in poses[2:]:
         point = _homogeneous(judge.rng)
         point[3] = 0
@@ -177,7 +177,7 @@ def _seen_along_rays(judge: Judge, kind: LineLandmark, made: list[tuple[Array, A
         try:
             line = kind.to_frame(pose, kind.from_frame(pose, rays, prior))
         except SingularPointError:
-            continue  # a nasty place that the models refuse
+            continue  # a degenerate case that the models refuse
         there, back = (
             judge.at(f"{kind.name}.{n}", pose=pose, rays=rays, prior=prior) for n in ("from_frame", "to_frame")
         )

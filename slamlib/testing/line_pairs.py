@@ -22,15 +22,15 @@ from slamlib.testing.sensors import undistorted, visible_points
 
 DEFINED = "a segment makes a line"
 NO_LINES = "a sensor that sees no lines says so"
-THROUGH = "a line just initialized goes through both ends of its segment"
-FINITE = "at nasty places all numbers are finite, or it is refused"
+THROUGH = "a line just initialized goes through both endpoints of its segment"
+FINITE = "in degenerate cases all numbers are finite, or it is refused"
 
 FRAMES = [Argument("robot", Pose), Argument("extrinsics", Pose)]
 Place = list[Array]
 
 
 class _Chain:
-    """observe_line or initialize_line as a model of all that they give a Jacobian by, the camera's parameters last.
+    """observe_line or initialize_line as a model of all that they give a Jacobian w.r.t., the camera's parameters last.
 
     `jac` takes the parameters from the calibration; what it is called with is a place to differentiate at.
     """
@@ -57,7 +57,7 @@ class _Chain:
 
 
 def line_pair_properties(judge: Judge, kind: LineLandmark, calibration: Calibration) -> None:
-    """From random robots and mounts, segments everywhere in the image; a sensor without lines must refuse."""
+    """From random robots and extrinsics, segments everywhere in the image; a sensor without lines must refuse."""
     name, rng = f"{kind.name} x {calibration.sensor.name}", judge.rng
     if calibration.sensor.project_line is None:
         _refused(judge.at(name), kind, calibration)
@@ -93,7 +93,7 @@ def _initialized(kind: LineLandmark, calibration: Calibration) -> _Chain:
 
 
 def _observed(kind: LineLandmark, calibration: Calibration) -> _Chain:
-    """With the same chain of the formulas as they are written, so that the derivatives can be had exactly."""
+    """Against the same chain of the written formulas, whose derivatives are exact."""
     project: Any = calibration.sensor.project_line
     given_ones = {n: calibration.given[n] for n in project.parameters if n in calibration.given}
     names = [n for n, g in given_ones.items() if len(g)]
@@ -133,7 +133,7 @@ def _segments(calibration: Calibration, rng: np.random.Generator, count: int) ->
 
 
 def _seen_again(case: Case, kind: LineLandmark, calibration: Calibration, landmark: Array, G: Any) -> None:
-    """The line where it was measured; then in a belief beside the robot, corrected by the distances of both ends."""
+    """The line where it was measured; then in a belief with the robot, updated by the distances of both endpoints."""
     seen = observe_line(kind, calibration, case.where["robot"], case.where["extrinsics"], landmark)
     points, _ = calibration.back_project_jac(case.where["measurement"].reshape(2, 2), np.ones((2, 1)))
     endpoints = calibration.sensor.project(points, **undistorted(calibration))[:, :2].ravel()
@@ -159,7 +159,7 @@ def _nasty(judge: Judge, kind: LineLandmark, initialized: _Chain, observed: _Cha
 
 
 def _cameras(kind: LineLandmark, landmark: Array, robot: Array, extrinsics: Array) -> list[Array]:
-    """Where it was measured, the same looking back, from a point of the line itself, and from the world's origin."""
+    """Where it was measured, the same facing backwards, from a point of the line, and from the world's origin."""
     here = compose(robot, extrinsics)
     w, x, y, z = here[3:]
     behind = np.array([*here[:3], -y, -z, w, x])  # half a turn about its own axis that points down
@@ -169,7 +169,7 @@ def _cameras(kind: LineLandmark, landmark: Array, robot: Array, extrinsics: Arra
 
 
 def _finite(judge: Judge, chain: _Chain, name: str, place: Place) -> tuple[Array, Any] | None:
-    """The value and its Jacobians, all of whose numbers must be finite; None where they are refused, or are not."""
+    """The value and its Jacobians, all of whose numbers must be finite; None where refused, or not finite."""
     case = judge.at(name, **named(chain, place))
     try:
         value, jacobians = chain.jac(*place)

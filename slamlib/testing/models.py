@@ -22,7 +22,7 @@ SINGLE = "works in float32, within its precision"
 def model_properties(
     judge: Judge, model: Any, name: str, places: Sequence[Place], nasty: Iterable[Place] = (), *, chain: bool = False
 ) -> None:
-    """At ordinary places the model must be defined; at nasty ones it may refuse, with SingularPointError.
+    """At ordinary arguments the model must be defined; in degenerate cases it may raise SingularPointError.
 
     chain: of several models, which computes in double precision, and whose Jacobians may be small in all entries.
     """
@@ -44,7 +44,7 @@ def model_properties(
 
 
 def named(model: Any, place: Place) -> dict[str, Array]:
-    """The place as a dictionary, for messages."""
+    """The arguments as a dictionary, for messages."""
     return dict(zip(model.parameters, place, strict=True))
 
 
@@ -52,7 +52,7 @@ def derivatives(case: Case, model: Any, place: Place, value: Array, jacobians: A
     """The value is the definition's, if there is one, and each Jacobian the numerical derivative, where that is finite.
 
     chain: with steps as large as the argument, and beside the Jacobian's largest entry also where that is below one, as
-    is a derivative by a pixel.
+    is a derivative w.r.t. a pixel.
     """
     written = hasattr(model, "definition")
     with np.errstate(all="ignore"):
@@ -71,7 +71,7 @@ def derivatives(case: Case, model: Any, place: Place, value: Array, jacobians: A
 
 
 def _batch(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> None:
-    """All places at once in two rows, and one first argument against many others."""
+    """All arguments as one batch of two rows, and one first argument with many others."""
     places = list(places[: len(places) // 2 * 2])
     stacked = [np.stack([np.asarray(p[i]) for p in places]) for i in range(len(places[0]))]
     cases = [([a.reshape(2, -1, *a.shape[1:]) for a in stacked], places)]
@@ -82,7 +82,7 @@ def _batch(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> None
             single = [model.jac(*p) for p in loop]
             value, jacobians = model.jac(*arguments)
         except SingularPointError:
-            continue  # one first argument with another's rest may be no place at all
+            continue  # one first argument with another's others may be undefined
         case = judge.at(name, **named(model, loop[0]))
         for k, argument in enumerate(("", *jacobians._fields)):
             wanted, found = np.stack([[v, *j][k] for v, j in single]), np.asarray([value, *jacobians][k])

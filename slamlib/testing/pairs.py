@@ -1,4 +1,4 @@
-"""Properties that every pair of a parametrization and a sensor must have, on a robot: initialize, observe, correct."""
+"""Properties that every pair of a parametrization and a sensor must have, on a robot: initialize, observe, update."""
 
 from typing import Any
 
@@ -15,8 +15,8 @@ from slamlib.testing.judge import Case, Judge
 from slamlib.testing.sensors import difference, unmeasured, visible_points
 
 DEFINED = "a measurement makes a landmark"
-REFUSED = "a measurement that it cannot hold is refused, not turned round"
-AGAIN = "a landmark just initialized is seen again where it was measured"
+REFUSED = "a measurement that it cannot represent is refused, not reversed"
+AGAIN = "a landmark just initialized is predicted where it was measured"
 VISIBLE = "a landmark just initialized is visible"
 DERIVATIVES = (
     "that holds whatever the robot, the extrinsics and the parameters are: H G_y = 1, H_x + H G_x = 0, H G_u = 0"
@@ -25,7 +25,7 @@ POSITIVE = "initialize and update keep the covariance symmetric and positive"
 
 
 def pair_properties(judge: Judge, kind: PointLandmark, calibration: Calibration) -> None:
-    """From random robots and mounts, points in every direction that the sensor sees; refusing all is allowed, too."""
+    """From random robots and extrinsics, points in every direction that the sensor sees; it may refuse all of them."""
     rng, sensor = judge.rng, calibration.sensor
     for point in visible_points(calibration, rng, 12):
         robot, extrinsics, hidden = Pose.random(rng), Pose.random(rng), unmeasured(calibration, rng)
@@ -38,7 +38,7 @@ def pair_properties(judge: Judge, kind: PointLandmark, calibration: Calibration)
             case.hold(REFUSED)
             continue
         case.hold(DEFINED)
-        if not case.require(VISIBLE, seen.visible, "it is not: it stands somewhere else"):
+        if not case.require(VISIBLE, seen.visible, "it is not: its position is wrong"):
             continue
         if not case.compare(AGAIN, y + difference(sensor, seen.value, y), y, tolerance=1e-7):
             continue
@@ -54,7 +54,7 @@ def pair_properties(judge: Judge, kind: PointLandmark, calibration: Calibration)
 def corrected(
     case: Case, kind: PointLandmark | LineLandmark, landmark: Array, G: Any, own: Array, H: list[Array], R: Array
 ) -> None:
-    """One landmark into a belief beside the robot, known to a centimetre or so, and one measurement update by it.
+    """Add a landmark to a belief with the robot, known to about a centimetre, and do one measurement update.
 
     own: the landmark's covariance by its measurement. The joint covariance is symmetric and has no negative eigenvalue,
     beside its largest entry.

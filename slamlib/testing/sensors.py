@@ -19,7 +19,7 @@ RATIO = "only the ratio of the homogeneous point matters"
 ROUND_TRIP = "back_project, then project gives the measurement back"
 UNIT = "a measured ray has length one, so that w is the inverse distance"
 INVERSE = "the Jacobians of the two models undo each other"
-COMPLETE = "the measurement and what it does not tell make a point together"
+COMPLETE = "the measurement and the unmeasured coordinate determine a point"
 LINE = "points of a line are seen on the line's image"
 SOUGHT = (4000, 16000, 64000, 256000)  # directions, until one is seen
 NARROWEST = 1e-6  # radians
@@ -56,14 +56,14 @@ def sensor_properties(judge: Judge, calibration: Calibration) -> None:
 def visible_points(calibration: Calibration, rng: np.random.Generator, count: int) -> Array:
     """Homogeneous points (count, 4) that the sensor can measure, from all its directions, 1 to 20 m away.
 
-    Of a narrow view few directions all around are any: then more are sought, ever closer to those that were found.
+    A narrow view contains few random directions: then more are drawn, ever closer to those found.
     None if there are none.
     """
     found = _seen(calibration, rng.standard_normal((SOUGHT[0], 3)), rng)
     for number in SOUGHT[1:]:
         if len(found):
             break
-        # Most lenses look along an axis, which chance does not hit.
+        # Narrow lenses see around an axis, which random directions miss.
         rays = np.concatenate([np.eye(3), -np.eye(3), rng.standard_normal((number, 3))])
         found = _seen(calibration, rays, rng)
     spread = 1.0
@@ -83,7 +83,7 @@ def _seen(calibration: Calibration, rays: Array, rng: np.random.Generator) -> Ar
 
 
 def unmeasured(calibration: Calibration, rng: np.random.Generator) -> tuple[Array, ...]:
-    """A value for what the measurement does not tell: an argument of back_project, or nothing."""
+    """A value of the unmeasured coordinate: an argument of back_project, or nothing."""
     hidden = [a for a in calibration.sensor.back_project.arguments if a.name == "unmeasured"]
     return tuple(rng.uniform(0.05, 0.5, a.size) for a in hidden)
 
@@ -133,7 +133,7 @@ def difference(sensor: Any, a: Array, b: Array) -> Array:
 
 
 def _undo(judge: Judge, calibration: Calibration, measured: list[tuple[Array, ...]]) -> None:
-    """project(back_project(y, u, k), k) = y: its value, and its derivatives by y, u and every parameter k."""
+    """project(back_project(y, u, k), k) = y: its value, and its derivatives w.r.t. y, u and every parameter k."""
     sensor = calibration.sensor
     name, hidden = f"{sensor.name}.back_project", len(measured[0]) - 1 - len(sensor.parameters)
     points = [sensor.back_project(*place) for place in measured]

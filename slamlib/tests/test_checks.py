@@ -152,10 +152,10 @@ def swapped(function):
 def test_a_line_that_misses_its_segment_is_found(monkeypatch):
     kind, sensor = LINES["plkLin"], dataclasses.replace(CAMERA.sensor, project_line=image_of_the_direction)
     camera = Calibration(sensor, CAMERA.noise, image=CAMERA.image, **CAMERA.given)
-    with pytest.raises(CheckError, match="goes through both ends of its segment"):
+    with pytest.raises(CheckError, match="goes through both endpoints of its segment"):
         check_pair(kind, camera, silent=True)
     monkeypatch.setattr(line_pairs, "initialize_line", swapped(line_pairs.initialize_line))
-    with pytest.raises(CheckError, match="goes through both ends of its segment"):
+    with pytest.raises(CheckError, match="goes through both endpoints of its segment"):
         check_pair(kind, CAMERA, silent=True)
 
 
@@ -166,7 +166,7 @@ def test_numbers_without_a_value_are_found_at_nasty_places(monkeypatch):
         return dataclasses.replace(found, value=found.value * (np.nan if through_centre else 1))
 
     monkeypatch.setattr(line_pairs, "observe_line", lost_at_the_centre)
-    with pytest.raises(CheckError, match="at nasty places all numbers are finite, or it is refused"):
+    with pytest.raises(CheckError, match="in degenerate cases all numbers are finite, or it is refused"):
         check_pair(LINES["plkLin"], CAMERA, silent=True)
 
 

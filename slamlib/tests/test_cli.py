@@ -63,7 +63,7 @@ def test_calibrate_puts_the_second_mount_into_the_map(tmp_path):
         (["run", "absent.toml"], "cannot be read"),
         (["run", "points", "--landmark", "ahmPt"], "did you mean 'ahmPnt'?"),
         (["run", "points", "--landmark", "plkLin"], "has no lines"),
-        (["run", "points", "--calibrate"], "nothing to be calibrated against"),
+        (["run", "points", "--calibrate"], "cannot be calibrated"),
         (["run", "points", "--option", "gat=0.9"], "did you mean 'gate'?"),
         (["run", "points", "--option", "gate"], "NAME=VALUE"),
         (["run", "points", "--option", "gate=2"], "gate should be"),

@@ -58,7 +58,7 @@ def test_a_folder_with_its_table_and_trajectory(room, tmp_path, capsys):
         "24, 0.77 s",
         "tracked features",
         "NIS per degree",
-        "milliseconds a frame",
+        "milliseconds per frame",
         "rotation from the",
     ):
         assert what in text
@@ -317,7 +317,7 @@ def test_a_window_shows_every_frame(room, monkeypatch):
 @pytest.mark.parametrize(
     ("more", "message"),
     [
-        ([], "--source and --calibration are wanted"),
+        ([], "--source and --calibration are needed"),
         (["--source", "nowhere", "--calibration", "fr3"], "there is nothing"),
         (["--source", "{room}/left", "--calibration", "nowhere"], "need no file"),
         (["--source", "{room}/left", "--calibration", "fr3"], "of pictures of 640x480 pixels, and those of"),
@@ -334,7 +334,7 @@ def test_a_window_shows_every_frame(room, monkeypatch):
         (["--camera", "1"], "no camera 1; it has 0"),
         (["--video", "film.avi"], "ending of a video"),
         (["--resume", "nowhere.npz"], "leave them out"),
-        (["--trajectory", "nowhere/t.txt"], "its folder is not there"),
+        (["--trajectory", "nowhere/t.txt"], "its folder does not exist"),
         (["--save", "."], "it is a folder itself"),
         (["--reference", "nowhere.txt"], "cannot be read"),
     ],

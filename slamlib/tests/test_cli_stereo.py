@@ -195,7 +195,7 @@ def test_an_interrupted_run_goes_on_as_if_it_had_not_been(room, arguments, tmp_p
     monkeypatch.setattr(runner, "progress", interrupted_at(4))
     assert main(words(room, *arguments, "--save", str(cut), "--trajectory", "t.txt")) == 130
     monkeypatch.undo()
-    assert f"saved after 5 pairs; go on with: slamlib run stereo-images --resume {cut}" in capsys.readouterr().err
+    assert f"saved after 5 pairs; resume with: slamlib run stereo-images --resume {cut}" in capsys.readouterr().err
     assert len(read_trajectory(tmp_path / "t.txt")) == 5
     os.chdir(tmp_path)
     assert main(["run", "stereo-images", "--resume", str(cut), "--save", str(cut)]) == 0
@@ -271,8 +271,8 @@ def test_lengths_of_parts_fit_the_path():
 @pytest.mark.parametrize(
     ("more", "message"),
     [
-        ([], "--source, or --left and --right, are wanted"),
-        (["--left", "{room}/image_0"], "--source, or --left and --right, are wanted"),
+        ([], "--source, or --left and --right, are needed"),
+        (["--left", "{room}/image_0"], "--source, or --left and --right, are needed"),
         (["--source", "{room}", "--left", "{room}/image_0"], "leave --left and --right out"),
         (["--source", "{room}/image_0"], "has no pair of cameras"),
         (["--source", "{room}", "--cameras", "2", "3"], "has no camera 2; it has 0, 1"),

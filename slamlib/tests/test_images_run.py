@@ -162,7 +162,7 @@ def test_what_is_broken_off_in_the_middle_is_not_saved(tmp_path):
     run.slam.front_ends[0].match = None  # fails
     with pytest.raises(TypeError):
         next(steps)
-    with pytest.raises(SlamlibError, match="frame 2 was broken off"):
+    with pytest.raises(SlamlibError, match="frame 2 was interrupted"):
         run.save(tmp_path / "run.npz")
     assert not list(tmp_path.iterdir())
 

@@ -1,4 +1,4 @@
-"""Active search: a front end that looks for landmarks where the filter expects them, and for new ones elsewhere.
+"""Active search: a front end that searches for landmarks near their predictions, and for new ones elsewhere.
 
 Each function is one step of section 6.1.3 of the toolbox's manual. Chapter active_search walks through them.
 """
@@ -26,20 +26,20 @@ _WORLD = np.array([0.0, 0, 0, 1, 0, 0, 0])
 
 
 def _point(landmark: Any) -> Array:
-    """The homogeneous point (4,) of the world where a landmark is believed to be."""
+    """The estimated position of a landmark, a homogeneous point (4,) in the world frame."""
     return landmark.kind.to_frame(_WORLD, landmark.block.mean)
 
 
 @dataclass(frozen=True)
 class ActiveSearchSettings:
-    """What active search may be told. The names in parentheses are those of the toolbox.
+    """Settings of active search. The names in parentheses are those of the toolbox.
 
-    cells, skip_outer: of the grid in which new landmarks are sought (Sen.imGrid). patch: side of a template [px], odd.
-    quality: least quality of a new landmark's corner (Opt.init.featQualityTh). max_in_view: with so many landmarks in
-    view, none is begun. threshold: least score of a match (Opt.correct.appScTh). max_second_ratio: a match is ambiguous
-    if another peak of its region has more than this share of its score. probability: with which a region contains the
-    truth, if the filter is right. largest: half the side [px] of the largest region that is searched; of a larger one
-    it is the middle. max_backoff: frames for which a landmark rests that was missed again and again.
+    cells, skip_outer: of the grid in which new landmarks are searched for (Sen.imGrid). patch: side of a template [px],
+    odd. quality: least quality of a new landmark's corner (Opt.init.featQualityTh). max_in_view: with so many landmarks
+    in view, none is initialized. threshold: least score of a match (Opt.correct.appScTh). max_second_ratio: a match is
+    ambiguous if another peak of its region has more than this share of its score. probability: that a region contains
+    the true measurement, if the filter is consistent. largest: half the side [px] of the largest region that is
+    searched; of a larger one, only the middle is. max_backoff: most frames for which a missed landmark is skipped.
     """
 
     cells: tuple[int, int] = (8, 6)
@@ -63,7 +63,7 @@ class ActiveSearch(ImageFrontEnd):
     def __init__(
         self, calibration: Calibration, rng: np.random.Generator, settings: ActiveSearchSettings | None = None
     ) -> None:
-        """rng: draws the cells in which new landmarks are sought. Raises SlamlibError for a sensor without an image."""
+        """rng: draws the cells searched for new landmarks. Raises SlamlibError for a sensor without an image."""
         if calibration.image is None:
             raise SlamlibError(f"ActiveSearch: {calibration.sensor.name} has no image; give its calibration one")
         super().__init__(calibration, settings or ActiveSearchSettings())
@@ -72,7 +72,7 @@ class ActiveSearch(ImageFrontEnd):
         self.found: dict[int, Match] = {}
 
     def searchable(self, inputs: FrontEndInput) -> list[Any]:
-        """2a: the looks whose template would lie in the image, and look enough like what was seen of it before."""
+        """2a: the predictions whose template lies in the image, and is seen similarly enough to a stored view."""
         values = np.array([prediction.value for prediction in inputs.predictions]).reshape(-1, 2)
         points = np.array([_point(prediction.landmark) for prediction in inputs.predictions]).reshape(-1, 4)
         looks_like = [prediction.landmark.signature for prediction in inputs.predictions]
@@ -81,7 +81,7 @@ class ActiveSearch(ImageFrontEnd):
         return self.ready(compress(inputs.predictions, mask))
 
     def find(self, inputs: FrontEndInput, predictions: list[Any]) -> Iterator[tuple[int, Array]]:
-        """Row and pixel (2,) of each landmark that is found for sure. 2c, 2h."""
+        """Row and pixel (2,) of each landmark with an accepted match. 2c, 2h."""
         image = np.asarray(inputs.scan.image)
         self.found.clear()
         self.predict_appearances(inputs, predictions)
@@ -89,12 +89,12 @@ class ActiveSearch(ImageFrontEnd):
             found = None if prediction.predicted_patch is None else self.scan(image, prediction)
             if found is not None and self.accepted(found):
                 self.found[prediction.landmark.id] = found
-                # To a small fraction: where the template fits best with a gain and an offset of its own.
+                # To sub-pixel accuracy: where the template fits best up to a gain and an offset.
                 pixel = register(image, prediction.predicted_patch, found.pixel)
                 yield row, found.pixel if pixel is None else pixel
 
     def predict_appearances(self, inputs: FrontEndInput, predictions: list[Any]) -> None:
-        """2e: each template as it should look from here; None where it cannot be told."""
+        """2e: predict each template as seen from the present pose; None where it cannot be predicted."""
         looks_like = [prediction.landmark.signature for prediction in predictions]
         points = np.array([_point(prediction.landmark) for prediction in predictions]).reshape(-1, 4)
         templates = predict(looks_like, inputs.sensor.camera, self.calibration, points, self.settings.patch)
@@ -102,7 +102,7 @@ class ActiveSearch(ImageFrontEnd):
             prediction.predicted_patch = template
 
     def scan(self, image: Image, prediction: Any) -> Match | None:
-        """2d and 2f: the place most like the template in the ellipse where the measurement should be."""
+        """2d and 2f: the best match of the template in the ellipse of the predicted measurement, or None."""
         s = self.settings
         reach = np.sqrt(gate(s.probability, 2) * prediction.S.diagonal().max())
         S = prediction.S * min(1.0, s.largest / reach) ** 2
@@ -113,7 +113,7 @@ class ActiveSearch(ImageFrontEnd):
         return found
 
     def accepted(self, found: Match) -> bool:
-        """2g: alike enough, and no other place of the region nearly as much."""
+        """2g: whether the score is high enough, and no other peak of the region nearly as high."""
         return found.score >= self.settings.threshold and found.second <= self.settings.max_second_ratio * found.score
 
     def new_landmarks(
@@ -129,8 +129,8 @@ class ActiveSearch(ImageFrontEnd):
     def new_corners(self, image: Image, seen: Array, usable: Callable[[Array], Mask], count: int) -> list[Corner]:
         """1a to 1e: the best corners of cells without landmarks, drawn at random, if good enough; each cell once.
 
-        seen (n, 2): where landmarks are expected. A corner on the border of two cells belongs to both: what is nearer
-        to another one than a patch is not taken, lest the same thing be measured twice as if by chance.
+        seen (n, 2): predicted pixels of landmarks. A corner on the border of two cells belongs to both: one nearer to
+        another than a patch is not taken, so that no point is measured twice as if independently.
         """
         s, taken, corners = self.settings, self.grid.occupied(seen), list[Corner]()  # 1a, 1b
         while len(corners) < min(count, s.max_in_view - len(seen)):
@@ -146,11 +146,11 @@ class ActiveSearch(ImageFrontEnd):
         return corners
 
     def signature(self, image: Image, inputs: FrontEndInput, corner: Corner) -> Appearance | None:
-        """1f: what the landmark looks like, and from where it was seen."""
+        """1f: the landmark's appearance, and the camera pose it was seen from; None where no patch can be cut."""
         return Appearance.taken(image, corner.pixel, inputs.sensor.camera, self.settings.patch, corner.quality)
 
     def renew(self, image: Image, inputs: FrontEndInput) -> None:
-        """Landmarks that were found for sure, and look different by now, get a patch of this image."""
+        """Add a patch of this image to landmarks with a reliable match and a changed appearance."""
         camera = inputs.sensor.camera
         for prediction in inputs.predictions:
             landmark, found = prediction.landmark, self.found.get(prediction.landmark.id)
@@ -162,16 +162,16 @@ class ActiveSearch(ImageFrontEnd):
                 landmark.signature = landmark.signature.renewed(image, found, prediction.predicted_patch, camera)
 
     def initialize_at(self, inputs: FrontEndInput, family: str, values: Array) -> list[tuple[int, Array, Any] | None]:
-        """Landmarks at given pixels (n, 2), whatever is there; None where no patch can be cut."""
+        """Detect landmarks at given pixels (n, 2), whatever their texture; None where no patch can be cut."""
         image = np.asarray(inputs.scan.image)
         signatures = [self.signature(image, inputs, Corner(pixel, 0.0)) for pixel in values]
         return [None if s is None else (self.new_id(set()), p, s) for p, s in zip(values, signatures, strict=True)]
 
     def dump(self) -> Any:
-        """The state of the random numbers beside that of every front end on pictures."""
+        """The state of every front end on images, and that of the random numbers."""
         return {"rng": self.rng.bit_generator.state, **super().dump()}
 
     def restore(self, state: Any) -> None:
-        """Go on from what `dump` gave."""
+        """Restore the state that `dump` returned."""
         super().restore(state)
         self.rng.bit_generator.state = state["rng"]

@@ -1,8 +1,8 @@
-"""What a landmark looks like: where it was seen, its surroundings there, and how that looks from elsewhere. Chapter active_search.
+"""A landmark's appearance: the image around it, the camera pose, and its prediction for another pose.
 
-Steps 1f and 2e of active search. The patch is a small plane through the landmark that faces the camera which took it
-(Davison et al., 2007; Molton et al., 2004, estimate its normal): the better the less the view changes, whence a rule
-when to take another one.
+Steps 1f and 2e of active search (Chapter active_search). The patch is a small plane through the landmark that faces
+the camera which took it (Davison et al., 2007; Molton et al., 2004, estimate its normal). Its
+prediction is the better the less the view changes; a rule decides when to take another patch.
 """
 
 from collections.abc import Sequence
@@ -23,21 +23,21 @@ from slamlib.vision.warping import angle, facing_plane, in_camera, stretch, thro
 _TYPES = {"uint8": np.uint8, "float": np.float64}
 
 
-# A prediction is worth nothing beyond this angle [rad] between the plane's normal and the line of sight, and for what
-# is seen so many times larger or smaller.
+# Appearance is not predicted beyond this angle [rad] between the plane's normal and the line of sight, nor beyond
+# this factor of magnification or reduction.
 MAX_ANGLE, MAX_ZOOM = np.radians(60), 2.0
-# A match seen from a direction so different [rad] from all patches that there are, or so many times larger or smaller,
-# is a reason to take another one, if its score is at least so high, and its second-best is below this share of it.
+# A match seen from a direction that differs by so much [rad] from all stored patches, or at so different a scale, gives
+# a new patch if its score is at least this high, and the second-best below this share of it.
 NEW_ANGLE, NEW_SCALE, SURE_SCORE, SURE_RATIO = np.radians(25), 1.5, 0.9, 0.8
 
 
 @dataclass(frozen=True, eq=False)
 class Appearance:
-    """A landmark's looks: `pixels` (h, w) of an image around its `pixel` (2,), the first of them the pixel `corner`.
+    """Pixels (h, w) of an image around a landmark's `pixel` (2,); `corner` (u, v) is the first of them.
 
-    camera: pose (7,) in the world that took it. size [px]: of the templates, of which the pixels hold about three, so
-    that zoom and rotation find what they need. quality: the corner's. previous: the appearance before it was renewed,
-    or None: no patch is forgotten, and the one seen most as now is used. So they do not drift where the camera returns.
+    camera: pose (7,) in the world that took it. size [px]: of the templates; the pixels are about three times as
+    wide, enough for zoom and rotation. quality: the corner's. previous: the appearance before this one, or None: no
+    patch is deleted, and the most similar view is used. So patches do not drift where the camera returns.
     """
 
     pixels: Array
@@ -58,7 +58,7 @@ class Appearance:
         quality: float = 0.0,
         previous: "Appearance | None" = None,
     ) -> "Appearance | None":
-        """From an image (h, w), as it is around a pixel (2,); None where a template of `size` px is not all in it.
+        """The appearance around a pixel (2,) of an image (h, w); None where a template of `size` px does not fit.
 
         camera: its pose (7,) in the world. Raises SlamlibError for even sizes, ShapeError for colour images.
         """
@@ -76,29 +76,29 @@ class Appearance:
     def template(self) -> Patch:
         """The patch as it was taken, of `size` px."""
         patch = cut(self.pixels, self.pixel - self.corner, self.size)
-        assert patch is not None, "taken() has seen to it"
+        assert patch is not None, "checked by taken()"
         return patch
 
     def predicted(self, camera: Array, calibration: Calibration, point: Array, size: int | None = None) -> Array | None:
-        """The template (size, size) that a camera, pose (7,), should see of it at a homogeneous world point (4,).
+        """The template (size, size) predicted for a camera, pose (7,), and a homogeneous world point (4,).
 
-        None where it is too oblique, too large or too small, out of sight, or beyond the pixels that are kept. Only
-        offsets between pixels are predicted, so an error of the point moves no template off the landmark.
+        None where it is too oblique, too large or too small, not visible, or beyond the stored pixels. Only offsets
+        between pixels are predicted, so an error of the point does not shift the template.
         """
         point = finite(point, (4,), "Appearance", "point")
         return predict([self], camera, calibration, point[None], self.size if size is None else size)[0]
 
     def angle_change(self, camera: Array, point: Array) -> float:
-        """Angle [rad] between the directions in which the two cameras, this pose (7,) and its own, see a point (4,)."""
+        """Angle [rad] between the viewing directions of a point (4,) from its own camera and from this pose (7,)."""
         return float(view_change(self.camera, camera, point)[0])
 
     def change(self, camera: Array, point: Array) -> float:
-        """How much this camera, pose (7,), sees a point (4,) otherwise than its own did: 1 is a reason for another."""
+        """Change of view of a point (4,) from its own camera to this one, pose (7,); above 1 a new patch is taken."""
         turned, grown = view_change(self.camera, camera, point)
         return float(max(turned / NEW_ANGLE, abs(np.log(grown) / np.log(NEW_SCALE))))
 
     def nearest(self, camera: Array, point: Array) -> "Appearance":
-        """Of this one and those before it, the one that saw a point (4,) most as a camera, pose (7,), sees it now."""
+        """Of this one and those before it, the one with the view of a point (4,) nearest to a camera's, pose (7,)."""
         if self.previous is None:
             return self
         return min(self.all, key=lambda one: one.change(camera, point))
@@ -109,14 +109,14 @@ class Appearance:
         return [self] if self.previous is None else [self, *self.previous.all]
 
     def needs_renewal(self, found: Match, camera: Array, point: Array) -> bool:
-        """Whether a match is so sure, and seen from a place (7,) so different from all, that it be a new patch."""
+        """Whether a match is reliable, and its view from a camera pose (7,) differs enough for a new patch."""
         sure = found.score >= SURE_SCORE and found.ratio < SURE_RATIO
         return sure and self.nearest(camera, point).change(camera, point) > 1
 
     def renewed(self, image: Image, found: Match, template: Image, camera: Array) -> "Appearance":
-        """The appearance in this image too, around where the template that was found fits best; itself where it cannot.
+        """With a new patch of this image, around where the template fits best; unchanged if it cannot be registered.
 
-        What that is off, the new patch stays off: hundredths of a pixel, tenths where the plane was guessed badly.
+        The registration error stays in the new patch: hundredths of a pixel, tenths for a wrong plane.
         """
         pixel = register(image, template, found.pixel)
         if pixel is None:
@@ -124,7 +124,7 @@ class Appearance:
         return Appearance.taken(image, pixel, camera, self.size, self.quality, self) or self
 
     def pack(self) -> dict[str, Any]:
-        """Plain data, for JSON: nothing is lost."""
+        """Plain data for JSON, without loss."""
         return {
             "type": "uint8" if self.pixels.dtype == np.uint8 else "float",
             "pixels": self.pixels.tolist(),
@@ -151,8 +151,8 @@ class Appearance:
 
 
 def view_change(before: Array, camera: Array, points: Array) -> tuple[Array, Array]:
-    """Angles (...) [rad] between the directions in which two cameras, poses (..., 7), see points (..., 4), and how many
-    times nearer to them the second one is."""
+    """Angles (...) [rad] between the directions in which two cameras, poses (..., 7), see points (..., 4), and the
+    ratios (...) of their distances, first by second."""
     then, now = towards(before, points), towards(camera, points)
     return angle(then, now), np.linalg.norm(then, axis=-1) / np.linalg.norm(now, axis=-1)
 
@@ -169,7 +169,7 @@ def recognizable(appearances: Sequence[Appearance], camera: Array, points: Array
 def predict(
     appearances: Sequence[Appearance], camera: Array, calibration: Calibration, points: Array, size: int
 ) -> list[Array | None]:
-    """What `Appearance.predicted` tells of each of n landmarks, for points (n, 4) of the world, all at once."""
+    """`Appearance.predicted` for n landmarks at points (n, 4) of the world, vectorized."""
     templates: list[Array | None] = [None] * len(appearances)
     nearest = [a.nearest(camera, point) for a, point in zip(appearances, points, strict=True)]
     before = np.array([a.camera for a in nearest]).reshape(-1, 7)

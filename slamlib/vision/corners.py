@@ -1,8 +1,8 @@
-"""Where a patch can be found again: the structure tensor, and the best corner of a rectangle. Chapter active_search.
+"""Corner detection: the structure tensor, and the best corner of a rectangle. Chapter active_search.
 
-A patch with gradients g (2,), seen again with noise, is matched with the covariance sigma^2 S^-1, S = sum of g g': the
-least squares' own. Its larger axis is sigma^2 over S's smaller eigenvalue, which is therefore the quality of a corner
-(Shi and Tomasi, 1994, who chose it by what a tracker loses), and has a unit: grey levels^2 per pixel^2.
+A patch with gradients g (2,), observed again with noise, is matched with the least-squares covariance sigma^2 S^-1,
+S = sum of g g'. Its larger axis is sigma^2 over S's smaller eigenvalue, which is therefore the quality of a corner
+(Shi and Tomasi, 1994, who derive it from tracking), in grey levels^2 per pixel^2.
 """
 
 from dataclasses import dataclass
@@ -13,10 +13,10 @@ from slamlib.errors import ShapeError, SingularPointError
 from slamlib.manifolds import Array, Image
 from slamlib.vision.patches import Patch, as_floats, as_patch, grey, top
 
-# With noise of two grey levels in both images a match of this quality has a deviation of 0.1 px in its worst direction,
-# 2 sigma^2 / 0.1^2. And measured on photographs (benchmarks/images.py): from here on 98 % or more of all searches end
-# at the right place, and no wrong match looks right; with noise of four grey levels, 95 % at half of it, 64 % at a
-# tenth.
+# With noise of two grey levels in both images a match of this quality has a standard deviation of 0.1 px in its worst
+# direction, 2 sigma^2 / 0.1^2. On photographs (benchmarks/images.py), from this quality on 98 % or more of all searches
+# find the right position, and no wrong match is accepted; with noise of four grey levels, 95 % at half the quality,
+# 64 % at a tenth.
 QUALITY = 800.0
 EDGE = 20.0
 
@@ -30,7 +30,7 @@ def _bell(width: float, reach: float) -> tuple[Array, Array]:
 _SMOOTH, _OFFSETS = _bell(1.0, 4.0)  # before a gradient is taken
 _SLOPE = _OFFSETS * _SMOOTH
 _SMOOTH, _SLOPE = _SMOOTH / _SMOOTH.sum(), _SLOPE / (_SLOPE * _OFFSETS).sum()
-# Its weights are 1 in its middle and less around, and end with the 11 pixels of a patch: so S is a lower bound of the
+# The weights are 1 in the middle and less around it, over the 11 pixels of a patch: so S is a lower bound of the
 # patch's own sum, and sigma^2 S^-1 an upper bound of its covariance.
 _WINDOW, _ = _bell(2.0, 2.5)
 SUPPORT = len(_SMOOTH) // 2 + len(_WINDOW) // 2  # pixels that the structure tensor needs on every side
@@ -38,7 +38,7 @@ SUPPORT = len(_SMOOTH) // 2 + len(_WINDOW) // 2  # pixels that the structure ten
 
 @dataclass(frozen=True, eq=False)
 class Corner:
-    """A pixel (2,) that can be found again, and its quality: the smaller eigenvalue of the structure tensor there."""
+    """A pixel (2,), and its quality: the smaller eigenvalue of the structure tensor there."""
 
     pixel: Array
     quality: float
@@ -80,7 +80,7 @@ def best_corner(
 
     It is a local maximum of the strength, at least of this quality, its larger eigenvalue not above `edge` times the
     smaller (on an edge a patch slides), `border` pixels or more from the image's border. None where there is none. Its
-    fraction is not exact, and need not be: the landmark is what is seen at this very place.
+    sub-pixel part need not be exact: the landmark is whatever is observed at this pixel.
     """
     array, margin = grey(image, "best_corner"), SUPPORT + 1
     u0, v0, u1, v1 = rectangle
@@ -102,11 +102,11 @@ def best_corner(
 
 
 def matching_covariance(patch: Patch | Array, sigma: float, free: bool = False) -> Array:
-    """Covariance (2, 2) [px^2] of where a patch (h, w) is found, if the difference to it has noise sigma a pixel.
+    """Covariance (2, 2) [px^2] of the matched position of a patch (h, w), for differences with noise sigma per pixel.
 
     sigma^2 (sum of g g')^-1 over the patch; two images with noise s differ by sigma = s sqrt(2). free: gain and offset
-    are not known, as for ZNCC: what of the gradients looks like either tells nothing of the place. Raises
-    SingularPointError for a patch that slides: without texture, or with one direction of it.
+    are unknown, as for ZNCC: the components of the gradients along either give no information on the position. Raises
+    SingularPointError for a patch without texture along some direction.
     """
     pixels = as_patch(patch).pixels
     gv, gu = np.gradient(pixels)

@@ -1,7 +1,7 @@
-"""Straight edges of the world in an image: found, directed by their gradient, and laid to sub-pixels. Chapter monocular.
+"""Straight edges of the world in an image: detection, direction by the gradient, sub-pixel fit. Chapter monocular.
 
 A lens bends straight edges. So a strip is sampled where the edge would be without distortion, in ideal pixels, and the
-calibration bends the places back: in a strip, straight edges of the world are straight.
+calibration distorts the sample positions: in a strip, straight edges of the world are straight.
 """
 
 from dataclasses import dataclass
@@ -18,23 +18,23 @@ from slamlib.sensors.sensor import Calibration
 from slamlib.vision.patches import grey, sample, zncc
 
 STEP = 0.5  # [px] between the samples across
-SPACING, LEAST, MOST = 1.0, 9, 65  # [px] between the samples along, and how many there are
-SMOOTH, WIDE = 0.8, 5  # a slope is smoothed by a Gaussian of so many px, cut after so many steps to either side
-PROFILE = np.arange(-4, 4.25, STEP)  # [px] across an edge, where its profile is taken
-LIMIT = 0.75  # [px]: a point that is farther off the line is of something else
+SPACING, LEAST, MOST = 1.0, 9, 65  # [px] between the samples along, and their least and greatest number
+SMOOTH, WIDE = 0.8, 5  # Gaussian smoothing of a slope: standard deviation [px], and half its width in steps
+PROFILE = np.arange(-4, 4.25, STEP)  # [px] across an edge: positions of its profile
+LIMIT = 0.75  # [px]: a point farther from the line is an outlier
 ROUNDS = 5
-FLOOR = 0.05  # share of the largest slope below which the ones beside it are of other edges
-STRONG = 0.4  # of the median slope: where it is less, some texture stands for the edge, which has ended
+FLOOR = 0.05  # share of the largest slope below which neighbouring slopes belong to other edges
+STRONG = 0.4  # of the median slope: where it is less, the edge has ended, and the slope is texture
 GAP = 5  # points that may be missing in a row within one edge
-SIDE = 1.5  # [px] to either side of a segment, where it is asked which one is brighter
-REACH = 1.5  # [px]: the detector is not farther off
+SIDE = 1.5  # [px] to either side of a segment, where the brightnesses are compared
+REACH = 1.5  # [px]: largest error of the detector
 
 
 @dataclass(frozen=True, eq=False)
 class EdgeStrip:
     """Grey values (k, n), nan outside the image, at `across` (k,) and `along` (n,) [px] of a segment `ideal` (4,).
 
-    along is counted from its first end; across to its right as one goes along: to where v grows if u does.
+    along is counted from the first endpoint; across to the right of the direction along: towards larger v if u grows.
     """
 
     ideal: Array
@@ -44,14 +44,14 @@ class EdgeStrip:
 
     @cached_property
     def slope(self) -> Array:
-        """How the grey value grows to the right (k, n) [1/px], smoothed across; nan at the sides and outside."""
+        """Derivative of the grey value to the right (k, n) [1/px], smoothed across; nan at the sides and outside."""
         found, count = np.full_like(self.grey, np.nan), len(self.grey) - 2 * WIDE
         found[WIDE:-WIDE] = sum(w * self.grey[i : i + count] for i, w in enumerate(_DERIVATIVE.tolist()))
         return found
 
     @property
     def share(self) -> Array:
-        """Places (n,) along from 0 at the segment's first end to 1 at its second."""
+        """Positions (n,) along, from 0 at the segment's first endpoint to 1 at its second."""
         return self.along / np.hypot(*(self.ideal[2:] - self.ideal[:2]))
 
     def at(self, values: Array, lines: Array) -> Array:
@@ -64,11 +64,11 @@ class EdgeStrip:
 
 _AWAY = STEP * np.arange(-WIDE, WIDE + 1)
 _DERIVATIVE = _AWAY * np.exp(-(_AWAY**2) / (2 * SMOOTH**2))
-_DERIVATIVE /= _AWAY @ _DERIVATIVE  # a ramp's slope is its own
+_DERIVATIVE /= _AWAY @ _DERIVATIVE  # exact for a ramp
 
 
 def line(offsets: Array, share: Array) -> Array:
-    """Lines (..., n) [px across] with offsets (..., 2) at the ends of the segment."""
+    """Lines (..., n) [px across] with offsets (..., 2) at the endpoints of the segment."""
     return offsets[..., :1] * (1 - share) + offsets[..., 1:] * share
 
 
@@ -80,26 +80,26 @@ def axes(ideal: Array) -> tuple[Array, Array]:
 
 
 def places(ideal: Array, along: Array, across: Array) -> Array:
-    """Ideal pixels (..., 2) of places in the strip of a segment (4,)."""
+    """Ideal pixels (..., 2) of positions along and across [px] in the strip of a segment (4,)."""
     forward, right = axes(ideal)
     return ideal[:2] + along[..., None] * forward + across[..., None] * right
 
 
 def distort_pixels(calibration: Calibration, ideal: Array) -> Array:
-    """Where the lens puts ideal pixels (..., 2)."""
+    """Distorted pixels (..., 2) of ideal pixels (..., 2)."""
     centre, scale = calibration.given["intrinsics"][:2], calibration.given["intrinsics"][2:]
     ahead = np.ones((*ideal.shape[:-1], 2))
     return calibration.project(np.concatenate([(ideal - centre) / scale, ahead], axis=-1))
 
 
 def edge_strip(image: Image, calibration: Calibration, ideal: Array, half: float, beyond: float = 0.0) -> EdgeStrip:
-    """The image `half` [px] to either side of a segment (4,) of ideal pixels, and `beyond` [px] longer at both ends."""
+    """The image `half` [px] to either side of a segment (4,) of ideal pixels, `beyond` [px] past both endpoints."""
     if np.shape(ideal) != (4,) or not np.isfinite(ideal).all():
         raise SlamlibError(f"strip: a segment is four pixel coordinates (u, v, u, v), got {ideal}")
     ideal = np.asarray(ideal, dtype=float)
     length = float(np.hypot(*(ideal[2:] - ideal[:2])))
     if length == 0:
-        raise SlamlibError("strip: both ends of the segment are the same pixel, so it has no direction")
+        raise SlamlibError("strip: both endpoints of the segment are the same pixel, so it has no direction")
     count = int(np.clip(round((length + 2 * beyond) / SPACING) + 1, LEAST, MOST))
     along, reach = np.linspace(-beyond, length + beyond, count), int(np.ceil(half / STEP)) + WIDE
     across = np.arange(-reach, reach + 1, dtype=float) * STEP
@@ -111,9 +111,9 @@ def edge_strip(image: Image, calibration: Calibration, ideal: Array, half: float
 class Edge:
     """A straight edge found in a strip, brighter on its right.
 
-    segment (4,): the part of it that is there, in the image's pixels; ideal (4,): in ideal ones. offsets (2,) [px]:
-    across, of the infinite line, at the ends of the strip's segment. support: share of the segment's points that lie on
-    it; rms [px] of these about it. slope [1/px]: mean growth of the grey value there. profile (17,): mean grey values
+    segment (4,): its visible part, in the image's pixels; ideal (4,): in ideal ones. offsets (2,) [px]: across, of the
+    infinite line, at the endpoints of the strip's segment. support: share of the segment's points that lie on it; rms
+    [px] of these about it. slope [1/px]: mean derivative of the grey value there. profile (17,): mean grey values
     across it.
     """
 
@@ -126,7 +126,7 @@ class Edge:
     profile: Array
 
     def good(self, support: float, straightness: float, slope: float) -> bool:
-        """Whether so large a share of it is there, within such an rms [px], and as steep [1/px]."""
+        """Whether its support, rms [px] and slope [1/px] are within these limits."""
         return self.support >= support and self.rms <= straightness and self.slope >= slope
 
     def likeness(self, profile: Array) -> float:
@@ -135,7 +135,7 @@ class Edge:
 
 
 def steepest(s: EdgeStrip, near: Array, reach: float) -> Array:
-    """Where the grey value grows most to the right (n,) [px across], within `reach` of a line (n,); nan: nowhere.
+    """Positions (n,) [px across] of the steepest rise to the right within `reach` [px] of a line (n,); nan: none.
 
     The slope across a sharp edge, smoothed by a Gaussian, is nearly one: the top of the parabola through three
     logarithms, a pixel apart. Its bias by where the pixels lie is below 0.02 px; a parabola's own is 0.1 px.
@@ -153,7 +153,7 @@ def steepest(s: EdgeStrip, near: Array, reach: float) -> Array:
 def fitted(s: EdgeStrip, calibration: Calibration, near: Array, reach: float) -> Edge | None:
     """The straight edge within `reach` [px] of the line with the offsets `near` (2,): weighted least squares.
 
-    Points that lie off the line, of other edges, are left out, and those beyond a gap: an edge ends there.
+    Outliers, of other edges, are left out, and points beyond a gap: an edge ends there. None if too few are left.
     """
     share = s.share
     points = steepest(s, line(near, share), reach)
@@ -199,9 +199,9 @@ def _longest(mask: Mask) -> Mask:
 def segments_of(image: Image, minimum_length: float = 20.0) -> Array:
     """Straight segments (n, 4) [px] of an image (h, w), the longest first, each with its brighter side to its right.
 
-    To the right as one goes from its first end to its second: to where v grows if u does. So an edge and its opposite
-    have opposite directions. Found by OpenCV's LSD (von Gioi, Jakubowicz, Morel and Randall, 2010): regions of pixels
-    whose gradients agree. Their ends are a quarter of a pixel off their edge, those of `refined` some hundredths.
+    To the right of the direction from the first endpoint to the second: towards larger v if u grows. So an edge and its
+    opposite have opposite directions. Found by OpenCV's LSD (von Gioi, Jakubowicz, Morel and Randall, 2010):
+    regions of pixels whose gradients agree. Endpoints err by a quarter of a pixel, those of `refined` by hundredths.
     Raises SlamlibError.
     """
     if not (np.isfinite(minimum_length) and minimum_length > 0):
@@ -216,7 +216,7 @@ def segments_of(image: Image, minimum_length: float = 20.0) -> Array:
 
 
 def directed(image: Image, segments: Array) -> Array:
-    """The same segments (n, 4), turned round where their left side is brighter."""
+    """The same segments (n, 4), reversed where their left side is brighter."""
     endpoints = segments.reshape(-1, 1, 2, 2)
     share = np.linspace(0.1, 0.9, 16)[:, None]
     middle = (1 - share) * endpoints[:, :, 0] + share * endpoints[:, :, 1]
@@ -227,7 +227,7 @@ def directed(image: Image, segments: Array) -> Array:
 
 
 def refined(image: Image, calibration: Calibration, segment: Array) -> Edge | None:
-    """The edge of a segment (4,) of `segments_of`, laid through the places where the grey value grows most.
+    """The edge of a segment (4,) of `segments_of`, fitted to the steepest rise of the grey value.
 
     None where there is no edge that is straight in the world.
     """

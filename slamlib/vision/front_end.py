@@ -1,4 +1,4 @@
-"""What runs on pictures are made of: the course of every front end's search, and the source of the robot's motion."""
+"""Components of runs on images: the base of all front ends on images, and the source of the robot's motion."""
 
 import time
 from collections.abc import Callable, Iterable, Iterator
@@ -17,7 +17,7 @@ from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEnd
 
 
 class Stopwatch(dict[str, float]):
-    """A dictionary of seconds by part, to which `timed` adds."""
+    """A dictionary of processor seconds by part; `timed` adds to it."""
 
     def __init__(self, *parts: str) -> None:
         super().__init__(dict.fromkeys(parts, 0.0))
@@ -32,13 +32,13 @@ class Stopwatch(dict[str, float]):
 
 @dataclass
 class Backoff:
-    """A landmark that was missed so often in a row is not looked for in so many frames."""
+    """Search backoff of a landmark: missed so often in a row, it is not searched for in so many frames."""
 
     misses: int = 0
     frames: int = 0
 
     def is_over(self) -> bool:
-        """Whether it may be looked for now; asked once a frame."""
+        """Whether it may be searched for now; called once per frame."""
         self.frames -= 1
         return self.frames < 0
 
@@ -48,15 +48,15 @@ class Backoff:
 
 
 class ImageFrontEnd:
-    """A front end on one sensor's image: one is made of it by `searchable`, and by two methods that it calls.
+    """Base of a front end on one sensor's image; a subclass defines `searchable`, and two methods called here.
 
-    find(inputs, predictions): rows of the predictions whose landmarks are found, each with the measurement (m,).
-    new_landmarks(inputs, usable, count): measurements of up to `count` new landmarks, with what they are known by.
+    find(inputs, predictions): rows of the predictions whose landmarks are found, each with its measurement (m,).
+    new_landmarks(inputs, usable, count): measurements of up to `count` new landmarks, with their signatures.
 
-    What stands before a landmark is as a rule still there in the next frame. Without a rest, hidden landmarks, which
-    nothing corrects, would soon be the most uncertain ones, and be chosen first for ever. backoff: by landmarks' ids;
-    last: the last id given; seconds: spent so far in "search" and in "detection". size: numbers of a measurement;
-    signature_type: of what a landmark is known by.
+    An occluded landmark is usually still occluded in the next frame. Without backoff, occluded landmarks, which are
+    never updated, would soon be the most uncertain ones, and always be selected first. backoff: by landmarks' ids;
+    last: the last id given; seconds: spent so far in "search" and in "detection". size: dimension of a measurement;
+    signature_type: the class of a landmark's signature.
     """
 
     size: int
@@ -73,7 +73,7 @@ class ImageFrontEnd:
     @property
     def shape(self) -> tuple[int, int]:
         """(height, width) of the calibration's image [px]."""
-        assert self.calibration.image is not None, "the front end's own __init__ has seen to it"
+        assert self.calibration.image is not None, "checked by the front end's own __init__"
         width, height = self.calibration.image.astype(int).tolist()
         return height, width
 
@@ -82,16 +82,16 @@ class ImageFrontEnd:
         if scan.image is None or np.shape(scan.image) != self.shape:
             found = "no image" if scan.image is None else f"one of shape {np.shape(scan.image)}"
             name = type(self).__name__
-            raise SlamlibError(f"{name}: an image of (height, width) = {self.shape} is calibrated, got {found}")
+            raise SlamlibError(f"{name}: an image of (height, width) = {self.shape} is expected, got {found}")
 
     def ready(self, predictions: Iterable[Any]) -> list[Any]:
-        """The looks at landmarks that do not rest; asked once a frame."""
+        """The predictions of landmarks that are not in search backoff; called once per frame."""
         return [p for p in predictions if self.backoff.get(p.landmark.id, Backoff()).is_over()]
 
     def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
-        """Measurements (n, m) of what is looked for, nan where it is not found, and the mask (n,) of those found.
+        """Measurements (n, m) of the predictions' landmarks, nan where not found, and the mask (n,) of those found.
 
-        Landmarks that were not found rest, the longer the more often in a row; the others do not.
+        Landmarks not found are in search backoff, the longer the more often in a row; the others are not.
         """
         measured = np.full((len(predictions), self.size), np.nan)
         with self.seconds.timed("search"):
@@ -117,12 +117,12 @@ class ImageFrontEnd:
         return self.last
 
     def dump(self) -> Any:
-        """The last id given, and the landmarks that rest."""
+        """The last id given, and the landmarks in search backoff."""
         rests = {number: (backoff.misses, backoff.frames) for number, backoff in self.backoff.items()}
         return {"last": self.last, "backoff": rests}
 
     def restore(self, state: Any) -> None:
-        """Go on from what `dump` gave."""
+        """Restore the state that `dump` returned."""
         self.last = state["last"]
         self.backoff = {int(number): Backoff(*backoff) for number, backoff in state["backoff"].items()}
 
@@ -136,7 +136,7 @@ class ImageFrontEnd:
 
 
 class CombinedFrontEnd:
-    """Two front ends for one camera, of points and of segments: what the filter asks goes to the family's."""
+    """Two front ends for one camera, of points and of segments: each family has its own."""
 
     def __init__(self, points: Any, segments: ImageFrontEnd) -> None:
         self.points, self.settings = points, points.settings
@@ -148,26 +148,26 @@ class CombinedFrontEnd:
         return {part: sum(f.seconds[part] for f in self.front_ends.values()) for part in ("search", "detection")}
 
     def check(self, scan: Scan) -> None:
-        """Raise SlamlibError for a scan that they cannot look at."""
+        """Raise SlamlibError for a scan that they cannot process."""
         self.points.check(scan)
 
     def searchable(self, inputs: FrontEndInput) -> list[Any]:
-        """The looks that their front ends could find."""
+        """The predictions that their front ends can search for."""
         return [p for name, f in self.front_ends.items() for p in f.searchable(_own(inputs, name))]
 
     def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
-        """What the family's front end finds of them."""
+        """Measurements (n, m) and mask (n,) from the family's front end."""
         return self.front_ends[family].match(_own(inputs, family), family, predictions)
 
     def detect(
         self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
     ) -> list[Detected]:
-        """What the family's front end begins, with numbers that neither of them has given before."""
+        """New landmarks of the family's front end, with ids that neither front end has given before."""
         self._share_last_id()
         return self.front_ends[family].detect(_own(inputs, family), family, known, usable, count)
 
     def initialize_at(self, inputs: FrontEndInput, family: str, values: Array) -> list[Detected | None]:
-        """Landmarks at given values; only points can be adopted."""
+        """Landmarks at given measurements (n, 2); points only."""
         self._share_last_id()
         return self.points.initialize_at(_own(inputs, family), family, values)
 
@@ -181,7 +181,7 @@ class CombinedFrontEnd:
         return {name: f.dump() for name, f in self.front_ends.items()}
 
     def restore(self, state: Any) -> None:
-        """Go on from what `dump` gave."""
+        """Restore the state that `dump` returned."""
         for name, f in self.front_ends.items():
             f.restore(state[name])
 
@@ -196,15 +196,15 @@ class CombinedFrontEnd:
 
 
 def _own(inputs: FrontEndInput, family: str) -> FrontEndInput:
-    """The sight with the looks of one family alone."""
+    """The front-end input with the predictions of one family alone."""
     return replace(inputs, predictions=[p for p in inputs.predictions if p.family.name == family])
 
 
 class MotionSource:
-    """Says how the robot moves from picture to picture; this one, nothing: the noise of its motion says what may be.
+    """Source of the controls between images; this one gives none: the motion model predicts with its own noise.
 
-    name: that it is chosen by. front_end: the filter's, of the sensor that made the pictures. seconds: spent so far, by
-    part, beside the front end's.
+    name: the key it is selected by. front_end: the filter's, of the sensor of the images. seconds: spent so far, by
+    part, besides the front end's.
     """
 
     name = "constant-velocity"
@@ -214,7 +214,7 @@ class MotionSource:
         self.seconds = Stopwatch()
 
     def control(self, image: Image | None, dt: float, slam: Slam) -> Control | None:
-        """Of the step of dt [s] to this picture, asked once, before Slam.step; None: zeros, with the robot's noise."""
+        """The control of the step of dt [s] to this image, before Slam.step; None: zeros, with the robot's noise."""
         return None
 
     def counts(self) -> dict[str, float]:
@@ -222,7 +222,7 @@ class MotionSource:
         return {}
 
     def dump(self) -> Any:
-        """Its state as plain data, beside that of the front end, which the filter's file holds."""
+        """Its state as plain data, without that of the front end, which is in the filter's file."""
 
     def restore(self, state: Any) -> None:
-        """Go on from what `dump` gave."""
+        """Restore the state that `dump` returned."""

@@ -1,4 +1,4 @@
-"""A grid over the image, so that landmarks spread over it: where none is expected, a new one may begin. Chapter active_search.
+"""A grid that spreads landmarks over the image: a cell without predictions may get a new one. Chapter active_search.
 
 Steps 1a to 1c of active search, section 6.1.3 of the toolbox's manual; Davison (2003) asks for the same spread.
 """
@@ -37,14 +37,14 @@ class Grid:
 
     @property
     def usable(self) -> Mask:
-        """Mask (rows, columns) of the cells in which a landmark may begin."""
+        """Mask (rows, columns) of the cells in which a landmark may be initialized."""
         mask = np.ones(self.cells[::-1], dtype=bool)
         if self.skip_outer:
             mask[[0, -1]] = mask[:, [0, -1]] = False
         return mask
 
     def occupied(self, pixels: Array) -> Mask:
-        """Mask (rows, columns) of the cells that hold a pixel (n, 2); those outside the image, and nan, count nowhere.
+        """Mask (rows, columns) of the cells that hold a pixel (n, 2); those outside the image, and nan, are ignored.
 
         Raises ShapeError.
         """
@@ -83,6 +83,6 @@ class Grid:
 
 
 def _place(values: Array, bounds: Array) -> Array:
-    """Between which bounds values (n,) lie, -1 where between none; a pixel reaches half a pixel to either side."""
+    """Index (n,) of the cell between whose bounds a value lies, -1 if none; a pixel extends half a pixel each way."""
     found = np.searchsorted(bounds - 0.5, values, side="right") - 1
     return np.where((values >= -0.5) & (values < bounds[-1] - 0.5), found, -1)

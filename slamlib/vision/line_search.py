@@ -1,8 +1,8 @@
-"""Active search for straight edges: where the filter expects them, across; and new ones from a detector. Chapter monocular.
+"""Active search for straight edges: across their predictions; and new ones from a detector. Chapter monocular.
 
-An edge looks the same wherever one goes along it, so that two numbers are sought: how far the two ends of the expected
-segment are to be moved across. Their covariance follows from that of the innovation, and the region is an ellipse in
-the plane of these two numbers, as that of a point is one in the image.
+An edge looks the same all along it (the aperture problem), so two numbers are estimated: the displacements of the two
+endpoints of the predicted segment across it. Their covariance follows from that of the innovation, and the search
+region is an ellipse in the plane of these two numbers, as that of a point is one in the image.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -22,15 +22,15 @@ from slamlib.slam.data_association.gates import gate
 from slamlib.vision.edges import PROFILE, STEP, Edge, EdgeStrip, axes, edge_strip, fitted, line, refined, segments_of
 from slamlib.vision.front_end import ImageFrontEnd
 
-SAME = 1.0  # [px]: two fits that are nearer are of one edge
-TWINS = 1.5  # [px]: two landmarks whose edges are nearer are of the same one
-NUDGE = 1e-3  # [px]: to ask how the innovation depends on a move of an end
-FLANK = 2.0  # [px]: lines that are nearer to one another are of one edge
+SAME = 1.0  # [px]: two fits closer than this are of the same edge
+TWINS = 1.5  # [px]: two landmarks whose edges are closer than this are the same
+NUDGE = 1e-3  # [px]: step of the numerical derivative of the innovation w.r.t. an endpoint
+FLANK = 2.0  # [px]: lines closer than this are of the same edge
 
 
 @dataclass(frozen=True, eq=False)
 class EdgeLook:
-    """What an edge looks like: mean grey values across it (17,), half a pixel apart, and their growth in it [1/px]."""
+    """Signature of an edge: mean grey values across it (17,), half a pixel apart, and their slope in it [1/px]."""
 
     profile: Array
     slope: float
@@ -47,16 +47,16 @@ class EdgeLook:
 
 @dataclass(frozen=True)
 class SegmentSettings:
-    """What the search for edges may be told.
+    """Settings of the search for edges.
 
-    minimum_length [px], and least slope [1/px], of a new edge. support: least share of an edge that is to be seen;
+    minimum_length [px], and least slope [1/px], of a new edge. support: least visible share of an edge;
     min_new_support: the same of a new one. straightness: largest rms [px] of an edge's points about it. min_separation:
-    a new edge is so far [px] from every expected one. max_in_view: with so many edges in view, none is begun.
-    threshold: least ZNCC of the grey values across. min_slope_ratio: least share of the slope that it had.
+    least distance [px] of a new edge from every predicted one. max_in_view: with so many in view, none is initialized.
+    threshold: least ZNCC of the grey values across. min_slope_ratio: least share of its first slope.
     max_second_ratio: a match is ambiguous if another edge of the region has more than this share of its ZNCC.
-    probability: with which a region contains the truth, if the filter is right. largest: half the width [px] of the
-    widest region; most: lines that are tried in it. beyond [px]: how far an edge is sought past its known ends.
-    max_backoff: frames for which an edge rests that was missed again and again.
+    probability: that a region contains the true edge, if the filter is consistent. largest: half the width [px] of the
+    widest region; most: lines that are tried in it. beyond [px]: how far an edge is searched past its endpoints.
+    max_backoff: most frames for which a missed edge is skipped.
     """
 
     minimum_length: float = 30.0
@@ -83,13 +83,13 @@ class SegmentSearch(ImageFrontEnd):
     settings: SegmentSettings
 
     def __init__(self, calibration: Calibration, settings: SegmentSettings | None = None) -> None:
-        """Raises SlamlibError for a sensor without an image, or one to which straight lines are not straight."""
+        """Raise SlamlibError for a sensor without an image, or without a projection of lines."""
         if calibration.image is None or calibration.sensor.project_line is None:
             raise SlamlibError(f"SegmentSearch: {calibration.sensor.name} has no image of straight lines")
         super().__init__(calibration, settings or SegmentSettings())
 
     def searchable(self, inputs: FrontEndInput) -> list[Any]:
-        """The looks whose region is not too wide to tell one edge from another, and that do not rest."""
+        """The predictions whose region is narrow enough to distinguish edges, and that are not in search backoff."""
         s, limit = self.settings, gate(self.settings.probability, 2)
         regions = across_covariances(inputs.predictions, inputs.sensor)
         half = np.sqrt(limit * np.diagonal(regions, axis1=1, axis2=2).max(-1, initial=0))
@@ -97,7 +97,7 @@ class SegmentSearch(ImageFrontEnd):
         return self.ready(compress(inputs.predictions, (half <= s.largest) & (count <= s.most)))
 
     def find(self, inputs: FrontEndInput, predictions: list[Any]) -> Iterable[tuple[int, Array]]:
-        """Row and segment (4,) of each landmark that is found; of two in one place, the more alike one has it."""
+        """Row and segment (4,) of each landmark that is found; of two on one edge, the one with the higher score."""
         image, regions = np.asarray(inputs.scan.image, dtype=float), across_covariances(predictions, inputs.sensor)
         expected = self.undistorted([prediction.value for prediction in predictions])
         found = [
@@ -113,7 +113,7 @@ class SegmentSearch(ImageFrontEnd):
         return [(row, edge.segment) for row, edge in kept]
 
     def find_edge(self, image: Image, prediction: Any, ideal: Array, region: Array) -> Edge | None:
-        """The edge of the region that looks like the landmark; None: none does, or two do."""
+        """The edge of the region that matches the landmark; None if there is none, or if it is ambiguous."""
         s, limit = self.settings, gate(self.settings.probability, 2)
         half = np.sqrt(limit * np.diag(region).max()) + PROFILE[-1] + 2
         piece = edge_strip(image, self.calibration, ideal, half, s.beyond)
@@ -131,13 +131,13 @@ class SegmentSearch(ImageFrontEnd):
         return edges[best] if prediction.score >= least else None
 
     def undistorted(self, segments: Any) -> Array:
-        """Segments (n, 4) as a lens without distortion would show them."""
+        """Segments (n, 4) [px] without the lens distortion."""
         return undistort_segments(self.calibration, np.reshape(segments, (-1, 4)))[0]
 
     def new_landmarks(
         self, inputs: FrontEndInput, usable: Callable[[Array], Mask], count: int
     ) -> Iterator[tuple[Array, Any]]:
-        """Segment and EdgeLook of up to `count` new edges, the longest that no expected one explains."""
+        """Segment and EdgeLook of up to `count` new edges, the longest that match no prediction."""
         s, image = self.settings, np.asarray(inputs.scan.image)
         count = min(count, s.max_in_view - len(inputs.predictions))
         if count <= 0:
@@ -158,9 +158,9 @@ class SegmentSearch(ImageFrontEnd):
 
 
 def across_covariances(predictions: list[Any], sensor: Any) -> Array:
-    """Covariances (n, 2, 2) [px^2] of how far across the ends of expected segments are, from those of the innovations.
+    """Covariances (n, 2, 2) [px^2] of the displacements across of predicted endpoints, from those of the innovations.
 
-    An innovation z is linear in small moves a of the ends, z = J a, whatever its reading, so cov(a) = J^-1 S J^-T.
+    An innovation z is linear in small displacements a of the endpoints, z = J a, so cov(a) = J^-1 S J^-T.
     """
     found = np.zeros((len(predictions), 2, 2))
     for expected in {id(prediction.batch): prediction.batch for prediction in predictions}.values():
@@ -177,8 +177,8 @@ def across_covariances(predictions: list[Any], sensor: Any) -> Array:
 
 
 def side_by_side(one: Array, others: Array, apart: float) -> Mask:
-    """Mask (n,) of the ideal segments (n, 4) on the line of one (4,), nearer to it than apart [px], and not
-    only before or behind it."""
+    """Mask (n,) of the ideal segments (n, 4) on the line of one (4,), nearer to it than apart [px], and
+    overlapping with it along the line."""
     forward, right = axes(one)
     endpoints = others.reshape(-1, 2, 2) - one[:2]
     along, across = endpoints @ forward, endpoints @ right
@@ -187,9 +187,9 @@ def side_by_side(one: Array, others: Array, apart: float) -> Mask:
 
 
 def lines_of(region: Array, limit: float) -> Array:
-    """Offsets (n, 2) [px] of lines, STEP apart: all that are the nearest one to some line of a' C^-1 a <= limit.
+    """Offsets (n, 2) [px] of lines, STEP apart: those nearest to some line with a' C^-1 a <= limit.
 
-    region: C (2, 2). A move by r changes the root of a' C^-1 a by at most |r| times the root of C^-1's largest
+    region: C (2, 2). A displacement by r changes the root of a' C^-1 a by at most |r| times the root of C^-1's largest
     eigenvalue; so some more are taken at the tips of a thin ellipse. There is always one.
     """
     half = np.sqrt(limit * np.diag(region)) + STEP / 2
@@ -201,7 +201,7 @@ def lines_of(region: Array, limit: float) -> Array:
 
 
 def steep_lines(s: EdgeStrip, offsets: Array, most: int = 4) -> Array:
-    """Of lines with offsets (n, 2), those (k, 2) along which the grey value grows most: local maxima, best first."""
+    """Of lines with offsets (n, 2), those (k, 2) with the steepest rise of the grey value: local maxima, best first."""
     slope = np.nan_to_num(s.slope)
     index = np.rint((line(offsets, s.share) - s.across[0]) / STEP).astype(int)
     rises = slope[np.clip(index, 0, len(slope) - 1), np.arange(len(s.along))].mean(1)

@@ -1,4 +1,4 @@
-"""Small pieces of images, three ways to compare them (ZNCC, SSD, census), and the peak of scores. Chapter active_search.
+"""Image patches, three scores to compare them (ZNCC, SSD, census), and a score's peak. Chapter active_search.
 
 The manual's pix2patch, zncc, ssd and census (section 6.1.2). All compare stacks of patches at once.
 """
@@ -33,18 +33,18 @@ def as_floats(piece: Array, function: str) -> Array:
     """A piece of an image as floats; raises NonFiniteError."""
     floats = piece.astype(float)
     if piece.dtype.kind == "f" and not np.isfinite(floats).all():
-        raise NonFiniteError(f"{function}: the image holds nan or infinity where it is looked at; fill such pixels")
+        raise NonFiniteError(f"{function}: the image holds nan or infinity in the pixels used; fill such pixels")
     return floats
 
 
 @dataclass(frozen=True, eq=False)
 class Patch:
-    """A piece of an image, pixels (h, w), with its sums: what a correlation needs of it beside the products.
+    """A piece of an image, pixels (h, w), with the sums that a correlation needs.
 
-    n: its number of pixels; SI, SII: the sums of the grey levels and of their squares. An array of it is its pixels.
+    n: its number of pixels; SI, SII: the sums of the grey levels and of their squares. np.asarray gives its pixels.
     """
 
-    pixels: Any  # what the constructor takes may be a patch or an image of bytes
+    pixels: Any  # the constructor also takes a patch or an image of bytes
 
     def __post_init__(self) -> None:
         pixels = as_floats(grey(self.pixels, "Patch"), "Patch")
@@ -71,7 +71,7 @@ class Patch:
 
     @cached_property
     def centred(self) -> Array:
-        """The pixels less their mean, (h, w); zero where the patch has no texture but rounding."""
+        """The pixels minus their mean, (h, w); zero for a patch without texture (but rounding)."""
         deviation = self.pixels - self.SI / self.n
         textured = (deviation**2).sum() > ROUNDING * self.SII
         return deviation if textured else np.zeros_like(deviation)
@@ -99,7 +99,7 @@ def cut(image: Image, pixel: Array, size: int) -> Patch | None:
 
 
 def sample(pixels: Array, places: Array) -> Array:
-    """Grey levels (...) at places (..., 2) of an image (h, w), bilinear between pixels, nan outside of it."""
+    """Grey levels (...) at positions (..., 2) [px] of an image (h, w), bilinear between pixels, nan outside of it."""
     array = as_floats(pixels, "sample")
     last = np.array(array.shape[::-1]) - 1
     inside = np.all((places >= 0) & (places <= last), axis=-1)
@@ -128,7 +128,7 @@ def _pair(a: Array, b: Array, function: str) -> tuple[Array, Array]:
 
 
 def _centred(patches: Array) -> tuple[Array, Array]:
-    """Pixels less their mean, and the sum of their squares (...), zero where that is rounding."""
+    """Pixels minus their mean, and the sum of their squares (...), zero where that is rounding."""
     deviation = patches - patches.mean((-2, -1), keepdims=True)
     power = (deviation**2).sum((-2, -1))
     return deviation, np.where(power > ROUNDING * (patches**2).sum((-2, -1)), power, 0)
@@ -137,7 +137,7 @@ def _centred(patches: Array) -> tuple[Array, Array]:
 def zncc(a: Array, b: Array) -> Array:
     """Zero-mean normalized cross-correlation (...) of patches (..., h, w): in [-1, 1], 0 where one has no texture.
 
-    The cosine between the two patches less their means: gain above zero and offset have no effect. Equal to
+    The cosine between the two patches minus their means: invariant to a positive gain and an offset. Equal to
     (n SIJ - SI SJ) / sqrt((n SII - SI^2) (n SJJ - SJ^2)), without its cancellation. Raises ShapeError.
     """
     (first, power_a), (second, power_b) = (_centred(x) for x in _pair(a, b, "zncc"))
@@ -157,23 +157,23 @@ def ssd(a: Array, b: Array) -> Array:
 def census(a: Array, b: Array) -> Array:
     """Share (...) of the pixels of patches (..., h, w) that are brighter than the centre in both, or in none.
 
-    1 for equal patches; any growing change of the grey levels has no effect. Zabih and Woodfill (1994).
+    1 for equal patches; invariant to monotonically increasing changes of the grey levels. Zabih and Woodfill (1994).
     """
     first, second = _pair(a, b, "census")
     brighter = [x > x[..., x.shape[-2] // 2, None, x.shape[-1] // 2, None] for x in (first, second)]
     return (brighter[0] == brighter[1]).mean((-2, -1))
 
 
-# Least squares through the nine values at (u, v) = (-1..1, -1..1), row by row: slopes by u and v, second derivatives.
+# Least squares through the nine values at (u, v) = (-1..1, -1..1), row by row: first and second derivatives.
 _U, _V = np.tile([-1.0, 0, 1], 3), np.repeat([-1.0, 0, 1], 3)
 _FIT = np.linalg.pinv(np.stack([np.ones(9), _U, _V, _U**2 / 2, _U * _V, _V**2 / 2], axis=1))[1:]
 
 
 def top(around: Array) -> Array:
-    """Where the paraboloid through 3 x 3 scores is highest, (u, v) from the middle, the largest of them.
+    """Maximum (2,) of the paraboloid fitted to 3 x 3 scores, (u, v) [px] from the middle, which is the largest of them.
 
-    With its cross term: a slanted ridge needs it. Where a score is missing (nan), or the top is none or beyond the
-    nine, the parabolas along u and v.
+    With the cross term, which a slanted ridge needs. Where a score is missing (nan), or the maximum does not exist or
+    is outside of the nine, the parabolas along u and v.
     """
     if not np.isnan(around).any():
         gu, gv, a, b, c = (_FIT @ around.ravel()).tolist()

@@ -1,4 +1,4 @@
-"""What a run on pictures was: numbers by frame, a summary of them, and its path against a reference."""
+"""Results of a run on images: numbers per frame, their summary, and its trajectory against a reference."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -19,11 +19,11 @@ COLUMNS = (
 
 @dataclass(frozen=True, eq=False)
 class ImageResult:
-    """Per frame, arrays (n,) by the names of COLUMNS; the camera's trajectory; size of the state in the end.
+    """Per frame, arrays (n,) by the names of COLUMNS; the camera's trajectory; final size of the state.
 
-    time [s] of the picture; searched, matched, inliers: landmarks looked for, found, and believed; nis and its degrees
-    of freedom nis_dof: of all believed ones; landmarks: in the map; begun, deleted; PARTS, and perhaps more of them:
-    seconds spent.
+    time [s] of the image; searched, matched, inliers: landmarks searched for, found, and accepted; nis and its degrees
+    of freedom nis_dof: of all inliers; landmarks: in the map; initialized, deleted; PARTS, and perhaps more of them:
+    processor time [s].
     """
 
     columns: dict[str, Array]
@@ -42,12 +42,12 @@ class ImageResult:
 
     @property
     def frames_without_match(self) -> int:
-        """Frames without a believed match, but for the first."""
+        """Number of frames without an inlier, the first not counted."""
         return int((self.columns["inliers"][1:] == 0).sum())
 
 
 def counts(slam: Slam, report: Report) -> dict[str, float]:
-    """What a filter's last frame adds to the columns, but for its times."""
+    """A filter's numbers of its last frame for the columns, without times."""
     predictions = slam.predictions[0]
     inliers = [prediction for prediction in predictions if prediction.inlier]
     return {
@@ -87,21 +87,21 @@ def summary(result: ImageResult) -> dict[str, Any]:
 
 
 def table(s: dict[str, Any]) -> list[tuple[str, str]]:
-    """The rows of a summary, and of what `compared` says as its "reference", for people: what, and how much."""
+    """The rows of a summary, and of its "reference" from `compared`, as texts (name, value)."""
     share = {name: "none" if s[name] is None else f"{s[name]:.1%}" for name in ("matched_share", "inlier_share")}
-    nis = "no match" if s["nis_per_dof"] is None else f"{s['nis_per_dof']:.2f} (1 is ideal; the gate cuts some off)"
+    nis = "no match" if s["nis_per_dof"] is None else f"{s['nis_per_dof']:.2f} (1 is ideal; the gate rejects some)"
     unit = "m" if s.get("metric") else "of the run's own units"
     parts = ", ".join(f"{name} {spent:.1f}" for name, spent in s["milliseconds"].items())
     rows = [
         ("frames", f"{s['frames']}, {s['seconds']:.2f} s"),
-        ("tracked features", f"{s['tracked_mean']:.1f} a frame, at least {s['tracked_least']}"),
+        ("tracked features", f"{s['tracked_mean']:.1f} per frame, at least {s['tracked_least']}"),
         ("frames without a match", f"{s['frames_without_match']} (predictions)"),
         ("matched", f"{share['matched_share']} of {s['searched']} searched; {share['inlier_share']} of them inliers"),
         ("NIS per degree of freedom", nis),
         ("landmarks", f"{s['landmarks']} in the map, {s['initialized']} initialized, {s['deleted']} deleted"),
         ("state", f"{s['state']} degrees of freedom"),
         ("path", f"{s['path_length']:.3f} {unit} long"),
-        ("milliseconds a frame", f"{sum(s['milliseconds'].values()):.1f}: {parts} (medians)"),
+        ("milliseconds per frame", f"{sum(s['milliseconds'].values()):.1f}: {parts} (medians)"),
     ]
     r = s.get("reference")
     if r is not None:
@@ -113,15 +113,17 @@ def table(s: dict[str, Any]) -> list[tuple[str, str]]:
         ]
     p = r and r.get("parts")
     if p:
-        means = f"{p['translation_mean']:.3%} of the length, {p['rotation_mean']:.4f} degrees a metre (KITTI's measure)"
+        means = (
+            f"{p['translation_mean']:.3%} of the length, {p['rotation_mean']:.4f} degrees per metre (KITTI's metric)"
+        )
         rows.append((f"error over parts of {p['lengths'][0]:g} to {p['lengths'][-1]:g} m", means))
     return rows
 
 
 def compared(path: Trajectory, reference: Trajectory, interval: float, metric: bool) -> dict[str, Any]:
-    """The path against a reference of the same camera, as plain data; with a free scale after a similarity.
+    """Errors of the trajectory against a reference of the same camera, as plain data; a free scale is aligned.
 
-    interval [s]: between two pictures; metric: whether its lengths are true. Raises SlamlibError.
+    interval [s]: between two images; metric: whether the scale is known. Raises SlamlibError.
     """
     i, j = associate(path, reference, max(0.02, 0.5 * interval))
     estimate, other = path[i], reference[j]
@@ -139,7 +141,7 @@ def compared(path: Trajectory, reference: Trajectory, interval: float, metric: b
 
 
 def parts(estimate: Trajectory, reference: Trajectory) -> dict[str, Any] | None:
-    """KITTI's measure of a path with true lengths, as plain data; None for a path too short to be divided."""
+    """KITTI's relative errors of a metric trajectory, as plain data; None if it is too short to be divided."""
     lengths = lengths_of(float(reference.distances[-1]))
     if not lengths:
         return None
@@ -156,7 +158,7 @@ def parts(estimate: Trajectory, reference: Trajectory) -> dict[str, Any] | None:
 
 
 def lengths_of(path: float) -> tuple[float, ...]:
-    """KITTI's eight lengths [m], or the same made shorter by a round factor, so that a path has parts of all."""
+    """KITTI's eight lengths [m], or the same divided by a round factor, so that a trajectory has parts of all."""
     units = [unit * 10.0**power for power in range(-3, 2) for unit in (1, 2, 5)] + [100.0]
     unit = max((u for u in units if 9 * u <= path), default=0.0)
     return tuple(length * unit / KITTI_LENGTHS[0] for length in KITTI_LENGTHS) if unit else ()

@@ -1,17 +1,17 @@
-"""Runs on pictures: of one camera, or of stereo pairs; begun, and loaded.
+"""Runs on images of one camera, or on stereo pairs: created, and loaded.
 
-**Scale.** One camera cannot tell how large the world is: all pictures are the same if world, path and velocities are
-made k times as large. With a free scale the priors alone choose k: the inverse distance that new landmarks are begun
+**Scale.** The scale is not observable with one camera: the images are the same if world, trajectory and velocities are
+scaled by k. With a free scale, the priors alone determine k: the inverse distance that new landmarks are initialized
 with, and the velocities and impulses of the motion. The unit of length is then the one in which the first landmarks are
 about 1 / mean away (Options.inverse_distance). It drifts as new landmarks take over from old ones, and a trajectory is
 compared with a reference after a similarity (slamlib.evaluation.alignment). A known target (slamlib.vision.target)
 gives true lengths, and so does the baseline of a stereo pair.
 
-**Frame of reference.** The robot's first pose is the world's origin, known exactly; it looks along x, and its (left)
-camera is at its own origin. With a target the world is the target's.
+**Frame of reference.** The robot's first pose is the world's origin, known exactly; the optical axis is along x, and
+the (left) camera is at the robot's origin. With a target the world is the target's.
 
-**Without matches** a frame is a prediction. The camera's place is sought by the filter's expectation alone (there is no
-relocalization), so that a run stops with TrackingLostError when a gap lasts too long (slamlib.vision.sequence_run).
+**Without matches** a frame is a prediction only. Landmarks are searched for near their predictions alone (there is no
+relocalization), so a run stops with TrackingLostError if a tracking loss lasts too long (slamlib.vision.sequence_run).
 """
 
 import os
@@ -42,7 +42,7 @@ from slamlib.vision.target import Target
 def make_front_end(
     options: Options, calibration: Calibration, rng: np.random.Generator, settings: ActiveSearchSettings | None = None
 ) -> ActiveSearch | CombinedFrontEnd:
-    """What finds the landmarks that these options ask for: points, and lines beside them if there are to be any."""
+    """The front end for these options: of points, and also of lines if there are any."""
     points = ActiveSearch(calibration, rng, settings)
     return CombinedFrontEnd(points, SegmentSearch(calibration)) if options.lines else points
 
@@ -61,9 +61,9 @@ IMAGES = SequenceKind(
     "images",
     "picture",
     (
-        "was there a cut, or was the camera covered? Did it move more than the motion's impulses allow for, or do "
-        "they allow for so much that of regions only the middle was searched (active search's setting `largest`)?",
-        "no landmark could be initialized: is there light, and texture?",
+        "was there a cut, or was the camera covered? Did it move more than the motion's impulses allow for, or are "
+        "they so large that only the middle of the regions was searched (active search's setting `largest`)?",
+        "no landmark could be initialized: is there enough light and texture?",
     ),
     _image_source,
     Options(
@@ -71,7 +71,7 @@ IMAGES = SequenceKind(
     ),
     impulse=(0.3, 10.0),
     velocity=(0.3, 10.0),
-    noise=(0.1,),  # of a matched patch; the real sequences' NIS says that this is rather too much than too little
+    noise=(0.1,),  # of a matched patch; by the NIS of the real sequences rather too large than too small
 )
 PAIRS = SequenceKind(
     "stereo-images",
@@ -98,10 +98,10 @@ def camera_rig(
     impulse: tuple[float, float] | None = None,
     velocity: tuple[float, float] | None = None,
 ) -> Rig:
-    """A camera (plain data of a SensorSetup) that is carried about, as a rig; it starts at the origin, looking along x.
+    """A rig of a hand-held camera (plain data of a SensorSetup); it starts at the origin, its optical axis along x.
 
-    impulse, velocity: standard deviations as of a SequenceKind, whose own are the default. unit: typical distance of
-    what is seen [m], which these are scaled with; with a free scale it is the metre of the run itself, 1.
+    impulse, velocity: standard deviations as of a SequenceKind, by default its own. unit: typical distance of the
+    landmarks [m], by which these are scaled; with a free scale the unit of the run itself, 1.
     """
     velocity_std, control_std = (
         tuple(np.repeat((default[0] * unit, default[1]) if given is None else given, 3).tolist())
@@ -112,11 +112,11 @@ def camera_rig(
 
 
 def options_for(unit: float = 1.0, known: int = 0, **said: Any) -> Options:
-    """The options of IMAGES for what is about `unit` [m] away, with those that are said in their places.
+    """The options of IMAGES for landmarks about `unit` [m] away, overridden by those given.
 
-    A prior that is wrong for most landmarks is a wrong measurement of the scale, repeated with each of them. known: how
-    many points of a target there are. They are looked at besides the others, and first of all: by information alone the
-    most uncertain landmarks are chosen, and the known ones, which hold the scale, never.
+    A prior that is wrong for most landmarks is a wrong measurement of the scale, repeated with each of them. known:
+    number of points of a target. They are observed in addition to the others, and first: by information gain alone the
+    most uncertain landmarks are selected, and the known ones, which fix the scale, never.
     """
     mean, std = IMAGES.options.inverse_distance
     first = {"selection": "order", "updates": IMAGES.options.updates + known} if known else {}
@@ -133,14 +133,14 @@ def image_run(
     patience: int = 30,
     rng: np.random.Generator | None = None,
 ) -> SequenceRun:
-    """A run on pictures. rig: one robot with one camera. scale: a known target, or None for a free scale.
+    """A run on images. rig: one robot with one camera. scale: a known target, or None for a free scale.
 
-    front_end: default ActiveSearch, which draws with `rng`, and beside it SegmentSearch if the options have lines.
+    front_end: default ActiveSearch, which draws with `rng`, and also SegmentSearch if the options have lines.
     patience: frames without a match, after which the run stops. The impulses of the rig's motion are those between two
-    neighbours of the whole source: a longer time passes in steps of as long. Raises SlamlibError.
+    neighbours of the whole source: a longer interval is divided into such steps. Raises SlamlibError.
     """
     if len(rig.robots) != 1 or len(rig.sensors) != 1:
-        raise SlamlibError("image_run: a rig of one robot with one camera is wanted")
+        raise SlamlibError("image_run: a rig of one robot with one camera is expected")
     rig = rig if scale is None else scale.placed(rig)
     own = front_end or make_front_end(options, rig.sensors[0].calibration, rng or np.random.default_rng(0))
     slam = Slam(rig, options, front_ends=[own])
@@ -151,9 +151,9 @@ def image_run(
 def open_stereo(
     *places: Any, settings: StereoSettings | None = None, **options: Any
 ) -> tuple[ImageSource, dict[str, Any], StereoSettings]:
-    """As slamlib.datasets.opening.open_rectified_pairs, and the settings with the calibration's offset of disparities.
+    """As slamlib.datasets.opening.open_rectified_pairs, and the settings with the offset [px] of disparities.
 
-    The first pair is read: its rows and the sign of its disparities are checked. Raises SlamlibError.
+    The first pair is read, to check its rows and the sign of its disparities. Raises SlamlibError.
     """
     pairs, camera, offset = opening.open_rectified_pairs(*places, **options)
     chosen = settings or StereoSettings()
@@ -176,8 +176,8 @@ def stereo_run(
 ) -> SequenceRun:
     """A run on rectified pairs. camera: plain data of their stereo SensorSetup (open_stereo gives both).
 
-    motion_source: of PAIR_MOTION_SOURCES; "odometry" is visual odometry alone: the filter has no landmarks, and adds up
-    motions and their covariances. impulse, velocity: as of a SequenceKind, where the robot's motion has velocities.
+    motion_source: of PAIR_MOTION_SOURCES; "odometry" is visual odometry alone: the filter has no landmarks, and
+    composes motions and their covariances. impulse, velocity: as of a SequenceKind, if the motion has velocities.
     patience: pairs without a match, after which the run stops. Raises SlamlibError.
     """
     if motion_source not in PAIR_MOTION_SOURCES:
@@ -197,15 +197,15 @@ def load(
     front_end: Callable[[Calibration], FrontEnd] | None = None,
     frames: int | None = None,
 ) -> SequenceRun:
-    """Go on exactly where a saved run was. Raises SlamlibError for a file that holds none of this kind.
+    """Load a saved run, to resume it exactly. Raises SlamlibError for a file without a run of this kind.
 
-    source: in place of the one that it was begun with. front_end(calibration): makes one like that of the run, if it
-    was given one. frames: how many pictures in all, if not as many as before.
+    source: replaces the one of the saved run. front_end(calibration): makes one like that of the run, if it was given
+    one. frames: total number of images, if not as before.
     """
     header, _ = checkpoint.read(path)
     saved = header["extra"].get(kind.name)
     if saved is None:
-        raise SlamlibError(f"{path} holds no run on {kind.item}s: `slamlib run --resume` goes on with a simulated one")
+        raise SlamlibError(f"{path} holds no run on {kind.item}s: `slamlib run --resume` resumes a simulated one")
     if source is None and not saved["source"]:
         raise SlamlibError(f"{path}: its {kind.item}s were in memory; give them as source=...")
     rig, options, told = Rig.from_dict(header["rig"]), Options.from_dict(header["options"]), saved["motion"]

@@ -1,7 +1,7 @@
-"""Search for a template in the ellipse where the filter expects it: every pixel at once. Chapter active_search, steps 2d to 2g.
+"""Search for a template in the ellipse of its prediction, all pixels at once. Chapter active_search, steps 2d to 2g.
 
-The manual scans the rectangle of +-3 sigma. The ellipse z' S^-1 z <= limit is what the filter would believe: where its
-two numbers have the correlation r, pi / 4 sqrt(1 - r^2) of the rectangle around it.
+The manual scans the rectangle of +-3 sigma. The ellipse z' S^-1 z <= limit is what the filter's gate would accept:
+for two numbers with correlation r, the share pi / 4 sqrt(1 - r^2) of the rectangle around it.
 """
 
 from dataclasses import dataclass
@@ -18,9 +18,9 @@ from slamlib.vision.patches import ROUNDING, Patch, as_floats, as_patch, cut, gr
 
 @dataclass(frozen=True, eq=False)
 class Match:
-    """Where a template was found: pixel (2,), its ZNCC there, and the best ZNCC elsewhere in the ellipse.
+    """A match of a template: pixel (2,), its ZNCC there, and the best ZNCC elsewhere in the ellipse.
 
-    The score is that of the nearest whole pixel. second is -1 where there is nothing but the best one's neighbourhood.
+    The score is that of the nearest whole pixel. second is -1 if the ellipse is within the best one's neighbourhood.
     """
 
     pixel: Array
@@ -29,7 +29,7 @@ class Match:
 
     @property
     def ratio(self) -> float:
-        """How nearly the second-best is as good, 0 to 1: near 1 the match is ambiguous."""
+        """Score of the second-best by that of the best, 0 to 1: near 1 the match is ambiguous."""
         return max(self.second, 0.0) / self.score if self.score > 0 else 1.0
 
 
@@ -37,7 +37,7 @@ class Match:
 class Scores:
     """ZNCC at the pixels of a rectangle, values (rows, columns), and the mask `inside` of those that may be chosen.
 
-    `corner` (u, v) is the pixel [0, 0]. The others surround them, so that a place between pixels is found.
+    `corner` (u, v) is the pixel [0, 0]. The other pixels surround them, for sub-pixel positions.
     """
 
     corner: tuple[int, int]
@@ -45,7 +45,7 @@ class Scores:
     inside: Array
 
     def best(self, neighbourhood: int) -> Match:
-        """The highest score inside, to a fraction of a pixel; second-best: beyond so many pixels around it."""
+        """The highest score inside, sub-pixel; the second-best is more than `neighbourhood` pixels away."""
         allowed, width = np.where(self.inside, self.values, -2.0), neighbourhood
         row, column = divmod(int(allowed.argmax()), allowed.shape[1])
         score = float(allowed[row, column])
@@ -56,10 +56,10 @@ class Scores:
 
 
 def search(image: Image, template: Patch | Array, centre: Array, S: Array, probability: float = 0.99) -> Match | None:
-    """The best match of a template (h, w), odd sizes, around `centre` (2,), expected with covariance S (2, 2) [px^2].
+    """The best match of a template (h, w), odd sizes, predicted at `centre` (2,) with covariance S (2, 2) [px^2].
 
-    Looked at: the pixels nearest to the places whose z' S^-1 z is below the chi-square quantile of `probability`, with
-    their whole window in the image; None where there is none. Raises ShapeError, CovarianceError, SlamlibError.
+    Searched: the pixels nearest to positions with z' S^-1 z below the chi-square quantile of `probability`, with their
+    whole window in the image; None if there is none. Raises ShapeError, CovarianceError, SlamlibError.
     """
     patch = as_patch(template)
     scores = score_map(image, patch, centre, S, probability)
@@ -89,10 +89,10 @@ def score_map(
 
 
 def register(image: Image, template: Patch | Array, start: Array, steps: int = 10) -> Array | None:
-    """Where (2,) a template, of odd size, fits best: Gauss-Newton steps from a match's pixel.
+    """The pixel (2,) where a template, of odd size, fits best: Gauss-Newton steps from a match's pixel.
 
-    Least squares, gain * template(x + d) + bias = image(pixel + x): a correlation's paraboloid is 1.5 to 2 times as far
-    off (benchmarks/images.py). None where it would go more than a pixel from the start, or leave the image.
+    Least squares, gain * template(x + d) + bias = image(pixel + x): errors are 1.5 to 2 times smaller than those of a
+    correlation's paraboloid (benchmarks/images.py). None where it moves by more than a pixel, or leaves the image.
     """
     patch, start = as_patch(template), finite(start, (2,), "register", "start")
     down, across = np.gradient(patch.pixels)
@@ -117,10 +117,10 @@ def register(image: Image, template: Patch | Array, start: Array, steps: int = 1
 def ellipse(
     image: tuple[int, ...], size: tuple[int, ...], centre: Array, S: Array, limit: float
 ) -> tuple[tuple[int, int], Array] | None:
-    """The pixels nearest to the places with z' S^-1 z <= limit, if their window `size` (h, w) is in the image (h, w).
+    """The pixels nearest to positions with z' S^-1 z <= limit, if their window `size` (h, w) is in the image (h, w).
 
-    As the pixel (u, v) of the upper left corner, and a mask (rows, columns) from there; None where there is none. An
-    ellipse between four pixels has pixels too: those nearest to it. Raises CovarianceError where S is not positive
+    As the pixel (u, v) of the upper left corner, and a mask (rows, columns) from there; None if there is none. An
+    ellipse between four pixels contains those nearest to it. Raises CovarianceError where S is not positive
     definite.
     """
     (x, y), S, limit = finite(centre, (2,), "search", "centre"), finite(S, (2, 2), "search", "S"), min(limit, 1e18)
@@ -132,7 +132,7 @@ def ellipse(
     if v1 < v0:
         return None
     rows = np.arange(v0, v1 + 1) - y
-    # A row's pixels reach half a pixel up and down: it is there that the ellipse is widest, or as near as they reach.
+    # A row's pixels extend half a pixel up and down: the height in this range where the ellipse is widest counts.
     widest, low, high = b * np.sqrt(limit / a), np.maximum(rows - 0.5, -down), np.minimum(rows + 0.5, down)
     right = _end(np.clip(widest, low, high), b / c, limit, c, a - b * b / c)
     left = -_end(-np.clip(-widest, low, high), b / c, limit, c, a - b * b / c)
@@ -144,12 +144,12 @@ def ellipse(
 
 
 def _end(y: Array, lean: float, limit: float, c: float, rest: float) -> Array:
-    """How far to the right the ellipse reaches at a height y: the conditional mean, and the rest of the limit."""
+    """Right end of the ellipse at heights y: the conditional mean, and the remainder of the limit."""
     return lean * y + np.sqrt(np.maximum(limit - y * y / c, 0) * rest)
 
 
 def _whole(low: Array, high: Array, half: int, length: int) -> tuple[Any, Any]:
-    """First and last of the pixels nearest to places from low to high, `half` pixels from the ends of the image."""
+    """First and last of the pixels nearest to positions from low to high, `half` pixels from the image borders."""
     first, last = np.maximum(np.ceil(low - 0.5), half), np.minimum(np.floor(high + 0.5), length - 1 - half)
     return first.astype(int), last.astype(int)
 
@@ -157,10 +157,12 @@ def _whole(low: Array, high: Array, half: int, length: int) -> tuple[Any, Any]:
 def correlate(piece: Array, patch: Patch) -> Array:
     """ZNCC of a patch (h, w) with every window of a piece of an image (rows + h - 1, columns + w - 1).
 
-    One matrix product gives the products of each row of the patch with each row of each window; they are summed along
-    the patch's rows. The windows' sums come from the integral image. 0 where there is no texture.
+    One matrix product gives the products of each row of the patch with each row of each window, which are then summed
+    over the rows. The windows' sums come from the integral image. 0 where there is no texture.
     """
-    piece = piece - np.rint(piece.mean())  # near zero nothing cancels; whole grey levels stay whole, their sums exact
+    piece = piece - np.rint(
+        piece.mean()
+    )  # near zero there is no cancellation; integer grey levels stay integers, their sums exact
     (h, w), n = patch.pixels.shape, patch.n
     rows, columns = piece.shape[0] - h + 1, piece.shape[1] - w + 1
     strips = np.lib.stride_tricks.sliding_window_view(piece, w, axis=1).reshape(-1, w)

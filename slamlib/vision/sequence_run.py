@@ -1,7 +1,7 @@
-"""The filter on a sequence of pictures: one at a time, with what happened; saved at any of them, and gone on with.
+"""The filter on a sequence of images, one at a time, with a history; it can be saved and resumed at each of them.
 
-A run on single pictures and one on stereo pairs are the same but for a SequenceKind and a MotionSource; both, and
-loading, are in slamlib.vision.run. A stereo pair is one picture (2, h, w).
+Runs on single images and on stereo pairs differ by a SequenceKind and a MotionSource only; both, and loading, are in
+slamlib.vision.run. A stereo pair is one image (2, h, w).
 """
 
 import os
@@ -23,21 +23,21 @@ from slamlib.vision.front_end import MotionSource
 from slamlib.vision.results import COLUMNS, ImageResult, counts
 from slamlib.vision.target import Target
 
-RECOVERED = 3  # landmarks that end a gap: one alone may be a wrong match
+RECOVERED = 3  # landmarks that end a tracking loss: one alone may be a wrong match
 TIME, LANDMARKS = COLUMNS.index("time"), COLUMNS.index("landmarks")
 
 
 class TrackingLostError(SlamlibError):
-    """Too many frames in a row without a match; what was done before is kept, and can be saved."""
+    """Too many frames in a row without a match; the frames before are kept, and can be saved."""
 
 
 @dataclass
 class TrackingLoss:
-    """The present gap in the matches, if there is one.
+    """The present tracking loss, if there is one.
 
-    It begins with a frame in which no match is believed. It ends with one that believes in three landmarks older than
-    the gap: those that were begun in it are tied to nothing but a prediction, unless nothing was known before. first:
-    number of its first frame, or None; last: of the last frame looked at; known: landmarks in the map before the gap.
+    It starts with a frame without inliers. It ends with one that has inliers of three landmarks older than the loss:
+    landmarks initialized in it depend on a prediction alone, unless the map was empty before. first: number of its
+    first frame, or None; last: of the last frame processed; known: landmarks in the map before the loss.
     """
 
     first: int | None = None
@@ -45,7 +45,7 @@ class TrackingLoss:
     known: int = 0
 
     def update(self, number: int, births: list[int], landmarks: int) -> None:
-        """Take note of a frame; births: of what is believed in it, the frame numbers; landmarks: in the map after."""
+        """Record a frame; births: frames in which its inliers were initialized; landmarks: in the map after it."""
         if self.first is None:
             self.first = number if not births and self.last else None
         elif sum(born < self.first or not self.known for born in births) >= RECOVERED:
@@ -56,18 +56,18 @@ class TrackingLoss:
 
     @property
     def frames(self) -> int:
-        """How long it lasts, 0 if there is none."""
+        """Its length in frames, 0 if there is none."""
         return 0 if self.first is None else self.last - self.first + 1
 
 
 @dataclass(frozen=True)
 class SequenceKind:
-    """What runs on single pictures and on stereo pairs have of their own.
+    """What distinguishes runs on single images from those on stereo pairs.
 
     name: of the run in a file; item: what one of its images is called; causes: of a tracking loss, with landmarks in
-    the map and without. source(sensor, options, name, settings): the MotionSource of a saved run. The rest is what a
-    run begins with if nothing else is said: options, standard deviations of changes of velocity [m/s, deg/s] from one
-    picture to the next and of both at the start, and of a measurement [px].
+    the map and without. source(sensor, options, name, settings): the MotionSource of a saved run. The others are the
+    defaults of a run: options, standard deviations of the changes of velocity [m/s, deg/s] from one image to the next
+    (impulse), of the velocities at the start, and of a measurement [px] (noise).
     """
 
     name: str
@@ -82,7 +82,7 @@ class SequenceKind:
 
 @dataclass(frozen=True, eq=False)
 class ImageStep:
-    """One picture, as it has just been worked on: what the filter reports, and the run's row of numbers by name."""
+    """One processed image: the filter's report, and the run's row of numbers by name."""
 
     number: int
     picture: TimedImage
@@ -91,7 +91,7 @@ class ImageStep:
 
 
 class SequenceRun:
-    """A run in progress. Iterate over it; `save` between two steps, slamlib.vision.run.load goes on exactly there."""
+    """A run in progress. Iterate over it; `save` between two steps, slamlib.vision.run.load resumes it exactly."""
 
     def __init__(
         self,
@@ -109,16 +109,16 @@ class SequenceRun:
     ) -> None:
         """slam: with the motion source's front end. patience: frames without a match, after which the run stops.
 
-        metric: whether its lengths are true. target: seen in the first picture. history, path, tracking_loss: of a
-        saved run.
+        metric: whether the scale is known. target: seen in the first image. history, path, tracking_loss: of a saved
+        run.
         """
         self.source, self.slam, self.motion, self.kind = source, slam, motion, kind
         self.patience, self.metric, self.target = patience, metric, target
         self.history, self.path, self.tracking_loss = history or [], path or [], TrackingLoss(**tracking_loss or {})
-        self.is_intact = True  # False while a frame is being worked on
+        self.is_intact = True  # False while a frame is being processed
 
     def __len__(self) -> int:
-        """Pictures still to do."""
+        """Number of remaining images."""
         return len(self.source) - len(self.history)
 
     @property
@@ -128,11 +128,11 @@ class SequenceRun:
 
     @property
     def has_map(self) -> bool:
-        """Whether there may be landmarks; an odometry alone has none."""
+        """Whether the filter has a map; odometry alone has none."""
         return bool(self.slam.options.points or self.slam.options.lines)
 
     def __iter__(self) -> Iterator[ImageStep]:
-        """Work on the pictures still to do. Raises TrackingLostError, SlamlibError for an unreadable one."""
+        """Process the remaining images. Raises TrackingLostError, and SlamlibError for an unreadable one."""
         if not len(self):
             return
         began = time.perf_counter()
@@ -142,7 +142,7 @@ class SequenceRun:
                 raise TrackingLostError(
                     f"lost: {self.tracking_loss.frames} {self.kind.item}s in a row without a match, from frame "
                     f"{self.tracking_loss.first} on; {self.kind.causes[not self.slam.landmarks]} There is no "
-                    f"relocalization: go on with more patience, or begin anew at a later {self.kind.item}"
+                    f"relocalization: resume with more patience, or start again at a later {self.kind.item}"
                 )
             began = time.perf_counter()
 
@@ -165,7 +165,7 @@ class SequenceRun:
         return ImageStep(frame.number, picture, report, row)
 
     def _frame(self, picture: TimedImage) -> Frame:
-        """A picture with a control of zeros. Raises SlamlibError for one that does not fit; nothing is changed."""
+        """A frame of the image, with a control of zeros. Raises SlamlibError for a wrong size, with no side effects."""
         calibration, robot = self.slam.sensors[0].calibration, self.slam.robots[0]
         *_, height, width = picture.image.shape
         if calibration.image is not None and tuple(calibration.image) != (width, height):
@@ -176,24 +176,26 @@ class SequenceRun:
         return Frame(len(self.history) + 1, dt, (control,), (Scan(image=picture.image),))
 
     def _can_move(self) -> bool:
-        """Not before something was seen: the first landmarks are begun from the start that is known."""
+        """Whether there is a measurement already: the first landmarks are initialized from the known start."""
         return any(row[LANDMARKS] for row in self.history) if self.has_map else bool(self.history)
 
     def _process(self, frame: Frame, elapsed: float) -> Report:
-        """One frame of the filter; into an empty map as many landmarks are begun as in a first frame."""
+        """One frame of the filter; in an empty map as many landmarks are initialized as in a first frame."""
         control = self.motion.control(frame.scans[0].image, elapsed, self.slam)
         told = control is not None and self._can_move()
         frame = replace(frame, controls=(control,)) if told else self._predict_missing(frame)
         is_target = self.target is not None and not self.history
         if self.target is not None and is_target:
-            self.target.put(self.slam, frame.scans[0])  # whose pixels are used by that: it is not looked for again
+            self.target.put(
+                self.slam, frame.scans[0]
+            )  # its pixels are used by this update: it is not searched for again
         return self.slam.step(frame, update=not is_target, first=not self.slam.landmarks)
 
     def _predict_missing(self, frame: Frame) -> Frame:
-        """Let the pictures that are missing before a frame pass as dark ones would; the frame of what is left.
+        """Predict over images missing before a frame, one interval at a time; return the frame of the last interval.
 
-        An impulse comes with each interval of the source: in one long step all of them would come at its end, and move
-        nothing. frame: the covariance of its control is of all its time.
+        An impulse acts in each interval of the source: in one long step all of them would act at its end, and have no
+        effect on the position. frame: the covariance of its control is that of its whole time.
         """
         steps = round(frame.dt / self.source.interval)
         if steps < 2:
@@ -211,7 +213,7 @@ class SequenceRun:
         return {"search": 0.0, "detection": 0.0, **inside, **self.motion.seconds}
 
     def snapshot(self) -> Snapshot:
-        """What may be shown of the filter now: of a pair, the left picture."""
+        """The filter's snapshot for display: of a pair, the left image."""
         shown = self.slam.snapshot()
         scans = [
             s if s is None or s.image is None or s.image.ndim == 2 else replace(s, image=s.image[0])
@@ -220,20 +222,22 @@ class SequenceRun:
         return replace(shown, sensors=tuple(replace(v, scan=s) for v, s in zip(shown.sensors, scans, strict=True)))
 
     def trajectory(self) -> Trajectory:
-        """Poses of the camera in the world, as they were estimated at each picture. Raises SlamlibError before one."""
+        """Poses of the camera in the world, as estimated at each image. Raises SlamlibError before the first."""
         if not self.history:
             raise SlamlibError("nothing has been run yet")
         return Trajectory(np.array(self.history)[:, TIME], np.array(self.path))
 
     def result(self) -> ImageResult:
-        """What has been done so far. Raises SlamlibError before the first picture."""
+        """The result so far. Raises SlamlibError before the first image."""
         path, columns = self.trajectory(), np.array(self.history, dtype=float).T
         return ImageResult(dict(zip(self.columns, columns, strict=True)), path, self.slam.belief.size)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write all of it to one file, whole or not at all. Raises SlamlibError in the middle of a frame."""
+        """Write the run to one file, atomically. Raises SlamlibError within a frame."""
         if not self.is_intact:
-            raise SlamlibError(f"frame {len(self.history) + 1} was broken off, and the filter is not whole any more")
+            raise SlamlibError(
+                f"frame {len(self.history) + 1} was interrupted, and the state of the filter is incomplete"
+            )
         settings = getattr(self.slam.front_ends[0], "settings", None)
         run = {name: getattr(self, name) for name in ("history", "path", "patience", "metric")}
         run["tracking_loss"] = asdict(self.tracking_loss)

@@ -1,4 +1,4 @@
-"""A known target in the first picture: it gives a monocular run its unit of length, and its frame of reference."""
+"""A known target in the first image, which fixes the scale and the reference frame of a monocular run."""
 
 import json
 import os
@@ -25,13 +25,13 @@ from slamlib.slam.entities import Landmark
 from slamlib.slam.filter import Slam
 from slamlib.slam.measurement_update import predict_measurements, update_in_batch
 
-LEAST = 4  # points; three leave up to four poses to choose from
-LARGEST = 5.0  # px: rms of the pixels against the best pose; beyond it they are not of these points
+LEAST = 4  # points; with three, up to four poses fit
+LARGEST = 5.0  # px: largest rms error of the pixels at the best pose; beyond it they do not belong to these points
 
 
 @dataclass(frozen=True, eq=False)
 class Target:
-    """Points (n, 3) of the world, n at least 4, their pixels (n, 2) in the first picture, and the points' std."""
+    """Points (n, 3) [m] of the world, n at least 4, their pixels (n, 2) in the first image, and their std [m]."""
 
     points: Array
     pixels: Array
@@ -43,35 +43,35 @@ class Target:
         object.__setattr__(self, "pixels", finite(self.pixels, (count, 2), "Target", "pixels"))
         if count < LEAST:
             raise SlamlibError(
-                f"a target has at least {LEAST} points, got {count}: fewer leave the camera's place open"
+                f"a target has at least {LEAST} points, got {count}: fewer do not determine the camera's pose"
             )
         if straightness(self.points) < 1e-3:
-            raise SlamlibError("the target's points lie on one line: a camera may turn around it and see the same")
+            raise SlamlibError("the target's points lie on one line: a rotation about it is not observable")
         if not (np.isfinite(self.std) and self.std >= 0):
             raise SlamlibError(f"the target's std is a length, 0 or more, got {self.std!r}")
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> "Target":
-        """Of JSON: {"points": [[x, y, z], ...], "pixels": [[u, v], ...], "std": s}. Raises SlamlibError."""
+        """Load from JSON: {"points": [[x, y, z], ...], "pixels": [[u, v], ...], "std": s}. Raises SlamlibError."""
         try:
             data = json.loads(Path(path).read_text("utf-8"))
             return cls(data["points"], data["pixels"], data.get("std", 0.0))
         except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
             wanted = 'JSON with "points" (n, 3), "pixels" (n, 2) and perhaps "std"'
-            raise SlamlibError(f"{path} is no target: {wanted} is wanted ({type(error).__name__}: {error})") from None
+            raise SlamlibError(f"{path} is no target: {wanted} is expected ({type(error).__name__}: {error})") from None
 
     def camera(self, calibration: Calibration) -> Array:
-        """Pose (7,) of the camera in the target's world that explains the pixels best; raises SlamlibError.
+        """Pose (7,) of the camera in the target's frame that fits the pixels best; raises SlamlibError.
 
-        OpenCV finds it, of the pixels' rays, so that any calibrated camera will do that looks ahead.
+        Found by OpenCV's PnP from the pixels' rays, so any calibrated camera with rays in front of it will do.
         """
-        cv2 = opencv("to find where the camera sees the target from")
+        cv2 = opencv("to find the camera's pose relative to the target")
         rays, _ = calibration.back_project_jac(self.pixels, np.ones((len(self.pixels), 1)))
         plane = np.ascontiguousarray(rays[:, :2] / rays[:, 2:3])[:, None]
         points = np.ascontiguousarray(self.points)[:, None]
         good, turn, shift = cv2.solvePnP(points, plane, np.eye(3), None, flags=cv2.SOLVEPNP_SQPNP)
         if not good:
-            raise SlamlibError("no place of the camera explains the target's pixels")
+            raise SlamlibError("no pose of the camera fits the target's pixels")
         turn, shift = cv2.solvePnPRefineLM(points, plane, np.eye(3), None, turn, shift)
         pose: Array = inverse(np.concatenate([shift.ravel(), exponential(turn.ravel())]))
         seen = np.column_stack([to_frame(pose, self.points), np.ones(len(self.points))])
@@ -80,18 +80,18 @@ class Target:
         rms = np.sqrt((error**2).mean())
         if not rms <= LARGEST:
             raise SlamlibError(
-                f"the target's pixels do not fit its points: they are {rms:.1f} px off (rms) "
-                "seen from the best pose; are both in one order, pixels u to the right and v down, calibration right?"
+                f"the target's pixels do not fit its points: their error is {rms:.1f} px (rms) "
+                "at the best pose; are both in the same order, pixels u to the right and v down, calibration right?"
             )
         return pose
 
     def distance(self, calibration: Calibration) -> float:
-        """Median of the points' distances from the camera [m]: the typical one of what is seen, as far as is known."""
+        """Median distance [m] of the points from the camera, taken as typical of all landmarks."""
         return float(np.median(np.linalg.norm(self.points - self.camera(calibration)[:3], axis=1)))
 
     def placed(self, rig: Rig) -> Rig:
-        """The rig with its robot where the target is seen from. How well that is known the pixels will say: before,
-        place and attitude are as good as unknown."""
+        """The rig with its robot at the pose the target is seen from. Position and orientation have large standard
+        deviations, which the update by the pixels reduces."""
         setup, sensor = rig.robots[0], rig.sensors[0]
         camera = self.camera(sensor.calibration)
         pose = compose(camera, inverse(sensor.extrinsics))
@@ -106,10 +106,10 @@ class Target:
         return replace(rig, robots=(start, *rig.robots[1:]))
 
     def put(self, slam: Slam, scan: Scan) -> None:
-        """Add the points to a filter, Euclidean, and correct it by their pixels once; `scan` holds the first picture.
+        """Add the points to a filter, Euclidean, and update it by their pixels once; `scan` holds the first image.
 
-        The correction is one batch, linearized where the pixels are explained best. Raises SlamlibError if fewer than
-        four of the points can be followed.
+        The update is one batch, linearized at the pose that fits the pixels best. Raises SlamlibError if fewer than
+        four of the points can be tracked.
         """
         sensor, front_end = slam.sensors[0], slam.front_ends[0]
         if not hasattr(front_end, "initialize_at"):
@@ -119,7 +119,7 @@ class Target:
         found = front_end.initialize_at(FrontEndInput(scan, sensor, []), "points", self.pixels)
         if sum(one is not None for one in found) < LEAST:
             raise SlamlibError(
-                f"{found.count(None)} of the target's {len(found)} points lie too near the picture's border: "
+                f"{found.count(None)} of the target's {len(found)} points lie too near the image's border: "
                 f"at least {LEAST} must be left"
             )
         pixel_of: dict[Any, Array] = {}

@@ -1,8 +1,8 @@
-"""A patch as it looks from elsewhere: by zoom and rotation, an affine map, or the homography of a plane. Chapter active_search.
+"""Warping of patches: by zoom and rotation, an affine map, or the homography of a plane. Chapter active_search.
 
 All maps are matrices (3, 3) that take an offset (u, v, 1) from the landmark's pixel in the new image to one from its
 pixel in the old image, where the patch was taken: so a template is filled pixel by pixel, whatever the zoom. A pose
-`relative` (7,) is the old camera's, seen from the new one: X_new = R X_old + t. A plane is the vector m = n / d (3,)
+`relative` (7,) is the old camera's in the new camera's frame: X_new = R X_old + t. A plane is the vector m = n / d (3,)
 [1/m] of the old frame, m'X = 1 for its points: m = 0 is infinitely far away.
 """
 
@@ -20,7 +20,7 @@ _CORNERS = np.array([[-1.0, -1], [1, -1], [1, 1], [-1, 1]])
 
 def towards(pose: Array, point: Array) -> Array:
     """From poses (..., 7) to homogeneous points (..., 4) of the world: vectors (..., 3) of the world, times the last
-    number of the point, so that infinity has its direction."""
+    coordinate of the point, so that a point at infinity gives its direction."""
     return point[..., :3] - point[..., 3:] * pose[..., :3]
 
 
@@ -30,19 +30,19 @@ def angle(a: Array, b: Array) -> Array:
 
 
 def in_camera(pose: Array, point: Array) -> Array:
-    """Homogeneous points (..., 4) of the world in the frames of poses (..., 7); a last number of zero is infinity."""
+    """Homogeneous points (..., 4) of the world in the frames of poses (..., 7); a last coordinate 0 is infinity."""
     h = np.einsum("...ji,...j->...i", rotation(pose[..., 3:]), towards(pose, point))
     return np.concatenate([h, np.broadcast_to(point[..., 3:], (*h.shape[:-1], 1))], axis=-1)
 
 
 def facing_plane(point: Array) -> Array:
-    """The planes m (..., 3) through homogeneous points (..., 4) that face the camera: n = h / |h|, d = |h| / w."""
+    """The planes m (..., 3) through homogeneous points (..., 4) facing the camera: n = h / |h|, d = |h| / w."""
     h, w = point[..., :3], point[..., 3:]
     return w * h / (h * h).sum(-1, keepdims=True)
 
 
 def zoom_and_roll(relative: Array, point: Array) -> tuple[float, float]:
-    """How many times larger the new camera sees what is at a homogeneous point (4,) of the old one, and turned how far.
+    """Zoom and roll of the new camera's view of a homogeneous point (4,) of the old one, relative to the old view.
 
     Zoom: the quotient of the depths, old by new, along the optical axes. Roll [rad]: of the image's content, from u
     towards v; of all rotations about the axis the nearest to R. Section 6.1.3, step 2e of the toolbox's manual.
@@ -55,7 +55,7 @@ def zoom_and_roll(relative: Array, point: Array) -> tuple[float, float]:
 
 
 def similarity(zoom: float, roll: float) -> Array:
-    """The map of a patch that is seen `zoom` times larger and turned by `roll` [rad]."""
+    """The map (3, 3) of a patch that is seen `zoom` times larger and rotated by `roll` [rad]."""
     c, s = np.cos(roll) / zoom, np.sin(roll) / zoom
     return np.array([[c, s, 0], [-s, c, 0], [0, 0, 1.0]])
 
@@ -78,7 +78,7 @@ def offsets_map(H: Array, old: Array) -> Array:
 
 
 def affine(H: Array) -> Array:
-    """The maps' first order (..., 3, 3): their Jacobians at the offset zero, which stays where the map takes it."""
+    """The maps' first order (..., 3, 3): their Jacobians at the offset zero, whose image is kept."""
     slope = H[..., :2, :2] * H[..., 2:, 2:] - H[..., :2, 2:] * H[..., 2:, :2]
     result = np.zeros_like(H)
     result[..., :2, :2], result[..., 2, 2] = slope / H[..., 2:, 2:] ** 2, 1
@@ -102,19 +102,19 @@ def homography_through(source: Array, target: Array) -> Array:
 
 
 def seen_by(calibration: Calibration, relative: Array, plane: Array, pixels: Array) -> Array:
-    """Pixels (n, k, 2) of the old images that show what the new one shows at its pixels (n, k, 2), on n planes (n, 3).
+    """Pixels (n, k, 2) of the old images that correspond to pixels (n, k, 2) of the new one, by n planes (n, 3).
 
-    For any calibrated camera, with old poses `relative` (n, 7): back along the rays, on to the plane, and into the old
-    camera. nan for a plane that a ray misses, and for one outside of what a camera can see.
+    For any calibrated camera, with old poses `relative` (n, 7): back-projected, intersected with the plane, projected
+    into the old camera. nan for a plane that a ray misses, or that a camera cannot see.
     """
     try:
         rays = calibration.sensor.back_project(pixels, np.zeros((*pixels.shape[:-1], 1)), **calibration.given)[..., :3]
-    except SingularPointError:  # one pixel without a ray: the others have theirs
+    except SingularPointError:  # one pixel without a ray: the others one by one
         each = [i for i in range(len(pixels)) if len(pixels) > 1]
         alone = [seen_by(calibration, *(x[i : i + 1] for x in (relative, plane, pixels))) for i in each]
         return np.concatenate(alone) if alone else np.full(pixels.shape, np.nan)
     R, t = rotation(relative[:, 3:]), relative[:, None, :3]
-    # m'X = 1 with X = R'(Y - t) is (R m)'Y = 1 + (R m)'t, which is above zero for a camera on the old one's side.
+    # m'X = 1 with X = R'(Y - t) is (R m)'Y = 1 + (R m)'t, positive for a camera on the old one's side of the plane.
     m = np.einsum("nij,nj->ni", R, plane)[:, :, None]
     side, w = 1 + t @ m, rays @ m
     points = np.concatenate([(rays * side - w * t) @ R, w], axis=-1)
@@ -150,12 +150,12 @@ def stretch(H: Array) -> tuple[Array, Array]:
 def warp(reference: Array, centre: Array, H: Array, size: int) -> Array | None:
     """The template (size, size) that a map (3, 3) makes of a reference patch (h, w) around its pixel `centre` (2,).
 
-    Bilinear; where a new pixel covers several old ones they are averaged, lest fine texture turn into another one. None
-    where it needs pixels that the reference lacks.
+    Bilinear; where a new pixel covers several old ones they are averaged, to avoid aliasing. None where it needs pixels
+    outside of the reference.
     """
     half, centre = half_size(size, "warp"), finite(centre, (2,), "warp", "centre")
     counts = [max(1, round(float(n))) for n in np.hypot(*affine(H)[:2, :2])]
-    # Each pixel is sampled so many times, evenly over its width.
+    # Each pixel is sampled `count` times, evenly over its width.
     u, v = ((np.arange(-half, half + 1)[:, None] + (np.arange(count) + 0.5) / count - 0.5).ravel() for count in counts)
     grid = np.stack([*np.broadcast_arrays(u, v[:, None]), np.ones((len(v), len(u)))], axis=-1)
     places = grid @ H.T

@@ -13,7 +13,7 @@ from slamlib.datasets.dataset import CalibrationReader, Cameras, Dataset, ImageS
 from slamlib.datasets.lens import Lens, Numbers
 from slamlib.errors import SlamlibError, UnknownNameError
 
-# Names that the models of slamlib.datasets.lens have in these files.
+# Names of the models of slamlib.datasets.lens in these files.
 _RADIAL = ("radial-tangential", "radtan", "radtan5", "plumb_bob", "rational_polynomial", "none")
 MODELS = dict.fromkeys(_RADIAL, "radial-tangential") | dict.fromkeys(("equidistant", "equi", "fisheye"), "equidistant")
 
@@ -58,7 +58,7 @@ def _lens(text: str) -> Lens:
 
 
 def _beside(text: str) -> Numbers | None:
-    """Kalibr's T_cn_cnm1 takes points of the camera before to this one: its inverse is the place. None without it."""
+    """Kalibr's T_cn_cnm1 maps points of the previous camera to this one: its inverse is the pose. None without it."""
     _, there, after = text.partition("T_cn_cnm1:")
     if not there:
         return None

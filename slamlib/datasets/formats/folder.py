@@ -1,4 +1,4 @@
-"""Images in a folder, or those that match a glob such as "left_*.png", or one image: 30 a second, if not said."""
+"""Images in a folder, or those that match a glob such as "left_*.png", or one image: 30 per second by default."""
 
 import glob
 from collections.abc import Callable

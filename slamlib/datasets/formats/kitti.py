@@ -45,7 +45,7 @@ def _read(path: Path, text: str) -> Cameras:
 
 
 def _lens(row: str) -> Lens:
-    """The rectified camera of a projection matrix; its place is that in the frame of camera 0."""
+    """The rectified camera of a projection matrix; its pose is in the frame of camera 0."""
     P = np.array([float(word) for word in row.split()]).reshape(3, 4)
     transform = np.eye(4)
     transform[:3, 3] = -np.linalg.solve(P[:, :3], P[:, 3])

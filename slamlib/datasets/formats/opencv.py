@@ -55,7 +55,7 @@ def _lens(found: dict[str, Any], matrices: tuple[str, ...], distortions: tuple[s
 
 
 def _place(found: dict[str, Any]) -> Numbers | None:
-    """Place of the second camera of two: the inverse of R, T, which take points of the first to it. None without."""
+    """Pose of the second camera: the inverse of R, T, which map points of the first camera's frame. None without."""
     turn, shift = _first(found, "R"), _first(found, "T")
     if turn is None or shift is None:
         return None

@@ -13,7 +13,7 @@ NAMES = (*ORDER, "width", "height")
 
 
 def _fits(text: str) -> bool:
-    """Whether there is nothing but names with numbers, fx among them, or one row of four, eight or nine numbers."""
+    """Whether the text has only names with numbers, fx among them, or one row of four, eight or nine numbers."""
     rows = _rows(text)
     if len(rows) == 1 and len(rows[0]) in (4, 8, 9):
         return True

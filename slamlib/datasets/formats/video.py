@@ -1,4 +1,4 @@
-"""A video file as a sequence of pictures, read by OpenCV from its beginning on.
+"""A video file as a sequence of images, read by OpenCV from its start.
 
 Pictures that are not wanted are passed over one by one: jumping to a number is not exact in many files. Times are the
 number of the picture by the number of pictures a second: files with a varying rate are not worth trusting for less.
@@ -14,7 +14,7 @@ from slamlib.datasets.dataset import FPS, Dataset, ImageSource, Numbers
 from slamlib.datasets.pictures import TimedImage, grey, is_image, opencv
 from slamlib.errors import SlamlibError
 
-SLACK = 0.02  # the length in a header is often an estimate: so much of it may be missing at the end
+SLACK = 0.02  # the length in a header is often an estimate: this share of it may be missing at the end
 
 
 def _cameras(where: Path) -> dict[int, Path]:
@@ -26,7 +26,7 @@ def _open(where: Path, fps: float | None) -> ImageSource:
     cv2 = opencv("to read videos")
     with _opened(where) as film:
         own, count = film.get(cv2.CAP_PROP_FPS), int(film.get(cv2.CAP_PROP_FRAME_COUNT))
-        if count <= 0:  # some containers do not say: then they are counted
+        if count <= 0:  # unknown in some containers: then they are counted
             count = sum(1 for _ in iter(film.grab, False))
         elif not film.grab():
             count = 0

@@ -1,8 +1,8 @@
 """Two cameras side by side: features of rectified pairs, motion between them, and a front end for the filter.
 
 A pair is one array (2, h, w): the left picture, then the right one, of type uint8. Both are rectified: a point of the
-world lies in the same row of both, and the disparity d = u_left - u_right is focal length times baseline by depth. What
-is measured is (u, v, d) [px] of the left picture, as slamlib.sensors.stereo defines it. Chapter visual_odometry.
+world lies in the same row of both, and the disparity d = u_left - u_right is focal length times baseline by depth. The
+measurement is (u, v, d) [px] of the left picture, as slamlib.sensors.stereo defines it. Chapter visual_odometry.
 """
 
 from slamlib.datasets.pictures import pair

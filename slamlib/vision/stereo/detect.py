@@ -1,8 +1,8 @@
-"""Corners spread over a picture, with binary descriptors. Chapter visual_odometry.
+"""Corners spread over an image, with binary descriptors. Chapter visual_odometry.
 
 The descriptor is ORB's pattern of 256 comparisons, upright and of one scale: BRIEF (Calonder and others, 2010) with the
-pairs that ORB (Rublee and others, 2011) chose. The two cameras of a rig do not turn or zoom against each other, so that
-what ORB adds for that costs accuracy and gives nothing; `python -m benchmarks.stereo` measures it.
+pairs that ORB (Rublee and others, 2011) chose. The two cameras of a rig have the same orientation and scale, so
+that ORB's invariance to these costs accuracy without benefit; `python -m benchmarks.stereo` measures it.
 """
 
 from collections.abc import Callable
@@ -16,28 +16,28 @@ from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.manifolds import Array, Image
 
-WINDOW = 5  # px, of the structure tensor: its least eigenvalue is the strength of a corner
+WINDOW = 5  # px, of the structure tensor, whose smaller eigenvalue is the strength of a corner
 
 
 @dataclass(frozen=True)
 class StereoSettings:
-    """What the stereo front end may be told; lengths in pixels.
+    """Settings of the stereo front end; lengths in pixels.
 
-    cells, per_cell: of a grid (across, down), and the most features that a cell keeps, the strongest ones.
-    min_strength: strength of the weakest. detector: a name of DETECTORS. border: of the picture, without features.
-    rows: how far apart the rows of the two pictures may be. disparity: least and largest one. offset: added to each
-    disparity, column of the right principal point minus that of the left one (Middlebury's doffs). distance: bits of
-    256 in which two descriptors may differ at most. ratio: the best match differs in less than this share of the bits
-    of the second best. patch: side of the patches that measurements are refined with, odd; 0 does not refine. score:
-    their least correlation. shift: the most that the refinement may move. region: half the side of the squares in which
-    an odometry with a prediction looks for its matches.
+    cells, per_cell: of a grid (across, down), and the largest number of features per cell, the strongest ones.
+    min_strength: least strength of a feature. detector: a name of DETECTORS. border: of the image, without features.
+    rows: largest difference of the rows of a match. disparity: least and largest one. offset: added to each
+    disparity, column of the right principal point minus that of the left one (Middlebury's doffs). distance: largest
+    Hamming distance of two descriptors of 256 bits. ratio: the best one is below this share of the second best. patch:
+    side of the patches that measurements are refined with, odd; 0 does not refine. score: their least correlation.
+    shift: largest displacement by the refinement. region: half the side of the squares in which an odometry with a
+    prediction searches for its matches.
 
-    Of the front end alone. probability: with which a region contains the truth, if the filter is right. min_separation:
-    from one landmark to the next in the picture. max_in_view: with so many in view, none is begun. zoom: ratio of
-    distances up to which one view serves; views: so many of a landmark are kept. max_backoff: frames for which a
-    landmark rests that was missed again and again. update_interval: a landmark is measured in one of so many frames,
-    since its errors last (the template is the same), and a filter takes them for new ones; the other frames are left to
-    an odometry (MOTION_SOURCES "correlated").
+    Of the front end alone. probability: that a region contains the true measurement, if the filter is consistent.
+    min_separation: from one landmark to the next in the image. max_in_view: with so many in view, none is initialized.
+    zoom: largest ratio of distances for one view; views: largest number of views of a landmark. max_backoff: most
+    frames for which a missed landmark is skipped. update_interval: a landmark is measured in one of so many frames,
+    since its errors are correlated over time (the template is the same), and the filter assumes them independent; the
+    other frames are left to an odometry (MOTION_SOURCES "correlated").
     """
 
     cells: tuple[int, int] = (12, 8)
@@ -91,7 +91,7 @@ def detect(image: Image, settings: StereoSettings | None = None) -> Keypoints:
 
 
 def spread(pixels: Array, strengths: Array, size: tuple[int, int], cells: tuple[int, int], per_cell: int) -> Array:
-    """Rows of the `per_cell` strongest pixels (n, 2) of each cell of a picture (w, h), strongest first."""
+    """Rows of the `per_cell` strongest pixels (n, 2) of each cell of an image (w, h), strongest first."""
     order = np.argsort(-strengths, kind="stable")
     place = np.clip((pixels[order] * cells / size).astype(int), 0, np.subtract(cells, 1))
     cell = place[:, 1] * cells[0] + place[:, 0]
@@ -119,14 +119,14 @@ def _corners(image: Image, s: StereoSettings) -> Keypoints:
 
 
 def _top(values: Array, v: Array, u: Array, down: int, right: int) -> Array:
-    """Where the parabola through three neighbours has its top, within half a pixel."""
+    """Maximum of the parabola through three neighbours, within half a pixel."""
     before, middle, after = values[v - down, u - right], values[v, u], values[v + down, u + right]
     bend = before - 2 * middle + after
     return np.clip(np.where(bend < 0, (before - after) / np.where(bend < 0, 2 * bend, 1), 0), -0.5, 0.5)
 
 
 def _orb(image: Image, s: StereoSettings, levels: int) -> Keypoints:
-    """ORB's own detector (FAST), with its descriptors turned by its angles; spread over the grid likewise."""
+    """ORB's own detector (FAST), with descriptors rotated by its angles; spread over the grid likewise."""
     cv2 = opencv("to find features")
     orb = cv2.ORB_create(nfeatures=5000, nlevels=levels, edgeThreshold=s.border, fastThreshold=10)
     found = orb.detect(image, None)

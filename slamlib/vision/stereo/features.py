@@ -1,6 +1,6 @@
-"""What two eyes see: features matched in both directions along rows, each with its disparity, and followed. Chapter visual_odometry.
+"""Stereo features: matched in both directions along rows, with disparities, and tracked. Chapter visual_odometry.
 
-And whether two pictures are a rectified pair, the left one first: asked of the pictures themselves.
+Also a check, by the images themselves, that two of them are a rectified pair, the left one first.
 """
 
 from dataclasses import dataclass
@@ -14,14 +14,14 @@ from slamlib.sensors.sensor import Calibration
 from slamlib.vision.stereo.detect import Keypoints, StereoSettings, detect
 from slamlib.vision.stereo.refine import ALONG_ROW, align, align_shape, cut
 
-ROWS = 0.1  # of the picture's height: matches are sought so far up and down
-ENOUGH = 12  # matches, for a judgement
+ROWS = 0.1  # of the image's height: largest difference of the rows of a match
+ENOUGH = 12  # least number of matches for a check
 
 
 def hamming_distances(one: Image, other: Image) -> Array:
     """Bits (n, m) in which descriptors (n, 32) and (m, 32) differ.
 
-    With bits as signs, a' b is the number of equal bits less that of different ones: one product of matrices.
+    With bits as signs, a' b is the number of equal bits minus that of different ones: one matrix product.
     """
     a, b = (np.unpackbits(d, axis=1).astype(np.float32) * 2 - 1 for d in (one, other))
     differ: Array = (a.shape[1] - a @ b.T) / 2
@@ -29,9 +29,9 @@ def hamming_distances(one: Image, other: Image) -> Array:
 
 
 def mutual_nearest(cost: Array, *, largest: float, ratio: float = 1.0) -> Indices:
-    """Pairs (k, 2) of rows and columns of costs (n, m), each the other's best; inf is not allowed to match.
+    """Pairs (k, 2) of rows and columns of costs (n, m), each the other's best; inf excludes a match.
 
-    A best cost of more than `largest`, or not below `ratio` times the second best of its row or its column, is none.
+    A best cost above `largest`, or not below `ratio` times the second best of its row or column, is no match.
     """
     if not cost.size:
         return np.zeros((0, 2), dtype=int)
@@ -52,18 +52,18 @@ def _second(cost: Array) -> Array:
 
 
 def row_mask(left: Array, right: Array, rows: float, disparity: tuple[float, float]) -> Mask:
-    """Mask (n, m) of the pixels (n, 2) and (m, 2) that may show one point: in one row, with a disparity that may be."""
+    """Mask (n, m) of the pixels (n, 2) and (m, 2) that may show one point: in one row, with an allowed disparity."""
     apart = np.abs(left[:, None, 1] - right[None, :, 1])
     d = left[:, None, 0] - right[None, :, 0]
     return (apart <= rows) & (d >= disparity[0]) & (d <= disparity[1])
 
 
 def circular_matches(lefts: Indices, rights: Indices) -> Indices:
-    """Pairs (k, 2) of old and new stereo features that both pictures agree on.
+    """Pairs (k, 2) of old and new stereo features matched consistently in both images.
 
-    lefts, rights (., 2): pairs of (old, new) as matched in the left pictures, and in the right ones. A feature of a
-    pair is matched from left to right already, so that old left, new left, new right, old right closes the cycle of
-    the report's figure 5.1 exactly if both say the same.
+    lefts, rights (., 2): pairs of (old, new) as matched in the left images, and in the right ones. A feature of a
+    pair is already matched from left to right, so old left, new left, new right, old right closes the cycle of the
+    report's figure 5.1 exactly if both pairs are the same.
     """
     said = set(map(tuple, rights.tolist()))
     rows = [i for i, match in enumerate(map(tuple, lefts.tolist())) if match in said]
@@ -72,9 +72,9 @@ def circular_matches(lefts: Indices, rights: Indices) -> Indices:
 
 @dataclass(frozen=True, eq=False)
 class StereoFeatures:
-    """A pair (2, h, w); all that was detected in each picture; and what was matched from left to right, n features.
+    """A pair (2, h, w), the keypoints of each image, and the n features matched from left to right.
 
-    values (n, 3): (u, v, disparity) [px]. rows (n, 2): which of `left` and `right` each one is.
+    values (n, 3): (u, v, disparity) [px]. rows (n, 2): indices of each one in `left` and `right`.
     """
 
     image: Image
@@ -87,31 +87,31 @@ class StereoFeatures:
         return len(self.values)
 
     def descriptors(self, side: int) -> Image:
-        """Descriptors (n, 32) of the features in the left picture (0) or the right one (1)."""
+        """Descriptors (n, 32) of the features in the left image (0) or the right one (1)."""
         return (self.left, self.right)[side].descriptors[self.rows[:, side]]
 
     @property
     def strengths(self) -> Array:
-        """(n,) of the features' corners in the left picture."""
+        """Strengths (n,) of the features' corners in the left image."""
         return self.left.strengths[self.rows[:, 0]]
 
 
 class StereoFeatureExtractor:
-    """Looks at pairs, and at each of them only once: odometry and the filter's front end may share them."""
+    """Extracts the features of each pair only once: odometry and the filter's front end may share it."""
 
     def __init__(self, calibration: Calibration, settings: StereoSettings | None = None) -> None:
         self.calibration, self.settings = calibration, settings or StereoSettings()
         self.last: StereoFeatures | None = None
 
     def extract(self, image: Image | None) -> StereoFeatures:
-        """The features of a pair (2, h, w). Raises SlamlibError for what is none."""
+        """The features of a pair (2, h, w). Raises SlamlibError for anything else."""
         if self.last is None or self.last.image is not image:
             self.last = extract_features(checked(image, self.calibration), self.settings)
         return self.last
 
 
 def extract_features(image: Image, settings: StereoSettings) -> StereoFeatures:
-    """Detect in both pictures, match in both directions along the rows, and refine the disparities."""
+    """Detect in both images, match in both directions along the rows, and refine the disparities."""
     s, (left, right) = settings, (detect(picture, settings) for picture in image)
     cost = hamming_distances(left.descriptors, right.descriptors)
     least, largest = (bound - s.offset for bound in s.disparity)
@@ -124,7 +124,7 @@ def extract_features(image: Image, settings: StereoSettings) -> StereoFeatures:
 
 
 def refine_disparities(image: Image, pixels: Array, guess: Array, settings: StereoSettings) -> tuple[Array, Mask]:
-    """Disparities (n,) at pixels (n, 2) of the left picture, near the guess (n,), and the mask of those to believe."""
+    """Disparities (n,) at pixels (n, 2) of the left image, near the guess (n,), and the mask (n,) of the accepted."""
     s, (left, right) = settings, image
     if not s.patch or not len(pixels):
         return guess, np.ones(len(pixels), dtype=bool)
@@ -138,10 +138,10 @@ def refine_disparities(image: Image, pixels: Array, guess: Array, settings: Ster
 def refine_by_templates(
     image: Image, templates: Array, values: Array, settings: StereoSettings, *, free: bool
 ) -> tuple[Array, Mask]:
-    """Values (n, 3) where templates (n, patch + 2, patch + 2) fit best near those given, and the mask of the good ones.
+    """Values (n, 3) where templates (n, patch + 2, patch + 2) fit best near those given, and the mask of the accepted.
 
     free: whether a template may change its shape. From one pair to the next it hardly does, and a fixed one is more
-    precise; seen from elsewhere it does, and a fixed one is pulled aside.
+    precise; from another viewpoint it does, and a fixed one is biased.
     """
     s = settings
     pixels, score = align(image[0], templates, values[:, :2])
@@ -157,7 +157,7 @@ def track_features(
 ) -> tuple[Indices, Array]:
     """Pairs (k, 2) of old and new features that close the cycle, and their new values (k, 3), refined.
 
-    allowed (n, m): which may match at all, where a prediction says so.
+    allowed (n, m): mask of the possible matches, by a prediction.
     """
     s = settings
     sides = []
@@ -175,14 +175,14 @@ def track_features(
 
 
 def within_region(expected: Array, values: Array, radius: float) -> Mask:
-    """Mask (n, m) of values (m, .) whose pixel is at most `radius` [px] from an expected one (n, .); nan: nowhere."""
+    """Mask (n, m) of values (m, .) whose pixel is at most `radius` [px] from a predicted one (n, .); nan: none."""
     return np.abs(expected[:, None, :2] - values[None, :, :2]).max(-1) <= radius
 
 
 @dataclass(frozen=True)
 class Survey:
-    """Of matches found without regard to rows: how many; median of |v_left - v_right| [px], and the share with a
-    disparity of zero or less."""
+    """Of matches found without regard to rows: their number, median of |v_left - v_right| [px], and share with
+    disparities of zero or less."""
 
     matches: int
     rows: float
@@ -192,7 +192,7 @@ class Survey:
 def check_pair(image: Image, name: str, settings: StereoSettings | None = None) -> Survey:
     """Survey a pair (2, h, w). Raises SlamlibError if left and right are exchanged, or rows do not correspond.
 
-    A pair with too few matches for a judgement passes: it may be dark.
+    A pair with too few matches for a check passes: it may be dark.
     """
     s = settings or StereoSettings()
     left, right = (detect(picture, s) for picture in image)
@@ -207,13 +207,13 @@ def check_pair(image: Image, name: str, settings: StereoSettings | None = None) 
     found = Survey(len(match), float(np.median(np.abs(match[:, 1]))), negative)
     if found.negative > 0.5:
         raise SlamlibError(
-            f"{name}: {found.negative:.0%} of {found.matches} matches have a negative disparity (the right picture "
-            "shows them further right): left and right are exchanged; give --left and --right the other way round"
+            f"{name}: {found.negative:.0%} of {found.matches} matches have a negative disparity (in the right image "
+            "they are further right): left and right are exchanged; give --left and --right the other way round"
         )
     if found.rows > s.rows:
         raise SlamlibError(
             f"{name}: the rows of a point in the two pictures differ by {found.rows:.1f} px (median of {found.matches} "
             f"matches), and {s.rows} are allowed: the pair is not rectified. Rectify it with --rectify and a "
-            "calibration of both lenses with their places, or give the pictures that are rectified"
+            "calibration of both lenses with their extrinsics, or give the rectified images"
         )
     return found

@@ -12,13 +12,13 @@ from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.gates import gate
 from slamlib.vision.stereo.geometry import ORIGIN
 
-GATE_PROBABILITY = 0.999  # probability with which a true match passes
+GATE_PROBABILITY = 0.999  # probability that a correct match passes
 ROUNDS = 10
 
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """The robot's new pose (7,) in its old frame, covariance (6, 6), mask (n,) of what agrees, and sum of z' S^-1 z."""
+    """The robot's new pose (7,) in its old frame, covariance (6, 6), mask (n,) of the inliers, and sum of z' S^-1 z."""
 
     pose: Array
     covariance: Array
@@ -27,9 +27,9 @@ class Fit:
 
 
 def fit(calibration: Calibration, extrinsics: Array, old: Array, new: Array, start: Array, inliers: Mask) -> Fit | None:
-    """The pose most likely for measurements (n, 3) with the calibration's noise in both pairs, from a first guess.
+    """Maximum-likelihood pose for measurements (n, 3) [px] with the calibration's noise in both pairs, from `start`.
 
-    Twice: with the given inliers, and with all matches that the first result's gate lets pass. None if too few.
+    Twice: with the given inliers, and with those that pass the first result's gate. None if too few.
     """
     pose, keep = start, inliers
     for _ in range(2):
@@ -43,10 +43,10 @@ def fit(calibration: Calibration, extrinsics: Array, old: Array, new: Array, sta
 
 
 def _minimum(calibration: Calibration, extrinsics: Array, old: Array, new: Array, pose: Array) -> tuple[Array, Array]:
-    """Iterate; what an old point really measured, y, is estimated with the pose.
+    """Iterate; the noise-free old measurements y are estimated together with the pose.
 
     The cost is |old - y|^2 + |new - g(X, y)|^2, both in the metric of R. For a step of X by A dx and of y by G dy the
-    best dy is known, which leaves e = (new - g) - G (old - y) of covariance S = R + G R G' for the pose alone:
+    optimal dy is known, which leaves e = (new - g) - G (old - y) of covariance S = R + G R G' for the pose alone:
     the same as if the points were parameters too (their Schur complement), at the cost of a 6 x 6 system.
     """
     R, y = calibration.noise, old

@@ -1,4 +1,4 @@
-"""A front end for a stereo sensor: landmarks are found again by their descriptors, within the filter's own gate."""
+"""A front end for a stereo sensor: landmarks are matched by their descriptors, within the filter's own gate."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -28,35 +28,35 @@ from slamlib.vision.stereo.refine import cut
 
 @dataclass(frozen=True, eq=False)
 class LandmarkView:
-    """Descriptor (32,), patch (s, s) round the left pixel, its margin of one included, and disparity [px]."""
+    """Descriptor (32,), patch (s, s) around the left pixel, with its margin of one pixel, and disparity [px]."""
 
     descriptor: Array
     patch: Array
     disparity: float
 
     def zoom(self, disparity: float) -> float:
-        """How much larger or smaller it looks at another disparity, 1 or more: its distance changed by as much."""
+        """Ratio of scales, 1 or more, between this view and one at another disparity [px]."""
         ratio = disparity / self.disparity
         return max(ratio, 1 / ratio) if ratio > 0 else np.inf
 
 
 @dataclass(frozen=True, eq=False)
 class LandmarkViews:
-    """All views of a landmark, the first one first. The first is never given up, so that a chain does not drift."""
+    """All views of a landmark, the first one first. The first is never deleted, to avoid drift."""
 
     all: tuple[LandmarkView, ...]
 
     def nearest(self, disparity: float) -> LandmarkView:
-        """The one whose distance is most like that of a disparity [px]; of equals the oldest."""
+        """The view whose distance is nearest to that of a disparity [px]; of equals the oldest."""
         return min(self.all, key=lambda view: view.zoom(disparity))
 
     def with_view(self, view: LandmarkView, most: int) -> "LandmarkViews":
-        """With one more; of more than `most`, the oldest but the first goes."""
+        """With one more view; of more than `most`, the oldest but the first is deleted."""
         first, rest = self.all[:1], (*self.all[1:], view)
         return LandmarkViews(first + rest[-(most - 1) :] if most > 1 else first)
 
     def pack(self) -> Any:
-        """Plain data, for JSON: nothing is lost."""
+        """Plain data for JSON, without loss."""
         return [[v.descriptor.tolist(), v.patch.tolist(), v.disparity] for v in self.all]
 
     @classmethod
@@ -68,8 +68,8 @@ class LandmarkViews:
 class StereoSearch(ImageFrontEnd):
     """Measures (u, v, disparity) [px] in the pair that is a scan's image, an array (2, h, w) of uint8.
 
-    A landmark keeps its number as long as the filter keeps it: however long it was out of view, it is matched again by
-    its descriptor as soon as it lies in the gate.
+    A landmark keeps its id as long as it is in the map: however long it was out of view, it is matched by its
+    descriptor as soon as a feature lies in its gate.
     """
 
     size, signature_type = 3, LandmarkViews
@@ -78,19 +78,19 @@ class StereoSearch(ImageFrontEnd):
     def __init__(
         self, calibration: Calibration, settings: StereoSettings | None = None, *, half: int | None = None
     ) -> None:
-        """half: 0 or 1 measures in a part of the picture only, and leaves the other half to an odometry (E21), which
-        shares the extractor, so that a pair is looked at once. Raises SlamlibError for another sensor."""
+        """half: 0 or 1 measures in one half of the image only, and leaves the other to an odometry (E21), which shares
+        the extractor, so that a pair is processed once. Raises SlamlibError for another sensor."""
         if calibration.image is None or calibration.sensor.size != 3 or "baseline" not in calibration.given:
             raise SlamlibError(
-                f"StereoSearch: a stereo sensor with an image is wanted, not {calibration.sensor.name}: "
+                f"StereoSearch: a stereo sensor with an image is expected, not {calibration.sensor.name}: "
                 "SensorSetup(type='stereo', image=(w, h), parameters={'intrinsics': ..., 'baseline': ...})"
             )
         super().__init__(calibration, settings or StereoSettings())
         self.half = half
         self.extractor = StereoFeatureExtractor(calibration, self.settings)
-        self.found: dict[int, int] = {}  # rows of the present features, by the landmarks that they show
+        self.found: dict[int, int] = {}  # rows of the present features, by the ids of the landmarks matched
         self.reserved = np.zeros(0, dtype=int)  # rows of the present features that are left to an odometry
-        self.initialized: list[int] = []  # rows of the present features that began a landmark
+        self.initialized: list[int] = []  # rows of the present features that initialized a landmark
         self.frame = 0
 
     def check(self, scan: Scan) -> None:
@@ -98,7 +98,7 @@ class StereoSearch(ImageFrontEnd):
         checked(scan.image, self.calibration)
 
     def searchable(self, inputs: FrontEndInput) -> list[Any]:
-        """The looks at what was seen from about this distance before, and does not rest."""
+        """The predictions with a view from about this distance, not in search backoff."""
         s = self.settings
         able = [
             p
@@ -116,7 +116,7 @@ class StereoSearch(ImageFrontEnd):
         return bool((frame + landmark.id) % self.settings.update_interval == 0)
 
     def in_own_half(self, values: Array) -> Mask:
-        """Mask (n,) of the measurements (n, .) in this front end's part of the picture."""
+        """Mask (n,) of the measurements (n, .) in this front end's half of the image."""
         return np.ones(len(values), dtype=bool) if self.half is None else checkerboard_half(values) == self.half
 
     def find(self, inputs: FrontEndInput, predictions: list[Any]) -> Iterator[tuple[int, Array]]:
@@ -134,12 +134,12 @@ class StereoSearch(ImageFrontEnd):
         return zip(pairs[good, 0].tolist(), values[good], strict=True)
 
     def costs(self, seen: StereoFeatures, predictions: list[Any], views: list[LandmarkView]) -> Array:
-        """Differing bits (n, m) of looks and features; inf where a feature lies outside the look's gate."""
+        """Hamming distances (n, m) of predictions and features; inf where a feature is outside of the gate."""
         if not predictions or not len(seen):
             return np.zeros((len(predictions), len(seen)))
         bits = hamming_distances(np.array([view.descriptor for view in views]), seen.descriptors(0))
         S = np.array([prediction.S for prediction in predictions])
-        # What is detected lies on a corner of this picture, up to a pixel from where the landmark was begun.
+        # A detected corner lies up to a pixel from the position at which the landmark was initialized.
         S = S + np.diag([1.0, 1.0, 0.5]) / 3
         z = seen.values[None] - np.array([prediction.value for prediction in predictions])[:, None]
         squares = (z * (z @ np.linalg.inv(S))).sum(-1)
@@ -150,11 +150,11 @@ class StereoSearch(ImageFrontEnd):
     def new_landmarks(
         self, inputs: FrontEndInput, usable: Callable[[Array], Mask], count: int
     ) -> Iterator[tuple[Array, Any]]:
-        """Value (3,) and views of up to `count` new landmarks, the strongest, apart from all that is in view."""
+        """Value (3,) and views of up to `count` new landmarks, the strongest, separated from all in view."""
         seen = self.extractor.extract(inputs.scan.image)
         self.renew(seen, inputs)
         expected = np.array([prediction.value for prediction in inputs.predictions]).reshape(-1, 3)
-        # What is hidden, and rests, leaves its place to what stands before it.
+        # Occluded landmarks in search backoff are not counted: new ones may replace them in the image.
         present = sum(prediction.landmark.id not in self.backoff for prediction in inputs.predictions)
         count, self.initialized = min(count, self.settings.max_in_view - present), []
         if count <= 0 or not len(seen):
@@ -172,13 +172,13 @@ class StereoSearch(ImageFrontEnd):
                 yield seen.values[i], LandmarkViews((self.view(seen, seen.values[i]),))
 
     def view(self, seen: StereoFeatures, value: Array) -> LandmarkView:
-        """How a feature looks now: the descriptor of the feature nearest to the value."""
+        """The present view of a measurement (3,): the descriptor of the nearest feature, and a patch."""
         nearest = int(np.abs(seen.values[:, :2] - value[:2]).max(1).argmin())
         patch = cut(seen.image[0], value[None, :2], max(self.settings.patch, 1) + 2)[0]
         return LandmarkView(seen.descriptors(0)[nearest], patch, float(value[2]))
 
     def renew(self, seen: StereoFeatures, inputs: FrontEndInput) -> None:
-        """Landmarks that were believed, and look larger or smaller than ever, get one more view."""
+        """Add a view to inlier landmarks whose scale differs from all their views."""
         s = self.settings
         for prediction in inputs.predictions:
             landmark = prediction.landmark
@@ -189,10 +189,10 @@ class StereoSearch(ImageFrontEnd):
                 landmark.signature = landmark.signature.with_view(self.view(seen, prediction.measured), s.views)
 
     def dump(self) -> Any:
-        """How many pairs it looked at, beside the state of every front end on pictures."""
+        """The state of every front end on images, and the number of pairs processed."""
         return {**super().dump(), "frame": self.frame}
 
     def restore(self, state: Any) -> None:
-        """Go on from what `dump` gave."""
+        """Restore the state that `dump` returned."""
         super().restore(state)
         self.frame = state["frame"]

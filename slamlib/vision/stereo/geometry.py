@@ -32,10 +32,10 @@ def triangulate(calibration: Calibration, values: Array, extrinsics: Array = ORI
 
 
 def pixel_noise(left: float, right: float) -> Array:
-    """R (3, 3) of (u_l, v_l, u_l - u_r) [px^2], where u_l, v_l and u_r err independently, with these deviations [px].
+    """R (3, 3) of (u_l, v_l, u_l - u_r) [px^2], for independent u_l, v_l and u_r with these standard deviations [px].
 
-    So it is if both pixels are detected, each for itself: u and disparity are correlated then. A disparity that is
-    measured by laying the left patch over the right picture is not: there R is diagonal.
+    For both pixels detected independently: u and disparity are correlated then. For a disparity measured by aligning
+    the left patch in the right image they are not, and R is diagonal.
     """
     J = np.array([[1.0, 0, 0], [0, 1, 0], [1, 0, -1]])
     return J @ np.diag([left**2, left**2, right**2]) @ J.T
@@ -44,22 +44,22 @@ def pixel_noise(left: float, right: float) -> Array:
 def stereo_rig(rig: Rig, std: tuple[float, ...] = (0.15, 0.15, 0.15)) -> Rig:
     """The same robot with one stereo sensor, in place of a left and a right camera of equal lenses without distortion.
 
-    std: of u, v and the disparity [px]: a match in the rooms errs by 0.05 px, but errors of one landmark go on from
-    frame to frame, which the filter knows nothing of. Raises SlamlibError for cameras that are no rectified pair.
+    std: of u, v and the disparity [px]: a match in the rooms has errors of 0.05 px, but those of one landmark are
+    correlated over frames, which the filter does not model. Raises SlamlibError for cameras that are no rectified pair.
     """
     if len(rig.robots) != 1 or len(rig.sensors) != 2:
-        raise SlamlibError("joined: a rig of one robot with a left and a right camera is wanted")
+        raise SlamlibError("joined: a rig of one robot with a left and a right camera is expected")
     left, right = rig.sensors
     baseline, *aside = relative(left.extrinsics, right.extrinsics)[:3].tolist()
     lens = dict(left.parameters)
     if lens != dict(right.parameters) or left.image != right.image or left.euler != right.euler:
         raise SlamlibError("joined: the two cameras differ in lens, image or direction: rectify them first")
     if any(lens.get("distortion", ())):
-        raise SlamlibError("joined: the lenses distort, so that rows do not correspond: rectify the pictures first")
+        raise SlamlibError("joined: the lenses have distortion, so rows do not correspond: rectify the images first")
     if not baseline > 0 or np.abs(aside).max() > 1e-9 * baseline:
         raise SlamlibError(
             f"joined: the right camera is {[baseline, *aside]} m from the left one (right, down, front), and should be "
-            "to the right alone: rectify them, or name them the other way round"
+            "to the right alone: rectify them, or exchange them"
         )
     parameters = {"intrinsics": lens["intrinsics"], "baseline": (baseline,)}
     sensor = SensorSetup("stereo", type="stereo", image=left.image, parameters=parameters, std=std)
@@ -70,5 +70,5 @@ def stereo_frame(frame: Frame) -> Frame:
     """A frame with the scans of two cameras as one with a single scan, whose image is the pair."""
     left, right = (scan.image for scan in frame.scans)
     if left is None or right is None:
-        raise SlamlibError(f"frame {frame.number}: one of the two pictures is missing")
+        raise SlamlibError(f"frame {frame.number}: one of the two images is missing")
     return replace(frame, scans=(Scan(image=pair(left, right)),))

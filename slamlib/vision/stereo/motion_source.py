@@ -1,10 +1,10 @@
-"""Where the prediction of a stereo filter comes from, without using a measurement twice (E21). Chapter stereo_ekf_slam.
+"""The source of a stereo filter's predictions, without using a measurement twice (E21). Chapter stereo_ekf_slam.
 
-"constant-velocity": the robot keeps its velocities, and all features correct. "split-features": those in one half of
-the picture give the control, those in the other one correct. "correlated": all features do both, and their
-cross-correlation is modelled. That needs no more than this (slamlib.tests.shared_noise has the proof): a control of
-features that correct as well tells nothing new, so that only the others, strangers, say how well it is known; all
-together say where to linearize. A stranger of this pair is no landmark's measurement, and begins none, in this pair.
+"constant-velocity": the robot keeps its velocities, and all features update. "split-features": those in one half of
+the image give the control, those in the other one update. "correlated": all features do both, and their
+cross-correlation is modelled. For this (slamlib.tests.shared_noise has the proof) only features that do not update
+the map give the control's covariance, since the others contain no further information; all of them together give the
+linearization point. A feature reserved for the control is no landmark's measurement, and initializes none.
 """
 
 from dataclasses import replace
@@ -23,20 +23,20 @@ from slamlib.vision.stereo.fitting import fit
 from slamlib.vision.stereo.front_end import StereoSearch
 from slamlib.vision.stereo.odometry import MIN_MATCHES, RelativeMotion, VisualOdometry, as_control
 
-UNINFORMATIVE = 1e4  # times its covariance, a control tells nothing that its measurements do not tell as well
-NEAR_SIGMAS = 3.5  # standard deviations: a feature so near to where a landmark is expected may be that landmark
-SLACK = 2.0  # px, by which what is detected may lie beside the landmark that it shows
-RESERVED_PER_LANDMARK = 2  # of the strongest features, so many for each landmark that may be begun are left to begin it
-UNKNOWN = (1.0, 0.3)  # [m], [rad]: standard deviations of a step of which there is no example
-NEWEST_SHARE = 0.2  # of the newest change in the mean of their squares
-INFLATION = 9.0  # a motion is lost where it changes more than usual: variances are larger by so much
+UNINFORMATIVE = 1e4  # factor of a covariance that makes a control uninformative
+NEAR_SIGMAS = 3.5  # standard deviations: a feature so near to a predicted landmark may be that landmark
+SLACK = 2.0  # px, largest distance of a detected feature from its landmark
+RESERVED_PER_LANDMARK = 2  # strongest features per new landmark that are left for initializations
+UNKNOWN = (1.0, 0.3)  # [m], [rad]: standard deviations of a step without any known before
+NEWEST_SHARE = 0.2  # weight of the newest change in the mean of their squares
+INFLATION = 9.0  # factor of the variances: a motion is lost where it changes more than usual
 
 
 class StereoMotionSource(MotionSource):
-    """Of stereo pairs; this one tells nothing: the robot's own noise says how its velocities may change.
+    """Base of the motion sources of stereo pairs; it gives no control: the motion model predicts with its own noise.
 
-    motion: of the robot whose filter takes its front end. found: the odometry's motion to the present pair, or None.
-    landmark_half: of the picture, in which landmarks are measured; None: in all of it.
+    motion: motion model of the robot. found: the odometry's motion to the present pair, or None. landmark_half: half of
+    the image in which landmarks are measured; None: all of it.
     """
 
     motion = "constVel"
@@ -50,18 +50,18 @@ class StereoMotionSource(MotionSource):
 
 
 class MotionFallback:
-    """The motion of a step that nobody could tell: as the last one, and not well known.
+    """The control of a step whose odometry failed: the last one, with a large covariance.
 
-    Remembers how controls (6,) change from step to step: displacement [m] and rotation [rad] by themselves.
+    Estimates how controls (6,) change from step to step, separately for displacement [m] and rotation [rad].
     """
 
     def __init__(self) -> None:
-        self.rate: Array | None = None  # the last control by its time
-        self.changes: Array | None = None  # (2,) mean squares of a change of the rate, of one coordinate
+        self.rate: Array | None = None  # the last control, per second
+        self.changes: Array | None = None  # (2,) mean squared changes of one coordinate of the rate
         self.lost = 0
 
     def record(self, control: Control, dt: float) -> None:
-        """A step whose control is known."""
+        """Record the control of a step of dt [s]."""
         rate = control.value / dt
         if self.rate is not None:
             square = ((rate - self.rate) ** 2).reshape(2, 3).mean(1)
@@ -70,7 +70,7 @@ class MotionFallback:
         self.rate, self.lost = rate, 0
 
     def extrapolate(self, dt: float) -> Control:
-        """The last control again, the less certain the more steps in a row were lost; a random walk of the rate."""
+        """The last rate over dt [s]; a random walk of the rate: its covariance grows with the steps lost in a row."""
         self.lost += 1
         if self.rate is None:
             return Control(np.zeros(6), np.repeat(np.square(UNKNOWN), 3))
@@ -82,13 +82,13 @@ class MotionFallback:
         return [None if a is None else a.tolist() for a in (self.rate, self.changes)] + [self.lost]
 
     def restore(self, state: Any) -> None:
-        """Go on from what `dump` gave."""
+        """Restore the state that `dump` returned."""
         self.rate, self.changes = (None if a is None else np.array(a) for a in state[:2])
         self.lost = state[2]
 
 
 class SplitFeatures(StereoMotionSource):
-    """Odometry in the squares of one colour of a chess board over the picture, landmarks in those of the other."""
+    """Odometry in the squares of one colour of a chess board over the image, landmarks in those of the other."""
 
     name, motion = "split-features", "odometry"
     odometry_half: int | None = 0
@@ -112,7 +112,7 @@ class SplitFeatures(StereoMotionSource):
             return self.filter_control(old, self.odometry.extractor.extract(image), self.found, slam)
 
     def filter_control(self, old: StereoFeatures, new: StereoFeatures, found: RelativeMotion, slam: Any) -> Control:
-        """What the filter is told of a motion that was found between two pairs."""
+        """The filter's control, of a motion found between two pairs."""
         return found.control
 
     def dump(self) -> Any:
@@ -120,24 +120,24 @@ class SplitFeatures(StereoMotionSource):
         return {"odometry": self.odometry.dump(), "fallback": self.fallback.dump()}
 
     def restore(self, state: Any) -> None:
-        """Go on from what `dump` gave."""
+        """Restore the state that `dump` returned."""
         self.odometry.restore(state["odometry"])
         self.fallback.restore(state["fallback"])
 
 
 class CorrelatedFeatures(SplitFeatures):
-    """All features for both: the control of the strangers, linearized where all features say that the robot is."""
+    """All features for both: the control of those not used by the filter, linearized at the motion of all features."""
 
     name = "correlated"
     odometry_half = landmark_half = None
 
     def control(self, image: Image | None, dt: float, slam: Any) -> Control:
-        """Likewise; which features are reserved for the odometry is said anew for each pair."""
+        """As SplitFeatures; the features reserved for the odometry are chosen for each pair."""
         self.front_end.reserved = np.zeros(0, dtype=int)
         return super().control(image, dt, slam)
 
     def filter_control(self, old: StereoFeatures, new: StereoFeatures, found: RelativeMotion, slam: Any) -> Control:
-        """The motion of the strangers, from all features' motion on; if they are too few, the latter, hardly known."""
+        """The motion of unmapped features, starting from that of all; if too few, the latter, uninformative."""
         in_half = self.unmapped(new, found, slam) & found.inliers
         pairs, values = self.odometry.pairs, self.odometry.matched
         extractor, extrinsics = self.odometry.extractor, self.odometry.extrinsics
@@ -148,7 +148,7 @@ class CorrelatedFeatures(SplitFeatures):
         return as_control(own)
 
     def unmapped(self, new: StereoFeatures, found: RelativeMotion, slam: Any) -> Mask:
-        """Mask (k,) of the matches that show no landmark, and will begin none."""
+        """Mask (k,) of the matches that are no landmark's measurement, and will initialize none."""
         pairs, values = self.odometry.pairs, self.odometry.matched
         front_end = self.front_end
         mask = ~np.isin(pairs[:, 0], [*front_end.found.values(), *front_end.initialized])
@@ -164,11 +164,11 @@ class CorrelatedFeatures(SplitFeatures):
         return mask
 
     def dump(self) -> Any:
-        """Beside that of halves: which features of the last pair showed landmarks, and which began some."""
+        """As SplitFeatures; also the features of the last pair that were matched to landmarks or initialized some."""
         return {**super().dump(), "shown": self.front_end.found, "initialized": self.front_end.initialized}
 
     def restore(self, state: Any) -> None:
-        """Go on from what `dump` gave."""
+        """Restore the state that `dump` returned."""
         super().restore(state)
         self.front_end.found = {int(number): row for number, row in state["shown"].items()}
         self.front_end.initialized = state["initialized"]
@@ -177,15 +177,15 @@ class CorrelatedFeatures(SplitFeatures):
 class OdometryOnly(SplitFeatures):
     """Plain odometry of all features, for a filter without landmarks.
 
-    searched are the features matched from left to right, matched those that were matched round the cycle, believed
-    those that agree with the motion; nis is the sum of their squares.
+    searched are the features matched from left to right, matched those that were matched around the cycle, inliers
+    those consistent with the motion; nis is the sum of their squares.
     """
 
     name = "odometry"
     odometry_half = None
 
     def counts(self) -> dict[str, float]:
-        """Of features, in place of landmarks."""
+        """Numbers of features, instead of landmarks."""
         inliers = 0 if self.found is None else int(self.found.inliers.sum())
         dof = max(3 * inliers - 6, 0)
         return {

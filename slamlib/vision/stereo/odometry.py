@@ -17,14 +17,14 @@ from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeature
 from slamlib.vision.stereo.fitting import Fit, fit
 from slamlib.vision.stereo.geometry import ORIGIN, triangulate
 
-MIN_MATCHES = 8  # matches, for which a motion can be told from chance
-INLIER_THRESHOLD = 2.0  # px, of reprojection, within which a match agrees with a sample's motion
+MIN_MATCHES = 8  # least number of matches for a motion
+INLIER_THRESHOLD = 2.0  # px, largest reprojection error of an inlier of a sample's motion
 
 
 @dataclass(frozen=True, eq=False)
 class RelativeMotion:
-    """From the old pair to the new one. inliers (n,): mask of the matches; fit: the mean of z' S^-1 z by its degrees
-    of freedom, 1 if the noise of the calibration is that of the measurements."""
+    """From the old pair to the new one. inliers (n,): mask of the matches; nis_per_dof: the mean of z' S^-1 z per
+    degree of freedom, 1 if the noise of the calibration is that of the measurements."""
 
     control: Control
     inliers: Mask
@@ -41,8 +41,8 @@ def motion_between(
 ) -> RelativeMotion | None:
     """The robot's motion between measurements (n, 3) [px] of the same points, old and new; None if none is found.
 
-    extrinsics (7,): the sensor's pose on the robot. The covariance is that of the given noise: the mean of z' S^-1 z
-    tells whether that is true.
+    extrinsics (7,): the sensor's pose on the robot. The covariance follows from the given noise: nis_per_dof tests
+    whether that is consistent.
     """
     if len(old) < MIN_MATCHES:
         return None
@@ -58,10 +58,10 @@ def motion_between(
 
 
 def ransac_pose(calibration: Calibration, old: Array, new: Array) -> tuple[Array, Mask] | None:
-    """The camera's new pose (7,) in its old frame, and the mask (n,) of the matches that agree: PnP with RANSAC.
+    """The camera's new pose (7,) in its old frame, and the mask (n,) of the inliers: PnP with RANSAC.
 
     OpenCV's solution takes points of the *old* camera's frame to the new one's, p_new = R p_old + t. The motion of the
-    camera is its inverse: where it goes ahead, points come nearer. The report takes one for the other (E20).
+    camera is its inverse: when it moves forwards, points come nearer. The report confuses the two (E20).
     """
     cv2 = opencv("to find the motion between two pairs")
     points, _ = triangulate(calibration, old)
@@ -85,7 +85,7 @@ def as_control(found: Fit) -> Control:
 
 
 def control_axes(pose: Array) -> Array:
-    """How the control's numbers (6,) move with a small step (6,) of the pose (7,) that it belongs to: (6, 6)."""
+    """Jacobian (6, 6) of the control w.r.t. a small step (6,) of its pose (7,)."""
     _, J = logarithm.jac(pose[3:])
     _, by = plus.jac(pose[3:], np.zeros(3))
     T = np.eye(6)
@@ -94,10 +94,10 @@ def control_axes(pose: Array) -> Array:
 
 
 class Tracks:
-    """Numbers of the features of the present pair, and how long each has been followed.
+    """Ids of the features of the present pair, and how long each has been tracked.
 
-    ids (n,) of the present features; ages (n,): pairs in which each was seen. A feature that is lost gets another
-    number when it is found again: only a filter's map remembers (slamlib.vision.stereo.front_end).
+    ids (n,) of the present features; ages (n,): pairs in which each was seen. A lost feature gets a new id when
+    it is detected again: only a filter's map re-identifies it (slamlib.vision.stereo.front_end).
     """
 
     def __init__(self) -> None:
@@ -106,10 +106,10 @@ class Tracks:
         self.ages = np.zeros(0, dtype=int)
 
     def step(self, count: int, pairs: Indices) -> Array:
-        """Go on to a pair with `count` features, `pairs` (k, 2) of old and new rows; the mask (n,) of the old ones.
+        """Advance to a pair with `count` features, `pairs` (k, 2) of old and new rows; the mask (n,) of the old ones.
 
-        The mask is the report's of re-observation: which of the features of the pair before were matched again in both
-        pictures of this one (5.2, C41).
+        The mask is the report's re-observation mask: the features of the pair before that were matched again in both
+        images of this one (5.2, C41).
         """
         seen = np.zeros(len(self.ids), dtype=bool)
         seen[pairs[:, 0]] = True
@@ -123,10 +123,10 @@ class Tracks:
 
 
 class VisualOdometry:
-    """One motion for each pair after the first, from matches round the cycle. half: 0 or 1 takes part of the features.
+    """One motion for each pair after the first, from matches around the cycle. half: 0 or 1 uses half of the image.
 
-    Motion and update of a filter must not use the same measurements (E21): two halves of the picture, as squares of a
-    chess board, give one each its own (`split-features`).
+    Motion and update of a filter must not use the same measurements (E21): each has its own half of the image, as
+    squares of a chess board (`split-features`).
 
     After a step: pairs (k, 2) of old and new features, and matched (k, 3), their new values [px].
     """
@@ -139,10 +139,10 @@ class VisualOdometry:
         self.matched: Array = np.zeros((0, 3))
 
     def step(self, image: Image | None, predicted: Array | None = None) -> RelativeMotion | None:
-        """The motion to this pair (2, h, w) from the one before; None for the first, and where none can be told.
+        """The motion to this pair (2, h, w) from the one before; None for the first, and where none is found.
 
         predicted (7,): the robot's new pose in its old frame, for the regions of matches; the default is that of the
-        step before, and where there was none, the whole picture.
+        step before, and where there was none, the whole image.
         """
         old, new = self.old, self.extractor.extract(image)
         self.old = new
@@ -175,7 +175,7 @@ class VisualOdometry:
         return {"pair": None if self.old is None else pack(self.old.image), "last": last}
 
     def restore(self, state: Any) -> None:
-        """Go on from what `dump` gave: the next step is the same."""
+        """Restore the state that `dump` returned: the next step is the same."""
         self.old = None if state["pair"] is None else self.extractor.extract(unpack(state["pair"]))
         self.last = None if state["last"] is None else np.array(state["last"])
 
@@ -184,5 +184,5 @@ CHECKERBOARD_SQUARE = 64  # px
 
 
 def checkerboard_half(values: Array) -> Array:
-    """0 or 1 (n,), by the square of a chess board over the picture that each measurement (n, .) lies in."""
+    """0 or 1 (n,), by the square of a chess board over the image that each measurement (n, .) lies in."""
     return np.floor(values[:, :2] / CHECKERBOARD_SQUARE).astype(int).sum(1) % 2

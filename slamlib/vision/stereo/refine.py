@@ -1,4 +1,4 @@
-"""Many small patches laid over a picture at once, to a fraction of a pixel: Gauss-Newton with a gain and an offset."""
+"""Sub-pixel alignment of many patches in an image, vectorized: Gauss-Newton with a gain and an offset."""
 
 import numpy as np
 
@@ -6,13 +6,13 @@ from slamlib.manifolds import Array, Image
 
 BOTH = np.eye(2)
 ALONG_ROW = np.array([[1.0], [0.0]])
-MOST = 0.6  # a patch that changes its shape by more is another one
+MOST = 0.6  # largest change of a patch's shape
 
 
 def cut(image: Image, pixels: Array, size: int, shapes: Array | None = None) -> Array:
-    """Patches (n, size, size) round pixels (n, 2), bilinear; places outside the picture repeat its border.
+    """Patches (n, size, size) around pixels (n, 2), bilinear; positions outside the image repeat its border.
 
-    shapes (n, 2, 2): what the steps (right, down) of the patch are in the picture; None: themselves.
+    shapes (n, 2, 2): linear maps of the patch's steps (right, down) into the image; None: the identity.
     """
     steps = np.arange(size) - (size - 1) / 2
     right, down = steps[None, None, :], steps[None, :, None]
@@ -36,8 +36,8 @@ def cut(image: Image, pixels: Array, size: int, shapes: Array | None = None) -> 
 def align(image: Image, templates: Array, pixels: Array, axes: Array = BOTH, rounds: int = 6) -> tuple[Array, Array]:
     """Pixels (n, 2) near the given ones where templates (n, s + 2, s + 2) fit best, and correlations (n,) there.
 
-    Each template T, without its margin of one, and the patch I found are made free of mean and of scale; the step d
-    along the columns of `axes` (2, k) makes |I - T - grad T d|^2 least, and is taken back from the pixel (inverse
+    Each template T, without its margin of one, and the image patch I are normalized in mean and scale; the step d
+    along the columns of `axes` (2, k) minimizes |I - T - grad T d|^2, and is subtracted from the pixel (inverse
     compositional, Baker and Matthews, 2004). A patch without structure stays where it was, with correlation 0.
     """
     size, n = templates.shape[1] - 2, len(templates)
@@ -53,10 +53,10 @@ def align(image: Image, templates: Array, pixels: Array, axes: Array = BOTH, rou
 
 
 def align_shape(image: Image, templates: Array, pixels: Array, rounds: int = 5) -> tuple[Array, Array]:
-    """The same with the patch's shape free as well: any linear map, as another direction of view brings about.
+    """As `align`, with any linear map of the patch's shape, for another viewing direction.
 
-    A patch that keeps its shape is pulled aside where the one in the picture is turned, stretched or sheared, and the
-    error stays as long as the view does; with a free shape it does not. Begin near the place: use `align` before.
+    With a fixed shape the result is biased where the image patch is rotated, stretched or sheared, and the error stays
+    as long as the view does; with a free shape it is not. Start near the solution: use `align` before.
     """
     size, n = templates.shape[1] - 2, len(templates)
     T, G = _template(templates)
@@ -76,7 +76,7 @@ def align_shape(image: Image, templates: Array, pixels: Array, rounds: int = 5) 
 
 
 def _template(templates: Array) -> tuple[Array, Array]:
-    """Templates without margin as rows (n, k), free of mean and scale, and their gradients (n, k, 2) likewise."""
+    """Templates without margin as rows (n, k), normalized in mean and scale, and their gradients (n, k, 2) likewise."""
     n = len(templates)
     down = (templates[:, 2:, 1:-1] - templates[:, :-2, 1:-1]) / 2
     right = (templates[:, 1:-1, 2:] - templates[:, 1:-1, :-2]) / 2
@@ -85,7 +85,7 @@ def _template(templates: Array) -> tuple[Array, Array]:
 
 
 def _inverse(T: Array, J: Array) -> Array:
-    """(J' J)^-1 J' (n, q, k), where J (n, k, q) has lost what looks like another offset or gain of T (n, k)."""
+    """(J' J)^-1 J' (n, q, k), with the components along offset and gain of T (n, k) removed from J (n, k, q)."""
     J = J - J.mean(1, keepdims=True)
     J = J - T[:, :, None] * (T[:, None, :] @ J)
     transposed = J.swapaxes(1, 2)
