@@ -1,4 +1,4 @@
-"""The experiments of chapter stereo_ekf_slam on the report's filter: what they compute is right, and the stored file is theirs."""
+"""Chapter stereo_ekf_slam's experiments on the report's filter: their results are right, and the file stores them."""
 
 import json
 from dataclasses import replace

@@ -185,7 +185,7 @@ def test_a_figure_of_points_alone_has_a_key_of_what_became_of_them():
 
 
 def looks_in(made):
-    return [frame["looks"] for frame in made.data["frames"]]
+    return [frame["measurements"] for frame in made.data["frames"]]
 
 
 def test_the_player_has_images_only_if_they_are_asked_for():

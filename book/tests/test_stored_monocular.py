@@ -1,4 +1,4 @@
-"""The figures of chapter monocular that are stored: of the rendered room, and of the real sequence where its images are."""
+"""Stored results of chapter monocular: of the rendered room, and of the real sequence if its images are there."""
 
 import io
 import json

@@ -1,4 +1,4 @@
-"""`make real-images`: fetch the real sequence of chapter monocular, run the filter on it, and store the figures of merit.
+"""`make real-images`: fetch chapter monocular's real sequence, run the filter on it, and store the figures of merit.
 
 The images (80 of a robot-held camera, Inria's ViSP, GPL-2) are in Debian's package visp-images-data. They are fetched
 once, by version and checksum, into _build/real, and never committed. The calibration and the two references, which

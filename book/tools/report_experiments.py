@@ -1,4 +1,4 @@
-"""`make report-experiments`: the longer experiments of chapter stereo_ekf_slam on the report's filter, stored as one small file.
+"""`make report-experiments`: run chapter stereo_ekf_slam's longer experiments on the report's filter, and store them.
 
 What is remembered (5.4), correlations (9.3), FastSLAM beside EKF-SLAM (3.2), and the ways of a correction (6). Times
 are kept apart, under "machine": they are those of whoever ran this last, and no test looks at them. "light" is a small

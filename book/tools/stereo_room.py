@@ -1,4 +1,4 @@
-"""Runs of slamlib's own stereo system in the rendered room, for chapter stereo_ekf_slam: where the motion comes from, and loops."""
+"""slamlib's stereo system in the rendered room, for chapter stereo_ekf_slam: sources of the motion, and loops."""
 
 from dataclasses import dataclass, replace
 from typing import Any

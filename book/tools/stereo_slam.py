@@ -1,4 +1,4 @@
-"""`python -m book.tools.stereo_slam`: the longer runs of chapter stereo_ekf_slam, stored as one small file, part by part.
+"""`python -m book.tools.stereo_slam`: store chapter stereo_ekf_slam's longer runs as one small file, part by part.
 
 The report's errors turned on together and repaired one after another, and the filter with wrong covariances
 (slambook.report); slamlib's own system in the rendered stereo room (book.tools.stereo_room), and on KITTI's street,

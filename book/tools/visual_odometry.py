@@ -1,4 +1,4 @@
-"""`python -m book.tools.visual_odometry`: the longer runs of chapter visual_odometry, stored as one small file. Needs OpenCV.
+"""`python -m book.tools.visual_odometry`: store chapter visual_odometry's longer runs as one file. Needs OpenCV.
 
 Variants of the features in the rendered room and, where it is at hand, on an excerpt of KITTI's street (its licence
 forbids shipping it; without it the stored figures stay). Once round the room with plain odometry, and what it would

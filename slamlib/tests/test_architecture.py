@@ -1,7 +1,7 @@
 """The acceptance test of the architecture: a type is one written file and one generated file, and nothing else changes.
 
-Chapter your_own_model's cells with a landmark and a sensor of the reader's own are written into a scratch copy of the package, as
-the chapter tells the reader to do.
+Chapter your_own_model's cells with a landmark and a sensor of the reader's own are written into a scratch copy of the
+package, as the chapter asks the reader to do.
 """
 
 import ast

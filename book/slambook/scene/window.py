@@ -63,7 +63,7 @@ class Window:
         **options: Any,
     ) -> None:
         self.options = chosen(MapOptions(), options)
-        self.look = sensor_options or SensorOptions()
+        self.sensor_options = sensor_options or SensorOptions()
         self.world, self.corners = world, corners
         self.sensors = tuple(range(min(len(snapshot.sensors), 3)) if sensors is None else sensors)
         self.path: list[Snapshot] = []
@@ -108,8 +108,8 @@ class Window:
         each, self.views = height / max(len(self.sensors), 1), list[SensorPart]()
         for i, sensor in enumerate(self.sensors):
             place = left, bottom + height - (i + 1) * each + GAP, width, each - 2 * GAP
-            look = self.look if i == 0 else replace(self.look, legend=False)
-            self.views.append(SensorPart(self.figure, place, sensor, sensor_view(snapshot, sensor), look, theme))
+            shown = self.sensor_options if i == 0 else replace(self.sensor_options, legend=False)
+            self.views.append(SensorPart(self.figure, place, sensor, sensor_view(snapshot, sensor), shown, theme))
 
     def update(self, snapshot: Snapshot, truth: Truth | None = None) -> None:
         """Show the next snapshot, and if there is one the truth; the robots' paths grow by them."""
