@@ -11,8 +11,8 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 FOLDERS = ("slamlib", "book", "benchmarks")
-# Words that are ordinary English where figures are drawn: the look of a mark, the part of a line in sight, the ends of an
-# axis or an arrow, the gap before that.
+# Words that are ordinary English where figures are drawn: the look of a mark, the part of a line that is in sight, the
+# ends of an axis or an arrow, the gap between an arrow and its text.
 DRAWING = ("book/live/standin/", "book/slambook/figures/", "book/tests/test_figures")
 ORDINARY = {"look", "looks", "sight", "ends", "gap"}
 

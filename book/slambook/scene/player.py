@@ -46,10 +46,10 @@ def player(
 ) -> Player:
     """An interactive map of a run, for the page; the other keywords are those of MapOptions.
 
-    alt: a sentence that describes the figure. truths: one a snapshot, or none. frames: at most so many are shown, evenly
-    spread and the last among them; fewer if their data would weigh more than 200 kB. fps: frames per second. note:
-    a text for each frame, below the map. sensor: index or name of one whose view is shown beside the map. images: whether
-    that camera's images lie below it, small; then all weighs up to 800 kB. Raises SlamlibError.
+    alt: a sentence that describes the figure. truths: one a snapshot, or none. frames: at most so many are shown,
+    evenly spread and the last among them; fewer if their data would weigh more than 200 kB. fps: frames per second.
+    note: gives a text for each frame, below the map. sensor: index or name of the one shown beside the map. images:
+    whether that camera's images lie below its view, small; then all weighs up to 800 kB. Raises SlamlibError.
     """
     map_options = chosen(MapOptions(), options)
     _check(snapshots, truths, alt, frames, fps)
