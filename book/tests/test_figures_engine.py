@@ -1,4 +1,4 @@
-"""What stands behind a figure: data in their places, ticks, layout, legends, contours, images, clear errors."""
+"""What stands behind a figure: positions of data, ticks, layout, legends, contours, images, clear errors."""
 
 import base64
 import re
@@ -76,7 +76,7 @@ def box_of(fig):
     return fig.axes[0].view(fig._boxes()[0]).box
 
 
-# -- data in their places ----------------------------------------------------------------------------------------------
+# -- positions of data ------------------------------------------------------------------------------------------------
 
 
 def drawn_points(x, y, *, call="plot", **settings_):

@@ -20,7 +20,7 @@ RENEW = "run `make report-experiments` and `python -m book.tools.notebooks run` 
 SURE = 0.999  # of the bands that a test asserts
 
 
-# The ways of a correction.
+# The methods of an update.
 
 
 @pytest.mark.parametrize(("landmarks", "seen"), [(1, 1), (6, 4), (30, 12), (30, 30)])
@@ -147,7 +147,7 @@ def test_what_is_linearised_anew_changes_little_where_little_bends():
     assert error < 0.02
 
 
-# One correction for many runs side by side.
+# One update for many runs side by side.
 
 
 def test_together_is_number_by_number():
@@ -271,7 +271,7 @@ def test_a_corridor_that_cannot_be():
         limits.repeated_observations(3, reach=5)
     with pytest.raises(SlamlibError, match="reach of 4 m"):
         limits.repeated_observations(reach=3)
-    with pytest.raises(SlamlibError, match="deviations above zero"):
+    with pytest.raises(SlamlibError, match="standard deviations above zero"):
         limits.common(start=0)
 
 

@@ -1,4 +1,4 @@
-"""The ends of expected segments in the image, with their covariances; and which lines have converged."""
+"""The endpoints of predicted segments in the image, with their covariances; and which lines have converged."""
 
 from dataclasses import replace
 
@@ -31,7 +31,7 @@ def stepped(frames, kind="idpLin", estimated=False, family="lines"):
 
 
 def projected(sensor, pose, extrinsics, landmark, mean):
-    """The two ends in the image (2, 2) of a line with this mean, one after the other, by the definitions alone."""
+    """The two endpoints in the image (2, 2) of a line with this mean, one after the other, by the definitions alone."""
     found = []
     for abscissa in landmark.abscissas:
         h = landmark.kind.point_at(mean, abscissa)
@@ -53,7 +53,7 @@ def from_world(pose, h):
 
 
 def propagated(slam, sensor, landmark, step=1e-6):
-    """H P H' (2, 2, 2) with central differences along every direction of robot, mount and line."""
+    """H P H' (2, 2, 2) with central differences along every direction of robot, extrinsics and line."""
     parts = {"robot": sensor.robot.block, "mount": sensor.block, "line": landmark.block}
     parts = {name: block for name, block in parts.items() if block is not None}
     means = {"robot": sensor.robot.block.mean, "mount": sensor.extrinsics, "line": landmark.block.mean}

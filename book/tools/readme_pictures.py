@@ -56,7 +56,7 @@ def of_the_map() -> None:
 
 
 def of_the_exercise(executable: str) -> None:
-    """Exercise consistency.2 as it is found, with a wrong solution, and with a right one."""
+    """Exercise consistency.2 untouched, with a wrong solution, and with a right one."""
     with browser.site_in_chromium(executable) as (base, chromium):
         page = chromium.new_page(viewport={"width": 820, "height": 1000})
         page.goto(f"{base}/book/chapters/consistency.html")

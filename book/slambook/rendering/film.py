@@ -169,6 +169,6 @@ def _check(rig: Rig, path: CameraPath, frames: int, dt: float, rng: np.random.Ge
     off = np.abs(Pose.minus(path.pose(0), setup.state[:7]))
     if (off > ASTRAY * np.sqrt(np.diag(setup.covariance)[:6]) + 1e-6).any():
         raise SlamlibError(
-            f"film: the rig believes to start at {setup.position} m, {setup.euler} degrees, and the path begins at "
+            f"film: the rig starts at {setup.position} m, {setup.euler} degrees, and the path at "
             f"{path.knots[0, :3].round(3).tolist()} m: use rig_along_path(path), or give the setup the path's start"
         )

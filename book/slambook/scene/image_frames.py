@@ -32,7 +32,7 @@ class ImageFrames:
         self.decimals = ROUND if self.view.image is not None else ENOUGH - int(np.floor(np.log10(span)))
 
     def _limits(self, snapshots: Sequence[Snapshot]) -> list[float]:
-        """Left, right, low and high end of the picture: the image, or the range of all that was delivered and predicted."""
+        """Left, right, low and high end of the picture: the image, or the range of all measurements."""
         if self.view.image is not None:
             return [0.0, float(self.view.image[0]), float(self.view.image[1]), 0.0]
         rows = delivered([sensor_view(s, self.sensor) for s in snapshots], self.pair)
@@ -82,7 +82,7 @@ class ImageFrames:
         return rows
 
     def _segments(self, predictions: MeasurementView, known: set[int]) -> list[list[Any]]:
-        """Rows: landmark number, outcome, whether converged, label's position, predicted line, endpoints, measured line.
+        """Rows: landmark number, outcome, whether converged, label's position, prediction, endpoints, measurement.
 
         endpoints: the position of each one in view, and the factor of its ellipse.
         """

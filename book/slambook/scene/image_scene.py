@@ -151,7 +151,7 @@ def scores(view: SensorView, pair: list[int]) -> tuple[Array, tuple[str, ...]]:
 
 
 def beside(segments: Array) -> Array:
-    """Positions (n, 2) a little away from the midpoints of segments (n, 2, 2), along their normals, on the upper side."""
+    """Positions (n, 2) a little off the midpoints of segments (n, 2, 2), along their normals, on the upper side."""
     along = segments[:, 1] - segments[:, 0]
     length = np.linalg.norm(along, axis=1, keepdims=True)
     normal = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.where(length > 0, length, 1)
