@@ -135,7 +135,7 @@ class LinesAfter(CombinedFrontEnd):
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """One run: error of the path [%] and of the orientation [deg]; counts by family: searched, matched, NIS, its dof."""
+    """One run: errors of path [%] and orientation [deg]; counts by family: searched, matched, NIS, its dof."""
 
     relative_ate: float
     orientation: float
@@ -187,7 +187,7 @@ def born(film: rendering.Film, truth: Truth, slam: Slam, landmark: Any) -> Array
 def in_image(film: rendering.Film, truth: Truth, slam: Slam, landmark: Any, points: Array) -> float:
     """How far [px] the true line's image, from the true camera, is from the estimated one's, from the estimated camera.
 
-    The larger distance of the endpoints of the visible part of the true edge; nan if it is out of view. No gauge matters.
+    The larger distance of the endpoints of the true edge's visible part; nan if out of view. No gauge matters.
     """
     calibration = slam.sensors[0].calibration
     h = EUC_POINT.to_frame(camera_of(truth), points)

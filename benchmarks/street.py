@@ -4,9 +4,9 @@ The street is an excerpt of 51 rectified pairs, almost straight, 59.9 m, where i
 shipping it). Errors are means over all parts of 5, 10, ..., 40 m: of the translation, in per cent of the part's length,
 and of the rotation, in degrees a metre. ATE: root mean square of the distances after the best rigid motion [m].
 
-1. The calibration. A disparity that is wrong by a constant makes all steps too long or too short. Without the truth, the
-   pictures show it by how well matches agree with their motion: z' S^-1 z by its degrees of
-   freedom, and how many agree.
+1. The calibration. A disparity that is wrong by a constant makes all steps too long or too short. Without the truth,
+   the pictures show it by how well matches agree with their motion: z' S^-1 z by its degrees of freedom, and how many
+   agree.
 2. Odometry alone against the filter, with the constant that the pictures chose.
 3. The reference. Its camera's frame was calibrated too: a rotation of it against the real one (or a wrong principal
    point) is the same error over each part, however good the estimate is. It is estimated from the mean direction of

@@ -497,7 +497,7 @@ def test_a_legend_stands_in_its_corner_on_the_page_s_paper(loc):
     assert "_hidden" not in [t.text for t in texts_of(fig)]
 
 
-def test_a_legend_goes_where_it_is_told_and_enlarges_its_marks():
+def test_a_legend_goes_where_it_is_wanted_and_enlarges_its_marks():
     fig, ax = figure()
     ax.plot([0, 1], [0, 1], ".", ms=2, label="dots", color=colors.purple)
     ax.legend(loc=(0.2, 0.3), markerscale=4)

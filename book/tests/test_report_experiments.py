@@ -99,7 +99,7 @@ def exact_problem():
     )
 
 
-def test_in_exact_arithmetic_both_ways_are_equal_and_their_multiplications_are_as_many_as_said():
+def test_in_exact_arithmetic_both_ways_are_equal_and_their_multiplications_are_as_many_as_stated():
     given = exact_problem()
     said = updates.multiplications(3, 2)
     Counted.count = 0
@@ -188,7 +188,7 @@ def test_only_what_remembers_the_beginning_closes_the_loop(remembered):
     assert whole.position[57] < whole.position[45]
 
 
-def test_the_window_forgets_what_it_says(remembered):
+def test_the_window_deletes_what_it_should(remembered):
     seen = [len(np.flatnonzero(memory.ring(np.random.default_rng(22)).sees(r))) for r in _relative()]
     np.testing.assert_array_equal(remembered["window 1"].landmarks, seen[1:])
     assert (np.diff(remembered["everything"].landmarks) >= 0).all()
@@ -376,7 +376,7 @@ def test_the_kalman_filter_of_the_plane_knows_its_error_at_each_step(contest):
     assert ((found.average > low) & (found.average < high)).all()
 
 
-def test_particles_forget(contest):
+def test_particles_lose_their_history(contest):
     ekf, few, many = contest
     assert few.position[-1] > many.position[-1] > ekf.position[-1]
     assert few.map_error > many.map_error > ekf.map_error

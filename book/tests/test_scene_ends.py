@@ -75,7 +75,7 @@ def propagated(slam, sensor, landmark, step=1e-6):
 
 @pytest.mark.parametrize("estimated", [False, True])
 @pytest.mark.parametrize("kind", list(LINES))
-def test_the_covariance_of_an_end_is_that_of_robot_mount_and_line_together(kind, estimated):
+def test_the_covariance_of_an_endpoint_is_that_of_robot_extrinsics_and_line_together(kind, estimated):
     slam, shown = stepped(6, kind, estimated)
     sensor, predictions = slam.sensors[0], shown.sensors[0].segments
     lines, checked = {lm.id: lm for lm in slam.landmarks}, 0
@@ -138,7 +138,7 @@ def test_a_line_has_converged_when_its_ends_are_known_to_a_share_of_its_length()
 
 
 @pytest.mark.parametrize("kind", ["idpLin", "plkLin"])
-def test_lines_are_new_when_they_begin_and_are_drawn_so(kind):
+def test_lines_are_new_when_initialized_and_are_drawn_so(kind):
     _, first = stepped(1, kind)
     assert len(first.segments.ids) == 6
     assert not first.segments.converged.any()

@@ -324,7 +324,7 @@ def runs_of(axes, role, width):
     return [part for part in parts if len(part)]
 
 
-def test_regions_in_a_window_are_as_many_as_the_looks(matplotlib):
+def test_regions_in_a_window_are_as_many_as_the_predictions(matplotlib):
     window = Window(PLAIN[0])
     window.update(PLAIN[0])
     axes, view = window.views[0].axes, PLAIN[0].sensors[0]

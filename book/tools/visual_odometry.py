@@ -94,7 +94,7 @@ def measured(calibration: Calibration, images: list[Array], truth: Trajectory, o
 
 
 def around(seed: int, frames: int = ROUND) -> dict[str, Any]:
-    """Once round the room by plain odometry: every eighth position error and its standard deviation by the filter [m]."""
+    """Once round the room by plain odometry: every eighth position error and its standard deviation [m]."""
     rig, film, made = stereo_film(frames, "round", seed, STD)
     sensor = rig.sensors[0]
     truth = np.array([t.robots[0][:7] for _, t in film])

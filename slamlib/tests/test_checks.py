@@ -170,7 +170,7 @@ def test_numbers_without_a_value_are_found_at_nasty_places(monkeypatch):
         check_pair(LINES["plkLin"], CAMERA, silent=True)
 
 
-def test_a_narrow_lens_is_judged_too_and_one_that_sees_nothing_is_told():
+def test_a_narrow_lens_is_judged_too_and_one_that_sees_nothing_is_reported():
     def camera(focal, image=(640, 480)):
         return Calibration(CAMERA.sensor, np.eye(2), image=image, intrinsics=[320, 240, focal, focal], distortion=[])
 
@@ -193,7 +193,7 @@ def test_a_telephoto_lens_is_judged(across, aside):
     check_sensor(narrow, silent=True)
 
 
-def test_a_sensor_that_sees_nothing_is_told():
+def test_a_sensor_that_sees_nothing_is_reported():
     nothing = Calibration(CAMERA.sensor, np.eye(2), image=(1, 1), intrinsics=[320, 240, 1e6, 1e6], distortion=[])
     assert len(visible_points(nothing, np.random.default_rng(0), 10)) == 0
     with pytest.raises(CheckError, match="of 340000 directions all around none is visible and inside the image"):
@@ -256,14 +256,14 @@ def test_a_sensor_with_a_wrong_jacobian_is_found_by_both_tests_of_it():
     assert any("undo each other" in what for what in found)
 
 
-def test_misuse_is_told():
+def test_misuse_is_reported():
     with pytest.raises(SlamlibError, match="give a PointLandmark or a LineLandmark, not str"):
         check_landmark("ahmPnt")
     with pytest.raises(SlamlibError, match="judged with its calibration"):
         check_sensor(SENSORS["stereo"])
 
 
-def test_a_pair_that_does_not_exist_is_told_from_a_wrong_one():
+def test_a_pair_that_does_not_exist_is_distinguished_from_a_wrong_one():
     behind = Calibration(SENSORS["relativePosition"], np.eye(3))
     assert check_pair(AHM, behind, silent=True)
     with pytest.raises(SlamlibError):

@@ -194,7 +194,7 @@ def test_missing_pictures_pass_as_dark_ones_do():
         np.testing.assert_allclose(prediction.S, seen[1][name].S, rtol=1e-9)
 
 
-def test_a_gap_that_lasts_ends_the_run_and_nothing_is_lost(tmp_path):
+def test_a_long_tracking_loss_ends_the_run_and_the_result_is_kept(tmp_path):
     run = started(set(range(10, 25)), patience=6)
     with pytest.raises(
         TrackingLostError, match=r"6 pictures in a row without a match, from frame 11 on; was there a cut"

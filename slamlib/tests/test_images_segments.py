@@ -199,7 +199,7 @@ def test_a_profile_tells_parallel_edges_apart():
     assert np.abs(shifted(predictions[0].measured, 0.0, -5.0)).max() < 0.2
 
 
-def test_what_became_faint_or_vanished_is_not_found_and_rests():
+def test_what_became_faint_or_vanished_is_not_found_and_backs_off():
     for second in (picture((0.0, 0, 20)), picture(noise=2.0)):
         predictions = seen(picture((0.0, 0, 80)), second)
         assert predictions[0].chosen
@@ -245,7 +245,7 @@ def test_the_lines_that_are_tried_cover_the_ellipse():
     assert len(lines_of(np.eye(2) * 1e-8, 9.21)) >= 1
 
 
-def test_no_edge_is_begun_on_one_that_is_expected():
+def test_no_edge_is_initialized_on_a_predicted_one():
     image = picture((0.0, 0, 80), (np.pi / 2, 30, 80))
     rig = rig_of()
     slam = Slam(rig, OPTIONS, front_ends=[SegmentSearch(rig.sensors[0].calibration)])
@@ -254,7 +254,7 @@ def test_no_edge_is_begun_on_one_that_is_expected():
     assert sum(counts[1:]) == 0
 
 
-def test_edges_are_begun_only_up_to_enough():
+def test_edges_are_initialized_only_up_to_the_maximum():
     image = picture(*((np.pi / 2, x, 25) for x in (-60, -30, 0, 30, 60)))
     rig = rig_of()
     front_end = SegmentSearch(rig.sensors[0].calibration, SegmentSettings(max_in_view=3, slope=3.0))

@@ -57,7 +57,7 @@ def by_compass(pose, rng):
 
 
 @pytest.mark.parametrize(("measure", "rows"), [(by_gps, [0, 1, 2]), (by_compass, [5])])
-def test_a_measurement_without_a_landmark_corrects_the_robot(measure, rows):
+def test_a_measurement_without_a_landmark_updates_the_robot(measure, rows):
     alone, none, _ = driven(lambda pose, rng: ())
     slam, nis, nees = driven(measure)
     sigma, free = (np.sqrt(s.belief.covariance(s.robots[0].block).diagonal())[rows] for s in (slam, alone))

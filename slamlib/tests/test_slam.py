@@ -115,7 +115,7 @@ def test_batch_and_sequence_agree_where_the_noise_is_small():
     assert np.allclose(endpoints[0].robots[0].pose, endpoints[1].robots[0].pose, atol=1e-6)
 
 
-def test_the_map_of_self_calibration_holds_the_mount():
+def test_the_map_of_self_calibration_holds_the_extrinsics():
     p = replace(preset("self_calibration"), frames=80)
     slam, _, truth = run(p)
     sensor = slam.sensors[1]
@@ -171,7 +171,7 @@ def test_sensors_that_measure_all_need_no_prior(type, std, image, parameters, li
 # What options do
 
 
-def test_capacity_is_honoured_and_said():
+def test_capacity_is_kept_and_reported():
     p = preset("points")
     p = replace(p, frames=30, options=replace(p.options, capacity=12))
     slam = p.slam()

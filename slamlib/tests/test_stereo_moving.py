@@ -184,7 +184,7 @@ def test_halves_share_no_measurement_with_the_control(film):
         assert (checkerboard_half(motion_source.odometry.matched) == 0).all()
 
 
-def test_a_stranger_is_no_landmark(film):
+def test_a_feature_left_to_the_odometry_is_no_landmark(film):
     slam, motion_source = started(film, "correlated")
     told = 0
     for one in film[1][:8]:
@@ -220,7 +220,7 @@ def test_a_black_picture_is_a_motion_that_nobody_could_tell(film):
     assert np.linalg.norm(error[:3]) < 0.01
 
 
-def test_without_strangers_all_say_where_and_none_how_well(film, monkeypatch):
+def test_with_landmarks_alone_all_give_the_mean_and_none_the_covariance(film, monkeypatch):
     monkeypatch.setattr(
         CorrelatedFeatures, "unmapped", lambda self, new, found, slam: np.zeros(len(found.inliers), dtype=bool)
     )

@@ -113,7 +113,7 @@ def test_the_later_of_two_tied_points_is_forgotten():
     assert atlas.merge_duplicates() == 0
 
 
-def test_a_map_that_is_full_is_closed_and_the_next_one_begins_where_the_robot_is():
+def test_a_full_map_is_closed_and_the_next_one_starts_where_the_robot_is():
     preset = cloister(60)
     many = SubmapSlam(preset.rig, preset.options, max_landmarks=12)
     sizes = []
