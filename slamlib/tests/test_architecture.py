@@ -61,7 +61,7 @@ def test_a_new_type_is_one_written_and_one_generated_file(tag, tmp_path):
     after = contents(copy)
     changed = {f for f in after | before if after.get(f) != before.get(f)}
     assert changed == {path, f"generated/{path}"}
-    # and the tests of every type judge it without having been told of it
+    # and the tests of every type judge it without any change to them
     printed = python(
         tmp_path, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", name, "slamlib/tests/test_every_type.py"
     )

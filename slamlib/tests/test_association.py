@@ -1,4 +1,4 @@
-"""Choosing what to look at, gating, and association by identity."""
+"""Choosing what to measure, gating, and known data association."""
 
 import numpy as np
 import pytest

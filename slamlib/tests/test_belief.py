@@ -17,7 +17,7 @@ from slamlib.tests.reference import cases
 
 
 def textbook(x, P, H, z, R):
-    """Mean and covariance after a correction with full matrices and an explicit gain."""
+    """Mean and covariance after an update with full matrices and an explicit gain."""
     S = H @ P @ H.T + R
     K = P @ H.T @ np.linalg.inv(S)
     return x + K @ z, (np.eye(len(x)) - K @ H) @ P
@@ -230,7 +230,7 @@ def test_a_manifold_is_updated_on_its_tangent():
 
 
 def test_the_reset_is_of_the_order_of_the_update(rng):
-    """What correct leaves out, in a pose: at most the correction's angle, relative to the covariance."""
+    """What update leaves out, in a pose: at most the update's angle, relative to the covariance."""
     belief, P = Belief(), np.diag([1, 1, 1, 4, 400, 40]) * 1e-4 + 1e-5
     pose = belief.add(Pose, [0, 0, 0, 1, 0, 0, 0], P)
     H = np.hstack([np.zeros((3, 3)), np.eye(3)])

@@ -1,4 +1,4 @@
-"""The checks say which definition is wrong, in which argument, where and by how much; nothing wrong passes."""
+"""The checks report which definition is wrong, in which argument, where and by how much; nothing wrong passes."""
 
 import dataclasses
 
@@ -25,7 +25,7 @@ def turned_back(pose, point):
 
 @model(pose=Pose, landmark=7)
 def divided(pose, landmark):
-    """A Euclidean point where a homogeneous one is wanted: it has no place at infinity."""
+    """A Euclidean point where a homogeneous one is wanted: it has no points at infinity."""
     point = landmark[:3] + landmark[3:6] / landmark[6] - pose[:3]
     return np.concatenate([rotation(pose[3:]).T @ point, np.array([1])])
 
@@ -103,7 +103,7 @@ def test_a_wrong_line_is_found():
 
 
 def without(function, argument):
-    """A function that forgets one of its Jacobians."""
+    """A function that omits one of its Jacobians."""
 
     def forgetful(*args):
         found = function(*args)
@@ -141,7 +141,7 @@ def image_of_the_direction(line, intrinsics):
 
 
 def swapped(function):
-    """Takes the ends of a segment for each other's columns and rows."""
+    """Takes the endpoints of a segment for each other's columns and rows."""
 
     def mistaken(kind, calibration, robot, extrinsics, segment, prior):
         return function(kind, calibration, robot, extrinsics, np.asarray(segment)[..., [1, 0, 3, 2]], prior)

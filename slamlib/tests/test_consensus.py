@@ -1,4 +1,4 @@
-"""Which matches are believed together: what a consensus asks of the filter, and what it is worth there."""
+"""Outlier rejection: what it needs of the filter, and its effect there."""
 
 from dataclasses import replace
 
@@ -47,7 +47,7 @@ def shaken(name="points", *, frames=60, seed=1, turns=10.0, **options):
 
 
 def before_a_correction(p, sensor=0, rate=0.0):
-    """A filter that has predicted the last frame of a preset, and the matched looks of one sensor."""
+    """A filter that has predicted the last frame of a preset, and the matched predictions of one sensor."""
     slam = Slam(p.rig, p.options)
     frames = [frame for frame, _ in p.simulate()]
     for frame in frames[:-1]:
@@ -69,12 +69,12 @@ def mixed():
 
 @pytest.fixture(scope="module")
 def calibrating():
-    """A camera whose mount is estimated."""
+    """A camera whose extrinsics are estimated."""
     return before_a_correction(shaken("self_calibration", frames=25), sensor=1)
 
 
 def observed(sensor, prediction):
-    """Jacobians by the blocks that a look depends on."""
+    """Jacobians w.r.t. the blocks that a prediction depends on."""
     found = prediction.family.innovation(viewpoint(sensor), prediction.landmark, prediction.measured, Options())
     return found, np.split(found.H, [sum(b.dof for b in sensor.blocks[:1])], axis=-1)
 
@@ -173,7 +173,7 @@ def test_the_options_know_every_outlier_rejection():
 
 
 def of_runs(outlier_rejection, rate, runs=4):
-    """NEES of the pose over all of 60 frames of several runs, and the shares of true and wrong matches believed."""
+    """NEES of the pose over all of 60 frames of several runs, and the shares of true and wrong matches accepted."""
     nees, inliers = [], {True: [], False: []}
     for seed in range(runs):
         p = shaken(seed=seed, outlier_rejection=outlier_rejection)

@@ -16,7 +16,7 @@ FRAMES = 90
 
 
 def mark(number, seen, inliers=10):
-    """A landmark with a history, and no place in a map."""
+    """A landmark with a history, in no map."""
     return Landmark(number, None, None, first_seen=1, searched=10, matched=10, inliers=inliers, last_seen=seen)
 
 

@@ -70,7 +70,7 @@ def on_one_surface(film, truth, pixel, half=6):
 
 
 def test_what_is_matched_is_what_was_seen_before(film):
-    """The places found show the same points of the room as the places where the landmarks began.
+    """Matches show the same points of the room as the pixels where the landmarks were initialized.
 
     A patch with an edge before something far away shows no one point of the room: those are left out.
     """
@@ -189,7 +189,7 @@ def test_the_camera_pose_is_that_of_robot_and_extrinsics(film):
 
 
 def test_no_corner_is_initialized_twice(film, done):
-    """Also not from the other side of a cell's border: places of landmarks that begin are a patch apart."""
+    """Also not from the other side of a cell's border: new landmarks are a patch apart."""
     slam, size = filter_of(film), ActiveSearchSettings().patch
     for frame, _ in film.steps[:15]:
         report = slam.step(frame)

@@ -1,4 +1,4 @@
-"""A run on pictures, with a front end that is told what it sees: gaps, scale, times, and that saving loses nothing."""
+"""A run on pictures, with a front end that is given its matches: tracking losses, scale, times, and lossless saving."""
 
 from dataclasses import replace
 
@@ -270,7 +270,7 @@ def test_a_picture_of_another_size_is_refused_before_the_filter_moves():
 
 
 def target(count=6, noise=0.0, std=0.0):
-    """The first points that are seen in the first picture, which the world then begins with."""
+    """The first points that are seen in the first picture, with which the world then starts."""
     told = Told()
     pixels, seen = told._pixels(type("S", (), {"scan": type("I", (), {"image": np.zeros((1, 1))})}), np.arange(80))
     inside = seen & (pixels[:, 0] > 6)
@@ -304,7 +304,7 @@ def test_a_target_gives_the_true_scale_and_the_place():
 
 
 def test_the_uncertainty_of_the_start_is_that_of_the_pixels():
-    """The batch of pixels counts once: errors of the first pose are as large as the filter says, over many draws."""
+    """The batch of pixels counts once: errors of the first pose are as large as by the filter's covariance, over many draws."""
     rng, squared = np.random.default_rng(5), []
     known, order = target(8)
     for _ in range(60):

@@ -1,4 +1,4 @@
-"""Models: values, Jacobians, broadcasting, precision, and what misuse is told."""
+"""Models: values, Jacobians, broadcasting, precision, and the errors for misuse."""
 
 import sys
 from pathlib import Path

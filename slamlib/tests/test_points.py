@@ -47,7 +47,7 @@ def ray(rng, w=0.2):
 
 
 def seen(kind, rng, w=0.2):
-    """A camera, and a landmark that it has just begun."""
+    """A camera, and a landmark that it has just initialized."""
     camera = Pose.random(rng)
     return camera, kind.from_frame(camera, ray(rng, w))
 

@@ -1,4 +1,4 @@
-"""Setups of robots and sensors: what is not said fits the type of the sensor, and plain data comes back as it was."""
+"""Setups of robots and sensors: what is not given fits the type of the sensor, and plain data comes back as it was."""
 
 import json
 from dataclasses import replace

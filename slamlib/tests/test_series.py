@@ -1,4 +1,4 @@
-"""A series of corrections: the same as one after another, whole also where an error ends it."""
+"""Sequential updates: the same as one after another, and consistent also where an error ends them."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The whole filter: every preset runs, is consistent, and does to its map what its options say."""
+"""The whole filter: every preset runs, is consistent, and manages its map as its options specify."""
 
 from dataclasses import replace
 
@@ -92,7 +92,7 @@ def test_twenty_runs_are_consistent_at_first(reproject):
 
 
 def test_lines_see_the_same_with_every_innovation():
-    """To first order the three readings say the same of a segment: after some frames the estimates agree."""
+    """To first order the three line residuals carry the same information: after some frames the estimates agree."""
     p = replace(preset("lines"), frames=25)
     poses = [run(replace(p, options=replace(p.options, innovation=i)))[0].robots[0].pose for i in RESIDUALS]
     sigma = 0.02

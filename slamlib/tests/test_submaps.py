@@ -1,4 +1,4 @@
-"""Maps closed and begun anew, joined and tied (slamlib.slam.submaps)."""
+"""Maps closed and started anew, joined and tied (slamlib.slam.submaps)."""
 
 from dataclasses import replace
 
@@ -35,7 +35,7 @@ def some_map(rng, ids, spread=0.1):
 
 
 def drawn(submap, rng):
-    """A true pose and points, as the submap's covariance says."""
+    """A true pose and points, drawn from the submap's covariance."""
     step = np.linalg.cholesky(submap.covariance + 1e-18 * np.eye(len(submap.covariance))) @ rng.normal(
         size=len(submap.covariance)
     )
