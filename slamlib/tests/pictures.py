@@ -1,4 +1,4 @@
-"""Photographs and a real sequence to try the image machinery on; tests are skipped with a message where they are not at hand."""
+"""Photographs and a real sequence to try the image machinery on; tests skip where they are missing."""
 
 import os
 import signal

@@ -7,7 +7,7 @@ one step before, z_new updates it now. With the noises n of both pairs as blocks
     moved       x' = f(x, u - G_old n_old - G_new n_new)   G: derivatives of the fit g
     initialized m = h^-1(x', z - n)
 
-After the update with z_old, n_old has a mean, and is correlated with the state by -K R (K: the gain); after the motion x'
+Updated with z_old, n_old has a mean, and is correlated with the state by -K R (K: the gain); after the motion x'
 is correlated with n_new, so that cov(z_new) = H P H' + H C + C' H' + R with C = cov((x', m), n_new): the Kalman filter
 with correlated noises, of which nothing needs to be written down. Then n_old is marginalized out.
 

@@ -304,7 +304,7 @@ def test_a_target_gives_the_true_scale_and_the_place():
 
 
 def test_the_uncertainty_of_the_start_is_that_of_the_pixels():
-    """The batch of pixels counts once: errors of the first pose are as large as by the filter's covariance, over many draws."""
+    """The batch of pixels counts once: errors of the first pose are as large as its covariance, over many draws."""
     rng, squared = np.random.default_rng(5), []
     known, order = target(8)
     for _ in range(60):

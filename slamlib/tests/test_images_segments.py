@@ -307,7 +307,7 @@ def in_image(slam, landmark):
 
 
 def from_edges(landmark, world):
-    """The least, over the true edges (n, 2, 3), of the larger distance [m] of a line's two endpoints from an edge's line."""
+    """Least, over true edges (n, 2, 3), of the larger distance [m] of a line's two endpoints from an edge's line."""
     h = endpoints.endpoints_at(landmark.kind, landmark.block.mean, landmark.abscissas)
     end_points = h[:, :3] / h[:, 3:]
     along = world[:, 1] - world[:, 0]

@@ -1,4 +1,4 @@
-"""The seams: measurements without a landmark, a control of the size that its motion specifies, linearization, retraction."""
+"""The seams: measurements without a landmark, the size of a control, linearization, retraction."""
 
 from dataclasses import replace
 
@@ -116,7 +116,7 @@ def test_a_control_is_as_large_as_its_motion_says():
 
 
 class First(Linearization):
-    """Jacobians w.r.t. a landmark are always taken where it was initialized; those of robots where they were predicted to be."""
+    """Jacobians w.r.t. a landmark are taken where it was initialized, those of robots at their predictions."""
 
     def __init__(self):
         self.first = {}
