@@ -1,6 +1,6 @@
-"""What it costs to ask which matches belong together: ratio to the filter's step, nodes of the tree, and exactness.
+"""Cost of outlier rejection: its time relative to the filter's step, nodes of the search tree, and exactness.
 
-The filter runs the preset `points` with a robot that turns ten times as unpredictably, 12 and 20 looks a frame, and a
+The filter runs the preset `points` with a robot that turns ten times as unpredictably, 12 and 20 matches a frame, and a
 share of wrong matches inside the ellipses. CPU times of one run with one BLAS thread.
 """
 
@@ -35,7 +35,7 @@ class Wrong(KnownAssociation):
         self.rate, self.rng = rate, rng
 
     def match(self, inputs: Any, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
-        """As KnownAssociation.match, and then wrong."""
+        """As KnownAssociation.match, then make a share wrong."""
         measured, found = super().match(inputs, family, predictions)
         measured = measured.copy()
         for i in np.flatnonzero(found & (self.rng.random(len(predictions)) < self.rate)):
@@ -56,13 +56,13 @@ def experiment(name: str, updates: int, frames: int) -> Preset:
 
 
 class Timed:
-    """A consensus that notes the time [s] that it takes itself, without the corrections between its groups."""
+    """Outlier rejection that records its own time [s], without the updates between its groups."""
 
     def __init__(self, outlier_rejection: OutlierRejection) -> None:
         self.outlier_rejection, self.seconds = outlier_rejection, 0.0
 
     def __call__(self, *arguments: Any) -> Iterator[Any]:
-        """The groups of the consensus."""
+        """The groups of inliers."""
         groups = self.outlier_rejection(*arguments)
         while True:
             start = time.process_time()
@@ -74,7 +74,7 @@ class Timed:
 
 
 def cost(name: str, updates: int, rate: float, frames: int) -> str:
-    """Times of the consensus and of the step, and their ratio."""
+    """Times of the outlier rejection and of the step, and their ratio."""
     p, own = experiment(name, updates, frames), OUTLIER_REJECTIONS[name]
     slam = Slam(p.rig, p.options, front_ends=[Wrong(rate, np.random.default_rng(1))])
     rows, timed = [], Timed(own)
@@ -91,7 +91,7 @@ def cost(name: str, updates: int, rate: float, frames: int) -> str:
     ratio = np.median(ours / (step - ours))
     middle, max_nodes = 1e3 * np.quantile(ours, [0.5, 0.9])
     return (
-        f"{name:10s} {updates:3d} looks, {rate:4.0%} wrong: {middle:6.3f} ms (90 %: {max_nodes:6.3f}), "
+        f"{name:10s} {updates:3d} matches, {rate:4.0%} wrong: {middle:6.3f} ms (90 %: {max_nodes:6.3f}), "
         f"step without it {1e3 * np.median(step - ours):6.3f} ms, ratio {ratio:5.2f}"
     )
 

@@ -1,4 +1,4 @@
-"""One correction of the covariance, by the strategies that are met in books and code: how many times longer each takes.
+"""One update of the covariance, by the strategies found in books and code: how many times longer each takes.
 
 A robot (6) and points (3 each) make n states; m points are seen, two numbers each. All strategies give the same
 covariance (the benchmark checks it). Times are CPU times of one run with one BLAS thread, the least of many
@@ -27,7 +27,7 @@ SIZES = ((100, 10), (300, 20), (600, 20), (1200, 20))
 
 @dataclass(frozen=True)
 class Problem:
-    """A covariance P (n, n), and for each point seen: touched rows, Jacobian by them (2, 9), noise (2, 2)."""
+    """A covariance P (n, n), and for each point seen: touched rows, Jacobian w.r.t. them (2, 9), noise (2, 2)."""
 
     P: Any
     touched: list[Any]
@@ -36,7 +36,7 @@ class Problem:
 
     @classmethod
     def random(cls, n: int, m: int) -> "Problem":
-        """Points that all were seen from uncertain places, so that everything is correlated."""
+        """Points that were all seen from uncertain poses, so that everything is correlated."""
         rng = np.random.default_rng(n)
         root = rng.standard_normal((n, 6))
         touched = [np.r_[0:6, 6 + 3 * i : 9 + 3 * i] for i in range(m)]
@@ -44,14 +44,14 @@ class Problem:
         return cls(root @ root.T + np.eye(n), touched, jacobians, np.eye(2))
 
     def dense(self) -> Any:
-        """The Jacobian of all points by all states, with its zeros."""
+        """The Jacobian of all points w.r.t. all states, with its zeros."""
         H = np.zeros((2 * len(self.touched), len(self.P)))
         for i, (touched, J) in enumerate(zip(self.touched, self.jacobians, strict=True)):
             H[2 * i : 2 * i + 2, touched] = J
         return H
 
     def belief(self) -> tuple[Belief, list[LinearizedMeasurement]]:
-        """The same as a belief and what is seen."""
+        """The same as a belief and its measurements."""
         belief, n = Belief(), len(self.P)
         cuts = [0, *range(6, n, 3), n]
         parts = [slice(a, b) for a, b in pairwise(cuts) if b > a]
@@ -156,7 +156,7 @@ def table(sizes: tuple[tuple[int, int], ...] = SIZES, seconds: float = 0.5) -> d
     rows: dict[str, list[float]] = {}
     for n, m in sizes:
         problem = Problem.random(n, m)
-        copying = quickest(problem.P.copy, seconds / 5)  # each strategy begins with a copy, which is no part of it
+        copying = quickest(problem.P.copy, seconds / 5)  # each strategy starts with a copy, which is not timed
         expected = dense(problem)()
         for name, strategy in STRATEGIES.items():
             for library in ("NumPy", "SciPy") if strategy in (ours, whole) else ("NumPy",):

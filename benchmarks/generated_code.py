@@ -1,7 +1,7 @@
 """Generated code beside sympy.lambdify and beside a hand-written loop: one landmark, a hundred, a thousand.
 
 The model is an anchored point (anchor, direction, inverse distance) seen from a pose: its direction in the frame, with
-Jacobians by the pose (six) and by the landmark (seven). All times are CPU times of one run on one machine;
+Jacobians with respect to the pose (six) and the landmark (seven). All times are CPU times of one run on one machine;
 only their ratios mean anything elsewhere.
 """
 

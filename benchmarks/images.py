@@ -1,8 +1,8 @@
-"""The image machinery: how long a frame's searches take, and what the quality of a corner tells of its matches.
+"""The image machinery: how long a frame's searches take, and the quality of a corner against that of its matches.
 
 Times are the least of many, of one run with one BLAS thread. The matches are those of scikit-image's photographs: seen
 6 % larger, turned by 5 degrees, darker by 10 %, with noise in both images, and drawn by scikit-image's splines, so that
-the right place is known without the code under test. No template is warped: so far off may a prediction be.
+the true position is known without the code under test. No template is warped, as predictions may be that wrong.
 """
 
 import os
@@ -94,11 +94,11 @@ class Scene:
         self.templates = [Patch(a.template) for a in self.appearances]
 
     def predict(self) -> Any:
-        """The templates of all, as they look from here."""
+        """The templates of all, warped to this pose."""
         return predict(self.appearances, self.now, self.calibration, self.points, SIZE)
 
     def search(self) -> None:
-        """Look for all."""
+        """Search for all."""
         for template, pixel in zip(self.templates, self.pixels, strict=True):
             search(self.image, template, pixel + 2, S)
 
@@ -181,7 +181,7 @@ def seen_twice(
 def matches(noise: float, zoom: float = 1.06, degrees: float = 5.0, sigma: float = 4.0) -> Any:
     """Rows (n, 5): quality of a corner, error of its match [px], score, second-best's ratio, error registered [px].
 
-    Sought in the 99 % ellipse of `sigma` px around a place that is off by as much.
+    Sought in the 99 % ellipse of `sigma` px around a position with an error of that size.
     """
     grid, rng, rows = Grid((320, 240), (20, 15), skip_outer=False), np.random.default_rng(1), []
     for name in PHOTOGRAPHS:
@@ -203,7 +203,7 @@ def matches(noise: float, zoom: float = 1.06, degrees: float = 5.0, sigma: float
 
 
 def quality(noise: float, score: float, ratio: float) -> str:
-    """Table 4: what comes of corners by their quality; a match is right if it is within 1.5 px."""
+    """Table 4: results of corners by their quality; a match is right if it is within 1.5 px."""
     rows = matches(noise)
     head = f"noise of {noise:g} grey levels: quality"
     lines = [f"{head:>32} {'searches':>9} {'right':>7} {'accepted':>9} {'of them wrong':>14} {'rms px':>7}"]

@@ -1,12 +1,12 @@
 """Straight edges as landmarks, on images of the rendered room: alone, and beside points.
 
 First, how well edges are seen: of segments that a detector finds in one frame, the plane of the room that carries them
-is asked for by casting rays, so that their lines in space are exact but for that first sight; in later frames they are
-sought where they truly are. Printed: how far off [px] the detector and the fit are, and what is lost.
+is found by ray casting, so that their lines in space are exact but for that first detection; in later frames they are
+searched for at their true positions. Printed: errors [px] of the detector and of the fit, and the share not found.
 
 Then the filter. Each case is run with several seeds. Printed: the error of the path after a similarity, relative to its
-length; the largest error of the attitude [deg], as the path began with the true one; per family the share found of what
-was looked for, and NIS per degree of freedom of what was believed; how far the lines are from the true ones, seen from
+length; the largest error of the orientation [deg], which is exact at the start; per family the share found of what
+was searched for, and NIS per degree of freedom of the inliers; distances of the lines from the true ones, seen from
 the last camera [px], and, where the motion is exact odometry so that the scale is known, in space [cm] and by the
 filter's own covariance, whose median is 1.4 if it is right; milliseconds per frame.
 """
@@ -81,7 +81,7 @@ def filmed(path: str, frames: int, seed: int, **rig: Any) -> Film:
 
 
 def repeatability(film: Film, intervals: tuple[int, ...] = (0, 1, 5, 20)) -> None:
-    """Print how far off edges are seen, so many frames after the one in which they were found."""
+    """Print the errors of edges, a number of frames after the one in which they were found."""
     made, steps = film
     calibration = made.rig.sensors[0].calibration
     intrinsics, raw = calibration.given["intrinsics"], list[Array]()
@@ -112,13 +112,13 @@ def repeatability(film: Film, intervals: tuple[int, ...] = (0, 1, 5, 20)) -> Non
         correlation = np.asarray(np.corrcoef(z.T))[0, 1]
         print(
             f"after {interval:2d} frames: {len(z)} ends' pairs, mean {z.mean():+.3f}, std {z.std():.3f}, MAD "
-            f"{1.4826 * np.median(np.abs(z)):.3f} px, correlation of the two ends {correlation:+.2f}, "
+            f"{1.4826 * np.median(np.abs(z)):.3f} px, correlation of the two endpoints {correlation:+.2f}, "
             f"lost {np.mean(lost[interval]):.0%}"
         )
 
 
 class LinesAfter(CombinedFrontEnd):
-    """Points in the first frames only; then they are neither looked for nor begun."""
+    """Points in the first frames only; then they are neither searched for nor initialized."""
 
     points_until, seen = 30, 0
 
@@ -135,7 +135,7 @@ class LinesAfter(CombinedFrontEnd):
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """One run: error of the path [%] and of the attitude [deg]; counts by family: searched, matched, NIS, its dof."""
+    """One run: errors of path [%] and orientation [deg]; counts by family: searched, matched, NIS, its dof."""
 
     relative_ate: float
     orientation: float
@@ -178,7 +178,7 @@ def run(film: Film, options: Options, front_end: Any) -> Outcome:
 
 
 def born(film: rendering.Film, truth: Truth, slam: Slam, landmark: Any) -> Array | None:
-    """The true line (2, 3) of a line that has just been begun: where its two ends are seen."""
+    """The true line (2, 3) of a line just initialized: where its two endpoints are seen."""
     h = endpoints.endpoints_at(landmark.kind, landmark.block.mean, landmark.abscissas)
     pixels = slam.sensors[0].calibration.project(hmg_point.to_frame(slam.sensors[0].camera, h))
     return true_line(film, truth, pixels.ravel())
@@ -187,7 +187,7 @@ def born(film: rendering.Film, truth: Truth, slam: Slam, landmark: Any) -> Array
 def in_image(film: rendering.Film, truth: Truth, slam: Slam, landmark: Any, points: Array) -> float:
     """How far [px] the true line's image, from the true camera, is from the estimated one's, from the estimated camera.
 
-    The larger distance of the ends of what is seen of the true edge; nan if it is out of view. No gauge matters.
+    The larger distance of the endpoints of the true edge's visible part; nan if out of view. No gauge matters.
     """
     calibration = slam.sensors[0].calibration
     h = EUC_POINT.to_frame(camera_of(truth), points)
@@ -230,10 +230,10 @@ def both(kind: type[CombinedFrontEnd], settings: SegmentSettings) -> Callable[[A
 
 
 def report(name: str, outcomes: list[Outcome], frames: int, metric: bool) -> None:
-    """A line for people."""
+    """One line of the printed table."""
     paths, count = [o.relative_ate for o in outcomes], frames * len(outcomes)
     parts = [f"{name:32s} path {np.mean(paths):.2f} % (worst {max(paths):.2f})"]
-    parts += [f"attitude {np.mean([o.orientation for o in outcomes]):.2f} deg"]
+    parts += [f"orientation {np.mean([o.orientation for o in outcomes]):.2f} deg"]
     for family in ("points", "segments"):
         searched, matched, nis, dof = np.sum([o.counts[family] for o in outcomes], axis=0)
         if searched:

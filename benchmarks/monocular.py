@@ -1,8 +1,8 @@
 """Monocular SLAM in the rendered room: how well, with wrong matches on purpose, and how quick.
 
 Each case is run with several seeds (noise of the images, choice of the cells). Printed: the error of the path after a
-similarity, relative to its length; the scale, which one camera cannot know; the share of what was looked for that was
-found; NIS per degree of freedom of all that was believed, and the share of the frames whose sum of NIS over the seeds
+similarity, relative to its length; the scale, which one camera cannot know; the share found of what was searched
+for; NIS per degree of freedom of all inliers, and the share of the frames whose sum of NIS over the seeds
 lies in its 95 % band; frames per second of the filter (one BLAS thread, without rendering), and where the time goes.
 """
 
@@ -35,7 +35,7 @@ OPTIONS = Options(updates=12, max_new_first=12, max_new=3, min_matched_ratio=0.5
 
 
 class WithWrongMatches(ActiveSearch):
-    """Active search that now and then reports some place of its region instead, as a repeated pattern would make it."""
+    """Active search that now and then reports another position in its region, as with a repeated pattern."""
 
     share, least = 0.2, 4.0  # of the matches; [px] half the side of the smallest region
 
@@ -62,7 +62,7 @@ class Outcome:
 
 
 def frames_of(texture: str, path: str, frames: int, seed: int) -> tuple[Any, list[Frame], Array]:
-    """The rig of a film, its frames, and the true poses (n, 7), which are the camera's but for a fixed mount."""
+    """The rig of a film, its frames, and the true poses (n, 7), which are the camera's but for fixed extrinsics."""
     way = rendering.path(path)
     rig = rendering.rig_along_path(way, std=(STD,))
     film = rendering.film(
@@ -103,7 +103,7 @@ def inside(outcomes: list[Outcome]) -> float:
 
 
 def report(name: str, outcomes: list[Outcome]) -> None:
-    """A line for people."""
+    """One line of the printed table."""
     errors = [100 * o.relative_ate for o in outcomes]
     scales = " ".join(f"{o.scale:.2f}" for o in outcomes)
     matched = sum(o.matched.sum() for o in outcomes) / sum(o.searched.sum() for o in outcomes)

@@ -1,9 +1,9 @@
 """Points observed by a camera on a robot, with all Jacobians: a batch beside one point after another.
 
 An anchored homogeneous point (seven numbers) is seen by a pin-hole camera with distortion that is mounted on a robot:
-pixel, and Jacobians by the robot (six), the mount (six), the point (seven), the intrinsics (four), the distortion.
+pixel, and Jacobians w.r.t. the robot (six), extrinsics (six), point (seven), intrinsics (four) and distortion.
 Times are CPU times of one run with one BLAS thread, the least of many; "scaled" they are those of a machine that takes
-0.36 ms for the bare product W'W by which the covariance of 600 states is corrected when 20 points are seen.
+0.36 ms for the bare product W'W by which the covariance of 600 states is updated when 20 points are seen.
 """
 
 import os
@@ -31,7 +31,7 @@ from slamlib.sensors.sensor import Calibration
 YARDSTICK = 0.36e-3  # s of the yardstick on the machine whose targets these are: 2 us and 0.48 us a point
 COMPILED = {1000: 0.12e-6}  # s a point on that machine: C++ that SymForce generated, no Python around it
 ROBOT = np.array([0.3, -0.2, 0.1, 0.8, 0.0, 0.0, 0.6])
-MOUNT = np.array([0.1, 0.0, 0.2, 0.5, -0.5, 0.5, -0.5])  # looks along the robot's x axis
+MOUNT = np.array([0.1, 0.0, 0.2, 0.5, -0.5, 0.5, -0.5])  # the optical axis is the robot's x axis
 
 
 def camera() -> Calibration:
@@ -49,7 +49,7 @@ def points(n: int) -> Any:
 
 
 def by_hand(calibration: Calibration, robot: Any, extrinsics: Any, landmark: Any) -> tuple[Any, ...]:
-    """One point, with its Jacobians by robot, mount and point (on the tangent space), as one would write it."""
+    """One point, with its Jacobians w.r.t. robot, extrinsics and point (on the tangent space), written by hand."""
     r, m = quaternion.rotation.definition(robot[3:]), quaternion.rotation.definition(extrinsics[3:])
     R, t = r @ m, robot[:3] + r @ extrinsics[:3]
     world = landmark[3:6] + landmark[6] * (landmark[:3] - t)

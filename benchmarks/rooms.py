@@ -1,7 +1,7 @@
 """Frames per second of rendered rooms, with the profile, and how well features can be followed in them.
 
 Times are CPU times of one core. "followed": the share of strong corners whose patch of 13 x 13 pixels is found again at
-its true place in the next frame, and in the fifth, with a correlation above 0.9.
+its true position in the next frame, and in the fifth, with a correlation above 0.9.
 """
 
 import os
@@ -44,7 +44,7 @@ def seconds(act: Callable[[], object]) -> float:
 
 
 def followed(made: rendering.Film, apart: int) -> Array:
-    """Correlations of strong corners' patches with their true places so many frames later, all ten frames."""
+    """Correlations of strong corners' patches with those at their true positions some frames later, all ten frames."""
     calibration = made.rig.sensors[0].calibration
     found, kept = [], {}
     for frame, truth in made:

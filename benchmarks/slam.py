@@ -1,8 +1,8 @@
-"""The whole filter: time of a frame beside the toolbox's, of a correction beside bare BLAS, of large maps, and by part.
+"""The whole filter: time of a frame beside the toolbox's, of an update beside bare BLAS, of large maps, and by part.
 
 Times are CPU times of one run with one BLAS thread; each frame is done several times and its least time counts. The
 toolbox's times (Octave, no graphics, the same presets) were recorded on another machine: ours are scaled by a yardstick
-of the same run, the triangular product W'W that corrects 600 states by 40 numbers, 0.36 ms there.
+of the same run, the triangular product W'W that updates 600 states with 40 measured numbers, 0.36 ms there.
 """
 
 import os
@@ -35,7 +35,7 @@ from slamlib.slam.entities import Landmark
 
 @dataclass(frozen=True)
 class Case:
-    """A preset in one way of correcting, the toolbox's CPU time a frame [ms] (least, most), and our goal."""
+    """A preset with one way of updating, the toolbox's CPU time a frame [ms] (least, most), and our goal."""
 
     preset: str
     landmark: str
@@ -142,8 +142,8 @@ def _known(slam: Slam, experiment: Preset) -> None:
 
 
 def scaling(seconds: float) -> str:
-    """Table 2: a correction beside the bare product, and whole steps beside it; fitted exponents."""
-    lines = [f"{'states, points':>16} {'bare ms':>8} {'correction':>11} {'whole step':>11}"]
+    """Table 2: an update beside the bare product, and whole steps beside it; fitted exponents."""
+    lines = [f"{'states, points':>16} {'bare ms':>8} {'update':>11} {'whole step':>11}"]
     sizes, corrections = (300, 600, 1200), []
     for n in sizes:
         bare, correct = correction_times(n, 20, seconds)
@@ -177,7 +177,7 @@ def thousand() -> str:
         times.append(time.perf_counter() - start)
         looked.append(sum(prediction.inlier for prediction in slam.predictions[0]))
     size, rate = f"{len(slam.landmarks)} Euclidean points ({slam.belief.size} states)", 1 / np.median(times)
-    return f"{size}, {np.median(looked):.0f} corrected a step: {rate:.0f} steps per second (goal 10)"
+    return f"{size}, {np.median(looked):.0f} inliers a step: {rate:.0f} steps per second (goal 10)"
 
 
 def parts(case: Case, frames: int = 200) -> str:
@@ -198,7 +198,7 @@ def parts(case: Case, frames: int = 200) -> str:
 
 
 def peers(seconds: float) -> str:
-    """Table 4: the same correction by a peer, if it is installed."""
+    """Table 4: the same update by a peer, if it is installed."""
     if importlib.util.find_spec("filterpy") is None:
         return "filterpy is not installed: skipped (pip install filterpy)"
     KalmanFilter = importlib.import_module("filterpy.kalman").KalmanFilter
@@ -210,7 +210,7 @@ def peers(seconds: float) -> str:
         filter.P, filter.R = problem.P.copy(), R
         theirs = quickest({"filterpy": partial(filter.update, z, R, H)}, seconds)["filterpy"]
         ours = correction_times(n, m, seconds)[1]
-        lines.append(f"correction, {n} states, {m} points: filterpy takes {theirs / ours:.0f} times as long as slamlib")
+        lines.append(f"update, {n} states, {m} points: filterpy takes {theirs / ours:.0f} times as long as slamlib")
     return "\n".join(lines)
 
 
@@ -219,7 +219,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--repeats", type=int, default=3, help="runs of each preset (default 3)")
     parser.add_argument("--frames", type=int, default=None, help="frames of each run (default: all 400)")
-    parser.add_argument("--seconds", type=float, default=0.5, help="CPU time spent on each correction (default 0.5)")
+    parser.add_argument("--seconds", type=float, default=0.5, help="CPU time spent on each update (default 0.5)")
     options = parser.parse_args()
     print(per_frame(options.repeats, options.frames), flush=True)
     print(f"\n{scaling(options.seconds)}\n\n{thousand()}\n", flush=True)

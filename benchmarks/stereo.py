@@ -39,7 +39,7 @@ VARIANTS = {
 
 @dataclass
 class Counts:
-    """Of each pair: features matched left to right, matched round the cycle, believed; and how well noise fits."""
+    """Of each pair: features matched left to right, matched round the cycle, inliers; and how well noise fits."""
 
     stereo: list[int] = field(default_factory=list)
     circular: list[int] = field(default_factory=list)
@@ -117,18 +117,18 @@ def main() -> None:
         dest="motion_source",
         choices=list(MOTION_SOURCES),
         default="correlated",
-        help="what tells how it moves",
+        help="motion source",
     )
     parser.add_argument(
         "--turns",
         dest="update_interval",
         type=int,
         default=10,
-        help="a landmark corrects in one of so many frames (10)",
+        help="a landmark is used for updates in one of so many frames (10)",
     )
     parser.add_argument("--enough", dest="max_in_view", type=int, default=30, help="landmarks in view (default 30)")
-    parser.add_argument("--window", type=int, help="frames after which unseen landmarks are forgotten (default: never)")
-    parser.add_argument("--sequence", action="store_true", help="correct one landmark after another")
+    parser.add_argument("--window", type=int, help="frames after which unseen landmarks are deleted (default: never)")
+    parser.add_argument("--sequence", action="store_true", help="update with one landmark after another")
     parser.add_argument("--only", choices=["street", "room", "filter", "speed"], help="one of the tables")
     given = parser.parse_args()
     options = Options(

@@ -33,7 +33,7 @@ class Case:
 
 @dataclass
 class Run:
-    """Of one run, by frames after the first: errors (n, 6), NEES (n,), matches believed; NIS of all; seconds."""
+    """Of one run, by frames after the first: errors (n, 6), NEES (n,), inliers; NIS of all; seconds."""
 
     errors: Array
     nees: Array
@@ -44,7 +44,7 @@ class Run:
 
 
 def filtered(case: Case, rig: Rig, frames: list[tuple[Frame, Array]]) -> Run:
-    """The filter through frames with the true poses (7,) beside them, begun at the first of these."""
+    """The filter through frames with the true poses (7,) beside them, started at the first of these."""
     slam, motion_source = started(case, rig, frames[0][1])
     block = slam.robots[0].block
     errors, squares, nis, spent = [], [], list[list[float]](), dict[str, float]()
@@ -73,7 +73,7 @@ def room(case: Case, path: str, frames: int, seeds: int) -> Iterator[str]:
         f"path {path}, {frames} frames, {case.motion_source}, std {case.std} px, "
         f"interval {s.update_interval}, window {o.window}:"
     )
-    yield "seed  path    rms error  end error  turn     NIS/3  believed  map   ms/frame  NEES/6 by quarters"
+    yield "seed  path    rms error  end error  turn     NIS/3  inliers   map   ms/frame  NEES/6 by quarters"
     runs = []
     for seed in range(1, seeds + 1):
         r, length = in_the_room(case, path, frames, seed)
@@ -131,7 +131,7 @@ def speed(case: Case, frames: int) -> Iterator[str]:
     yield (
         f"{case.motion_source}, interval {settings.update_interval}, {n} frames with {FULL} landmarks: "
         f"{features:.0f} features, "
-        f"{predictions:.0f} landmarks expected, {inliers:.0f} believed"
+        f"{predictions:.0f} landmarks predicted, {inliers:.0f} inliers"
     )
     yield from (f"  {what:15} {1e3 * s / n:6.1f} ms" for what, s in spent.items())
     total = sum(spent.values())
@@ -139,14 +139,14 @@ def speed(case: Case, frames: int) -> Iterator[str]:
 
 
 def started(case: Case, rig: Rig, pose: Array | None = None) -> tuple[Slam, Any]:
-    """A filter of the rig, and what moves it."""
+    """A filter of the rig, and its motion source."""
     sensor = rig.sensors[0]
     motion_source = MOTION_SOURCES[case.motion_source](sensor.calibration, sensor.extrinsics, case.settings)
     return moved_by(motion_source, rig, case.options, pose), motion_source
 
 
 def moved_by(motion_source: StereoMotionSource, rig: Rig, options: Options, pose: Array | None = None) -> Slam:
-    """A filter of the rig, whose robot moves as it is told; pose (7,): where it begins, if not where the rig does."""
+    """A filter of the rig, whose motion is given; pose (7,): where it starts, if not where the rig does."""
     robots = (replace(rig.robots[0], motion=motion_source.motion),)
     slam = Slam(replace(rig, robots=robots), options, front_ends=[motion_source.front_end])
     if pose is not None:
@@ -163,7 +163,7 @@ def advance(slam: Slam, motion_source: StereoMotionSource, frame: Frame, dt: flo
 
 
 def step(slam: Slam, motion_source: Any, frame: Frame, dt: float, spent: dict[str, float]) -> None:
-    """One pair; adds what is timed nowhere else to the "filter"."""
+    """One pair; adds time not counted elsewhere to the "filter"."""
     timed(advance, "filter", spent)(slam, motion_source, frame, dt)
 
 

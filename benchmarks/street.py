@@ -4,13 +4,13 @@ The street is an excerpt of 51 rectified pairs, almost straight, 59.9 m, where i
 shipping it). Errors are means over all parts of 5, 10, ..., 40 m: of the translation, in per cent of the part's length,
 and of the rotation, in degrees a metre. ATE: root mean square of the distances after the best rigid motion [m].
 
-1. The calibration. A disparity that is wrong by a constant makes all steps too long or too short. What the pictures
-   themselves say of it, without the truth, is how well matches agree with their motion: z' S^-1 z by its degrees of
-   freedom, and how many agree.
+1. The calibration. A disparity that is wrong by a constant makes all steps too long or too short. Without the truth,
+   the pictures show it by how well matches agree with their motion: z' S^-1 z by its degrees of freedom, and how many
+   agree.
 2. Odometry alone against the filter, with the constant that the pictures chose.
-3. The reference. Its camera's frame was calibrated too: a turn of it against the real one (or a principal point that
-   is off) is the same error over each part, however good the estimate is. It is told by the mean direction of the
-   steps, and taken out.
+3. The reference. Its camera's frame was calibrated too: a rotation of it against the real one (or a wrong principal
+   point) is the same error over each part, however good the estimate is. It is estimated from the mean direction of
+   the steps, and removed.
 """
 
 import os
@@ -42,7 +42,7 @@ from slamlib.vision.stereo import MOTION_SOURCES, StereoSettings
 
 OFFSETS = (-0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
 CHOSEN = 0.2
-# Of all ways, odometry alone too: twice as many features as by default, since few of a street are found again.
+# For all variants, odometry alone too: twice as many features as by default, since few of a street are found again.
 FEATURES: dict[str, Any] = {"per_cell": 10, "min_strength": 50.0, "ratio": 0.95, "distance": 80}
 # What was not seen for 8 pairs lies behind the car. "correlated" leaves more of the features to the odometry.
 WAYS: dict[str, dict[str, Any]] = {
@@ -58,7 +58,7 @@ WAYS: dict[str, dict[str, Any]] = {
     "correlated": {"settings": {"max_in_view": 60}, "options": {"max_new": 30, "window": 8}},
 }
 HEAD = (
-    f"{'':16} translation (5 to 40 m)     rotation         ATE   attitude  matches (least) NIS/dof  looks each  ms/pair"
+    f"{'':16} translation (5 to 40 m)     rotation         ATE   orient.   matches (least) NIS/dof  searched    ms/pair"
 )
 ALONE = "odometry alone"
 
@@ -105,7 +105,7 @@ def offsets(source: ImageSource, camera: dict[str, Any], truth: Trajectory) -> I
 def runs(
     source: ImageSource, camera: dict[str, Any], offset: float, names: list[str]
 ) -> Iterator[tuple[str, SequenceRun]]:
-    """Odometry alone, and the filter in each way."""
+    """Odometry alone, and each variant of the filter."""
     yield (
         ALONE,
         stereo_run(source, camera, motion_source="odometry", settings=StereoSettings(offset=offset, **FEATURES)),
@@ -119,7 +119,7 @@ def runs(
 
 
 def done(name: str, run: SequenceRun, truth: Trajectory) -> dict[str, float]:
-    """Work, and say how well it went."""
+    """Run one variant and return its figures."""
     began = time.process_time()
     list(progress(run, len(run), name))
     spent = (time.process_time() - began) / len(run.history)
@@ -153,7 +153,7 @@ def constant_turn(estimate: Trajectory, truth: Trajectory) -> Array:
 
 
 def tables(found: dict[str, Any]) -> Iterator[str]:
-    """The figures for people."""
+    """The figures as printed tables."""
     yield f"KITTI's street: {found['pairs']} pairs, {found['path']:.1f} m\n"
     yield "offset [px]  z'S^-1z/dof  agreeing matches  |  length by the true one  translation"
     for o in found["offsets"]:

@@ -12,7 +12,7 @@ class ChapterLexer(IPython3Lexer):  # type: ignore[misc]
     """Cells of a notebook; what stands below %%tangle is the Python of a module."""
 
     def get_tokens_unprocessed(self, text: str) -> Iterator[tuple[int, _TokenType, str]]:
-        """Tokens of a cell, with their places."""
+        """Tokens of a cell, with their positions."""
         if not text.startswith("%%tangle "):
             yield from super().get_tokens_unprocessed(text)
             return

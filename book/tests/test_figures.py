@@ -1,4 +1,4 @@
-"""Figures: self-sufficient, repeatable, themed, told apart, and sliders that a keyboard moves without any kernel."""
+"""Figures: self-sufficient, repeatable, themed, distinct, and sliders that a keyboard moves without any kernel."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""What stands behind a figure: data in their places, ticks, layout, legends, contours, images, clear errors."""
+"""What stands behind a figure: positions of data, ticks, layout, legends, contours, images, clear errors."""
 
 import base64
 import re
@@ -76,7 +76,7 @@ def box_of(fig):
     return fig.axes[0].view(fig._boxes()[0]).box
 
 
-# -- data in their places ----------------------------------------------------------------------------------------------
+# -- positions of data ------------------------------------------------------------------------------------------------
 
 
 def drawn_points(x, y, *, call="plot", **settings_):
@@ -497,7 +497,7 @@ def test_a_legend_stands_in_its_corner_on_the_page_s_paper(loc):
     assert "_hidden" not in [t.text for t in texts_of(fig)]
 
 
-def test_a_legend_goes_where_it_is_told_and_enlarges_its_marks():
+def test_a_legend_goes_where_it_is_wanted_and_enlarges_its_marks():
     fig, ax = figure()
     ax.plot([0, 1], [0, 1], ".", ms=2, label="dots", color=colors.purple)
     ax.legend(loc=(0.2, 0.3), markerscale=4)

@@ -140,7 +140,7 @@ def test_the_page_draws_what_the_kernel_draws(draw):
     assert real.replace("<", "\n<").split("\n") == page.replace("<", "\n<").split("\n")
 
 
-def test_contours_have_the_same_places_and_looks():
+def test_contours_have_the_same_positions_and_styles():
     x, y = GRID
     drawn = []
     for library in (plt, stand_in):

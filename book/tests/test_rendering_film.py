@@ -64,7 +64,7 @@ def test_the_rigs_start_is_the_paths(room):
         shot(room, rig=elsewhere)
 
 
-def test_odometry_is_told_the_true_steps_and_noise(room):
+def test_odometry_gets_the_true_steps_and_noise(room):
     exact = rendering.rig_along_path(PATH, motion="odometry", control_std=(0.0,) * 6, **SMALL)
     before = PATH.pose(0)
     for frame, truth in shot(room, rig=exact):

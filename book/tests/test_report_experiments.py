@@ -1,4 +1,4 @@
-"""The experiments of chapter stereo_ekf_slam on the report's filter: what they compute is right, and the stored file is theirs."""
+"""Chapter stereo_ekf_slam's experiments on the report's filter: their results are right, and the file stores them."""
 
 import json
 from dataclasses import replace
@@ -20,7 +20,7 @@ RENEW = "run `make report-experiments` and `python -m book.tools.notebooks run` 
 SURE = 0.999  # of the bands that a test asserts
 
 
-# The ways of a correction.
+# The methods of an update.
 
 
 @pytest.mark.parametrize(("landmarks", "seen"), [(1, 1), (6, 4), (30, 12), (30, 30)])
@@ -99,7 +99,7 @@ def exact_problem():
     )
 
 
-def test_in_exact_arithmetic_both_ways_are_equal_and_their_multiplications_are_as_many_as_said():
+def test_in_exact_arithmetic_both_ways_are_equal_and_their_multiplications_are_as_many_as_stated():
     given = exact_problem()
     said = updates.multiplications(3, 2)
     Counted.count = 0
@@ -147,7 +147,7 @@ def test_what_is_linearised_anew_changes_little_where_little_bends():
     assert error < 0.02
 
 
-# One correction for many runs side by side.
+# One update for many runs side by side.
 
 
 def test_together_is_number_by_number():
@@ -188,7 +188,7 @@ def test_only_what_remembers_the_beginning_closes_the_loop(remembered):
     assert whole.position[57] < whole.position[45]
 
 
-def test_the_window_forgets_what_it_says(remembered):
+def test_the_window_deletes_what_it_should(remembered):
     seen = [len(np.flatnonzero(memory.ring(np.random.default_rng(22)).sees(r))) for r in _relative()]
     np.testing.assert_array_equal(remembered["window 1"].landmarks, seen[1:])
     assert (np.diff(remembered["everything"].landmarks) >= 0).all()
@@ -271,7 +271,7 @@ def test_a_corridor_that_cannot_be():
         limits.repeated_observations(3, reach=5)
     with pytest.raises(SlamlibError, match="reach of 4 m"):
         limits.repeated_observations(reach=3)
-    with pytest.raises(SlamlibError, match="deviations above zero"):
+    with pytest.raises(SlamlibError, match="standard deviations above zero"):
         limits.common(start=0)
 
 
@@ -376,7 +376,7 @@ def test_the_kalman_filter_of_the_plane_knows_its_error_at_each_step(contest):
     assert ((found.average > low) & (found.average < high)).all()
 
 
-def test_particles_forget(contest):
+def test_particles_lose_their_history(contest):
     ekf, few, many = contest
     assert few.position[-1] > many.position[-1] > ekf.position[-1]
     assert few.map_error > many.map_error > ekf.map_error

@@ -181,7 +181,7 @@ def test_every_name_of_the_seeds_is_there_once(names):
     assert {n: count[n] for n in names} == {n: 2 if n in BOTH else 1 for n in names}
 
 
-def test_nothing_is_said_twice():
+def test_nothing_is_listed_twice():
     assert [n for n, k in Counter((r.name, r.kind) for r in ROWS).items() if k > 1] == []
     assert {r.name for r in ROWS if r.name in BOTH and r.kind == "type"} == BOTH
     assert {r.kind for r in ROWS} == KINDS

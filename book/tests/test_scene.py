@@ -171,7 +171,7 @@ def test_landmarks_at_infinity_are_left_out_and_do_not_move_the_limits():
 
 @pytest.mark.parametrize("name", [*POINTS, *LINES])
 def test_every_type_of_landmark_is_drawn_by_the_same_code(name):
-    """A type reaches the pictures as a point or two ends; its name changes nothing."""
+    """A type reaches the pictures as a point or two endpoints; its name changes nothing."""
     shown = scenes.snapshot()
     family = "points" if name in POINTS else "segments"
     named = replace(getattr(shown, family), kinds=(name,) * len(getattr(shown, family).ids))

@@ -1,4 +1,4 @@
-"""The ends of expected segments in the image, with their covariances; and which lines have converged."""
+"""The endpoints of predicted segments in the image, with their covariances; and which lines have converged."""
 
 from dataclasses import replace
 
@@ -31,7 +31,7 @@ def stepped(frames, kind="idpLin", estimated=False, family="lines"):
 
 
 def projected(sensor, pose, extrinsics, landmark, mean):
-    """The two ends in the image (2, 2) of a line with this mean, one after the other, by the definitions alone."""
+    """The two endpoints in the image (2, 2) of a line with this mean, one after the other, by the definitions alone."""
     found = []
     for abscissa in landmark.abscissas:
         h = landmark.kind.point_at(mean, abscissa)
@@ -53,7 +53,7 @@ def from_world(pose, h):
 
 
 def propagated(slam, sensor, landmark, step=1e-6):
-    """H P H' (2, 2, 2) with central differences along every direction of robot, mount and line."""
+    """H P H' (2, 2, 2) with central differences along every direction of robot, extrinsics and line."""
     parts = {"robot": sensor.robot.block, "mount": sensor.block, "line": landmark.block}
     parts = {name: block for name, block in parts.items() if block is not None}
     means = {"robot": sensor.robot.block.mean, "mount": sensor.extrinsics, "line": landmark.block.mean}
@@ -75,7 +75,7 @@ def propagated(slam, sensor, landmark, step=1e-6):
 
 @pytest.mark.parametrize("estimated", [False, True])
 @pytest.mark.parametrize("kind", list(LINES))
-def test_the_covariance_of_an_end_is_that_of_robot_mount_and_line_together(kind, estimated):
+def test_the_covariance_of_an_endpoint_is_that_of_robot_extrinsics_and_line_together(kind, estimated):
     slam, shown = stepped(6, kind, estimated)
     sensor, predictions = slam.sensors[0], shown.sensors[0].segments
     lines, checked = {lm.id: lm for lm in slam.landmarks}, 0
@@ -138,7 +138,7 @@ def test_a_line_has_converged_when_its_ends_are_known_to_a_share_of_its_length()
 
 
 @pytest.mark.parametrize("kind", ["idpLin", "plkLin"])
-def test_lines_are_new_when_they_begin_and_are_drawn_so(kind):
+def test_lines_are_new_when_initialized_and_are_drawn_so(kind):
     _, first = stepped(1, kind)
     assert len(first.segments.ids) == 6
     assert not first.segments.converged.any()

@@ -154,12 +154,12 @@ def test_landmarks_that_do_not_change_are_sent_once_and_those_that_go_are_named(
     assert data["frames"][2]["gone"] == ["p1", "p2"]
 
 
-def test_the_player_s_looks_are_the_snapshots_to_a_tenth_of_a_pixel():
+def test_the_player_s_measurements_are_the_snapshots_to_a_tenth_of_a_pixel():
     run = [scenes.with_segments(shown) for shown in RUN]
     data = data_of(player(run, alt=ALT, frames=len(RUN), sensor="camera"))
     assert data["sensor"]["limits"] == [0, 640, 480, 0]
     for frame, shown in zip(data["frames"], run, strict=True):
-        predictions, rows = shown.sensors[0].points, frame["looks"]["points"]
+        predictions, rows = shown.sensors[0].points, frame["measurements"]["points"]
         assert [row[0] for row in rows] == predictions.ids.tolist()
         for i, (_, outcome, _, u, v, a, b, c, *measured) in enumerate(rows):
             assert list(OUTCOMES.values())[outcome](predictions)[i]
@@ -168,9 +168,9 @@ def test_the_player_s_looks_are_the_snapshots_to_a_tenth_of_a_pixel():
             wanted = regions(shown.sensors[0], [0, 1], SensorOptions())[i]
             assert root @ root.T == pytest.approx(wanted, rel=0.05, abs=4)
             assert measured == (pytest.approx(predictions.measured[i], abs=0.051) if predictions.matched[i] else [])
-        outcomes = [list(OUTCOMES)[row[1]] for row in frame["looks"]["segments"]]
+        outcomes = [list(OUTCOMES)[row[1]] for row in frame["measurements"]["segments"]]
         assert outcomes == ["missed", "updated", "rejected"]
-        assert len(frame["looks"]["raw"]["segments"]) == 2
+        assert len(frame["measurements"]["raw"]["segments"]) == 2
 
 
 def test_a_long_run_stays_light():

@@ -185,7 +185,7 @@ def test_a_figure_of_points_alone_has_a_key_of_what_became_of_them():
 
 
 def looks_in(made):
-    return [frame["looks"] for frame in made.data["frames"]]
+    return [frame["measurements"] for frame in made.data["frames"]]
 
 
 def test_the_player_has_images_only_if_they_are_asked_for():
@@ -324,7 +324,7 @@ def runs_of(axes, role, width):
     return [part for part in parts if len(part)]
 
 
-def test_regions_in_a_window_are_as_many_as_the_looks(matplotlib):
+def test_regions_in_a_window_are_as_many_as_the_predictions(matplotlib):
     window = Window(PLAIN[0])
     window.update(PLAIN[0])
     axes, view = window.views[0].axes, PLAIN[0].sensors[0]

@@ -44,7 +44,7 @@ def test_units_that_import_each_other_are_one_layer():
     assert sizes.circles({"a": {"b"}, "b": {"a"}}) == ["  a and b import each other"]
 
 
-def test_a_broken_limit_is_told_by_the_exit_status(monkeypatch, capsys):
+def test_a_broken_limit_sets_the_exit_status(monkeypatch, capsys):
     monkeypatch.setattr(sizes, "LIMITS", {"generated": 1})
     assert sizes.main() == 1
     assert "1 over their limit" in capsys.readouterr().out

@@ -1,4 +1,4 @@
-"""The figures of chapter monocular that are stored: of the rendered room, and of the real sequence where its images are."""
+"""Stored results of chapter monocular: of the rendered room, and of the real sequence if its images are there."""
 
 import io
 import json
@@ -45,7 +45,7 @@ def test_the_room_is_within_the_promised_bounds():
         assert max(run["off"] for run in kept["wrong"][robust]) < 2
 
 
-def test_the_real_run_is_stored_with_what_it_was_told():
+def test_the_real_run_is_stored_with_its_settings():
     kept = stored(real_images.FILE)
     assert kept["options"] == json.loads(json.dumps(options_for(1.0, **real_images.SAID).to_dict()))
     assert set(kept["runs"]) == {"as told", *real_images.CHANGES}

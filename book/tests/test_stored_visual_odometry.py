@@ -1,4 +1,4 @@
-"""What chapter visual_odometry reads of its longer runs is what the tool computes: the beginning of one is run again."""
+"""Stored results of chapter visual_odometry's longer runs are what the tool computes: the start of one is run again."""
 
 import json
 

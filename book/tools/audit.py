@@ -1,6 +1,6 @@
 """`make audit`: every number E01 to E30 of the list of the report's errata, computed again.
 
-For each: where the report says what, what is right, the figures as they come out now, those of the list, the limits,
+For each: what the report states and where, what is right, the figures as computed now, those of the list, the limits,
 and a verdict: reproduced, corrected (the list was, and the remark says why), reading, or FAILED. The exit status is 1
 if one failed. --store writes the file that chapter stereo_ekf_slam draws its table from.
 """

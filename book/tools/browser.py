@@ -1,4 +1,4 @@
-"""The headless Chromium of the checks and pictures, and which pages of the site they look at."""
+"""The headless Chromium of the checks and pictures, and the pages of the site that they open."""
 
 import contextlib
 import os

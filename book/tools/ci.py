@@ -1,4 +1,4 @@
-"""Run every check, one after the other, and say at the end how each went; a stage that runs nothing has failed."""
+"""Run every check, one after the other, and report at the end how each went; a stage that runs nothing has failed."""
 
 import argparse
 import re

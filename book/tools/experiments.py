@@ -44,14 +44,14 @@ def quiet(motion: float, pixels: float, **start: Any) -> Preset:
 
 
 def with_depth(preset: Preset) -> Preset:
-    """The preset with a camera that measures depths, too, to 2 mm: no prior is needed, and everything is small."""
+    """The preset with a camera that also measures depths, to 2 mm: no prior is needed, and all errors are small."""
     camera = preset.rig.sensors[0]
     camera = replace(camera, type="pinHoleDepth", std=(*camera.std * 2, 0.002))
     return with_options(replace(preset, rig=replace(preset.rig, sensors=(camera,))), points="eucPnt")
 
 
 def linear() -> Preset:
-    """The robot knows where it heads, and measures where points are relative to it: nothing bends."""
+    """The robot knows its heading and measures the relative positions of points: the models are linear."""
     preset = with_options(points(), points="eucPnt", reproject=False)
     robot = replace(preset.rig.robots[0], control_std=(0.005,) * 3 + (1e-6,) * 3)
     sensor = SensorSetup(type="relativePosition", std=(0.05,), image=None, parameters={}, limits={"far": 4.0})
@@ -59,7 +59,7 @@ def linear() -> Preset:
 
 
 def cases() -> dict[str, Preset]:
-    """All experiments by name. Corrections in one batch a frame, except where the name says otherwise."""
+    """All experiments by name. One batch update a frame, unless the name states otherwise."""
     base = with_options(points(), points="idpPnt", reproject=False)
     house = with_options(lines(), reproject=False)
     return {
@@ -73,12 +73,12 @@ def cases() -> dict[str, Preset]:
 
 
 def shortened(preset: Preset) -> Preset:
-    """The beginning, which shows what the sensors are worth; whole rounds are those of points and lines."""
+    """The first frames, for comparing the sensors; whole loops are those of points and lines."""
     return replace(with_options(preset, reproject=False), frames=BEGINNING)
 
 
 def theory() -> dict[str, Preset]:
-    """Where theory says that the filter must be consistent, and where it says that it cannot be."""
+    """Cases in which the filter must be consistent by theory, and cases in which it cannot be."""
     return {
         "theory linear": linear(),
         "theory small noise": with_depth(quiet(0.1, 0.1)),
@@ -104,7 +104,7 @@ def switches(base: Preset) -> dict[str, Preset]:
 
 
 def digest(preset: Preset) -> str:
-    """Fingerprint of everything that a preset says, to twelve digits: what is fitted differs in the last by machine."""
+    """Fingerprint of a preset to twelve digits: the last digits of fitted values depend on the machine."""
     said = json.loads(json.dumps(preset.to_dict()), parse_float=lambda number: f"{float(number):.12g}")
     return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()[:12]
 

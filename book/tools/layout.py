@@ -41,7 +41,7 @@ def digest(files: Iterable[Path]) -> str:
 
 
 def write_whole(file: Path, content: bytes) -> None:
-    """Write a file whole or not at all, with the folders that lead to it."""
+    """Write a file atomically, with the folders that lead to it."""
     file.parent.mkdir(parents=True, exist_ok=True)
     files.write_whole(file, content)
 

@@ -36,7 +36,7 @@ NOT_SYMPY = re.compile(  # physics.units is imported by simplify
 
 
 def build(target: Path) -> None:
-    """Fill `target` with everything that a live page fetches, and manifest.json that says how heavy each file is."""
+    """Fill `target` with everything that a live page fetches, and manifest.json with the size of each file."""
     packed = layout.BUILD / "live" / layout.digest([assets.LIST, Path(__file__), layout.ROOT / "requirements.txt"])
     if not (packed / "complete").is_file():
         shutil.rmtree(packed.parent, ignore_errors=True)

@@ -25,11 +25,11 @@ FILE = layout.BOOK / "chapters" / "data" / "monocular.json"
 SEEDS, FRAMES = (1, 2, 3, 4, 5), 300
 LIGHT = 15  # frames that a test runs again
 ROUND, ROUND_DT, EVERY = 449, 1 / 15, 8  # frames, [s] between them, and frames between two that are stored
-OLD = 200  # frames: a landmark that was begun so long ago and is seen now closes the loop
+OLD = 200  # frames: a landmark initialized so long ago and seen now closes the loop
 
 
 def sideways(seed: int, frames: int = FRAMES, wrong: str | None = None) -> bench.Outcome:
-    """One run past the wall; wrong: a fifth of the matches is, and this consensus judges them."""
+    """One run past the wall; wrong: a fifth of the matches is, and this outlier rejection is used."""
     film = bench.frames_of("drawn", "sideways", frames, seed)
     if wrong is None:
         return bench.run(*film, seed, bench.OPTIONS, ActiveSearch)
@@ -47,7 +47,7 @@ def row(outcome: bench.Outcome) -> dict[str, float]:
 
 
 def around(seed: int) -> dict[str, Any]:
-    """Once round the room, and half a second more: every eighth place as estimated and in truth, and what was seen."""
+    """Once round the room, and half a second more: every eighth position, estimated and true, and what was seen."""
     way = rendering.path("round")
     pushed = (0.03,) * 3 + (1.2,) * 3
     rig = rendering.rig_along_path(way, std=(0.1,), control_std=pushed)

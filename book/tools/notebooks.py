@@ -166,9 +166,9 @@ def pytest_runtest_teardown(item: Any) -> None:
 
 
 def pytest_sessionfinish() -> None:
-    """Write the notebooks whose cells have all been run, in silence and without an error, where `executed` looks.
+    """Write the notebooks whose cells have all been run, without an error or a warning, where `executed` searches.
 
-    The build runs the others by itself, and says what is wrong.
+    The build runs the others by itself, and reports what is wrong.
     """
     key = layout.digest(layout.package_files()) if _outputs else ""
     for file, found in _outputs.items():

@@ -1,6 +1,6 @@
-"""Make the pictures of the README: the map of chapter slam_in_five_minutes, and an exercise solved in the page (needs a built book).
+"""Make the pictures of the README: chapter slam_in_five_minutes's map, and an exercise solved in the page.
 
-python -m book.tools.readme_pictures
+`python -m book.tools.readme_pictures`; needs a built book.
 """
 
 import contextlib
@@ -56,7 +56,7 @@ def of_the_map() -> None:
 
 
 def of_the_exercise(executable: str) -> None:
-    """Exercise 5.2 as it is found, with a wrong solution, and with a right one."""
+    """Exercise consistency.2 untouched, with a wrong solution, and with a right one."""
     with browser.site_in_chromium(executable) as (base, chromium):
         page = chromium.new_page(viewport={"width": 820, "height": 1000})
         page.goto(f"{base}/book/chapters/consistency.html")

@@ -1,8 +1,8 @@
-"""`make real-images`: fetch the real sequence of chapter monocular, run the filter on it, and store the figures of merit.
+"""`make real-images`: fetch chapter monocular's real sequence, run the filter on it, and store the figures of merit.
 
 The images (80 of a robot-held camera, Inria's ViSP, GPL-2) are in Debian's package visp-images-data. They are fetched
 once, by version and checksum, into _build/real, and never committed. The calibration and the two references, which
-are not part of that package, are in book/chapters/data (visp_cube_*); how they were made is told in the chapter.
+are not part of that package, are in book/chapters/data (visp_cube_*); the chapter describes how they were made.
 """
 
 import argparse
@@ -42,7 +42,7 @@ OPENCV = "opencv-python-headless"
 SEEDS, FEW, NOISE, IMPULSE = tuple(range(1, 21)), tuple(range(1, 6)), 0.1, (0.3, 10.0)  # [px]; [unit/s], [deg/s]
 SAID: dict[str, Any] = {"updates": 25, "outlier_rejection": "joint"}  # of the filter's options
 LIGHT = 20  # frames that a test runs again
-# What is changed, by the name that the chapter's table has for it, with a few seeds each.
+# Variants by their names in the chapter's table, with a few seeds each.
 CHANGES: dict[str, dict[str, Any]] = {
     "impulses 0.1, 3": {"impulse": (0.1, 3.0)},
     "impulses 0.1, 10": {"impulse": (0.1, 10.0)},
@@ -106,7 +106,7 @@ def run(
     frames: int = COUNT,
     **said: Any,
 ) -> SequenceRun:
-    """The filter on the sequence, a free scale; seed: of where landmarks are begun; said: options of the filter."""
+    """The filter on the sequence, a free scale; seed: of the choice of new landmarks; said: filter options."""
     source, camera = open_sequence(str(images), str(CALIBRATION), fps=FPS)
     rig = camera_rig({**camera, "std": (noise,)}, impulse=impulse)
     search = ActiveSearch(rig.sensors[0].calibration, np.random.default_rng(seed))
@@ -117,7 +117,7 @@ def run(
 
 
 def compared(path: Trajectory, name: str = "structure from motion") -> AlignedTrajectory:
-    """A path of the camera laid over one of the references (a similarity, its turn from the attitudes)."""
+    """A path of the camera laid over one of the references (a similarity, its rotation from the orientations)."""
     reference = read_trajectory(DATA / REFERENCES[name])
     return align_trajectory(path, reference[np.arange(len(path))], rotation_from="orientations")
 
@@ -145,7 +145,7 @@ def _rms_degrees(angle: Any) -> float:
 
 
 def told(result: ImageResult) -> dict[str, Any]:
-    """One run frame by frame, for the figures: its aligned path, and what was looked for, matched, believed."""
+    """One run frame by frame, for the figures: its aligned path, and the counts of searched, matched, inliers."""
     c, over = result.columns, compared(result.trajectory)
     whole = {name: c[name].astype(int).tolist() for name in ("searched", "matched", "inliers", "landmarks")}
     with np.errstate(invalid="ignore", divide="ignore"):

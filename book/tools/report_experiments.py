@@ -1,7 +1,7 @@
-"""`make report-experiments`: the longer experiments of chapter stereo_ekf_slam on the report's filter, stored as one small file.
+"""`make report-experiments`: run chapter stereo_ekf_slam's longer experiments on the report's filter, and store them.
 
-What is remembered (5.4), correlations (9.3), FastSLAM beside EKF-SLAM (3.2), and the ways of a correction (6). Times
-are kept apart, under "machine": they are those of whoever ran this last, and no test looks at them. "light" is a small
+What is remembered (5.4), correlations (9.3), FastSLAM beside EKF-SLAM (3.2), and the methods of an update (6). Times
+are kept apart, under "machine": they are those of the last run, and no test reads them. "light" is a small
 run of each experiment, which a test makes again to see that the file belongs to the code as it is. Finished experiments
 are kept in _build/report_experiments, so that an interrupted one goes on where it was.
 """
@@ -47,12 +47,12 @@ LIGHT: dict[str, dict[str, Any]] = {
 
 
 def rng() -> np.random.Generator:
-    """Every experiment begins with the same seed."""
+    """Every experiment starts with the same seed."""
     return np.random.default_rng(SEED)
 
 
 def remembered(**sizes: Any) -> Any:
-    """Ways to remember, by name: errors, claims and NEES over 6 at each step."""
+    """Variants of memory by name: errors, their standard deviations by the filter, and NEES over 6 at each step."""
     return plain({
         found.name: {
             "position": found.position,
@@ -107,7 +107,7 @@ def accurate(**sizes: Any) -> dict[str, Any]:
 
 
 def mapped(**sizes: Any) -> Any:
-    """Chapter frames_and_quaternions's run by every way, without times."""
+    """Chapter frames_and_quaternions's run by every method, without times."""
     return plain([{k: v for k, v in asdict(m).items() if k != "seconds"} for m in speed.mapping(rng(), **sizes)])
 
 
@@ -120,11 +120,11 @@ EXPERIMENTS: dict[str, Callable[..., Any]] = {
 }
 
 
-# Times: those of whoever ran this last, never tested.
+# Times: those of the last run, never tested.
 
 
 def machine() -> dict[str, Any]:
-    """Times of the ways of a correction, and of FastSLAM's steps."""
+    """Times of the methods of an update, and of FastSLAM's steps."""
     found: dict[str, Any] = {name: times(name, seen) for name, seen in SEEN.items()}
     found["run of 92 landmarks"] = {m.method: plain(m.seconds, 3) for m in speed.mapping(rng())}
     racers = planar_runs.compare(rng(), runs=2, steps=40, particles=PARTICLES)
@@ -135,9 +135,9 @@ def machine() -> dict[str, Any]:
 
 
 def times(name: str, seen: int | None) -> dict[str, Any]:
-    """Times and multiplications by way over the sizes of the state, and at which of them the quicker one changes.
+    """Times and multiplications by method over the sizes of the state, and at which size the fastest one changes.
 
-    seen: landmarks in a look; None: all.
+    seen: landmarks in a scan; None: all.
     """
     rows = list(progress(speed.timings(rng(), sizes(seen), REPEATS), len(LANDMARKS), f"times, {name}"))
     return {
@@ -154,7 +154,7 @@ def sizes(seen: int | None) -> list[tuple[int, int]]:
 
 
 def elsewhere() -> dict[str, Any]:
-    """The same by MRPT: seconds by method, and by how much the state is off, relative to the correction."""
+    """The same by MRPT: seconds by method, and the error of the state, relative to the update."""
     found: dict[str, Any] = {}
     with mrpt.compiled() as program:
         for name in ("3 landmarks", "20 landmarks"):

@@ -1,4 +1,4 @@
-"""The appendix Rosetta: read its table, find what the table names, and write the page from it.
+"""The appendix Rosetta: read its table, find what the table refers to, and write the page from it.
 
 `python -m book.tools.rosetta` writes rosetta.md from rosetta.csv, both in book/appendices; the
 words above the tables stay.
@@ -76,7 +76,7 @@ def _member(owner: Any, name: str, path: str) -> Any:
 
 
 def exists(place: str) -> bool:
-    """True if a place, "chapter NAME" or a dotted path, is there."""
+    """True if a target, "chapter NAME" or a dotted path, exists."""
     if match := CHAPTER.fullmatch(place):
         return chapter(match[1]).is_file()
     try:

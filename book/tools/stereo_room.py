@@ -1,4 +1,4 @@
-"""Runs of slamlib's own stereo system in the rendered room, for chapter stereo_ekf_slam: where the motion comes from, and loops."""
+"""slamlib's stereo system in the rendered room, for chapter stereo_ekf_slam: sources of the motion, and loops."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -21,19 +21,19 @@ from slamlib.vision.stereo.motion_source import SplitFeatures, StereoMotionSourc
 STD = (0.06, 0.055, 0.05)  # px, of u, v and d, as measured in these rooms
 SEEDS, FRAMES, LIGHT = (1, 2, 3), 150, 10
 ROUND, ROUND_SEEDS, EVERY, WINDOW = 900, (1, 2), 15, 60  # frames
-OLD = 400  # frames: a landmark that was begun so long ago and is seen now closes the loop
+OLD = 400  # frames: a landmark initialized so long ago and seen now closes the loop
 OPTIONS = Options(points="eucPnt", updates=60, max_new_first=30, max_new=5, reproject=False)
 
 
 class Twice(SplitFeatures):
-    """The report's way: all features give the control, and the same ones correct (E21)."""
+    """The report's method: all features give the control, and the same ones update the map (E21)."""
 
     odometry_half = landmark_half = None
 
 
 @dataclass(frozen=True)
 class Way:
-    """Where the motion comes from, and in one of how many frames a landmark is measured: its errors last."""
+    """Where the motion comes from, and in one of how many frames a landmark is measured: its errors come last."""
 
     motion_source: Any
     update_interval: int = 1
@@ -57,7 +57,7 @@ def film(path: str, frames: int, seed: int) -> Film:
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """Of each pair after the first: error of the pose (n, 6), NEES (n,), places (n, 3) in truth and as found [m]."""
+    """Of each pair after the first: error of the pose (n, 6), NEES (n,), positions (n, 3), true and estimated [m]."""
 
     errors: Array
     nees: Array
@@ -74,7 +74,7 @@ class Run:
 
     @property
     def row(self) -> dict[str, float]:
-        """Errors of the position in per cent of the path, rms and at the end; attitude at the end [deg]."""
+        """Errors of the position in per cent of the path, rms and at the end; orientation at the end [deg]."""
         away = 100 * np.linalg.norm(self.errors[:, :3], axis=1) / self.path
         return {
             "path": round(self.path, 2),
@@ -87,7 +87,7 @@ class Run:
 
 
 def run(film: Film, name: str, options: Options = OPTIONS) -> Run:
-    """One run through a film; the filter begins where the first pair was taken."""
+    """One run through a film; the filter starts at the pose of the first pair."""
     (rig, pairs), rows, nis, old = film, [], list[float](), []
     way, sensor = WAYS[name], rig.sensors[0]
     settings = StereoSettings(update_interval=way.update_interval, max_in_view=30)
@@ -119,7 +119,7 @@ def odometry(film: Film) -> dict[str, float]:
 
 
 def ways() -> dict[str, Any]:
-    """Past the wall, with each of the ways to use the matches, and with odometry alone."""
+    """Past the wall, with each way of using the matches, and with odometry alone."""
     found: dict[str, Any] = {"frames": FRAMES, "seeds": len(SEEDS), "odometry": []}
     squares: dict[str, list[Array]] = {name: [] for name in WAYS}
     for seed in progress(SEEDS, len(SEEDS), "past the wall"):
@@ -139,12 +139,12 @@ def ways() -> dict[str, Any]:
 
 
 def light() -> dict[str, float]:
-    """The beginning of one run, which a test makes again."""
+    """The start of one run, which a test runs again."""
     return run(film("sideways", LIGHT, SEEDS[0]), "in turns").row
 
 
 def around() -> dict[str, Any]:
-    """Once round the room: with everything remembered, with a window, and with all matches in every frame."""
+    """Once round the room: with all landmarks kept, with a window, and with all matches in every frame."""
     runs = {
         "full": ("in turns", OPTIONS),
         "windowed": ("in turns", replace(OPTIONS, window=WINDOW)),

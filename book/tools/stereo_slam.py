@@ -1,4 +1,4 @@
-"""`python -m book.tools.stereo_slam`: the longer runs of chapter stereo_ekf_slam, stored as one small file, part by part.
+"""`python -m book.tools.stereo_slam`: store chapter stereo_ekf_slam's longer runs as one small file, part by part.
 
 The report's errors turned on together and repaired one after another, and the filter with wrong covariances
 (slambook.report); slamlib's own system in the rendered stereo room (book.tools.stereo_room), and on KITTI's street,
@@ -24,7 +24,7 @@ from slamlib.manifolds import Array
 FILE = layout.BOOK / "chapters" / "data" / "stereo_slam.json"
 # All errors that a program can have at once, in the order in which they are repaired.
 ORDER = ["E20", "E16", "E05", "E10", "E15", "E08", "E19", "E18 dropped", "E07", "E02", "E01", "E12"]
-FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0)  # of a standard deviation, as the filter believes, to the true one
+FACTORS = (0.25, 0.5, 1.0, 2.0, 4.0)  # of a standard deviation, as the filter assumes it, to the true one
 
 
 def summary(outcome: Outcome) -> dict[str, Any]:
@@ -33,7 +33,7 @@ def summary(outcome: Outcome) -> dict[str, Any]:
 
 
 def repairs() -> dict[str, list[dict[str, Any]]]:
-    """By scene, what comes of the errors that are left after each repair; the first row has all of them."""
+    """By scene, results with the errors that are left after each repair; the first row has all of them."""
     work = [(scene, i) for scene in ("gentle", "hard") for i in range(len(ORDER) + 1)]
     found: dict[str, list[dict[str, Any]]] = {}
     for scene, i in progress(work, len(work), "repairs"):
@@ -44,18 +44,18 @@ def repairs() -> dict[str, list[dict[str, Any]]]:
 
 @dataclass(frozen=True, eq=False)
 class Believed(Scene):
-    """A scene whose filter believes another covariance of the control: factor times the deviations."""
+    """A scene whose filter assumes another covariance of the control: factor times the standard deviations."""
 
     factor: float = 1.0
 
     @property
     def U(self) -> Array:
-        """As the filter believes."""
+        """As the filter assumes it."""
         return self.factor**2 * super().U
 
 
 def tuning() -> list[dict[str, Any]]:
-    """The corrected filter with deviations of the measurement, or of the control, that are wrong by a factor."""
+    """The corrected filter with standard deviations of measurement, or of control, that are wrong by a factor."""
     rows, scene = [], SCENES["gentle"]()
     for factor in progress(FACTORS, len(FACTORS), "covariances"):
         name = f"deviations times {factor:g}"

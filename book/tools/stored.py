@@ -24,7 +24,7 @@ def plain(value: Any, digits: int = 4) -> Any:
 
 
 def store(file: Path, found: dict[str, Any]) -> None:
-    """Write named figures as JSON, a name to a line, whole or not at all, and say so."""
+    """Write named figures as JSON, a name to a line, atomically, and print so."""
     rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(value)}" for name, value in found.items())
     layout.write_whole(file, f"{{{rows}}}\n".encode())
     print(f"wrote {file.relative_to(layout.ROOT)}: {len(rows) / 1024:.0f} kB")
@@ -33,7 +33,7 @@ def store(file: Path, found: dict[str, Any]) -> None:
 def main(file: Path, parts: Mapping[str, Callable[[], Any]], description: str | None) -> None:
     """Make the parts, and write the file when all of it is done.
 
-    Those that are not asked for, and those of which nothing comes (None) as their data are not at hand, stay.
+    Those that are not asked for, and those whose result is None as their data are not at hand, stay.
     """
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", nargs="+", choices=parts, default=parts, help="make these parts alone again")

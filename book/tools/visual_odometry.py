@@ -1,8 +1,8 @@
-"""`python -m book.tools.visual_odometry`: the longer runs of chapter visual_odometry, stored as one small file. Needs OpenCV.
+"""`python -m book.tools.visual_odometry`: store chapter visual_odometry's longer runs as one file. Needs OpenCV.
 
 Variants of the features in the rendered room and, where it is at hand, on an excerpt of KITTI's street (its licence
 forbids shipping it; without it the stored figures stay). Once round the room with plain odometry, and what it would
-cost to keep every point that was seen on the way.
+cost to keep every point that was seen.
 """
 
 from typing import Any
@@ -36,7 +36,7 @@ SEEDS, FRAMES, ROUND, EVERY = (1, 2, 3), 120, 449, 8
 STD = 0.035  # px, of the measurements in the room: the mean of z' S^-1 z by its degrees of freedom is near one
 LENGTHS = (10.0, 20.0, 30.0, 40.0, 50.0)  # m, of KITTI's measure: the excerpt is 60 m long
 OFFSET = 0.2  # px, of all disparities: with it the excerpt's own sum of z' S^-1 z is least
-NEAR, FAR = 3.0, 25.0  # px: a match is right within, and looked for within where a prediction is used
+NEAR, FAR = 3.0, 25.0  # px: a match is right within this, and searched for within it where a prediction is used
 
 
 def variant(
@@ -94,7 +94,7 @@ def measured(calibration: Calibration, images: list[Array], truth: Trajectory, o
 
 
 def around(seed: int, frames: int = ROUND) -> dict[str, Any]:
-    """Once round the room by plain odometry: every eighth error of the place and its claimed deviation [m]."""
+    """Once round the room by plain odometry: every eighth position error and its standard deviation [m]."""
     rig, film, made = stereo_film(frames, "round", seed, STD)
     sensor = rig.sensors[0]
     truth = np.array([t.robots[0][:7] for _, t in film])
@@ -120,9 +120,9 @@ def around(seed: int, frames: int = ROUND) -> dict[str, Any]:
 
 
 class Library:
-    """Every feature that was ever seen, with its descriptor and its true place: what matching against all costs.
+    """Every feature that was ever seen, with its descriptor and its true position: what matching against all costs.
 
-    What is near a prediction is predicted from the true pose and the true place: the best that a filter could do.
+    What is near a prediction is predicted from the true pose and position: the best that a filter could do.
     """
 
     def __init__(self, sensor: Any, made: Any) -> None:

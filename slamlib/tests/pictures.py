@@ -1,4 +1,4 @@
-"""Photographs and a real sequence to try the image machinery on; tests skip, and say so, where they are not at hand."""
+"""Photographs and a real sequence to try the image machinery on; tests skip where they are missing."""
 
 import os
 import signal
@@ -10,7 +10,7 @@ import pytest
 
 DATA = Path(os.environ.get("SLAMLIB_DATA") or "no-data")  # real sequences, which are not shipped
 CUBE = DATA / "mono_visp_cube" / "frames"
-# Two cameras in Kalibr's form, without their places.
+# Two cameras in Kalibr's form, without their extrinsics.
 KALIBR = """cam0:
   camera_model: pinhole
   distortion_coeffs: [-0.01, 0.02, -0.01, 0.003]

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 FOLDER = Path(os.environ.get("SLAMLIB_REFERENCE") or Path(__file__).parent / "data" / "toolbox")
-POSE = 7  # numbers of the robot's pose, which a recorded state begins with
+POSE = 7  # numbers of the robot's pose, with which a recorded state starts
 
 
 def cases(family: str, function: str, *, columns: bool = False) -> list[tuple[dict[str, Any], dict[str, Any]]]:

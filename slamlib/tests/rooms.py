@@ -29,7 +29,7 @@ def fisheye(limits=None):
 
 
 def camera(position, euler=(0.0, 0.0, 0.0)):
-    """Pose (7,) of a camera in a hand, which looks along the hand's x axis; euler [deg]."""
+    """Pose (7,) of a hand-held camera whose optical axis is the hand's x axis; euler [deg]."""
     return compose(pose_of(position, euler, "hand"), LOOKING)
 
 
@@ -39,7 +39,7 @@ def flat(grey, size=4):
 
 
 def upright(center, width, height, texture, **more):
-    """A quad that stands across x, seen by one who looks along x."""
+    """A quad perpendicular to x, as seen by a camera facing along x."""
     x, y, z = center
     corner = [x, y + width / 2, z + height / 2]
     return rendering.TexturedQuad(corner, [0, -width, 0], [0, 0, -height], texture, **more)

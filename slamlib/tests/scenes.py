@@ -13,7 +13,7 @@ from slamlib.observation.points import observe
 
 
 def measurements(ids: np.ndarray, *columns, **more) -> MeasurementView:
-    """What a sensor looked at; of what not every look has nan or None, where it is not said."""
+    """Measurements of a sensor; fields that not every one has are nan or None unless given."""
     n = len(ids)
     none = {"endpoints": np.full((n, 2, 2), np.nan), "endpoint_covariances": np.full((n, 2, 2, 2), np.nan)}
     none |= {"scores": np.full(n, np.nan), "predicted_patch": (None,) * n, "found_patch": (None,) * n}
@@ -48,7 +48,7 @@ def world(segments: bool = True) -> World:
 
 
 def truth(number: int, setup: SensorSetup | None = None) -> Truth:
-    """The robot after so many frames on a circle of radius 5 m, and its sensor's mount."""
+    """The robot after so many frames on a circle of radius 5 m, and its sensor's extrinsics."""
     turn = np.radians(-90 + 0.9 * number)
     position = 5.1 * np.array([np.cos(turn), np.sin(turn), 0.0])
     pose = np.concatenate([position, exponential(np.array([0, 0, turn + np.pi / 2]))])
@@ -107,9 +107,9 @@ def _looks(
 
 
 def with_segments(shown: Snapshot) -> Snapshot:
-    """The same with three segments in the sensor's image: one looked for in vain, one used, one rejected.
+    """The same with three segments in the sensor's image: one not found, one used, one rejected.
 
-    One end of the last is out of view. The numbers are those of a new line and of two that have converged.
+    One endpoint of the last is out of view. The numbers are those of a new line and of two that have converged.
     """
     expected = np.array([[100, 80, 300, 90], [340, 300, 360, 100], [420, 400, 620, 300]], float)
     measured = expected + np.array([[np.nan], [3.0], [30.0]])
@@ -149,7 +149,7 @@ def photograph(number: int = 0, width: int = 640, height: int = 480) -> np.ndarr
 
 
 def with_photograph(shown: Snapshot) -> Snapshot:
-    """The same as a front end leaves it that looks at images: an image, scores, patches, some looked for in vain."""
+    """The same with the output of a front end on images: an image, scores, patches, some not found."""
     view, rng = shown.sensors[0], np.random.default_rng(shown.number)
     predictions, image = view.points, photograph(shown.number)
     count = len(predictions.ids)

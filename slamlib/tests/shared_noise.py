@@ -1,17 +1,17 @@
 """The same matches for the motion and for the map: the noise of the measurements as a part of the state (E21).
 
-The control is a function of measurements, u = g(z_old, z_new), and both are used elsewhere: z_old has corrected the map
-one step before, z_new corrects it now. With the noises n of both pairs as blocks of the belief nothing is used twice:
+The control is a function of measurements, u = g(z_old, z_new), and both are used elsewhere: z_old has updated the map
+one step before, z_new updates it now. With the noises n of both pairs as blocks of the belief nothing is used twice:
 
     measured    z = h(x, m) + n          n is a block with mean 0 and covariance R; no further noise
     moved       x' = f(x, u - G_old n_old - G_new n_new)   G: derivatives of the fit g
-    begun       m = h^-1(x', z - n)
+    initialized m = h^-1(x', z - n)
 
-After z_old has corrected, n_old has a mean, and is correlated with the state by -K R (K: the gain); after the motion x'
+Updated with z_old, n_old has a mean, and is correlated with the state by -K R (K: the gain); after the motion x'
 is correlated with n_new, so that cov(z_new) = H P H' + H C + C' H' + R with C = cov((x', m), n_new): the Kalman filter
-with correlated noises, of which nothing needs to be written down. Then n_old is forgotten, which is a marginal.
+with correlated noises, of which nothing needs to be written down. Then n_old is marginalized out.
 
-The result is short. If all matches are of landmarks, the control tells nothing that the map and z_new do not: it is the
+The result is short. If all matches are of landmarks, the control adds nothing to the map and z_new: it is the
 same as no control at all, one of infinite covariance, from which u is only where to linearize. If some are not, it is
 the same as a control from those alone. vision.stereo.motion_source uses that; here is the proof, for small maps.
 """

@@ -78,7 +78,7 @@ def even(ids):
     return ids % 2 == 0
 
 
-# Each way takes the data and the standard deviation. E21 is "twice": all matches move the robot and correct the map.
+# Each way takes the data and the standard deviation. E21 is "twice": all matches move the robot and update the map.
 WAYS = {
     "twice": lambda d, s: filtered(d, s, lambda k, old, new: as_control(s, old, new, new[0] > 0)),
     "nothing told": lambda d, s: filtered(d, s, lambda k, old, new: hardly(as_control(s, old, new, new[0] > 0))),
@@ -93,7 +93,7 @@ WAYS = {
 
 
 def hardly(control):
-    """The control, and next to nothing of what it tells."""
+    """The control, with a covariance so large that it has almost no weight."""
     return Control(control.value, 1e5 * control.covariance)
 
 

@@ -1,7 +1,7 @@
 """The acceptance test of the architecture: a type is one written file and one generated file, and nothing else changes.
 
-Chapter your_own_model's cells with a landmark and a sensor of the reader's own are written into a scratch copy of the package, as
-the chapter tells the reader to do.
+Chapter your_own_model's cells with a landmark and a sensor of the reader's own are written into a scratch copy of the
+package, as the chapter asks the reader to do.
 """
 
 import ast
@@ -61,7 +61,7 @@ def test_a_new_type_is_one_written_and_one_generated_file(tag, tmp_path):
     after = contents(copy)
     changed = {f for f in after | before if after.get(f) != before.get(f)}
     assert changed == {path, f"generated/{path}"}
-    # and the tests of every type judge it without having been told of it
+    # and the tests of every type judge it without any change to them
     printed = python(
         tmp_path, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", name, "slamlib/tests/test_every_type.py"
     )

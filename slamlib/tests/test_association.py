@@ -1,4 +1,4 @@
-"""Choosing what to look at, gating, and association by identity."""
+"""Choosing what to measure, gating, and known data association."""
 
 import numpy as np
 import pytest
@@ -33,7 +33,7 @@ def test_innovation_covariances_are_those_of_the_belief(rng):
     assert np.array_equal(found, found.swapaxes(1, 2))
 
 
-def test_rows_correct_as_blocks_do(rng):
+def test_rows_update_as_blocks_do(rng):
     beliefs = []
     for _ in range(2):
         r = np.random.default_rng(3)
@@ -77,7 +77,7 @@ def test_nine_is_another_probability_for_each_size():
     assert [round(chi2_cdf(9, n), 3) for n in (1, 2, 3, 4)] == [0.997, 0.989, 0.971, 0.939]
 
 
-def test_identity_matches_by_id_and_begins_with_the_lowest():
+def test_known_association_matches_by_id_and_initializes_the_lowest_first():
     scan = Scan({"points": Features([7, 3, 9, 5], [[7.0, 0], [3, 0], [9, 0], [5, 0]])})
 
     class Wanted:

@@ -17,7 +17,7 @@ from slamlib.tests.reference import cases
 
 
 def textbook(x, P, H, z, R):
-    """Mean and covariance after a correction with full matrices and an explicit gain."""
+    """Mean and covariance after an update with full matrices and an explicit gain."""
     S = H @ P @ H.T + R
     K = P @ H.T @ np.linalg.inv(S)
     return x + K @ z, (np.eye(len(x)) - K @ H) @ P
@@ -201,7 +201,7 @@ def test_joseph_form_is_the_same_for_the_optimal_gain_and_right_for_any(rng):
         linalg.joseph(P, H, R, K.T)
 
 
-def test_the_innovation_covariance_is_what_correct_uses(rng):
+def test_the_innovation_covariance_is_what_update_uses(rng):
     belief = Belief()
     a, _, c = grown(belief, rng, 2, 3, 4)
     jacobians, R = [rng.standard_normal((2, 2)), rng.standard_normal((2, 4))], np.eye(2)
@@ -218,7 +218,7 @@ def test_a_block_may_be_named_twice(rng):
     assert np.allclose(S, belief.innovation_covariance([a, b], [J[0] + J[2], J[1]], np.eye(2)))
 
 
-def test_a_manifold_is_corrected_on_its_tangent():
+def test_a_manifold_is_updated_on_its_tangent():
     """A heading as a unit vector: one measurement of the angle, weighed by the variances."""
     belief, circle = Belief(), Circle()
     heading = belief.add(circle, [1, 0], 0.04)
@@ -229,8 +229,8 @@ def test_a_manifold_is_corrected_on_its_tangent():
     assert (place.mean, belief.size, found.nis) == (5, 2, pytest.approx(5))
 
 
-def test_the_reset_is_of_the_order_of_the_correction(rng):
-    """What correct leaves out, in a pose: at most the correction's angle, relative to the covariance."""
+def test_the_reset_is_of_the_order_of_the_update(rng):
+    """What update leaves out, in a pose: at most the update's angle, relative to the covariance."""
     belief, P = Belief(), np.diag([1, 1, 1, 4, 400, 40]) * 1e-4 + 1e-5
     pose = belief.add(Pose, [0, 0, 0, 1, 0, 0, 0], P)
     H = np.hstack([np.zeros((3, 3)), np.eye(3)])

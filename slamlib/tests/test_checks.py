@@ -1,4 +1,4 @@
-"""The checks say which definition is wrong, in which argument, where and by how much; nothing wrong passes."""
+"""The checks report which definition is wrong, in which argument, where and by how much; nothing wrong passes."""
 
 import dataclasses
 
@@ -25,7 +25,7 @@ def turned_back(pose, point):
 
 @model(pose=Pose, landmark=7)
 def divided(pose, landmark):
-    """A Euclidean point where a homogeneous one is wanted: it has no place at infinity."""
+    """A Euclidean point where a homogeneous one is wanted: it has no points at infinity."""
     point = landmark[:3] + landmark[3:6] / landmark[6] - pose[:3]
     return np.concatenate([rotation(pose[3:]).T @ point, np.array([1])])
 
@@ -103,7 +103,7 @@ def test_a_wrong_line_is_found():
 
 
 def without(function, argument):
-    """A function that forgets one of its Jacobians."""
+    """A function that omits one of its Jacobians."""
 
     def forgetful(*args):
         found = function(*args)
@@ -141,7 +141,7 @@ def image_of_the_direction(line, intrinsics):
 
 
 def swapped(function):
-    """Takes the ends of a segment for each other's columns and rows."""
+    """Takes the endpoints of a segment for each other's columns and rows."""
 
     def mistaken(kind, calibration, robot, extrinsics, segment, prior):
         return function(kind, calibration, robot, extrinsics, np.asarray(segment)[..., [1, 0, 3, 2]], prior)
@@ -170,7 +170,7 @@ def test_numbers_without_a_value_are_found_at_nasty_places(monkeypatch):
         check_pair(LINES["plkLin"], CAMERA, silent=True)
 
 
-def test_a_narrow_lens_is_judged_too_and_one_that_sees_nothing_is_told():
+def test_a_narrow_lens_is_judged_too_and_one_that_sees_nothing_is_reported():
     def camera(focal, image=(640, 480)):
         return Calibration(CAMERA.sensor, np.eye(2), image=image, intrinsics=[320, 240, focal, focal], distortion=[])
 
@@ -193,7 +193,7 @@ def test_a_telephoto_lens_is_judged(across, aside):
     check_sensor(narrow, silent=True)
 
 
-def test_a_sensor_that_sees_nothing_is_told():
+def test_a_sensor_that_sees_nothing_is_reported():
     nothing = Calibration(CAMERA.sensor, np.eye(2), image=(1, 1), intrinsics=[320, 240, 1e6, 1e6], distortion=[])
     assert len(visible_points(nothing, np.random.default_rng(0), 10)) == 0
     with pytest.raises(CheckError, match="of 340000 directions all around none is visible and inside the image"):
@@ -256,14 +256,14 @@ def test_a_sensor_with_a_wrong_jacobian_is_found_by_both_tests_of_it():
     assert any("undo each other" in what for what in found)
 
 
-def test_misuse_is_told():
+def test_misuse_is_reported():
     with pytest.raises(SlamlibError, match="give a PointLandmark or a LineLandmark, not str"):
         check_landmark("ahmPnt")
     with pytest.raises(SlamlibError, match="judged with its calibration"):
         check_sensor(SENSORS["stereo"])
 
 
-def test_a_pair_that_does_not_exist_is_told_from_a_wrong_one():
+def test_a_pair_that_does_not_exist_is_distinguished_from_a_wrong_one():
     behind = Calibration(SENSORS["relativePosition"], np.eye(3))
     assert check_pair(AHM, behind, silent=True)
     with pytest.raises(SlamlibError):

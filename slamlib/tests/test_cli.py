@@ -49,7 +49,7 @@ def test_options_of_the_filter(tmp_path, capsys):
     assert "11 in the map" in capsys.readouterr().out
 
 
-def test_calibrate_puts_the_second_mount_into_the_map(tmp_path):
+def test_calibrate_puts_the_second_extrinsics_into_the_map(tmp_path):
     path = tmp_path / "run.npz"
     assert main(["run", "stereo", "--calibrate", "--save", str(path), *SHORT]) == 0
     assert [s.block is not None for s in Run.load(path).slam.sensors] == [False, True]

@@ -85,8 +85,8 @@ def test_the_layout_of_kitti_with_its_table_and_trajectory(room, tmp_path, capsy
     assert np.linalg.norm(error) < 0.01 * truth.distances[-1] + 0.002
 
 
-# All 33 features of these small pictures become landmarks: "correlated" has none left for its odometry, and where it is
-# in the worst pair is told by 16 landmarks alone, 17 mm off.
+# All 33 features of these small pictures become landmarks: "correlated" has none left for its odometry, and in the
+# worst pair its position depends on 16 landmarks alone, with an error of 17 mm.
 @pytest.mark.parametrize(
     ("motion", "share"), [("constant-velocity", 0.02), ("split-features", 0.02), ("correlated", 0.05)]
 )

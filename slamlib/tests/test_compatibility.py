@@ -72,7 +72,7 @@ def test_work_is_bounded_and_what_is_found_is_compatible(monkeypatch):
 
 
 def test_true_innovations_are_accepted_at_the_rate_of_the_gate():
-    """4000 draws of 8 innovations: the share in which all stay is binomial; its 99.9 % band is 3.29 deviations."""
+    """4000 draws of 8 innovations: the share kept is binomial; its 99.9 % band is 3.29 standard deviations."""
     rng, n, draws = np.random.default_rng(6), 8, 4000
     _, S = drawn(rng, n)
     z = rng.multivariate_normal(np.zeros(2 * n), S.reshape(2 * n, 2 * n), size=draws).reshape(draws, n, 2)

@@ -1,4 +1,4 @@
-"""Which matches are believed together: what a consensus asks of the filter, and what it is worth there."""
+"""Outlier rejection: what it needs of the filter, and its effect there."""
 
 from dataclasses import replace
 
@@ -47,7 +47,7 @@ def shaken(name="points", *, frames=60, seed=1, turns=10.0, **options):
 
 
 def before_a_correction(p, sensor=0, rate=0.0):
-    """A filter that has predicted the last frame of a preset, and the matched looks of one sensor."""
+    """A filter that has predicted the last frame of a preset, and the matched predictions of one sensor."""
     slam = Slam(p.rig, p.options)
     frames = [frame for frame, _ in p.simulate()]
     for frame in frames[:-1]:
@@ -69,12 +69,12 @@ def mixed():
 
 @pytest.fixture(scope="module")
 def calibrating():
-    """A camera whose mount is estimated."""
+    """A camera whose extrinsics are estimated."""
     return before_a_correction(shaken("self_calibration", frames=25), sensor=1)
 
 
 def observed(sensor, prediction):
-    """Jacobians by the blocks that a look depends on."""
+    """Jacobians w.r.t. the blocks that a prediction depends on."""
     found = prediction.family.innovation(viewpoint(sensor), prediction.landmark, prediction.measured, Options())
     return found, np.split(found.H, [sum(b.dof for b in sensor.blocks[:1])], axis=-1)
 
@@ -96,7 +96,7 @@ def test_the_joint_covariance_is_that_of_the_belief(mixed):
 
 
 @pytest.mark.parametrize("case", ["mixed", "calibrating"])
-def test_each_hypothesis_expects_what_the_corrected_filter_would(case, request):
+def test_each_hypothesis_predicts_what_the_updated_filter_would(case, request):
     slam, sensor, predictions = request.getfixturevalue(case)
     told = hypothesis_innovations(sensor, predictions, joint_innovation(slam.belief, sensor, predictions))
     start = slam.belief.snapshot()
@@ -112,7 +112,7 @@ def test_each_hypothesis_expects_what_the_corrected_filter_would(case, request):
 @pytest.mark.parametrize("name", ["points", "points_and_lines", "self_calibration"])
 @pytest.mark.parametrize("reproject", [True, False])
 @pytest.mark.parametrize("outlier_rejection", ROBUST)
-def test_refused_looks_are_as_those_that_the_gate_refuses(outlier_rejection, reproject, name):
+def test_outliers_are_as_those_that_the_gate_rejects(outlier_rejection, reproject, name):
     p = shaken(name, frames=40, outlier_rejection=outlier_rejection, reproject=reproject)
     endpoints = [Wrong(0.3, np.random.default_rng(i)) for i in range(len(p.rig.sensors))]
     slam, refused = Slam(p.rig, p.options, front_ends=endpoints), 0
@@ -129,7 +129,7 @@ def test_refused_looks_are_as_those_that_the_gate_refuses(outlier_rejection, rep
     assert refused > 20
 
 
-def test_the_rest_is_corrected_by_what_is_expected_after_the_support():
+def test_the_rest_is_updated_by_what_is_predicted_after_the_support():
     p = shaken(frames=25, outlier_rejection="one-point-ransac", reproject=False)
     slam, sensor, predictions = before_a_correction(p)
     shown = [prediction.value.copy() for prediction in predictions]
@@ -167,13 +167,13 @@ def test_without_a_gate_nothing_is_refused(outlier_rejection):
     }
 
 
-def test_the_options_know_every_consensus():
+def test_the_options_know_every_outlier_rejection():
     with pytest.raises(UnknownNameError, match="did you mean 'joint'"):
         Options(outlier_rejection="joind")
 
 
 def of_runs(outlier_rejection, rate, runs=4):
-    """NEES of the pose over all of 60 frames of several runs, and the shares of true and wrong matches believed."""
+    """NEES of the pose over all of 60 frames of several runs, and the shares of true and wrong matches accepted."""
     nees, inliers = [], {True: [], False: []}
     for seed in range(runs):
         p = shaken(seed=seed, outlier_rejection=outlier_rejection)

@@ -49,7 +49,7 @@ def rng():
 
 
 def ahead(rng, count):
-    """Euclidean points that all four sensors see, in a frame whose third axis looks ahead."""
+    """Euclidean points that all four sensors see, in a frame whose third axis points ahead."""
     return np.stack([*rng.uniform(-0.4, 0.4, (2, count)), np.ones(count)], axis=-1) * rng.uniform(1, 20, (count, 1))
 
 

@@ -118,7 +118,7 @@ WRONG = {
 
 
 @pytest.mark.parametrize("wrong", WRONG)
-def test_misuse_is_said_clearly(wrong):
+def test_misuse_is_reported_clearly(wrong):
     call, error, message = WRONG[wrong]
     with pytest.raises(error, match=message):
         call()

@@ -55,7 +55,7 @@ def test_every_sensor_passes_the_checks(name, capsys):
 
 
 @pytest.mark.parametrize(("kind", "sensor"), list(itertools.product([*POINTS, *LINES], SENSORS)))
-def test_every_pair_initializes_observes_and_corrects(kind, sensor, capsys):
+def test_every_pair_initializes_observes_and_updates(kind, sensor, capsys):
     check_pair({**POINTS, **LINES}[kind], example(SENSORS[sensor]))
     assert capsys.readouterr().out.endswith(("properties hold.\n", "the property holds.\n"))
 

@@ -104,7 +104,7 @@ def in_place(x):
         (lambda: 0, "raised TypeError"),
     ],
 )
-def test_what_is_wrong_is_said(doubling, candidate, message):
+def test_what_is_wrong_is_reported(doubling, candidate, message):
     with pytest.raises(Rejected, match=message):
         check(doubling, candidate)
 

@@ -71,7 +71,7 @@ def test_the_viewpoint_a_sensor_follows_every_change(rng, estimated):
 
 @pytest.mark.parametrize("estimated", [False, True])
 @pytest.mark.parametrize("lead", [(), (2,), (30,)])
-def test_jacobians_by_the_place_are_those_by_robot_and_mount(rng, estimated, lead):
+def test_jacobians_wrt_the_sensor_pose_are_those_wrt_robot_and_extrinsics(rng, estimated, lead):
     _, sensor = mounted(rng, estimated=estimated)
     points = PLACEHOLDER_POINT + 0.01 * rng.standard_normal((*lead, 7))
     whole = observe(AHM_POINT, sensor.calibration, sensor.robot.pose, sensor.extrinsics, points)

@@ -66,7 +66,7 @@ def first_part(kind, **change):
     return monte_carlo(replace(p, options=options), 20).consistency()
 
 
-# Neighbouring steps are correlated: a set of runs that begins high stays high, and few of its steps may be inside a
+# Neighbouring steps are correlated: a set of runs that starts high stays high, and few of its steps may be inside a
 # 95 % band (seed 7: 14 %, seeds 8 and 9: 100 %). What is asked for is a band that a single step leaves once in a
 # thousand sets, at every step; the share inside the 95 % band is printed.
 RARELY = band(6, 20, 0.999)

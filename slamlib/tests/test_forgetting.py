@@ -16,7 +16,7 @@ FRAMES = 90
 
 
 def mark(number, seen, inliers=10):
-    """A landmark with a history, and no place in a map."""
+    """A landmark with a history, in no map."""
     return Landmark(number, None, None, first_seen=1, searched=10, matched=10, inliers=inliers, last_seen=seen)
 
 
@@ -39,7 +39,7 @@ def test_what_was_seen_in_this_frame_does_not_make_room():
     assert prune_candidate([mark(1, 9, inliers=0), mark(2, 9)], 9, Options(pruning="least-reliable")) is None
 
 
-def test_a_window_counts_from_the_last_look_that_was_believed():
+def test_a_window_counts_from_the_last_accepted_measurement():
     rows = [mark(1, 3), mark(2, 5), mark(3, 3)]
     assert [lm.id for lm in out_of_window(rows, 8, Options(window=4))] == [1, 3]
     assert not out_of_window(rows, 8, Options())

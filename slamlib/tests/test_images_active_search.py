@@ -70,7 +70,7 @@ def on_one_surface(film, truth, pixel, half=6):
 
 
 def test_what_is_matched_is_what_was_seen_before(film):
-    """The places found show the same points of the room as the places where the landmarks began.
+    """Matches show the same points of the room as the pixels where the landmarks were initialized.
 
     A patch with an edge before something far away shows no one point of the room: those are left out.
     """
@@ -124,7 +124,7 @@ def test_dark_frames_are_predictions(film):
     assert sum(prediction.matched for prediction in slam.predictions[0]) > known / 4
 
 
-def test_landmarks_that_are_hidden_rest_longer_and_longer():
+def test_landmarks_that_are_hidden_back_off_longer_and_longer():
     rest, waits = Backoff(), []
     for _ in range(7):
         rest = rest.increased(16)
@@ -134,7 +134,7 @@ def test_landmarks_that_are_hidden_rest_longer_and_longer():
     assert waits == [1, 2, 4, 8, 16, 16, 16]
 
 
-def test_new_landmarks_begin_in_cells_of_their_own_with_texture(film):
+def test_new_landmarks_are_initialized_in_cells_of_their_own_with_texture(film):
     frame, _ = film.steps[0]
     slam = filter_of(film)
     slam.step(frame)
@@ -145,7 +145,7 @@ def test_new_landmarks_begin_in_cells_of_their_own_with_texture(film):
     assert min(lm.signature.quality for lm in slam.landmarks) >= front_end.settings.quality
 
 
-def test_nothing_begins_when_enough_is_in_view_or_nothing_is_good_enough(film):
+def test_nothing_is_initialized_when_enough_is_in_view_or_nothing_is_good_enough(film):
     frames = [frame for frame, _ in film.steps[:3]]
     few, picky = filter_of(film, max_in_view=5), filter_of(film, quality=1e9)
     for frame in frames:
@@ -164,7 +164,7 @@ def test_adopted_places_need_not_be_corners(film):
     assert outside is None
 
 
-def test_a_look_keeps_what_was_searched_and_found(done):
+def test_a_prediction_keeps_what_was_searched_and_found(done):
     matched = [prediction for prediction in done.chosen if prediction.matched]
     assert {prediction.predicted_patch.shape for prediction in matched} == {(11, 11)}
     assert {prediction.found_patch.shape for prediction in matched} == {(11, 11)}
@@ -182,14 +182,14 @@ def test_the_image_must_be_the_calibrated_one(film):
         ActiveSearch(blind, np.random.default_rng(0))
 
 
-def test_the_camera_of_a_mounted_sensor_is_robot_and_mount(film):
+def test_the_camera_pose_is_that_of_robot_and_extrinsics(film):
     slam = filter_of(film)
     sensor = slam.sensors[0]
     np.testing.assert_array_equal(sensor.camera, compose(sensor.robot.pose, sensor.extrinsics))
 
 
-def test_no_corner_is_begun_twice(film, done):
-    """Also not from the other side of a cell's border: places of landmarks that begin are a patch apart."""
+def test_no_corner_is_initialized_twice(film, done):
+    """Also not from the other side of a cell's border: new landmarks are a patch apart."""
     slam, size = filter_of(film), ActiveSearchSettings().patch
     for frame, _ in film.steps[:15]:
         report = slam.step(frame)

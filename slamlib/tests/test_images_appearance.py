@@ -23,7 +23,7 @@ def picture(camera: np.ndarray, name: str = "ideal", seed: int = 3) -> np.ndarra
 
 
 def on_wall(pixels: np.ndarray, name: str = "ideal") -> np.ndarray:
-    """The places of the wall (n, 4) that the first camera sees at pixels (n, 2)."""
+    """The points of the wall (n, 4) that the first camera sees at pixels (n, 2)."""
     calibration = CAMERAS[name]
     rays = calibration.sensor.back_project(pixels, np.ones((len(pixels), 1)), **calibration.given)
     return np.concatenate([rays[:, :3], rays[:, :3] @ PLANE[:, None]], axis=1)

@@ -87,7 +87,7 @@ def test_a_corner_moves_with_its_image():
 
 
 def test_the_toolbox_finds_the_same_corners():
-    """Its pixels, called MATLAB's, are counted from zero: the mirror below says which of the two is in the middle."""
+    """Its pixels, called MATLAB's, are counted from zero: the mirror below shows which of the two is in the middle."""
     for given_, found in cases("appearance", "harris_strongest"):
         values = strength(given_["im"])
         assert tuple(found["point"].astype(int)) == np.unravel_index(values.argmax(), values.shape)[::-1]
@@ -163,7 +163,7 @@ def test_uint8_and_floats_are_the_same():
 
 @pytest.mark.parametrize(("free", "gain"), [(False, 1.0), (True, 0.7)])
 def test_the_covariance_of_a_match_is_the_inverse_of_the_tensor(free, gain):
-    # one image, seen again and again with other noise: the scatter of the best places, by registration
+    # one image, seen again and again with other noise: the scatter of the best positions, by registration
     rng, sigma = np.random.default_rng(2), 3.0
     u, v = grid(41, 41)
     for seed in range(4):
@@ -185,7 +185,7 @@ def test_the_covariance_of_a_match_is_the_inverse_of_the_tensor(free, gain):
 
 
 def _with_known_gain(image: np.ndarray, patch: Patch) -> np.ndarray:
-    """One step of least squares from the true place, for gain 1 and offset 0."""
+    """One step of least squares from the true position, for gain 1 and offset 0."""
     down, across = np.gradient(patch.pixels)
     slopes = np.stack([across.ravel(), down.ravel()], axis=1)
     return np.linalg.lstsq(slopes, (patch.pixels - image[15:26, 15:26]).ravel(), rcond=None)[0]
@@ -203,7 +203,7 @@ def test_the_quality_bounds_the_covariance(name):
 
 
 def test_better_corners_are_matched_better_on_a_real_sequence():
-    # Noise is added, as a poor camera has it; the right place is the pixel itself
+    # Noise is added, as a poor camera has it; the right position is the pixel itself
     rng, right, low = np.random.default_rng(1), [], []
     for number in range(0, 80, 16):
         image, cells = cube(number), Grid((384, 288), (24, 18))

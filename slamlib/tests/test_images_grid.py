@@ -1,4 +1,4 @@
-"""The grid over the image: which cells hold a landmark, and where a new one may begin."""
+"""The grid over the image: which cells hold a landmark, and where a new one may be initialized."""
 
 import numpy as np
 import pytest

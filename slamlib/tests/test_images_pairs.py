@@ -30,7 +30,7 @@ PLACE = """  T_cn_cnm1:
   - [0.0, 1.0, 0.0, 0.0]
   - [0.0, 0.0, 1.0, 0.0]
   - [0.0, 0.0, 0.0, 1.0]
-"""  # of the right camera, as Kalibr says it
+"""  # of the right camera, as Kalibr gives it
 CHAIN = KALIBR.replace("cam1:\n", f"cam1:\n{PLACE}")
 
 

@@ -1,4 +1,4 @@
-"""A run on pictures, with a front end that is told what it sees: gaps, scale, times, and that saving loses nothing."""
+"""A run on pictures, with a front end that is given its matches: tracking losses, scale, times, and lossless saving."""
 
 from dataclasses import replace
 
@@ -194,7 +194,7 @@ def test_missing_pictures_pass_as_dark_ones_do():
         np.testing.assert_allclose(prediction.S, seen[1][name].S, rtol=1e-9)
 
 
-def test_a_gap_that_lasts_ends_the_run_and_nothing_is_lost(tmp_path):
+def test_a_long_tracking_loss_ends_the_run_and_the_result_is_kept(tmp_path):
     run = started(set(range(10, 25)), patience=6)
     with pytest.raises(
         TrackingLostError, match=r"6 pictures in a row without a match, from frame 11 on; was there a cut"
@@ -270,7 +270,7 @@ def test_a_picture_of_another_size_is_refused_before_the_filter_moves():
 
 
 def target(count=6, noise=0.0, std=0.0):
-    """The first points that are seen in the first picture, which the world then begins with."""
+    """The first points that are seen in the first picture, with which the world then starts."""
     told = Told()
     pixels, seen = told._pixels(type("S", (), {"scan": type("I", (), {"image": np.zeros((1, 1))})}), np.arange(80))
     inside = seen & (pixels[:, 0] > 6)
@@ -304,7 +304,7 @@ def test_a_target_gives_the_true_scale_and_the_place():
 
 
 def test_the_uncertainty_of_the_start_is_that_of_the_pixels():
-    """The batch of pixels counts once: errors of the first pose are as large as the filter says, over many draws."""
+    """The batch of pixels counts once: errors of the first pose are as large as its covariance, over many draws."""
     rng, squared = np.random.default_rng(5), []
     known, order = target(8)
     for _ in range(60):

@@ -1,4 +1,4 @@
-"""The search in an ellipse: what it looks at, what it finds, how exactly, and when it finds nothing."""
+"""The search in an ellipse: which pixels it compares, what it finds, how exactly, and when it finds nothing."""
 
 import numpy as np
 import pytest
@@ -27,7 +27,7 @@ def random_covariance(rng: np.random.Generator) -> np.ndarray:
 
 
 def least(pixels: np.ndarray, centre: np.ndarray, S: np.ndarray) -> np.ndarray:
-    """The least z' S^-1 z (n,) of all the places to which each pixel (n, 2) is the nearest: its square."""
+    """The least z' S^-1 z (n,) of all the positions to which each pixel (n, 2) is the nearest: its square."""
     A, corners = np.linalg.inv(S), 0.5 * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     away = np.asarray(pixels, float) - centre
     values = [np.where((np.abs(away) <= 0.5).all(-1), 0, np.inf)]

@@ -1,4 +1,4 @@
-"""Straight edges in images: found where they are, told apart, found again by the filter, and right in space."""
+"""Straight edges in images: found where they are, distinguished, found again by the filter, and right in space."""
 
 import json
 import math
@@ -141,7 +141,7 @@ def test_the_ends_of_a_fit_have_the_covariance_of_least_squares():
 
 
 def rig_of(translation=0.01, rotation=0.1, distortion=(0.0,)):
-    """A robot that is told to stand still, and may move by so many metres and degrees a step."""
+    """A robot whose control is to stand still, and which may move by so many metres and degrees a step."""
     camera = {"intrinsics": (79.5, 59.5, 128.0, 128.0), "distortion": distortion}
     robot = RobotSetup(control_std=(translation,) * 3 + (rotation,) * 3)
     return Rig((robot,), (SensorSetup(image=(WIDTH, HEIGHT), parameters=camera, std=(0.1,)),))
@@ -152,7 +152,7 @@ def frame_of(number, image):
 
 
 def seen(first, second, rig=None, options=OPTIONS, **settings):
-    """The looks at the second picture of a filter that began with the first."""
+    """The predictions for the second picture of a filter that started with the first."""
     rig = rig or rig_of()
     slam = Slam(rig, options, front_ends=[SegmentSearch(rig.sensors[0].calibration, SegmentSettings(**settings))])
     slam.step(frame_of(1, first))
@@ -199,7 +199,7 @@ def test_a_profile_tells_parallel_edges_apart():
     assert np.abs(shifted(predictions[0].measured, 0.0, -5.0)).max() < 0.2
 
 
-def test_what_became_faint_or_vanished_is_not_found_and_rests():
+def test_what_became_faint_or_vanished_is_not_found_and_backs_off():
     for second in (picture((0.0, 0, 20)), picture(noise=2.0)):
         predictions = seen(picture((0.0, 0, 80)), second)
         assert predictions[0].chosen
@@ -245,7 +245,7 @@ def test_the_lines_that_are_tried_cover_the_ellipse():
     assert len(lines_of(np.eye(2) * 1e-8, 9.21)) >= 1
 
 
-def test_no_edge_is_begun_on_one_that_is_expected():
+def test_no_edge_is_initialized_on_a_predicted_one():
     image = picture((0.0, 0, 80), (np.pi / 2, 30, 80))
     rig = rig_of()
     slam = Slam(rig, OPTIONS, front_ends=[SegmentSearch(rig.sensors[0].calibration)])
@@ -254,7 +254,7 @@ def test_no_edge_is_begun_on_one_that_is_expected():
     assert sum(counts[1:]) == 0
 
 
-def test_edges_are_begun_only_up_to_enough():
+def test_edges_are_initialized_only_up_to_the_maximum():
     image = picture(*((np.pi / 2, x, 25) for x in (-60, -30, 0, 30, 60)))
     rig = rig_of()
     front_end = SegmentSearch(rig.sensors[0].calibration, SegmentSettings(max_in_view=3, slope=3.0))
@@ -294,7 +294,7 @@ def done(film):
 
 
 def settled(slam):
-    """The lines whose two ends are known, by the filter's own account, to a tenth of their length."""
+    """The lines whose two endpoints are known, by the filter's own account, to a tenth of their length."""
     found = slam.families["segments"].geometry(slam.belief, slam.landmarks)[2]
     return [k for k, is_settled in zip(slam.landmarks, found, strict=True) if is_settled]
 
@@ -307,7 +307,7 @@ def in_image(slam, landmark):
 
 
 def from_edges(landmark, world):
-    """The least, over the true edges (n, 2, 3), of the larger distance [m] of a line's two ends from an edge's line."""
+    """Least, over true edges (n, 2, 3), of the larger distance [m] of a line's two endpoints from an edge's line."""
     h = endpoints.endpoints_at(landmark.kind, landmark.block.mean, landmark.abscissas)
     end_points = h[:, :3] / h[:, 3:]
     along = world[:, 1] - world[:, 0]

@@ -16,7 +16,7 @@ SIZE = (24, 32)
 
 
 def shade(number):
-    """A picture that tells its number by its brightness."""
+    """A picture whose brightness encodes its number."""
     return np.full(SIZE, 10 * number + 5, np.uint8)
 
 

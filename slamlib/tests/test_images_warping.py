@@ -198,7 +198,7 @@ def test_what_cannot_be_predicted_is_none_or_nan():
     assert warp(reference, (10, 10), np.array([[1, 0, 0], [0, 1, 0], [0.3, 0, 1.0]]), 11) is None
     point = np.array([0.0, 0, 1, 0.5])
     plane, centre = facing_plane(point)[None], np.full((1, 2, 2), 159.5)
-    behind = relative(posed([0, 0, 5], [0, np.pi, 0]), FIRST)[None]  # looks at the plane from its other side
+    behind = relative(posed([0, 0, 5], [0, np.pi, 0]), FIRST)[None]  # sees the plane from its other side
     beside = relative(posed([0, 0, 0], [0, np.pi / 2 + 0.1, 0]), FIRST)[None]  # its rays miss the plane
     for seen in (behind, beside):
         assert np.isnan(seen_by(IDEAL, seen, plane, centre)).all()

@@ -134,7 +134,7 @@ def test_a_lost_item_does_not_make_its_neighbours_wrong():
         stuck([[1.0], [9.0], [4.0]], [0.0])
 
 
-def test_a_solution_without_a_derivative_is_told():
+def test_a_solution_without_a_derivative_is_reported():
     at_bottom = Implicit("at_bottom", square, unknown="x", start=zero)
     np.testing.assert_array_equal(at_bottom([0.0], [0.0]), [0.0])
     with pytest.raises(SingularPointError, match=r"at_bottom has no derivative at \[0.0\]"):

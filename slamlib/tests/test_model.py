@@ -1,4 +1,4 @@
-"""Models: values, Jacobians, broadcasting, precision, and what misuse is told."""
+"""Models: values, Jacobians, broadcasting, precision, and the errors for misuse."""
 
 import sys
 from pathlib import Path
@@ -153,7 +153,7 @@ def test_a_quaternion_that_is_not_unit_is_refused_not_normalised(rng):
         frames.to_frame(pose, np.zeros(3))
 
 
-def test_a_singular_point_is_said_and_not_returned_as_nan():
+def test_a_singular_point_is_reported_and_not_returned_as_nan():
     with pytest.raises(SingularPointError, match="inverse_norm"):
         inverse_norm(np.zeros(2))
     with pytest.raises(SingularPointError, match=r"item \(1,\)"):

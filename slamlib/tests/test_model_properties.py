@@ -1,4 +1,4 @@
-"""Whatever a model is given, it returns finite numbers or says what is wrong; its arguments stay as they are."""
+"""Whatever a model is given, it returns finite numbers or reports what is wrong; its arguments stay as they are."""
 
 import numpy as np
 import pytest

@@ -23,7 +23,7 @@ IDENTITY = np.array([0.0, 0, 0, 1, 0, 0, 0])
 
 
 def scene(kind, calibration, count=4, seed=0):
-    """Robot and mount, and landmarks (count, size) that the sensor sees, a metre or more ahead of it."""
+    """Robot and extrinsics, and landmarks (count, size) that the sensor sees, a metre or more ahead of it."""
     rng = np.random.default_rng(seed)
     robot, extrinsics = Pose.random(rng), Pose.random(rng)
     points = visible_points(calibration, rng, 400)
@@ -132,14 +132,14 @@ def test_a_batch_is_a_loop(name, by):
 
 @pytest.mark.parametrize(("name", "by"), PAIRS)
 def test_what_is_not_seen_is_masked_and_finite(name, by):
-    """Points all around, the sensor's own place but for a hair, behind, at infinity: a mask, never an error."""
+    """Points all around, almost at the sensor's own position, behind, at infinity: a mask, never an error."""
     kind, calibration = POINTS[name], example(SENSORS[by])
     rng = np.random.default_rng(1)
     points = np.column_stack([rng.standard_normal((60, 3)), rng.uniform(0.01, 2, 60)])
     points = np.vstack([points, *([[*s * e, w]] for e in np.eye(3) for s in (1, -1) for w in (1.0, 1e-9))])
     if name != "eucPnt":  # which has no place for them
         points = np.vstack([points, [[*h, 0] for h in rng.standard_normal((20, 3))], [[0, 0, 1, 0]]])
-    # a landmark made in another frame, so that a place beside or behind this sensor can be made at all
+    # a landmark made in another frame, so that a position beside or behind this sensor can be made at all
     ahead = points[:, 2] > 0
     made = kind.from_frame(IDENTITY, points[ahead & (np.abs(points[:, :2]).sum(-1) > 0)])
     for extrinsics in (IDENTITY, np.array([0.1, 0.2, 0.3, 0, 1, 0, 0]), np.array([0, 0, 0, 0.5, 0.5, 0.5, 0.5])):

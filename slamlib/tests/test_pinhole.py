@@ -411,7 +411,7 @@ def test_opencv_takes_pixels_back_to_the_same_rays_if_it_may_iterate(coefficient
 
 
 def test_opencvs_calibration_of_the_books_corners_is_where_our_gradient_vanishes():
-    """Chapter pinhole finds the same numbers; here OpenCV finds them, and our Jacobians say that they are least squares."""
+    """OpenCV finds the numbers of chapter pinhole too, and by our Jacobians they are the least squares."""
     cv2 = opencv()
     file = Path(slamlib.__file__).parents[1] / "book" / "chapters" / "data" / "chessboard_corners.csv"
     corners = np.loadtxt(file, delimiter=",", skiprows=2)

@@ -47,7 +47,7 @@ def ray(rng, w=0.2):
 
 
 def seen(kind, rng, w=0.2):
-    """A camera, and a landmark that it has just begun."""
+    """A camera, and a landmark that it has just initialized."""
     camera = Pose.random(rng)
     return camera, kind.from_frame(camera, ray(rng, w))
 
@@ -84,7 +84,7 @@ def test_central_differences_and_a_batch_agree(model, rng):
 
 
 @every_kind
-def test_what_a_camera_begins_it_sees_where_it_was(kind, rng):
+def test_what_a_camera_initializes_it_sees_where_it_was(kind, rng):
     for w in (0.01, 0.2, 3.0):
         camera, point = Pose.random(rng), ray(rng, w)
         again = kind.to_frame(camera, kind.from_frame(camera, point))
@@ -122,7 +122,7 @@ def test_nothing_jumps_where_the_inverse_distance_changes_sign(kind, rng):
     assert sides[0] == pytest.approx(sides[1], abs=1e-7)
 
 
-def test_a_euclidean_point_cannot_begin_at_infinity(rng):
+def test_a_euclidean_point_cannot_be_initialized_at_infinity(rng):
     with pytest.raises(SingularPointError):
         EUC_POINT.from_frame(Pose.random(rng), ray(rng, 0.0))
 

@@ -1,4 +1,4 @@
-"""Setups of robots and sensors: what is not said fits the type of the sensor, and plain data comes back as it was."""
+"""Setups of robots and sensors: what is not given fits the type of the sensor, and plain data comes back as it was."""
 
 import json
 from dataclasses import replace
@@ -12,7 +12,7 @@ from slamlib.sensors import SENSORS
 
 
 @pytest.mark.parametrize("name", SENSORS)
-def test_what_is_not_said_fits_the_type(name):
+def test_what_is_not_given_fits_the_type(name):
     setup, kind = SensorSetup(type=name), SENSORS[name]
     assert (setup.image == IMAGE) == kind.pixels
     if set(kind.parameters) <= set(PARAMETERS):
@@ -34,7 +34,7 @@ def test_an_image_is_refused_where_nothing_is_measured_in_pixels():
         _ = SensorSetup(type="rangeBearing", image=(640.0, 480.0)).calibration
 
 
-def test_a_type_that_is_not_there_is_told_at_once():
+def test_a_type_that_is_not_there_is_reported_at_once():
     with pytest.raises(UnknownNameError, match="pinHole"):
         SensorSetup(type="pinhole")
 

@@ -1,4 +1,4 @@
-"""The seams: measurements without a landmark, a control as large as its motion says, linearization, retraction."""
+"""The seams: measurements without a landmark, the size of a control, linearization, retraction."""
 
 from dataclasses import replace
 
@@ -57,7 +57,7 @@ def by_compass(pose, rng):
 
 
 @pytest.mark.parametrize(("measure", "rows"), [(by_gps, [0, 1, 2]), (by_compass, [5])])
-def test_a_measurement_without_a_landmark_corrects_the_robot(measure, rows):
+def test_a_measurement_without_a_landmark_updates_the_robot(measure, rows):
     alone, none, _ = driven(lambda pose, rng: ())
     slam, nis, nees = driven(measure)
     sigma, free = (np.sqrt(s.belief.covariance(s.robots[0].block).diagonal())[rows] for s in (slam, alone))
@@ -116,7 +116,7 @@ def test_a_control_is_as_large_as_its_motion_says():
 
 
 class First(Linearization):
-    """Jacobians by a landmark are always taken where it was begun; those of robots where they were predicted to be."""
+    """Jacobians w.r.t. a landmark are taken where it was initialized, those of robots at their predictions."""
 
     def __init__(self):
         self.first = {}

@@ -1,4 +1,4 @@
-"""A series of corrections: the same as one after another, whole also where an error ends it."""
+"""Sequential updates: the same as one after another, and consistent also where an error ends them."""
 
 import numpy as np
 import pytest
@@ -67,7 +67,7 @@ def test_what_does_not_pass_the_gate_changes_nothing():
     assert np.allclose(belief.matrix, other.matrix, rtol=0, atol=1e-13 * np.abs(other.matrix).max())
 
 
-def test_an_error_leaves_what_was_corrected_before():
+def test_an_error_leaves_what_was_updated_before():
     belief, other = started(), started()
     good, (columns, H, z, R) = measurements(2)
 

@@ -1,4 +1,4 @@
-"""Recordings: back bit for bit, whole or not at all, open to others, and no damage goes unnoticed."""
+"""Recordings: back bit for bit, saved atomically, open to others, and no damage goes unnoticed."""
 
 import json
 import tempfile

@@ -1,4 +1,4 @@
-"""The noise that is drawn is the noise that is claimed: chi-square tests, their degrees of freedom said.
+"""The noise that is drawn has the specified covariance: chi-square tests with their degrees of freedom.
 
 Each test would be wrong once in a thousand seeds; the seeds are fixed.
 """
@@ -92,7 +92,7 @@ def test_a_filter_that_only_predicts_is_consistent(setup, noise_in):
     """The NEES averaged over 200 runs lies inside its band at each of 30 steps; 6 or 12 degrees of freedom a run.
 
     The band is the one that all steps together leave once in a thousand seeds, or less. The share of the steps inside
-    the 95 % band tells little of 200 runs, since neighbouring steps are correlated.
+    the 95 % band means little for 200 runs, since neighbouring steps are correlated.
     """
     dof = setup.model.manifold.dof
     statistic = np.array([prediction_nees(setup, noise_in, seed) for seed in range(200)])

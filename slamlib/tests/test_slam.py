@@ -1,4 +1,4 @@
-"""The whole filter: every preset runs, is consistent, and does to its map what its options say."""
+"""The whole filter: every preset runs, is consistent, and manages its map as its options specify."""
 
 from dataclasses import replace
 
@@ -92,7 +92,7 @@ def test_twenty_runs_are_consistent_at_first(reproject):
 
 
 def test_lines_see_the_same_with_every_innovation():
-    """To first order the three readings say the same of a segment: after some frames the estimates agree."""
+    """To first order the three line residuals carry the same information: after some frames the estimates agree."""
     p = replace(preset("lines"), frames=25)
     poses = [run(replace(p, options=replace(p.options, innovation=i)))[0].robots[0].pose for i in RESIDUALS]
     sigma = 0.02
@@ -115,7 +115,7 @@ def test_batch_and_sequence_agree_where_the_noise_is_small():
     assert np.allclose(endpoints[0].robots[0].pose, endpoints[1].robots[0].pose, atol=1e-6)
 
 
-def test_the_map_of_self_calibration_holds_the_mount():
+def test_the_map_of_self_calibration_holds_the_extrinsics():
     p = replace(preset("self_calibration"), frames=80)
     slam, _, truth = run(p)
     sensor = slam.sensors[1]
@@ -171,7 +171,7 @@ def test_sensors_that_measure_all_need_no_prior(type, std, image, parameters, li
 # What options do
 
 
-def test_capacity_is_honoured_and_said():
+def test_capacity_is_kept_and_reported():
     p = preset("points")
     p = replace(p, frames=30, options=replace(p.options, capacity=12))
     slam = p.slam()

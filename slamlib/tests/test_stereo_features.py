@@ -135,7 +135,7 @@ def test_alignment_finds_fractions_of_pixels_whatever_the_light():
 
 
 def test_a_patch_of_another_shape_is_found_where_it_is():
-    """Turned by 10 degrees, stretched by 10 %: the place is right with a free shape, and wrong with a fixed one."""
+    """Turned by 10 degrees, stretched by 10 %: the position is right with a free shape, and wrong with a fixed one."""
     v, u = np.mgrid[:60, :80].astype(float)
     template, at, shift = smooth(u, v), np.array([[34.0, 27.0], [45, 30]]), np.array([0.4, -0.3])
     a = np.radians(10)

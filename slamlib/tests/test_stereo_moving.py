@@ -99,9 +99,9 @@ def test_the_fit_s_derivatives():
     np.testing.assert_allclose(covariance, fit(made, MOUNT, old, new, pose, inliers).covariance, rtol=1e-6, atol=1e-12)
 
 
-def test_an_untold_motion_is_the_last_one_and_badly_known():
+def test_the_motion_fallback_is_the_last_motion_with_a_large_covariance():
     steady = MotionFallback()
-    assert np.sqrt(steady.extrapolate(0.1).covariance[0, 0]) == 1.0  # of what was never told: a metre
+    assert np.sqrt(steady.extrapolate(0.1).covariance[0, 0]) == 1.0  # of an unknown motion: a metre
     known = Control(np.array([0.10, 0, 0, 0, 0, 0.010]), 1e-6 * np.eye(6))
     for share in (1.0, 1.2, 1.0, 1.2):
         steady.record(replace(known, value=share * known.value), 0.1)
@@ -123,7 +123,7 @@ def film():
 
 
 def started(film, name):
-    """A filter at the place of the first pair, and what moves it."""
+    """A filter at the pose of the first pair, and its motion source."""
     rig, frames, _ = film
     motion_source = MOTION_SOURCES[name](rig.sensors[0].calibration, rig.sensors[0].extrinsics)
     slam = Slam(
@@ -184,7 +184,7 @@ def test_halves_share_no_measurement_with_the_control(film):
         assert (checkerboard_half(motion_source.odometry.matched) == 0).all()
 
 
-def test_a_stranger_is_no_landmark(film):
+def test_a_feature_left_to_the_odometry_is_no_landmark(film):
     slam, motion_source = started(film, "correlated")
     told = 0
     for one in film[1][:8]:
@@ -201,7 +201,7 @@ def test_a_stranger_is_no_landmark(film):
 
 
 def seen(slam, landmark):
-    """Where a landmark that was just begun is in the picture (3,)."""
+    """The measurement (3,) of a landmark that was just initialized."""
     return slam.families["points"].predict_batch(viewpoint(slam.sensors[0]), [landmark], slam.options).value[0]
 
 
@@ -220,7 +220,7 @@ def test_a_black_picture_is_a_motion_that_nobody_could_tell(film):
     assert np.linalg.norm(error[:3]) < 0.01
 
 
-def test_without_strangers_all_say_where_and_none_how_well(film, monkeypatch):
+def test_with_landmarks_alone_all_give_the_mean_and_none_the_covariance(film, monkeypatch):
     monkeypatch.setattr(
         CorrelatedFeatures, "unmapped", lambda self, new, found, slam: np.zeros(len(found.inliers), dtype=bool)
     )

@@ -15,7 +15,7 @@ from slamlib.vision.stereo.odometry import checkerboard_half
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed")
 
-CONTROL = np.array([0.08, -0.02, 0.01, 0.01, -0.02, 0.04])  # of a robot whose x axis looks ahead
+CONTROL = np.array([0.08, -0.02, 0.01, 0.01, -0.02, 0.04])  # of a robot whose x axis points ahead
 
 
 def moved(control=CONTROL):
@@ -114,7 +114,7 @@ def test_a_prediction_bounds_the_matches():
     odometry = VisualOdometry(StereoFeatureExtractor(sensor.calibration), sensor.extrinsics)
     odometry.step(images[0])
     away = np.concatenate([[0, 0, 0], exponential(np.array([0, 0, np.radians(25)]))])
-    assert odometry.step(images[1], away) is None  # looked for where nothing is
+    assert odometry.step(images[1], away) is None  # searched for where nothing is
     assert len(odometry.pairs) < 10
 
 

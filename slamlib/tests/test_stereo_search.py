@@ -84,7 +84,7 @@ def test_a_landmark_keeps_its_number_while_it_is_out_of_sight(film):
     assert len(again & before) > 10
 
 
-def test_no_landmark_is_begun_upon_another(film):
+def test_no_landmark_is_initialized_upon_another(film):
     rig, frames, _ = film
     slam = run(filter_of(rig), frames[:8])
     values = np.array([prediction.value for prediction in slam.predictions[0]])
@@ -141,7 +141,7 @@ def test_what_is_left_to_an_odometry_is_not_measured(film):
     assert set(front_end.reserved.tolist()).isdisjoint([*front_end.found.values(), *front_end.initialized])
 
 
-def test_a_shared_look_is_made_once(film):
+def test_a_shared_prediction_is_made_once(film):
     rig, frames, _ = film
     slam = filter_of(rig)
     extractor = slam.front_ends[0].extractor

@@ -1,4 +1,4 @@
-"""Maps closed and begun anew, joined and tied (slamlib.slam.submaps)."""
+"""Maps closed and started anew, joined and tied (slamlib.slam.submaps)."""
 
 from dataclasses import replace
 
@@ -35,7 +35,7 @@ def some_map(rng, ids, spread=0.1):
 
 
 def drawn(submap, rng):
-    """A true pose and points, as the submap's covariance says."""
+    """A true pose and points, drawn from the submap's covariance."""
     step = np.linalg.cholesky(submap.covariance + 1e-18 * np.eye(len(submap.covariance))) @ rng.normal(
         size=len(submap.covariance)
     )
@@ -113,7 +113,7 @@ def test_the_later_of_two_tied_points_is_forgotten():
     assert atlas.merge_duplicates() == 0
 
 
-def test_a_map_that_is_full_is_closed_and_the_next_one_begins_where_the_robot_is():
+def test_a_full_map_is_closed_and_the_next_one_starts_where_the_robot_is():
     preset = cloister(60)
     many = SubmapSlam(preset.rig, preset.options, max_landmarks=12)
     sizes = []

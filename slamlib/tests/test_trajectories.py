@@ -1,4 +1,4 @@
-"""Trajectories: files, pairs by time, alignment in closed form, errors; and what a straight path does not say."""
+"""Trajectories: files, pairs by time, alignment in closed form, errors; and what a straight path leaves open."""
 
 import numpy as np
 import pytest

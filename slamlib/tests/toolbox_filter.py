@@ -135,7 +135,7 @@ class Points(PointFamily):
         return set() if "reset" in self.switches else super().invalid(belief, landmarks)
 
     def certainty(self, belief, sensor, landmark):
-        """E of an expectation."""
+        """E of a predicted measurement."""
         _, _, by = self._observe(sensor, landmark.kind, landmark.block.mean)
         at = state_columns(sensor, [landmark])[0]
         return by @ belief.matrix[np.ix_(at, at)] @ by.T

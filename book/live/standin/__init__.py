@@ -1,14 +1,14 @@
 """What the page's Python imports under the name matplotlib: a stand-in, for no matplotlib exists for WebAssembly.
 
 It has the calls of the chapters and those that readers type first, and draws with the book's small renderer, so that a
-figure looks as it did before its cell was run. It goes on the day that a wheel comes. In a kernel, matplotlib is
+figure looks as it did before its cell was run. It will be removed when a wheel exists. In a kernel, matplotlib is
 matplotlib: nothing of this name lies on disk where Python could import it.
 """
 
 from slamlib.errors import UnknownCallError
 
 __version__ = "0 (stand-in)"
-rcParams: dict[str, object] = {}  # it may be written to; the page's look is the book's
+rcParams: dict[str, object] = {}  # it may be written to; the page's style is the book's
 
 
 def missing(what: str, name: str, known: list[str]) -> UnknownCallError:

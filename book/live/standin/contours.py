@@ -35,7 +35,7 @@ def contour_lines(x: Array, y: Array, values: Array, level: float) -> list[Array
     start, end = _steps(values, level)
     following = dict(zip(start.tolist(), end.tolist(), strict=True))
     reached = set(end.tolist())
-    firsts = [e for e in following if e not in reached] + list(following)  # open lines from their beginning
+    firsts = [e for e in following if e not in reached] + list(following)  # open lines from their start
     lines = []
     for first in firsts:
         edges = [first]

@@ -16,7 +16,7 @@ __all__ = ["close", "figure", "gca", "gcf", "rcParams", "savefig", "show", "styl
 _open: list["Figure"] = []
 _current: dict[str, Any] = {}
 _SETTERS = ("title", "xlabel", "ylabel", "xlim", "ylim", "xscale", "yscale", "xticks", "yticks")
-style = SimpleNamespace(use=lambda name: None)  # the page's look is the book's
+style = SimpleNamespace(use=lambda name: None)  # the page's style is the book's
 
 
 class Figure(Drawn):
@@ -85,7 +85,7 @@ def gca() -> Axes:
 
 
 def close(fig: Any = None) -> None:
-    """Forget a figure (default: the last one; "all": all of them): it is not shown by itself any more."""
+    """Close a figure (default: the last one; "all": all of them): it is not shown by itself any more."""
     gone = _open[-1:] if fig is None else list(_open) if fig == "all" else [fig]
     _open[:] = [kept for kept in _open if not any(kept is one for one in gone)]
 
@@ -95,7 +95,7 @@ def show(*, block: bool | None = None) -> None:
 
 
 def shown() -> list[Figure]:
-    """The open figures, which are then forgotten: what a cell's end shows."""
+    """The open figures, which are then closed: what a cell's end shows."""
     found = [fig for fig in _open if fig.grid.size]
     _open.clear()
     return found

@@ -50,7 +50,7 @@ class Figure:
         return canvas.finished(alt)
 
     def savefig(self, fname: Any, *, alt: str | None = None) -> None:
-        """Write an SVG file of its own, light, on white: whole or not at all."""
+        """Write a standalone SVG file, light, on white; it is saved atomically."""
         path = Path(fname)
         if path.suffix.lower() != ".svg":
             raise SlamlibError(f"savefig: this figure is written as SVG, so the name should end in .svg: {path.name}")
@@ -61,7 +61,7 @@ class Figure:
         write_whole(path, '<?xml version="1.0" encoding="utf-8"?>\n' + svg + "\n")
 
     def close(self) -> None:
-        """Whoever shows open figures at the end of a cell is told here that this one has been shown."""
+        """Mark this figure as shown, so that the end of the cell does not show it again."""
 
     def described(self) -> str:
         """A description made of titles and labels, for a figure that was given none."""

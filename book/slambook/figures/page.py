@@ -129,7 +129,7 @@ class Sweep:
         name = "sweep-" + hashlib.sha256(repr((self.label, frames, self.start)).encode()).hexdigest()[:8]
         value, _, note = frames[self.start]
         value = html.escape(value)
-        bar = (  # autocomplete: a browser that restores the slider's place after a reload would leave the frame behind
+        bar = (  # autocomplete: a browser that restores a slider's value after a reload would leave the frame behind
             f'<label for="{name}">{html.escape(self.label)}</label><input type="range" id="{name}" min="0"'
             f' max="{len(frames) - 1}" step="1" value="{self.start}" autocomplete="off"'
             f' aria-valuetext="{value}" oninput="{html.escape(_MOVE)}"><output for="{name}">{value}</output>'
@@ -203,7 +203,7 @@ def _is_matplotlibs(fig: Any) -> bool:
 
 
 def _closed(fig: Any) -> Any:
-    """The figure, which pyplot forgets."""
+    """The figure, closed in pyplot."""
     pyplot = sys.modules.get("matplotlib.pyplot")
     if isinstance(fig, Figure):
         fig.close()

@@ -69,7 +69,7 @@ def spread(low: float, high: float, scale: Scale, tight: tuple[bool, bool] = (Fa
 
 @dataclass(frozen=True)
 class DataView:
-    """Axes in their place: data to points on the sheet."""
+    """Axes in their position: data to points on the sheet."""
 
     box: Box
     xlim: tuple[float, float]

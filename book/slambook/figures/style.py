@@ -1,4 +1,4 @@
-"""What a call says, checked: numbers as arrays of floats; names of looks as strokes, fills, marks and letters."""
+"""The arguments of a call, checked: numbers as arrays of floats; style names as strokes, fills, marks and letters."""
 
 from typing import Any
 
@@ -164,7 +164,7 @@ def marker_of(style: dict[str, Any], color: str) -> Marker | None:
 
 
 def lettering_of(style: dict[str, Any]) -> Lettering:
-    """The look of words that keywords (long names) ask for; raises UnknownNameError."""
+    """The style of words that keywords (long names) ask for; raises UnknownNameError."""
     for name, sides in SIDES.items():
         if style.get(name, sides[0]) not in sides:
             raise UnknownNameError.of(name, style[name], sides)

@@ -12,8 +12,8 @@ WIDEST = 0.7  # [px]: the largest blur that three numbers hold
 
 @dataclass(frozen=True)
 class Effects:
-    """noise: standard deviation of a pixel [grey values]. gain: that of the exposure's logarithm from its mean, which
-    it forgets within gain_time [s]. vignetting: the share of light that is lost in the image's corners. blur [px]:
+    """noise: standard deviation of a pixel [grey values]. gain: that of the exposure's logarithm, whose
+    correlation time is gain_time [s]. vignetting: the share of light that is lost in the image's corners. blur [px]:
     standard deviation of the spot that the lens makes of a point. exposure [s]: how long the shutter is open, half of
     it before the frame's time and half after; the picture is the mean of `exposures` pictures.
     """

@@ -18,17 +18,17 @@ from slamlib.kalman.linalg import read_only_copy
 from slamlib.manifolds import Array
 from slamlib.simulation.draws import drawn, root, streams
 
-ASTRAY = 6.0  # standard deviations: the start of a path is at most so far from where its rig believes to start
+ASTRAY = 6.0  # standard deviations: the largest distance of a path's start from its rig's start
 
 
 def _odometry(before: Array, after: Array, setup: RobotSetup, rng: np.random.Generator) -> Control | None:
-    """The step as the robot felt it, with its setup's noise."""
+    """The step as odometry measures it, with its setup's noise."""
     step = relative(before, after)
     exact = np.concatenate([step[:3], logarithm(step[3:])])
     return Control(exact + root(setup.noise) @ rng.standard_normal(6), setup.noise)
 
 
-# By the name of the robot's motion: what the filter is told of a step between two poses; a hand tells nothing.
+# By the name of the robot's motion: its control for a step between two poses; none with constant velocity.
 TOLD: dict[str, Callable[..., Control | None]] = {"constVel": lambda *step: None, "odometry": _odometry}
 
 
@@ -37,8 +37,8 @@ class Film:
 
     Iterate over it, as often as you like; each time it is the same film. It is made as it is seen, a frame at a time.
 
-    frames: how many, dt [s] between them; frame 1 is one dt after the path's beginning. The rig's start is where the
-    path begins: rig_along_path(path) makes such a rig. A robot with constant velocity is told nothing (its controls are
+    frames: how many, dt [s] between them; frame 1 is one dt after the path's start. The rig's start is where the
+    path starts: rig_along_path(path) makes such a rig. A robot with constant velocity has no controls (they are
     None), one with odometry its true steps and its setup's noise. samples: s x s per pixel. The film depends on `rng`
     as it is at this call. Raises SlamlibError at the call.
     """
@@ -68,7 +68,7 @@ class Film:
         own = streams(np.random.default_rng(self._random), 1 + len(self.rig.sensors))
         setup = self.rig.robots[0]
         sensors = zip(self.rig.sensors, own[1:], strict=True)
-        all_extrinsics = tuple(  # in truth: drawn, where the filter does not know
+        all_extrinsics = tuple(  # the true extrinsics are drawn where the filter is uncertain of them
             read_only_copy(drawn(Pose, s.extrinsics, s.covariance, stream["extrinsics"])) for s, stream in sensors
         )
         chips = [
@@ -117,7 +117,7 @@ def rig_along_path(
     parameters: dict[str, Numbers] | None = None,
     std: Numbers = (0.15,),
 ) -> Rig:
-    """A robot that starts as the path does, with a pin-hole camera at its origin, which looks along its x axis.
+    """A robot that starts as the path does, with a pin-hole camera at its origin, whose optical axis is its x axis.
 
     baseline [m]: with a second camera, `right`, so far to the right of the first, `left`. control_std and velocity_std
     as in RobotSetup; std [px], image (width, height) and parameters as in SensorSetup. The default std is that of
@@ -169,6 +169,6 @@ def _check(rig: Rig, path: CameraPath, frames: int, dt: float, rng: np.random.Ge
     off = np.abs(Pose.minus(path.pose(0), setup.state[:7]))
     if (off > ASTRAY * np.sqrt(np.diag(setup.covariance)[:6]) + 1e-6).any():
         raise SlamlibError(
-            f"film: the rig believes to start at {setup.position} m, {setup.euler} degrees, and the path begins at "
+            f"film: the rig starts at {setup.position} m, {setup.euler} degrees, and the path at "
             f"{path.knots[0, :3].round(3).tolist()} m: use rig_along_path(path), or give the setup the path's start"
         )

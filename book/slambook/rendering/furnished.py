@@ -76,7 +76,7 @@ def _wall(
 
 
 def _level(texture: Texture, x: float, X: float, y: float, Y: float, z: float) -> TexturedQuad:
-    """Flat, its picture upright for one who looks along x."""
+    """Horizontal, its picture upright for a viewer who faces along x."""
     return TexturedQuad(np.array([X, Y, z]), np.array([0, y - Y, 0]), np.array([x - X, 0, 0]), texture)
 
 

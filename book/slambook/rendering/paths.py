@@ -1,7 +1,7 @@
-"""Ways through a room, as smooth functions of time: for a camera in somebody's hand, with its velocities exact.
+"""Paths through a room, as smooth functions of time: for a hand-held camera, with exact velocities.
 
-A path is a cubic spline through knots of position and roll, pitch, yaw: twice continuously differentiable, at rest in
-its acceleration at both ends. The frame that moves looks along its x axis, z up, as robots do.
+A path is a cubic spline through knots of position and roll, pitch, yaw: twice continuously differentiable, without
+acceleration at both ends. The moving frame has x ahead and z up, as robots do.
 """
 
 from collections.abc import Callable
@@ -80,7 +80,7 @@ def _spin(angles: Array, change: Array) -> Array:
     return np.array([r - y * sp, p * cr + y * cp * sr, y * cp * cr - p * sr])
 
 
-# -- ways of the default room ------------------------------------------------------------------------------------------
+# -- paths in the default room ----------------------------------------------------------------------------------------
 
 KNOT = 0.25  # [s] between knots
 RAMP = 1.0  # [s] from standing still to full speed
@@ -88,7 +88,7 @@ HAND = 1.3  # [m]: the height of a camera in a hand
 
 
 def sideways(duration: float = 12.0, speed: float = 0.5, swing: float = 0.9) -> CameraPath:
-    """To and fro before the wall x = 3 with its posters and the window, looking at it.
+    """To and fro in front of the wall x = 3 with its posters and the window, facing it.
 
     From y = swing to -swing [m] and back, with `speed` [m/s] in the middle.
     """
@@ -109,7 +109,7 @@ def _swept(times: Array, speed: float, swing: float) -> Array:
 
 
 def around(duration: float = 30.0, radius: float = 1.0) -> CameraPath:
-    """Once round the room, looking outwards, back to the start in place and attitude, then half a second more of it."""
+    """Once round the room, facing outwards, back to the starting pose, then half a second more of it."""
     times = _times(duration)
     turn = 2 * np.pi * times / (duration - 0.5)
     flat = np.column_stack([radius * np.cos(turn), radius * np.sin(turn), 0 * turn, 0 * turn, 0.12 + 0 * turn, turn])

@@ -25,7 +25,7 @@ from slamlib.manifolds import Array
 def save_film(folder: str | os.PathLike[str], film: Film) -> Path:
     """Write a film into a folder that is not there yet, or empty; the list of times comes last.
 
-    Each file is written whole or not at all. Raises SlamlibError if the folder holds something, and for a film without
+    Each file is written atomically. Raises SlamlibError if the folder holds something, and for a film without
     frames.
     """
     root = Path(folder)

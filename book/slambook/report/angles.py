@@ -22,7 +22,7 @@ def rotation(angles: Array) -> Array:
 
 
 def composed(angles: Array, turn: Array, extract: Extraction) -> Array:
-    """What (5.6) asks for: the angles of the product of both rotations."""
+    """Angles of the product of both rotations, as (5.6) requires."""
     return extract(rotation(angles) @ rotation(turn))
 
 
@@ -32,7 +32,7 @@ def added(angles: Array, turn: Array, extract: Extraction) -> Array:
 
 
 def extracted(matrix: Array) -> Array:
-    """Yaw, pitch, roll of rotation matrices; where pitch is 90 degrees yaw is 0 and roll takes both turns."""
+    """Yaw, pitch, roll of rotation matrices; at a pitch of 90 degrees yaw is 0 and roll takes both turns."""
     return euler.from_rotation(matrix)[..., ::-1]
 
 
@@ -56,6 +56,6 @@ def wrapped(angles: Array) -> Array:
 
 
 def apart(one: Array, other: Array) -> Array:
-    """Angle (...,) [rad] of the rotation that leads from one attitude to the other."""
+    """Angle (...,) [rad] of the rotation from one orientation to the other."""
     trace = np.einsum("...ij,...ij->...", rotation(one), rotation(other))
     return np.arccos(np.clip((trace - 1) / 2, -1, 1))

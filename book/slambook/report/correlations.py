@@ -1,8 +1,8 @@
 """Correlations between landmarks, and between landmarks and robot (section 9.3): by experiment, and by the filter.
 
-The experiment is the report's: map and path are known, a robot goes the same way many times, and what its estimates
-miss is compared, number by number. `odometry` is the one of 9.3 to the letter, without a correction: landmarks stand
-where the robot believed to be when it saw them first.
+The experiment is the report's: map and path are known, a robot drives the same path many times, and the errors of
+its estimates are compared, component by component. `odometry` is that of 9.3, without updates: landmarks stay where
+the robot's estimated pose put them when it observed them first.
 """
 
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from slamlib.manifolds import Array
 
 @dataclass
 class Odometry(Memory):
-    """A memory that never corrects: pose by odometry alone, landmarks where they were first seen from it."""
+    """A filter that never updates: pose by odometry alone, landmarks as first observed from it."""
 
     def update(self, seen: Array, names: list[int], R: Array) -> None:
         """Nothing."""
@@ -29,7 +29,7 @@ WAYS = {"SLAM": BatchUpdateFilter, "odometry": Odometry}
 
 @dataclass(frozen=True, eq=False)
 class Compared:
-    """Correlations (6 + 3L, 6 + 3L) at the end of the way: measured over the runs, and as the filter says.
+    """Correlations (6 + 3L, 6 + 3L) at the end of the path: over the runs, and as the filter estimates them.
 
     nees: of pose and map together, averaged over the runs; its degrees of freedom are the size of the matrices.
     """
@@ -44,7 +44,7 @@ class Compared:
     def z(self) -> Array:
         """Measured minus claimed in units of the sampling error: by Fisher's atanh, which makes it 1/sqrt(runs - 3).
 
-        Zero on the diagonal. Around 1 where nothing but the number of runs is to blame.
+        Zero on the diagonal. About 1 if only the number of runs makes the difference.
         """
         beside = 1 - np.eye(len(self.measured))
         apart = np.arctanh(self.measured * beside) - np.arctanh(self.claimed * beside)
@@ -55,7 +55,7 @@ class Compared:
 class CorrelationRow:
     """A line of the table: which numbers with which, how many pairs, and root mean squares over them.
 
-    correlation: as the filter says; difference: measured minus said; sampling: what `difference` would be by the number
+    correlation: by the filter; difference: measured minus estimated; sampling: `difference` expected from the number
     of runs alone; z: of `Compared.z`; largest: correlation, in size.
     """
 
@@ -69,7 +69,7 @@ class CorrelationRow:
 
 
 def experiment(rng: np.random.Generator, runs: int = 1000, landmarks: int = 10, steps: int = 40) -> dict[str, Compared]:
-    """So many runs of the same way among the same landmarks, by SLAM and by odometry alone."""
+    """Runs of the same path among the same landmarks, by SLAM and by odometry alone."""
     scene, seed = ring(rng, steps, landmarks), int(rng.integers(2**31))
     return {
         name: compared(name, scene, monte_carlo(scene, runs=runs, seed=seed, make=make)) for name, make in WAYS.items()

@@ -1,8 +1,9 @@
 """FastSLAM 1.0 in the plane (Montemerlo et al. 2002): particles for the path, for each landmark a small Kalman filter.
 
 Given the path, what is known of one landmark says nothing of another. So a particle, which is one path, needs no joint
-covariance: 2 numbers and a 2 by 2 matrix for each landmark. Paths are drawn by the odometry and weighed by what is
-seen; when few particles hold most of the weight they are drawn again, and with a path that is not drawn dies its map.
+covariance: 2 numbers and a 2 by 2 matrix for each landmark. Paths are sampled from the odometry and weighted by the
+measurements; when few particles hold most of the weight they are resampled, and a path that is not drawn loses its
+map.
 """
 
 import numpy as np
@@ -16,7 +17,7 @@ from slamlib.manifolds import Array, Indices
 class FastSlam:
     """N particles side by side: poses (N, 3), means (N, L, 2) and covariances (N, L, 2, 2) of landmarks, log weights.
 
-    known (L,): the landmarks seen so far, the same for every particle since names are known. parents: for each step
+    known (L,): the landmarks seen so far, the same for every particle (known data association). parents: for each step
     (N,), of which particle each descends; effective: number of particles that the weights are worth, for each step.
     """
 
@@ -36,7 +37,7 @@ class FastSlam:
         self._initialize(data.scans[0])
 
     def step(self, u: Array, scan: PlanarScan) -> None:
-        """Odometry u (3,), then what is seen; draws the particles again first if the last step left few of them."""
+        """Odometry u (3,), then the measurements; resamples first if the last step left few effective particles."""
         parents: Indices = np.arange(len(self.poses))
         if self.effective and self.effective[-1] < self._least:
             parents = systematic(self.weights, self._rng)
@@ -57,7 +58,7 @@ class FastSlam:
         return np.exp(self.log_weights)
 
     def _update(self, names: Indices, z: Array) -> None:
-        """Each particle's weight times the density of what is seen, and each landmark's Kalman filter."""
+        """Each particle's weight times the likelihood of the measurements, and each landmark's Kalman filter."""
         m, C = self.means[:, names], self.covariances[:, names]
         H = seen_by_point(self.poses, m)
         innovation = z - seen(self.poses, m)
@@ -97,7 +98,7 @@ class FastSlam:
         return found
 
     def ancestors(self) -> Array:
-        """Of how many particles of each step (n,) today's particles descend: 1 where all have one memory."""
+        """Of how many particles of each step (n,) today's particles descend: 1 where all share one history."""
         line: Indices = np.arange(len(self.poses))
         found = []
         for parents in reversed(self.parents):

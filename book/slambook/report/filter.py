@@ -1,7 +1,7 @@
-"""The filter of the report's chapter 5: prediction, correction number by number, new landmarks, and what it forgets.
+"""The filter of the report's chapter 5: prediction, update component by component, new landmarks, deletion.
 
-`BatchUpdateFilter` is the same filter, corrected, with one correction by all numbers of a picture: the same result,
-sooner.
+`BatchUpdateFilter` is the same filter without the errors, with one update by all measurements of a picture: the same
+result in less time.
 """
 
 from dataclasses import dataclass, field
@@ -17,7 +17,7 @@ from slamlib.manifolds import Array
 
 @dataclass
 class Memory:
-    """State and covariance of runs side by side: x (runs, 6 + 3L), P (runs, 6 + 3L, 6 + 3L); names of landmarks."""
+    """State and covariance of runs side by side: x (runs, 6 + 3L), P (runs, 6 + 3L, 6 + 3L); landmark numbers."""
 
     x: Array
     P: Array
@@ -29,7 +29,7 @@ class Memory:
         self._old = self.x[..., :6].copy()
 
     def predict(self, answer: Array, U: Array) -> None:
-        """(5.8) to (5.23): by what PnP answers (runs, 6), with the control's covariance U (..., 6, 6)."""
+        """(5.8) to (5.23): by PnP's answer (runs, 6), with the control's covariance U (..., 6, 6)."""
         use, old, u = self.use, self.x[..., :6].copy(), self.use.control(answer)
         before = rotation(old[..., 3:])
         new = np.concatenate([
@@ -70,7 +70,7 @@ class Memory:
     def one_number(
         self, x0: Array, P0: Array, at: list[int], hx: Array, hm: Array, difference: Array, R: Array
     ) -> None:
-        """(5.27), (5.30) to (5.32) for one number, from x0 and P0, predicted; at: the nine columns that it touches."""
+        """(5.27), (5.30) to (5.32) for one component, from x0 and P0, predicted; at: its nine columns."""
         P, m = self.use.prior(self.P, P0), slice(at[6], at[6] + 3)
         S = self.use.variance(hx, hm, P[..., :6, :6], P[..., m, :6], P[..., m, m]) + R  # (5.27)
         h = np.concatenate([hx, hm], -1)
@@ -108,10 +108,10 @@ class Memory:
 
 @dataclass
 class BatchUpdateFilter(Memory):
-    """A Memory whose `update` is (3.10) to (3.14): equal to number by number but for rounding (E25).
+    """A Memory whose `update` is (3.10) to (3.14): equal to component by component but for rounding (E25).
 
-    Its correction has the corrected equations, whatever else is turned on. Many runs side by side are ten times as
-    quick with it, because the covariance is touched once a picture.
+    Its update has the corrected equations, whatever else is turned on. Many runs side by side are ten times as
+    fast with it, because the covariance is touched once a picture.
     """
 
     def update(self, seen: Array, names: list[int], R: Array) -> None:

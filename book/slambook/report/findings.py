@@ -19,7 +19,7 @@ RUNS, SEED = 20, 0
 
 @dataclass(frozen=True)
 class AuditFigure:
-    """One number: what it is, as measured now, between which limits it must lie, and what the list says of it.
+    """One number: what it is, its value now, the limits it must lie in, and its value in the list of errata.
 
     `corrected`: the list's figure is not what comes out; `remark` says why.
     """
@@ -64,7 +64,7 @@ def ours(what: str, measured: float, expected: float, tolerance: float, remark: 
 
 
 def at_least(what: str, measured: float, least: float, listed: str = "", remark: str = "") -> AuditFigure:
-    """An effect that must be this large; `listed` is what the list says of it."""
+    """An effect that must be this large; `listed` is the list's value."""
     return AuditFigure(what, float(measured), float(least), inf, listed, remark)
 
 
@@ -78,7 +78,7 @@ Findings = Iterator[AuditFigure | str]  # figures; and words: the statistics of 
 
 @dataclass(frozen=True)
 class AuditFinding:
-    """What a check found: its figures, all that was said beside them, and how long that took."""
+    """Result of a check: its figures, the remarks beside them, and the time taken."""
 
     check: "AuditCheck"
     figures: list[AuditFigure]
@@ -102,7 +102,7 @@ class AuditFinding:
 
 @dataclass(frozen=True)
 class AuditCheck:
-    """One number of the list: where the report says what, what is right, and the function that finds out."""
+    """One number of the list: what the report states and where, what is right, and the function that checks it."""
 
     number: str
     where: str
@@ -111,7 +111,7 @@ class AuditCheck:
     find: Callable[[], Findings]
 
     def run(self) -> AuditFinding:
-        """Find out."""
+        """Run the check."""
         began = time.perf_counter()
         found = list(self.find())
         figures = [part for part in found if isinstance(part, AuditFigure)]
@@ -139,7 +139,7 @@ def ran(scene: str, *errors: str) -> Outcome:
 
 
 def statistics(*outcomes: tuple[str, Outcome]) -> str:
-    """How runs were judged, and the share of their steps inside the band."""
+    """Description of runs, and the share of their steps inside the band."""
     low, high = band(DOF, RUNS)
     shares = ", ".join(f"{name} {o.inside:.0%}" for name, o in outcomes)
     return f"{RUNS} runs, {DOF} dof, 95 % band [{low:.2f}, {high:.2f}]; steps inside: {shares}"

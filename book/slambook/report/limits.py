@@ -1,6 +1,6 @@
-"""What becomes of a map that is looked at again and again, in the linear case: Dissanayake et al. (2001), in numbers.
+"""Limits of a map that is observed again and again, in the linear case: Dissanayake et al. (2001), in numbers.
 
-A robot on a line, whose heading nobody can doubt, sees where landmarks are relative to it. Everything is linear: the
+A robot on a line, whose heading is known, observes the positions of landmarks relative to it. Everything is linear: the
 covariance depends on no measurement, one run is all runs, and the innovations may as well be zero.
 """
 
@@ -19,11 +19,11 @@ SPACING = 4.0  # [m] between landmarks
 
 @dataclass(frozen=True, eq=False)
 class RepeatedObservations:
-    """The map's covariance after each of n looks from `first` on, the first after which all L landmarks are known.
+    """The map's covariance after each of n updates from `first` on, when all L landmarks are known for the first time.
 
-    start: deviation of the robot's first place [m]; correlation (n, pairs): of any two landmarks; absolute (n, L):
-    deviations of landmarks [m]; relative (n, L - 1): deviations [m] of their places relative to the first landmark;
-    beside (n,): correlation of the last two of these; bound: what `absolute` tends to [m], if every look shows all.
+    start: standard deviation of the robot's first position [m]; correlation (n, pairs): of two landmarks; absolute
+    (n, L): their standard deviations [m]; relative (n, L - 1): those of the positions relative to the first one [m];
+    beside (n,): correlation of the last two of these; bound: limit of `absolute` [m], if every scan shows all.
     """
 
     start: float
@@ -44,21 +44,21 @@ def repeated_observations(
     noise: float = 0.2,
     reach: float = np.inf,
 ) -> RepeatedObservations:
-    """So many looks of a robot that goes to and fro, 1 m a step, along landmarks 4 m apart.
+    """Scans of a robot that goes to and fro, 1 m a step, along landmarks 4 m apart.
 
-    start, motion (each step), noise (each number): deviations [m]; reach: how far it sees [m].
+    start, motion (each step), noise (each measurement): standard deviations [m]; reach: the sensor's range [m].
     """
     if landmarks < 3 or observations < 1 or reach < SPACING:
-        raise SlamlibError("looking: three landmarks or more, one look or more, and a reach of 4 m or more")
+        raise SlamlibError("looking: three landmarks or more, one scan or more, and a reach of 4 m or more")
     maps = [P for P in _maps(observations, landmarks, start, motion, noise, reach) if len(P) == landmarks]
     if not maps:
         raise SlamlibError(
-            f"looking: after {observations} looks not all {landmarks} landmarks were seen; look more often"
+            f"looking: after {observations} scans not all {landmarks} landmarks were seen; take more scans"
         )
     P, first = np.array(maps), observations - len(maps)
     absolute = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))
     i, j = np.triu_indices(landmarks, 1)
-    between = P[:, 1:, 1:] - P[:, 1:, :1] - P[:, :1, 1:] + P[:, :1, :1]  # of the places relative to the first
+    between = P[:, 1:, 1:] - P[:, 1:, :1] - P[:, :1, 1:] + P[:, :1, :1]  # of the positions relative to the first
     relative = np.sqrt(np.diagonal(between, axis1=-2, axis2=-1))
     with np.errstate(invalid="ignore"):
         correlation = (P / absolute[:, :, None] / absolute[:, None, :])[:, i, j]
@@ -70,7 +70,7 @@ def repeated_observations(
 def _maps(
     observations: int, landmarks: int, start: float, motion: float, noise: float, reach: float
 ) -> Iterator[Array]:
-    """The map's covariance after each look, of the landmarks seen so far."""
+    """The map's covariance after each update, of the landmarks seen so far."""
     places, belief, known = SPACING * np.arange(landmarks), Belief(), 0
     robot = belief.add(1, np.zeros(1), np.array([[start**2]]))
     end = int(places[-1])
@@ -79,7 +79,7 @@ def _maps(
         if look:
             belief.predict(robot, robot.mean, np.eye(1), np.array([[motion**2]]))
         seen = np.flatnonzero(np.abs(places - where) <= reach)
-        if (m := int((seen < known).sum())) > 0:  # place minus that of the robot, which is row 0
+        if (m := int((seen < known).sum())) > 0:  # position minus that of the robot, which is row 0
             H = np.concatenate([-np.ones((m, 1)), np.eye(m)], axis=1)
             belief.update_rows(np.array([0, *(1 + seen[:m])]), H, np.zeros(m), noise**2 * np.eye(m))
         for i in seen[seen >= known]:  # on the way out they are met in their order
@@ -89,12 +89,12 @@ def _maps(
 
 
 def limit(start: float, motion: float, noise: float) -> float:
-    """What the deviation of every landmark tends to [m]; noise: of one look at all of them together [m].
+    """Limit of every landmark's standard deviation [m]; noise: of one scan of all of them together [m].
 
-    In the end the landmarks' places relative to each other are known. Then a look is one number, where the map is
-    relative to the robot, and all looks together leave the variance p of where the map is relative to the start:
-    one look has the variance r, the others are the same problem one step later, so 1/p = 1/r + 1/(p + q). Nothing
-    tells where the start is, hence start^2 + p.
+    In the end the landmarks' relative positions are known. Then a scan is one number, the position of the map relative
+    to the robot, and all scans together leave the variance p of the map relative to the start: one scan has the
+    variance r, the others are the same problem one step later, so 1/p = 1/r + 1/(p + q). The position of the start is
+    not observable, hence start^2 + p.
     """
     q, r = motion**2, noise**2
     return float(np.sqrt(start**2 + (np.sqrt(q * q + 4 * q * r) - q) / 2))
@@ -102,7 +102,7 @@ def limit(start: float, motion: float, noise: float) -> float:
 
 @dataclass(frozen=True)
 class Common:
-    """Largest correlation, in size, between two landmarks: of the map, and if someone told the robot where it was."""
+    """Largest correlation, in size, between two landmarks: of the map, and given the robot's position."""
 
     map: float
     given_last: float
@@ -112,13 +112,13 @@ class Common:
 def common(
     observations: int = 12, landmarks: int = 5, *, start: float = 0.5, motion: float = 0.1, noise: float = 0.2
 ) -> Common:
-    """What landmarks have in common after so many looks, all of them of all landmarks: only where the robot was.
+    """Landmarks after several scans of all of them are correlated through the robot's path alone.
 
-    In the information matrix of all poses and landmarks, the sum of what odometry and looks tell, no entry stands
-    between two landmarks: given the path they are independent, which FastSLAM lives on.
+    In the information matrix of all poses and landmarks, the sum of what odometry and scans add, no entry stands
+    between two landmarks: given the path they are independent, which FastSLAM uses.
     """
     if min(start, motion, noise) <= 0 or observations < 1 or landmarks < 2:
-        raise SlamlibError("common: deviations above zero, one look or more, and two landmarks or more")
+        raise SlamlibError("common: standard deviations above zero, one scan or more, and two landmarks or more")
     n = observations + landmarks  # poses, then landmarks
     rows = [np.eye(n)[0] / start]
     rows += [(np.eye(n)[k + 1] - np.eye(n)[k]) / motion for k in range(observations - 1)]
@@ -126,7 +126,7 @@ def common(
         (np.eye(n)[observations + i] - np.eye(n)[k]) / noise for k in range(observations) for i in range(landmarks)
     ]
     information = np.array(rows).T @ np.array(rows)
-    keep = np.r_[: observations - 1, observations:n]  # given a pose: its row and column go
+    keep = np.r_[: observations - 1, observations:n]  # condition on a pose: delete its row and column
     P = np.linalg.inv(information)
     last = np.linalg.inv(information[np.ix_(keep, keep)])[observations - 1 :, observations - 1 :]
     path = np.linalg.inv(information[observations:, observations:])

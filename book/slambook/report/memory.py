@@ -1,7 +1,7 @@
 """What is remembered from picture to picture (section 5.4): two pictures, a window of some, or all of them.
 
-A robot with a sensor that looks ahead drives round a ring of points and a part of it once more: whoever remembers the
-first of them corrects the error of the whole way when they come back into view.
+A robot whose sensor faces ahead drives round a ring of points and a part of it once more: a filter that keeps the
+first of them closes the loop when they come back into view.
 """
 
 from collections.abc import Sequence
@@ -22,10 +22,10 @@ ROUND = 60  # steps of the way round
 
 @dataclass
 class WindowFilter(BatchUpdateFilter):
-    """A memory that forgets a landmark when it has not been seen for `window` pictures; None: never.
+    """A filter that deletes a landmark when it has not been seen for `window` pictures; None: never.
 
-    window 1 keeps what is in the present picture: two pictures at a time, as in section 5.4, but nothing begins anew.
-    What is left keeps mean and covariance: rows and columns taken out of a Gaussian leave exactly its marginal.
+    window 1 keeps what is in the present picture: two pictures at a time, as in section 5.4, but nothing starts anew.
+    The rest keeps mean and covariance: rows and columns taken out of a Gaussian leave exactly its marginal.
     """
 
     window: int | None = None
@@ -36,7 +36,7 @@ class WindowFilter(BatchUpdateFilter):
         self._seen: dict[int, int] = {}
 
     def predict(self, answer: Array, U: Array) -> None:
-        """As Memory.predict; a new step begins."""
+        """As Memory.predict; starts a new step."""
         super().predict(answer, U)
         self.step += 1
 
@@ -52,7 +52,7 @@ class WindowFilter(BatchUpdateFilter):
         self.sizes.append(len(self.names))
 
     def prune(self) -> None:
-        """Section 5.4: what the equations forget, and what was not seen for too long."""
+        """Section 5.4: delete what the equations delete, and what was not seen for too long."""
         super().prune()
         if self.window is None:
             return
@@ -64,7 +64,7 @@ class WindowFilter(BatchUpdateFilter):
 
 @dataclass(frozen=True)
 class Way:
-    """A way to remember: errors of the list that it has, window, whether landmarks begin from a second look."""
+    """A variant: its errors of the list, its window, and whether new landmarks take a second measurement."""
 
     errors: tuple[str, ...] = ()
     window: int | None = None
@@ -84,10 +84,10 @@ WAYS = {
 
 @dataclass(frozen=True, eq=False)
 class Remembered:
-    """What came of one way to remember, at each of n steps (n,), over all runs.
+    """Results of one variant, at each of n steps (n,), over all runs.
 
-    position [m], rotation [degrees]: root mean square errors; claimed [m]: deviation of the position that the filter
-    claims; landmarks: in the map; consistency: NEES of the pose, 6 degrees of freedom.
+    position [m], rotation [degrees]: root mean square errors; claimed [m]: the filter's own standard deviation of the
+    position; landmarks: in the map; consistency: NEES of the pose, 6 degrees of freedom.
     """
 
     name: str
@@ -105,11 +105,11 @@ class Remembered:
 
 
 def ring(rng: np.random.Generator, steps: int = 75, points: int = 36) -> Scene:
-    """A robot, tilted a little, drives round in 60 steps (18 m), and on; points around its way, seen when ahead."""
+    """A robot, tilted a little, drives round in 60 steps (18 m), and on; points around its path, seen when ahead."""
     control, std = np.array([0.3, 0, 0, 360 / ROUND, 0, 0]), np.array([0.02] * 3 + [0.5] * 3)
     scene = replace(circle(3, 2, control, std, steps), sees=ahead(5.0, 0.8))
     angle = 2 * np.pi * (np.arange(points) + rng.uniform(0, 1, points)) / points
-    far = rng.uniform(2, 5.5, points)  # from the middle of the way, whose radius is 2.9 m
+    far = rng.uniform(2, 5.5, points)  # from the middle of the path, whose radius is 2.9 m
     around = np.stack([far * np.cos(angle), far * np.sin(angle), rng.uniform(-1, 1, points)], -1)
     return replace(scene, points=around + scene.path()[:ROUND, :3].mean(0))
 
@@ -117,7 +117,7 @@ def ring(rng: np.random.Generator, steps: int = 75, points: int = 36) -> Scene:
 def compare(
     rng: np.random.Generator, runs: int = 20, steps: int = 75, names: Sequence[str] = tuple(WAYS)
 ) -> list[Remembered]:
-    """The ways of these names on the same way, with the same noise. Raises UnknownNameError."""
+    """The variants of these names on the same path, with the same noise. Raises UnknownNameError."""
     scene, seed = ring(rng, steps), int(rng.integers(2**31))
     found = []
     for name in names:

@@ -9,7 +9,7 @@ from slamlib.motions.euler_composition import compose
 
 
 def by_angles(orientation: Array, u: Array) -> Array:
-    """F14 to F36 of (5.20), as printed: derivatives (..., 3, 3) of R u by yaw, pitch, roll."""
+    """F14 to F36 of (5.20), as printed: derivatives (..., 3, 3) of R u w.r.t. yaw, pitch, roll."""
     (cy, cp, cr), (sy, sp, sr) = np.moveaxis(np.cos(orientation), -1, 0), np.moveaxis(np.sin(orientation), -1, 0)
     xu, yu, zu = np.moveaxis(u, -1, 0)
     F14 = -sy * cp * xu + (-sy * sp * sr - cy * cr) * yu + (-sy * sp * cr + cy * sr) * zu
@@ -31,12 +31,12 @@ def inverse(motion: Array) -> Array:
 
 
 def exact_by_pose(pose: Array, u: Array) -> Array:
-    """Rows 4 to 6 of (5.20), corrected: derivative (..., 3, 3) of the new angles by the old ones."""
+    """Rows 4 to 6 of (5.20), corrected: derivative (..., 3, 3) of the new angles w.r.t. the old ones."""
     return compose.jac(pose, u)[1].pose[..., 3:, 3:]
 
 
 def exact_by_control(pose: Array, u: Array) -> Array:
-    """Last block of (5.21), corrected: derivative (..., 3, 3) of the new angles by those of the control."""
+    """Last block of (5.21), corrected: derivative (..., 3, 3) of the new angles w.r.t. those of the control."""
     return compose.jac(pose, u)[1].control[..., 3:, 3:]
 
 
@@ -46,7 +46,7 @@ def identity(pose: Array, u: Array) -> Array:
 
 
 def aligned(before: Array, after: Array, sigma: float) -> tuple[Array, Array]:
-    """Control (..., 6) and its covariance (..., 6, 6): before = R after + t, both (..., m, 3) with this deviation.
+    """Control (..., 6) and its covariance (..., 6, 6): before = R after + t, both (..., m, 3) with this std.
 
     Least squares by the singular value decomposition; its answer is already the robot's motion, not PnP's inverse.
     """

@@ -1,8 +1,8 @@
-"""MRPT's Kalman filter (C++) on the same correction: an extra row, where MRPT and a compiler are installed.
+"""MRPT's Kalman filter (C++) on the same update: an extra row, where MRPT and a compiler are installed.
 
 It is the filter that the report's chapter 6 takes its results from (Blanco 2008, in the Mobile Robot Programming
-Toolkit, BSD licence; Debian: libmrpt-bayes-dev). Its two methods are "naive", whole matrices, and "davison", number by
-number, which predicts anew for each landmark but not for each of its three numbers: E16 within a landmark.
+Toolkit, BSD licence; Debian: libmrpt-bayes-dev). Its two methods are "naive", whole matrices, and "davison", component
+by component, which predicts anew for each landmark but not for each of its three components: E16 within a landmark.
 """
 
 import shutil
@@ -25,20 +25,20 @@ LIBRARIES = "math", "system", "config", "containers", "serialization", "rtti", "
 
 @dataclass(frozen=True, eq=False)
 class Corrected:
-    """What a method of MRPT gave: median seconds of the processor in a whole step, and the corrected state."""
+    """Result of a method of MRPT: median CPU seconds of a whole step, and the updated state."""
 
     seconds: float
     state: State
 
 
 def available() -> bool:
-    """Is there MRPT, and a compiler?"""
+    """Whether MRPT and a compiler are installed."""
     return HEADERS.is_dir() and shutil.which("g++") is not None
 
 
 @contextmanager
 def compiled() -> Iterator[Path]:
-    """The program, in a folder of its own for as long as it is wanted. Raises SlamlibError."""
+    """The compiled program, in a temporary folder. Raises SlamlibError."""
     if not available():
         raise SlamlibError("MRPT is not installed: apt-get install libmrpt-bayes-dev g++, or do without its row")
     with tempfile.TemporaryDirectory() as own:
@@ -53,7 +53,7 @@ def compiled() -> Iterator[Path]:
 
 
 def run_update(program: Path, problem: Problem, repeats: int = 5) -> dict[str, Corrected]:
-    """The correction by MRPT's methods "naive" and "davison"; all observations must have the same variances."""
+    """The update by MRPT's methods "naive" and "davison"; all observations must have the same variances."""
     n = len(problem.x)
     numbers = [np.array([(n - 6) / 3, len(problem.places)]), problem.x, problem.P, problem.variances[0]]
     for place, H, difference in zip(problem.places, problem.H, problem.difference, strict=True):

@@ -1,7 +1,7 @@
 """Long chains of small numbers (section 9.2): what many steps lose in single and in double precision.
 
-A robot on a line, with a velocity, sees how far one landmark is, again and again: three numbers, of which two are known
-relative to each other to millimetres, and together only as well as the start was known.
+A robot on a line, with a velocity, measures its distance to one landmark repeatedly: three numbers, of which two are
+known relative to each other to millimetres, and together only as well as the start was known.
 """
 
 from collections.abc import Callable
@@ -17,7 +17,7 @@ Q, H, NOISE = np.diag([1e-6, 1e-4, 0]), np.array([1.0, 0, -1]), 1e-4
 
 
 def norm_after(steps: int, kind: type) -> float:
-    """How far from 1 the norm of a quaternion is after so many turns, if nobody normalises it."""
+    """Distance from 1 of a quaternion's norm after so many products without normalisation."""
     half = TURN / 2
     w, (a, b, c) = np.sqrt(1 - half @ half), half
     turn: Array = np.array([[w, -a, -b, -c], [a, w, c, -b], [b, -c, w, a], [c, b, -a, w]]).astype(kind)
@@ -35,8 +35,8 @@ FORMS: dict[str, Callable[[Array, Array, Array], Array]] = {  # of P, h = P H' a
 
 @dataclass(frozen=True)
 class Chain:
-    """After the last step. asymmetry, least (eigenvalue): over the largest entry of P; apart: the variance [m^2] that P
-    claims for the distance of robot and landmark; steps: done, fewer than asked for if S = H P H' + R was negative."""
+    """After the last step. asymmetry, least (eigenvalue): over the largest entry of P; apart: the variance [m^2] by P
+    of the distance of robot and landmark; steps: done, fewer than asked for if S = H P H' + R was negative."""
 
     asymmetry: float
     least: float
@@ -45,7 +45,7 @@ class Chain:
 
 
 def covariance_after(steps: int, kind: type, start: float, form: str) -> Chain:
-    """Prediction and correction, so many times; start: deviation [m] of both places together."""
+    """Predictions and updates; start: standard deviation [m] of both positions together."""
     P: Array = np.diag([start**2, 1, start**2]).astype(kind)
     f: Array = F.astype(kind)
     q: Array = Q.astype(kind)

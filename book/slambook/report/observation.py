@@ -1,4 +1,4 @@
-"""Observation of a landmark and its correction, (5.24) to (5.32), and the beginning of a new one, (5.33) to (5.35)."""
+"""Observation of a landmark and its update, (5.24) to (5.32), and the initialization of a new one, (5.33) to (5.35)."""
 
 import numpy as np
 
@@ -22,7 +22,7 @@ def by_matrices(pose: Array, points: Array) -> Array:
 
 
 def by_pose(pose: Array, points: Array) -> Array:
-    """Derivative (..., m, 3, 6) of the relative point by the pose: what appendix A of the report would hold (E27)."""
+    """Derivative (..., m, 3, 6) of the relative point w.r.t. the pose, which is missing in the report (E27)."""
     R, d = rotation(pose[..., 3:]), points - pose[..., None, :3]
     axes = np.broadcast_to(np.eye(3).reshape(3, *[1] * (pose.ndim - 1), 3), (3, *pose.shape[:-1], 3))
     turned = np.stack([by_angles(pose[..., 3:], axis) for axis in axes], -3)  # by axis, row, angle
@@ -36,7 +36,7 @@ def scalar_variance(hx: Array, hm: Array, Pxx: Array, Pmx: Array, Pmm: Array) ->
 
 
 def last_factor_by_point(hx: Array, hm: Array, Pxx: Array, Pmx: Array, Pmm: Array) -> Array:
-    """(5.27), as printed: the last factor of the mixed term is a derivative by x_i; NumPy refuses (E13)."""
+    """(5.27), as printed: the last factor of the mixed term is a derivative w.r.t. x_i; NumPy refuses (E13)."""
     return _form(hx, Pxx, hx) + 2 * _form(hm, Pmx, hm) + _form(hm, Pmm, hm)
 
 
@@ -51,24 +51,24 @@ def whitened(R: Array, *rows: Array) -> tuple[Array, ...]:
 
 
 def diagonal_only(R: Array, *rows: Array) -> tuple[Array, ...]:
-    """(5.27), as printed: R_jj, whatever stands beside the diagonal (E17)."""
+    """(5.27), as printed: R_jj, without the entries beside the diagonal (E17)."""
     return (np.diagonal(R, axis1=-2, axis2=-1), *rows)
 
 
 def batch(x: Array, P: Array, difference: Array, H: Array, R: Array) -> tuple[Array, Array]:
-    """(3.11) to (3.14): one correction by all m numbers. difference (..., m), H (..., m, n), R (..., m, m)."""
+    """(3.11) to (3.14): one update by all m components. difference (..., m), H (..., m, n), R (..., m, m)."""
     HP = H @ P
     K = np.linalg.solve(HP @ H.swapaxes(-1, -2) + R, HP).swapaxes(-1, -2)
     return x + (K @ difference[..., None])[..., 0], P - K @ HP
 
 
 def placed(pose: Array, seen: Array) -> Array:
-    """(5.33): points (..., m, 3) where the pose sees them, t + R z."""
+    """(5.33): points (..., m, 3) in the world, t + R z."""
     return pose[..., None, :3] + seen @ rotation(pose[..., 3:]).swapaxes(-1, -2)
 
 
 def placed_by_pose(pose: Array, seen: Array) -> Array:
-    """Derivative (..., m, 3, 6) of (5.33) by the pose: the identity, and F14 to F36 of (5.20) with z for u (E23)."""
+    """Derivative (..., m, 3, 6) of (5.33) w.r.t. the pose: identity, and F14 to F36 of (5.20) with z for u (E23)."""
     orientation = np.broadcast_to(pose[..., None, 3:], seen.shape)
     left = np.broadcast_to(np.eye(3), (*seen.shape, 3))
     return np.concatenate([left, by_angles(orientation, seen)], -1)

@@ -1,4 +1,4 @@
-"""SLAM in the plane, as small as it goes: a pose x, y, heading; odometry; range and bearing of points whose names show.
+"""Minimal SLAM in the plane: a pose x, y, heading; odometry; range and bearing of points, known data association.
 
 The formulas take leading axes: one robot, or as many particles as there are. Angles in radians, lengths in metres.
 """
@@ -12,7 +12,7 @@ from slamlib.manifolds import Array, Indices
 
 
 def moved(pose: Array, u: Array) -> Array:
-    """Poses (..., 3) after the motion u (..., 3) = (ahead, left, turn), which is told in the robot's own axes."""
+    """Poses (..., 3) after the motion u (..., 3) = (ahead, left, turn), given in the robot's own axes."""
     c, s = np.cos(pose[..., 2]), np.sin(pose[..., 2])
     ahead, left, turn = np.moveaxis(u, -1, 0)
     x, y, heading = np.moveaxis(pose, -1, 0)
@@ -20,7 +20,7 @@ def moved(pose: Array, u: Array) -> Array:
 
 
 def moved_by(pose: Array, u: Array) -> tuple[Array, Array]:
-    """Derivatives (3, 3) of `moved` by one pose (3,) and by its motion (3,)."""
+    """Derivatives (3, 3) of `moved` w.r.t. one pose (3,) and its motion (3,)."""
     c, s = np.cos(pose[2]), np.sin(pose[2])
     F = np.array([[1, 0, -s * u[0] - c * u[1]], [0, 1, c * u[0] - s * u[1]], [0, 0, 1]])
     return F, np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
@@ -33,7 +33,7 @@ def seen(pose: Array, points: Array) -> Array:
 
 
 def seen_by_point(pose: Array, points: Array) -> Array:
-    """Derivative (..., m, 2, 2) of `seen` by the points; by the position it is the same with the other sign."""
+    """Derivative (..., m, 2, 2) of `seen` w.r.t. the points; w.r.t. the position its sign is opposite."""
     dx, dy = np.moveaxis(points - pose[..., None, :2], -1, 0)
     r = np.hypot(dx, dy)
     rows = (dx / r, dy / r), (-dy / r**2, dx / r**2)
@@ -48,7 +48,7 @@ def placed(pose: Array, z: Array) -> Array:
 
 @dataclass(frozen=True)
 class PlanarScan:
-    """What was seen in a step: numbers of the points (m,), and range and bearing of each (m, 2)."""
+    """Measurements of a step: numbers of the points (m,), and range and bearing of each (m, 2)."""
 
     names: Indices
     z: Array
@@ -56,10 +56,10 @@ class PlanarScan:
 
 @dataclass(frozen=True, eq=False)
 class Data:
-    """One way through a world, as it was and as it was measured.
+    """One path through a world: the truth and the measurements.
 
-    points (L, 2); truth (n + 1, 3); odometry (n, 3) with deviations motion_std (3,); scans: n + 1, the first from the
-    start, with deviations look_std (2,).
+    points (L, 2); truth (n + 1, 3); odometry (n, 3) with standard deviations motion_std (3,); scans: n + 1, the
+    first from the start, with standard deviations look_std (2,).
     """
 
     points: Array

@@ -9,7 +9,7 @@ from slamlib.manifolds import Array
 
 
 class PlanarEkf:
-    """Pose and landmarks in one Gaussian. It begins at a pose known exactly, with a first look."""
+    """Pose and landmarks in one Gaussian. It starts at a pose known exactly, with a first scan."""
 
     def __init__(self, data: Data) -> None:
         self._U, self._R = np.diag(data.motion_std**2), np.diag(data.look_std**2)
@@ -18,7 +18,7 @@ class PlanarEkf:
         self._initialize(data.scans[0])
 
     def step(self, u: Array, scan: PlanarScan) -> None:
-        """Odometry u (3,), then what is seen."""
+        """Odometry u (3,), then the measurements."""
         x = self._pose.mean
         F, G = moved_by(x, u)
         self.belief.predict(self._pose, moved(x, u), F, G @ self._U @ G.T)

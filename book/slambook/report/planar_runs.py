@@ -1,4 +1,4 @@
-"""FastSLAM beside EKF-SLAM on the same measurements, many times: errors, consistency, and what particles forget."""
+"""FastSLAM beside EKF-SLAM on the same measurements, many times: errors, consistency, and particle depletion."""
 
 import time
 from collections.abc import Sequence
@@ -20,13 +20,13 @@ WORST = 1e6  # NEES where the covariance is singular, as that of particles with 
 
 @dataclass(frozen=True, eq=False)
 class Contestant:
-    """What came of one filter, at each of n steps (n,), over all runs. particles: 0 for EKF-SLAM.
+    """Results of one filter, at each of n steps (n,), over all runs. particles: 0 for EKF-SLAM.
 
     position: root mean square error [m]; map_error: mean distance [m] of the landmarks from the truth at the end;
     nees (runs, n) of the pose, 3 degrees of freedom, at most a million; effective (n,), ancestors (n,), averaged over
     the runs: number of particles that the weights are worth, and of how many particles of that step the last ones
-    descend; drawn: share of the steps before which particles were drawn again; seconds: of the processor in a step,
-    median.
+    descend; drawn: share of the steps before which particles were drawn again; seconds: median CPU time of a
+    step.
     """
 
     particles: int

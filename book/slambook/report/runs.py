@@ -1,4 +1,4 @@
-"""Monte Carlo runs of the report's filter, side by side: does it know what it does not know?"""
+"""Monte Carlo runs of the report's filter, side by side: is it consistent?"""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ DOF = 6
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """Of each run and step: error of the pose (runs, steps, 6) and the covariance that the filter claims for it."""
+    """Of each run and step: error of the pose (runs, steps, 6) and its covariance by the filter."""
 
     errors: Array
     claimed: Array
@@ -46,7 +46,7 @@ class Outcome:
 
     @property
     def rotation(self) -> float:
-        """Root mean square error of the attitude [degrees], second half of the steps."""
+        """Root mean square error of the orientation [degrees], second half of the steps."""
         return float(np.degrees(np.sqrt((self.late(self.turned) ** 2).mean())))
 
     @property
@@ -56,7 +56,7 @@ class Outcome:
 
     @property
     def claimed_deviation(self) -> Array:
-        """Root mean square deviation of the position that the filter claims at each step (steps,) [m]."""
+        """Root mean square of the filter's own standard deviation of the position at each step (steps,) [m]."""
         return np.sqrt(np.trace(self.claimed[..., :3, :3], axis1=-2, axis2=-1).mean(0))
 
     @property
@@ -80,7 +80,7 @@ def monte_carlo(
 ) -> Outcome:
     """Runs of a scene with these errors turned on. The same seed gives the same noise whatever is turned on.
 
-    again: landmarks begin from a second look, with noise of its own, and not from the one that corrected.
+    again: landmarks are initialized from a second measurement, with noise of its own, not from the update's.
     make: another filter, made as a Memory is.
     """
     use, rng, truth = equations(*errors), np.random.default_rng(seed), scene.path()
@@ -104,13 +104,13 @@ def monte_carlo(
 
 
 def part(filter: Memory, seen: Array, names: list[int], R: Array, known: bool) -> tuple[Array, list[int], Array]:
-    """What is seen of landmarks that are in the map, or of those that are not."""
+    """Measurements of landmarks that are in the map, or of those that are not."""
     rows = [i for i, name in enumerate(names) if (name in filter.names) == known]
     return seen[:, rows], [names[i] for i in rows], R[:, rows]
 
 
 def observe(filter: Memory, scene: Scene, truth: Array, rng: np.random.Generator) -> tuple[Array, list[int], Array]:
-    """What the sensor sees from the true pose: points (runs, m, 3), their names, and R as the filter believes it."""
+    """Measurements from the true pose: points (runs, m, 3), their numbers, and R as the filter assumes it."""
     relative = observation.by_vectors(truth, scene.points)
     names = np.flatnonzero(scene.sees(relative))
     R = scene.covariance(Equations(), relative)
@@ -130,9 +130,9 @@ def outcome(found: Array, truth: Array, claimed: Array, last: Memory) -> Outcome
 
 
 def two_pictures(*errors: str, runs: int = 1000, points: int = 12, sigma: float = 0.05, seed: int = 0) -> Outcome:
-    """Section 5.2.2: control from the matches of two pictures, correction by the same matches, or by others.
+    """Section 5.2.2: control from the matches of two pictures, update by the same matches, or by others.
 
-    The robot stands still at the origin and is told nothing. One step; 12 points in a box before it.
+    The robot stands still at the origin and has no control. One step; 12 points in a box in front of it.
     """
     use, rng = equations(*errors), np.random.default_rng(seed)
     boxes = rng.uniform((2, -4, -2), (8, 4, 2), (2, points, 3))

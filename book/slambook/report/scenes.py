@@ -15,7 +15,7 @@ class Scene:
     """start (6,), controls (steps, 6) true, control_std (6,), points (L, 3), what the sensor sees, and its noise.
 
     sees(points (L, 3) relative to the robot) -> mask (L,); covariance(equations, points (..., 3)) -> R (..., 3, 3) as
-    the filter of these equations believes. With the corrected equations R is the truth.
+    the filter of these equations assumes. With the corrected equations R is the truth.
     """
 
     start: Array
@@ -126,7 +126,7 @@ def optical() -> Scene:
 
 
 def rig() -> Scene:
-    """A stereo camera of 700 pixels' focal length and 0.3 m base looks ahead, with half a pixel of noise."""
+    """A stereo camera of 700 pixels' focal length and 0.3 m base faces ahead, with half a pixel of noise."""
     scene = circle(0, 0, np.array([0.15, 0, 0, 6, 0, 0]), np.array([0.02] * 3 + [0.5] * 3))
     return replace(scene, sees=ahead(8.0, 2.0), covariance=stereo(700.0, 0.3, 0.5))
 

@@ -1,4 +1,4 @@
-"""The report's chapter 6: how long the ways of `updates` take, and how near their maps come to the truth.
+"""The report's chapter 6: times of the methods of `updates`, and errors of their maps.
 
 Times are medians of one machine; what is asserted anywhere are the results and the multiplications.
 """
@@ -25,7 +25,7 @@ from slamlib.manifolds import Array
 class Timing:
     """A size of problem: landmarks, how many are seen, size of the state; by way: processor time [s], multiplications.
 
-    apart: largest difference between any way's result and the first one's, relative to what the correction changed.
+    apart: largest difference between any way's result and the first one's, relative to the change by the update.
     """
 
     landmarks: int
@@ -42,7 +42,7 @@ def timings(
     repeats: int = 5,
     methods: Sequence[str] = tuple(WAYS),
 ) -> Iterator[Timing]:
-    """For each (landmarks, seen): all ways on the same problem, turn by turn, so that a busy moment hits them alike."""
+    """For each (landmarks, seen): all methods on the same problem, in turns, so that load affects them alike."""
     for landmarks, seen in sizes:
         given = problem(rng, landmarks, seen)
         taken: dict[str, list[float]] = {name: [] for name in methods}
@@ -77,7 +77,7 @@ def crossing(rows: Sequence[Timing], one: str, other: str) -> list[float]:
 
 @dataclass
 class Measured(Memory):
-    """A memory that corrects by one of the ways, and notes how long that took; one run at a time."""
+    """A filter that updates by one of the methods and records the time taken; one run at a time."""
 
     method: Callable[[Problem], Callable[[], State]] = updates.naive
     seconds: list[float] = field(default_factory=list)
@@ -96,9 +96,9 @@ class Measured(Memory):
 
 @dataclass(frozen=True)
 class Mapping:
-    """A whole run by one way: landmarks in the map at the end, their mean distance from the truth [m], largest
-    difference of state or covariance from the first way's, median processor time [s] of a correction, and how many
-    multiplications all corrections need."""
+    """A whole run by one method: landmarks in the map at the end, their mean distance from the truth [m], largest
+    difference of state or covariance from the first method's, median CPU time [s] of an update, and the number of
+    multiplications of all updates."""
 
     method: str
     mapped: int
@@ -109,7 +109,7 @@ class Mapping:
 
 
 def hundred(rng: np.random.Generator, landmarks: int = 100, mapped: int = 92, steps: int = 60) -> Scene:
-    """`gentle`'s way among so many points; the sensor reaches just so far that so many of them are ever seen."""
+    """`gentle`'s path among points; the sensor's range is such that a given number of them are ever seen."""
     scene = gentle()
     scene = replace(scene, controls=scene.controls[:steps])
     points = rng.uniform(-1, 1, (landmarks, 3)) * (8, 8, 2.5) + scene.path()[:, :3].mean(0)
@@ -118,7 +118,7 @@ def hundred(rng: np.random.Generator, landmarks: int = 100, mapped: int = 92, st
 
 
 def mapping(rng: np.random.Generator, steps: int = 60, methods: Sequence[str] = tuple(WAYS)) -> list[Mapping]:
-    """The run of chapter 6, 92 of 100 landmarks mapped: every way on the same measurements."""
+    """The run of chapter 6, 92 of 100 landmarks mapped: every method on the same measurements."""
     scene, seed, found = hundred(rng, steps=steps), int(rng.integers(2**31)), []
     for name in methods:
         last = monte_carlo(scene, runs=1, seed=seed, make=partial(Measured, method=WAYS[name])).last
@@ -140,7 +140,7 @@ def mapping(rng: np.random.Generator, steps: int = 60, methods: Sequence[str] = 
 
 @dataclass
 class Again(BatchUpdateFilter):
-    """A memory that linearises anew for every landmark, at what those before it left of the state."""
+    """A filter that linearises anew for every landmark, at the state updated by those before it."""
 
     def update(self, seen: Array, names: list[int], R: Array) -> None:
         """As Memory.update, landmark by landmark."""
@@ -167,7 +167,7 @@ class Accuracy:
 
 
 def accuracy(rng: np.random.Generator, runs: int = 20, scene: str = "gentle", steps: int = 60) -> Accuracy:
-    """Is the landmarks' error smaller number by number? Only through what is linearised anew (E25)."""
+    """Whether the landmarks' error is smaller component by component: only by linearising anew (E25)."""
     given, seed = SCENES[scene](), int(rng.integers(2**31))
     given = replace(given, controls=given.controls[:steps])
     outcomes = [monte_carlo(given, runs=runs, seed=seed, make=make) for make in (BatchUpdateFilter, Again)]

@@ -15,12 +15,12 @@ Wrong = Mapping[str, Callable[..., Any]]  # functions by field of Equations
 
 
 def first(value: Any, *others: Any) -> Any:
-    """Of what is at hand at a place of the filter, the first."""
+    """The first of the available arguments."""
     return value
 
 
 def second(value: Any, other: Any) -> Any:
-    """Of two things at hand at a place of the filter, the second."""
+    """The second of two available arguments."""
     return other
 
 
@@ -45,14 +45,14 @@ class Equations:
     variance: Callable[..., Any] = observation.scalar_variance  # (5.27)
     columns: Callable[..., Any] = second  # (5.28), (5.29): those of its landmark; the other is the observation's number
     white: Callable[..., Any] = observation.whitened  # (5.27)
-    # (5.31): what is left of z - h(x) after the corrections so far, which moved the state
+    # (5.31): z - h(x) after the updates so far, which moved the state
     innovation: Callable[..., Any] = lambda difference, h, moved: difference - (h * moved).sum(-1)
-    prior: Callable[..., Any] = first  # (5.30), (5.32): P after the corrections so far; the other is the predicted one
+    prior: Callable[..., Any] = first  # (5.30), (5.32): P after the updates so far; the other is the predicted one
     new_row: Callable[..., Any] = lambda J, P: J @ P[..., :6, :]  # (5.34): J times the pose's row, for every block
-    new_corner: Callable[..., Any] = first  # (5.35): landmarks that begin in one picture share the pose's error
+    new_corner: Callable[..., Any] = first  # (5.35): landmarks initialized in one picture share the pose's error
     start: Callable[..., Any] = first  # section 5.1.2: (5.35) for the landmarks of the first picture as well
-    memory: Callable[..., Any] = lambda *memory: memory  # section 5.4: nothing is forgotten of x, P and names
-    odometry: Callable[..., Any] = second  # section 5.2.3: matches that the correction does not use; the other: its own
+    memory: Callable[..., Any] = lambda *memory: memory  # section 5.4: nothing is deleted from x, P and numbers
+    odometry: Callable[..., Any] = second  # section 5.2.3: matches that the update does not use; the other: its own
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ class Switch:
 
 
 def _pose_alone(x: Array, P: Array, names: Any = None) -> tuple[Array, Array, list[int]]:
-    """The map is forgotten; with P the pose keeps its covariance, which is right if only two pictures are kept."""
+    """Delete the map; with P the pose keeps its covariance, which is right if only two pictures are kept."""
     return x[..., :6].copy(), P[..., :6, :6].copy(), []
 
 

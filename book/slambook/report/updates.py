@@ -1,4 +1,4 @@
-"""One correction, done in five ways: the report's chapter 6, number by number against all at once.
+"""One update by five methods: the report's chapter 6, component by component against all at once.
 
 All of them compute (3.10) to (3.14) at one linearisation, and so the same numbers; they differ in what they multiply.
 k = 3m numbers are measured of m landmarks, n = 6 + 3L is the size of the state, and each number depends on nine of it.
@@ -22,9 +22,9 @@ State = tuple[Array, Array]  # x (n,), P (n, n)
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """A state x (n,) with covariance P (n, n), and a look at m of its landmarks.
+    """A state x (n,) with covariance P (n, n), and measurements of m of its landmarks.
 
-    places (m,): which landmarks; H (m, 3, 9): derivatives by pose and landmark, (5.29); difference (m, 3): measured
+    places (m,): which landmarks; H (m, 3, 9): derivatives w.r.t. pose and landmark, (5.29); difference (m, 3): measured
     minus predicted; variances (m, 3) of what is measured. Correlated noise would be whitened first (E17).
     """
 
@@ -85,7 +85,7 @@ def ordered(p: Problem) -> Callable[[], State]:
 
 
 def scalar(p: Problem) -> Callable[[], State]:
-    """(5.27) to (5.32), corrected: one number after another, and of H its nine numbers alone."""
+    """(5.27) to (5.32), corrected: one component after another, with the nine non-zero columns of H alone."""
     x, P = p.x.copy(), p.P.copy()
 
     def run() -> State:
@@ -133,7 +133,7 @@ def batch(p: Problem) -> Callable[[], State]:
 
 
 def series(p: Problem) -> Callable[[], State]:
-    """slamlib's series: landmark by landmark, and the covariance once at the end. Linearised once, as all others."""
+    """slamlib's sequential update: landmark by landmark, and the covariance once at the end, linearised once."""
     belief, blocks = as_belief(p)
     pose = blocks[0]
 
@@ -157,7 +157,7 @@ WAYS: dict[str, Callable[[Problem], Callable[[], State]]] = {
 
 
 def multiplications(landmarks: int, seen: int) -> dict[str, int]:
-    """How many each way needs, divisions counted, for L landmarks of which m are seen.
+    """Multiplications of each method, divisions counted, for L landmarks of which m are seen.
 
     Whole matrices: P H', H P H', an inverse, K, K y, K H, (1 - K H) P. Ordered: the last is K (H P), and a system of
     k equations is solved. slamlib: H P of c = 6 + 3m columns, its factor, W, and half of W'W, which is symmetric. In a

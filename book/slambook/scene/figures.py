@@ -110,7 +110,7 @@ def draw(
     photo: Photograph | None = None,
     words: Mapping[str, Any] = CLIPPED,
 ) -> None:
-    """Put layers into axes, the page's or matplotlib's, in their order, each with its role's look.
+    """Put layers into axes, the page's or matplotlib's, in their order, each with its role's style.
 
     Over a photograph everything is bright, with dark outlines; a key beside it keeps the page's colours. words: how
     they are clipped, and if the axes are matplotlib's the path_effects that outline them; else they lie on dark copies.

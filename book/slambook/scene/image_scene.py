@@ -1,7 +1,7 @@
-"""What a sensor saw in one frame: what it delivered, what was expected of each landmark, and what became of it.
+"""One frame of a sensor: what it delivered, the predicted measurement of each landmark, and its outcome.
 
 Two numbers of each measurement are drawn: of a camera the pixel, of another sensor those that the reader chooses. A
-segment is four numbers, the pixels of its two ends.
+segment is four numbers, the pixels of its endpoints.
 """
 
 from collections.abc import Callable, Sequence
@@ -18,7 +18,7 @@ from slamlib.manifolds import Array, Mask
 
 AWAY = 8.0  # pixels from a segment to its label, along its normal
 RING = 0.022  # of the image's width: the least radius of a search region as it is drawn
-# What became of a look, by the role that shows it: not looked for, looked for in vain, believed, not believed.
+# Outcomes of a predicted measurement, by the role that shows it: not searched for, not found, inlier, outlier.
 OUTCOMES: dict[str, Callable[[MeasurementView], Mask]] = {
     "predicted_patch": lambda predictions: ~predictions.chosen & ~predictions.matched,
     "missed": lambda predictions: predictions.chosen & ~predictions.matched,
@@ -28,7 +28,7 @@ OUTCOMES: dict[str, Callable[[MeasurementView], Mask]] = {
 
 
 def sensor_view(snapshot: Snapshot, sensor: int | str) -> SensorView:
-    """A sensor of a snapshot by its place or its name; raises SlamlibError."""
+    """A sensor of a snapshot by its index or its name; raises SlamlibError."""
     names = [view.name for view in snapshot.sensors]
     place = names.index(sensor) if sensor in names else sensor
     if not isinstance(place, int | np.integer) or not 0 <= place < len(names):
@@ -54,7 +54,7 @@ def sensor_scene(
     if options.raw and view.scan is not None:
         segments = strung(view.scan.segments.values.reshape(-1, 2, 2), 2)
         layers.insert(0, Flat("raw", lines=segments, marks=numbers_of(view.scan.points.values, pair)))
-    if options.labels:  # of points above what was expected, of segments beside their middles
+    if options.labels:  # of points above their predictions, of segments beside their midpoints
         middles = beside(numbers_of(view.segments.expected, range(4)).reshape(-1, 2, 2))
         expected = numbers_of(view.points.expected, pair)
         layers.append(Flat("label", places=expected, words=tuple(map(str, view.points.ids))))
@@ -71,7 +71,7 @@ def converged(snapshot: Snapshot) -> set[int]:
 
 
 def _means(view: SensorView, pair: list[int], known: set[int]) -> tuple[Array, Mask]:
-    """Places (n, 2) of the points expected and of the ends of segments in view, and the mask of those converged."""
+    """Predicted points and endpoints of segments in view (n, 2), and the mask of those converged."""
     endpoints = view.segments.endpoints.reshape(-1, 2)
     marks = np.concatenate([numbers_of(view.points.expected, pair), endpoints])
     ids = [*view.points.ids, *np.repeat(view.segments.ids, 2)]
@@ -86,7 +86,7 @@ def numbers_of(rows: Array, columns: Sequence[int]) -> Array:
 
 
 def delivered(views: Sequence[SensorView], pair: list[int]) -> Array:
-    """Two numbers (n, 2) of each point that was expected or delivered in these views."""
+    """Two numbers (n, 2) of each point that was predicted or delivered in these views."""
     rows = [numbers_of(view.points.expected, pair) for view in views]
     rows += [numbers_of(v.scan.points.values, pair) for v in views if v.scan is not None]
     return np.concatenate(rows)
@@ -102,7 +102,7 @@ def _check_numbers(view: SensorView, pair: list[int]) -> None:
 
 
 def _outcome(role: str, view: SensorView, pair: list[int], options: SensorOptions) -> Flat:
-    """Ellipses around the points expected and the ends of segments, and the segments expected, of one outcome."""
+    """Ellipses around predicted points and endpoints of segments, and the predicted segments, of one outcome."""
     some, seen = OUTCOMES[role](view.points), OUTCOMES[role](view.segments)
     found: list[Array] = []
     if options.ellipses and some.any():
@@ -117,9 +117,9 @@ def _outcome(role: str, view: SensorView, pair: list[int], options: SensorOption
 
 
 def regions(view: SensorView, pair: list[int], options: SensorOptions) -> Array:
-    """Where each point expected should be found, as a covariance (n, 2, 2) whose ellipse of one sigma bounds it.
+    """Gates of the predicted points, as covariances (n, 2, 2) whose one-sigma ellipses bound them.
 
-    In an image one that is smaller than the mark in its middle is a ring around that: what became of it is to be seen.
+    In an image, an ellipse smaller than the mark in its middle becomes a ring around that, so that it stays visible.
     """
     covariances = view.points.covariance[:, pair][:, :, pair]
     shapes = chi2_quantile(options.gate, view.points.covariance.shape[-1]) * covariances
@@ -130,7 +130,7 @@ def regions(view: SensorView, pair: list[int], options: SensorOptions) -> Array:
 
 
 def _measured(view: SensorView, pair: list[int]) -> Flat:
-    """What was matched; from each point a line to what was expected, of each segment the two ends."""
+    """Matched measurements: a line from each point to its prediction, and the endpoints of each segment."""
     points, segments = view.points, view.segments
     expected, marks = (numbers_of(rows[points.matched], pair) for rows in (points.expected, points.measured))
     lines = strung(np.stack([expected, marks], axis=1), 2)
@@ -139,7 +139,7 @@ def _measured(view: SensorView, pair: list[int]) -> Flat:
 
 
 def scores(view: SensorView, pair: list[int]) -> tuple[Array, tuple[str, ...]]:
-    """Where to write (n, 2) how well each look agreed, which is where it was found, or else expected; and the words."""
+    """Positions (n, 2) of the matching scores, at the match or else at the prediction; and the scores as text."""
     places, words = [np.zeros((0, 2))], []
     for predictions, columns in ((view.points, pair), (view.segments, [0, 1, 2, 3])):
         known = np.isfinite(predictions.scores)
@@ -151,7 +151,7 @@ def scores(view: SensorView, pair: list[int]) -> tuple[Array, tuple[str, ...]]:
 
 
 def beside(segments: Array) -> Array:
-    """Places (n, 2) a little away from the middles of segments (n, 2, 2), along their normals, on the upper side."""
+    """Positions (n, 2) a little off the midpoints of segments (n, 2, 2), along their normals, on the upper side."""
     along = segments[:, 1] - segments[:, 0]
     length = np.linalg.norm(along, axis=1, keepdims=True)
     normal = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.where(length > 0, length, 1)

@@ -52,10 +52,10 @@ class MapOptions:
 class SensorOptions:
     """Of a sensor's figure.
 
-    gate: probability that the ellipses of expectations hold; in an image none is drawn smaller than a mark. numbers:
+    gate: probability within the ellipses of predictions; in an image none is drawn smaller than a mark. numbers:
     which two numbers of a measurement are drawn, across and up (pixels: down); names: what they are called, with their
     units. image: whether what a camera delivered lies below, in a page at most image_width pixels wide (None: as the
-    page has room). scores: what a front end says of how well each match agrees. patches: what it looked for and what it
+    page has room). scores: the front end's score of each match. patches: those it searched for and those it
     found, beside the image in windows and films.
     """
 

@@ -101,7 +101,7 @@ class Packing:
         return frame, rows
 
     def landmarks(self, snapshot: Snapshot) -> dict[str, list[int]]:
-        """Of each landmark its kind, and of its point or each of its ends three coordinates and six of its factor."""
+        """Of each landmark its kind, and of its point or each endpoint three coordinates and six of its factor."""
         found = {}
         for view in snapshot.landmarks.values():
             family = ends_of(view) - 1

@@ -72,7 +72,7 @@ class Part:
 
 
 class SensorPart(Part):
-    """What a sensor saw, and beside its image the patches: of each match what was sought, and what was found."""
+    """What a sensor saw, and beside its image the patches: of each match the predicted one and the one found."""
 
     def __init__(
         self, figure: Any, place: Box, sensor: int | str, shown: SensorView, options: SensorOptions, theme: str
@@ -125,7 +125,7 @@ class SensorPart(Part):
         self.patches.axes.set(xlim=(2 - ACROSS, 2), ylim=(self.rows, -SPARE), aspect="equal", anchor="NW")
 
     def _put_patches(self, axes: Any, view: SensorView) -> None:
-        """Those of the matched looks at points, or if there are none at segments; as many as have room."""
+        """Those of the matched points, or if there are none of the matched segments; as many as have room."""
         predictions = view.points if patched(view.points) else view.segments
         rows = patched(predictions)
         axes.imshow(strip(predictions, rows, self.rows), extent=(0, 2, self.rows, 0), interpolation="nearest")
@@ -135,7 +135,7 @@ class SensorPart(Part):
             axes.text(-0.1, i + 0.46, str(predictions.ids[row]), ha="right", **prediction)
 
     def _fit(self, view: SensorView) -> bool:
-        """Of a sensor without an image, widen the limits to hold what it delivered and expected; True if so."""
+        """Of a sensor without an image, widen the limits to hold what was delivered and predicted; True if so."""
         if view.image is not None:
             return False
         points, axes = delivered([view], list(self.options.numbers)), self.axes

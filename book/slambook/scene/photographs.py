@@ -59,15 +59,15 @@ def photograph(view: SensorView, width: int | None = None) -> Photograph | None:
 
 
 def patched(predictions: MeasurementView) -> list[int]:
-    """The rows of the looks that were matched and have a patch, predicted or found."""
+    """The rows of the measurements that were matched and have a patch, predicted or found."""
     pairs = zip(predictions.matched.tolist(), predictions.predicted_patch, predictions.found_patch, strict=True)
     return [i for i, (m, p, f) in enumerate(pairs) if m and (p is not None or f is not None)]
 
 
 def strip(predictions: MeasurementView, rows: list[int], count: int) -> Image:
-    """The patches of some looks, one below the other, predicted beside found: (count CELL, 2 CELL, 4), 0 to 255.
+    """The patches of some matches, one below the other, predicted beside found: (count CELL, 2 CELL, 4), 0 to 255.
 
-    Both patches of a look share one scale from black to white, which shows a change of light. The rest is transparent.
+    Both patches of a match share one scale from black to white, which shows a change of light. The rest is transparent.
     """
     sheet = np.zeros((count * CELL, 2 * CELL, 4), np.uint8)
     for place, row in enumerate(rows[:count]):

@@ -136,14 +136,14 @@ window.slamlibPlayer = function (figure) {
     return found;
   }
 
-  /* What a sensor saw: of each look its landmark's number, what became of it, where it was expected and found. */
+  /* What a sensor saw: of each prediction its landmark's number, its outcome, and the predicted and the measured position. */
   const scales = () => {
     const [left, right, low, high] = data.sensor.limits, [, , wide, tall] = second.getAttribute("viewBox").split(" ").map(Number);
     const [across, down] = [(wide - 2 * data.pad) / (right - left), (tall - 2 * data.pad) / (low - high)];
     return { across, down, left, right, low, high, place: (u, v) => [data.pad + across * (u - left), data.pad + down * (v - high)] };
   };
   function develop() {
-    const { image, extent } = data.frames[state.frame].looks, { place } = scales();
+    const { image, extent } = data.frames[state.frame].measurements, { place } = scales();
     photo.setAttribute("href", image || "data:,");
     if (!image) return;
     const [x, y] = place(extent[0], extent[3]), [right, bottom] = place(extent[1], extent[2]);
@@ -152,7 +152,7 @@ window.slamlibPlayer = function (figure) {
   function sight(name) {
     const { across, down, left, right, low, high, place } = scales();
     const line = (a, b) => `M${written(place(...a))}L${written(place(...b))}`;
-    const { raw, points, segments, scores } = data.frames[state.frame].looks, found = { lines: "", shells: "", marks: [], words: [] };
+    const { raw, points, segments, scores } = data.frames[state.frame].measurements, found = { lines: "", shells: "", marks: [], words: [] };
     if (name === "raw") {
       if (!photo) found.lines = line([left, high], [right, high]) + line([right, high], [right, low]) + line([right, low], [left, low]) + line([left, low], [left, high]);
       raw.segments.forEach(([a, b, c, d]) => { found.lines += line([a, b], [c, d]); });

@@ -13,12 +13,12 @@ from slambook.figures import figure
 from slambook.figures.colors import paint
 from slambook.figures.paths import number
 from slambook.scene.figures import SHELL, draw, map_figure
+from slambook.scene.image_frames import ImageFrames
 from slambook.scene.image_scene import OUTCOMES, sensor_scene
 from slambook.scene.options import MapOptions, SensorOptions, chosen
 from slambook.scene.packing import packed
 from slambook.scene.player_page import Player
 from slambook.scene.roles import HALO, MAP, OUTLINE, SENSOR, Role, over_image
-from slambook.scene.sights import ImageFrames
 from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
@@ -46,20 +46,20 @@ def player(
 ) -> Player:
     """An interactive map of a run, for the page; the other keywords are those of MapOptions.
 
-    alt: a sentence that says what one sees. truths: one a snapshot, or none. frames: at most so many are shown, evenly
-    spread and the last among them; fewer if their data would weigh more than 200 kB. fps: frames per second. note: what
-    to say of a frame, below the map. sensor: place or name of one whose view is shown beside the map. images: whether
-    that camera's images lie below it, small; then all weighs up to 800 kB. Raises SlamlibError.
+    alt: a sentence that describes the figure. truths: one a snapshot, or none. frames: at most so many are shown,
+    evenly spread and the last among them; fewer if their data would weigh more than 200 kB. fps: frames per second.
+    note: gives a text for each frame, below the map. sensor: index or name of the one shown beside the map. images:
+    whether that camera's images lie below its view, small; then all weighs up to 800 kB. Raises SlamlibError.
     """
-    look = chosen(MapOptions(), options)
+    map_options = chosen(MapOptions(), options)
     _check(snapshots, truths, alt, frames, fps)
-    sights = None if sensor is None else ImageFrames(snapshots, sensor, sensor_options or SensorOptions(), images)
+    shots = None if sensor is None else ImageFrames(snapshots, sensor, sensor_options or SensorOptions(), images)
     most = WEIGHT + WEIGHT_OF_IMAGES * images
     last, count = snapshots[-1], min(frames, len(snapshots))
     while True:
-        data = packed(snapshots, world, truths, count, look, width / height)
+        data = packed(snapshots, world, truths, count, map_options, width / height)
         for frame, snapshot in zip(data["frames"], data["shown"], strict=True):
-            frame |= {} if sights is None else {"looks": sights.frame(snapshot)}
+            frame |= {} if shots is None else {"measurements": shots.frame(snapshot)}
         weight = len(json.dumps(data["frames"], separators=(",", ":")))
         if weight <= most or count <= 2:
             break
@@ -69,42 +69,42 @@ def player(
     kinds = {row[0] for frame in data["frames"] for row in frame["landmarks"].values()}
     lines = {role for frame in data["frames"] for role, found in frame["lines"].items() if found}
     used = {"label", *data["still"], *lines, *(data["kinds"][kind] for kind in kinds)}  # of which something is seen
-    data |= {"fps": fps, "roles": {name: _looks(role) for name, role in MAP.items() if name in used}}
+    data |= {"fps": fps, "roles": {name: _styles(role) for name, role in MAP.items() if name in used}}
     shown: dict[str, Any] = {"world": world, "truth": truths[-1] if truths else None, "true_path": truths}
     still = map_figure(last, path=snapshots, width=width, height=height, **shown, **{**options, "legend": False})
     stills = [still.svg(alt)]
-    if sights is not None:
-        data["sensor"] = _sensor(sights, [frame["looks"] for frame in data["frames"]])
-        stills.append(_still(last, sights, alt))
-    return Player(data, "".join(stills), alt, look.labels)
+    if shots is not None:
+        data["sensor"] = _sensor(shots, [frame["measurements"] for frame in data["frames"]])
+        stills.append(_still(last, shots, alt))
+    return Player(data, "".join(stills), alt, map_options.labels)
 
 
-def _sensor(sights: ImageFrames, looks: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """What the script needs of a sensor beside its looks; over images everything is bright, with a dark outline."""
-    roles = {name: _looks(role) for name, role in SENSOR.items()}
-    found: dict[str, Any] = {"roles": roles, "limits": sights.limits, "outcomes": list(OUTCOMES)}
-    if any("image" in frame for frame in looks):
-        over = {name: _looks(over_image(role)) for name, role in SENSOR.items()}
-        for name, look in over.items():
+def _sensor(shots: ImageFrames, measurements: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """The sensor's data for the script, but for its measurements; over images, roles are bright with a dark outline."""
+    roles = {name: _styles(role) for name, role in SENSOR.items()}
+    found: dict[str, Any] = {"roles": roles, "limits": shots.limits, "outcomes": list(OUTCOMES)}
+    if any("image" in frame for frame in measurements):
+        over = {name: _styles(over_image(role)) for name, role in SENSOR.items()}
+        for name, style in over.items():
             width = number(SENSOR[name].width + 2 * HALO)
-            look["halo"] = f"stroke:{OUTLINE};stroke-width:{width};stroke-linejoin:round"
-            look["text"] += f";paint-order:stroke;stroke:{OUTLINE};stroke-width:{number(2 * HALO)}"
+            style["halo"] = f"stroke:{OUTLINE};stroke-width:{width};stroke-linejoin:round"
+            style["text"] += f";paint-order:stroke;stroke:{OUTLINE};stroke-width:{number(2 * HALO)}"
         found["over"] = over
     return found
 
 
-def _still(snapshot: Snapshot, sights: ImageFrames, alt: str) -> str:
+def _still(snapshot: Snapshot, shots: ImageFrames, alt: str) -> str:
     """The sensor's view before the script draws it."""
-    left, right, low, high = sights.limits
-    shape = abs((right - left) / (high - low)) if sights.view.image is not None else 4 / 3
+    left, right, low, high = shots.limits
+    shape = abs((right - left) / (high - low)) if shots.view.image is not None else 4 / 3
     fig, ax = figure(width=SECOND, height=SECOND / shape)
     ax.axis("off")
     ax.set(xlim=(left, right), ylim=(low, high))
     ax.plot([left, right, right, left, left], [low, low, high, high, low], color=SENSOR["raw"].color, lw=1.2)
-    photo, layers = sights.photo(snapshot), sensor_scene(snapshot, sights.sensor, options=sights.options)
+    photo, layers = shots.photo(snapshot), sensor_scene(snapshot, shots.sensor, options=shots.options)
     draw(ax, layers, SENSOR, photo)
     ax.set(aspect="auto")
-    return fig.svg(f"What {sights.view.name} saw. {alt}")
+    return fig.svg(f"What {shots.view.name} saw. {alt}")
 
 
 def _check(snapshots: Sequence[Snapshot], truths: Sequence[Truth], alt: str, frames: int, fps: float) -> None:
@@ -118,7 +118,7 @@ def _check(snapshots: Sequence[Snapshot], truths: Sequence[Truth], alt: str, fra
         raise SlamlibError(f"player: fps should be a positive number of frames per second, got {fps!r}")
 
 
-def _looks(role: Role) -> dict[str, Any]:
+def _styles(role: Role) -> dict[str, Any]:
     """A role as the styles of what the script draws."""
     color, dashes = paint(role.color), {"--": "3.7 1.6", "-.": "6.4 1.6 1 1.6", ":": "1 1.65"}.get(role.linestyle, "")
     spaced = " ".join(number(float(d) * role.width) for d in dashes.split())

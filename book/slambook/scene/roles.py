@@ -1,4 +1,4 @@
-"""How things look by what they are to the reader: estimate or truth, converged or new, believed or rejected.
+"""Styles by meaning: estimate or truth, converged or new, accepted or rejected.
 
 The colours are the palette's, which readers with each kind of colour blindness tell apart; roles that stand side by
 side differ in their marks or dashes too.
@@ -12,9 +12,9 @@ from slamlib.errors import UnknownNameError
 
 @dataclass(frozen=True)
 class Role:
-    """A look: label for the legend, colour, line width [pt], line style, mark, its size [pt], opacity of the lines.
+    """A style: label for the legend, colour, line width [pt], line style, mark, its size [pt], opacity of the lines.
 
-    hollow: the mark is empty. raised: how far words stand above their place [pt], to their middle.
+    hollow: the mark is empty. raised: height of the middle of words above their position [pt].
     """
 
     label: str
@@ -41,7 +41,7 @@ MAP = {
     "robot": Role("robot", colors.blue, 1.6),
     "label": Role("", colors.text, size=7.5, raised=3.0),
 }
-# Of what a sensor saw; the marks of expectations are those of the map.
+# Of a sensor's view; predicted measurements have the marks of the map.
 SENSOR = {
     "raw": Role("delivered", colors.grey, 1.2, marker="+", size=7.0),
     "predicted_patch": Role("expected", colors.purple, 1.1, "--", marker=""),

@@ -1,6 +1,6 @@
 """The map in space: a snapshot, and if they are known the world and the truth, as layers of lines, marks and words.
 
-There is no code for single types here: a landmark comes as a point or as two ends, with covariances.
+There is no code for single types here: a landmark comes as a point or as two endpoints, with covariances.
 """
 
 from collections.abc import Sequence
@@ -46,8 +46,8 @@ def map_scene(
 ) -> tuple[Layer, ...]:
     """The layers of the map, those that lie below first.
 
-    world: what there is to see. truth: what really is at this frame. path, true_path: all frames up to now, of which
-    the robots' positions are drawn as lines. corners: what `bounds` says, if many frames are to have the same.
+    world: what there is to see. truth: the true state at this frame. path, true_path: all frames up to now, of which
+    the robots' positions are drawn as lines. corners: as `bounds` returns them, if many frames are to have the same.
     """
     options = options or MapOptions()
     corners = bounds(snapshot, world, truth, path, options) if corners is None else corners
@@ -92,13 +92,13 @@ def size_of(corners: Array, options: MapOptions) -> float:
 
 
 def world_points(world: World) -> Array:
-    """All points and ends (N, 3) of a world."""
+    """All points and endpoints (N, 3) of a world."""
     return np.concatenate([world.points.values, world.segments.values.reshape(-1, 3)])
 
 
 def _known(snapshot: Snapshot) -> Array:
-    """Points and ends (N, 3) that are known well; without those that lie much farther away than most."""
-    views = snapshot.landmarks.values()  # of points, or of two ends each
+    """Points and endpoints (N, 3) that are known well; without those that lie much farther away than most."""
+    views = snapshot.landmarks.values()  # of points, or of two endpoints each
     means = np.concatenate([np.reshape(view.geometry, (-1, 3)) for view in views])
     shapes = np.concatenate([np.reshape(view.covariance, (-1, 3, 3)) for view in views])
     spread = np.sqrt(np.trace(shapes, axis1=1, axis2=2))
@@ -139,7 +139,7 @@ def _tracks(positions: Sequence[Sequence[Array]]) -> Array:
 
 
 def _landmarks(view: MapView, options: MapOptions) -> list[Layer]:
-    """The landmarks of a family, of points or of two ends each, that are new, and those that have converged."""
+    """The landmarks of a family, of points or of two endpoints each, that are new, and those that have converged."""
     found, role = [], ("point", "line")[ends_of(view) - 1]
     for name, some in ((f"new {role}", ~view.converged), (role, view.converged)):
         geometry = np.asarray(view.geometry)[some]

@@ -1,4 +1,4 @@
-"""A run as a video, an animated GIF, or a folder of numbered pictures: written whole or not at all.
+"""A run as a video, an animated GIF, or a folder of numbered pictures, written atomically.
 
 What writes a frame is chosen by the ending of the path's name; a name without one is a folder.
 """

@@ -91,7 +91,7 @@ class OrbitView:
             return self.focal * seen[..., :2] / depth[..., None]
 
     def points(self, points: Array) -> Array:
-        """Places (N, 2) of points (N, 3); nan for those behind the viewer."""
+        """Positions (N, 2) on the sheet of points (N, 3); nan for those behind the viewer."""
         seen = self.seen(points)
         return np.where(self._ahead(seen)[:, None], self._sheet(seen), np.nan)
 

@@ -38,10 +38,10 @@ MOVES = {  # keys that move the viewer: degrees of azimuth and elevation, and th
 class Window:
     """The map and the sensors of a run, as a window or as pictures for a video.
 
-    sensors: which are shown beside the map, by place or name; the first three if nothing is said. size [in]. show: open
+    sensors: which are shown beside the map, by index or name; by default the first three. size [in]. show: open
     a window, else pictures are made unseen. corners: limits as `slambook.scene.scene.bounds` gives them, to keep them;
     without them and without a world the limits grow with the map. coming: the snapshots that will be shown, if they are
-    known: what they need has its room from the beginning.
+    known: room for what they need is left from the start.
     Keys in the window: shift and an arrow turn the map, + and - zoom; matplotlib's own tools shift and magnify each
     part. The other keywords are those of MapOptions; sensor_options is a SensorOptions. Raises SlamlibError if
     matplotlib is missing, or cannot open a window that is asked for.
@@ -63,7 +63,7 @@ class Window:
         **options: Any,
     ) -> None:
         self.options = chosen(MapOptions(), options)
-        self.look = sensor_options or SensorOptions()
+        self.sensor_options = sensor_options or SensorOptions()
         self.world, self.corners = world, corners
         self.sensors = tuple(range(min(len(snapshot.sensors), 3)) if sensors is None else sensors)
         self.path: list[Snapshot] = []
@@ -108,8 +108,8 @@ class Window:
         each, self.views = height / max(len(self.sensors), 1), list[SensorPart]()
         for i, sensor in enumerate(self.sensors):
             place = left, bottom + height - (i + 1) * each + GAP, width, each - 2 * GAP
-            look = self.look if i == 0 else replace(self.look, legend=False)
-            self.views.append(SensorPart(self.figure, place, sensor, sensor_view(snapshot, sensor), look, theme))
+            shown = self.sensor_options if i == 0 else replace(self.sensor_options, legend=False)
+            self.views.append(SensorPart(self.figure, place, sensor, sensor_view(snapshot, sensor), shown, theme))
 
     def update(self, snapshot: Snapshot, truth: Truth | None = None) -> None:
         """Show the next snapshot, and if there is one the truth; the robots' paths grow by them."""
@@ -163,7 +163,7 @@ class Window:
             self._show()
 
     def wait(self) -> None:
-        """Until a key is pressed, or the mouse: to look at each step of a run in a window that is shown."""
+        """Wait for a key or a mouse button, to view a run step by step in a window that is shown."""
         self.figure.waitforbuttonpress(0)
 
     def pixels(self) -> Array:
@@ -171,5 +171,5 @@ class Window:
         return np.asarray(self.figure.canvas.buffer_rgba())[..., :3].copy()
 
     def save(self, path: Any) -> None:
-        """Write the picture as it is now; the ending of the name says how (png, pdf, svg)."""
+        """Write the picture as it is now; the suffix gives the format (png, pdf, svg)."""
         self.figure.savefig(path, facecolor=self.figure.get_facecolor())

@@ -95,7 +95,7 @@ def ahead_then_turn(state, control, dt):
 
 @model(state=Pose, control=2, dt=(), returns=Pose)
 def in_the_world(state, control, dt):
-    """An arc about the world's vertical axis through the world's x, whatever way the robot looks."""
+    """An arc about the world's vertical axis through the world's x, whatever the robot's heading."""
     zero, half = 0 * dt, control[1] * dt / 2
     chord = control[0] * dt * stumpff(1, half * half)
     moved = np.array([chord * cos(half), chord * sin(half), zero])

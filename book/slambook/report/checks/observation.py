@@ -17,7 +17,7 @@ def _poses_and_points(seed: int) -> tuple[Array, Array]:
 
 
 def differences(function: Callable[[Array, Array], Array], pose: Array, points: Array) -> Array:
-    """Derivative (..., m, 3, 6) by the pose from central differences."""
+    """Derivative (..., m, 3, 6) w.r.t. the pose from central differences."""
     h = 1e-6
     columns = [(function(pose + h * e, points) - function(pose - h * e, points)) / (2 * h) for e in np.eye(6)]
     return np.stack(columns, -1)
@@ -92,7 +92,7 @@ def columns() -> Findings:
 
 
 def _gain_off() -> float:
-    """One landmark is corrected number by number; the last correction, against the textbook's gain."""
+    """One landmark, updated component by component: the last update against the textbook's gain."""
     rng = np.random.default_rng(30)
     root = rng.standard_normal((12, 12))
     filter = Memory(rng.uniform(-1, 1, (1, 12)), (root @ root.T)[None], [0, 1])

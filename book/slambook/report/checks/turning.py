@@ -15,13 +15,13 @@ def _deg(*values: float) -> Array:
 
 
 def _added_off(before: Array, turn: Array) -> float:
-    """How far the sum of the angles is from the composition [degrees]."""
+    """Difference of the sum of the angles from the composition [degrees]."""
     right = angles.composed(before, turn, angles.extracted)
     return float(np.degrees(angles.apart(angles.added(before, turn, angles.extracted), right)))
 
 
 def _worst_of_a_turn(pitch: float, roll: float) -> float:
-    """Largest error [degrees] on the way round, in steps of one degree."""
+    """Largest error [degrees] over a full turn, in steps of one degree."""
     right = wrong = _deg(0, pitch, roll)
     worst = 0.0
     for _ in range(360):

@@ -1,4 +1,4 @@
-"""Checks of the correction: (3.1) to (3.14), (5.27), (5.31), (5.32), chapter 6."""
+"""Checks of the measurement update: (3.1) to (3.14), (5.27), (5.31), (5.32), chapter 6."""
 
 import timeit
 from functools import partial
@@ -44,7 +44,7 @@ def _whole(x: Array, P: Array, names: list[int], z: Array, R: Array) -> tuple[Ar
 
 
 def _mistakes(full: bool, *errors: str) -> tuple[Array, Array]:
-    """Of 300 problems: size of the mistake relative to the right correction, and smallest eigenvalue of P."""
+    """Of 300 problems: size of the error relative to the correct update, and smallest eigenvalue of P."""
     off, least = [], []
     for seed in range(300):
         problem = _problem(6, 4, seed, full)

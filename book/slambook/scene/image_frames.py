@@ -20,7 +20,7 @@ ENOUGH = 4  # significant digits of a number that is no pixel
 
 
 class ImageFrames:
-    """The looks of one sensor in the frames that are shown: two numbers of each measurement; if asked, its images."""
+    """Predictions and measurements of one sensor in the shown frames, two numbers of each; if asked, its images."""
 
     def __init__(
         self, snapshots: Sequence[Snapshot], sensor: int | str, options: SensorOptions, images: bool = False
@@ -32,7 +32,7 @@ class ImageFrames:
         self.decimals = ROUND if self.view.image is not None else ENOUGH - int(np.floor(np.log10(span)))
 
     def _limits(self, snapshots: Sequence[Snapshot]) -> list[float]:
-        """Left, right, low and high end of the picture: the image, or what was delivered and expected at all."""
+        """Left, right, low and high end of the picture: the image, or the range of all measurements."""
         if self.view.image is not None:
             return [0.0, float(self.view.image[0]), float(self.view.image[1]), 0.0]
         rows = delivered([sensor_view(s, self.sensor) for s in snapshots], self.pair)
@@ -44,7 +44,7 @@ class ImageFrames:
         return [float(left), float(right), float(bottom), float(top)]
 
     def frame(self, snapshot: Snapshot) -> dict[str, Any]:
-        """One frame: what was delivered, and the looks at points and at segments, as rows of numbers."""
+        """One frame: what was delivered, and the predictions of points and of segments, as rows of numbers."""
         view = sensor_view(snapshot, self.sensor)
         raw: dict[str, Any] = {"points": [], "segments": []}
         if view.scan is not None and self.options.raw:
@@ -69,7 +69,7 @@ class ImageFrames:
         return np.round(np.asarray(values, dtype=float), self.decimals).tolist()
 
     def _points(self, view: SensorView, known: set[int]) -> list[list[float]]:
-        """Of each look: number, outcome, whether converged, expectation, factor of the gate's ellipse, measurement."""
+        """Rows: landmark number, outcome, whether converged, prediction, factor of the gate's ellipse, measurement."""
         predictions, rows = view.points, []
         if not len(predictions.ids):
             return []
@@ -82,9 +82,9 @@ class ImageFrames:
         return rows
 
     def _segments(self, predictions: MeasurementView, known: set[int]) -> list[list[Any]]:
-        """Of each look: number, outcome, whether converged, place of the label, two ends expected, ends, ends measured.
+        """Rows: landmark number, outcome, whether converged, label's position, prediction, endpoints, measurement.
 
-        endpoints: of each that is in view where it is, and the factor of its ellipse.
+        endpoints: the position of each one in view, and the factor of its ellipse.
         """
         if not len(predictions.ids):
             return []
@@ -103,5 +103,5 @@ class ImageFrames:
 
 
 def _outcomes(predictions: MeasurementView) -> list[int]:
-    """What became of each look, as a place in OUTCOMES."""
+    """The outcome of each prediction, as an index into OUTCOMES."""
     return np.argmax([holds(predictions) for holds in OUTCOMES.values()], axis=0).tolist()
