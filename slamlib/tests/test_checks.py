@@ -259,7 +259,7 @@ def test_a_sensor_with_a_wrong_jacobian_is_found_by_both_tests_of_it():
 def test_misuse_is_reported():
     with pytest.raises(SlamlibError, match="give a PointLandmark or a LineLandmark, not str"):
         check_landmark("ahmPnt")
-    with pytest.raises(SlamlibError, match="judged with its calibration"):
+    with pytest.raises(SlamlibError, match="checked with its calibration"):
         check_sensor(SENSORS["stereo"])
 
 

@@ -77,7 +77,7 @@ def test_the_layout_of_kitti_with_its_table_and_trajectory(room, tmp_path, capsy
     out = tmp_path / "path.txt"
     assert main(words(room, "--trajectory", str(out), "--reference", str(room / "groundtruth_0.txt"))) == 0
     text = capsys.readouterr().out
-    for what in ("(KITTI)", f"{COUNT}, 0.73 s", "tracked features", "odometry", "scale 1,", "(KITTI's measure)"):
+    for what in ("(KITTI)", f"{COUNT}, 0.73 s", "tracked features", "odometry", "scale 1,", "(KITTI's metric)"):
         assert what in text
     path, truth = read_trajectory(out), read_trajectory(room / "groundtruth_0.txt")
     assert len(path) == COUNT
@@ -285,7 +285,7 @@ def test_lengths_of_parts_fit_the_path():
         (["--source", "{room}", "--noise", "1", "2"], "--noise takes one number above 0, or three"),
         (["--source", "{room}", "--odometry-only", "--live"], "with --odometry-only there is none"),
         (["--source", "{room}", "--start", "99"], "none is left"),
-        (["--source", "{room}", "--trajectory", "nowhere/t.txt"], "its folder is not there"),
+        (["--source", "{room}", "--trajectory", "nowhere/t.txt"], "its folder does not exist"),
         (["--source", "{room}", "--resume", "run.npz"], "leave them out"),
         (["--resume", "nowhere.npz"], "no such file"),
         (["--source", "{room}", "--reference", "nowhere.txt"], "cannot be read"),
@@ -342,7 +342,7 @@ def test_times_that_do_not_match(room, tmp_path, capsys):
     ("text", "message"),
     [
         ("P0: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\n", "there is no camera 1"),
-        ("P0: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\nP1: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\n", "both cameras are in one"),
+        ("P0: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\nP1: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\n", "both cameras have"),
         ("P0: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\nP1: 130 0 79.5 15.6 0 130 59.5 0 0 0 1 0\n", "are exchanged"),
         ("P0: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\nP1: 90 0 79.5 -15.6 0 90 59.5 0 0 0 1 0\n", "focal lengths"),
         ("130 130 79.5 59.5", "the baseline is missing"),
