@@ -17,10 +17,9 @@ from numpy.typing import ArrayLike
 
 from slamlib.errors import SlamlibError
 from slamlib.kalman import linalg
-from slamlib.kalman.linalg import read_only_copy
 from slamlib.kalman.state import BeliefSnapshot, Block, Retraction, StateLayout, checked_mean
 from slamlib.kalman.update import LinearizedMeasurement, SequentialUpdate, StackedMeasurements, UpdateResult
-from slamlib.manifolds import Array, Indices, Manifold, as_manifold
+from slamlib.manifolds import Array, Indices, Manifold, as_manifold, finite, numbers, read_only_copy
 
 __all__ = ["Belief", "BeliefSnapshot", "Block", "LinearizedMeasurement", "UpdateResult"]
 
@@ -77,7 +76,7 @@ class Belief:
         """
         if sorted(map(id, blocks.values())) != sorted(map(id, self._blocks)) or sorted(blocks) != sorted(means):
             raise SlamlibError("overwrite: give every block of the belief once, with its mean")
-        P = linalg.finite(covariance, (self.size, self.size), "overwrite", "covariance")
+        P = finite(covariance, (self.size, self.size), "overwrite", "covariance")
         ordered = [blocks[i] for i in sorted(blocks)]
         points = [(blocks[i].manifold, checked_mean(blocks[i].manifold, means[i], "overwrite")) for i in sorted(blocks)]
         self._set(ordered, P.copy(), points)
@@ -126,7 +125,7 @@ class Belief:
         manifold = as_manifold(manifold)
         mean = checked_mean(manifold, mean, "replace")
         self._own([block])
-        J = linalg.finite(jacobian, (manifold.dof, block.dof), "replace", "jacobian")
+        J = finite(jacobian, (manifold.dof, block.dof), "replace", "jacobian")
         rows = J @ self._P[block.slice]
         corner = rows[:, block.slice] @ J.T
         linalg.check_overflow("replace", rows, corner)
@@ -143,7 +142,7 @@ class Belief:
         """
         self._own([block])
         mean, n = checked_mean(block.manifold, mean, "predict"), block.dof
-        F, Q = linalg.finite(F, (n, n), "predict", "F"), linalg.covariance(Q, n, "predict", "Q")
+        F, Q = finite(F, (n, n), "predict", "F"), linalg.covariance(Q, n, "predict", "Q")
         P, at = self._P, block.slice
         rows = F @ P[at]
         corner = rows[:, at] @ F.T + Q
@@ -193,9 +192,9 @@ class Belief:
         S = stacked.innovation_covariance(HP)
         step, rows, nis = stacked.solve(method, HP, S)
         flat, points = self._layout.retract(step, self.retraction)
-        linalg.finite(flat, flat.shape, "update", "the updated means")
+        finite(flat, flat.shape, "update", "the updated means")
         for block, mean in zip(self._layout.points, points, strict=True):
-            linalg.finite(mean, (block.manifold.size,), "update", f"the updated mean of {block!r}")
+            finite(mean, (block.manifold.size,), "update", f"the updated mean of {block!r}")
         linalg.subtract_square(self._P, rows)
         self._layout.assign(flat, points)
         return UpdateResult(stacked.z, S, nis)
@@ -206,10 +205,10 @@ class Belief:
 
         The rows are those of `block.slice`; none may appear twice.
         """
-        z = linalg.numbers(innovation, "update_rows", "innovation")
+        z = numbers(innovation, "update_rows", "innovation")
         m, k = z.size, len(columns)
-        z, H = linalg.finite(z, (m,), "update_rows", "innovation"), linalg.finite(H, (m, k), "update_rows", "H")
-        R = linalg.finite(R, (m, m), "update_rows", "R")
+        z, H = finite(z, (m,), "update_rows", "innovation"), finite(H, (m, k), "update_rows", "H")
+        R = finite(R, (m, m), "update_rows", "R")
         return self._update("batch", StackedMeasurements(z, H, R, columns))
 
     @contextmanager

@@ -1,19 +1,53 @@
-"""The spaces of arguments: vectors, and manifolds whose stored size and degrees of freedom differ."""
+"""The spaces of arguments: arrays and their checks, vectors, and manifolds whose stored size and dof differ."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import accumulate
-from typing import Any, Protocol, TypeAlias
+from typing import Any, Protocol, TypeAlias, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from slamlib.errors import ShapeError, SlamlibError, UnitError
+from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnitError
 
 Array: TypeAlias = NDArray[np.float64]
 Mask: TypeAlias = NDArray[np.bool_]
 Indices: TypeAlias = NDArray[np.integer[Any]]
 Image: TypeAlias = NDArray[Any]  # grey values, as bytes or as floats
+AnyArray = TypeVar("AnyArray", bound=NDArray[Any])
+
+
+def numbers(value: ArrayLike, function: str, argument: str) -> Array:
+    """Convert to an array of floats; raises SlamlibError for text, complex numbers and lists of unequal lengths."""
+    try:
+        array = np.asarray(value)
+        if array.dtype.kind in "cSUMm":
+            raise TypeError(f"it holds {array.dtype}")
+        return array.astype(float, copy=False)
+    except (TypeError, ValueError) as error:
+        raise SlamlibError(f"{function}: {argument} should be an array of real numbers: {error}") from None
+
+
+def finite(value: ArrayLike, shape: tuple[int, ...], function: str, argument: str) -> Array:
+    """Convert to an array of finite floats of exactly this shape; raises ShapeError, NonFiniteError."""
+    array = numbers(value, function, argument)
+    if array.shape != shape:
+        raise ShapeError(f"{function}: {argument} should have shape {shape}, but has shape {array.shape}")
+    if not np.isfinite(array).all():
+        where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
+        raise NonFiniteError(f"{function}: {argument} holds {array[where]} at index {where}; remove or mask it")
+    return array
+
+
+def read_only_copy(array: ArrayLike) -> Array:
+    """Return a read-only copy, of floats."""
+    return read_only(np.array(array, dtype=float))
+
+
+def read_only(array: AnyArray) -> AnyArray:
+    """Make an array read-only and return it: for arrays that nobody else holds."""
+    array.flags.writeable = False
+    return array
 
 
 class Manifold(Protocol):

@@ -5,15 +5,17 @@ there is one, is passed separately, to the evaluation alone.
 """
 
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnknownCallError
-from slamlib.kalman.linalg import covariance, finite, numbers, read_only, read_only_copy
-from slamlib.manifolds import Array, Indices
-from slamlib.model import Model
+from slamlib.kalman.linalg import covariance
+from slamlib.manifolds import Array, Indices, finite, numbers, read_only, read_only_copy
 from slamlib.observation import FAMILIES
+
+if TYPE_CHECKING:
+    from slamlib.model import Model
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,7 +110,7 @@ class RobotMeasurement:
     """
 
     name: str
-    model: Model
+    model: "Model"
     value: Array
     covariance: Array
     robot: int = 0

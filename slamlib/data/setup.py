@@ -11,8 +11,7 @@ import numpy as np
 from slamlib.data.plain import Plain, written
 from slamlib.errors import SlamlibError
 from slamlib.geometry.euler import to_quaternion
-from slamlib.kalman.linalg import finite
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, finite
 from slamlib.motions import Motion, motion
 from slamlib.sensors import sensor
 from slamlib.sensors.sensor import Calibration

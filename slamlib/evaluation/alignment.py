@@ -8,8 +8,7 @@ from slamlib.errors import ShapeError, SlamlibError
 from slamlib.evaluation.trajectory import Trajectory, angles
 from slamlib.geometry.pose import compose, inverse, relative
 from slamlib.geometry.quaternion import best_pivot, from_rotation, product, rotation
-from slamlib.kalman.linalg import finite
-from slamlib.manifolds import Array, Indices
+from slamlib.manifolds import Array, Indices, finite
 
 STRAIGHT_PATH = 0.05  # a path narrower than this share of its length hardly determines the rotation about itself
 

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
 from slamlib.kalman import linalg
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, numbers
 
 
 def nees(error: Array, covariance: Array) -> Array:
@@ -52,7 +52,7 @@ def _squared(vector: Array, matrix: Array, function: str) -> Array:
 
 
 def _numbers(value: ArrayLike, function: str, name: str) -> Array:
-    array = linalg.numbers(value, function, name)
+    array = numbers(value, function, name)
     if not np.isfinite(array).all():
         raise NonFiniteError(f"{function}: nan or infinity in the {name}; leave out the steps that were not estimated")
     return array

@@ -14,8 +14,7 @@ from slamlib.data.files import write_whole
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.pose import compose, relative
 from slamlib.geometry.quaternion import best_pivot, from_rotation
-from slamlib.kalman.linalg import finite, numbers, read_only_copy
-from slamlib.manifolds import Array, Indices
+from slamlib.manifolds import Array, Indices, finite, numbers, read_only_copy
 
 
 @dataclass(frozen=True, eq=False)

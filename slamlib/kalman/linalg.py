@@ -8,15 +8,13 @@ import importlib
 import math
 import operator
 from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
-from slamlib.manifolds import Array, Indices
-
-Numbers = TypeVar("Numbers", bound=NDArray[Any])
+from slamlib.errors import CovarianceError, NonFiniteError
+from slamlib.manifolds import Array, Indices, finite, numbers
 
 quiet_floats = np.errstate(over="ignore", invalid="ignore")  # results are checked: an overflow is an error
 
@@ -24,39 +22,6 @@ quiet_floats = np.errstate(over="ignore", invalid="ignore")  # results are check
 _LARGE = 400
 _SMALL = 4  # numbers of a measurement up to which Python's floats are quicker than LAPACK
 _ROUNDING = 4 * float(np.finfo(float).eps)  # of each row, beside the variance
-
-
-def numbers(value: ArrayLike, function: str, argument: str) -> Array:
-    """Convert to an array of floats; raises SlamlibError for text, complex numbers and lists of unequal lengths."""
-    try:
-        array = np.asarray(value)
-        if array.dtype.kind in "cSUMm":
-            raise TypeError(f"it holds {array.dtype}")
-        return array.astype(float, copy=False)
-    except (TypeError, ValueError) as error:
-        raise SlamlibError(f"{function}: {argument} should be an array of real numbers: {error}") from None
-
-
-def finite(value: ArrayLike, shape: tuple[int, ...], function: str, argument: str) -> Array:
-    """Convert to an array of finite floats of exactly this shape; raises ShapeError, NonFiniteError."""
-    array = numbers(value, function, argument)
-    if array.shape != shape:
-        raise ShapeError(f"{function}: {argument} should have shape {shape}, but has shape {array.shape}")
-    if not np.isfinite(array).all():
-        where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
-        raise NonFiniteError(f"{function}: {argument} holds {array[where]} at index {where}; remove or mask it")
-    return array
-
-
-def read_only_copy(array: ArrayLike) -> Array:
-    """Return a read-only copy, of floats."""
-    return read_only(np.array(array, dtype=float))
-
-
-def read_only(array: Numbers) -> Numbers:
-    """Make an array read-only and return it: for arrays that nobody else holds."""
-    array.flags.writeable = False
-    return array
 
 
 def check_overflow(function: str, *results: Array) -> None:

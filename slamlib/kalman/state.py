@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slamlib.kalman import linalg
-from slamlib.manifolds import Array, Euclidean, Manifold
+from slamlib.manifolds import Array, Euclidean, Manifold, finite, read_only, read_only_copy
 
 
 class Block:
@@ -41,7 +40,7 @@ class Block:
         else:
             flat = self.layout.flat.copy()
             flat[self.slice_in_flat] = mean
-            self.layout.flat = linalg.read_only(flat)
+            self.layout.flat = read_only(flat)
 
     @property
     def slice(self) -> slice:
@@ -69,7 +68,7 @@ class StateLayout:
         self.points = [block for block, is_vector in zip(blocks, are_vectors, strict=True) if not is_vector]
         dofs = np.array([block.dof for block in blocks], dtype=int)
         self.rows = np.flatnonzero(np.repeat(np.array(are_vectors, dtype=bool), dofs))
-        self.flat = linalg.read_only(np.concatenate([np.zeros(0), *(block.mean for block in vectors)]))
+        self.flat = read_only(np.concatenate([np.zeros(0), *(block.mean for block in vectors)]))
         for block, rows in zip(vectors, pairwise(accumulate((v.dof for v in vectors), initial=0)), strict=True):
             block.bind(self, slice(*rows))
 
@@ -82,9 +81,9 @@ class StateLayout:
             means = dict(zip(self.blocks, retraction(self.blocks, step), strict=True))
             vectors = [np.asarray(mean) for block, mean in means.items() if block.layout is self]
             flat = np.concatenate([np.zeros(0), *vectors])
-            return linalg.read_only(flat), [linalg.read_only_copy(means[block]) for block in self.points]
-        points = [linalg.read_only_copy(block.manifold.plus(block.mean, step[block.slice])) for block in self.points]
-        return linalg.read_only(self.flat + step.take(self.rows)), points
+            return read_only(flat), [read_only_copy(means[block]) for block in self.points]
+        points = [read_only_copy(block.manifold.plus(block.mean, step[block.slice])) for block in self.points]
+        return read_only(self.flat + step.take(self.rows)), points
 
     def assign(self, flat: Array, points: Iterable[Array]) -> None:
         """Set the means to the result of `retract`."""
@@ -117,6 +116,6 @@ class BeliefSnapshot:
 
 def checked_mean(manifold: Manifold, mean: ArrayLike, function: str) -> Array:
     """Return a read-only copy of a mean, checked to be a point of its manifold."""
-    point = linalg.finite(mean, (manifold.size,), function, "mean")
+    point = finite(mean, (manifold.size,), function, "mean")
     manifold.check(point, f"{function}: mean")
-    return linalg.read_only_copy(point)
+    return read_only_copy(point)

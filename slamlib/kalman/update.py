@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
 from slamlib.kalman import linalg
 from slamlib.kalman.state import Retraction, StateLayout
-from slamlib.manifolds import Array, Indices
+from slamlib.manifolds import Array, Indices, finite, numbers
 
 
 @dataclass(frozen=True)
@@ -31,13 +31,13 @@ class LinearizedMeasurement:
 
     def checked_innovation(self, function: str, name: str) -> Array:
         """Return the innovation, checked to be one or more finite numbers."""
-        z = linalg.numbers(self.innovation, function, f"innovation{name}")
+        z = numbers(self.innovation, function, f"innovation{name}")
         if z.ndim != 1 or not z.size:
             shape = z.shape
             raise ShapeError(
                 f"{function}: innovation{name} should have shape (m,), m at least 1, but has shape {shape}"
             )
-        return linalg.finite(z, z.shape, function, f"innovation{name}")
+        return finite(z, z.shape, function, f"innovation{name}")
 
     def checked_jacobians(self, rows: int, function: str, name: str = "") -> list[Array]:
         """Return the Jacobians, one a block, each checked to be (rows, dof of its block) and finite."""
@@ -46,7 +46,7 @@ class LinearizedMeasurement:
             counts = f"{len(blocks)} blocks but {len(jacobians)} Jacobians{name}"
             raise SlamlibError(f"{function}: {counts}; give one Jacobian for each block")
         pairs = enumerate(zip(blocks, jacobians, strict=True))
-        return [linalg.finite(J, (rows, b.dof), function, f"Jacobian {i}{name}") for i, (b, J) in pairs]
+        return [finite(J, (rows, b.dof), function, f"Jacobian {i}{name}") for i, (b, J) in pairs]
 
 
 @dataclass(frozen=True)

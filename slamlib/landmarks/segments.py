@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.errors import SlamlibError
-from slamlib.kalman.linalg import finite
-from slamlib.manifolds import Array, Mask
+from slamlib.manifolds import Array, Mask, finite
 
 PIXELS = np.array([0.0, 0.0, 1.0, 1.0])  # the "intrinsics" of points that are pixels already
 

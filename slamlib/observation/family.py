@@ -16,8 +16,7 @@ import numpy as np
 
 from slamlib.geometry.pose import compose
 from slamlib.kalman import state
-from slamlib.kalman.linalg import read_only
-from slamlib.manifolds import Array, Indices, Mask
+from slamlib.manifolds import Array, Indices, Mask, read_only
 from slamlib.sensors.sensor import Calibration
 
 if TYPE_CHECKING:  # the filter is above this folder; only the type checker imports it

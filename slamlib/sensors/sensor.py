@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
-from slamlib.kalman.linalg import covariance, finite, numbers, read_only_copy
-from slamlib.manifolds import Array, Manifold, Mask, as_manifold
+from slamlib.kalman.linalg import covariance
+from slamlib.manifolds import Array, Manifold, Mask, as_manifold, finite, numbers, read_only_copy
 from slamlib.model import Formula, Model
 
 

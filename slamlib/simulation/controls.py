@@ -6,8 +6,7 @@ Join paths with np.concatenate. They are the nominal controls; with noise in the
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.kalman.linalg import numbers
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, numbers
 
 
 def straight(steps: int, length: float) -> Array:

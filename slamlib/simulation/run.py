@@ -11,8 +11,7 @@ import numpy as np
 from slamlib.data.records import Control, Frame, Truth, World
 from slamlib.data.setup import Rig, RobotSetup
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
-from slamlib.kalman.linalg import finite, numbers, read_only_copy
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, finite, numbers, read_only_copy
 from slamlib.simulation.draws import Streams, drawn, root, streams
 from slamlib.simulation.sensors import Faults, SimulatedSensor
 

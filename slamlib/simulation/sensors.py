@@ -5,7 +5,7 @@ Faults occur at given rates: features are missed, replaced by outliers, or assoc
 
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 
@@ -14,12 +14,13 @@ from slamlib.data.records import Features, Scan, World
 from slamlib.data.setup import SensorSetup
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import Pose, compose
-from slamlib.kalman.linalg import read_only_copy
-from slamlib.manifolds import Array, Indices, Mask
+from slamlib.manifolds import Array, Indices, Mask, read_only_copy
 from slamlib.observation import FAMILIES, Family
-from slamlib.sensors.sensor import Calibration
 from slamlib.simulation.draws import Streams, drawn, root
 from slamlib.simulation.occlusion import hidden, longest_seen
+
+if TYPE_CHECKING:
+    from slamlib.sensors.sensor import Calibration
 
 TRIES = 1000
 Share = Annotated[float, Range(ge=0, le=1)]
@@ -45,7 +46,7 @@ class Faults:
 class Clutter:
     """False measurements: uniform in the box of all that a sensor delivers, where they can be back-projected."""
 
-    def __init__(self, calibration: Calibration, reach: float) -> None:
+    def __init__(self, calibration: "Calibration", reach: float) -> None:
         self.calibration = calibration
         self.unmeasured = [np.array([1 / reach])] * calibration.sensor.unmeasured
         self.low, self.high = _box(calibration, reach)
@@ -60,7 +61,7 @@ class Clutter:
         raise SlamlibError(f"of {TRIES} random measurements of a {self.calibration.sensor.name} none is a possible one")
 
 
-def _box(calibration: Calibration, reach: float, count: int = 4096) -> tuple[Array, Array]:
+def _box(calibration: "Calibration", reach: float, count: int = 4096) -> tuple[Array, Array]:
     """Bounds (m,), (m,) of its measurements of points in all directions, a tenth to the whole of `reach` [m] away."""
     rng = np.random.default_rng(0)
     rays = rng.standard_normal((count, 3))

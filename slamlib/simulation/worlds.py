@@ -12,8 +12,7 @@ from numpy.typing import ArrayLike
 
 from slamlib.data.records import Features, World
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.kalman.linalg import numbers
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, numbers
 
 QUARTER = np.array([[0.0, 1.0], [-1.0, 0.0]])  # rows times this: a quarter turn to the left
 

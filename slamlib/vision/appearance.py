@@ -13,8 +13,7 @@ import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import relative
-from slamlib.kalman.linalg import finite, numbers, read_only
-from slamlib.manifolds import Array, Image, Mask
+from slamlib.manifolds import Array, Image, Mask, finite, numbers, read_only
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.patches import Patch, as_floats, cut, grey, half_size
 from slamlib.vision.search import Match, register

@@ -10,8 +10,7 @@ import numpy as np
 
 from slamlib.data.plain import Range, check
 from slamlib.errors import ShapeError, SlamlibError
-from slamlib.kalman.linalg import numbers
-from slamlib.manifolds import Array, Mask
+from slamlib.manifolds import Array, Mask, numbers
 
 Cell = tuple[int, int]
 Count = Annotated[int, Range(ge=1)]

@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
-from slamlib.kalman.linalg import finite
-from slamlib.manifolds import Array, Image
+from slamlib.manifolds import Array, Image, finite
 
 ROUNDING = 1e-12  # share of the sum of squares that may be rounding: less variation than that is no texture
 

@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import CovarianceError, SlamlibError
-from slamlib.kalman.linalg import finite
-from slamlib.manifolds import Array, Image
+from slamlib.manifolds import Array, Image, finite
 from slamlib.slam.data_association.gates import gate
 from slamlib.vision.patches import ROUNDING, Patch, as_floats, as_patch, cut, grey, top
 

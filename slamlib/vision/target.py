@@ -16,9 +16,8 @@ from slamlib.evaluation.alignment import straightness
 from slamlib.geometry.euler import from_rotation
 from slamlib.geometry.pose import compose, inverse, to_frame
 from slamlib.geometry.quaternion import exponential, rotation
-from slamlib.kalman.linalg import finite
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, finite
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.slam.entities import Landmark

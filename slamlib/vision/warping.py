@@ -10,8 +10,7 @@ import numpy as np
 
 from slamlib.errors import SingularPointError
 from slamlib.geometry.quaternion import rotation
-from slamlib.kalman.linalg import finite
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, finite
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.patches import half_size, sample
 

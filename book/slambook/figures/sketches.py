@@ -8,8 +8,7 @@ from slambook.figures.colors import colors
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.kalman.linalg import covariance as positive
-from slamlib.kalman.linalg import finite
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, finite
 
 
 def ellipse(

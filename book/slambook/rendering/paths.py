@@ -12,8 +12,7 @@ import numpy as np
 
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.geometry.euler import to_quaternion
-from slamlib.kalman.linalg import finite, numbers, read_only_copy
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, finite, numbers, read_only_copy
 
 
 @dataclass(frozen=True, eq=False)

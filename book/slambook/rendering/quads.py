@@ -9,8 +9,7 @@ import numpy as np
 from slambook.rendering.textures import Texture
 from slamlib.data.records import World
 from slamlib.errors import SlamlibError
-from slamlib.kalman.linalg import finite, read_only_copy
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, finite, read_only_copy
 from slamlib.simulation.worlds import numbered
 
 SAME = 1e-6  # [m]: corners that are nearer to one another are one

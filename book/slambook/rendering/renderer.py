@@ -17,8 +17,7 @@ from slambook.rendering.rays import Tiles, rays, tiles
 from slambook.rendering.textures import LEVELS
 from slamlib.errors import SlamlibError
 from slamlib.geometry.quaternion import rotation
-from slamlib.kalman.linalg import finite
-from slamlib.manifolds import Array, Image, Indices, Mask
+from slamlib.manifolds import Array, Image, Indices, Mask, finite
 from slamlib.sensors.sensor import Calibration
 
 CHUNK = 1 << 15  # samples that are shaded at a time: their numbers stay in the processor's cache

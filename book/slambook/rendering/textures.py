@@ -11,8 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from slamlib.errors import SlamlibError, UnknownNameError, optional
-from slamlib.kalman.linalg import numbers
-from slamlib.manifolds import Array, Image
+from slamlib.manifolds import Array, Image, numbers
 
 LEVELS = 6  # at most
 SMALLEST = 2  # texels across, of any level: bilinear interpolation needs two
