@@ -140,8 +140,8 @@ class Outcome:
     relative_ate: float
     orientation: float
     counts: dict[str, Array]
-    min_separation: list[float]
-    manifold: list[tuple[float, float]]
+    apart: list[float]
+    in_space: list[tuple[float, float]]
     seconds: dict[str, float]
 
 
@@ -239,10 +239,10 @@ def report(name: str, outcomes: list[Outcome], frames: int, metric: bool) -> Non
         if searched:
             share = f"{matched / searched:.0%} found, NIS/dof {nis / max(dof, 1):.2f}"
             parts += [f"{family}: {searched / count:.1f} a frame, {share}"]
-    apart = np.array([a for o in outcomes for a in o.min_separation])
+    apart = np.array([a for o in outcomes for a in o.apart])
     if len(apart):
         parts += [f"{len(apart)} lines: {np.median(apart):.2f} px (90 % {np.quantile(apart, 0.9):.2f})"]
-    space = np.array([a for o in outcomes for a in o.manifold]).reshape(-1, 2)
+    space = np.array([a for o in outcomes for a in o.in_space]).reshape(-1, 2)
     if len(space) and metric:
         (middle, squares), far = np.median(space, axis=0), np.quantile(space[:, 0], 0.9)
         parts += [f"{middle:.1f} cm (90 % {far:.1f}), by its covariance {squares:.1f}"]

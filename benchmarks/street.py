@@ -83,7 +83,7 @@ def errors(run: SequenceRun, truth: Trajectory) -> dict[str, float]:
         "ate": whole.ate,
         "orientation": float(np.degrees(np.sqrt((whole.orientation**2).mean()))),
         "shortest": found["translation"][0],
-        "max_backoff": found["translation"][-1],
+        "longest": found["translation"][-1],
     }
 
 
@@ -175,7 +175,7 @@ def tables(found: dict[str, Any]) -> Iterator[str]:
                 else f"turned by {found['turns'][name]:.2f} deg" * (key == "turned_each")
             )
             yield (
-                f"{name:16} {e['translation']:8.3%} ({e['shortest']:.2%} to {e['max_backoff']:.2%}) "
+                f"{name:16} {e['translation']:8.3%} ({e['shortest']:.2%} to {e['longest']:.2%}) "
                 f"{e['rotation']:8.4f} deg/m {e['ate']:6.3f} m {e['orientation']:6.3f} deg {told}"
             )
 
