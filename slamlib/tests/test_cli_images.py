@@ -289,7 +289,7 @@ def test_a_film_that_fails_does_not_lose_the_run(room, tmp_path, capsys, monkeyp
     monkeypatch.setattr("slambook.scene.window.Window.pixels", lambda window: 1 / 0)
     assert main(words(room, "--frames", "6", "--video", "film.gif", "--json")) == 2
     told = capsys.readouterr()
-    assert "the film cannot be written: division by zero" in json.loads(told.out)["stopped"]
+    assert "the video cannot be written: division by zero" in json.loads(told.out)["stopped"]
     assert "saved after" in told.err
     assert sorted(f.name for f in tmp_path.iterdir()) == ["slamlib-images.npz"]
     (tmp_path / "left").mkdir()
