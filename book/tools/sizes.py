@@ -22,14 +22,14 @@ LONGEST, SHORTEST = 250, 40
 AT_THE_START = 34037  # slamlib, book/report and book/tools when the work on the layout began
 LONG, ALL = f"files over {LONGEST} lines", "slamlib, slambook and book/tools"
 LIMITS = {  # what no change may exceed; one that lowers a figure lowers its limit, until the goal is reached
-    "slamlib, written by hand": 20500,
-    "its core": 11500,
+    "slamlib, written by hand": 19130,
+    "its core": 11100,
     "generated": 12500,
-    ALL: 33450,
-    LONG: 2,
+    ALL: 31370,
+    LONG: 0,
     "units": 24,
     "layers": 12,
-    "imports between units": 145,
+    "imports between units": 140,
 }
 GOALS = {
     "slamlib, written by hand": 17000,
