@@ -136,7 +136,7 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Truth:
-    """Ground truth at one frame: the robots' states, and the sensors' all_extrinsics (7,)."""
+    """Ground truth at one frame: the robots' states, and the sensors' extrinsics (7,)."""
 
     robots: tuple[Array, ...]
     extrinsics: tuple[Array, ...]
