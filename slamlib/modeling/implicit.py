@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.errors import SingularPointError, SlamlibError
-from slamlib.manifolds import Array, Mask
+from slamlib.manifolds import Array
 from slamlib.model import Argument, Formula, Model
 from slamlib.modeling.kernel import common
 
@@ -47,7 +47,8 @@ class Implicit(Formula):
         value, *others = self._bind(args, kwargs)
         x = self._solve(value, *others)
         _, jacobians = self.model.jac(*self._arguments(x, others))
-        inverse = _inverse(jacobians[self.place])
+        matrix = jacobians[self.place]
+        inverse = _solved(matrix, np.broadcast_to(np.eye(value.shape[-1]), matrix.shape), np.nan)
         if (lost := ~np.isfinite(inverse).all((-2, -1))).any():
             first = np.broadcast_to(value, x.shape)[lost][0].tolist()
             raise SingularPointError(f"{self.name} has no derivative at {first}")
@@ -85,7 +86,8 @@ class Implicit(Formula):
         """The last iterate of Newton's method, and whether the model has the given value there."""
         for _ in range(STEPS):
             found, jacobians = self.model.jac(*self._arguments(x, others))
-            step = _newton(jacobians[self.place], value - found)
+            step = _solved(jacobians[self.place], (value - found)[..., None], 0.0)[..., 0]
+            step = np.where(np.isfinite(step).all(-1, keepdims=True), step, 0)  # a singular item is tested at the end
             x = x + step
             if (np.abs(step) <= 1e-15 * (1 + np.abs(x))).all():
                 break
@@ -94,30 +96,15 @@ class Implicit(Formula):
         return x, bool((np.abs(error) <= 1e-10 * scale).all())
 
 
-def _newton(matrix: Array, residual: Array) -> Array:
-    """Newton's step (..., n); zero for items whose matrix (..., n, n) is singular, which are tested at the end."""
+def _solved(matrix: Array, right: Array, otherwise: float) -> Array:
+    """matrix^-1 right for matrices (..., n, n) and right (..., n, k); `otherwise` where the matrix is singular."""
     try:
-        step = np.linalg.solve(matrix, residual[..., None])[..., 0]
+        solution: Any = np.linalg.solve(matrix, right)
     except np.linalg.LinAlgError:
-        safe, regular = _regular(matrix)
-        step = np.where(regular[..., None], np.linalg.solve(safe, residual[..., None])[..., 0], 0)
-    return np.where(np.isfinite(step).all(-1, keepdims=True), step, 0)
-
-
-def _inverse(matrix: Array) -> Array:
-    """The inverses of (..., n, n), not finite where singular."""
-    try:
-        found: Any = np.linalg.inv(matrix)
-    except np.linalg.LinAlgError:
-        safe, regular = _regular(matrix)
-        found = np.where(regular[..., None, None], np.linalg.inv(safe), np.nan)
-    return found
-
-
-def _regular(matrix: Array) -> tuple[Array, Mask]:
-    """The matrices (..., n, n) with the identity for singular ones, and the mask of the regular ones."""
-    regular = np.asarray(np.linalg.matrix_rank(matrix) == matrix.shape[-1])
-    return np.where(regular[..., None, None], matrix, np.eye(matrix.shape[-1])), regular
+        regular = (np.linalg.matrix_rank(matrix) == matrix.shape[-1])[..., None, None]
+        safe = np.where(regular, matrix, np.eye(matrix.shape[-1]))
+        solution = np.where(regular, np.linalg.solve(safe, right), otherwise)
+    return solution
 
 
 def _times(matrix: Array, jacobian: Array, axes: int) -> Array:
