@@ -1,9 +1,11 @@
 """Errors for misuse: each message says what is wrong and what to do."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
 from importlib import import_module
-from typing import Any
+from typing import Any, TypeVar
+
+T = TypeVar("T")
 
 
 class SlamlibError(Exception):
@@ -56,6 +58,13 @@ class UnknownNameError(SlamlibError):
         near = get_close_matches(str(name), choices, n=1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
         return cls(f"unknown {what} {name!r}{hint} Known: {', '.join(choices)}")
+
+
+def entry(what: str, name: str, table: Mapping[str, T]) -> T:
+    """The value of this name in a table; raises UnknownNameError, which calls the name a `what`."""
+    if name not in table:
+        raise UnknownNameError.of(what, name, table)
+    return table[name]
 
 
 class UnknownCallError(UnknownNameError, AttributeError):

@@ -2,9 +2,7 @@
 
 import argparse
 import difflib
-import importlib
 import os
-import pkgutil
 import subprocess
 import sys
 import tempfile
@@ -18,10 +16,11 @@ import slamlib
 from slamlib.codegen.check import random_point
 from slamlib.codegen.emit import module
 from slamlib.data.files import write_whole
-from slamlib.errors import UnknownNameError
+from slamlib.errors import entry
 from slamlib.model import FORMULA_PARTS, Model
 from slamlib.modeling.in_memory import load
 from slamlib.modeling.numerical import scaled_differences
+from slamlib.modeling.registry import modules_of
 
 PACKAGE = Path(slamlib.__file__).parent
 TARGET = PACKAGE / "generated"
@@ -32,13 +31,10 @@ def models() -> dict[str, list[Model]]:
     """The models of each formula module, by the module's path in the package: 'geometry/pose.py'."""
     found: dict[str, list[Model]] = {}
     for part in FORMULA_PARTS:
-        if not (PACKAGE / part).is_dir():
-            continue
-        for info in pkgutil.iter_modules([str(PACKAGE / part)]):
-            loaded = importlib.import_module(f"slamlib.{part}.{info.name}")
+        for loaded in modules_of(f"slamlib.{part}"):
             own = [v for v in vars(loaded).values() if isinstance(v, Model) and v.module == loaded.__name__]
             if own:
-                found[f"{part}/{info.name}.py"] = own
+                found[f"{part}/{loaded.__name__.split('.')[-1]}.py"] = own
     return found
 
 
@@ -46,12 +42,7 @@ def generate(only: Collection[str] = ()) -> dict[str, str]:
     """Text of every generated file, or of the modules `only`, by its path below slamlib/generated."""
     files = {"__init__.py": HEADER}
     known = models()
-    for path in only:
-        if path not in known:
-            raise UnknownNameError.of("module with models", path, known)
-    for path, own in known.items():
-        if only and path not in only:
-            continue
+    for path, own in {path: entry("module with models", path, known) for path in only or known}.items():
         print(f"  {path}: {len(own)} models", file=sys.stderr)
         files[f"{path.split('/')[0]}/__init__.py"] = HEADER
         files[path] = module(own, f"slamlib/{path}")

@@ -14,7 +14,7 @@ from operator import ge, gt, le, lt
 from types import NoneType, UnionType
 from typing import Annotated, Any, Self, TypeVar, Union, get_args, get_origin, get_type_hints
 
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, UnknownNameError, entry
 
 T = TypeVar("T")
 _hints = cache(lambda kind: get_type_hints(kind, include_extras=True))
@@ -100,10 +100,8 @@ def read_fields(kind: type, data: Any, path: str = "") -> dict[str, Any]:
     path, hints = path or kind.__name__, _hints(kind)
     if not isinstance(data, dict):
         _refuse(path, "values by name", data)
-    for name in data:
-        if name not in hints:
-            raise UnknownNameError.of(f"key of {path}", name, hints)
-    return {name: _read(hints[name], value, f"{path}.{name}") for name, value in data.items()}
+    known = {name: entry(f"key of {path}", name, hints) for name in data}
+    return {name: _read(hint, data[name], f"{path}.{name}") for name, hint in known.items()}
 
 
 def check(value: Any) -> None:

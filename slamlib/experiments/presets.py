@@ -16,7 +16,7 @@ from slamlib.data.files import write_whole
 from slamlib.data.plain import Plain
 from slamlib.data.records import Frame, Truth, World
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, entry
 from slamlib.sensors.scaramuzza import polynomials
 from slamlib.simulation import Faults, join, simulate, world
 from slamlib.slam import Options, Slam
@@ -170,6 +170,4 @@ PRESETS: dict[str, Callable[[], Preset]] = {
 
 def preset(name: str) -> Preset:
     """The preset of this name. Raises UnknownNameError."""
-    if name not in PRESETS:
-        raise UnknownNameError.of("preset", name, PRESETS)
-    return PRESETS[name]()
+    return entry("preset", name, PRESETS)()

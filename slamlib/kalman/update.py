@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
+from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, entry
 from slamlib.kalman import linalg
 from slamlib.kalman.state import Retraction, StateLayout
 from slamlib.manifolds import Array, Indices, finite, numbers
@@ -114,11 +114,10 @@ class StackedMeasurements:
 
     def solve(self, method: str, HP: Array, S: Array) -> tuple[Array, Array, float]:
         """Step, rows W and nis by the method of this name: "batch" or "scalar"."""
-        if method not in _METHODS:
-            raise UnknownNameError.of("method", method, _METHODS)
+        function = entry("method", method, _METHODS)
         linalg.check_overflow("update", S)
         try:
-            return _METHODS[method](HP, self.H, self.touched, S, self.R, self.z)
+            return function(HP, self.H, self.touched, S, self.R, self.z)
         except CovarianceError as error:
             which = self._certain(self.R if method == "scalar" else S)
             raise CovarianceError(

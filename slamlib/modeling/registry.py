@@ -4,9 +4,16 @@ import importlib
 import pkgutil
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from types import ModuleType
 from typing import Any
 
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, entry
+
+
+def modules_of(package: str) -> Iterator[ModuleType]:
+    """The modules in a package's folder, imported one after the other, in the order of their names."""
+    for info in pkgutil.iter_modules(importlib.import_module(package).__path__):
+        yield importlib.import_module(f"{package}.{info.name}")
 
 
 class Registry(Mapping[str, Any]):
@@ -18,8 +25,7 @@ class Registry(Mapping[str, Any]):
     @cached_property
     def _values(self) -> dict[str, Any]:
         found: dict[str, Any] = {}
-        for info in pkgutil.iter_modules(importlib.import_module(self.package).__path__):
-            module = importlib.import_module(f"{self.package}.{info.name}")
+        for module in modules_of(self.package):
             for value in vars(module).values():
                 if isinstance(value, self.kind):
                     name = value.name  # type: ignore[attr-defined]
@@ -28,9 +34,7 @@ class Registry(Mapping[str, Any]):
         return found
 
     def __getitem__(self, name: str) -> Any:
-        if name not in self._values:
-            raise UnknownNameError.of(self.what, name, self._values)
-        return self._values[name]
+        return entry(self.what, name, self._values)
 
     def __contains__(self, name: object) -> bool:
         return name in self._values

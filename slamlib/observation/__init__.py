@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from slamlib.errors import UnknownNameError
+from slamlib.errors import entry
 from slamlib.modeling.registry import Registry
 from slamlib.observation.family import Family
 
@@ -14,6 +14,4 @@ FAMILIES = Registry(__name__, Family, "family")
 def parametrization(name: str) -> Any:
     """The parametrization of this name, of any family: 'ahmPnt', 'plkLin', ... Raises UnknownNameError."""
     known = {kind: value for family in FAMILIES.values() for kind, value in family.parametrizations.items()}
-    if name not in known:
-        raise UnknownNameError.of("landmark", name, known)
-    return known[name]
+    return entry("landmark", name, known)

@@ -10,7 +10,7 @@ import numpy as np
 
 from slamlib.data.records import Control, Frame, Truth, World
 from slamlib.data.setup import Rig, RobotSetup
-from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
+from slamlib.errors import ShapeError, SlamlibError, entry
 from slamlib.manifolds import Array, finite, numbers, read_only_copy
 from slamlib.simulation.draws import Streams, drawn, root, streams
 from slamlib.simulation.sensors import Faults, SimulatedSensor
@@ -88,8 +88,7 @@ def simulate(
         raise SlamlibError(f"simulate: frames is a whole number, 0 or more, got {frames}")
     if not 0 < dt < np.inf:
         raise SlamlibError(f"simulate: dt is a time above zero [s], got {dt}")
-    if noise_in not in NOISE_IN:
-        raise UnknownNameError.of("noise_in", noise_in, NOISE_IN)
+    shares = entry("noise_in", noise_in, NOISE_IN)
     given: Sequence[Any] = [None] * len(rig.robots) if controls is None else controls
     if len(given) != len(rig.robots):
         raise SlamlibError(
@@ -98,7 +97,7 @@ def simulate(
         )
     own, seen = streams(rng, len(rig.robots) + len(rig.sensors)), world if occlusion else World(world.features)
     robots = [
-        SimulatedRobot(setup, _plan(control, setup, frames), NOISE_IN[noise_in], stream)
+        SimulatedRobot(setup, _plan(control, setup, frames), shares, stream)
         for setup, control, stream in zip(rig.robots, given, own, strict=False)
     ]
     sensors = [

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.data.records import Features, World
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Array, numbers
 
 QUARTER = np.array([[0.0, 1.0], [-1.0, 0.0]])  # rows times this: a quarter turn to the left
@@ -141,9 +141,7 @@ WORLDS: dict[str, Callable[..., World]] = {
 
 def world(name: str, **arguments: Any) -> World:
     """The world of this name, as the toolbox spells it: world("thickCloister", n=7). Raises SlamlibError."""
-    if name not in WORLDS:
-        raise UnknownNameError.of("world", name, WORLDS)
-    function = WORLDS[name]
+    function = entry("world", name, WORLDS)
     try:
         inspect.signature(function).bind(**arguments)
     except TypeError as error:

@@ -12,7 +12,7 @@ from slamlib.belief import Belief
 from slamlib.data.records import Control, Frame, Scan
 from slamlib.data.setup import Rig
 from slamlib.data.snapshots import Snapshot
-from slamlib.errors import SingularPointError, SlamlibError, UnknownNameError
+from slamlib.errors import SingularPointError, SlamlibError, entry
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.observation import FAMILIES, Family
@@ -130,9 +130,8 @@ class Slam:
                 )
         for sensor, scan in zip(self.sensors, frame.scans, strict=True):
             for name, features in scan.features.items():
-                if name not in self.families:
-                    raise UnknownNameError.of("family of features", name, self.families)
-                size, given = self.families[name].size(sensor.calibration), features.values.shape[1]
+                family = entry("family of features", name, self.families)
+                size, given = family.size(sensor.calibration), features.values.shape[1]
                 if given != size and len(features):
                     raise SlamlibError(
                         f"frame {frame.number}: {sensor.name} measures {size} numbers for each of {name}, got {given}"
