@@ -139,7 +139,8 @@ class Product:
         self._stored, self._tangent = _ranges([p.size for p in parts]), _ranges([p.dof for p in parts])
         self.size, self.dof = self._stored[-1].stop, self._tangent[-1].stop
 
-    def _split(self, vector: Array, dof: bool) -> list[Array]:
+    def split(self, vector: Array, dof: bool = False) -> list[Array]:
+        """The parts' pieces of a point (..., size); dof: of a tangent vector (..., dof)."""
         numbers = np.asarray(vector)
         return [numbers[..., at] for at in (self._tangent if dof else self._stored)]
 
@@ -153,20 +154,20 @@ class Product:
         """Move each part by its piece of `step`; shapes (..., size), (..., dof)."""
         self._size(point, self.size, "point")
         self._size(step, self.dof, "step")
-        pieces = zip(self.parts, self._split(point, False), self._split(step, True), strict=True)
+        pieces = zip(self.parts, self.split(point), self.split(step, dof=True), strict=True)
         return self._join([part.plus(x, d) for part, x, d in pieces])
 
     def minus(self, point: Array, origin: Array) -> Array:
         """Return the tangent vector from `origin` to `point`; shapes (..., size) each."""
         self._size(point, self.size, "point")
         self._size(origin, self.size, "origin")
-        pieces = zip(self.parts, self._split(point, False), self._split(origin, False), strict=True)
+        pieces = zip(self.parts, self.split(point), self.split(origin), strict=True)
         return self._join([part.minus(x, y) for part, x, y in pieces])
 
     def check(self, point: Array, what: str) -> None:
         """Check each part."""
-        for part, at in zip(self.parts, self._stored, strict=True):
-            part.check(point[..., at], what)
+        for part, piece in zip(self.parts, self.split(point), strict=True):
+            part.check(piece, what)
 
     def random(self, rng: np.random.Generator) -> Array:
         """Draw each part independently."""

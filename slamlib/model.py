@@ -178,9 +178,6 @@ class Model(Formula):
         value, *jacobians = self._evaluate(kind, self._bind(args, kwargs))
         return value, self._jacobians(*jacobians)
 
-    def _fitting(self, arguments: list[Array]) -> "Model":
-        return self.shortened(*(a.fitting(v).size for a, v in zip(self.arguments, arguments, strict=True)))
-
     @functools.cache  # noqa: B019 - models live as long as their module
     def shortened(self, *sizes: int) -> "Model":
         """The model for shorter lists of coefficients, with `sizes` of all arguments: the omitted ones are zero."""
@@ -221,7 +218,8 @@ class Model(Formula):
         if found is None:
             for argument, value in zip(self.arguments, arguments, strict=True):
                 argument.check(value, self.name)
-            short = self._fitting(arguments) if self._may_be_shorter else self
+            sizes = (a.fitting(v).size for a, v in zip(self.arguments, arguments, strict=True))
+            short = self.shortened(*sizes) if self._may_be_shorter else self
             found = kernel(arguments) if short is self else short._evaluate(kind, arguments)
         return found
 

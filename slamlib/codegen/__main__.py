@@ -93,21 +93,21 @@ def check() -> list[str]:
 
 
 def _problem(path: str, committed: str | None, one: str | None, two: str | None) -> str | None:
-    """Compare a file's committed text with what two runs generate; None if it is current."""
+    """What is wrong with a file's committed text, as two runs generate it; None if it is current.
+
+    Current is the same text, or under another sympy version the same numbers to 1e-12.
+    """
     if one != two:
         return f"{path}: the text depends on the hash seed\n{_diff(path, one or '', two or '')}"
     if one is None:
         return f"{path}: no model stands behind it; run `make generate`"
-    return f"{path}: missing; run `make generate`" if committed is None else _compare(path, committed, one)
-
-
-def _compare(path: str, committed: str, fresh: str) -> str | None:
-    """None if the file is current: the same text, or under another sympy version the same numbers to 1e-12."""
-    if committed == fresh:
+    if committed is None:
+        return f"{path}: missing; run `make generate`"
+    if committed == one:
         return None
     if f"(sympy {sympy.__version__})" in committed or path.endswith("__init__.py"):
-        return f"{path}: not what the models give; run `make generate`\n{_diff(path, committed, fresh)}"
-    old, new = load(committed, f"<committed {path}>"), load(fresh, f"<generated {path}>")
+        return f"{path}: not what the models give; run `make generate`\n{_diff(path, committed, one)}"
+    old, new = load(committed, f"<committed {path}>"), load(one, f"<generated {path}>")
     if old.DIGESTS != new.DIGESTS:
         return f"{path}: the definitions have changed; run `make generate`"
     rng = np.random.default_rng(1)

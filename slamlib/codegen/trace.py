@@ -148,7 +148,7 @@ def run(model: Model, symbols: list[Symbols]) -> Symbols:
 def lift(manifold: Any, point: Symbols) -> sympy.Matrix:
     """d plus(point, step) / d step at step = 0, (size, dof): how stored numbers move with the tangent vector."""
     if isinstance(manifold, Product):
-        return sympy.diag(*map(lift, manifold.parts, _pieces(manifold, point)))
+        return sympy.diag(*map(lift, manifold.parts, manifold.split(point)))
     if manifold.dof == manifold.size:
         return sympy.eye(manifold.size)
     step = _vector("step", manifold.dof)
@@ -159,14 +159,10 @@ def lift(manifold: Any, point: Symbols) -> sympy.Matrix:
 def local(manifold: Any, point: Symbols) -> sympy.Matrix:
     """d minus(other, point) / d other at other = point, (dof, size): the tangent vector of a change in storage."""
     if isinstance(manifold, Product):
-        return sympy.diag(*map(local, manifold.parts, _pieces(manifold, point)))
+        return sympy.diag(*map(local, manifold.parts, manifold.split(point)))
     if manifold.dof == manifold.size:
         return sympy.eye(manifold.size)
     here, other = _vector("here", manifold.size), _vector("other", manifold.size)
     step = sympy.Matrix(manifold.minus.definition(other, here).tolist())
     at_here = step.jacobian(other.tolist()).subs(dict(zip(other, here, strict=True)))
     return at_here.applyfunc(sympy.simplify).subs(dict(zip(here, point, strict=True)))
-
-
-def _pieces(manifold: Product, point: Symbols) -> list[Symbols]:
-    return np.split(point, np.cumsum([p.size for p in manifold.parts])[:-1])

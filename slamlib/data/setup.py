@@ -75,10 +75,7 @@ class RobotSetup:
 
     def _of_control(self, values: Numbers, what: str) -> Array:
         size = self.model.control
-        numbers = finite(values or (0.0,) * size, (size,), self.name, what).copy()
-        angles = [i for i in self.model.angles if i < size]
-        numbers[angles] = np.radians(numbers[angles])
-        return numbers
+        return _mixed(values or (0.0,) * size, self.name, what, size, self.model.angles)
 
 
 @dataclass(frozen=True)
@@ -169,7 +166,7 @@ def _pose_std(position: Numbers, orientation: Numbers) -> Array:
     return np.concatenate([np.broadcast_to(np.asarray(s, float), (3,)) for s in (position, np.radians(orientation))])
 
 
-def _mixed(values: Numbers, name: str, what: str) -> Array:
-    """Six numbers, the last three converted from degrees to radians."""
-    numbers = finite(values, (6,), name, what)
-    return np.concatenate([numbers[:3], np.radians(numbers[3:])])
+def _mixed(values: Numbers, name: str, what: str, size: int = 6, angles: tuple[int, ...] = (3, 4, 5)) -> Array:
+    """Numbers (size,), of which those at `angles` are converted from degrees to radians."""
+    numbers = finite(values, (size,), name, what)
+    return np.where(np.isin(np.arange(size), angles), np.radians(numbers), numbers)

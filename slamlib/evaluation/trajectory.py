@@ -95,22 +95,19 @@ def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) ->
     except ValueError as error:
         raise SlamlibError(f"{path} is no trajectory: its rows are not numbers, as many in each: {error}") from None
     width = rows.shape[1] if rows.ndim == 2 else 0
-    own: Array | None = None
     if with_commas and width >= 8:
-        own, poses = 1e-9 * rows[:, 0], rows[:, 1:8]
+        times, poses = 1e-9 * rows[:, 0], rows[:, 1:8]
     elif width == 8:
-        own, poses = rows[:, 0], rows[:, [1, 2, 3, 7, 4, 5, 6]]
+        times, poses = rows[:, 0], rows[:, [1, 2, 3, 7, 4, 5, 6]]
     elif width == 12:
         turns = rows.reshape(-1, 3, 4)[..., :3]
         poses = np.concatenate([rows[:, 3::4], from_rotation(turns, best_pivot(turns))], axis=1)
     else:
         raise SlamlibError(f"{path} is no trajectory: rows of 8 (TUM) or 12 numbers (KITTI), or EuRoC's, are wanted")
-    if own is None:
-        if times is None or len(times) != len(poses):
-            given = "give them, times=..." if times is None else f"{len(times)} are given: as many are wanted"
-            raise SlamlibError(f"{path} has {len(poses)} poses, but no times (KITTI's form): {given}")
-        own = times
-    return Trajectory(own, poses)
+    if times is None or len(times) != len(poses):
+        given = "give them, times=..." if times is None else f"{len(times)} are given: as many are wanted"
+        raise SlamlibError(f"{path} has {len(poses)} poses, but no times (KITTI's form): {given}")
+    return Trajectory(times, poses)
 
 
 def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tuple[Indices, Indices]:

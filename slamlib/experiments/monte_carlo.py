@@ -68,11 +68,11 @@ def monte_carlo(
     keep = None if folder is None else Path(folder)
     if keep:
         keep.mkdir(parents=True, exist_ok=True)
-    rows = progress(_each(preset, runs, seed, jobs, keep), runs, f"{preset.name}, {runs} runs")
-    return Experiment(preset, *map(np.array, zip(*rows, strict=True)))
+    rows = list(progress(_each(preset, runs, seed, jobs, keep), runs, f"{preset.name}, {runs} runs"))
+    return Experiment(preset, **{name: np.array([row[name] for row in rows]) for name in NAMES})
 
 
-def _each(preset: Preset, runs: int, seed: int, jobs: int | None, folder: Path | None) -> Iterator[tuple[Array, ...]]:
+def _each(preset: Preset, runs: int, seed: int, jobs: int | None, folder: Path | None) -> Iterator[dict[str, Any]]:
     """Yield the rows of all runs, in their order, as they finish."""
     seeds = [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(seed).spawn(runs)]
     if jobs == 1:
@@ -83,38 +83,34 @@ def _each(preset: Preset, runs: int, seed: int, jobs: int | None, folder: Path |
     yield from rows(joblib.delayed(run_once)(preset, s, folder) for s in seeds)
 
 
-def run_once(preset: Preset, seed: int, folder: Path | None = None) -> tuple[Array, ...]:
-    """One run's row, from its file if there is one."""
+def run_once(preset: Preset, seed: int, folder: Path | None = None) -> dict[str, Any]:
+    """One run's row, each number by its name in Experiment, from its file if there is one."""
     plain = json.dumps(replace(preset, seed=0).to_dict(), sort_keys=True)
     digest = hashlib.sha256(plain.encode()).hexdigest()[:12]
     path = None if folder is None else folder / f"{preset.name}-{digest}-{seed}.npz"
     if path and path.is_file():
         with np.load(path) as file:
-            return tuple(file[name] for name in NAMES)
+            return dict(file)
     row = _row(preset, seed)
     if path:
         with atomic_write(path) as partial, partial.open("wb") as stream:
-            arrays: dict[str, Any] = dict(zip(NAMES, row, strict=True))
-            np.savez_compressed(stream, **arrays)
+            np.savez_compressed(stream, **row)
     return row
 
 
-def _row(preset: Preset, seed: int) -> tuple[Array, ...]:
+def _row(preset: Preset, seed: int) -> dict[str, Any]:
     result = Run(preset, seed).finish()
     away = np.concatenate([*result.map_errors.values()])
     away = away[np.isfinite(away)]
-    return tuple(
-        np.asarray(value)
-        for value in (
-            result.nees,
-            np.linalg.norm(result.errors[:, :, :3], axis=-1),
-            np.linalg.norm(result.sigmas[:, :, :3], axis=-1),
-            result.nis,
-            result.nis_dof,
-            result.landmarks[-1],
-            result.initialized,
-            result.deleted,
-            np.median(result.seconds),
-            np.median(away) if len(away) else np.nan,
-        )
-    )
+    return {
+        "nees": result.nees,
+        "errors": np.linalg.norm(result.errors[:, :, :3], axis=-1),
+        "sigmas": np.linalg.norm(result.sigmas[:, :, :3], axis=-1),
+        "nis": result.nis,
+        "nis_dof": result.nis_dof,
+        "landmarks": result.landmarks[-1],
+        "initialized": result.initialized,
+        "deleted": result.deleted,
+        "seconds": np.median(result.seconds),
+        "map_error": np.median(away) if len(away) else np.nan,
+    }

@@ -29,15 +29,12 @@ class LinearizedMeasurement:
     innovation: Array
     noise: Array
 
-    def checked_innovation(self, function: str, name: str) -> Array:
-        """Return the innovation, checked to be one or more finite numbers."""
-        z = numbers(self.innovation, function, f"innovation{name}")
+    def checked_innovation(self, function: str, what: str) -> Array:
+        """Return the innovation, checked to be one or more finite numbers; errors call it `what`."""
+        z = numbers(self.innovation, function, what)
         if z.ndim != 1 or not z.size:
-            shape = z.shape
-            raise ShapeError(
-                f"{function}: innovation{name} should have shape (m,), m at least 1, but has shape {shape}"
-            )
-        return finite(z, z.shape, function, f"innovation{name}")
+            raise ShapeError(f"{function}: {what} should have shape (m,), m at least 1, but has shape {z.shape}")
+        return finite(z, z.shape, function, what)
 
     def checked_jacobians(self, rows: int, function: str, name: str = "") -> list[Array]:
         """Return the Jacobians, one a block, each checked to be (rows, dof of its block) and finite."""
@@ -88,7 +85,7 @@ class StackedMeasurements:
         for i, measurement in enumerate(measurements):
             own(measurement.blocks)
             name = f" of measurement {i}" if len(measurements) > 1 else ""
-            z = measurement.checked_innovation(function, name)
+            z = measurement.checked_innovation(function, f"innovation{name}")
             key = (id(measurement.noise), len(z))
             if key not in noises:
                 noises[key] = linalg.covariance(measurement.noise, len(z), function, f"R{name}")

@@ -34,10 +34,10 @@ class Kernel:
         stops = np.cumsum([0, *map(math.prod, shapes)]).tolist()
         self.pieces = [slice(a, b) for a, b in pairwise(stops)]
         self.single_shapes = [a.shape for a in arguments]
-        manifolds = [
-            (i, a.name, a.manifold) for i, a in enumerate(arguments) if a.is_manifold and a.manifold is not None
+        pairs = enumerate(arguments)
+        self.points = [
+            (i, a.manifold, f"{name}: argument '{a.name}'") for i, a in pairs if a.is_manifold and a.manifold
         ]
-        self.points = [(i, manifold, f"{name}: argument '{argument}'") for i, argument, manifold in manifolds]
         self.written: list[int] | None = None
 
     def single(self, arguments: list[Array]) -> list[Array] | None:

@@ -92,17 +92,10 @@ def load(path: str | Path) -> Recording:
         names = [x for x in FAMILIES if f"world.{x}.ids" in arrays]  # all families that there were when it was written
         seen = {x: Features(arrays[f"world.{x}.ids"], arrays[f"world.{x}.values"]) for x in names}
         world = World(seen, arrays["world.faces"])
-        controls = [_to_controls(arrays, f"robot{i}") for i in range(len(rig.robots))]
-        scans = [{x: _to_features(arrays, f"sensor{j}.{x}") for x in names} for j in range(len(rig.sensors))]
-        frames = tuple(
-            Frame(
-                int(number),
-                float(dt),
-                tuple(robot[row] for robot in controls),
-                tuple(Scan({x: features[row] for x, features in scan.items()}) for scan in scans),
-            )
-            for row, (number, dt) in enumerate(zip(arrays["number"], arrays["dt"], strict=True))
-        )
+        controls = zip(*(_to_controls(arrays, f"robot{i}") for i in range(len(rig.robots))), strict=True)
+        scans = zip(*(_to_scans(arrays, f"sensor{j}", names) for j in range(len(rig.sensors))), strict=True)
+        rows = zip(arrays["number"].tolist(), arrays["dt"].tolist(), controls, scans, strict=True)
+        frames = tuple(Frame(*row) for row in rows)
         truths: list[Truth | None] = [None] * len(frames)
         if header["truth"]:
             states = zip(*(arrays[f"truth.robot{i}"] for i in range(len(rig.robots))), strict=True)
@@ -150,6 +143,9 @@ def _to_controls(arrays: Arrays, name: str) -> list[Control | None]:
     return [None if np.isnan(value).all() else Control(value, noise) for value, noise in rows]
 
 
-def _to_features(arrays: Arrays, name: str) -> list[Features]:
-    first, ids, values = (arrays[f"{name}.{part}"] for part in ("first", "ids", "values"))
-    return [Features(ids[a:b], values[a:b]) for a, b in pairwise(first)]
+def _to_scans(arrays: Arrays, sensor: str, families: list[str]) -> list[Scan]:
+    seen = []
+    for x in families:
+        first, ids, values = (arrays[f"{sensor}.{x}.{part}"] for part in ("first", "ids", "values"))
+        seen.append([Features(ids[a:b], values[a:b]) for a, b in pairwise(first)])
+    return [Scan(dict(zip(families, features, strict=True))) for features in zip(*seen, strict=True)]

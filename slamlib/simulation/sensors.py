@@ -22,7 +22,8 @@ from slamlib.simulation.occlusion import hidden, longest_seen
 if TYPE_CHECKING:
     from slamlib.sensors.sensor import Calibration
 
-TRIES = 1000
+TRIES = 1000  # of a false measurement
+DIRECTIONS = 4096  # in which the extent of all measurements is found
 Share = Annotated[float, Range(ge=0, le=1)]
 
 
@@ -49,7 +50,19 @@ class Clutter:
     def __init__(self, calibration: "Calibration", reach: float) -> None:
         self.calibration = calibration
         self.unmeasured = [np.array([1 / reach])] * calibration.sensor.unmeasured
-        self.low, self.high = _box(calibration, reach)
+        # bounds (m,) of what it measures of points in all directions, a tenth to the whole of `reach` [m] away
+        rng = np.random.default_rng(0)
+        rays = rng.standard_normal((DIRECTIONS, 3))
+        rays /= np.linalg.norm(rays, axis=1, keepdims=True)
+        points = np.column_stack([rays, 1 / (reach * rng.uniform(0.1, 1, DIRECTIONS))])
+        values = calibration.project(points[calibration.visible(points)])
+        values = values[calibration.inside(values)]
+        if not len(values):
+            name = calibration.sensor.name
+            raise SlamlibError(f"a {name} sees nothing within {reach:g} m, so it has no outliers either")
+        self.low, self.high = values.min(0), values.max(0)
+        if calibration.image is not None:
+            self.low[:2], self.high[:2] = 0, calibration.image
 
     def draw(self, rng: np.random.Generator) -> Array:
         """Draw one measurement (m,). Raises SlamlibError if none is found."""
@@ -59,22 +72,6 @@ class Clutter:
                 if self.calibration.visible(self.calibration.back_project_jac(measurement, *self.unmeasured)[0]):
                     return measurement
         raise SlamlibError(f"of {TRIES} random measurements of a {self.calibration.sensor.name} none is a possible one")
-
-
-def _box(calibration: "Calibration", reach: float, count: int = 4096) -> tuple[Array, Array]:
-    """Bounds (m,), (m,) of its measurements of points in all directions, a tenth to the whole of `reach` [m] away."""
-    rng = np.random.default_rng(0)
-    rays = rng.standard_normal((count, 3))
-    rays /= np.linalg.norm(rays, axis=1, keepdims=True)
-    points = np.column_stack([rays, 1 / (reach * rng.uniform(0.1, 1, count))])
-    values = calibration.project(points[calibration.visible(points)])
-    values = values[calibration.inside(values)]
-    if not len(values):
-        raise SlamlibError(f"a {calibration.sensor.name} sees nothing within {reach:g} m, so it has no outliers either")
-    low, high = values.min(0), values.max(0)
-    if calibration.image is not None:
-        low[:2], high[:2] = 0, calibration.image
-    return low, high
 
 
 def swapped(ids: Indices, rate: float, rng: np.random.Generator) -> Indices:

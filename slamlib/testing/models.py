@@ -109,6 +109,5 @@ def _single(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> Non
 def _onto(manifold: Any, value: Array) -> Array:
     """A value rounded to single precision, put back onto its space: the rounded quaternion of unit length."""
     if isinstance(manifold, Product):
-        stops = np.cumsum([part.size for part in manifold.parts])[:-1]
-        return np.concatenate([_onto(p, v) for p, v in zip(manifold.parts, np.split(value, stops), strict=True)])
+        return np.concatenate(list(map(_onto, manifold.parts, manifold.split(value))))
     return value / np.linalg.norm(value) if manifold is not None and manifold.dof < manifold.size else value
