@@ -1,8 +1,8 @@
 """The spaces of arguments: arrays and their checks, vectors, and manifolds whose stored size and dof differ."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from itertools import accumulate
+from itertools import accumulate, pairwise
 from typing import Any, Protocol, TypeAlias, TypeVar
 
 import numpy as np
@@ -136,7 +136,7 @@ class Product:
 
     def __init__(self, name: str, *parts: Manifold) -> None:
         self.name, self.parts = name, parts
-        self._stored, self._tangent = _ranges([p.size for p in parts]), _ranges([p.dof for p in parts])
+        self._stored, self._tangent = ranges(p.size for p in parts), ranges(p.dof for p in parts)
         self.size, self.dof = self._stored[-1].stop, self._tangent[-1].stop
 
     def split(self, vector: Array, dof: bool = False) -> list[Array]:
@@ -181,9 +181,9 @@ class Product:
         return self.name
 
 
-def _ranges(sizes: list[int]) -> list[slice]:
+def ranges(sizes: Iterable[int]) -> list[slice]:
     """The slices of parts of these sizes, one after the other."""
-    return [slice(end - size, end) for size, end in zip(sizes, accumulate(sizes), strict=True)]
+    return [slice(*stops) for stops in pairwise(accumulate(sizes, initial=0))]
 
 
 def as_manifold(spec: "int | Manifold") -> Manifold:

@@ -2,13 +2,12 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
-from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slamlib.manifolds import Array, Euclidean, Manifold, finite, read_only, read_only_copy
+from slamlib.manifolds import Array, Euclidean, Manifold, finite, ranges, read_only, read_only_copy
 
 
 class Block:
@@ -69,8 +68,8 @@ class StateLayout:
         dofs = np.array([block.dof for block in blocks], dtype=int)
         self.rows = np.flatnonzero(np.repeat(np.array(are_vectors, dtype=bool), dofs))
         self.flat = read_only(np.concatenate([np.zeros(0), *(block.mean for block in vectors)]))
-        for block, rows in zip(vectors, pairwise(accumulate((v.dof for v in vectors), initial=0)), strict=True):
-            block.bind(self, slice(*rows))
+        for block, rows in zip(vectors, ranges(v.dof for v in vectors), strict=True):
+            block.bind(self, rows)
 
     def retract(self, step: Array, retraction: Retraction | None = None) -> tuple[Array, list[Array]]:
         """Return the vectors' means and each point's after a step (size of the covariance,); nothing is changed yet.

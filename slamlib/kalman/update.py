@@ -8,7 +8,6 @@ product of many rows costs far less than many products of two rows.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import accumulate, pairwise
 from typing import Any
 
 import numpy as np
@@ -17,7 +16,7 @@ from numpy.typing import ArrayLike
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, entry
 from slamlib.kalman import linalg
 from slamlib.kalman.state import Retraction, StateLayout
-from slamlib.manifolds import Array, Indices, finite, numbers
+from slamlib.manifolds import Array, Indices, finite, numbers, ranges
 
 
 @dataclass(frozen=True)
@@ -95,14 +94,14 @@ class StackedMeasurements:
                 if block not in columns:
                     columns[block] = end
                     end += block.dof
-        stops = [0, *accumulate(map(len, innovations))]
-        H, R = np.zeros((stops[-1], end)), np.zeros((stops[-1],) * 2)
-        for measurement, each, (start, stop) in zip(measurements, jacobians, pairwise(stops), strict=True):
-            R[start:stop, start:stop] = noises[id(measurement.noise), stop - start]
+        z = np.concatenate(innovations)
+        H, R = np.zeros((len(z), end)), np.zeros((len(z), len(z)))
+        for measurement, each, rows in zip(measurements, jacobians, ranges(map(len, innovations)), strict=True):
+            R[rows, rows] = noises[id(measurement.noise), rows.stop - rows.start]
             for block, J in zip(measurement.blocks, each, strict=True):
-                H[start:stop, columns[block] : columns[block] + block.dof] += J
+                H[rows, columns[block] : columns[block] + block.dof] += J
         touched = np.concatenate([np.arange(b.start, b.start + b.dof) for b in columns])
-        return cls(np.concatenate(innovations), H, R, touched, measurements)
+        return cls(z, H, R, touched, measurements)
 
     def innovation_covariance(self, HP: Array) -> Array:
         """S = H P H' + R, exactly symmetric, from H P over all columns."""

@@ -7,14 +7,13 @@ those of each Jacobian, row by row. Entries that are constant are Python integer
 import math
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache
-from itertools import pairwise
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from slamlib.errors import ShapeError, SingularPointError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, ranges
 
 if TYPE_CHECKING:
     from slamlib.model import Argument
@@ -31,8 +30,7 @@ class Kernel:
         self, function: Callable[..., Any], name: str, arguments: list["Argument"], shapes: list[Shape]
     ) -> None:
         self.function, self.name, self.arguments, self.shapes = function, name, arguments, shapes
-        stops = np.cumsum([0, *map(math.prod, shapes)]).tolist()
-        self.pieces = [slice(a, b) for a, b in pairwise(stops)]
+        self.pieces = ranges(map(math.prod, shapes))
         self.single_shapes = [a.shape for a in arguments]
         pairs = enumerate(arguments)
         self.points = [

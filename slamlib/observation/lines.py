@@ -33,7 +33,7 @@ def observe_line(
     _check_lines(calibration, f"observe {kind.name}")
     camera, by_camera = compose.jac(robot, extrinsics)
     line, by_frame = kind.to_frame.jac(camera, landmarks)
-    value, J = _image_line(calibration, line)
+    value, J = image_line(calibration, line)
     by_pose = J[0] @ by_frame.pose
     parts = {
         "robot": by_pose @ by_camera.outer,
@@ -105,7 +105,7 @@ def undistort_segments(calibration: Calibration, segment: Array) -> tuple[Array,
     rays, by_pixels = rays_of(calibration, segment)
     lead = segment.shape[:-1]
     points = np.concatenate([rays.reshape(*lead, 2, 3), np.ones((*lead, 2, 1))], axis=-1)
-    ideal, J = calibration.sensor.project.jac(points, **_without_distortion(calibration))
+    ideal, J = calibration.sensor.project.jac(points, **without_distortion(calibration))
     by = np.zeros((*lead, 4, 6))
     by[..., :2, :3], by[..., 2:, 3:] = J.point[..., 0, :, :3], J.point[..., 1, :, :3]
     return ideal.reshape(*lead, 4), by @ by_pixels
@@ -117,38 +117,43 @@ def distort_segments(calibration: Calibration, segment: Array) -> Array:
         return segment
     endpoints = segment.reshape(*segment.shape[:-1], 2, 2)
     rays = calibration.sensor.back_project(
-        endpoints, np.ones((*endpoints.shape[:-1], 1)), **_without_distortion(calibration)
+        endpoints, np.ones((*endpoints.shape[:-1], 1)), **without_distortion(calibration)
     )
     return calibration.project(rays).reshape(segment.shape)
 
 
-def _without_distortion(calibration: Calibration) -> dict[str, Array]:
-    """The parameters, with the lens's distortion at zero: a line's image does not depend on it."""
+def ideal_parameters(calibration: Calibration) -> dict[str, Array]:
+    """The parameters that project_line takes; the others are the lens's distortion, which lines' images are free of."""
     project_line: Any = calibration.sensor.project_line
-    return {n: v if n in project_line.parameters else np.zeros_like(v) for n, v in calibration.given.items()}
+    return {n: calibration.given[n] for n in project_line.parameters if n in calibration.given}
+
+
+def without_distortion(calibration: Calibration) -> dict[str, Array]:
+    """The parameters, with the lens's distortion at zero."""
+    ideal = ideal_parameters(calibration)
+    return {n: v if n in ideal else np.zeros_like(v) for n, v in calibration.given.items()}
 
 
 def _distorts(calibration: Calibration) -> bool:
-    project_line: Any = calibration.sensor.project_line
-    return any(v.any() for n, v in calibration.given.items() if n not in project_line.parameters)
+    ideal = ideal_parameters(calibration)
+    return any(v.any() for n, v in calibration.given.items() if n not in ideal)
 
 
-def _image_line(calibration: Calibration, line: Array) -> tuple[Array, Any]:
+def image_line(calibration: Calibration, line: Array) -> tuple[Array, Any]:
     """Image lines (..., 3) of lines (..., 6) of the camera's frame, and the Jacobians w.r.t. line and parameters."""
-    project: Any = calibration.sensor.project_line
-    image, J = project.jac(line, **{n: calibration.given[n] for n in project.parameters if n in calibration.given})
-    return image, J
+    project_line: Any = calibration.sensor.project_line
+    return project_line.jac(line, **ideal_parameters(calibration))
 
 
 def _distances(calibration: Calibration, line: Array, segment: Array) -> tuple[Array, Array, Array]:
-    image, by_line = _image_line(calibration, line)
+    image, by_line = image_line(calibration, line)
     y, by_segment = undistort_segments(calibration, segment)
     z, J = distances.jac(image, y)
     return z, J.line @ by_line[0], J.segment @ by_segment
 
 
 def _rho_theta(calibration: Calibration, line: Array, segment: Array) -> tuple[Array, Array, Array]:
-    image, by_line = _image_line(calibration, line)
+    image, by_line = image_line(calibration, line)
     y, by_segment = undistort_segments(calibration, segment)
     same = oriented(image, y)
     sign = np.where((same == image).all(-1), 1.0, -1.0)[..., None, None]

@@ -12,13 +12,13 @@ from slamlib.landmarks.line_innovation import distances
 from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import Array
 from slamlib.model import Argument
-from slamlib.observation.lines import initialize_line, observe_line
+from slamlib.observation.lines import ideal_parameters, initialize_line, observe_line, without_distortion
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import Case, Judge
 from slamlib.testing.landmarks import IDENTITY
 from slamlib.testing.models import derivatives, model_properties, named
 from slamlib.testing.pairs import corrected
-from slamlib.testing.sensors import undistorted, visible_points
+from slamlib.testing.sensors import visible_points
 
 DEFINED = "a segment makes a line"
 NO_LINES = "a sensor that sees no lines says so"
@@ -95,7 +95,7 @@ def _initialized(kind: LineLandmark, calibration: Calibration) -> _Chain:
 def _observed(kind: LineLandmark, calibration: Calibration) -> _Chain:
     """Against the same chain of the written formulas, whose derivatives are exact."""
     project: Any = calibration.sensor.project_line
-    given_ones = {n: calibration.given[n] for n in project.parameters if n in calibration.given}
+    given_ones = ideal_parameters(calibration)
     names = [n for n, g in given_ones.items() if len(g)]
 
     def run(camera: Calibration, *place: Array) -> Any:
@@ -136,7 +136,7 @@ def _seen_again(case: Case, kind: LineLandmark, calibration: Calibration, landma
     """The line where it was measured; then in a belief with the robot, updated by the distances of both endpoints."""
     seen = observe_line(kind, calibration, case.where["robot"], case.where["extrinsics"], landmark)
     points, _ = calibration.back_project_jac(case.where["measurement"].reshape(2, 2), np.ones((2, 1)))
-    endpoints = calibration.sensor.project(points, **undistorted(calibration))[:, :2].ravel()
+    endpoints = calibration.sensor.project(points, **without_distortion(calibration))[:, :2].ravel()
     off, D = distances.jac(seen.value, endpoints)
     if case.compare(THROUGH, off, np.zeros(2), "measurement", 1e-7):
         H = [-D.line @ J for J in (seen.jacobians.robot, seen.jacobians.landmark)]

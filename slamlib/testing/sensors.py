@@ -7,6 +7,7 @@ import numpy as np
 
 from slamlib.errors import SingularPointError
 from slamlib.manifolds import Array
+from slamlib.observation.lines import image_line, without_distortion
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import Judge
 from slamlib.testing.models import DEFINED, model_properties, named
@@ -169,20 +170,12 @@ def full_length(calibration: Calibration) -> dict[str, Array]:
     return {n: np.pad(v, (0, sizes[n] - len(v))) for n, v in calibration.given.items()}
 
 
-def undistorted(calibration: Calibration) -> dict[str, Array]:
-    """The parameters, those that project_line does not take (the distortion) at zero: the images of lines are lines."""
-    taken: Any = calibration.sensor.project_line
-    return {n: v if n in taken.parameters else 0 * v for n, v in calibration.given.items()}
-
-
 def _lines(judge: Judge, calibration: Calibration, points: Array) -> None:
     """Two points and their line."""
-    project: Any = calibration.sensor.project_line
-    parameters = undistorted(calibration)
-    taken = {n: v for n, v in parameters.items() if n in project.parameters}
+    parameters = without_distortion(calibration)
     for p, q in itertools.pairwise(points):
         line = np.concatenate([np.cross(p[:3], q[:3]), p[3] * q[:3] - q[3] * p[:3]])
-        image = project(line, **taken)
+        image = image_line(calibration, line)[0]
         image = image / np.linalg.norm(image[:2])
         off = [image @ [*calibration.sensor.project(end, **parameters)[:2], 1] for end in (p, q)]
         case = judge.at(f"{calibration.sensor.name}.project_line", first=p, second=q)
