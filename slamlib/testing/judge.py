@@ -88,7 +88,9 @@ class Case:
         """Record that a property does not hold here; the worst failure is kept."""
         key = (what, self.definition, argument)
         if key not in self.judge.findings or self.judge.findings[key].error < error:
-            self.judge.findings[key] = Finding(what, self.definition, argument, shown(self.where), how, error)
+            rows = {n: " ".join(f"{x:.4g}" for x in np.asarray(v, float).ravel()) for n, v in self.where.items()}
+            where = ", ".join(f"{name} = [{row}]" for name, row in rows.items())
+            self.judge.findings[key] = Finding(what, self.definition, argument, where, how, error)
         return False
 
     def require(self, what: str, condition: Any, how: str, argument: str = "") -> bool:
@@ -107,9 +109,3 @@ class Case:
         entry = np.unravel_index(int(np.argmax(errors)), errors.shape)
         at = f"entry {[int(i) for i in entry]} is" if entry else "is"
         return self.fail(what, f"{at} {found[entry]:.6g}, should be {wanted[entry]:.6g}", argument, worst)
-
-
-def shown(where: Mapping[str, Array]) -> str:
-    """The arguments as text: 'pose = [0 0 0 1 0 0 0], point = [...]'."""
-    numbers = {name: " ".join(f"{x:.4g}" for x in np.asarray(value, float).ravel()) for name, value in where.items()}
-    return ", ".join(f"{name} = [{row}]" for name, row in numbers.items())

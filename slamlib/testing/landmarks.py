@@ -7,6 +7,7 @@ from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.manifolds import Array
+from slamlib.model import Model
 from slamlib.testing.judge import Judge
 from slamlib.testing.models import DEFINED, model_properties
 
@@ -44,7 +45,7 @@ def point_properties(judge: Judge, kind: PointLandmark) -> None:
         return
     landmarks = [kind.from_frame(*place) for place in made]
     moved = [kind.manifold.plus(x, 0.02 * rng.standard_normal(kind.manifold.dof)) for x in landmarks]
-    odd = [x for place in nasty if (x := _made(kind, *place)) is not None]
+    odd = [x for place in nasty if (x := _value(kind.from_frame, *place)) is not None]
     seen = [(Pose.random(rng), x) for x in moved]
     awkward = [*zip(poses, landmarks, strict=False), *((Pose.random(rng), x) for x in odd)]
     model_properties(judge, kind.to_frame, f"{kind.name}.to_frame", seen, awkward)
@@ -84,10 +85,10 @@ def _nasty_points(rng: np.random.Generator) -> list[Array]:
     return [np.array(p, dtype=float) for p in [*rays, [x, y, z, 0], [0, 0, 1, 0], [x, y, z, 1e-9], [x, y, z, -0.01]]]
 
 
-def _made(kind: PointLandmark | LineLandmark, *place: Array) -> Array | None:
-    """The landmark, or None where the model raises an error."""
+def _value(model: Model, *place: Array) -> Array | None:
+    """The model's value, or None where it refuses the place."""
     try:
-        return kind.from_frame(*place)
+        return model(*place)
     except SingularPointError:
         return None
 
@@ -114,7 +115,7 @@ def _infinity(judge: Judge, kind: PointLandmark, poses: list[Array]) -> None:
         point = _homogeneous(judge.rng)
         point[3] = 0
         case, position = (judge.at(f"{kind.name}.{n}", pose=pose, point=point) for n in ("to_frame", "to_point"))
-        landmark = _made(kind, pose, point)
+        landmark = _value(kind.from_frame, pose, point)
         if landmark is None:
             case.hold(LIMITED)
             continue
@@ -127,12 +128,8 @@ def _infinity(judge: Judge, kind: PointLandmark, poses: list[Array]) -> None:
             case.fail(INFINITE, str(error).split(", at")[0], "landmark")
             continue
         case.compare(INFINITE, _unit(found), _unit(wanted), "landmark")
-        try:
-            kind.to_point(landmark)
-        except SingularPointError:
-            position.hold(REFUSED)
-        else:
-            position.fail(REFUSED, "a point at infinity has no Euclidean coordinates")
+        is_refused = _value(kind.to_point, landmark) is None
+        position.require(REFUSED, is_refused, "a point at infinity has no Euclidean coordinates")
 
 
 def line_properties(judge: Judge, kind: LineLandmark) -> None:
@@ -154,7 +151,7 @@ def line_properties(judge: Judge, kind: LineLandmark) -> None:
     seen = [(Pose.random(rng), x) for x in landmarks]
     on_line = [(point[:3] / point[3], x) for x in landmarks for point in [kind.point_at(x, 0.3)]]
     awkward = [(np.array([*point, *FORWARDS[3:]]), x) for point, x in on_line]  # lines through the optical centre
-    awkward += [(IDENTITY, x) for place in nasty if (x := _made(kind, *place)) is not None]
+    awkward += [(IDENTITY, x) for place in nasty if (x := _value(kind.from_frame, *place)) is not None]
     model_properties(judge, kind.to_frame, f"{kind.name}.to_frame", seen, awkward)
     ends = [(x, np.array(float(s))) for x in landmarks for s in (*kind.abscissas, 0.3)]
     model_properties(judge, kind.point_at, f"{kind.name}.point_at", ends)

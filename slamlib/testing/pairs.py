@@ -12,7 +12,7 @@ from slamlib.manifolds import Array
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import Case, Judge
-from slamlib.testing.sensors import difference, unmeasured, visible_points
+from slamlib.testing.sensors import unmeasured, visible_points
 
 DEFINED = "a measurement makes a landmark"
 REFUSED = "a measurement that it cannot represent is refused, not reversed"
@@ -40,7 +40,7 @@ def pair_properties(judge: Judge, kind: PointLandmark, calibration: Calibration)
         case.hold(DEFINED)
         if not case.require(VISIBLE, seen.visible, "it is not: its position is wrong"):
             continue
-        if not case.compare(AGAIN, y + difference(sensor, seen.value, y), y, tolerance=1e-7):
+        if not case.compare(AGAIN, y + sensor.manifold.minus(seen.value, y), y, tolerance=1e-7):
             continue
         H = seen.jacobians
         for argument in G._fields:

@@ -1,7 +1,6 @@
 """Properties that every sensor must have."""
 
 import itertools
-from typing import Any
 
 import numpy as np
 
@@ -127,12 +126,6 @@ def _measurable(judge: Judge, calibration: Calibration, point: Array) -> None:
     project.compare(RATIO, scaled, value, "point")
 
 
-def difference(sensor: Any, a: Array, b: Array) -> Array:
-    """Measurement minus measurement, on the space of the measurement if that is not a vector."""
-    result = getattr(sensor.project, "result", None)
-    return result.manifold.minus(a, b) if result is not None and result.manifold is not None else a - b
-
-
 def _undo(judge: Judge, calibration: Calibration, measured: list[tuple[Array, ...]]) -> None:
     """project(back_project(y, u, k), k) = y: its value, and its derivatives w.r.t. y, u and every parameter k."""
     sensor = calibration.sensor
@@ -145,7 +138,7 @@ def _undo(judge: Judge, calibration: Calibration, measured: list[tuple[Array, ..
         y, parameters = place[0], place[1 + hidden :]
         again, H = sensor.project.jac(point, *parameters)
         _, G = sensor.back_project.jac(*place)
-        case.compare(ROUND_TRIP, y + difference(sensor, again, y), y, "measurement", 1e-8)
+        case.compare(ROUND_TRIP, y + sensor.manifold.minus(again, y), y, "measurement", 1e-8)
         if open_ray:
             case.compare(UNIT, np.linalg.norm(point[:3]), 1.0)
         for i, argument in enumerate(sensor.back_project.parameters):
