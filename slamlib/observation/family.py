@@ -158,8 +158,8 @@ class Family:
         return calibration.sensor.size
 
     def supports(self, sensor: MountedSensor) -> bool:
-        """Whether a sensor measures landmarks of this family; it has `calibration`."""
-        raise NotImplementedError
+        """Whether a sensor, which has `calibration`, measures landmarks of this family: here, every sensor."""
+        return True
 
     def usable(self, sensor: MountedSensor, values: Array, options: Options) -> Mask:
         """Mask (n,) of the measurements (n, m) by which a landmark may be initialized."""
@@ -217,8 +217,8 @@ class Family:
         raise NotImplementedError
 
     def abscissas(self, kind: Any) -> Array | None:
-        """The abscissas of a new landmark's two endpoints; None for a family without endpoints."""
-        return None
+        """The abscissas of a new landmark's two endpoints, by its parametrization; None for one without endpoints."""
+        return np.array(kind.abscissas, dtype=float) if hasattr(kind, "abscissas") else None
 
     def after_update(
         self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options

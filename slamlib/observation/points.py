@@ -161,10 +161,6 @@ class PointFamily(Family):
     parametrizations = POINTS
     exact = EUC_POINT
 
-    def supports(self, sensor: MountedSensor) -> bool:
-        """Every sensor measures points."""
-        return True
-
     def usable(self, sensor: MountedSensor, values: Array, options: Options) -> Mask:
         """Mask (n,) of the measurements (n, m) that may initialize a landmark: not too near the image's border."""
         image = sensor.calibration.image

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import namedtuple
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -23,7 +22,7 @@ from slamlib.observation.family import (
     viewpoint,
 )
 from slamlib.observation.lines import RESIDUALS, distort_segments, initialize_line, rays_of
-from slamlib.observation.points import PLACEHOLDER_POINT
+from slamlib.observation.points import PLACEHOLDER_POINT, named
 from slamlib.sensors.sensor import Calibration
 
 if TYPE_CHECKING:
@@ -31,7 +30,6 @@ if TYPE_CHECKING:
     from slamlib.slam.entities import Landmark, MountedSensor
     from slamlib.slam.options import Options
 
-Jacobians = namedtuple("Jacobians", ("camera", "landmark"))
 CONVERGED_RATIO = 0.1  # of a segment's length: the largest standard deviation of an endpoint of a converged line
 
 
@@ -78,7 +76,7 @@ class LineFamily(Family):
         """Lines (n, 6) in the sensor's frame; an infinite line is never out of view."""
         line, J = kind.to_frame.jac(camera, means)
         visible: Any = np.True_ if line.ndim == 1 else np.ones(line.shape[:-1], dtype=bool)
-        return line, visible, Jacobians(J.pose, J.landmark)
+        return line, visible, named({"camera": J.pose, "landmark": J.landmark})
 
     def residual(self, sensor: MountedSensor, inner: Array, by: Array, measured: Array, options: Any) -> Innovation:
         """Residuals (n, 2) of measured segments (n, 4) from lines (n, 6) in the sensor's frame; options.innovation."""
@@ -93,10 +91,6 @@ class LineFamily(Family):
         x, J = initialize_line(kind, sensor.calibration, sensor.robot.pose, sensor.extrinsics, value, means)
         own = J.measurement @ _noise(sensor) @ J.measurement.T + J.unmeasured @ np.diag(stds**2) @ J.unmeasured.T
         return x, own, [J.robot, J.extrinsics]
-
-    def abscissas(self, kind: LineLandmark) -> Array:
-        """The abscissas of a new line's two endpoints."""
-        return np.array(kind.abscissas, dtype=float)
 
     def after_update(
         self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options
