@@ -92,9 +92,8 @@ class Slam:
         """
         self._check(frame)
         report = Report()
-        self.number, self.time = frame.number, self.time + frame.dt
-        for robot, control in zip(self.robots, frame.controls, strict=True):
-            self._predict(robot, control, frame.dt)
+        self.number = frame.number
+        self.predict(frame.controls, frame.dt)
         self.absolute = [
             update_by_robot(self.belief, self.robots[measured.robot], measured, self.linearization, self.options)
             for measured in frame.absolute

@@ -51,8 +51,8 @@ def _measurement_view(slam: Any, i: int, family: str, size: int) -> MeasurementV
         endpoints=endpoints,
         endpoint_covariances=endpoint_covariances,
         scores=np.array([prediction.score for prediction in own], dtype=float),
-        predicted_patch=tuple(_array(prediction.predicted_patch) for prediction in own),
-        found_patch=tuple(_array(prediction.found_patch) for prediction in own),
+        predicted_patch=tuple(prediction.predicted_patch for prediction in own),
+        found_patch=tuple(prediction.found_patch for prediction in own),
     )
 
 
@@ -60,10 +60,6 @@ def _map_view(slam: Any, family: Family) -> MapView:
     own = [lm for lm in slam.landmarks if isinstance(lm.kind, family.kinds)]
     kinds = tuple(landmark.kind.name for landmark in own)
     return MapView(np.array([lm.id for lm in own], dtype=int), kinds, *family.geometry(slam.belief, own))
-
-
-def _array(patch: Any) -> Array | None:
-    return None if patch is None else np.asarray(patch)
 
 
 def endpoints_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
