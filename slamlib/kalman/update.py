@@ -79,8 +79,6 @@ class StackedMeasurements:
             raise SlamlibError(f"{function}: no measurement given; leave the call out when nothing was seen")
         noises: dict[tuple[int, int], Array] = {}  # landmarks mostly share one R, which is checked once
         innovations, jacobians = [], []
-        columns: dict[Any, int] = {}  # where each touched block starts in the stacked Jacobian
-        end = 0
         for i, measurement in enumerate(measurements):
             own(measurement.blocks)
             name = f" of measurement {i}" if len(measurements) > 1 else ""
@@ -90,17 +88,15 @@ class StackedMeasurements:
                 noises[key] = linalg.covariance(measurement.noise, len(z), function, f"R{name}")
             innovations.append(z)
             jacobians.append(measurement.checked_jacobians(len(z), function, name))
-            for block in measurement.blocks:
-                if block not in columns:
-                    columns[block] = end
-                    end += block.dof
+        blocks = list(dict.fromkeys(block for measurement in measurements for block in measurement.blocks))
+        columns = dict(zip(blocks, ranges(block.dof for block in blocks), strict=True))  # of the stacked Jacobian
+        touched = np.concatenate([np.arange(block.start, block.start + block.dof) for block in blocks])
         z = np.concatenate(innovations)
-        H, R = np.zeros((len(z), end)), np.zeros((len(z), len(z)))
+        H, R = np.zeros((len(z), len(touched))), np.zeros((len(z), len(z)))
         for measurement, each, rows in zip(measurements, jacobians, ranges(map(len, innovations)), strict=True):
             R[rows, rows] = noises[id(measurement.noise), rows.stop - rows.start]
             for block, J in zip(measurement.blocks, each, strict=True):
-                H[rows, columns[block] : columns[block] + block.dof] += J
-        touched = np.concatenate([np.arange(b.start, b.start + b.dof) for b in columns])
+                H[rows, columns[block]] += J
         return cls(z, H, R, touched, measurements)
 
     def innovation_covariance(self, HP: Array) -> Array:
