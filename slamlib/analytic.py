@@ -69,11 +69,8 @@ def stumpff(order: int, s: Value) -> Value:
         return Stumpff(order, s)
     s = np.asarray(s)
     small = s.real < _SERIES
-    return np.where(
-        small,
-        _stumpff_series(order, np.where(small, s, 0)),
-        _stumpff_closed(order, np.where(small, _SERIES, s), np),
-    )
+    near = _stumpff_series(order, np.where(small, s, 0))
+    return np.where(small, near, _stumpff_closed(order, np.where(small, _SERIES, s), np))
 
 
 _SERIES = 2.0  # below this squared angle the series is exact to the last digit with 13 terms

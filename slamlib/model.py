@@ -134,12 +134,6 @@ class Model(Formula):
         return self.function.__module__
 
     @property
-    def is_packaged(self) -> bool:
-        """True if the model's code is generated into slamlib/generated, False if it is compiled in memory."""
-        parts = self.module.split(".")
-        return parts[0] == "slamlib" and len(parts) > 1 and parts[1] in FORMULA_PARTS
-
-    @property
     def has_manifold(self) -> bool:
         return any(a.is_manifold for a in [*self.arguments, *([self.result] if self.result else [])])
 
@@ -193,7 +187,7 @@ class Model(Formula):
         """The module of the generated functions, checked against the definition."""
         if self._whole is not None:
             return in_memory.for_fewer(self._whole, self, self._whole.code)
-        if not self.is_packaged:
+        if self.module.split(".")[:2] not in [["slamlib", part] for part in FORMULA_PARTS]:  # a reader's own
             return in_memory.compile_in_memory(self)
         command = "run `make generate` (python -m slamlib.codegen)"
         try:

@@ -20,7 +20,7 @@ class Derivation:
         own = [s for argument in traced.symbols for s in argument.ravel()]
         given = dict(zip(own, [sympy.sympify(g) for argument in symbols for g in argument.ravel()], strict=True))
         self.model, self.symbols = model, symbols
-        self.value = _matrix(traced.value).xreplace(given)
+        self.value = sympy.Matrix(np.atleast_1d(traced.value).tolist()).xreplace(given)
         self.jacobians = {n: j.xreplace(given) for n, j in zip(model.parameters, traced.tangent, strict=True)}
         self.stored = {n: j.xreplace(given) for n, j in zip(model.parameters, traced.stored, strict=True)}
 
@@ -57,10 +57,6 @@ def _chosen(model: Model, argument: Argument, given: Any) -> Any:
     if flat.size != default.size:
         raise ShapeError.of(f"derive({model.name})", argument.name, default.shape, flat.shape)
     return flat.reshape(default.shape)
-
-
-def _matrix(value: Any) -> sympy.Matrix:
-    return sympy.Matrix(value.tolist()) if value.ndim else sympy.Matrix([[value[()]]])
 
 
 class CodeListing:

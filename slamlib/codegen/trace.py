@@ -129,12 +129,8 @@ def run(model: Model, symbols: list[Symbols]) -> Symbols:
     except Exception as error:
         frames = [f for f in traceback.extract_tb(error.__traceback__) if f.name == model.name]
         line, text = (frames[-1].lineno or 0, frames[-1].line or "") if frames else (0, "")
-        raise broken(
-            model.function,
-            line,
-            text,
-            f"a model must run on symbols, but this raised {type(error).__name__}: {error}",
-        ) from error
+        what = f"a model must run on symbols, but this raised {type(error).__name__}: {error}"
+        raise broken(model.function, line, text, what) from error
     value = np.array([sympy.sympify(e) for e in value.ravel()], dtype=object).reshape(value.shape)
     for entry in value.ravel():
         if entry.atoms(sympy.Float):

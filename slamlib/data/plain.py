@@ -6,6 +6,7 @@ is not written; therefore a field that may be None is None when plain data lacks
 """
 
 from collections.abc import Callable, Collection
+from contextlib import suppress
 from dataclasses import MISSING, dataclass, fields, is_dataclass, replace
 from functools import cache
 from math import isfinite
@@ -130,7 +131,11 @@ def _read(hint: Any, value: Any, path: str) -> Any:
         inner[1].check(value, path)
         return value
     if kind in (Union, UnionType):  # None first: the error is the last one's
-        return _first(sorted(inner, key=lambda h: h is not NoneType), value, path)
+        *others, last = sorted(inner, key=lambda h: h is not NoneType)
+        for other in others:
+            with suppress(SlamlibError):
+                return _read(other, value, path)
+        return _read(last, value, path)
     if is_dataclass(kind):
         return value if isinstance(value, kind) else read(kind, value, path)  # type: ignore[arg-type]
     if kind is dict:
@@ -146,16 +151,6 @@ def _read(hint: Any, value: Any, path: str) -> Any:
         return tuple(_read(h, v, f"{path}[{i}]") for i, (h, v) in enumerate(zip(each, value, strict=True)))
     words, fits = _SCALARS[kind]
     return value if fits(value) else _refuse(path, words, value)
-
-
-def _first(hints: list[Any], value: Any, path: str) -> Any:
-    """Convert a value to the first type that accepts it."""
-    for hint in hints[:-1]:
-        try:
-            return _read(hint, value, path)
-        except SlamlibError:
-            continue
-    return _read(hints[-1], value, path)
 
 
 def _refuse(path: str, wanted: str, value: Any) -> Any:
