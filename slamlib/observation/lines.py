@@ -58,7 +58,7 @@ def initialize_line(
     if segment.shape[-1:] != (4,):
         raise ShapeError.of("initialize_line", "segment", (4,), segment.shape)
     camera, by_camera = compose.jac(robot, extrinsics)
-    rays, by_pixels, by_sensor = _back_projected(calibration, segment)
+    rays, by_pixels, by_sensor = rays_of(calibration, segment)
     landmark, by_frame = kind.from_frame.jac(camera, rays, prior)
     parts = {
         **through(by_camera, by_frame.pose),
@@ -84,13 +84,11 @@ def _of_rays(by_parameter: Array) -> Array:
 # -- residuals of segments -------------------------------------------------------------------------------------------
 
 
-def rays_of(calibration: Calibration, segment: Array) -> tuple[Array, Array]:
-    """Unit rays (..., 6) of the endpoints of segments (..., 4), and their Jacobians (..., 6, 4)."""
-    return _back_projected(calibration, segment)[:2]
+def rays_of(calibration: Calibration, segment: Array) -> tuple[Array, Array, Any]:
+    """Unit rays (..., 6) of the endpoints of segments (..., 4), and their Jacobians (..., 6, 4) w.r.t. the pixels.
 
-
-def _back_projected(calibration: Calibration, segment: Array) -> tuple[Array, Array, Any]:
-    """The same, and the Jacobians of the endpoints' homogeneous points w.r.t. all that they depend on."""
+    Third the Jacobians of the endpoints' homogeneous points (..., 2, 4) w.r.t. all that they depend on.
+    """
     lead = segment.shape[:-1]
     points, J = calibration.back_project_jac(segment.reshape(*lead, 2, 2), np.ones((*lead, 2, 1)))
     by = np.zeros((*lead, 6, 4))
@@ -102,7 +100,7 @@ def undistort_segments(calibration: Calibration, segment: Array) -> tuple[Array,
     """Undistort the endpoints of segments (..., 4); with the Jacobians (..., 4, 4)."""
     if not _distorts(calibration):
         return segment, _NO_DISTORTION
-    rays, by_pixels = rays_of(calibration, segment)
+    rays, by_pixels, _ = rays_of(calibration, segment)
     lead = segment.shape[:-1]
     points = np.concatenate([rays.reshape(*lead, 2, 3), np.ones((*lead, 2, 1))], axis=-1)
     ideal, J = calibration.sensor.project.jac(points, **without_distortion(calibration))
@@ -162,7 +160,7 @@ def _rho_theta(calibration: Calibration, line: Array, segment: Array) -> tuple[A
 
 
 def _angles(calibration: Calibration, line: Array, segment: Array) -> tuple[Array, Array, Array]:
-    rays, by_segment = rays_of(calibration, segment)
+    rays, by_segment, _ = rays_of(calibration, segment)
     z, J = angles.jac(line, rays)
     return z, J.line, J.rays @ by_segment
 
