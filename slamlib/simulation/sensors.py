@@ -95,7 +95,6 @@ class SimulatedSensor:
         self.robot, self.world, self.faults, self.shortest = setup.robot, world, faults, shortest
         self.calibration, self.streams = setup.calibration, streams
         self.extrinsics = read_only_copy(drawn(Pose, setup.extrinsics, setup.covariance, streams["extrinsics"]))
-        self.manifold = self.calibration.sensor.manifold
         self.root = root(self.calibration.noise)
         self.clutter = Clutter(self.calibration, _reach(world)) if faults.outlier else None
         for name, family in FAMILIES.items():
