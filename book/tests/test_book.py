@@ -10,6 +10,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
+from book.tests.site import live_page
 from book.tools import browser, ci, layout, notebooks, site
 
 CHAPTERS = sorted((layout.BOOK / "chapters").glob("*.ipynb"))
@@ -145,13 +146,13 @@ def test_without_a_browser_the_stage_is_skipped_or_fails_where_it_is_needed():
 
 
 def test_live_cells_run_where_a_change_reaches_and_everywhere_if_the_package_changed(monkeypatch):
-    everywhere = browser.live_pages()
-    monkeypatch.setattr(browser, "changed_files", lambda: {"book/chapters/points.ipynb", "README.md"})
-    assert {f.stem for f in browser.live_pages(every=False)} == {*browser.ALWAYS, "points"}
-    monkeypatch.setattr(browser, "changed_files", lambda: {"slamlib/belief.py"})
-    assert browser.live_pages(every=False) == everywhere
-    monkeypatch.setattr(browser, "changed_files", lambda: None)
-    assert browser.live_pages(every=False) == everywhere
+    everywhere = live_page.live_pages()
+    monkeypatch.setattr(live_page, "changed_files", lambda: {"book/chapters/points.ipynb", "README.md"})
+    assert {f.stem for f in live_page.live_pages(every=False)} == {*live_page.ALWAYS, "points"}
+    monkeypatch.setattr(live_page, "changed_files", lambda: {"slamlib/belief.py"})
+    assert live_page.live_pages(every=False) == everywhere
+    monkeypatch.setattr(live_page, "changed_files", lambda: None)
+    assert live_page.live_pages(every=False) == everywhere
 
 
 # -- the checks --------------------------------------------------------------------------------------------------------

@@ -300,7 +300,8 @@ def test_a_chapter_runs_in_the_page_but_for_what_is_tagged_otherwise(chapter):
 def tools(monkeypatch):
     """The book's tools as modules."""
     monkeypatch.syspath_prepend(str(ROOT))
-    from book.tools import assets, build, layout, live, parity, serve
+    from book.tests.site import parity
+    from book.tools import assets, build, layout, live, serve
 
     return {"assets": assets, "build": build, "layout": layout, "live": live, "parity": parity, "serve": serve}
 

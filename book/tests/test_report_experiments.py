@@ -6,12 +6,13 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from slambook.report import correlations, fastslam, limits, memory, mrpt, planar, planar_runs, speed, updates
+from slambook.report import correlations, fastslam, limits, memory, planar, planar_runs, speed, updates
 from slambook.report.filter import BatchUpdateFilter, Memory
 from slambook.report.planar_ekf import PlanarEkf
 from slambook.report.runs import monte_carlo
 from slambook.report.scenes import SCENES
 
+from benchmarks import mrpt
 from book.tools import report_experiments as tool
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.evaluation.consistency import band, nees

@@ -1,16 +1,12 @@
-"""The headless Chromium of the checks and pictures, and the pages of the site that they open."""
+"""The headless Chromium of the checks and pictures."""
 
 import contextlib
 import os
 import shutil
-import subprocess
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
-import nbformat
-
-from book.tools import layout, serve, site
+from book.tools import serve
 
 SKIPPED = 77  # exit status of what a machine without a browser cannot check
 FLAGS = [
@@ -23,8 +19,6 @@ FLAGS = [
     "--disable-sync",
 ]
 ARRIVED = "() => document.readyState === 'complete' && !document.querySelector('meta[http-equiv=Refresh i]')"
-ALWAYS = ("slam_in_five_minutes", "proving_a_jacobian", "ekf_slam", "active_search")  # one of each kind of page
-BEHIND = ("slamlib/", "book/slambook/", "book/live/", "book/tools/", "book/tests/site/", "requirements.txt")
 
 
 def browser_path() -> str | None:
@@ -49,33 +43,3 @@ def site_in_chromium(executable: str) -> Iterator[tuple[str, Any]]:
         browser = tool.chromium.launch(executable_path=executable, args=FLAGS)
         yield base, browser
         browser.close()
-
-
-def all_pages() -> Iterator[str]:
-    """The pages of the book, and the ones that Sphinx adds."""
-    yield from site.wanted()
-    yield from (n for n in ("index.html", "genindex.html", "search.html") if (layout.SITE / n).is_file())
-
-
-def live_pages(every: bool = True) -> list[Path]:
-    """The notebooks with live cells; unless `every`, those changed since the merge base, and four more."""
-    cells = {file: nbformat.read(file, as_version=4).cells for file in layout.notebooks()}
-    files = [file for file in cells if any("live" in cell.metadata.get("tags", []) for cell in cells[file])]
-    changed = None if every else changed_files()
-    if changed is None or any(name.startswith(BEHIND) for name in changed):
-        return files
-    return [f for f in files if f.stem in ALWAYS or f.relative_to(layout.ROOT).as_posix() in changed]
-
-
-def changed_files() -> set[str] | None:
-    """What differs from where this branch left main, or on main from the commit before; None if git can't say."""
-    base = _git("merge-base", "HEAD", "origin/main")
-    if base is None or base == _git("rev-parse", "HEAD"):
-        base = _git("rev-parse", "HEAD~1")
-    changed = _git("diff", "--name-only", base) if base else None
-    return None if changed is None else set(changed.splitlines())
-
-
-def _git(*words: str) -> str | None:
-    run = subprocess.run(["git", *words], cwd=layout.ROOT, capture_output=True, text=True)
-    return run.stdout.strip() if run.returncode == 0 else None

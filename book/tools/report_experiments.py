@@ -14,9 +14,10 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from slambook.report import correlations, memory, mrpt, planar_runs, speed
+from slambook.report import correlations, memory, planar_runs, speed
 from slambook.report.updates import naive, problem
 
+from benchmarks import mrpt
 from book.tools import layout, stored
 from book.tools.stored import plain
 from slamlib.evaluation.consistency import band

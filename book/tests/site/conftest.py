@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from book.tests.site.live_page import live_cells
+from book.tests.site.live_page import live_cells, live_pages
 from book.tools import browser, layout, serve
 
 
@@ -37,7 +37,7 @@ def pytest_configure(config: Any) -> None:
 def pytest_generate_tests(metafunc: Any) -> None:
     """The live pages, long ones first, so that no worker is left alone with one at the end."""
     if "notebook" in metafunc.fixturenames:
-        files = sorted(browser.live_pages(metafunc.config.getoption("every_page")), key=lambda f: -len(live_cells(f)))
+        files = sorted(live_pages(metafunc.config.getoption("every_page")), key=lambda f: -len(live_cells(f)))
         metafunc.parametrize("notebook", files, ids=[f.stem for f in files])
 
 

@@ -1,5 +1,6 @@
-"""Drive a page with live cells: open it, write into a cell, run it, see what it shows."""
+"""Pages with live cells: which ones to test; open one, write into a cell, run it, see what it shows."""
 
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -9,12 +10,37 @@ from book.tools import layout
 
 SAID = """(i) => [...Live.page.cells[i].output.querySelectorAll('[data-kind]')]
   .filter(e => e.dataset.kind !== 'hint').map(e => e.dataset.text ?? e.textContent).join('')"""
+ALWAYS = ("slam_in_five_minutes", "proving_a_jacobian", "ekf_slam", "active_search")  # one of each kind of page
+BEHIND = ("slamlib/", "book/slambook/", "book/live/", "book/tools/", "book/tests/site/", "requirements.txt")
 PATIENCE = 240_000  # milliseconds for a cell, on a machine that runs a second page and does other things too
 
 
 def live_cells(file: Path) -> list[Any]:
     """The notebook's cells that run in the page."""
     return [c for c in nbformat.read(file, as_version=4).cells if "live" in c.metadata.get("tags", [])]
+
+
+def live_pages(every: bool = True) -> list[Path]:
+    """The notebooks with live cells; unless `every`, those changed since the merge base, and four more."""
+    files = [file for file in layout.notebooks() if live_cells(file)]
+    changed = None if every else changed_files()
+    if changed is None or any(name.startswith(BEHIND) for name in changed):
+        return files
+    return [f for f in files if f.stem in ALWAYS or f.relative_to(layout.ROOT).as_posix() in changed]
+
+
+def changed_files() -> set[str] | None:
+    """What differs from where this branch left main, or on main from the commit before; None if git can't say."""
+    base = _git("merge-base", "HEAD", "origin/main")
+    if base is None or base == _git("rev-parse", "HEAD"):
+        base = _git("rev-parse", "HEAD~1")
+    changed = _git("diff", "--name-only", base) if base else None
+    return None if changed is None else set(changed.splitlines())
+
+
+def _git(*words: str) -> str | None:
+    run = subprocess.run(["git", *words], cwd=layout.ROOT, capture_output=True, text=True)
+    return run.stdout.strip() if run.returncode == 0 else None
 
 
 def stored_text(cell: Any) -> str:

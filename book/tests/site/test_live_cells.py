@@ -6,8 +6,9 @@ from typing import Any
 
 import pytest
 
-from book.tests.site.live_page import PATIENCE, SAID, live_cells, open_page, panel, stored_text
-from book.tools import browser, notebooks, parity
+from book.tests.site import parity
+from book.tests.site.live_page import PATIENCE, SAID, live_cells, live_pages, open_page, panel, stored_text
+from book.tools import notebooks
 
 RUN = "(i) => { const cell = Live.page.cells[i]; return [cell.element.dataset.ran, cell.ok]; }"
 UNFOLD = """(cell) => { for (let e = cell; e; e = e.parentElement) {
@@ -76,7 +77,7 @@ def drive(page: Any, figure: Any, i: int) -> None:
 
 
 def test_the_two_pythons_agree_number_by_number(context, site, outside, request):
-    page = open_page(context, site, browser.live_pages()[0], [])
+    page = open_page(context, site, live_pages()[0], [])
     answer = page.evaluate(COMPUTE, parity.PROGRAM.read_text("utf-8"))
     assert not answer.startswith("failed"), answer
     rows, faults = parity.compare(parity.here(), json.loads(answer))

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from book.tools import assets, browser
+from book.tools import assets, browser, layout, site
 
 VIEWS = {"light": ("light", 1280), "dark": ("dark", 1280), "phone": ("light", 390)}
 FAULTS = """() => {
@@ -29,7 +29,8 @@ SETTLED = "() => new Promise((done) => requestAnimationFrame(() => requestAnimat
 SERIOUS = """async () => (await axe.run(document, { resultTypes: ['violations'] })).violations
   .filter(f => ['serious', 'critical'].includes(f.impact))
   .map(f => `${f.id}: ${f.help}: ${f.nodes.length} places, such as ${f.nodes[0].html.slice(0, 160)}`)"""
-PAGES = list(browser.all_pages())
+ADDED = [n for n in ("index.html", "genindex.html", "search.html") if (layout.SITE / n).is_file()]  # by Sphinx
+PAGES = [*site.wanted(), *ADDED]
 
 
 @pytest.fixture

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-
 from slambook.report.updates import Problem, State
+
 from slamlib.errors import SlamlibError
 
 SOURCE = Path(__file__).with_suffix(".cpp")
