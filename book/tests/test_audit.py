@@ -44,8 +44,13 @@ def test_number(number, stored):
     }, RENEW
     for figure, before in zip(now["figures"], kept["figures"], strict=True):
         assert figure["what"] == before["what"], RENEW
-        if audit.judged(figure) and _tame(figure["measured"]):
+        if _judged(figure) and _tame(figure["measured"]):
             np.testing.assert_allclose(figure["measured"], before["measured"], rtol=0.02, atol=1e-5, err_msg=RENEW)
+
+
+def _judged(figure: dict) -> bool:
+    """True unless a plain figure has no limits at all, as times of a machine have none."""
+    return [figure["low"], figure["high"]] != ["-inf", "inf"]
 
 
 def _tame(value: float | str) -> bool:

@@ -1,5 +1,8 @@
 """The appendix Rosetta says of every name of the toolbox where it lives, and what it says is true of the package."""
 
+import dataclasses
+import importlib.util
+import inspect
 import json
 import re
 from collections import Counter
@@ -189,11 +192,44 @@ def test_nothing_is_listed_twice():
     assert len(set(groups)) == sum(a != b for a, b in zip(groups, ["", *groups], strict=False))
 
 
+def find(path):
+    """What a dotted path names: module, attribute, field of a data class, or argument; raises LookupError."""
+    first, *others = path.split(".")
+    found = importlib.import_module(first)
+    for name in others:
+        found = _member(found, name, path)
+    return found
+
+
+def _member(owner, name, path):
+    if hasattr(owner, name):
+        return getattr(owner, name)
+    if hasattr(owner, "__path__") and importlib.util.find_spec(f"{owner.__name__}.{name}"):
+        return importlib.import_module(f"{owner.__name__}.{name}")
+    if dataclasses.is_dataclass(owner) and name in (fields := {f.name: f for f in dataclasses.fields(owner)}):
+        return fields[name]
+    arguments = getattr(owner, "parameters", None) or (inspect.signature(owner).parameters if callable(owner) else ())
+    if name in arguments:
+        return name
+    raise LookupError(f"there is no {path}: {owner!r} has no {name!r}")
+
+
+def exists(place):
+    """True if a target, "chapter NAME" or a dotted path, exists."""
+    if match := rosetta.CHAPTER.fullmatch(place):
+        return (layout.BOOK / "chapters" / f"{match[1]}.ipynb").is_file()
+    try:
+        find(place)
+    except LookupError:
+        return False
+    return True
+
+
 @pytest.mark.parametrize(
     "row", [r for r in ROWS if not r.target.startswith("not ")], ids=lambda r: f"{r.kind}-{r.name}"
 )
 def test_every_place_exists(row):
-    assert [p for p in row.places if not rosetta.exists(p)] == []
+    assert [p for p in row.places if not exists(p)] == []
 
 
 def test_what_exists_is_not_called_not_yet(capsys):
@@ -202,7 +238,7 @@ def test_what_exists_is_not_called_not_yet(capsys):
         print(f"\nRosetta: {len(waiting)} of {len(ROWS)} names of the toolbox are not yet in slamlib")
         for place, count in Counter(r.target.removeprefix(rosetta.NOT_YET) for r in waiting).items():
             print(f"  {place}: {', '.join(r.name for r in waiting if place in r.places)} ({count})")
-    assert {r.name: p for r in waiting for p in r.places if rosetta.exists(p)} == {}
+    assert {r.name: p for r in waiting for p in r.places if exists(p)} == {}
     assert [r.name for r in waiting if r.kind == "type" and r.name in TYPES] == []
 
 
@@ -211,7 +247,7 @@ def test_a_type_leads_to_the_value_of_its_name():
     assert set(TYPES) - OWN <= set(rows)
     for name, row in rows.items():
         if not row.target.startswith(rosetta.NOT_YET):
-            assert rosetta.find(row.target) is TYPES[name]
+            assert find(row.target) is TYPES[name]
 
 
 def test_the_reasons_are_reasons():
@@ -230,9 +266,9 @@ def test_the_page_follows_from_the_table():
     "path", ["slamlib.nothing", "slamlib.belief.Belief.nothing", "slamlib.belief.Belief.add.nothing"]
 )
 def test_what_is_not_there_is_not_found(path):
-    assert not rosetta.exists(path)
+    assert not exists(path)
     with pytest.raises(LookupError, match=re.escape(path)):
-        rosetta.find(path)
+        find(path)
 
 
 PARTS = ["slamlib.", *(f"slamlib.{p}." for p in ("geometry", "belief", "landmarks", "sensors", "motions", "drawing"))]
@@ -246,7 +282,7 @@ def tables():
         for left, right in re.findall(r"^\| *(`.*?) \| (.*)$", words, flags=re.M):
             names = [re.split(r"[ (=]", span)[0] for span in re.findall(r"`([^`]+)`", left)]
             paths = [span.split("(")[0] for span in re.findall(r"`([^`]+)`", right)]
-            yield file.name, names, [p for p in paths if any(rosetta.exists(part + p) for part in PARTS)], right
+            yield file.name, names, [p for p in paths if any(exists(part + p) for part in PARTS)], right
 
 
 def test_the_chapters_do_not_contradict_the_table():

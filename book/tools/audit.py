@@ -63,11 +63,6 @@ def plain(found: AuditFinding) -> dict[str, Any]:
     return {**told, "verdict": found.verdict, "figures": figures, "note": found.note}
 
 
-def judged(figure: dict[str, Any]) -> bool:
-    """True unless a plain figure has no limits at all, as times of a machine have none."""
-    return [figure["low"], figure["high"]] != ["-inf", "inf"]
-
-
 def series() -> dict[str, Any]:
     """For the figure with switches: NEES over its degrees of freedom at each step, averaged over the runs."""
     wanted = [(scene, name) for scene in SHOWN for name in ("", *SWITCHES) if name not in ELSEWHERE]

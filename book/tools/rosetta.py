@@ -1,17 +1,13 @@
-"""The appendix Rosetta: read its table, find what the table refers to, and write the page from it.
+"""The appendix Rosetta: read its table, and write the page from it.
 
 `python -m book.tools.rosetta` writes rosetta.md from rosetta.csv, both in book/appendices; the
 words above the tables stay.
 """
 
 import csv
-import dataclasses
-import importlib.util
-import inspect
 import re
 from itertools import groupby
-from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from book.tools import layout
 from slamlib.landmarks import LINES, POINTS
@@ -51,44 +47,6 @@ def rows() -> list[Row]:
     if found[0] != HEADER or any(len(r) != len(HEADER) or not all(r) for r in found):
         raise ValueError(f"{TABLE.name} should have the columns {HEADER}, and no empty entry")
     return [Row(*r) for r in found[1:]]
-
-
-def find(path: str) -> Any:
-    """What a dotted path names: module, attribute, field of a data class, or argument; raises LookupError."""
-    first, *others = path.split(".")
-    found: Any = importlib.import_module(first)
-    for name in others:
-        found = _member(found, name, path)
-    return found
-
-
-def _member(owner: Any, name: str, path: str) -> Any:
-    if hasattr(owner, name):
-        return getattr(owner, name)
-    if hasattr(owner, "__path__") and importlib.util.find_spec(f"{owner.__name__}.{name}"):
-        return importlib.import_module(f"{owner.__name__}.{name}")
-    if dataclasses.is_dataclass(owner) and name in (fields := {f.name: f for f in dataclasses.fields(owner)}):
-        return fields[name]
-    arguments = getattr(owner, "parameters", None) or (inspect.signature(owner).parameters if callable(owner) else ())
-    if name in arguments:
-        return name
-    raise LookupError(f"there is no {path}: {owner!r} has no {name!r}")
-
-
-def exists(place: str) -> bool:
-    """True if a target, "chapter NAME" or a dotted path, exists."""
-    if match := CHAPTER.fullmatch(place):
-        return chapter(match[1]).is_file()
-    try:
-        find(place)
-    except LookupError:
-        return False
-    return True
-
-
-def chapter(name: str) -> Path:
-    """File of the chapter of a name."""
-    return layout.BOOK / "chapters" / f"{name}.ipynb"
 
 
 def text() -> str:

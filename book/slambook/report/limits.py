@@ -9,7 +9,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slambook.report.correlations import normalised
 from slamlib.belief import Belief
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
@@ -98,41 +97,3 @@ def limit(start: float, motion: float, noise: float) -> float:
     """
     q, r = motion**2, noise**2
     return float(np.sqrt(start**2 + (np.sqrt(q * q + 4 * q * r) - q) / 2))
-
-
-@dataclass(frozen=True)
-class Common:
-    """Largest correlation, in size, between two landmarks: of the map, and given the robot's position."""
-
-    map: float
-    given_last: float
-    given_path: float
-
-
-def common(
-    observations: int = 12, landmarks: int = 5, *, start: float = 0.5, motion: float = 0.1, noise: float = 0.2
-) -> Common:
-    """Landmarks after several scans of all of them are correlated through the robot's path alone.
-
-    In the information matrix of all poses and landmarks, the sum of what odometry and scans add, no entry stands
-    between two landmarks: given the path they are independent, which FastSLAM uses.
-    """
-    if min(start, motion, noise) <= 0 or observations < 1 or landmarks < 2:
-        raise SlamlibError("common: standard deviations above zero, one scan or more, and two landmarks or more")
-    n = observations + landmarks  # poses, then landmarks
-    rows = [np.eye(n)[0] / start]
-    rows += [(np.eye(n)[k + 1] - np.eye(n)[k]) / motion for k in range(observations - 1)]
-    rows += [
-        (np.eye(n)[observations + i] - np.eye(n)[k]) / noise for k in range(observations) for i in range(landmarks)
-    ]
-    information = np.array(rows).T @ np.array(rows)
-    keep = np.r_[: observations - 1, observations:n]  # condition on a pose: delete its row and column
-    P = np.linalg.inv(information)
-    last = np.linalg.inv(information[np.ix_(keep, keep)])[observations - 1 :, observations - 1 :]
-    path = np.linalg.inv(information[observations:, observations:])
-    return Common(*map(_largest, (P[observations:, observations:], last, path)))
-
-
-def _largest(P: Array) -> float:
-    """Largest correlation, in size, of a covariance (n, n)."""
-    return float(np.abs(normalised(P) - np.eye(len(P))).max())
