@@ -34,13 +34,8 @@ def book() -> int:
     print(f"running {len(layout.notebooks())} notebooks", flush=True)
     key = layout.digest(layout.package_files())
     try:
-        done = notebooks.each(layout.notebooks(), lambda file: notebooks.executed(file, key))
-    except notebooks.BrokenNotebook as error:
-        print(error, file=sys.stderr)
-        return 1
-    try:
-        stage(dict(done))
-    except (assets.AssetError, RuntimeError) as error:
+        stage(dict(notebooks.each(layout.notebooks(), lambda file: notebooks.executed(file, key))))
+    except (notebooks.BrokenNotebook, assets.AssetError, RuntimeError) as error:
         print(error, file=sys.stderr)
         return 1
     state = layout.digest(f for f in SOURCE.rglob("*") if f.is_file())

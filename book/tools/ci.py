@@ -43,20 +43,12 @@ def stages(every: bool = False) -> list[Stage]:
     parallel = ["-n", "2", "--dist", "loadscope"]
     chromium = [*PYTHON, "pytest", "-q", "book/tests/site", "-n", "2", "--dist", "worksteal"]
     pages = ["--every-page"] if every else []
+    typed = [f"-p{name}" for name in ("slamlib", "slambook", "book.tools", "book.live", "benchmarks")]
     files = [str(f.relative_to(layout.ROOT)) for f in layout.notebooks()]
     return [
         Stage("lint", [*PYTHON, "ruff", "check", "--output-format", "concise"], r"All checks (p)assed", "clean tree"),
         Stage("format", [*PYTHON, "ruff", "format", "--check"], r"(\d+) files? already formatted", "files"),
-        Stage(
-            "types",
-            [
-                *PYTHON,
-                "mypy",
-                *(f"-p{name}" for name in ("slamlib", "slambook", "book.tools", "book.live", "benchmarks")),
-            ],
-            r"in (\d+) source files",
-            "files",
-        ),
+        Stage("types", [*PYTHON, "mypy", *typed], r"in (\d+) source files", "files"),
         Stage("generated", [*PYTHON, "slamlib.codegen", "--check"], r"generated code: (\d+) models", "models, current"),
         Stage(
             "tangled", [*PYTHON, "slamlib.codegen.tangle", "--check"], r"tangled cells: (\d+)", "cells, as in slamlib"

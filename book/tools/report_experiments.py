@@ -29,7 +29,6 @@ CODE = sorted((layout.BOOK / "slambook" / "report").glob("*.py"))
 SEED = 22
 LANDMARKS = 8, 15, 31, 64, 98, 165, 231, 331  # of the times: states of 30 to 999 numbers
 REPEATS = 3
-PARTICLES = 0, 10, 30, 100, 300, 1000
 SEEN = {"3 landmarks": 3, "20 landmarks": 20, "all landmarks": None}
 FULL: dict[str, dict[str, Any]] = {
     "memory": {"runs": 100},
@@ -128,7 +127,7 @@ def machine() -> dict[str, Any]:
     """Times of the methods of an update, and of FastSLAM's steps."""
     found: dict[str, Any] = {name: times(name, seen) for name, seen in SEEN.items()}
     found["run of 92 landmarks"] = {m.method: plain(m.seconds, 3) for m in speed.mapping(rng())}
-    racers = planar_runs.compare(rng(), runs=2, steps=40, particles=PARTICLES)
+    racers = planar_runs.compare(rng(), runs=2, steps=40, particles=FULL["fastslam"]["particles"])
     found["FastSLAM"] = {racer.name: plain(racer.seconds, 3) for racer in racers}
     if mrpt.available():
         found["MRPT"] = elsewhere()
@@ -180,11 +179,6 @@ def digest() -> str:
     return hashlib.sha256(json.dumps([SEED, FULL, LIGHT, LANDMARKS, SEEN]).encode()).hexdigest()[:12]
 
 
-def light() -> dict[str, Any]:
-    """The small run of each experiment."""
-    return {name: run(**LIGHT[name]) for name, run in EXPERIMENTS.items()}
-
-
 def bands() -> dict[str, list[float]]:
     """95 % bands of NEES over its degrees of freedom at a step, by experiment."""
     dofs = {"memory": memory.DOF, "fastslam": planar_runs.DOF}
@@ -201,7 +195,7 @@ def kept(name: str, run: Callable[[], Any]) -> Any:
 
 
 RUNS: dict[str, Callable[[], Any]] = {
-    "light": light,
+    "light": lambda: {name: run(**LIGHT[name]) for name, run in EXPERIMENTS.items()},
     **{name: partial(run, **FULL[name]) for name, run in EXPERIMENTS.items()},
     "machine": machine,
 }

@@ -23,15 +23,8 @@ def plain(value: Any, digits: int = 4) -> Any:
     return value
 
 
-def store(file: Path, found: dict[str, Any]) -> None:
-    """Write named figures as JSON, a name to a line, atomically, and print so."""
-    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(value)}" for name, value in found.items())
-    layout.write_whole(file, f"{{{rows}}}\n".encode())
-    print(f"wrote {file.relative_to(layout.ROOT)}: {len(rows) / 1024:.0f} kB")
-
-
 def main(file: Path, parts: Mapping[str, Callable[[], Any]], description: str | None) -> None:
-    """Make the parts, and write the file when all of it is done.
+    """Make the parts, and write them as JSON, a name to a line, when all of it is done.
 
     Those that are not asked for, and those whose result is None as their data are not at hand, stay.
     """
@@ -40,4 +33,6 @@ def main(file: Path, parts: Mapping[str, Callable[[], Any]], description: str | 
     made = {name: parts[name]() for name in parser.parse_args().only}
     found = json.loads(file.read_text("utf-8")) if file.is_file() else {}
     found |= {name: value for name, value in made.items() if value is not None}
-    store(file, {name: found[name] for name in parts if name in found})
+    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(found[name])}" for name in parts if name in found)
+    layout.write_whole(file, f"{{{rows}}}\n".encode())
+    print(f"wrote {file.relative_to(layout.ROOT)}: {len(rows) / 1024:.0f} kB")

@@ -149,7 +149,7 @@ def picture(fig: Any, alt: str) -> StaticPicture:
     It is closed, so that a notebook does not show it again. alt: a sentence that says what one sees, for those who
     cannot; it is also the output's text in the notebook.
     """
-    _described("picture", alt)
+    must_describe("picture", alt)
     return StaticPicture(fig, alt)
 
 
@@ -160,7 +160,7 @@ def sweep(draw: Callable[[Any], Any], label: str, values: Iterable[Any], alt: st
     start: index of the first frame shown (default: the middle one). Fix the axes in `draw`: frames must not jump.
     The first frame is drawn at once, so that a mistake in `draw` is an error here.
     """
-    _described("sweep", alt)
+    must_describe("sweep", alt)
     values = list(values)
     if len(values) < 2:
         raise SlamlibError(f"sweep: a slider needs at least two values, got {len(values)}")
@@ -212,7 +212,8 @@ def _closed(fig: Any) -> Any:
     return fig
 
 
-def _described(function: str, alt: str) -> None:
+def must_describe(function: str, alt: str) -> None:
+    """Raise SlamlibError for words that are too few to describe a figure."""
     if len(alt) < 20:
         raise SlamlibError(f"{function}: alt should be a sentence that says what one sees, got {alt!r}")
 

@@ -63,7 +63,7 @@ def dots(points: Array) -> str:
 
 
 def pieces(points: Array) -> list[Array]:
-    """The runs of finite points of (2, N): a nan breaks a line."""
+    """The runs of finite points of (k, N): a nan breaks a line."""
     good = np.all(np.isfinite(points), axis=0)
     edges = np.flatnonzero(np.diff(np.concatenate([[False], good, [False]]).astype(int)))
     return [points[:, a:b] for a, b in zip(edges[::2], edges[1::2], strict=True)]

@@ -17,23 +17,18 @@ def ellipse(
     """Outline (2, points) of the ellipse that holds a share `probability` of a Gaussian in the plane, or of k sigmas.
 
     mean (2,), covariance (2, 2). The default is the 95 % ellipse. A line (singular covariance) is drawn as one.
-    Raises ShapeError, NonFiniteError, CovarianceError.
+    Raises SlamlibError, ShapeError, NonFiniteError, CovarianceError.
     """
     mean, covariance = finite(mean, (2,), "ellipse", "mean"), finite(covariance, (2, 2), "ellipse", "covariance")
     covariance = positive(covariance, 2, "ellipse", "covariance")
-    radius = radius_of("ellipse", 2, probability, sigmas)
+    if probability is not None and sigmas is not None:
+        raise SlamlibError("ellipse: give a probability or a number of sigmas, not both")
+    share = 0.95 if probability is None else probability
+    radius = float(np.sqrt(chi2_quantile(share, 2)) if sigmas is None else sigmas)
     values, vectors = np.linalg.eigh(covariance)
     angle = np.linspace(0, 2 * np.pi, points)
     circle = np.array([np.cos(angle), np.sin(angle)])
     return mean[:, None] + radius * vectors @ (np.sqrt(np.maximum(values, 0))[:, None] * circle)
-
-
-def radius_of(function: str, dimensions: int, probability: float | None, sigmas: float | None) -> float:
-    """How many sigmas away the boundary is that holds a share of a Gaussian, 95 % by default; raises SlamlibError."""
-    if probability is not None and sigmas is not None:
-        raise SlamlibError(f"{function}: give a probability or a number of sigmas, not both")
-    share = 0.95 if probability is None else probability
-    return float(np.sqrt(chi2_quantile(share, dimensions)) if sigmas is None else sigmas)
 
 
 def draw_ellipse(ax: Any, mean: Array, covariance: Array, **style: Any) -> None:

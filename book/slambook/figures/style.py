@@ -106,12 +106,15 @@ def format_of(text: str) -> dict[str, Any]:
 
 
 def stroke_of(style: dict[str, Any], color: str, width: float = 1.8) -> Stroke | None:
-    """The stroke that keywords (long names) ask for, or None for no line; `color` if they name none."""
-    dashes = dashes_of(style.get("linestyle", "-"))
-    if dashes is None:
+    """The stroke that keywords (long names) ask for, None for no line; `color` if none is. Raises UnknownNameError."""
+    linestyle = style.get("linestyle", "-")
+    if linestyle is not None and (not isinstance(linestyle, str) or linestyle not in LINESTYLES):
+        raise UnknownNameError.of("linestyle", linestyle, [name for name in LINESTYLES if name.strip()])
+    dashes = LINESTYLES[linestyle or ""]
+    if not dashes:
         return None
     chosen = color_named(style.get("color") or color)
-    return Stroke(chosen, positive(style, "linewidth", width), dashes, alpha_of(style))
+    return Stroke(chosen, positive(style, "linewidth", width), DASHES[dashes], alpha_of(style))
 
 
 def fill_of(style: dict[str, Any], color: str) -> Fill:
@@ -123,14 +126,6 @@ def fill_of(style: dict[str, Any], color: str) -> Fill:
         return Fill(inside, alpha)
     edge = stroke_of({**style, "color": outline or inside}, inside, width=1.0)
     return Fill(inside, alpha, edge)
-
-
-def dashes_of(linestyle: Any) -> tuple[float, ...] | None:
-    """The dashes of a line style, () for an unbroken line, None for no line; raises UnknownNameError."""
-    if linestyle is not None and (not isinstance(linestyle, str) or linestyle not in LINESTYLES):
-        raise UnknownNameError.of("linestyle", linestyle, [name for name in LINESTYLES if name.strip()])
-    name = LINESTYLES[linestyle or ""]
-    return DASHES[name] if name else None
 
 
 def alpha_of(style: dict[str, Any]) -> float:

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from slambook.figures.paths import pieces
 from slambook.scene.figures import view_of
 from slambook.scene.layers import Layer, lower
 from slambook.scene.options import MapOptions
@@ -75,10 +76,7 @@ class Packing:
 
     def polylines(self, lines: Array) -> list[Any]:
         """Polylines with rows of nan between as a list of lists."""
-        good = np.isfinite(lines).all(axis=1)
-        starts = np.flatnonzero(np.diff(np.concatenate([[0], good]).astype(int)) == 1)
-        endpoints = np.flatnonzero(np.diff(np.concatenate([good, [0]]).astype(int)) == -1) + 1
-        return [self.whole(lines[a:b]) for a, b in zip(starts, endpoints, strict=True)]
+        return [self.whole(piece.T) for piece in pieces(lines.T)]
 
     def frame(
         self, snapshot: Snapshot, truth: Truth | None, before: dict[str, list[int]]

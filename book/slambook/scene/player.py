@@ -11,7 +11,9 @@ from typing import Any
 
 from slambook.figures import figure
 from slambook.figures.colors import paint
+from slambook.figures.page import must_describe
 from slambook.figures.paths import number
+from slambook.figures.style import DASHES
 from slambook.scene.figures import SHELL, draw, map_figure
 from slambook.scene.image_frames import ImageFrames
 from slambook.scene.image_scene import OUTCOMES, sensor_scene
@@ -112,16 +114,14 @@ def _check(snapshots: Sequence[Snapshot], truths: Sequence[Truth], alt: str, fra
         raise SlamlibError(f"player: at least two frames are wanted, got {min(len(snapshots), frames)}")
     if truths and len(truths) != len(snapshots):
         raise SlamlibError(f"player: one truth a snapshot is wanted, got {len(truths)} for {len(snapshots)}")
-    if len(alt) < 20:
-        raise SlamlibError(f"player: alt should be a sentence that says what one sees, got {alt!r}")
+    must_describe("player", alt)
     if not fps > 0:
         raise SlamlibError(f"player: fps should be a positive number of frames per second, got {fps!r}")
 
 
 def _styles(role: Role) -> dict[str, Any]:
     """A role as the styles of what the script draws."""
-    color, dashes = paint(role.color), {"--": "3.7 1.6", "-.": "6.4 1.6 1 1.6", ":": "1 1.65"}.get(role.linestyle, "")
-    spaced = " ".join(number(float(d) * role.width) for d in dashes.split())
+    color, spaced = paint(role.color), " ".join(number(d * role.width) for d in DASHES[role.linestyle])
     line = f"stroke:{color};stroke-opacity:{number(role.alpha)};stroke-width:{{}}"
     line += f";stroke-dasharray:{spaced}" if spaced else ""
     filled = "none" if role.hollow else color

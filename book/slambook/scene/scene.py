@@ -76,8 +76,8 @@ def bounds(
     """
     robots = [r.pose[:3] for s in (*path[:: max(len(path) // 50, 1)], snapshot) for r in s.robots]
     true = [np.asarray(state)[:3] for state in truth.robots] if truth is not None else []
-    seen = _known(snapshot) if world is None else world_points(world)
-    points = np.concatenate([np.reshape([*robots, *true], (-1, 3)), seen])
+    seen = [_known(snapshot)] if world is None else [world.points.values, world.segments.values.reshape(-1, 3)]
+    points = np.concatenate([np.reshape([*robots, *true], (-1, 3)), *seen])
     low, high = points.min(axis=0), points.max(axis=0)
     if options.limits is not None:
         low[:2], high[:2] = -options.limits, options.limits
@@ -89,11 +89,6 @@ def bounds(
 def size_of(corners: Array, options: MapOptions) -> float:
     """How large a robot is drawn [m]."""
     return options.size or WIDE * float(np.linalg.norm(corners[1] - corners[0]))
-
-
-def world_points(world: World) -> Array:
-    """All points and endpoints (N, 3) of a world."""
-    return np.concatenate([world.points.values, world.segments.values.reshape(-1, 3)])
 
 
 def _known(snapshot: Snapshot) -> Array:

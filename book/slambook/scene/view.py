@@ -27,14 +27,6 @@ NAMED = {
 }
 
 
-def view_axes(elevation: float, azimuth: float) -> Array:
-    """Rows: the unit vectors to the right, up, and towards the viewer, for angles in degrees."""
-    e, a = np.radians([elevation, azimuth])
-    towards = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
-    right = np.array([-np.sin(a), np.cos(a), 0.0])
-    return np.stack([right, np.cross(towards, right), towards])
-
-
 @dataclass(frozen=True)
 class OrbitView:
     """Where the viewer is: azimuth from the x axis and elevation above the ground [deg], at a distance [m] of target.
@@ -78,7 +70,11 @@ class OrbitView:
 
     @cached_property
     def _rows(self) -> Array:
-        return view_axes(self.elevation, self.azimuth)
+        """The unit vectors to the right, up, and towards the viewer."""
+        e, a = np.radians([self.elevation, self.azimuth])
+        towards = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+        right = np.array([-np.sin(a), np.cos(a), 0.0])
+        return np.stack([right, np.cross(towards, right), towards])
 
     def seen(self, points: Array) -> Array:
         """Points (..., 3) as the viewer sees them: to the right, up, and how far away along the axis of the view."""
