@@ -67,14 +67,10 @@ def cases() -> dict[str, Preset]:
         **{f"lines {name}": with_options(house, lines=name) for name in sorted(LINES)},
         **theory(),
         **switches(replace(base, frames=SHORT)),
-        **{f"preset {name}": shortened(make()) for name, make in PRESETS.items()},
+        # the first frames, for comparing the sensors; whole loops are those of points and lines
+        **{f"preset {n}": replace(with_options(f(), reproject=False), frames=BEGINNING) for n, f in PRESETS.items()},
         **{f"prior {name}": with_options(base, points=name, **TOOLBOX) for name in ("idpPnt", "hmgPnt")},
     }
-
-
-def shortened(preset: Preset) -> Preset:
-    """The first frames, for comparing the sensors; whole loops are those of points and lines."""
-    return replace(with_options(preset, reproject=False), frames=BEGINNING)
 
 
 def theory() -> dict[str, Preset]:

@@ -1,12 +1,10 @@
 """Checks of the observation: (5.24) to (5.30)."""
 
-from collections.abc import Callable
-
 import numpy as np
 
 from slambook.report import observation, scenes
 from slambook.report.filter import Memory
-from slambook.report.findings import Findings, at_least, at_most, check, near, ran, refused, statistics
+from slambook.report.findings import Findings, at_least, at_most, check, differences, near, ran, refused, statistics
 from slambook.report.switches import Equations
 from slamlib.manifolds import Array
 
@@ -14,13 +12,6 @@ from slamlib.manifolds import Array
 def _poses_and_points(seed: int) -> tuple[Array, Array]:
     rng = np.random.default_rng(seed)
     return rng.uniform(-1, 1, (100, 6)), rng.uniform(-5, 5, (100, 4, 3))
-
-
-def differences(function: Callable[[Array, Array], Array], pose: Array, points: Array) -> Array:
-    """Derivative (..., m, 3, 6) w.r.t. the pose from central differences."""
-    h = 1e-6
-    columns = [(function(pose + h * e, points) - function(pose - h * e, points)) / (2 * h) for e in np.eye(6)]
-    return np.stack(columns, -1)
 
 
 @check("E11", "(5.24)-(5.25)", "landmark as a 4x4 matrix with a zero block", "z = R'(m - t)")
