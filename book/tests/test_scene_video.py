@@ -167,7 +167,9 @@ def test_nothing_is_left_of_a_video_that_fails_and_nothing_is_overwritten(matplo
     if name.endswith("mp4"):
         pytest.importorskip("cv2", reason="films are written by OpenCV (extra `draw`)")
     animate(RUN[:1], tmp_path / name, size=(1.6, 0.9))
-    with pytest.raises(SlamlibError, match="is there already: choose another name, or say overwrite=True"):
+    with pytest.raises(
+        SlamlibError, match=r"exists: choose another name, or replace it \(overwrite=True, or --overwrite\)"
+    ):
         animate(RUN, tmp_path / name)
     before = sorted(tmp_path.rglob("*"))
     pixels = Window.pixels

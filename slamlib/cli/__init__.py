@@ -1,43 +1,85 @@
 """The command `slamlib`: runs experiments, compares parametrizations, lists the available components."""
 
 import argparse
+import signal
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
-from slamlib.cli import compare, listing, run
-from slamlib.cli.images import ImagesCommand, PairsCommand
+import numpy as np
+
+from slamlib import __version__
+from slamlib.cli import compare, listing, run, starting
+from slamlib.cli.monocular import ImagesCommand
+from slamlib.cli.runner import STOPPED
+from slamlib.cli.stereo import PairsCommand
 from slamlib.errors import SlamlibError
 
 COMMANDS: dict[str, Any] = {
-    "run": run, "run images": ImagesCommand(), "run stereo-images": PairsCommand(), "compare": compare, "list": listing
+    "run": run, "run images": ImagesCommand(), "run stereo-images": PairsCommand(), "compare": compare, "list": listing,
+    "preset": starting,
 }  # fmt: skip
 
 
 def parser() -> argparse.ArgumentParser:
     """The parser of the command line."""
     top = argparse.ArgumentParser(prog="slamlib", description="EKF-SLAM, derived: run the book's filter.")
+    top.add_argument("--version", action="version", version=f"slamlib {__version__}")
     commands = top.add_subparsers(dest="command", required=True, metavar="{" + ",".join(COMMANDS) + "}")
     for name, made in COMMANDS.items():
         line = (made.__doc__ or "").strip().splitlines()[0]
-        command = commands.add_parser(name, help=line, description=line)
+        command = commands.add_parser(
+            name,
+            help=line,
+            description=line,
+            epilog=made.EXAMPLES,
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+        )
         made.arguments(command)
         command.set_defaults(execute=made.execute)
     return top
 
 
 def main(words: Sequence[str] | None = None) -> int:
-    """Run the command; return the exit status: 0, 2 for an error of the user, 130 if interrupted."""
-    given = parser().parse_args(_joined(sys.argv[1:] if words is None else words))
+    """Run the command; return the exit status: 0, 2 for an error of the user, 130 if interrupted, 143 if terminated."""
     try:
-        status: int = given.execute(given)
+        with _terminable(), np.errstate(all="ignore"):  # what is not finite is refused, by its name
+            given = parser().parse_args(_joined(sys.argv[1:] if words is None else words))
+            status: int = given.execute(given)
+        sys.stdout.flush()
     except SlamlibError as error:
         print(f"slamlib: {error}", file=sys.stderr)
         return 2
     except BrokenPipeError:
         sys.stderr.close()
         return 1
+    except OSError as error:  # a full disk behind the standard output, for instance
+        print(f"slamlib: {error.strerror or error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt as stop:
+        number = stop.args[0] if stop.args else signal.SIGINT
+        print(f"slamlib: {STOPPED[number]}", file=sys.stderr)
+        return 128 + number
     return status
+
+
+@contextmanager
+def _terminable() -> Iterator[None]:
+    """SIGTERM, as Ctrl-C, raises KeyboardInterrupt, so that unfinished files are removed."""
+
+    def stop(number: int, frame: object) -> None:
+        raise KeyboardInterrupt(number)
+
+    try:
+        before = signal.signal(signal.SIGTERM, stop)
+    except ValueError:  # not in the main thread, which alone receives signals
+        yield
+        return
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 def _joined(words: Sequence[str]) -> list[str]:

@@ -4,6 +4,7 @@ import argparse
 import json
 from collections.abc import Callable
 from dataclasses import replace
+from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -42,20 +43,22 @@ def at_least(least: int) -> Callable[[str], int]:
 count = at_least(1)
 
 
+def number(text: str) -> float:
+    """An argparse type: a finite number, 0 or more."""
+    value = float(text)
+    if not 0 <= value < inf:
+        raise argparse.ArgumentTypeError(f"a number, 0 or more, is expected, not {text}")
+    return value
+
+
 def outputs(add: Callable[..., Any]) -> None:
     """Add the output options of a run of any kind."""
+    add("--live", action="store_true", help="show the run in a window")
     add("--video", metavar="PATH", help="write a video: .mp4, .webm, .gif, or a folder for numbered PNG files")
     add("--save", metavar="PATH", help="save the run to a file, also if it is interrupted")
     add("--resume", metavar="PATH", help="continue a saved run instead of starting a new one")
+    add("--overwrite", action="store_true", help="replace files that exist")
     add("--json", action="store_true", help="print the result as JSON")
-
-
-def check_video(path: str | None) -> None:
-    """Raise SlamlibError, before the run, for a video that could not be written after it."""
-    if path:
-        from slambook.scene.video import ready
-
-        ready(path)
 
 
 def base(name: str) -> Preset:

@@ -2,17 +2,24 @@
 
 import argparse
 import json
+import sys
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from slamlib.cli import arguments as shared
+from slamlib.data.files import check_writable
 from slamlib.evaluation.consistency import share_inside
 from slamlib.experiments.monte_carlo import Experiment, monte_carlo
 from slamlib.landmarks import LINES
 
 DOF = 6
+EXAMPLES = """examples:
+  slamlib compare ahmPnt idpPnt hmgPnt --runs 20 --jobs 2 --folder finished
+  slamlib compare plkLin aplLin --preset lines --frames 200
+"""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
@@ -20,7 +27,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("landmarks", nargs="+", help="parametrizations, of `slamlib list points` or `lines`")
     parser.add_argument("--preset", help="default: points for points, lines for lines")
     parser.add_argument("--runs", type=shared.count, default=20, help="independent runs of each (default 20)")
-    parser.add_argument("--jobs", type=int, default=1, help="runs in parallel, one per processor (default 1)")
+    parser.add_argument("--jobs", type=shared.count, default=1, help="runs in parallel, one per processor (default 1)")
     parser.add_argument("--folder", metavar="PATH", help="store finished runs there, and reuse them next time")
     parser.add_argument("--json", action="store_true", help="print the result as JSON")
     shared.add(parser)
@@ -29,11 +36,20 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 def execute(given: argparse.Namespace) -> int:
     """Run all parametrizations, each on the same worlds, motions and noises."""
     rows = []
+    if given.folder:
+        check_writable(Path(given.folder) / "run.npz")
     for name in given.landmarks:
         base = shared.base(given.preset or ("lines" if name in LINES else "points"))
         preset = shared.with_landmark(shared.changed(base, given), name)
         # The seed draws the runs: files of finished runs belong to the preset without it.
-        found = monte_carlo(replace(preset, seed=0), given.runs, seed=preset.seed, jobs=given.jobs, folder=given.folder)
+        try:
+            found = monte_carlo(
+                replace(preset, seed=0), given.runs, seed=preset.seed, jobs=given.jobs, folder=given.folder
+            )
+        except KeyboardInterrupt as stop:
+            kept = f"are in {given.folder}" if given.folder else "would be kept with --folder PATH"
+            print(f"slamlib: {name}: finished runs {kept}; the same command goes on from there", file=sys.stderr)
+            raise stop
         rows.append(summary(name, found))
     print(json.dumps(rows, indent=2) if given.json else table(rows))
     return 0

@@ -1,49 +1,31 @@
-"""`slamlib run images` and `slamlib run stereo-images`: their arguments, and the runs they start or resume."""
+"""Runs on images: the arguments that those of one camera and of two share, execution, and the report."""
 
 import argparse
+import json
+import sys
 from collections.abc import Callable
-from dataclasses import fields, replace
+from dataclasses import fields
 from typing import Any
 
 import numpy as np
 
-from slamlib.cli import runner
-from slamlib.cli.arguments import OPTION, assignments, at_least, count, outputs
-from slamlib.data.plain import read
-from slamlib.data.setup import SensorSetup
-from slamlib.datasets import opening
+from slamlib.cli.arguments import OPTION, aligned_rows, assignments, at_least, count, number, outputs
+from slamlib.cli.runner import EXIT_ERROR, Job, RunEnd, check_files, check_resumed, execute
 from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
 from slamlib.landmarks import POINTS
-from slamlib.motions import MOTIONS
-from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
-from slamlib.vision.active_search import ActiveSearchSettings
-from slamlib.vision.run import (
-    IMAGES,
-    PAIRS,
-    camera_rig,
-    image_run,
-    load,
-    make_front_end,
-    open_stereo,
-    options_for,
-    stereo_run,
-)
-from slamlib.vision.sequence_run import SequenceKind, SequenceRun
-from slamlib.vision.stereo.detect import StereoSettings
-from slamlib.vision.stereo.motion_source import MOTION_SOURCES
-from slamlib.vision.target import Target
+from slamlib.vision.results import compared, summary, table
+from slamlib.vision.run import load
+from slamlib.vision.sequence_run import ImageStep, SequenceKind, SequenceRun
 
 Add = Callable[..., Any]  # add_argument of a group
-ALIASES = {"constant-velocity": "constVel"}
-EXAMPLES = """examples:
-  slamlib run stereo-images --source sequences/04 --reference poses/04.txt --trajectory path.txt
-  slamlib run stereo-images --source MH_01_easy --frames 200 --video film.mp4
-  slamlib run stereo-images --left "left/*.png" --right "right/*.png" --calibration pair.json --fps 10
-  slamlib run stereo-images --source sequences/04 --odometry-only
-
-pair.json of a rectified pair, in pixels and metres:
-  {"intrinsics": [601.9, 183.1, 707.1, 707.1], "baseline": 0.537}
-"""
+JUDGED, ENOUGH = 30, 0.85  # frames, and the least share of inliers among the matches of a good run
+NO_MATCH = "no match in {}: prediction only; the run stops after {} such frames in a row (reported once)"
+REVERSED = (
+    "only {:.0%} of the matches are inliers: the path may be reversed (near points estimated as far, and the motion as "
+    "its opposite), which one camera can hardly detect if it already moves in the first image. Start where it is at "
+    "rest, or give more information: a target (--scale FILE), another --velocity"
+)
 
 
 class ImageCommand:
@@ -54,33 +36,64 @@ class ImageCommand:
     """
 
     kind: SequenceKind
-    epilog: str | None = None
+    EXAMPLES: str
     what: Callable[[Add], None]
     how: Callable[[Add], None]
     new_run: Callable[[argparse.Namespace], SequenceRun]
 
     def arguments(self, parser: argparse.ArgumentParser) -> None:
         """Add the arguments of the command."""
-        if self.epilog:
-            parser.formatter_class, parser.epilog = argparse.RawDescriptionHelpFormatter, self.epilog
         self.what(parser.add_argument_group("input options").add_argument)
         self.how(parser.add_argument_group("filter options").add_argument)
         add = parser.add_argument_group("output options").add_argument
         add("--trajectory", metavar="FILE", help="write the camera's trajectory in TUM format, for evo")
         add("--reference", metavar="FILE", help="compare with a trajectory of this camera (TUM, EuRoC or KITTI format)")
-        add("--live", action="store_true", help="show the run in a window")
         outputs(add)
+        parser.set_defaults(check=lambda given: check_resumed(given, parser, "frames", "patience", "reference"))
 
     def execute(self, given: argparse.Namespace) -> int:
         """Run; a run that stops early, by an error or by Ctrl-C, is saved, and can be resumed."""
+        check_files(given)
         run = self._resumed(given) if given.resume else self.new_run(given)
         if not run.has_map and (given.video or given.live):
             raise SlamlibError("--video and --live show the filter's map: with --odometry-only there is none")
-        return runner.execute_run(run, given, f"run {self.kind.name}")
+        source, warned = run.source, False
+        reference = read_trajectory(given.reference, np.array(source.times)) if given.reference else None
+
+        def warn(step: ImageStep) -> None:
+            nonlocal warned
+            if run.tracking_loss.frames and not warned:
+                warned = True
+                print(f"\nslamlib: {NO_MATCH.format(step.picture.name, run.patience)}", file=sys.stderr)
+
+        kind, fps = self.kind, 1 / (source.interval * source.frames.step)
+        job = Job(
+            run, source.where.rpartition("/")[2], f"run {kind.name}", f"slamlib-{kind.name}.npz",
+            lambda step: (run.snapshot(), None), kind.item, fps, each=warn,
+        )  # fmt: skip
+        return self._report(run, given, execute(job, given), reference)
+
+    def _report(self, run: SequenceRun, given: argparse.Namespace, ended: RunEnd, reference: Trajectory | None) -> int:
+        """Write the trajectory, print the result; return the exit status."""
+        if given.trajectory:
+            write_tum(given.trajectory, run.trajectory())
+        s: dict[str, Any] = {"source": run.source.where, "layout": run.source.layout, **summary(run.result())}
+        s |= {"metric": run.metric, "stopped": ended.why, "reference": None}
+        try:
+            if reference is not None:
+                s["reference"] = compared(run.trajectory(), reference, run.source.interval, run.metric)
+        except SlamlibError as error:  # the run is valid without the reference
+            ended.status = EXIT_ERROR
+            print(f"slamlib: {given.reference}: {error}", file=sys.stderr)
+        rows = [("source", f"{s['source']} ({s['layout']})"), *table(s)]
+        print(json.dumps(s, indent=2) if given.json else aligned_rows(rows))
+        inliers = s["inlier_share"]
+        if not run.metric and s["frames"] >= JUDGED and inliers is not None and inliers < ENOUGH:
+            print(f"slamlib: {REVERSED.format(inliers)}", file=sys.stderr)
+        return ended.status
 
     def _resumed(self, given: argparse.Namespace) -> SequenceRun:
-        if any(getattr(given, name, None) for name in ("source", "left", "right", "calibration")):
-            raise SlamlibError("--resume continues with the images and the calibration of its file: leave them out")
+        given.check(given)
         run = load(given.resume, self.kind, frames=given.frames)
         run.patience = given.patience or run.patience
         return run
@@ -88,7 +101,7 @@ class ImageCommand:
     def _which(self, add: Add) -> None:
         """Add the arguments that select images."""
         of = f"{self.kind.item}s"
-        add("--fps", type=float, help=f"{of} per second, if no file gives their times (default 30)")
+        add("--fps", type=number, help=f"{of} per second, if no file gives their times (default 30)")
         add("--frames", type=count, metavar="N", help=f"number of {of}")
         add("--start", type=at_least(0), default=0, metavar="N", help="number of the first one (default 0)")
         add("--every", type=count, default=1, metavar="N", help="use every N-th only (default 1)")
@@ -99,7 +112,7 @@ class ImageCommand:
             ("impulse", self.kind.impulse, f"changes of velocity from one {self.kind.item} to the next"),
             ("velocity", self.kind.velocity, "velocities at the start, whose mean is zero"),
         ):
-            add(f"--{name}", nargs=2, type=float, metavar=("M/S", "DEG/S"),
+            add(f"--{name}", nargs=2, type=number, metavar=("M/S", "DEG/S"),
                 help=f"{before}std of {what} (default {default.format(*own)})")  # fmt: skip
 
     def _search(self, add: Add, settings: Any, of: str) -> None:
@@ -110,133 +123,9 @@ class ImageCommand:
         add("--patience", type=count, metavar="N", help=f"stop after N {self.kind.item}s without a match (default 30)")
 
 
-def _given_options(given: argparse.Namespace, what: str, *names: str) -> dict[str, Any]:
+def given_options(given: argparse.Namespace, what: str, *names: str) -> dict[str, Any]:
     """The filter's options given on the command line. Raises SlamlibError, which calls the parametrization `what`."""
     if given.landmark not in POINTS:
         raise UnknownNameError.of(what, given.landmark, POINTS)
     named = {"points": given.landmark, **{name: getattr(given, name) for name in names}}
     return {**{name: value for name, value in named.items() if value is not None}, **assignments(given.option)}
-
-
-class ImagesCommand(ImageCommand):
-    """Run the filter on real pictures: a folder, a glob, a video, or TUM RGB-D, EuRoC and KITTI layouts."""
-
-    kind = IMAGES
-
-    def what(self, add: Add) -> None:
-        """Add the input arguments of one camera."""
-        add("--source", metavar="PATH", help="a folder, a quoted glob, a video, or a data set's folder")
-        add("--calibration", metavar="FILE", help="slamlib's, EuRoC's, OpenCV's, KITTI's, plain text; or fr1, fr2, fr3")
-        add("--camera", type=at_least(0), default=0, metavar="N", help="number of the camera (default 0)")
-        add("--undistort", action="store_true", help="remove the lens distortion from the images (OpenCV)")
-        self._which(add)
-        add("--scale", default="free", metavar="free|FILE",
-            help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3) [m], n at least 4, '
-                 'their "pixels" (n, 2) in the first image, and the "std" of the points [m]')  # fmt: skip
-
-    def how(self, add: Add) -> None:
-        """Add the filter arguments, with all motions of slamlib."""
-        add("--motion", default="constant-velocity", help="constant-velocity, or a name of `slamlib list motions`")
-        self._impulses(add, "", "{:g} times the target's distance, if there is one, and {:g}")
-        add("--noise", type=float, metavar="PX",
-            help=f"std of a pixel coordinate (default: the calibration file's, or {IMAGES.noise[0]})")  # fmt: skip
-        points, updates = IMAGES.options.points, IMAGES.options.updates
-        add("--landmark", default=points, help=f"parametrization of points (default {points})")
-        add("--lines", metavar="LANDMARK",
-            help="also straight edges, in this parametrization, such as idpLin (default: none)")  # fmt: skip
-        add("--updates", type=count, metavar="N", help=f"landmarks per frame (default {updates}, more with a target)")
-        add("--outlier-rejection", choices=OUTLIER_REJECTIONS,
-            help=f"how outliers among matches are rejected (default {IMAGES.options.outlier_rejection})")  # fmt: skip
-        self._search(add, ActiveSearchSettings, "active search")
-        add("--seed", type=int, default=1, metavar="N", help="seed of the search for new landmarks (default 1)")
-
-    def new_run(self, given: argparse.Namespace) -> SequenceRun:
-        """A run with free scale, or with that of a target."""
-        if not given.source or not given.calibration:
-            raise SlamlibError("--source and --calibration are needed, or --resume PATH; see slamlib run images --help")
-        motion = ALIASES.get(given.motion, given.motion)
-        if motion not in MOTIONS:
-            raise UnknownNameError.of("motion", given.motion, [*ALIASES, *MOTIONS])
-        opened = {"camera": given.camera, "fps": given.fps, "undistort": given.undistort}
-        source, camera = opening.open_sequence(given.source, given.calibration, **opened)
-        if given.noise is not None:
-            camera["std"] = (given.noise,)
-        target = None if given.scale == "free" else Target.load(given.scale)
-        unit = 1.0 if target is None else target.distance(read(SensorSetup, camera, "camera").calibration)
-        rig = camera_rig(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
-        settings = ActiveSearchSettings(**assignments(given.search, ActiveSearchSettings, "--search"))
-        names = "lines", "updates", "outlier_rejection"
-        said = _given_options(given, "point landmark (for lines there is --lines)", *names)
-        chosen = options_for(unit, 0 if target is None else len(target.points), **said)
-        front_end = make_front_end(chosen, rig.sensors[0].calibration, np.random.default_rng(given.seed), settings)
-        pictures = source.part(given.start, given.every, given.frames)
-        return image_run(pictures, rig, chosen, front_end, scale=target, patience=given.patience or 30)
-
-
-class PairsCommand(ImageCommand):
-    """Run the filter on real stereo pairs: KITTI and EuRoC layouts, or a left and a right folder, glob or video."""
-
-    kind, epilog = PAIRS, EXAMPLES
-
-    def what(self, add: Add) -> None:
-        """Add the input arguments of two cameras."""
-        add("--source", metavar="FOLDER", help="of KITTI (image_0, image_1, calib.txt, times.txt) or EuRoC (mav0)")
-        for side in ("left", "right"):
-            add(
-                f"--{side}",
-                metavar="GLOB",
-                help=f"the {side} images: a folder, a quoted glob, or a video",
-            )
-        add("--calibration", metavar="FILE", nargs="+",
-            help="of both cameras: KITTI's, slamlib's, Kalibr's, OpenCV's or plain JSON, or two files (EuRoC's); a "
-                 "data set's folder may contain it")  # fmt: skip
-        add("--cameras", nargs=2, type=at_least(0), metavar=("L", "R"), help="their numbers (default 0 1, or 2 3)")
-        add("--rectify", action="store_true",
-            help="the images are not rectified: rectify them (OpenCV; always done for EuRoC)")  # fmt: skip
-        self._which(add)
-
-    def how(self, add: Add) -> None:
-        """Add the filter arguments, with visual odometry."""
-        add("--motion", choices=MOTION_SOURCES, default="split-features",
-            help="where predictions come from: constant-velocity, split-features (odometry of one half of the "
-                 "features, landmarks of the other; default), correlated (all for both; needs many)")  # fmt: skip
-        add("--odometry-only", action="store_true", help="no filter: visual odometry alone, for comparison")
-        self._impulses(add, "with --motion constant-velocity, ", "{:g} {:g}")
-        noise = " ".join(f"{n:g}" for n in PAIRS.noise)
-        add("--noise", nargs="+", type=float, metavar="PX",
-            help=f"std of u, v and disparity, or one for all (default: the calibration's, or {noise})")  # fmt: skip
-        points, updates = PAIRS.options.points, PAIRS.options.updates
-        add("--landmark", default=points, help=f"parametrization of points (default {points})")
-        for name, text in (
-            ("window", "delete landmarks not seen for N pairs (default: none)"),
-            ("capacity", "most landmarks; beyond it the least recently seen one is deleted"),
-            ("updates", f"landmarks measured per pair (default {updates})"),
-        ):
-            add(f"--{name}", type=count, metavar="N", help=text)
-        self._search(add, StereoSettings, "features")
-
-    def new_run(self, given: argparse.Namespace) -> SequenceRun:
-        """A run of the filter, or of visual odometry alone."""
-        if not given.source and not (given.left and given.right):
-            see = "see slamlib run stereo-images --help"
-            raise SlamlibError(f"--source, or --left and --right, are needed, or --resume PATH; {see}")
-        if given.source and (given.left or given.right):
-            raise SlamlibError("--source has both cameras in it: leave --left and --right out")
-        settings = StereoSettings(**assignments(given.search, StereoSettings, "--search"))
-        full = {} if given.capacity is None else {"pruning": "least-recently-seen"}
-        said = _given_options(given, "point landmark", "window", "capacity", "updates")
-        options = replace(PAIRS.options, **{**full, **said})
-        cameras = tuple(given.cameras) if given.cameras else None
-        source, camera, settings = open_stereo(
-            given.source, given.left, given.right, given.calibration,
-            cameras=cameras, fps=given.fps, rectify=given.rectify, settings=settings,
-        )  # fmt: skip
-        if given.noise is not None:
-            if len(given.noise) not in (1, 3) or not min(given.noise) > 0:
-                raise SlamlibError(f"--noise takes one number above 0, or three (u, v, disparity), got {given.noise}")
-            camera = {**camera, "std": tuple(given.noise * (3 // len(given.noise))), "noise": None}
-        return stereo_run(
-            source.part(given.start, given.every, given.frames), camera, options,
-            motion_source="odometry" if given.odometry_only else given.motion, settings=settings,
-            impulse=given.impulse, velocity=given.velocity, patience=given.patience or 30,
-        )  # fmt: skip

@@ -2,61 +2,59 @@
 
 import argparse
 import json
-import sys
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from slamlib.cli import arguments as shared
+from slamlib.cli import runner
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band, share_inside
-from slamlib.experiments.progress import progress
 from slamlib.experiments.runs import Result, Run
 
 DOF = 6
+EXAMPLES = """examples:
+  slamlib run points
+  slamlib run points --landmark hmgPnt --seed 7 --video run.mp4
+  slamlib run stereo --calibrate --save run.npz
+  slamlib run --resume run.npz --frames 800
+  slamlib preset points > mine.toml; slamlib run mine.toml
+
+on real images: slamlib run images --help; on stereo pairs: slamlib run stereo-images --help
+"""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `slamlib run`."""
-    parser.epilog = "On real pictures: slamlib run images --help; on stereo pairs: slamlib run stereo-images --help"
     parser.add_argument("preset", nargs="?", help="a name of `slamlib list presets`, or a JSON or TOML file")
     parser.add_argument("--landmark", action="append", default=[], help="parametrization of new points or lines")
     shared.add(parser)
     shared.outputs(parser.add_argument)
+    parser.set_defaults(check=lambda given: runner.check_resumed(given, parser, "frames"))
 
 
 def execute(given: argparse.Namespace) -> int:
     """Run the experiment; an interrupted run is saved, and can be resumed."""
+    runner.check_files(given)
     run = _run(given)
-    shared.check_video(given.video)
-    film: list[Any] = []
-    path = given.save or f"slamlib-{run.preset.name}-{run.preset.seed}.npz"
-    try:
-        for step in progress(run, len(run), f"{run.preset.name}, seed {run.preset.seed}"):
-            if given.video:
-                film.append((run.slam.snapshot(), step.truth))
-    except KeyboardInterrupt:
-        run.save(path)
-        print(f"interrupted after frame {run.slam.number}; resume with: slamlib run --resume {path}", file=sys.stderr)
-        return 130
-    if given.save:
-        run.save(path)
-    if given.video:
-        from slambook.scene import animate
-
-        snapshots, truths = zip(*film, strict=True)
-        animate(snapshots, given.video, world=run.preset.world, truths=truths)
+    name = run.preset.name
+    job = runner.Job(
+        run, f"{name}, seed {run.preset.seed}", "run", f"slamlib-{name}-{run.preset.seed}.npz",
+        shown=lambda step: (run.slam.snapshot(), step and step.truth), world=run.preset.world,
+    )  # fmt: skip
+    ended = runner.execute(job, given)
     result = run.result()
     print(json.dumps(summary(result), indent=2) if given.json else table(result))
-    return 0
+    return ended.status
 
 
 def _run(given: argparse.Namespace) -> Run:
     if given.resume:
-        if given.preset:
-            raise SlamlibError("--resume continues with the preset of its file: leave the name out")
+        given.check(given)
         run = Run.load(given.resume)
+        if given.frames and given.frames < run.done:
+            raise SlamlibError(f"--frames {given.frames}: {given.resume} has {run.done} frames already")
         if given.frames:
             run.preset = replace(run.preset, frames=given.frames)
         return run
@@ -78,9 +76,10 @@ def summary(result: Result) -> dict[str, Any]:
             "position_sigma": float(np.linalg.norm(result.sigmas[-1, i, :3])),
             "attitude_error": float(np.degrees(np.linalg.norm(result.errors[-1, i, 3:]))),
             "nees": float(result.nees[-1, i]),
-            "nees_inside": share_inside(result.nees[np.isfinite(result.nees[:, i]), i], (low, high)),
+            "nees_inside": share_inside(known, (low, high)) if len(known) else None,
         }
         for i, setup in enumerate(result.preset.rig.robots)
+        for known in [result.nees[np.isfinite(result.nees[:, i]), i]]
     ]
     return {
         "preset": result.preset.name,
@@ -112,8 +111,11 @@ def table(result: Result) -> str:
     for robot in s["robots"]:
         place = f"{100 * robot['position_error']:.1f} cm (sigma {100 * robot['position_sigma']:.1f} cm), "
         rows.append((f"{robot['name']}: error", place + f"{robot['attitude_error']:.2f} degrees"))
-        share = f"{robot['nees']:.2f}; {robot['nees_inside']:.0%} of the steps inside [{low:.2f}, {high:.2f}]"
-        rows.append((f"{robot['name']}: NEES, {DOF} dof", share + " (1 run, 95 %)"))
+        share = "the motion has no noise: the pose is known exactly"
+        if robot["nees_inside"] is not None:
+            share = f"{robot['nees']:.2f}; {robot['nees_inside']:.0%} of the steps inside [{low:.2f}, {high:.2f}]"
+            share += " (1 run, 95 %)"
+        rows.append((f"{robot['name']}: NEES, {DOF} dof", share))
     rows.append(("NIS per degree of freedom", f"{s['nis_per_dof']:.2f}"))
     rows.append(("landmarks", f"{s['landmarks']} in the map, {s['initialized']} initialized, {s['deleted']} deleted"))
     for name in ("point", "line"):

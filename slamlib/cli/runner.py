@@ -1,80 +1,47 @@
-"""Execution of a run on images: progress bar, video or window, and saving when it is interrupted."""
+"""Execution of a run, simulated or on images: files checked first, a bar, a window or video; saved where it stops."""
 
 import argparse
-import json
 import signal
 import sys
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import tee
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from slamlib.cli.arguments import aligned_rows, check_video
+from slamlib.data.files import check_writable
+from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.trajectory import read_trajectory, write_tum
 from slamlib.experiments.progress import progress
-from slamlib.vision.results import compared, summary, table
-from slamlib.vision.sequence_run import SequenceRun
 
-EXIT_ERROR, EXIT_INTERRUPTED = 2, 130
-JUDGED, ENOUGH = 30, 0.85  # frames, and the least share of inliers among the matches of a good run
-NO_MATCH = "no match in {}: prediction only; the run stops after {} such frames in a row (reported once)"
-REVERSED = (
-    "only {:.0%} of the matches are inliers: the path may be reversed (near points estimated as far, and the motion as "
-    "its opposite), which one camera can hardly detect if it already moves in the first image. Start where it is at "
-    "rest, or give more information: a target (--scale FILE), another --velocity"
-)
+EXIT_ERROR = 2
+STOPPED: dict[int, str] = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}
+FILES = ("save", "trajectory", "covariances", "map", "plot")  # options whose value is a file that is written
+CONTINUED = ("resume", "save", "overwrite", "video", "live", "json", *FILES)  # those that a resumed run takes too
+Shown = tuple[Snapshot, Truth | None]
 
 
-def execute_run(run: SequenceRun, given: argparse.Namespace, command: str) -> int:
-    """Run to the end, or until something stops it, and print the result; return the exit status.
+@dataclass(frozen=True)
+class Job:
+    """A run, and what its execution needs to know of it.
 
-    The results are written and saved in both cases. command: the one that resumes it, such as "run images"; a stopped
-    run without --save is saved as slamlib-images.npz then. Raises SlamlibError if nothing was run.
+    run: iterable and sized, with is_intact and save(path). label: on the progress bar. command: resumes it. file: where
+    it is saved if it stops and no other file is given. shown(step): what a window or a video shows; None: at the start.
+    each(step): called after each step. fps: of a video. world: shown as the truth.
     """
-    reference = read_trajectory(given.reference, np.array(run.source.times)) if given.reference else None
-    for path in filter(None, (given.trajectory, given.save)):
-        if not Path(path).absolute().parent.is_dir() or Path(path).is_dir():
-            raise SlamlibError(f"{path} cannot be written: its folder does not exist, or it is a folder itself")
-    check_video(given.video)
-    ended = RunEnd()
-    shown, fps = _shown(run, given, ended), 1 / (run.source.interval * run.source.frames.step)
-    try:
-        if given.video:
-            from slambook.scene import animate
 
-            animate((snapshot for snapshot in shown if snapshot is not None), given.video, fps=fps)
-        else:
-            deque(shown, maxlen=0)
-    except Exception as error:
-        if not run.is_intact or not given.video:
-            raise
-        ended.by(f"the video cannot be written: {error}")
-    if not run.history:
-        raise SlamlibError(ended.why or "nothing has been run")
-    if given.trajectory:
-        write_tum(given.trajectory, run.trajectory())
-    if ended.why or given.save:
-        _keep(run, given.save, ended.why, command)
-    s: dict[str, Any] = {"source": run.source.where, "layout": run.source.layout, **summary(run.result())}
-    s |= {"metric": run.metric, "stopped": ended.why, "reference": None}
-    try:
-        if reference is not None:
-            s["reference"] = compared(run.trajectory(), reference, run.source.interval, run.metric)
-    except SlamlibError as error:  # the run is valid without the reference
-        ended.status = EXIT_ERROR
-        print(f"slamlib: {given.reference}: {error}", file=sys.stderr)
-    rows = [("source", f"{s['source']} ({s['layout']})"), *table(s)]
-    print(json.dumps(s, indent=2) if given.json else aligned_rows(rows))
-    inliers = s["inlier_share"]
-    if not run.metric and s["frames"] >= JUDGED and inliers is not None and inliers < ENOUGH:
-        print(f"slamlib: {REVERSED.format(inliers)}", file=sys.stderr)
-    return ended.status
+    run: Any
+    label: str
+    command: str
+    file: str
+    shown: Callable[[Any], Shown]
+    item: str = "frame"
+    fps: float = 10.0
+    world: World | None = None
+    each: Callable[[Any], None] = lambda step: None
 
 
 @dataclass
@@ -89,52 +56,117 @@ class RunEnd:
         self.status, self.why = self.status or status, why if self.why is None else f"{self.why}\n{why}"
 
 
-def _keep(run: SequenceRun, chosen: str | None, stopped: str | None, command: str) -> None:
-    path = chosen or f"slamlib-{command.split()[-1]}.npz"
-    if not run.is_intact:
-        print(f"slamlib: {stopped}; the frame was interrupted, and the run cannot be saved", file=sys.stderr)
+def check_files(given: argparse.Namespace) -> None:
+    """Raise SlamlibError, before the run, for a file that could not be written after it; make the folders."""
+    for name in FILES:
+        path = getattr(given, name, None)
+        if path and Path(path).is_file() and not given.overwrite and path != given.resume:
+            raise SlamlibError(f"--{name}: {path} exists: choose another name, or replace it with --overwrite")
+        if path:
+            check_writable(path)
+    if given.video:
+        from slambook.scene.video import ready
+
+        ready(given.video, overwrite=given.overwrite)
+        check_writable(Path(given.video).with_name(".video"))
+
+
+def check_resumed(given: argparse.Namespace, parser: argparse.ArgumentParser, *allowed: str) -> None:
+    """Raise SlamlibError for an option that a resumed run cannot take, by its name."""
+    for name, value in vars(given).items():
+        if name not in (*CONTINUED, *allowed, "command", "execute") and value != parser.get_default(name):
+            flag = "the preset's name" if name == "preset" else "--" + name.replace("_", "-")
+            raise SlamlibError(f"--resume continues the run of its file as it was begun: leave {flag} out")
+
+
+def execute(job: Job, given: argparse.Namespace) -> RunEnd:
+    """Run to the end, or until something stops it; save it then, or where --save says so.
+
+    Raises SlamlibError if nothing was run.
+    """
+    with deferred() as asked:
+        ended, before = RunEnd(), job.run.done
+        steps = _steps(job, given, ended, asked)
+        try:
+            if given.video:
+                from slambook.scene import animate
+
+                shown, truths = (steps, None) if job.world is None else tee(steps)
+                options = {"truths": (truth for _, truth in truths) if truths else (), "overwrite": given.overwrite}
+                animate((snapshot for snapshot, _ in shown), given.video, world=job.world, fps=job.fps, **options)
+            else:
+                deque(steps, maxlen=0)
+        except Exception as error:
+            if not job.run.is_intact or not given.video or (job.run.done == before and not ended.why):
+                raise
+            ended.by(f"the video cannot be written: {error}")
+        if job.run.done == before and ended.why:
+            raise SlamlibError(ended.why)
+        if ended.why or given.save:
+            _keep(job, given, ended)
+    return ended
+
+
+def _keep(job: Job, given: argparse.Namespace, ended: RunEnd) -> None:
+    """Save the run; errors are reported, and make the exit status one of an error."""
+    path = given.save or given.resume or _free(job.file)
+    if ended.why:
+        print(f"slamlib: {ended.why}", file=sys.stderr)
+    try:
+        job.run.save(path)
+    except SlamlibError as error:
+        ended.status = EXIT_ERROR
+        print(f"slamlib: the run is not saved: {error}", file=sys.stderr)
         return
-    run.save(path)
-    if stopped:
-        done = f"after {len(run.history)} {run.kind.item}s; resume with: slamlib {command} --resume {path}"
-        print(f"slamlib: {stopped}\nslamlib: saved {done}", file=sys.stderr)
+    if ended.why:
+        done = f"saved after {job.run.done} {job.item}{'s' * (job.run.done != 1)}"
+        words = f"slamlib {job.command} --resume {path}" + f" --save {path}" * bool(given.save)
+        print(f"slamlib: {done}; resume with: {words}", file=sys.stderr)
 
 
-def _shown(run: SequenceRun, given: argparse.Namespace, ended: RunEnd) -> Iterator[Snapshot | None]:
-    """Run step by step; yield snapshots if a window or a video needs them. Errors end the run and are recorded."""
-    window, warned = None, False
+def _free(path: str) -> str:
+    """The path, or with a number where there is a file already."""
+    name, number = Path(path), 1
+    while name.exists():
+        number += 1
+        name = Path(path).with_stem(f"{Path(path).stem}-{number}")
+    return str(name)
+
+
+def _steps(job: Job, given: argparse.Namespace, ended: RunEnd, asked: list[int]) -> Iterator[Any]:
+    """Run step by step; yield what a video shows, if there is one. Errors end the run and are recorded."""
+    window = None
     if given.live:
         from slambook.scene import Window
 
-        window = Window(run.snapshot(), show=True)
+        window = Window(job.shown(None)[0], world=job.world, show=True)
     try:
-        with _interrupts() as asked:
-            for step in progress(run, len(run), run.source.where.rpartition("/")[2]):
-                if run.tracking_loss.frames and not warned:
-                    warned = True
-                    print(f"\nslamlib: {NO_MATCH.format(step.picture.name, run.patience)}", file=sys.stderr)
-                snapshot = run.snapshot() if window is not None or given.video else None
-                if window is not None and snapshot is not None:
-                    window.update(snapshot)
-                yield snapshot
-                if asked:
-                    raise KeyboardInterrupt
-    except KeyboardInterrupt:
-        ended.by("interrupted", EXIT_INTERRUPTED)
+        for step in progress(job.run, len(job.run), job.label):
+            job.each(step)
+            shown = job.shown(step) if window or given.video else None
+            if window and shown:
+                window.update(*shown)
+            yield shown
+            if asked:
+                ended.by(STOPPED[asked[0]], 128 + asked[0])
+                return
     except SlamlibError as error:
         ended.by(str(error))
 
 
 @contextmanager
-def _interrupts() -> Iterator[list[int]]:
-    """Record Ctrl-C in the list, to be handled at the end of the frame: within one the run cannot be saved."""
+def deferred() -> Iterator[list[int]]:
+    """Record Ctrl-C and SIGTERM in the list, to be handled at the end of the frame: within one no run can be saved."""
     asked: list[int] = []
+    before: dict[int, Any] = {}
     try:
-        before = signal.signal(signal.SIGINT, lambda number, _: asked.append(number))
-    except ValueError:  # not in the main thread, which alone receives Ctrl-C
+        for number in STOPPED:
+            before[number] = signal.signal(number, lambda number, _: asked.append(number))
+    except ValueError:  # not in the main thread, which alone receives signals
         yield asked
         return
     try:
         yield asked
     finally:
-        signal.signal(signal.SIGINT, before)
+        for number, handler in before.items():
+            signal.signal(number, handler)

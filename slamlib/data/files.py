@@ -1,8 +1,11 @@
 """Files that are written atomically, and archives of arrays with a header of plain data."""
 
+import errno
+import glob
 import json
 import os
 import shutil
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -17,19 +20,54 @@ from slamlib.errors import SlamlibError
 def atomic_write(path: str | os.PathLike[str]) -> Iterator[Path]:
     """A temporary path beside `path`, with its suffix; it becomes `path` only if the block ends without an error.
 
-    A folder replaces an older one.
+    A folder replaces an older one. What a process that was killed left of it is removed. Raises SlamlibError, which
+    names the path, where the block or the file system fails with an OSError.
     """
     target = Path(path)
     partial = target.with_name(f".{target.stem}.{os.getpid()}.partial{target.suffix}")
     try:
+        for left in target.parent.glob(f".{glob.escape(target.stem)}.*.partial{glob.escape(target.suffix)}"):
+            if not _is_alive(left.name.removesuffix(target.suffix).split(".")[-2]):
+                _remove(left)
         yield partial
         if partial.is_dir() and target.is_dir():
             shutil.rmtree(target)
         os.replace(partial, target)
+    except OSError as error:
+        raise SlamlibError(f"{path} cannot be written: {error.strerror or error}") from error
     finally:
-        if partial.is_dir():
-            shutil.rmtree(partial)
-        partial.unlink(missing_ok=True)
+        _remove(partial)
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir():
+        shutil.rmtree(path)
+    path.unlink(missing_ok=True)
+
+
+def _is_alive(process: str) -> bool:
+    """Whether a process of this number runs, or may run: Windows cannot be asked in this way."""
+    try:
+        if os.name == "posix":
+            os.kill(int(process), 0)
+    except ProcessLookupError:
+        return False
+    except (OSError, ValueError):
+        return True
+    return True
+
+
+def check_writable(path: str | os.PathLike[str]) -> None:
+    """Make the folder of a file that will be written after long work. Raises SlamlibError if it cannot be written."""
+    target = Path(path)
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if target.is_dir():
+            raise IsADirectoryError(errno.EISDIR, "it is a folder")
+        with tempfile.TemporaryFile(dir=target.parent):
+            pass
+    except OSError as error:
+        raise SlamlibError(f"{path} cannot be written: {error.strerror or error}") from None
 
 
 def write_whole(path: str | os.PathLike[str], content: bytes | str) -> None:
@@ -60,7 +98,7 @@ def read_archive(
     except FileNotFoundError:
         raise SlamlibError(f"{path}: there is no such file") from None
     except Exception as error:  # a damaged archive fails in more ways than its modules document
-        raise SlamlibError(f"{path} cannot be read ({error}): it is damaged, or no {form} at all") from error
+        raise SlamlibError(f"{path} cannot be read: it is damaged, or no {form} at all") from error
     try:
         header = dict(json.loads(str(arrays.pop("header"))))
     except (KeyError, ValueError, TypeError):
@@ -70,3 +108,12 @@ def read_archive(
     if header.get("version") != version:
         raise SlamlibError(f"{path} has version {header.get('version')!r}, and this slamlib reads {version}: {old}")
     return header, arrays
+
+
+@contextmanager
+def complete(path: str | os.PathLike[str]) -> Iterator[None]:
+    """Within the block an archive's header and arrays are used: what is missing or wrong raises SlamlibError."""
+    try:
+        yield
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
+        raise SlamlibError(f"{path} is incomplete, or has been changed: {type(error).__name__} {error}") from error

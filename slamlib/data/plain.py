@@ -9,7 +9,8 @@ from collections.abc import Callable, Collection
 from contextlib import suppress
 from dataclasses import MISSING, dataclass, fields, is_dataclass, replace
 from functools import cache
-from math import isfinite
+from inspect import signature
+from math import inf, isfinite
 from numbers import Integral, Real
 from operator import ge, gt, le, lt
 from types import NoneType, UnionType
@@ -18,7 +19,6 @@ from typing import Annotated, Any, Self, TypeVar, Union, get_args, get_origin, g
 from slamlib.errors import SlamlibError, UnknownNameError, entry
 
 T = TypeVar("T")
-_hints = cache(lambda kind: get_type_hints(kind, include_extras=True))
 
 
 _LIMITS = {"ge": ("{:g} or more", ge), "gt": ("above {:g}", gt), "le": ("up to {:g}", le), "lt": ("below {:g}", lt)}
@@ -52,6 +52,36 @@ class OneOf:
         """Raise UnknownNameError, with the nearest name."""
         if value not in self.names:
             raise UnknownNameError.of(path, value, self.names)
+
+
+@dataclass(frozen=True)
+class Length:
+    """A list must have one of these lengths."""
+
+    lengths: tuple[int, ...]
+
+    def check(self, value: tuple[Any, ...], path: str) -> None:
+        """Raise SlamlibError for another length."""
+        if len(value) not in self.lengths:
+            _refuse(path, f"a list of {' or '.join(map(str, self.lengths))}", value)
+
+
+class FileName:
+    """A text must be usable as a part of a file's name."""
+
+    def check(self, value: str, path: str) -> None:
+        """Raise SlamlibError for an empty text, one that starts with a dot, or has signs that a path could need."""
+        if not value or value.startswith(".") or not all(c.isalnum() or c in "-_+. ()=," for c in value):
+            _refuse(path, "a name of letters, digits, blanks and -_+.()=,", value)
+
+
+Count = Annotated[int, Range(ge=0)]
+Whole = Annotated[int, Range(gt=0)]
+NotNegative = Annotated[float, Range(ge=0)]
+Std = Annotated[float, Range(ge=0, lt=inf)]
+Finite = Annotated[float, Range(gt=-inf, lt=inf)]
+Positive = Annotated[float, Range(gt=0, lt=inf)]
+Share = Annotated[float, Range(ge=0, le=1)]
 
 
 class Plain:
@@ -96,8 +126,15 @@ def changed(value: T, changes: dict[str, Any]) -> T:
     return replace(value, **read_fields(type(value), changes))  # type: ignore[type-var]
 
 
-def read_fields(kind: type, data: Any, path: str = "") -> dict[str, Any]:
-    """Read some fields of a dataclass from plain data. Raises SlamlibError as `read` does."""
+@cache
+def _hints(kind: Any) -> dict[str, Any]:
+    """The types of a dataclass's fields, or of a function's arguments; Any where none is written."""
+    hints = dict.fromkeys(signature(kind).parameters, Any) | get_type_hints(kind, include_extras=True)
+    return {name: hint for name, hint in hints.items() if name != "return"}
+
+
+def read_fields(kind: Any, data: Any, path: str = "") -> dict[str, Any]:
+    """Read some fields of a dataclass, or arguments of a function, from plain data. Raises SlamlibError as `read`."""
     path, hints = path or kind.__name__, _hints(kind)
     if not isinstance(data, dict):
         _refuse(path, "values by name", data)
@@ -143,7 +180,7 @@ def _read(hint: Any, value: Any, path: str) -> Any:
         return {_read(inner[0], name, path): _read(inner[1], v, f"{path}.{name}") for name, v in found.items()}
     if kind is tuple:
         endless = inner[-1] is Ellipsis
-        if endless and inner[0] is float and _SCALARS[float][1](value):  # one number for all
+        if endless and float in (inner[0], *get_args(inner[0])) and _SCALARS[float][1](value):  # one number for all
             value = (value,)
         if not isinstance(value, list | tuple) or not (endless or len(value) == len(inner)):
             _refuse(path, "a list" if endless else f"{len(inner)} values", value)

@@ -4,19 +4,25 @@ Angles of a setup are in degrees, for the people who write them; everything else
 """
 
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
-from slamlib.data.plain import Plain, written
-from slamlib.errors import SlamlibError
+from slamlib.data.plain import Count, Finite, Length, OneOf, Plain, Positive, Range, check, written
+from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.euler import to_quaternion
 from slamlib.manifolds import Array, finite
 from slamlib.motions import Motion, motion
-from slamlib.sensors import sensor
+from slamlib.sensors import SENSORS, sensor
 from slamlib.sensors.sensor import Calibration
 
-Numbers = tuple[float, ...]
+# Beyond these limits nothing is left of the arithmetic's 16 digits.
+Numbers = tuple[Annotated[float, Range(ge=-1e9, le=1e9)], ...]
+Stds = tuple[Annotated[float, Range(ge=0, le=1e6)], ...]
+Three = Annotated[Numbers, Length((3,))]
+Six = Annotated[Numbers, Length((6,))]
+ThreeStds = Annotated[Stds, Length((1, 3))]
+ThreeAngles = Annotated[tuple[Annotated[float, Range(ge=0, le=180, unit="deg")], ...], Length((1, 3))]
 ZERO = (0.0, 0.0, 0.0)
 # The default camera, for setups that specify no other image or parameters for a type of sensor that has an image.
 IMAGE: Numbers = (640.0, 480.0)
@@ -37,14 +43,17 @@ class RobotSetup:
 
     name: str = "robot"
     motion: Motion | str = "odometry"
-    position: Numbers = ZERO
-    euler: Numbers = ZERO
-    velocity: Numbers = (0.0,) * 6
-    position_std: Numbers = ZERO
-    orientation_std: Numbers = ZERO
-    velocity_std: Numbers = (0.0,) * 6
+    position: Three = ZERO
+    euler: Three = ZERO
+    velocity: Six = (0.0,) * 6
+    position_std: ThreeStds = ZERO
+    orientation_std: ThreeAngles = ZERO
+    velocity_std: Annotated[Stds, Length((6,))] = (0.0,) * 6
     control: Numbers = UNSPECIFIED
-    control_std: Numbers = UNSPECIFIED
+    control_std: Stds = UNSPECIFIED
+
+    def __post_init__(self) -> None:
+        check(self)
 
     @property
     def model(self) -> Motion:
@@ -90,22 +99,23 @@ class SensorSetup:
     """
 
     name: str = "camera"
-    robot: int = 0
-    type: str = "pinHole"
-    position: Numbers = ZERO
-    euler: Numbers = (-90.0, 0.0, -90.0)
+    robot: Count = 0
+    type: Annotated[str, OneOf(SENSORS)] = "pinHole"
+    position: Three = ZERO
+    euler: Three = (-90.0, 0.0, -90.0)
     estimated: bool = False
-    position_std: Numbers = ZERO
-    orientation_std: Numbers = ZERO
-    std: Numbers = (1.0,)
+    position_std: ThreeStds = ZERO
+    orientation_std: ThreeAngles = ZERO
+    std: Stds = (1.0,)
     noise: tuple[Numbers, ...] | None = None
-    image: Numbers | None = UNSPECIFIED
+    image: Annotated[tuple[Positive, ...], Length((0, 2))] | None = UNSPECIFIED
     parameters: dict[str, Numbers] = field(default_factory=dict)
-    limits: dict[str, float] = field(default_factory=dict)
+    limits: dict[str, Finite] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        check(self)
         kind = sensor(self.type)
-        if self.image is UNSPECIFIED:
+        if self.image == UNSPECIFIED:
             object.__setattr__(self, "image", IMAGE if kind.pixels else None)
         if not self.parameters and set(kind.parameters) <= set(PARAMETERS):
             object.__setattr__(self, "parameters", {name: PARAMETERS[name] for name in kind.parameters})
@@ -127,7 +137,9 @@ class SensorSetup:
         kind = sensor(self.type)
         noise: Any = self.noise
         if noise is None:
-            noise = np.broadcast_to(np.asarray(self.std, float), (kind.size,)) ** 2
+            if len(self.std) not in (1, kind.size):
+                raise ShapeError(f"{self.name}: std is one number, or {kind.size}, got {self.std}")
+            noise = np.broadcast_to(self.std, (kind.size,)) ** 2
         return Calibration(kind, noise, image=self.image, limits=self.limits, **self.parameters)
 
 

@@ -8,17 +8,17 @@ import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from slamlib.data.files import write_whole
-from slamlib.data.plain import Plain
+from slamlib.data.plain import Count, FileName, OneOf, Plain, Range, Whole, check
 from slamlib.data.records import Frame, Truth, World
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, entry
 from slamlib.sensors.scaramuzza import polynomials
-from slamlib.simulation import Faults, join, simulate, world
+from slamlib.simulation import NOISE_IN, WORLDS, Faults, join, simulate, world
 from slamlib.slam import Options, Slam
 
 
@@ -30,16 +30,22 @@ class Preset(Plain):
     slamlib.simulation.simulate. dt [s]. seed: of all random numbers.
     """
 
-    name: str
+    name: Annotated[str, FileName()]
     rig: Rig
     options: Options = field(default_factory=Options)
-    worlds: tuple[tuple[str, dict[str, Any]], ...] = (("thickCloister", {"n": 7}),)
-    frames: int = 400
-    dt: float = 0.1
-    noise_in: str = "control"
+    worlds: tuple[tuple[Annotated[str, OneOf(WORLDS)], dict[str, Any]], ...] = (("thickCloister", {"n": 7}),)
+    frames: Whole = 400
+    dt: Annotated[float, Range(gt=0, lt=np.inf, unit="s")] = 0.1
+    noise_in: Annotated[str, OneOf(NOISE_IN)] = "control"
     faults: Faults = field(default_factory=Faults)
     occlusion: bool = False
-    seed: int = 1
+    seed: Count = 1
+
+    def __post_init__(self) -> None:
+        check(self)
+        for sensor in self.rig.sensors:
+            if not all(sensor.std):
+                raise SlamlibError(f"{sensor.name}: std should be above 0, for the filter, got {sensor.std}")
 
     @property
     def world(self) -> World:

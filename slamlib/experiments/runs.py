@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from slamlib.data.files import complete
 from slamlib.data.records import Frame, Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
@@ -61,6 +62,12 @@ class Run:
         self.slam = self.preset.slam()
         self._history: list[list[Any]] = []
         self._initialized = self._deleted = 0
+        self.is_intact = True  # False while a frame is being processed
+
+    @property
+    def done(self) -> int:
+        """Number of frames processed."""
+        return len(self._history)
 
     def __len__(self) -> int:
         """Number of remaining frames."""
@@ -71,9 +78,10 @@ class Run:
         for frame, truth in self.preset.simulate():
             if frame.number <= len(self._history):
                 continue
-            began = time.process_time()
+            began, self.is_intact = time.process_time(), False
             report = self.slam.step(frame)
             self._remember(truth, report, time.process_time() - began)
+            self.is_intact = True
             yield Step(frame, truth, report)
 
     def finish(self) -> Result:
@@ -111,7 +119,9 @@ class Run:
         )
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write all of it to one file, atomically."""
+        """Write all of it to one file, atomically. Raises SlamlibError within a frame."""
+        if not self.is_intact:
+            raise SlamlibError(f"frame {self.done + 1} was interrupted, and the state of the filter is incomplete")
         counts = {"initialized": self._initialized, "deleted": self._deleted}
         self.slam.save(path, preset=self.preset.to_dict(), history=self._history, **counts)
 
@@ -121,9 +131,10 @@ class Run:
         slam, extra = Slam.resume(path)
         if "preset" not in extra:
             raise SlamlibError(f"{path} holds a filter, but not the experiment that it belongs to: use Slam.load")
-        run = cls(Preset.from_dict(extra["preset"]))
-        run.slam, run._history = slam, extra["history"]
-        run._initialized, run._deleted = extra["initialized"], extra["deleted"]
+        with complete(path):
+            run = cls(Preset.from_dict(extra["preset"]))
+            run.slam, run._history = slam, extra["history"]
+            run._initialized, run._deleted = extra["initialized"], extra["deleted"]
         return run
 
 

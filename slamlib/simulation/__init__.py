@@ -2,8 +2,8 @@
 
 from slamlib.simulation import controls
 from slamlib.simulation.recording import Recording, load, save
-from slamlib.simulation.run import simulate
+from slamlib.simulation.run import NOISE_IN, simulate
 from slamlib.simulation.sensors import Faults
 from slamlib.simulation.worlds import WORLDS, join, world
 
-__all__ = ["WORLDS", "Faults", "Recording", "controls", "join", "load", "save", "simulate", "world"]
+__all__ = ["NOISE_IN", "WORLDS", "Faults", "Recording", "controls", "join", "load", "save", "simulate", "world"]

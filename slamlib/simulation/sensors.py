@@ -5,11 +5,11 @@ Faults occur at given rates: features are missed, replaced by outliers, or assoc
 
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from slamlib.data.plain import Range, check
+from slamlib.data.plain import Share, check
 from slamlib.data.records import Features, Scan, World
 from slamlib.data.setup import SensorSetup
 from slamlib.errors import SingularPointError, SlamlibError
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 
 TRIES = 1000  # of a false measurement
 DIRECTIONS = 4096  # in which the extent of all measurements is found
-Share = Annotated[float, Range(ge=0, le=1)]
 
 
 @dataclass(frozen=True)

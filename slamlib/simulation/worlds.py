@@ -5,11 +5,12 @@
 
 import inspect
 from collections.abc import Callable
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from slamlib.data.plain import Count, Finite, Positive, Range, read_fields
 from slamlib.data.records import Features, World
 from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Array, numbers
@@ -40,12 +41,16 @@ def join(*worlds: World) -> World:
     return World(features, np.concatenate([w.faces for w in (World(), *worlds)]))
 
 
-def cloister(x: float = -6, X: float = 6, y: float = -6, Y: float = 6, n: int = 9) -> World:
+Steps = Annotated[int, Range(ge=4, le=10_000)]
+Number = Annotated[int, Range(ge=1, le=1_000_000)]
+
+
+def cloister(x: Finite = -6, X: Finite = 6, y: Finite = -6, Y: Finite = 6, n: Steps = 9) -> World:
     """Points on the floor z = 0, along the two walls of a square walk between x, X and y, Y [m]; n - 1 steps a side."""
     return numbered(np.column_stack([_walk(x, X, y, Y, n), np.zeros(8 * n - 20)]))
 
 
-def thick_cloister(x: float = -6, X: float = 6, y: float = -6, Y: float = 6, h: float = 1, n: int = 9) -> World:
+def thick_cloister(x: Finite = -6, X: Finite = 6, y: Finite = -6, Y: Finite = 6, h: Finite = 1, n: Steps = 9) -> World:
     """Two cloisters, one on the floor and one at the height h [m]; n = 7 gives the 72 points of the toolbox's demo."""
     floor = _walk(x, X, y, Y, n)
     return numbered(np.concatenate([np.column_stack([floor, np.full(len(floor), z)]) for z in (0.0, h)]))
@@ -53,8 +58,6 @@ def thick_cloister(x: float = -6, X: float = 6, y: float = -6, Y: float = 6, h: 
 
 def _walk(x: float, X: float, y: float, Y: float, n: int) -> Array:
     """The pattern (8 n - 20, 2): the northern side's outer and inner wall, and the same after each quarter turn."""
-    if n != int(n) or n < 4:
-        raise SlamlibError(f"cloister: n is a whole number, 4 or more, got {n}")
     reach = (n - 1) / 2
     outer, inner = np.arange(1 - reach, reach), np.arange(1 - reach, reach - 1)
     side = np.concatenate([np.column_stack([a, np.full(len(a), d)]) for a, d in ((outer, reach), (inner, reach - 1))])
@@ -64,7 +67,9 @@ def _walk(x: float, X: float, y: float, Y: float, n: int) -> Array:
     return np.array([x + X, y + Y]) / 2 + np.concatenate(turns) * np.array([X - x, Y - y]) / (n - 1)
 
 
-def house(x: float = -2, y: float = -2, z: float = 0, length: float = 5, width: float = 5, height: float = 4) -> World:
+def house(
+    x: Finite = -2, y: Finite = -2, z: Finite = 0, length: Positive = 5, width: Positive = 5, height: Positive = 4
+) -> World:
     """23 segments: walls, floor, gables, roof, a door and a window; at the corner (x, y, z) [m].
 
     Its walls and its roof are faces, door and window too: with occlusion, its far side is hidden.
@@ -94,7 +99,7 @@ def _quad(a: Array, b: Array, c: Array, d: Array) -> list[tuple[Array, Array, Ar
     return [(a, b, c), (a, c, d)]
 
 
-def gallery(n: int = 1000, spacing: float = 1.6, distance: float = 4.0, h: float = 2.0) -> World:
+def gallery(n: Number = 1000, spacing: Positive = 1.6, distance: Positive = 4.0, h: Finite = 2.0) -> World:
     """n points on the outer wall of a circular walk about (0, 0), in columns of four up to the height h [m].
 
     The walk has the radius gallery_radius(n, spacing) [m], a column every `spacing` [m], its wall at `distance` [m].
@@ -114,18 +119,17 @@ def gallery_radius(n: int, spacing: float = 1.6) -> float:
     return -(-n // 4) * spacing / (2 * np.pi)
 
 
-def town(n: int = 230, street: float = 6.0) -> World:
+def town(n: Number = 230, street: Positive = 6.0) -> World:
     """n segments: houses of 23 each in rows, with streets `street` [m] wide; the last house may be unfinished."""
-    if n < 1:
-        raise SlamlibError(f"town: n is 1 or more, got {n}")
     houses, pitch = -(-n // 23), 5 + street
     side = int(np.ceil(np.sqrt(houses)))
     whole = join(*(house(pitch * (i // side), pitch * (i % side)) for i in range(houses)))
     return numbered(segments=whole.segments.values[:n], faces=whole.faces)
 
 
-def cloud(rng: np.random.Generator, n: int = 100, size: float = 10.0, h: float = 2.0) -> World:
-    """n points drawn uniformly in a box around (0, 0), `size` [m] wide and from the floor to h [m]."""
+def cloud(n: Number = 100, size: Positive = 10.0, h: Positive = 2.0, seed: Count = 1) -> World:
+    """n points drawn uniformly, by this seed, in a box around (0, 0), `size` [m] wide and from the floor to h [m]."""
+    rng = np.random.default_rng(seed)
     return numbered(rng.uniform([-size / 2, -size / 2, 0], [size / 2, size / 2, h], (n, 3)))
 
 
@@ -146,4 +150,4 @@ def world(name: str, **arguments: Any) -> World:
         inspect.signature(function).bind(**arguments)
     except TypeError as error:
         raise SlamlibError(f"world {name}{inspect.signature(function)}: {error}") from None
-    return function(**arguments)
+    return function(**read_fields(function, arguments, f"world {name}"))

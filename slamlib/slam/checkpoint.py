@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import read_archive, write_archive
+from slamlib.data.files import complete, read_archive, write_archive
 from slamlib.data.setup import Rig
 from slamlib.observation import parametrization
 from slamlib.slam.entities import Landmark
@@ -59,23 +59,27 @@ def read(path: str | os.PathLike[str]) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def load(path: str | os.PathLike[str], front_ends: Any, make: Any) -> tuple[Any, dict[str, Any]]:
-    """Return the filter of a file, made by make(rig, options, front_ends=...), and the caller's extra data."""
+    """Return the filter of a file, made by make(rig, options, front_ends=...), and the caller's extra data.
+
+    Raises SlamlibError.
+    """
     header, arrays = read(path)
-    slam = make(Rig.from_dict(header["rig"]), Options.from_dict(header["options"]), front_ends=front_ends)
-    stops = np.cumsum(header["sizes"])
-    means = np.split(arrays["means"], stops[:-1])
-    own = {i: r.block for i, r in zip(header["robots"], slam.robots, strict=True)}
-    own |= {i: s.block for i, s in zip(header["sensors"], slam.sensors, strict=True) if i is not None}
-    kinds = {row["block"]: parametrization(row["kind"]) for row in header["landmarks"]}
-    blocks = {i: slam.belief.add(kinds[i].manifold, means[i], np.eye(kinds[i].manifold.dof)) for i in sorted(kinds)}
-    slam.belief.overwrite({**own, **blocks}, dict(enumerate(means)), arrays["P"])
-    for row, abscissas in zip(header["landmarks"], arrays["abscissas"], strict=True):
-        block, known = row["block"], None if np.isnan(abscissas).any() else abscissas
-        signature = slam.front_ends[row["sensor"]].unpack(row["signature"])
-        history = {name: row[name] for name in HISTORY}
-        landmark = Landmark(kind=kinds[block], block=blocks[block], abscissas=known, signature=signature, **history)
-        slam.landmarks.append(landmark)
-    for front_end, state in zip(slam.front_ends, header["front_ends"], strict=True):
-        front_end.restore(state)
-    slam.number, slam.time, slam.frame_counts = header["number"], header["time"], header["frame_counts"]
-    return slam, header["extra"]
+    with complete(path):
+        slam = make(Rig.from_dict(header["rig"]), Options.from_dict(header["options"]), front_ends=front_ends)
+        stops = np.cumsum(header["sizes"])
+        means = np.split(arrays["means"], stops[:-1])
+        own = {i: r.block for i, r in zip(header["robots"], slam.robots, strict=True)}
+        own |= {i: s.block for i, s in zip(header["sensors"], slam.sensors, strict=True) if i is not None}
+        kinds = {row["block"]: parametrization(row["kind"]) for row in header["landmarks"]}
+        blocks = {i: slam.belief.add(kinds[i].manifold, means[i], np.eye(kinds[i].manifold.dof)) for i in sorted(kinds)}
+        slam.belief.overwrite({**own, **blocks}, dict(enumerate(means)), arrays["P"])
+        for row, abscissas in zip(header["landmarks"], arrays["abscissas"], strict=True):
+            block, known = row["block"], None if np.isnan(abscissas).any() else abscissas
+            signature = slam.front_ends[row["sensor"]].unpack(row["signature"])
+            history = {name: row[name] for name in HISTORY}
+            landmark = Landmark(kind=kinds[block], block=blocks[block], abscissas=known, signature=signature, **history)
+            slam.landmarks.append(landmark)
+        for front_end, state in zip(slam.front_ends, header["front_ends"], strict=True):
+            front_end.restore(state)
+        slam.number, slam.time, slam.frame_counts = header["number"], header["time"], header["frame_counts"]
+        return slam, header["extra"]

@@ -1,10 +1,9 @@
 """The filter's options: plain data, checked when it is made, written to and read from JSON."""
 
 from dataclasses import dataclass, field
-from math import inf
 from typing import Annotated
 
-from slamlib.data.plain import OneOf, Plain, Range, check
+from slamlib.data.plain import Count, Finite, NotNegative, OneOf, Plain, Positive, Range, Share, Whole, check
 from slamlib.landmarks import LINES, POINTS
 from slamlib.landmarks.linearity import THRESHOLD
 from slamlib.observation import FAMILIES
@@ -13,11 +12,6 @@ from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.gates import SELECTIONS
 from slamlib.slam.map_management import PRUNING_RULES
 
-Count = Annotated[int, Range(ge=0)]
-NotNegative = Annotated[float, Range(ge=0)]
-Finite = Annotated[float, Range(gt=-inf, lt=inf)]
-Positive = Annotated[float, Range(gt=0, lt=inf)]
-Share = Annotated[float, Range(ge=0, le=1)]
 Prior = tuple[tuple[Finite, Finite], tuple[Positive, Positive]]
 PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 
@@ -58,9 +52,9 @@ class Options(Plain):
 
     points: Annotated[str, OneOf(POINTS)] | None = "idpPnt"
     lines: Annotated[str, OneOf(LINES)] | None = None
-    capacity: Annotated[int, Range(gt=0)] | None = None
+    capacity: Whole | None = None
     pruning: Annotated[str, OneOf(PRUNING_RULES)] | None = None
-    window: Annotated[int, Range(gt=0)] | None = None
+    window: Whole | None = None
     updates: Count = 10
     selection: Annotated[str, OneOf(SELECTIONS)] = "information"
     reproject: bool = True

@@ -80,6 +80,13 @@ def interrupted_at(number):
 def windows(monkeypatch):
     """Snapshots that are shown, in a list: no window opens."""
     shown = []
-    window = type("Window", (), {"__init__": lambda self, s, show: None, "update": lambda self, s: shown.append(s)})
-    monkeypatch.setattr("slambook.scene.Window", window)
+
+    class Window:
+        def __init__(self, snapshot, *, world, show):
+            assert show
+
+        def update(self, snapshot, truth):
+            shown.append(snapshot)
+
+    monkeypatch.setattr("slambook.scene.Window", Window)
     return shown

@@ -8,9 +8,10 @@ import sys
 import numpy as np
 import pytest
 
-from slamlib.cli import main
+from slamlib.cli import main, runner
 from slamlib.experiments.progress import progress
 from slamlib.experiments.runs import Run
+from slamlib.tests.pictures import interrupted_at
 
 SHORT = ["--frames", "12"]
 
@@ -68,7 +69,8 @@ def test_calibrate_puts_the_second_extrinsics_into_the_map(tmp_path):
         (["run", "points", "--option", "gate"], "NAME=VALUE"),
         (["run", "points", "--option", "gate=2"], "gate should be"),
         (["run", "--resume", "absent.npz"], "no such file"),
-        (["run", "points", "--resume", "absent.npz"], "leave the name out"),
+        (["run", "--resume", "absent.npz", "--seed", "3"], "leave --seed out"),
+        (["run", "points", "--resume", "absent.npz"], "leave the preset's name out"),
     ],
 )
 def test_mistakes_are_named(words, message, capsys):
@@ -121,13 +123,7 @@ def test_compare_on_the_same_runs(capsys, tmp_path):
 def test_an_interrupted_run_goes_on(tmp_path, monkeypatch, capsys):
     whole = Run.load(_saved(tmp_path, "whole", ["run", "points", *SHORT])).result()
 
-    def interrupted(items, total, label):
-        for i, item in enumerate(items):
-            if i == 5:
-                raise KeyboardInterrupt
-            yield item
-
-    monkeypatch.setattr("slamlib.cli.run.progress", interrupted)
+    monkeypatch.setattr(runner, "progress", interrupted_at(5))
     path = tmp_path / "cut.npz"
     assert main(["run", "points", "--save", str(path), *SHORT]) == 130
     assert f"slamlib run --resume {path}" in capsys.readouterr().err
@@ -149,7 +145,7 @@ def test_a_film_that_cannot_be_written_is_said_before_the_run(tmp_path, capsys, 
     pytest.importorskip("matplotlib", reason="films need matplotlib")
     monkeypatch.setattr("slamlib.slam.filter.Slam.step", None)  # no frame may be run
     (tmp_path / "there.gif").touch()
-    for name, message in (("there.gif", "is there already"), ("film.avi", "ending of a video")):
+    for name, message in (("there.gif", "replace it"), ("film.avi", "ending of a video")):
         assert main(["run", "points", "--video", str(tmp_path / name), *SHORT]) == 2
         assert message in capsys.readouterr().err
 

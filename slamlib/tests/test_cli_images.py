@@ -230,8 +230,8 @@ def test_a_cut_is_warned_of_once_and_stops_the_run(room, tmp_path, capsys):
 def test_a_run_that_may_be_reversed_is_named(room, capsys, monkeypatch):
     assert main(words(room, "--frames", "8")) == 0
     assert "reversed" not in capsys.readouterr().err
-    monkeypatch.setattr("slamlib.cli.runner.JUDGED", 8)
-    monkeypatch.setattr("slamlib.cli.runner.ENOUGH", 1.01)
+    monkeypatch.setattr("slamlib.cli.images.JUDGED", 8)
+    monkeypatch.setattr("slamlib.cli.images.ENOUGH", 1.01)
     assert main(words(room, "--frames", "8", "--json")) == 0
     assert "the path may be reversed" in capsys.readouterr().err
 
@@ -333,9 +333,9 @@ def test_a_window_shows_every_frame(room, monkeypatch):
         (["--scale", "nowhere.json"], "is no target"),
         (["--camera", "1"], "no camera 1; it has 0"),
         (["--video", "film.avi"], "ending of a video"),
-        (["--resume", "nowhere.npz"], "leave them out"),
-        (["--trajectory", "nowhere/t.txt"], "its folder does not exist"),
-        (["--save", "."], "it is a folder itself"),
+        (["--resume", "nowhere.npz"], "leave --source out"),
+        (["--trajectory", "{room}/calibration.json/t.txt"], "cannot be written"),
+        (["--save", "."], "it is a folder"),
         (["--reference", "nowhere.txt"], "cannot be read"),
     ],
 )

@@ -88,12 +88,12 @@ def test_a_town_has_n_segments(n):
     assert len(world("town", n=n).segments) == n
 
 
-def test_a_cloud_stays_in_its_box_and_needs_a_generator():
-    points = world("cloud", rng=np.random.default_rng(1), n=500, size=4, h=1).points.values
+def test_a_cloud_stays_in_its_box_and_has_a_seed():
+    points = world("cloud", seed=1, n=500, size=4, h=1).points.values
     assert (np.abs(points[:, :2]) <= 2).all()
     assert ((points[:, 2] >= 0) & (points[:, 2] <= 1)).all()
-    with pytest.raises(SlamlibError, match=r"world cloud.*missing a required argument: 'rng'"):
-        world("cloud")
+    assert np.array_equal(points, world("cloud", n=500, size=4, h=1).points.values)
+    assert not np.array_equal(points, world("cloud", n=500, size=4, h=1, seed=2).points.values)
 
 
 def test_a_world_of_ones_own_is_found_by_its_name(monkeypatch):
@@ -107,5 +107,5 @@ def test_misuse_is_named():
     with pytest.raises(SlamlibError, match=r"world house.*unexpected keyword argument 'size'"):
         world("house", size=3)
     for name, wrong in (("cloister", 3), ("cloister", 7.5), ("gallery", 0), ("town", 0)):
-        with pytest.raises(SlamlibError, match=f"{name}: n is"):
+        with pytest.raises(SlamlibError, match=rf"world {name}\.n should be"):
             world(name, n=wrong)

@@ -6,10 +6,11 @@ Each function is one step of section 6.1.3 of the toolbox's manual. Chapter acti
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import compress
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
+from slamlib.data.plain import Count, Positive, Range, Share, Whole, check
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
@@ -42,16 +43,21 @@ class ActiveSearchSettings:
     searched; of a larger one, only the middle is. max_backoff: most frames for which a missed landmark is skipped.
     """
 
-    cells: tuple[int, int] = (8, 6)
+    cells: tuple[Whole, Whole] = (8, 6)
     skip_outer: bool = True
-    patch: int = 11
-    quality: float = QUALITY
-    max_in_view: int = 30
-    threshold: float = 0.85
-    max_second_ratio: float = 0.95
-    probability: float = 0.99
-    largest: int = 40
-    max_backoff: int = 16
+    patch: Annotated[int, Range(ge=3, le=101)] = 11
+    quality: Positive = QUALITY
+    max_in_view: Count = 30
+    threshold: Share = 0.85
+    max_second_ratio: Share = 0.95
+    probability: Annotated[float, Range(gt=0, lt=1)] = 0.99
+    largest: Annotated[int, Range(gt=0, unit="px")] = 40
+    max_backoff: Count = 16
+
+    def __post_init__(self) -> None:
+        check(self)
+        if not self.patch % 2:
+            raise SlamlibError(f"ActiveSearchSettings: patch is odd, got {self.patch}")
 
 
 class ActiveSearch(ImageFrontEnd):

@@ -21,6 +21,7 @@ from typing import Any
 
 import numpy as np
 
+from slamlib.data.files import complete
 from slamlib.data.plain import read, read_fields
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets import opening
@@ -203,16 +204,17 @@ def load(
     one. frames: total number of images, if not as before.
     """
     header, _ = checkpoint.read(path)
-    saved = header["extra"].get(kind.name)
+    saved = header.get("extra", {}).get(kind.name)
     if saved is None:
         raise SlamlibError(f"{path} holds no run on {kind.item}s: `slamlib run --resume` resumes a simulated one")
-    if source is None and not saved["source"]:
-        raise SlamlibError(f"{path}: its {kind.item}s were in memory; give them as source=...")
-    rig, options, told = Rig.from_dict(header["rig"]), Options.from_dict(header["options"]), saved["motion"]
-    if front_end is None:
-        motion = kind.source(rig.sensors[0], options, told["name"], told["settings"])
-    else:
-        motion = MotionSource(front_end(rig.sensors[0].calibration))
-    slam = Slam.load(path, front_ends=[motion.front_end])
-    motion.restore(told["state"])
-    return SequenceRun(source or opening.reopen(saved["source"], frames), slam, motion, kind, **saved["run"])
+    with complete(path):
+        if source is None and not saved["source"]:
+            raise SlamlibError(f"{path}: its {kind.item}s were in memory; give them as source=...")
+        rig, options, told = Rig.from_dict(header["rig"]), Options.from_dict(header["options"]), saved["motion"]
+        if front_end is None:
+            motion = kind.source(rig.sensors[0], options, told["name"], told["settings"])
+        else:
+            motion = MotionSource(front_end(rig.sensors[0].calibration))
+        slam = Slam.load(path, front_ends=[motion.front_end])
+        motion.restore(told["state"])
+        return SequenceRun(source or opening.reopen(saved["source"], frames), slam, motion, kind, **saved["run"])

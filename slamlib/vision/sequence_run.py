@@ -6,6 +6,7 @@ slamlib.vision.run. A stereo pair is one image (2, h, w).
 
 import os
 import time
+import zlib
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass, replace
 from typing import Any
@@ -22,42 +23,9 @@ from slamlib.slam import Options, Report, Slam
 from slamlib.vision.front_end import MotionSource
 from slamlib.vision.results import COLUMNS, ImageResult, counts
 from slamlib.vision.target import Target
+from slamlib.vision.tracking_loss import TrackingLoss, TrackingLostError
 
-RECOVERED = 3  # landmarks that end a tracking loss: one alone may be a wrong match
 TIME, LANDMARKS = COLUMNS.index("time"), COLUMNS.index("landmarks")
-
-
-class TrackingLostError(SlamlibError):
-    """Too many frames in a row without a match; the frames before are kept, and can be saved."""
-
-
-@dataclass
-class TrackingLoss:
-    """The present tracking loss, if there is one.
-
-    It starts with a frame without inliers. It ends with one that has inliers of three landmarks older than the loss:
-    landmarks initialized in it depend on a prediction alone, unless the map was empty before. first: number of its
-    first frame, or None; last: of the last frame processed; known: landmarks in the map before the loss.
-    """
-
-    first: int | None = None
-    last: int = 0
-    known: int = 0
-
-    def update(self, number: int, births: list[int], landmarks: int) -> None:
-        """Record a frame; births: frames in which its inliers were initialized; landmarks: in the map after it."""
-        if self.first is None:
-            self.first = number if not births and self.last else None
-        elif sum(born < self.first or not self.known for born in births) >= RECOVERED:
-            self.first = None
-        if self.first is None:
-            self.known = landmarks
-        self.last = number
-
-    @property
-    def frames(self) -> int:
-        """Its length in frames, 0 if there is none."""
-        return 0 if self.first is None else self.last - self.first + 1
 
 
 @dataclass(frozen=True)
@@ -106,20 +74,32 @@ class SequenceRun:
         history: list[list[float]] | None = None,
         path: list[list[float]] | None = None,
         tracking_loss: dict[str, Any] | None = None,
+        last: list[Any] | None = None,
     ) -> None:
         """slam: with the motion source's front end. patience: frames without a match, after which the run stops.
 
-        metric: whether the scale is known. target: seen in the first image. history, path, tracking_loss: of a saved
-        run.
+        metric: whether the scale is known. target: seen in the first image. history, path, tracking_loss, last:
+        of a saved run, whose last image must be the source's still. Raises SlamlibError.
         """
         self.source, self.slam, self.motion, self.kind = source, slam, motion, kind
         self.patience, self.metric, self.target = patience, metric, target
         self.history, self.path, self.tracking_loss = history or [], path or [], TrackingLoss(**tracking_loss or {})
         self.is_intact = True  # False while a frame is being processed
+        self.last = last  # what identifies the last image processed
+        if last is not None and (found := _identity(next(iter(source.part(self.done - 1))))) != last:
+            raise SlamlibError(
+                f"the {kind.item}s in {source.where} have changed since the run was saved: the last one that it used "
+                f"was {last[0]}, and its place has {found[0]} now{' with other pixels' * (found[0] == last[0])}"
+            )
 
     def __len__(self) -> int:
         """Number of remaining images."""
         return len(self.source) - len(self.history)
+
+    @property
+    def done(self) -> int:
+        """Number of images processed."""
+        return len(self.history)
 
     @property
     def columns(self) -> tuple[str, ...]:
@@ -161,6 +141,7 @@ class SequenceRun:
         inliers = [prediction.landmark.first_seen for prediction in self.slam.predictions[0] if prediction.inlier]
         births = inliers if self.has_map else [0] * int(row["inliers"])
         self.tracking_loss.update(frame.number, births, len(self.slam.landmarks))
+        self.last = _identity(picture)
         self.is_intact = True
         return ImageStep(frame.number, picture, report, row)
 
@@ -239,7 +220,12 @@ class SequenceRun:
                 f"frame {len(self.history) + 1} was interrupted, and the state of the filter is incomplete"
             )
         settings = getattr(self.slam.front_ends[0], "settings", None)
-        run = {name: getattr(self, name) for name in ("history", "path", "patience", "metric")}
+        run = {name: getattr(self, name) for name in ("history", "path", "patience", "metric", "last")}
         run["tracking_loss"] = asdict(self.tracking_loss)
         motion = {"name": self.motion.name, "settings": settings and asdict(settings), "state": self.motion.dump()}
         self.slam.save(path, **{self.kind.name: {"source": self.source.recipe, "run": run, "motion": motion}})
+
+
+def _identity(picture: TimedImage) -> list[Any]:
+    """What distinguishes an image from others, as plain data: its name and a checksum of its pixels."""
+    return [picture.name, zlib.crc32(picture.image.tobytes())]

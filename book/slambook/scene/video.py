@@ -78,7 +78,7 @@ def ready(path: str | os.PathLike[str], *, overwrite: bool = False) -> Writer:
     if ending not in WRITERS:
         raise UnknownNameError.of("ending of a video's name", target.suffix, [n or "(a folder)" for n in WRITERS])
     if target.exists() and not overwrite:
-        raise SlamlibError(f"{target} is there already: choose another name, or say overwrite=True")
+        raise SlamlibError(f"{target} exists: choose another name, or replace it (overwrite=True, or --overwrite)")
     for package in ("matplotlib", *PACKAGES[ending]):
         extra(package, "a film")
     return WRITERS[ending]
@@ -117,7 +117,9 @@ def _write_gif(path: Path, frames: Iterable[Array], fps: float) -> None:
 def _write_film(codec: str, path: Path, frames: Iterable[Array], fps: float) -> None:
     """A film; OpenCV brings its own encoders, so that no outside program is needed."""
     cv2 = extra("cv2", "a film")
-    film = None
+    os.environ.setdefault("OPENCV_FFMPEG_LOGLEVEL", "-8")  # its errors are noticed below
+    level = cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
+    film, count = None, 0
     try:
         for frame in frames:
             even = frame[: frame.shape[0] // 2 * 2, : frame.shape[1] // 2 * 2]  # as the codecs want it
@@ -129,9 +131,16 @@ def _write_film(codec: str, path: Path, frames: Iterable[Array], fps: float) -> 
                         f"OpenCV cannot write {path.suffix} here: choose a .gif, or a folder of pictures"
                     )
             film.write(np.ascontiguousarray(even[..., ::-1]))
+            count += 1
     finally:
         if film is not None:
             film.release()
+        cv2.utils.logging.setLogLevel(level)
+    written = cv2.VideoCapture(str(path))  # OpenCV does not report a disk that is full
+    found = int(written.get(cv2.CAP_PROP_FRAME_COUNT)) if written.isOpened() else 0
+    written.release()
+    if found != count:
+        raise SlamlibError(f"the film has {max(found, 0)} of its {count} frames: is the disk full?")
 
 
 # MPEG-4 part 2 is quick and plays in every player; VP8 plays in web pages too, and takes ten times as long.

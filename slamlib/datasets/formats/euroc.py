@@ -45,15 +45,15 @@ def _read(path: Path, text: str) -> Cameras:
 
 
 def _lens(text: str) -> Lens:
-    if _word(text, "camera_model", "pinhole") != "pinhole":
-        raise SlamlibError(f"the camera model {_word(text, 'camera_model', '')!r} is not known, pinhole is")
-    au, av, u0, v0 = _list(text, "intrinsics")
-    coefficients = _list(text, "distortion_coefficients", "distortion_coeffs")
-    size = _list(text, "resolution") or None
-    model = _word(text, "distortion_model", "none")
+    if word_of(text, "camera_model", "pinhole") != "pinhole":
+        raise SlamlibError(f"the camera model {word_of(text, 'camera_model', '')!r} is not known, pinhole is")
+    au, av, u0, v0 = list_of(text, "intrinsics")
+    coefficients = list_of(text, "distortion_coefficients", "distortion_coeffs")
+    size = list_of(text, "resolution") or None
+    model = word_of(text, "distortion_model", "none")
     if model.lower() not in MODELS:
         raise UnknownNameError.of("model of distortion", model, MODELS)
-    transform = _list(text.partition("T_BS:")[2], "data") or _beside(text)
+    transform = list_of(text.partition("T_BS:")[2], "data") or _beside(text)
     return Lens((u0, v0, au, av), size, MODELS[model.lower()], coefficients, transform)
 
 
@@ -67,7 +67,7 @@ def _beside(text: str) -> Numbers | None:
     return tuple(np.linalg.inv(moved.reshape(4, 4)).ravel().tolist())
 
 
-def _list(text: str, *names: str) -> Numbers:
+def list_of(text: str, *names: str) -> Numbers:
     """The numbers in "name: [...]" of the first name that is there."""
     for name in names:
         found = re.search(rf"^\s*{name}:\s*\[([^\]]*)\]", text, re.M)
@@ -76,7 +76,8 @@ def _list(text: str, *names: str) -> Numbers:
     return ()
 
 
-def _word(text: str, name: str, default: str) -> str:
+def word_of(text: str, name: str, default: str) -> str:
+    """The word in "name: word"."""
     found = re.search(rf"^\s*{name}:\s*([\w-]+)", text, re.M)
     return found[1] if found else default
 

@@ -48,7 +48,9 @@ class OwnCamera:
     of_rig: bool
 
     def setup(self) -> dict[str, Any]:
-        """Plain data of its SensorSetup."""
+        """Plain data of its SensorSetup. Raises SlamlibError if its parameters are empty."""
+        if self.data.get("parameters") == {}:
+            raise SlamlibError("parameters is empty: it has the intrinsics and the other parameters of the camera")
         return self.data
 
     @property

@@ -8,12 +8,14 @@ that ORB's invariance to these costs accuracy without benefit; `python -m benchm
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache, partial
-from typing import Any
+from math import inf
+from typing import Annotated, Any
 
 import numpy as np
 
+from slamlib.data.plain import Count, Finite, Positive, Range, Share, Std, Whole, check
 from slamlib.datasets.pictures import opencv
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Array, Image
 
 WINDOW = 5  # px, of the structure tensor, whose smaller eigenvalue is the strength of a corner
@@ -40,34 +42,34 @@ class StereoSettings:
     other frames are left to an odometry (MOTION_SOURCES "correlated").
     """
 
-    cells: tuple[int, int] = (12, 8)
-    per_cell: int = 5
-    min_strength: float = 200.0
+    cells: tuple[Whole, Whole] = (12, 8)
+    per_cell: Whole = 5
+    min_strength: Std = 200.0
     detector: str = "corners"
-    border: int = 18
-    rows: float = 1.5
-    disparity: tuple[float, float] = (1.0, 120.0)
-    offset: float = 0.0
-    distance: int = 60
-    ratio: float = 0.85
-    patch: int = 11
-    score: float = 0.85
-    shift: float = 2.0
-    region: float = 25.0
-    probability: float = 0.999
-    min_separation: float = 9.0
-    max_in_view: int = 60
-    zoom: float = 1.3
-    views: int = 4
-    max_backoff: int = 16
-    update_interval: int = 1
+    border: Count = 18
+    rows: Std = 1.5
+    disparity: tuple[Positive, Positive] = (1.0, 120.0)
+    offset: Finite = 0.0
+    distance: Annotated[int, Range(ge=0, le=256)] = 60
+    ratio: Annotated[float, Range(gt=0, le=1)] = 0.85
+    patch: Annotated[int, Range(ge=0, le=101)] = 11
+    score: Share = 0.85
+    shift: Positive = 2.0
+    region: Positive = 25.0
+    probability: Annotated[float, Range(gt=0, lt=1)] = 0.999
+    min_separation: Std = 9.0
+    max_in_view: Count = 60
+    zoom: Annotated[float, Range(ge=1, lt=inf)] = 1.3
+    views: Whole = 4
+    max_backoff: Count = 16
+    update_interval: Whole = 1
 
     def __post_init__(self) -> None:
+        check(self)
         least, largest = self.disparity
-        if not 0 < least < largest:
+        if not least < largest:
             raise SlamlibError(f"StereoSettings: disparity is (least, largest), above zero, got {self.disparity}")
-        if self.detector not in DETECTORS:
-            raise UnknownNameError.of("detector", self.detector, DETECTORS)
+        entry("detector", self.detector, DETECTORS)
         if self.patch and (self.patch % 2 == 0 or self.patch < 5):
             raise SlamlibError(f"StereoSettings: patch is odd, 5 or more, or 0 for no refinement, got {self.patch}")
 

@@ -1,0 +1,85 @@
+"""`slamlib run images`: its arguments, and the runs on images of one camera that it starts."""
+
+import argparse
+
+import numpy as np
+
+from slamlib.cli.arguments import assignments, at_least, count, number
+from slamlib.cli.images import Add, ImageCommand, given_options
+from slamlib.data.plain import read
+from slamlib.data.setup import SensorSetup
+from slamlib.datasets import opening
+from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.motions import MOTIONS
+from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
+from slamlib.vision.active_search import ActiveSearchSettings
+from slamlib.vision.run import IMAGES, camera_rig, image_run, make_front_end, options_for
+from slamlib.vision.sequence_run import SequenceRun
+from slamlib.vision.target import Target
+
+EXAMPLES = """examples:
+  slamlib run images --source frames --calibration camera.json --fps 15
+  slamlib run images --source film.mp4 --calibration camera.yaml --frames 300 --video map.mp4
+  slamlib run images --source rgbd_dataset_freiburg1_xyz --calibration fr1 --trajectory path.txt \\
+      --reference rgbd_dataset_freiburg1_xyz/groundtruth.txt
+  slamlib run images --source frames --calibration camera.json --scale target.json
+
+camera.json of a pin-hole, in pixels:
+  {"image": [640, 480], "parameters": {"intrinsics": [320, 240, 500, 500], "distortion": [-0.3, 0.1]}}
+"""
+ALIASES = {"constant-velocity": "constVel"}
+
+
+class ImagesCommand(ImageCommand):
+    """Run the filter on real pictures: a folder, a glob, a video, or TUM RGB-D, EuRoC and KITTI layouts."""
+
+    kind, EXAMPLES = IMAGES, EXAMPLES
+
+    def what(self, add: Add) -> None:
+        """Add the input arguments of one camera."""
+        add("--source", metavar="PATH", help="a folder, a quoted glob, a video, or a data set's folder")
+        add("--calibration", metavar="FILE", help="slamlib's, EuRoC's, OpenCV's, KITTI's, plain text; or fr1, fr2, fr3")
+        add("--camera", type=at_least(0), default=0, metavar="N", help="number of the camera (default 0)")
+        add("--undistort", action="store_true", help="remove the lens distortion from the images (OpenCV)")
+        self._which(add)
+        add("--scale", default="free", metavar="free|FILE",
+            help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3) [m], n at least 4, '
+                 'their "pixels" (n, 2) in the first image, and the "std" of the points [m]')  # fmt: skip
+
+    def how(self, add: Add) -> None:
+        """Add the filter arguments, with all motions of slamlib."""
+        add("--motion", default="constant-velocity", help="constant-velocity, or a name of `slamlib list motions`")
+        self._impulses(add, "", "{:g} times the target's distance, if there is one, and {:g}")
+        add("--noise", type=number, metavar="PX",
+            help=f"std of a pixel coordinate (default: the calibration file's, or {IMAGES.noise[0]})")  # fmt: skip
+        points, updates = IMAGES.options.points, IMAGES.options.updates
+        add("--landmark", default=points, help=f"parametrization of points (default {points})")
+        add("--lines", metavar="LANDMARK",
+            help="also straight edges, in this parametrization, such as idpLin (default: none)")  # fmt: skip
+        add("--updates", type=count, metavar="N", help=f"landmarks per frame (default {updates}, more with a target)")
+        add("--outlier-rejection", choices=OUTLIER_REJECTIONS,
+            help=f"how outliers among matches are rejected (default {IMAGES.options.outlier_rejection})")  # fmt: skip
+        self._search(add, ActiveSearchSettings, "active search")
+        add("--seed", type=int, default=1, metavar="N", help="seed of the search for new landmarks (default 1)")
+
+    def new_run(self, given: argparse.Namespace) -> SequenceRun:
+        """A run with free scale, or with that of a target."""
+        if not given.source or not given.calibration:
+            raise SlamlibError("--source and --calibration are needed, or --resume PATH; see slamlib run images --help")
+        motion = ALIASES.get(given.motion, given.motion)
+        if motion not in MOTIONS:
+            raise UnknownNameError.of("motion", given.motion, [*ALIASES, *MOTIONS])
+        opened = {"camera": given.camera, "fps": given.fps, "undistort": given.undistort}
+        source, camera = opening.open_sequence(given.source, given.calibration, **opened)
+        if given.noise is not None:
+            camera["std"] = (given.noise,)
+        target = None if given.scale == "free" else Target.load(given.scale)
+        unit = 1.0 if target is None else target.distance(read(SensorSetup, camera, "camera").calibration)
+        rig = camera_rig(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
+        settings = ActiveSearchSettings(**assignments(given.search, ActiveSearchSettings, "--search"))
+        names = "lines", "updates", "outlier_rejection"
+        said = given_options(given, "point landmark (for lines there is --lines)", *names)
+        chosen = options_for(unit, 0 if target is None else len(target.points), **said)
+        front_end = make_front_end(chosen, rig.sensors[0].calibration, np.random.default_rng(given.seed), settings)
+        pictures = source.part(given.start, given.every, given.frames)
+        return image_run(pictures, rig, chosen, front_end, scale=target, patience=given.patience or 30)
