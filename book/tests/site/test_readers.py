@@ -14,8 +14,7 @@ from typing import Any
 
 import pytest
 
-from book.tests.site.live_page import PATIENCE, address, answers, open_page, run_one, write
-from book.tools import browser as pages
+from book.tests.site.live_page import PATIENCE, address, answers, live_pages, open_page, run_one, write
 from book.tools import build, layout, serve
 
 
@@ -206,7 +205,7 @@ def on_a_phone(chromium: Any, base: str, file: Path) -> bool:
 @pytest.fixture(scope="module")
 def first() -> Path:
     """The page that all this is done to."""
-    return pages.live_pages()[0]
+    return live_pages()[0]
 
 
 @pytest.mark.parametrize("action", READERS, ids=lambda f: f.__name__)
