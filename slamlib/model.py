@@ -10,6 +10,7 @@ import functools
 import importlib
 import inspect
 import math
+from abc import ABC, abstractmethod
 from collections import namedtuple
 from collections.abc import Callable
 from contextvars import ContextVar
@@ -84,7 +85,7 @@ def model(
     return declare
 
 
-class Formula:
+class Formula(ABC):
     """Anything called like a model: a Model, an Implicit, or a chain of them."""
 
     name: str
@@ -95,12 +96,13 @@ class Formula:
         self.parameters = [a.name for a in arguments]
         self._jacobians = namedtuple(f"{name}_jacobians", self.parameters)  # type: ignore[misc]
 
+    @abstractmethod
     def __call__(self, *args: Any, **kwargs: Any) -> Array:
-        raise NotImplementedError
+        """Value."""
 
+    @abstractmethod
     def jac(self, *args: Any, **kwargs: Any) -> tuple[Array, Any]:
         """Value and Jacobians."""
-        raise NotImplementedError
 
     def _bind(self, args: tuple[ArrayLike, ...], kwargs: dict[str, ArrayLike]) -> list[Array]:
         """Return the arguments as arrays, in their order."""

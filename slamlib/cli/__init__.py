@@ -3,8 +3,7 @@
 import argparse
 import signal
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,7 @@ import numpy as np
 from slamlib import __version__
 from slamlib.cli import compare, listing, run, starting
 from slamlib.cli.monocular import ImagesCommand
-from slamlib.cli.runner import STOPPED
+from slamlib.cli.runner import STOPPED, signals
 from slamlib.cli.stereo import PairsCommand
 from slamlib.errors import SlamlibError
 
@@ -44,7 +43,7 @@ def parser() -> argparse.ArgumentParser:
 def main(words: Sequence[str] | None = None) -> int:
     """Run the command; return the exit status: 0, 2 for an error of the user, 130 if interrupted, 143 if terminated."""
     try:
-        with _terminable(), np.errstate(all="ignore"):  # what is not finite is refused, by its name
+        with signals(_stop, signal.SIGTERM), np.errstate(all="ignore"):  # what is not finite is refused, by its name
             given = parser().parse_args(_joined(sys.argv[1:] if words is None else words))
             status: int = given.execute(given)
         sys.stdout.flush()
@@ -64,22 +63,9 @@ def main(words: Sequence[str] | None = None) -> int:
     return status
 
 
-@contextmanager
-def _terminable() -> Iterator[None]:
+def _stop(number: int, frame: object) -> None:
     """SIGTERM, as Ctrl-C, raises KeyboardInterrupt, so that unfinished files are removed."""
-
-    def stop(number: int, frame: object) -> None:
-        raise KeyboardInterrupt(number)
-
-    try:
-        before = signal.signal(signal.SIGTERM, stop)
-    except ValueError:  # not in the main thread, which alone receives signals
-        yield
-        return
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)
+    raise KeyboardInterrupt(number)
 
 
 def _joined(words: Sequence[str]) -> list[str]:

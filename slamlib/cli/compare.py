@@ -46,10 +46,10 @@ def execute(given: argparse.Namespace) -> int:
             found = monte_carlo(
                 replace(preset, seed=0), given.runs, seed=preset.seed, jobs=given.jobs, folder=given.folder
             )
-        except KeyboardInterrupt as stop:
+        except KeyboardInterrupt:
             kept = f"are in {given.folder}" if given.folder else "would be kept with --folder PATH"
             print(f"slamlib: {name}: finished runs {kept}; the same command goes on from there", file=sys.stderr)
-            raise stop
+            raise
         rows.append(summary(name, found))
     print(json.dumps(rows, indent=2) if given.json else table(rows))
     return 0

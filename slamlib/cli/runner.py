@@ -3,6 +3,7 @@
 import argparse
 import signal
 import sys
+import threading
 from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -19,8 +20,8 @@ from slamlib.experiments.progress import progress
 
 EXIT_ERROR = 2
 STOPPED: dict[int, str] = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}
-FILES = ("save", "trajectory", "covariances", "map", "plot")  # options whose value is a file that is written
-CONTINUED = ("resume", "save", "overwrite", "video", "live", "json", *FILES)  # those that a resumed run takes too
+FILES = ("save", "trajectory")  # options whose value is a file that is written
+CONTINUED = ("resume", "overwrite", "video", "live", "json", *FILES)  # those that a resumed run takes too
 Shown = tuple[Snapshot, Truth | None]
 
 
@@ -84,7 +85,8 @@ def execute(job: Job, given: argparse.Namespace) -> RunEnd:
 
     Raises SlamlibError if nothing was run.
     """
-    with deferred() as asked:
+    asked: list[int] = []  # Ctrl-C and SIGTERM wait for the end of the frame: within one no run can be saved
+    with signals(lambda number, _: asked.append(number), *STOPPED):
         ended, before = RunEnd(), job.run.done
         steps = _steps(job, given, ended, asked)
         try:
@@ -155,18 +157,12 @@ def _steps(job: Job, given: argparse.Namespace, ended: RunEnd, asked: list[int])
 
 
 @contextmanager
-def deferred() -> Iterator[list[int]]:
-    """Record Ctrl-C and SIGTERM in the list, to be handled at the end of the frame: within one no run can be saved."""
-    asked: list[int] = []
-    before: dict[int, Any] = {}
+def signals(handler: Callable[[int, Any], None], *numbers: int) -> Iterator[None]:
+    """Within the block these signals are the handler's; outside of the main thread, which alone gets them, nothing."""
+    is_main = threading.current_thread() is threading.main_thread()
+    before = {number: signal.signal(number, handler) for number in numbers if is_main}
     try:
-        for number in STOPPED:
-            before[number] = signal.signal(number, lambda number, _: asked.append(number))
-    except ValueError:  # not in the main thread, which alone receives signals
-        yield asked
-        return
-    try:
-        yield asked
+        yield
     finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
+        for number, own in before.items():
+            signal.signal(number, own)

@@ -78,7 +78,7 @@ class FileName:
 Count = Annotated[int, Range(ge=0)]
 Whole = Annotated[int, Range(gt=0)]
 NotNegative = Annotated[float, Range(ge=0)]
-Std = Annotated[float, Range(ge=0, lt=inf)]
+Magnitude = Annotated[float, Range(ge=0, lt=inf)]
 Finite = Annotated[float, Range(gt=-inf, lt=inf)]
 Positive = Annotated[float, Range(gt=0, lt=inf)]
 Share = Annotated[float, Range(ge=0, le=1)]

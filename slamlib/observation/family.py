@@ -2,12 +2,13 @@
 
 A family is one value in a module of this folder, found by a walk (observation.FAMILIES): planes or tags are added by
 one more file. The methods here are those of a family whose measurements are numbers in the sensor's frame, one row
-for each landmark; what a family must define itself raises NotImplementedError.
+for each landmark; what a family must define itself is abstract.
 """
 
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -134,7 +135,7 @@ def product(left: Array, right: Array) -> Array:
     return np.einsum("...ij,...jk->...ik", left, right)
 
 
-class Family:
+class Family(ABC):
     """A family of landmarks: its name, the class of its parametrizations, and these by name.
 
     world_size: how many numbers describe one in the simulated world (points: 3); exact: the parametrization whose state
@@ -165,12 +166,11 @@ class Family:
         """Mask (n,) of the measurements (n, m) by which a landmark may be initialized."""
         return np.ones(len(values), dtype=bool)
 
+    @abstractmethod
     def observe(self, kind: Any, calibration: Calibration, camera: Array, means: Array) -> tuple[Array, Mask, Any]:
         """What the innovation is computed from, (n, q), for landmarks seen from a sensor's pose (7,): the predicted
-        measurement, or what `residual` takes; the mask of those in view; and the Jacobians (n, q, 6) w.r.t. the pose
-        and
-        (n, q, dof) w.r.t. the landmark, as `jacobians.camera` and `jacobians.landmark`."""
-        raise NotImplementedError
+        measurement, or what `residual` takes; the mask of those in view; and the Jacobians w.r.t. the pose (n, q, 6)
+        and the landmark (n, q, dof), as `jacobians.camera` and `jacobians.landmark`."""
 
     def residual(self, sensor: MountedSensor, inner: Array, by: Array, measured: Array, options: Any) -> Innovation:
         """Innovation, measured minus predicted: of one measurement (m,) or many (n, m), from `observe`'s results, with
@@ -210,17 +210,17 @@ class Family:
         nan where it cannot see them."""
         return in_frame
 
+    @abstractmethod
     def initialize(
         self, sensor: MountedSensor, kind: Any, value: Array, options: Options
     ) -> tuple[Array, Array, list[Array]]:
         """Mean (size,), own noise (dof, dof) and Jacobians (dof, 6) w.r.t. robot and extrinsics of a new landmark."""
-        raise NotImplementedError
 
     def abscissas(self, kind: Any) -> Array | None:
         """The abscissas of a new landmark's two endpoints, by its parametrization; None for one without endpoints."""
         return np.array(kind.abscissas, dtype=float) if hasattr(kind, "abscissas") else None
 
-    def after_update(
+    def after_update(  # noqa: B027 - most families have nothing to do here, nor in `check`
         self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options
     ) -> None:
         """Treat landmarks of one kind after a measurement update: here, do nothing."""
@@ -229,15 +229,15 @@ class Family:
         """The landmarks, of one kind, whose estimates are impossible: here, none."""
         return set()
 
+    @abstractmethod
     def geometry(self, belief: Belief, landmarks: list[Landmark]) -> tuple[Array, Array, Mask]:
         """For display: positions in the world (n, ...), covariances (n, ...), and the mask of those converged."""
-        raise NotImplementedError
 
     def distance(self, geometry: Array, there: Array) -> float:
         """Distance [m] of a landmark, as `geometry` returns it, from the true one (world_size,)."""
         return float(np.linalg.norm(geometry - there))
 
-    def check(self, name: str, calibration: Calibration) -> None:
+    def check(self, name: str, calibration: Calibration) -> None:  # noqa: B027
         """Raise SlamlibError if a sensor of this name cannot be simulated with landmarks of the family."""
 
     def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:

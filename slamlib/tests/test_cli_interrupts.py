@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -103,6 +104,22 @@ def same(one, two, path):
     assert np.array_equal(path(one), path(two), equal_nan=True)
     assert np.array_equal(one.slam.belief.matrix, two.slam.belief.matrix)
     assert [lm.id for lm in one.slam.landmarks] == [lm.id for lm in two.slam.landmarks]
+
+
+def test_frames_that_have_changed_are_noticed(room, tmp_path, monkeypatch, capsys):
+    cv2 = pytest.importorskip("cv2", reason="OpenCV reads the pictures")
+    monkeypatch.chdir(tmp_path)
+    shutil.copytree(room, "kitti")
+    call = ["--source", "kitti", "--calibration", "kitti/calibration.json", "--frames", "3", "--save", "run.npz"]
+    assert main(["run", "images", *call]) == 0
+    images = sorted((tmp_path / "kitti" / "image_0").iterdir())
+    resumed = ["run", "images", "--resume", "run.npz", "--frames", "5"]
+    assert main(resumed) == 0
+    pixels = cv2.imread(str(images[2]), cv2.IMREAD_UNCHANGED)
+    pixels[0, 0] ^= 1
+    cv2.imwrite(str(images[2]), pixels)
+    assert main(resumed) == 2
+    assert f"{images[2].name} now with other pixels" in capsys.readouterr().err
 
 
 def test_a_comparison(tmp_path, monkeypatch, capsys):

@@ -85,12 +85,15 @@ class SequenceRun:
         self.patience, self.metric, self.target = patience, metric, target
         self.history, self.path, self.tracking_loss = history or [], path or [], TrackingLoss(**tracking_loss or {})
         self.is_intact = True  # False while a frame is being processed
-        self.last = last  # what identifies the last image processed
-        if last is not None and (found := _identity(next(iter(source.part(self.done - 1))))) != last:
-            raise SlamlibError(
-                f"the {kind.item}s in {source.where} have changed since the run was saved: the last one that it used "
-                f"was {last[0]}, and its place has {found[0]} now{' with other pixels' * (found[0] == last[0])}"
-            )
+        self.picture: TimedImage | None = None  # the last one processed
+        if last is not None:
+            self.picture = next(iter(source.part(self.done - 1)))
+            if (found := _identity(self.picture)) != last:
+                pixels = " with other pixels" * (found[0] == last[0])
+                raise SlamlibError(
+                    f"the {kind.item}s in {source.where} have changed since the run was saved: the last one that it "
+                    f"used was {last[0]}, and its place has {found[0]} now{pixels}"
+                )
 
     def __len__(self) -> int:
         """Number of remaining images."""
@@ -141,7 +144,7 @@ class SequenceRun:
         inliers = [prediction.landmark.first_seen for prediction in self.slam.predictions[0] if prediction.inlier]
         births = inliers if self.has_map else [0] * int(row["inliers"])
         self.tracking_loss.update(frame.number, births, len(self.slam.landmarks))
-        self.last = _identity(picture)
+        self.picture = picture
         self.is_intact = True
         return ImageStep(frame.number, picture, report, row)
 
@@ -220,8 +223,8 @@ class SequenceRun:
                 f"frame {len(self.history) + 1} was interrupted, and the state of the filter is incomplete"
             )
         settings = getattr(self.slam.front_ends[0], "settings", None)
-        run = {name: getattr(self, name) for name in ("history", "path", "patience", "metric", "last")}
-        run["tracking_loss"] = asdict(self.tracking_loss)
+        run = {name: getattr(self, name) for name in ("history", "path", "patience", "metric")}
+        run |= {"tracking_loss": asdict(self.tracking_loss), "last": self.picture and _identity(self.picture)}
         motion = {"name": self.motion.name, "settings": settings and asdict(settings), "state": self.motion.dump()}
         self.slam.save(path, **{self.kind.name: {"source": self.source.recipe, "run": run, "motion": motion}})
 

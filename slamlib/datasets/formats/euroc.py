@@ -11,7 +11,7 @@ import numpy as np
 
 from slamlib.datasets.dataset import CalibrationReader, Cameras, Dataset, ImageSource, listed, table
 from slamlib.datasets.lens import Lens, Numbers
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, entry
 
 # Names of the models of slamlib.datasets.lens in these files.
 _RADIAL = ("radial-tangential", "radtan", "radtan5", "plumb_bob", "rational_polynomial", "none")
@@ -50,11 +50,9 @@ def _lens(text: str) -> Lens:
     au, av, u0, v0 = list_of(text, "intrinsics")
     coefficients = list_of(text, "distortion_coefficients", "distortion_coeffs")
     size = list_of(text, "resolution") or None
-    model = word_of(text, "distortion_model", "none")
-    if model.lower() not in MODELS:
-        raise UnknownNameError.of("model of distortion", model, MODELS)
+    model = entry("model of distortion", word_of(text, "distortion_model", "none").lower(), MODELS)
     transform = list_of(text.partition("T_BS:")[2], "data") or _beside(text)
-    return Lens((u0, v0, au, av), size, MODELS[model.lower()], coefficients, transform)
+    return Lens((u0, v0, au, av), size, model, coefficients, transform)
 
 
 def _beside(text: str) -> Numbers | None:

@@ -27,7 +27,7 @@ def _lens(text: str) -> Lens:
         raise SlamlibError(f"camera_matrix has rows: 3, cols: 3 and data: [nine numbers], got {len(matrix)} numbers")
     au, _, u0, _, av, v0, *_ = matrix
     width, height = (float(word_of(text, f"image_{name}", "nan")) for name in ("width", "height"))
-    model = entry("distortion_model", word_of(text, "distortion_model", "plumb_bob").lower(), MODELS)
+    model = entry("model of distortion", word_of(text, "distortion_model", "plumb_bob").lower(), MODELS)
     return Lens((u0, v0, au, av), (width, height) if width == width else None, model, coefficients)
 
 

@@ -13,7 +13,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from slamlib.data.plain import Count, Finite, Positive, Range, Share, Std, Whole, check
+from slamlib.data.plain import Count, Finite, Magnitude, Positive, Range, Share, Whole, check
 from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Array, Image
@@ -44,10 +44,10 @@ class StereoSettings:
 
     cells: tuple[Whole, Whole] = (12, 8)
     per_cell: Whole = 5
-    min_strength: Std = 200.0
+    min_strength: Magnitude = 200.0
     detector: str = "corners"
     border: Count = 18
-    rows: Std = 1.5
+    rows: Magnitude = 1.5
     disparity: tuple[Positive, Positive] = (1.0, 120.0)
     offset: Finite = 0.0
     distance: Annotated[int, Range(ge=0, le=256)] = 60
@@ -57,7 +57,7 @@ class StereoSettings:
     shift: Positive = 2.0
     region: Positive = 25.0
     probability: Annotated[float, Range(gt=0, lt=1)] = 0.999
-    min_separation: Std = 9.0
+    min_separation: Magnitude = 9.0
     max_in_view: Count = 60
     zoom: Annotated[float, Range(ge=1, lt=inf)] = 1.3
     views: Whole = 4
