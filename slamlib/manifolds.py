@@ -166,8 +166,8 @@ class Product:
 
     def check(self, point: Array, what: str) -> None:
         """Check each part."""
-        for part, piece in zip(self.parts, self.split(point), strict=True):
-            part.check(piece, what)
+        for part, at in zip(self.parts, self._stored, strict=True):
+            part.check(point[..., at], what)
 
     def random(self, rng: np.random.Generator) -> Array:
         """Draw each part independently."""

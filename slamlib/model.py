@@ -56,7 +56,8 @@ class Argument:
 
     def check(self, value: Array, owner: str) -> None:
         """Raise ShapeError, NonFiniteError or UnitError, in the name of `owner`, for an invalid value (..., shape)."""
-        if self.fitting(value).shape != value.shape[value.ndim - len(self.shape) :] or value.ndim < len(self.shape):
+        expected = self.fitting(value).shape if self.may_be_shorter else self.shape
+        if expected != value.shape[value.ndim - len(self.shape) :] or value.ndim < len(self.shape):
             raise ShapeError.of(owner, self.name, self.shape, value.shape)
         what = f"{owner}: argument '{self.name}'"
         if value.dtype.kind not in "fiubc":
@@ -209,14 +210,15 @@ class Model(Formula):
         return in_memory.compile_in_memory(self, by_storage=True)
 
     def _evaluate(self, kind: str, arguments: list[Array]) -> list[Array]:
-        kernel = self._kernel(kind)
+        fitting: Model = self
+        if self._may_be_shorter:
+            fitting = self.shortened(*(a.fitting(v).size for a, v in zip(self.arguments, arguments, strict=True)))
+        kernel = fitting._kernel(kind)
         found = kernel.single(arguments)
         if found is None:
             for argument, value in zip(self.arguments, arguments, strict=True):
                 argument.check(value, self.name)
-            sizes = (a.fitting(v).size for a, v in zip(self.arguments, arguments, strict=True))
-            short = self.shortened(*sizes) if self._may_be_shorter else self
-            found = kernel(arguments) if short is self else short._evaluate(kind, arguments)
+            found = kernel(arguments)
         return found
 
     @functools.cache  # noqa: B019 - models live as long as their module
