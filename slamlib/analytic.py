@@ -35,7 +35,7 @@ def _function(name: str) -> Any:
     return call
 
 
-sin, cos, sqrt = _function("sin"), _function("cos"), _function("sqrt")
+sin, cos, sqrt, exp, log = map(_function, ("sin", "cos", "sqrt", "exp", "log"))
 
 
 def arctan2(y: Value, x: Value) -> Value:

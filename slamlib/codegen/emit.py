@@ -18,7 +18,7 @@ from slamlib.model import Model
 from slamlib.modeling import fingerprint
 
 PRIME = 2**61 - 1
-_FUNCTIONS = ("arctan2", "arctan_ratio", "arctan_ratio_slope", "cos", "sin", "sqrt", "stumpff")
+_FUNCTIONS = ("arctan2", "arctan_ratio", "arctan_ratio_slope", "cos", "exp", "log", "sin", "sqrt", "stumpff")
 
 
 def functions(model: Model, traced: Trace, *, by_storage: bool = False) -> str:

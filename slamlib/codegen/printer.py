@@ -9,7 +9,10 @@ from sympy.printing.pycode import PythonCodePrinter
 from slamlib.codegen.functions import ArctanRatio, ArctanRatioSlope, Stumpff
 from slamlib.errors import WritingRuleError
 
-_NAMES = {Stumpff: "stumpff", ArctanRatio: "arctan_ratio", ArctanRatioSlope: "arctan_ratio_slope"}
+_NAMES = {
+    Stumpff: "stumpff", ArctanRatio: "arctan_ratio", ArctanRatioSlope: "arctan_ratio_slope", sympy.atan2: "arctan2",
+    **{getattr(sympy, name): name for name in ("sin", "cos", "exp", "log")},
+}  # fmt: skip
 _HALF = sympy.Rational(1, 2)
 
 
@@ -87,9 +90,9 @@ class Printer(PythonCodePrinter):
         return [self._power(ratio, k), *(self.parenthesize(f, 50) for f in rest)]
 
     def _print_Function(self, expr: Any) -> str:
-        name = _NAMES.get(type(expr)) or {"sin": "sin", "cos": "cos", "atan2": "arctan2"}.get(expr.func.__name__)
+        name = _NAMES.get(expr.func)
         if name is None:
             raise WritingRuleError(f"no code for the function {expr.func.__name__}; add it to slamlib.analytic")
         return f"{name}({', '.join(self._print(a) for a in expr.args)})"
 
-    _print_sin = _print_cos = _print_atan2 = _print_Function
+    _print_sin = _print_cos = _print_exp = _print_log = _print_atan2 = _print_Function

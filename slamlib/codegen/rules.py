@@ -34,7 +34,8 @@ def violation(node: ast.AST) -> str | None:
         case ast.Attribute(value=ast.Name(id="math" | "np" | "numpy" as module), attr=name):
             if module == "math" or name in _SMOOTH:
                 return (
-                    f"no {module}.{name}: it cannot work on symbols; use sin, cos, sqrt, arctan2 from slamlib.analytic"
+                    f"no {module}.{name}: it cannot work on symbols; use sin, cos, sqrt, exp, log, arctan2 from "
+                    "slamlib.analytic"
                 )
             if name not in _ASSEMBLY:
                 return f"no {module}.{name}: NumPy may only assemble arrays ({', '.join(sorted(_ASSEMBLY))})"

@@ -92,7 +92,7 @@ def _interface(judge: Judge, calibration: Calibration) -> bool:
     sensor = calibration.sensor
     for name, first in (("project", ["point"]), ("back_project", ["measurement", "unmeasured"])):
         found = [a.name for a in getattr(sensor, name).arguments]
-        wanted = [n for n in first if n != "unmeasured" or n in found] + list(sensor.parameters)
+        wanted = [n for n in first if n != "unmeasured" or sensor.unmeasured] + list(sensor.parameters)
         how = f"takes {', '.join(found)}; should take {', '.join(wanted)}"
         judge.at(f"{sensor.name}.{name}").require(INTERFACE, found == wanted, how)
     size = sensor.project.arguments[0].size

@@ -4,12 +4,18 @@ import dataclasses
 
 import numpy as np
 import pytest
+import sympy
 
-from slamlib.errors import SlamlibError
+from slamlib.analytic import exp, log, sqrt
+from slamlib.codegen import assert_same, derive
+from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import LINES, POINTS
-from slamlib.model import model
+from slamlib.landmarks.idp_point import angles_of, direction
+from slamlib.landmarks.parametrization import PointLandmark
+from slamlib.manifolds import as_manifold
+from slamlib.model import AtMost, model
 from slamlib.observation import lines
 from slamlib.sensors import SENSORS, Calibration
 from slamlib.testing import CheckError, check_landmark, check_pair, check_sensor, line_pairs
@@ -40,6 +46,55 @@ def nearer(landmark):
 def other_argument(point):
     """Takes something else."""
     return point
+
+
+@model(pose=Pose, landmark=6)
+def log_to_frame(pose, landmark):
+    """The homogeneous point of (anchor, elevation, azimuth, logarithm of the distance)."""
+    inverse_distance = exp(-landmark[5])
+    h = direction(landmark[3:5]) + inverse_distance * (landmark[:3] - pose[:3])
+    return np.concatenate([rotation(pose[3:]).T @ h, np.array([inverse_distance])])
+
+
+@model(pose=Pose, point=4)
+def log_from_frame(pose, point):
+    """Anchored at the frame's origin; the distance is positive and finite."""
+    h, w = point[:3], point[3]
+    return np.concatenate([pose[:3], angles_of(rotation(pose[3:]) @ h), np.array([log(sqrt(h @ h) / w)])])
+
+
+@model(landmark=6)
+def log_to_point(landmark):
+    """The point in the world."""
+    return landmark[:3] + direction(landmark[3:5]) * exp(landmark[5])
+
+
+@model(pair=2)
+def grown(pair):
+    """Exponentials and logarithms, within each other."""
+    x, y = pair
+    return np.array([exp(x) * log(y), log(exp(x) + y * y), exp(-x / 2) ** 2])
+
+
+def test_a_log_distance_landmark_can_be_written(capsys):
+    check_landmark(PointLandmark("ldpPnt", as_manifold(6), log_to_frame, log_from_frame, log_to_point))
+    assert "holds" in capsys.readouterr().out
+
+
+def test_exponential_and_logarithm_are_proved_and_differentiated():
+    made = derive(grown)
+    x, y = made.symbols[0]
+    assert_same(made.pair[0, 0], sympy.exp(x) * sympy.log(y), silent=True)
+    assert_same(made.pair[1, 1], 2 * y / (sympy.exp(x) + y**2), silent=True)
+    batch = np.random.default_rng(0).uniform(0.1, 3, (20, 2))
+    value, jacobians = grown.jac(batch)
+    steps = [grown.definition(batch.T + 1e-30j * np.eye(2)[:, [k]]).imag / 1e-30 for k in range(2)]
+    assert value == pytest.approx(grown.definition(batch.T).T, rel=1e-14)
+    assert jacobians.pair == pytest.approx(np.moveaxis(steps, (0, 1, 2), (2, 1, 0)), rel=1e-13, abs=1e-15)
+    assert [grown(pair) for pair in batch] == [pytest.approx(v, rel=1e-14) for v in value]
+    for outside in ([0.0, 0.0], [0.0, -1.0], [800.0, 1.0], [[0.0, 1.0], [0.0, -1.0]]):
+        with pytest.raises(SingularPointError, match="grown is not defined"):
+            grown(outside)
 
 
 class WrongJacobian:
@@ -254,6 +309,20 @@ def test_a_sensor_with_a_wrong_jacobian_is_found_by_both_tests_of_it():
     found = {f.what for f in caught.value.findings}
     assert any("complex step" in what for what in found)
     assert any("undo each other" in what for what in found)
+
+
+def test_an_unmeasured_number_must_be_called_so():
+    camera = example(SENSORS["pinHole"])
+
+    @model(measurement=2, depth=1, intrinsics=4, distortion=AtMost(8))
+    def back_project(measurement, depth, intrinsics, distortion):
+        """Calls its second argument otherwise."""
+        return np.concatenate([measurement, depth, depth])
+
+    wrong = dataclasses.replace(camera.sensor, back_project=back_project)
+    object.__setattr__(camera, "sensor", wrong)
+    with pytest.raises(CheckError, match="takes measurement, depth, .*should take measurement, unmeasured, intrinsics"):
+        check_sensor(camera, silent=True)
 
 
 def test_misuse_is_reported():
