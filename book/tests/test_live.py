@@ -293,7 +293,7 @@ def test_a_chapter_runs_in_the_page_but_for_what_is_tagged_otherwise(chapter):
     assert sum("not-live" in t for t in tags) <= 2
 
 
-# -- archives, the server, the ZIP -------------------------------------------------------------------------------------
+# -- archives, the ZIP -------------------------------------------------------------------------------------------------
 
 
 @pytest.fixture
@@ -301,9 +301,9 @@ def tools(monkeypatch):
     """The book's tools as modules."""
     monkeypatch.syspath_prepend(str(ROOT))
     from book.tests.site import parity
-    from book.tools import assets, build, layout, live, serve
+    from book.tools import assets, build, layout, live
 
-    return {"assets": assets, "build": build, "layout": layout, "live": live, "parity": parity, "serve": serve}
+    return {"assets": assets, "build": build, "layout": layout, "live": live, "parity": parity}
 
 
 def test_an_archive_with_another_checksum_is_refused_and_not_kept(tools, monkeypatch, tmp_path):
@@ -321,31 +321,6 @@ def test_without_a_network_the_message_says_what_is_missing(tools, monkeypatch, 
     monkeypatch.setattr(assets, "NPM", "http://127.0.0.1:9")
     with pytest.raises(assets.AssetError, match=r"axe-core-4.* cannot be downloaded.*is the network there"):
         assets.archive("axe")
-
-
-def test_the_server_compresses_text_and_nothing_else(tools, monkeypatch, tmp_path):
-    import gzip
-    import threading
-    import urllib.request
-
-    (tmp_path / "index.html").write_text("<p>words</p>" * 100, "utf-8")
-    (tmp_path / "numbers.bin").write_bytes(b"\x00" * 500)
-    monkeypatch.setattr(tools["layout"], "SITE", tmp_path)
-    http = tools["serve"].server()
-    threading.Thread(target=http.serve_forever, daemon=True).start()
-    base = f"http://127.0.0.1:{http.server_address[1]}"
-    try:
-        for path, encoding in (("/", "gzip"), ("/index.html?v=1", "gzip"), ("/numbers.bin", None)):
-            asked = urllib.request.Request(base + path, headers={"Accept-Encoding": "gzip"})
-            with urllib.request.urlopen(asked) as answer:
-                content = answer.read()
-                assert answer.headers["Content-Encoding"] == encoding
-            assert len(gzip.decompress(content) if encoding else content) in (1200, 500)
-        with urllib.request.urlopen(base + "/index.html") as plain:
-            assert len(plain.read()) == 1200
-    finally:
-        http.shutdown()
-        http.server_close()
 
 
 def test_the_book_to_take_away_holds_the_site_once_and_its_script(tools, tmp_path):

@@ -39,7 +39,7 @@ def site_in_chromium(executable: str) -> Iterator[tuple[str, Any]]:
     """The URL of the served site, and a browser; for as long as the block lasts."""
     from playwright.sync_api import sync_playwright
 
-    with serve.running(serve.server()) as base, sync_playwright() as tool:
+    with serve.running(serve.Server()) as base, sync_playwright() as tool:
         browser = tool.chromium.launch(executable_path=executable, args=FLAGS)
         yield base, browser
         browser.close()

@@ -50,7 +50,7 @@ def browser_type_launch_args() -> dict[str, Any]:
 @pytest.fixture(scope="session")
 def site() -> Iterator[str]:
     """The URL of the served site."""
-    with serve.running(serve.server()) as base:
+    with serve.running(serve.Server()) as base:
         yield base
 
 

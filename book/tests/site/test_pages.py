@@ -40,13 +40,21 @@ def browser_context_args(browser_context_args: dict[str, Any], request: Any) -> 
     return {**browser_context_args, "color_scheme": scheme, "viewport": {"width": width, "height": 900}}
 
 
+def wrong(answer: Any) -> list[str]:
+    """What is missing, or came without the server's policy; what a policy forbids is an error of the console."""
+    return [
+        *([f"{answer.status} {answer.url}"] if answer.status >= 400 else []),
+        *([f"no policy: {answer.url}"] if "content-security-policy" not in answer.headers else []),
+    ]
+
+
 @pytest.mark.parametrize("view", VIEWS)
 @pytest.mark.parametrize("name", PAGES)
 def test_a_page_shows_no_faults(name, view, page, site, outside):
     faults: list[str] = []
     page.on("console", lambda m: faults.append(f"console: {m.text}") if m.type == "error" else None)
     page.on("pageerror", lambda e: faults.append(f"script error: {e}"))
-    page.on("response", lambda r: faults.append(f"{r.status} {r.url}") if r.status >= 400 else None)
+    page.on("response", lambda r: faults.extend(wrong(r)) if r.url.startswith(site) else None)
     browser.load(page, f"{site}/{name}")
     faults += page.evaluate(FAULTS)
     for slider in page.query_selector_all("figure.sweep input[type=range]"):

@@ -1,6 +1,5 @@
 """What readers and their browsers do to a page with live cells: loops, broken code, lost connections, files."""
 
-import functools
 import os
 import re
 import subprocess
@@ -147,8 +146,7 @@ def a_lost_connection(context: Any, base: str, file: Path) -> bool:
 
 def under_a_prefix(chromium: Any, file: Path) -> bool:
     """The site works below any path of a host, not only at its root."""
-    handler = functools.partial(serve.Handler, directory=str(layout.BUILD))
-    with serve.running(serve.Server(("127.0.0.1", 0), handler)) as base:
+    with serve.running(serve.Server(folder=layout.BUILD)) as base:
         return answers(chromium, f"{base}/{layout.SITE.name}/{address(file)}")
 
 
