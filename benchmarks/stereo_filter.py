@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 from slambook import rendering
+from slambook.rendering import stereo_frame, stereo_rig
 from slambook.stereo_films import stereo_film
 
 from slamlib.data.records import Frame
@@ -15,7 +16,7 @@ from slamlib.evaluation.consistency import chi2_quantile, nees
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.slam import Options, Slam
-from slamlib.vision.stereo import MOTION_SOURCES, StereoSettings, stereo_frame, stereo_rig
+from slamlib.vision.stereo import MOTION_SOURCES, StereoSettings
 from slamlib.vision.stereo.motion_source import StereoMotionSource
 
 FULL = 300  # landmarks

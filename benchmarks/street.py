@@ -30,12 +30,13 @@ from slambook.stereo_films import KITTI
 from slamlib.datasets.dataset import ImageSource
 from slamlib.datasets.sources import of_pictures
 from slamlib.evaluation.alignment import align_trajectory
+from slamlib.evaluation.comparison import parts
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import relative
 from slamlib.geometry.quaternion import exponential
 from slamlib.manifolds import Array
-from slamlib.vision.results import parts, summary
+from slamlib.vision.results import summary
 from slamlib.vision.run import PAIRS, open_stereo, stereo_run
 from slamlib.vision.sequence_run import SequenceRun
 from slamlib.vision.stereo import MOTION_SOURCES, StereoSettings

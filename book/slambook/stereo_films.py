@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from slambook import rendering
+from slambook.rendering import stereo_frame, stereo_rig
 from slamlib.datasets.pictures import read_image
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
@@ -15,7 +16,7 @@ from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
 from slamlib.sensors.stereo import STEREO
-from slamlib.vision.stereo import RelativeMotion, VisualOdometry, pair, stereo_frame, stereo_rig
+from slamlib.vision.stereo import RelativeMotion, VisualOdometry, pair
 
 LENS = {"intrinsics": (159.5, 119.5, 260.0, 260.0), "distortion": (0.0,)}
 DATA = Path(os.environ.get("SLAMLIB_DATA", ""))

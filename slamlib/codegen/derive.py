@@ -7,7 +7,8 @@ import numpy as np
 import sympy
 
 from slamlib.codegen.trace import symbols_for, trace
-from slamlib.errors import ShapeError, UnknownNameError
+from slamlib.data.plain import OneOf
+from slamlib.errors import ShapeError
 from slamlib.model import Argument, Model
 from slamlib.modeling import fingerprint
 
@@ -42,8 +43,7 @@ class Derivation:
 def derive(model: Model, **symbols: Any) -> Derivation:
     """Expressions of a model; an argument may be given symbols or expressions: a matrix, a list, or 'x y theta'."""
     for name in symbols:
-        if name not in model.parameters:
-            raise UnknownNameError.of(f"argument of {model.name}", name, model.parameters)
+        OneOf(model.parameters).check(name, f"argument of {model.name}")
     return Derivation(model, [_chosen(model, a, symbols.get(a.name)) for a in model.arguments])
 
 

@@ -5,10 +5,20 @@ from typing import Any
 import sympy
 
 
-class Stumpff(sympy.Function):
-    """c_k(s); see slamlib.analytic.stumpff."""
+class Smooth(sympy.Function):
+    """A function of two arguments that is smooth where its closed form is 0 / 0; latex: how it is typeset."""
 
     nargs = 2
+    latex: str
+
+    def _latex(self, printer: Any) -> str:
+        return self.latex.format(*map(printer._print, self.args))
+
+
+class Stumpff(Smooth):
+    """c_k(s); see slamlib.analytic.stumpff."""
+
+    latex = r"c_{{{}}}\left({}\right)"
 
     @classmethod
     def eval(cls, order: Any, s: Any) -> Any:
@@ -31,14 +41,11 @@ class Stumpff(sympy.Function):
             value = (1 / sympy.factorial(k) - value) / s
         return value
 
-    def _latex(self, printer: Any) -> str:
-        return rf"c_{{{self.args[0]}}}\left({printer._print(self.args[1])}\right)"
 
-
-class ArctanRatio(sympy.Function):
+class ArctanRatio(Smooth):
     """arctan(sqrt(s)/w)/sqrt(s); see slamlib.analytic.arctan_ratio."""
 
-    nargs = 2
+    latex = r"a\left({}, {}\right)"
 
     @classmethod
     def eval(cls, s: Any, w: Any) -> Any:
@@ -53,14 +60,11 @@ class ArctanRatio(sympy.Function):
         s, w = self.args
         return sympy.atan(sympy.sqrt(s) / w) / sympy.sqrt(s)
 
-    def _latex(self, printer: Any) -> str:
-        return rf"a\left({printer._print(self.args[0])}, {printer._print(self.args[1])}\right)"
 
-
-class ArctanRatioSlope(sympy.Function):
+class ArctanRatioSlope(Smooth):
     """Derivative of ArctanRatio with respect to s."""
 
-    nargs = 2
+    latex = r"a_s\left({}, {}\right)"
 
     @classmethod
     def eval(cls, s: Any, w: Any) -> Any:
@@ -71,13 +75,7 @@ class ArctanRatioSlope(sympy.Function):
         s, w = self.args
         return (w / (s + w**2) - ArctanRatio(s, w).closed_form()) / (2 * s)
 
-    def _latex(self, printer: Any) -> str:
-        return rf"a_s\left({printer._print(self.args[0])}, {printer._print(self.args[1])}\right)"
-
-
-SMOOTH = (Stumpff, ArctanRatio, ArctanRatioSlope)
-
 
 def closed_form(expression: Any) -> Any:
     """The expression with every smooth function written out (valid away from s = 0)."""
-    return expression.replace(lambda e: isinstance(e, SMOOTH), lambda e: e.closed_form())
+    return expression.replace(lambda e: isinstance(e, Smooth), lambda e: e.closed_form())

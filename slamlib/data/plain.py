@@ -2,9 +2,11 @@
 
 The type of a field determines what it accepts: bool, int, float, str, tuples, dictionaries, other dataclasses, None.
 Limits and lists of names are annotations: Annotated[float, Range(gt=0, unit="m")], Annotated[str, OneOf(NAMES)]. None
-is not written; therefore a field that may be None is None when plain data lacks it.
+is not written; therefore a field that may be None is None when plain data lacks it. Arrays are packed without loss.
 """
 
+import base64
+import zlib
 from collections.abc import Callable, Collection
 from contextlib import suppress
 from dataclasses import MISSING, dataclass, fields, is_dataclass, replace
@@ -15,6 +17,9 @@ from numbers import Integral, Real
 from operator import ge, gt, le, lt
 from types import NoneType, UnionType
 from typing import Annotated, Any, Self, TypeVar, Union, get_args, get_origin, get_type_hints
+
+import numpy as np
+from numpy.typing import NDArray
 
 from slamlib.errors import SlamlibError, UnknownNameError, entry
 
@@ -102,11 +107,23 @@ class Plain:
 
 def written(value: Any) -> Any:
     """Return the plain data of a dataclass and its fields, lists as tuples; fields that are None are left out."""
+    if isinstance(value, np.ndarray):
+        text = base64.b64encode(zlib.compress(value.tobytes(), 1)).decode()
+        return {"dtype": value.dtype.str, "shape": value.shape, "zlib": text}
     if is_dataclass(value):
         return {f.name: written(v) for f in fields(value) if (v := getattr(value, f.name)) is not None}
     if isinstance(value, dict):
         return {name: written(v) for name, v in value.items()}
     return tuple(map(written, value)) if isinstance(value, list | tuple) else value
+
+
+def unpacked(data: Any, path: str = "array") -> NDArray[Any]:
+    """Return the array, read-only, that `written` packed. Raises SlamlibError for anything else."""
+    try:
+        content = zlib.decompress(base64.b64decode(data["zlib"]))
+        return np.frombuffer(content, data["dtype"]).reshape(data["shape"])
+    except (KeyError, TypeError, ValueError, zlib.error) as error:
+        raise SlamlibError(f"{path} is no packed array: {error!r}") from None
 
 
 def read(kind: type[T], data: Any, path: str = "") -> T:
@@ -159,6 +176,8 @@ _SCALARS: dict[Any, tuple[str, Callable[[Any], bool]]] = {
 
 def _read(hint: Any, value: Any, path: str) -> Any:
     """Convert a value to the type of its field."""
+    if get_origin(hint) is np.ndarray:
+        return value if isinstance(value, np.ndarray) else unpacked(value, path)
     value = value.tolist() if hasattr(value, "tolist") else value
     kind, inner = get_origin(hint) or hint, get_args(hint)
     if kind is Any:

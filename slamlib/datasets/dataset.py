@@ -62,8 +62,7 @@ class ImageSource:
         frames = self.frames[start::every][:count]
         if not frames:
             raise SlamlibError(f"{self.where} has {len(self)} pictures: none is left from number {start} on")
-        chosen = [frames.start, frames.stop, frames.step]
-        return replace(self, frames=frames, recipe={**self.recipe, "frames": chosen})
+        return replace(self, frames=frames, recipe={**self.recipe, "frames": [frames.start, frames.stop, frames.step]})
 
     def again(self, recipe: dict[str, Any], count: int | None = None) -> "ImageSource":
         """The part given by a recipe, or `count` images from its first one on. Raises SlamlibError."""
@@ -135,6 +134,12 @@ def table(path: Path, columns: int, separator: str | None) -> list[tuple[float, 
     if not rows:
         raise SlamlibError(f"{path} lists no picture")
     return rows
+
+
+def listed_files(listing: Path, folder: Path, separator: str | None, unit: float = 1.0) -> ImageSource:
+    """The images that a list of rows "time, file" names in a folder; unit [s]: of its times."""
+    rows = table(listing, 2, separator)
+    return listed([folder / name for _, (name, *_) in rows], [unit * time for time, _ in rows], listing)
 
 
 def counted(paths: list[Path], fps: float) -> ImageSource:

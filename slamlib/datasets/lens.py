@@ -9,8 +9,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Array
 
 Numbers = tuple[float, ...]
@@ -38,9 +39,7 @@ class Lens:
     def __post_init__(self) -> None:
         if len(self.intrinsics) != 4 or not np.isfinite(self.intrinsics).all() or not min(self.intrinsics[2:]) > 0:
             raise SlamlibError(f"intrinsics are (u0, v0, au, av), two of them focal lengths above 0: {self.intrinsics}")
-        if self.model not in MODELS:
-            raise UnknownNameError.of("model of a lens", self.model, MODELS)
-        max_coefficients = MODELS[self.model]
+        max_coefficients = entry("model of a lens", self.model, MODELS)
         if len(self.distortion) > max_coefficients or not np.isfinite(self.distortion).all():
             raise SlamlibError(
                 f"{self.model}: at most {max_coefficients} finite coefficients are wanted, got {self.distortion}"
@@ -94,9 +93,11 @@ class PairCalibration:
         return np.linalg.solve(origin, np.reshape(np.array(self.right.transform), (4, 4)))
 
 
-def shifted(baseline: float) -> Numbers:
-    """The pose (row by row) of a right camera that is `baseline` [m] to the right of the left one."""
-    return (1.0, 0.0, 0.0, baseline, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+def placed(position: ArrayLike, turn: ArrayLike = ((1, 0, 0), (0, 1, 0), (0, 0, 1))) -> Numbers:
+    """The pose (row by row) of a camera at a position (3,) [m], with its axes as the columns of a matrix (3, 3)."""
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = turn, position
+    return tuple(pose.ravel().tolist())
 
 
 def fitted(setup: dict[str, Any], size: tuple[int, int], what: str) -> dict[str, Any]:

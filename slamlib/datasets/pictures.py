@@ -3,10 +3,8 @@
 A rectified pair is one image too: an array (2, h, w), the left image and the right one.
 """
 
-import base64
 import os
 import re
-import zlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -122,14 +120,3 @@ def checked(image: Any, calibration: Calibration | None = None) -> Array:
         width, height = calibration.image
         raise SlamlibError(f"the pair is {size[0]}x{size[1]}, and the calibration of {width:g}x{height:g} pixels")
     return array
-
-
-def pack(image: Array) -> list[Any]:
-    """A pair (2, h, w) as plain data, without loss: its shape, and text."""
-    return [list(image.shape), base64.b64encode(zlib.compress(image.tobytes(), 1)).decode()]
-
-
-def unpack(packed: list[Any]) -> Array:
-    """What `pack` packed."""
-    shape, text = packed
-    return np.frombuffer(zlib.decompress(base64.b64decode(text)), np.uint8).reshape(shape)

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.datasets.lens import FISHEYE, MODELS, Lens, PairCalibration, shifted
+from slamlib.datasets.lens import FISHEYE, MODELS, Lens, PairCalibration, placed
 from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
@@ -117,7 +117,7 @@ class Rectification(_Remapping):
             return Lens((u, v, f, f), (float(size[0]), float(size[1])))
 
         super().__init__(lenses, turns, ideal, size)
-        left, right = replace(self.lens, extra=pair.left.extra), replace(self.lens, transform=shifted(baseline))
+        left, right = replace(self.lens, extra=pair.left.extra), replace(self.lens, transform=placed((baseline, 0, 0)))
         self.setup, _ = rectified_setup(PairCalibration(left, right), size)
 
 

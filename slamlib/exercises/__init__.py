@@ -12,7 +12,7 @@ import pkgutil
 from collections.abc import Callable
 from typing import Any
 
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, entry
 from slamlib.exercises.properties import KNOWN, Candidate, Found, Rejected, Rng, current, exercise
 
 __all__ = ["Candidate", "Rejected", "Rng", "check", "exercise", "load_all"]
@@ -36,23 +36,23 @@ def _unwritten(candidate: Any) -> bool:
 
 
 def check(number: str, candidate: Any) -> None:
-    """Test a solution: prints a line for each property that holds; raises Rejected with the first that does not.
+    """Test a solution: prints a line for each property that holds; raises Rejected with the first that does not, below
+    those that hold so far.
 
     A function whose body is still `...` is not judged: the check says that it waits to be written.
     """
     chapter = str(number).rpartition(".")[0]
     if chapter in {info.name for info in pkgutil.iter_modules(__path__)}:
         importlib.import_module(f"{__name__}.{chapter}")
-    if number not in KNOWN:
-        raise UnknownNameError.of("exercise", number, load_all())
-    title, function = KNOWN[number]
+    title, function = entry("exercise", number, KNOWN if number in KNOWN else load_all())
     if _unwritten(candidate):
         print(f"Exercise {number}, {title}: write the function, then run the cell again.")
         return
     found = Found(candidate)
-    token = current.set(found)
+    token, word = current.set(found), "so far"
     try:
         function(found.candidate)
+        word = "holds"
     except SlamlibError:
         raise
     except Exception as error:  # the check could not take what the reader's function gave, for instance unpack it
@@ -61,5 +61,5 @@ def check(number: str, candidate: Any) -> None:
     finally:
         current.reset(token)
         for line in found.lines:
-            print(f"  holds: {line}")
+            print(f"  {word}: {line}")
     print(f"Exercise {number} accepted: {title}.")

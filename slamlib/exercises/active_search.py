@@ -57,8 +57,7 @@ def matching(candidate: Candidate, rng: Rng) -> None:
             ratio = (moved[axis] ** 2).mean() / max(C[axis, axis], 1e-300)
             between(ratio, *band(1, 4000, 0.9999), f"that of {name}, too")
         same(candidate(patch + 40, noise), C, "a brighter patch is found as well")
-        doubled = np.asarray(candidate(2 * patch, noise))
-        same(4 * doubled, C, "twice the contrast, a quarter of the variance")
+        same(4 * np.asarray(candidate(2 * patch, noise)), C, "twice the contrast, a quarter of the variance")
         same(candidate(patch, 3 * noise), 9 * C, "three times the noise, nine times it")
 
 

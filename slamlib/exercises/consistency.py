@@ -30,8 +30,7 @@ def average_nees(candidate: Candidate, rng: Rng) -> None:
     found = array_of(candidate(errors, covariances), (steps,), "the average")
     between(found, *band(n, runs, 0.9999), "the errors of a consistent filter lie in the band")
     units = np.diag([1000.0, 1, 0.01])
-    scaled = candidate(errors @ units, units @ covariances @ units)
-    same(scaled, found, "metres or millimetres make no difference")
+    same(candidate(errors @ units, units @ covariances @ units), found, "metres or millimetres make no difference")
     same(candidate(errors, 4 * covariances), found / 4, "twice the claimed standard deviation, a quarter of the NEES")
     one = (np.linalg.solve(np.linalg.cholesky(covariances[0, 0]), errors[0, 0]) ** 2).sum()
     same(candidate(errors[:1], covariances[:1])[0], one, "one run is e' P^-1 e")
@@ -82,8 +81,7 @@ def whiteness(candidate: Candidate, rng: Rng) -> None:
         wanted = float(lag == 0)
         what = "white innovations: 1 at lag 0, about 0 elsewhere"
         between(value(white @ L.T, lag), wanted - 0.06, wanted + 0.06, what)
-        remembered = value(coloured @ L.T, lag)
-        between(remembered, a**lag - 0.1, a**lag + 0.1, "a first-order memory a shows as a^lag")
+        between(value(coloured @ L.T, lag), a**lag - 0.1, a**lag + 0.1, "a first-order memory a shows as a^lag")
     turned = coloured * np.where(np.arange(T) % 2, 1, -1)[:, None]
     once = value(coloured @ L.T, 1)
     same(value(turned @ L.T, 1), -once, "alternating signs give the negative value at lag 1")

@@ -15,16 +15,14 @@ def range_bias(candidate: Candidate, rng: Rng) -> None:
         x, landmark, root = rng.standard_normal(2), 2 + rng.standard_normal(2), rng.standard_normal((2, 2))
         P = 0.1 * (root @ root.T)
         ahead = (landmark - x) / np.hypot(*(landmark - x))
-        sharp = candidate(x, landmark, 0.3 * np.outer(ahead, ahead))
-        same(sharp, 0.0, "an error along the line of sight has no bias")
+        same(candidate(x, landmark, 0.3 * np.outer(ahead, ahead)), 0.0, "an error along the line of sight has no bias")
         found = array_of(candidate(x, landmark, P), (), "the bias")
         holds(found > 0, "a robot displaced sideways is farther away, never nearer", f"found {found:.4g}")
         variances, axes = np.linalg.eigh(P)
         stops = [np.hypot(*(x[:, None] + step * axes - landmark[:, None])) for step in (-1e-3, 0, 1e-3)]
         total = variances @ (stops[0] - 2 * stops[1] + stops[2]) / 1e-6 / 2  # the trace, along the principal axes
         same(found, total, "half the trace of second derivatives times P", tolerance=1e-5)
-        farther = candidate(x, x + 2 * (landmark - x), P)
-        same(farther, found / 2, "half the bias at twice the distance")
+        same(candidate(x, x + 2 * (landmark - x), P), found / 2, "half the bias at twice the distance")
 
 
 @exercise("extended_kalman_filter.2", "the most probable state", seed=32)

@@ -30,8 +30,7 @@ def conditional(candidate: Candidate, rng: Rng) -> None:
     """The slice's density peaks at the mean, and its precision is a block of the inverse of P."""
     for n, i in ((2, 0), (2, 1), (4, 2)):
         P, at, value = random_covariance(rng, n, 0.1), rng.standard_normal(n), rng.standard_normal()
-        shapes = {"the mean": (n - 1,), "the covariance": (n - 1, n - 1)}
-        mean, found = parts(candidate(at, P, i, value), shapes)
+        mean, found = parts(candidate(at, P, i, value), {"the mean": (n - 1,), "the covariance": (n - 1, n - 1)})
         covariance(found, n - 1)
         information = np.linalg.inv(P)
         rest = np.delete(np.arange(n), i)

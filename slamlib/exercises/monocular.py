@@ -64,8 +64,7 @@ def _cost(x: Array, y: Array, s: Array | float, R: Array, t: Array) -> float:
 def larger(candidate: Candidate, rng: Rng) -> None:
     """Positions and points are k times as large; the camera sees the same; the motion keeps it so."""
     for k, n in cases(((k, n) for n in (1, 4) for k in (0.5, 3.0, 7.0)), "k = {:g}, {} points"):
-        quaternion = UnitQuaternion.random(rng)
-        state = np.concatenate([rng.uniform(-3, 3, 3), quaternion, rng.standard_normal(6)])
+        state = np.concatenate([rng.uniform(-3, 3, 3), UnitQuaternion.random(rng), rng.standard_normal(6)])
         points = np.column_stack([rng.uniform(-3, 3, (n, 3)), rng.standard_normal((n, 3)), rng.uniform(0.1, 1, (n, 1))])
         large, far = parts(candidate(state, points, k), {"the state": (13,), "the points": (n, 7)})
         same(large[:3], k * state[:3], "the camera is k times as far from the origin")

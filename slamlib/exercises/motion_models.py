@@ -4,8 +4,7 @@ import numpy as np
 
 from slamlib.data.records import World
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
-from slamlib.exercises import Candidate, Rng, exercise
-from slamlib.exercises.properties import cases, covariance, differences, holds, parts, same
+from slamlib.exercises.properties import Candidate, Rng, cases, covariance, differences, exercise, holds, parts, same
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.motions import Motion
@@ -35,8 +34,7 @@ def propagate(candidate: Candidate, rng: Rng) -> None:
     """Heading error becomes sideways position error; and the covariance of samples agrees."""
     F = np.array([[1.0, 0, 0], [0, 1, 2], [0, 0, 1]])  # drove two metres along x
     sideways = covariance(candidate(F, np.diag([0, 0, 0.01]), np.zeros((3, 3))), 3)[1, 1]
-    what = "an uncertain heading makes the position uncertain sideways"
-    holds(sideways > 0.03, what, f"found {sideways:.4g} m^2")
+    holds(sideways > 0.03, "an uncertain heading makes the position uncertain sideways", f"found {sideways:.4g} m^2")
     for _ in range(3):
         F, root = rng.standard_normal((3, 3)), rng.standard_normal((3, 3))
         Q = np.diag(rng.uniform(0.1, 1, 3))
@@ -76,8 +74,7 @@ def unicycle(candidate: Candidate, rng: Rng) -> None:
         along = 1.5 * dt * np.array([np.cos(turns).mean(), np.sin(turns).mean(), 0])
         there = compose(state, np.concatenate([along, exponential(np.array([0, 0, yaw_rate * dt]))]))
         same(moved[:3], there[:3], "ends where fine steps along the arc end", tolerance=1e-8)
-        turned = rotation(there[3:])
-        same(rotation(moved[3:]), turned, "turns about its own vertical axis", tolerance=1e-12)
+        same(rotation(moved[3:]), rotation(there[3:]), "turns about its own vertical axis", tolerance=1e-12)
         by = differences(lambda u, x=state, to=moved: Pose.minus(candidate.step(x, u, 0.5), to), control)
         same(J.control, by, "the Jacobian by the control", tolerance=1e-5)
     rig = Rig((RobotSetup(motion=candidate, control=(1.0, 90.0)),), (SensorSetup(),))

@@ -182,7 +182,9 @@ def same(found: Any, expected: Any, what: str, tolerance: float = 1e-9) -> None:
     found = array_of(found, expected.shape, what)
     scale = max(1.0, float(np.max(np.abs(expected), initial=0)))
     worst = float(np.max(np.abs(found - expected), initial=0)) / scale
-    holds(worst <= tolerance, what, f"differs: found {_shown(found)}, the property asks for {_shown(expected)}")
+    pairs = [(_shown(found, digits), _shown(expected, digits)) for digits in (4, 8, 12, 17)]
+    one, other = next((pair for pair in pairs if pair[0] != pair[1]), pairs[-1])  # with as many digits as differ
+    holds(worst <= tolerance, what, f"differs: found {one}, the property asks for {other}")
 
 
 def between(value: Any, low: float, high: float, what: str) -> None:
@@ -211,7 +213,8 @@ def rotation_matrix(matrix: Any, what: str) -> Array:
     return R
 
 
-def _shown(value: Any) -> str:
+def _shown(value: Any, digits: int = 4) -> str:
     if isinstance(value, np.ndarray | Sequence) and not isinstance(value, str):
-        return np.array2string(np.asarray(value), precision=4, suppress_small=True, threshold=12).replace("\n", "")
+        text = np.array2string(np.asarray(value), precision=digits, suppress_small=digits == 4, threshold=12)
+        return text.replace("\n", "")
     return f"{value:.6g}" if isinstance(value, float) else repr(value)[:80]

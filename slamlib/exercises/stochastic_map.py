@@ -31,8 +31,7 @@ def convert(candidate: Candidate, rng: Rng) -> None:
         found = covariance(candidate(P, start, J), n - old + new)
         rest = np.delete(np.arange(n), gone)
         others = rest + (rest > start) * (new - old)
-        what = "the others are as they were, in their order"
-        same(found[np.ix_(others, others)], P[np.ix_(rest, rest)], what)
+        same(found[np.ix_(others, others)], P[np.ix_(rest, rest)], "the others are as they were, in their order")
         rewritten = np.insert(A[rest], start, J @ A[gone], axis=0)  # P = A A': rows of A are errors, in 'draws'
         same(found, rewritten @ rewritten.T, "it is the covariance of the rewritten errors")
 

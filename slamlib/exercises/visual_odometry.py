@@ -72,8 +72,7 @@ def control(candidate: Candidate, rng: Rng) -> None:
         camera = np.concatenate([rng.uniform(-1, 1, 3), UnitQuaternion.random(rng)])
         turn = np.eye(3) if number == 0 else turn
         camera = home if number < 2 else camera  # first a camera at the robot's origin
-        shapes = {"the displacement": (3,), "the rotation matrix": (3, 3)}
-        moved, R = parts(candidate(turn, shift, camera), shapes)
+        moved, R = parts(candidate(turn, shift, camera), {"the displacement": (3,), "the rotation matrix": (3, 3)})
         rotation_matrix(R, "the rotation")
         points = rng.uniform(-5, 5, (8, 3))  # of the old robot's frame
         before, after = to_frame(camera, points), to_frame(camera, (points - moved) @ R)

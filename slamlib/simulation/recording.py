@@ -6,6 +6,7 @@ landmarks:
 
     header              text: JSON with format "slamlib recording", version 1, rig (robots and sensors: the fields of
                         RobotSetup and SensorSetup, in metres and degrees), truth (whether it is there)
+    digest              text: SHA-256 of all the others, by which changes are noticed; may be missing
     number, dt          (F,): each frame's number, and the time since the one before [s]
     robot{i}.control    (F, c) [m, rad]: the control input, or its measurement by odometry; nan: none
     robot{i}.noise      (F, c, c): the covariance of its noise
@@ -29,7 +30,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slamlib.data.files import read_archive, write_archive
+from slamlib.data.files import complete, read_archive, write_archive
 from slamlib.data.records import Control, Features, Frame, Scan, Truth, World
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
@@ -87,7 +88,7 @@ def save(path: str | Path, frames: Iterable[tuple[Frame, Truth | None]], *, rig:
 def load(path: str | Path) -> Recording:
     """Read a run. Raises SlamlibError for a file that is missing, damaged, or no recording."""
     header, arrays = read_archive(path, FORMAT, VERSION)
-    try:
+    with complete(path):
         rig = Rig.from_dict(header["rig"])
         names = [x for x in FAMILIES if f"world.{x}.ids" in arrays]  # all families that there were when it was written
         seen = {x: Features(arrays[f"world.{x}.ids"], arrays[f"world.{x}.values"]) for x in names}
@@ -101,8 +102,6 @@ def load(path: str | Path) -> Recording:
             states = zip(*(arrays[f"truth.robot{i}"] for i in range(len(rig.robots))), strict=True)
             all_extrinsics = zip(*(arrays[f"truth.mount{j}"] for j in range(len(rig.sensors))), strict=True)
             truths = [Truth(tuple(s), tuple(e)) for s, e in zip(states, all_extrinsics, strict=True)]
-    except (KeyError, ValueError, TypeError, IndexError, SlamlibError) as error:
-        raise SlamlibError(f"{path} is a recording, but not a whole one: {error!r}; take another copy") from error
     return Recording(rig, world, frames, tuple(truths))
 
 

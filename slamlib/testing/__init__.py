@@ -15,10 +15,8 @@ from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import CheckError, Finding, Judge
 from slamlib.testing.landmarks import line_properties, point_properties
-from slamlib.testing.line_pairs import DEFINED as SEGMENT
 from slamlib.testing.line_pairs import line_pair_properties
-from slamlib.testing.pairs import DEFINED as MEASURED
-from slamlib.testing.pairs import pair_properties
+from slamlib.testing.pairs import DEFINED, pair_properties
 from slamlib.testing.sensors import sensor_properties
 
 __all__ = ["CheckError", "Finding", "check_landmark", "check_pair", "check_sensor"]
@@ -62,4 +60,4 @@ def check_pair(
     else:
         pair_properties(judge, kind, calibration)
     judge.conclude(silent)
-    return SEGMENT in judge.places or MEASURED in judge.places
+    return DEFINED in judge.places

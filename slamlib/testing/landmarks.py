@@ -9,9 +9,8 @@ from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.manifolds import Array
 from slamlib.model import Model
 from slamlib.testing.judge import Judge
-from slamlib.testing.models import DEFINED, model_properties
+from slamlib.testing.models import DEFINED, interface, model_properties
 
-INTERFACE = "the definitions take and return what they should"
 ROUND_TRIP = "from_frame, then to_frame gives the point back, as a ratio"
 FORWARD = "a point in front stays in front"
 EUCLIDEAN = "to_frame is the Euclidean route through to_point"
@@ -30,9 +29,8 @@ FORWARDS = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, -0.5])  # a camera with its opti
 
 def point_properties(judge: Judge, kind: PointLandmark) -> None:
     """Interface first; then the models one by one; then how they fit together."""
-    sizes = {"pose": Pose.size, "landmark": kind.manifold.size, "point": 4}
-    takes = {"to_frame": ("pose", "landmark"), "from_frame": ("pose", "point"), "to_point": ("landmark",)}
-    if not _interface(judge, kind, takes, sizes):
+    place, own = {"pose": Pose.size}, {"landmark": kind.manifold.size}
+    if not interface(judge, kind, {"to_frame": place | own, "from_frame": place | {"point": 4}, "to_point": own}):
         return
     rng = judge.rng
     poses = [IDENTITY, FORWARDS, *(Pose.random(rng) for _ in range(6))]
@@ -58,18 +56,6 @@ def point_properties(judge: Judge, kind: PointLandmark) -> None:
                 h = kind.to_frame(pose, landmark)
                 case.compare(EUCLIDEAN, h[:3] / h[3], frames.to_frame(pose, kind.to_point(landmark)))
         _infinity(judge, kind, poses)
-
-
-def _interface(
-    judge: Judge, kind: PointLandmark | LineLandmark, takes: dict[str, tuple[str, ...]], sizes: dict[str, int]
-) -> bool:
-    """The definitions have the arguments, with these names and sizes, in this order."""
-    for name, arguments in takes.items():
-        found = ", ".join(f"{a.name} ({a.size})" for a in getattr(kind, name).arguments)
-        wanted = ", ".join(f"{argument} ({sizes[argument]})" for argument in arguments)
-        case = judge.at(f"{kind.name}.{name}")
-        case.require(INTERFACE, found == wanted, f"takes {found}, should take {wanted}")
-    return not judge.findings
 
 
 def _homogeneous(rng: np.random.Generator) -> Array:
@@ -134,9 +120,9 @@ def _infinity(judge: Judge, kind: PointLandmark, poses: list[Array]) -> None:
 
 def line_properties(judge: Judge, kind: LineLandmark) -> None:
     """Interface first; then the models one by one; then how they fit together."""
-    sizes = {"pose": Pose.size, "landmark": kind.manifold.size, "rays": 6, "prior": 2, "abscissa": 1}
-    takes = {"to_frame": ("pose", "landmark"), "from_frame": ("pose", "rays", "prior")}
-    if not _interface(judge, kind, takes | {"point_at": ("landmark", "abscissa")}, sizes):
+    place, own = {"pose": Pose.size}, {"landmark": kind.manifold.size}
+    takes = {"to_frame": place | own, "from_frame": place | {"rays": 6, "prior": 2}, "point_at": own | {"abscissa": 1}}
+    if not interface(judge, kind, takes):
         return
     rng = judge.rng
     poses = [FORWARDS, *(Pose.random(rng) for _ in range(7))]

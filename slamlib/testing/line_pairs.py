@@ -17,10 +17,9 @@ from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import Case, Judge
 from slamlib.testing.landmarks import IDENTITY
 from slamlib.testing.models import derivatives, model_properties, named
-from slamlib.testing.pairs import corrected
+from slamlib.testing.pairs import DEFINED, corrected
 from slamlib.testing.sensors import visible_points
 
-DEFINED = "a segment makes a line"
 NO_LINES = "a sensor that sees no lines says so"
 THROUGH = "a line just initialized goes through both endpoints of its segment"
 FINITE = "in degenerate cases all numbers are finite, or it is refused"

@@ -1,6 +1,6 @@
 """Properties that every model must have: values, Jacobians, batches, single precision."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,8 +15,18 @@ VALUE = "the generated value is the definition's"
 JACOBIAN = "the Jacobian is the derivative, by complex step"
 DIFFERENCE = "the Jacobian is the derivative, by central differences"
 DEFINED = "is defined at ordinary places"
+INTERFACE = "the definitions take and return what they should"
 BATCH = "a batch is a loop"
 SINGLE = "works in float32, within its precision"
+
+
+def interface(judge: Judge, owner: Any, takes: Mapping[str, Mapping[str, int | None]]) -> bool:
+    """The owner's definitions take arguments of these names and sizes (None: of any), in this order."""
+    for definition, wanted in takes.items():
+        found = {a.name: a.size if wanted.get(a.name) else None for a in getattr(owner, definition).arguments}
+        told, should = (", ".join(n + f" ({size})" * bool(size) for n, size in x.items()) for x in (found, wanted))
+        judge.at(f"{owner.name}.{definition}").require(INTERFACE, told == should, f"takes {told}; should take {should}")
+    return not judge.findings
 
 
 def model_properties(
@@ -66,8 +76,7 @@ def derivatives(case: Case, model: Any, place: Place, value: Array, jacobians: A
                 numerical, what, tolerance = central_difference(model, place, index, step), DIFFERENCE, 1e-5
             if np.isfinite(numerical).all():
                 size = s if chain and (s := np.abs(numerical).max()) > 1e-9 else 1.0
-                found = getattr(jacobians, argument.name) / size
-                case.compare(what, found, numerical / size, argument.name, tolerance)
+                case.compare(what, getattr(jacobians, argument.name) / size, numerical / size, argument.name, tolerance)
 
 
 def _batch(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> None:

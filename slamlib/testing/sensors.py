@@ -9,9 +9,8 @@ from slamlib.manifolds import Array
 from slamlib.observation.lines import image_line, without_distortion
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import Judge
-from slamlib.testing.models import DEFINED, model_properties, named
+from slamlib.testing.models import DEFINED, interface, model_properties, named
 
-INTERFACE = "the models take and return what they should"
 SEES = "sees points in some direction"
 MEASURABLE = "what is visible can be measured"
 MASK = "visible is a mask of any batch, whatever the point"
@@ -28,7 +27,9 @@ NARROWEST = 1e-6  # radians
 def sensor_properties(judge: Judge, calibration: Calibration) -> None:
     """Interface; visibility; the two models one by one; then how they undo each other."""
     sensor, rng = calibration.sensor, judge.rng
-    if not _interface(judge, calibration):
+    given, hidden = dict.fromkeys(sensor.parameters), {"unmeasured": None} if sensor.unmeasured else {}
+    takes = {"project": {"point": 4, **given}, "back_project": {"measurement": None, **hidden, **given}}
+    if not interface(judge, sensor, takes):
         return
     points = visible_points(calibration, rng, 10)
     how = f"of {sum(SOUGHT)} directions all around none is visible and inside the image"
@@ -86,18 +87,6 @@ def unmeasured(calibration: Calibration, rng: np.random.Generator) -> tuple[Arra
     """A value of the unmeasured coordinate: an argument of back_project, or nothing."""
     hidden = [a for a in calibration.sensor.back_project.arguments if a.name == "unmeasured"]
     return tuple(rng.uniform(0.05, 0.5, a.size) for a in hidden)
-
-
-def _interface(judge: Judge, calibration: Calibration) -> bool:
-    sensor = calibration.sensor
-    for name, first in (("project", ["point"]), ("back_project", ["measurement", "unmeasured"])):
-        found = [a.name for a in getattr(sensor, name).arguments]
-        wanted = [n for n in first if n != "unmeasured" or sensor.unmeasured] + list(sensor.parameters)
-        how = f"takes {', '.join(found)}; should take {', '.join(wanted)}"
-        judge.at(f"{sensor.name}.{name}").require(INTERFACE, found == wanted, how)
-    size = sensor.project.arguments[0].size
-    judge.at(f"{sensor.name}.project").require(INTERFACE, size == 4, f"point has {size} numbers, should have 4")
-    return not judge.findings
 
 
 def _mask(judge: Judge, calibration: Calibration) -> None:

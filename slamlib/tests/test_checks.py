@@ -288,7 +288,7 @@ def single(point, calibration):
         ({"project": unscaled}, "only the ratio"),
         ({"visible": everything}, "what is visible can be measured"),
         ({"visible": single}, "mask|truth value|ambiguous"),
-        ({"parameters": ("velocity",)}, "takes point; should take point, velocity"),
+        ({"parameters": ("velocity",)}, r"takes point \(4\); should take point \(4\), velocity"),
     ],
 )
 def test_a_wrong_sensor_is_found(change, message):
@@ -321,7 +321,9 @@ def test_an_unmeasured_number_must_be_called_so():
 
     wrong = dataclasses.replace(camera.sensor, back_project=back_project)
     object.__setattr__(camera, "sensor", wrong)
-    with pytest.raises(CheckError, match="takes measurement, depth, .*should take measurement, unmeasured, intrinsics"):
+    with pytest.raises(
+        CheckError, match=r"takes measurement, depth, .*should take measurement, unmeasured, intrinsics"
+    ):
         check_sensor(camera, silent=True)
 
 

@@ -95,6 +95,7 @@ def in_place(x):
     ("candidate", "message"),
     [
         (lambda x: 3 * x, r"twice the vector: differs: found \[3. 6.\].*\[2. 4.\]"),
+        (lambda x: 2 * x * (1 + 1e-7), r"found \[2.0000002 4.0000004\].*asks for \[2. 4.\]"),
         (lambda x: None, "returned None"),
         (lambda x: x[0], "should have shape"),
         (lambda x: x * np.nan, "nan or infinity"),
@@ -129,7 +130,7 @@ def test_what_held_before_the_rejection_is_printed(capsys):
     try:
         with pytest.raises(Rejected, match="cannot be used: TypeError: cannot unpack") as caught:
             check("99.2", lambda x: 2 * x)
-        assert capsys.readouterr().out == "  holds: doubles one\n"
+        assert capsys.readouterr().out == "  so far: doubles one\n"
         assert isinstance(caught.value.__cause__, TypeError)
     finally:
         properties.KNOWN.pop("99.2")

@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 
+from slamlib.data.plain import read, written
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
 from slamlib.tests.pictures import grid, photograph
 from slamlib.tests.test_images_warping import CAMERAS, FIRST, IDEAL, drawn, posed
@@ -29,6 +30,10 @@ def on_wall(pixels: np.ndarray, name: str = "ideal") -> np.ndarray:
     return np.concatenate([rays[:, :3], rays[:, :3] @ PLANE[:, None]], axis=1)
 
 
+def predicted(own: Appearance, camera: np.ndarray, point: np.ndarray, size: int = 11) -> np.ndarray | None:
+    return predict([own], camera, IDEAL, point[None], size)[0]
+
+
 def true_pixel(camera: np.ndarray, point: np.ndarray, name: str = "ideal") -> np.ndarray:
     return CAMERAS[name].project(in_camera(camera, point))
 
@@ -39,8 +44,8 @@ def test_from_where_it_was_taken_it_is_the_template():
     assert own.pixels.shape == (33, 33)
     np.testing.assert_array_equal(own.template.pixels, image[115:126, 95:106])
     point = IDEAL.sensor.back_project(pixel, np.array([0.3]), **IDEAL.given)
-    np.testing.assert_allclose(own.predicted(FIRST, IDEAL, point), own.template.pixels, atol=1e-6)
-    assert own.predicted(FIRST, IDEAL, point, size=15).shape == (15, 15)
+    np.testing.assert_allclose(predicted(own, FIRST, point), own.template.pixels, atol=1e-6)
+    assert predicted(own, FIRST, point, size=15).shape == (15, 15)
     assert own.angle_change(FIRST, point) < 1e-7
     assert view_change(own.camera, FIRST, point)[1] == 1
 
@@ -81,7 +86,7 @@ def test_all_at_once_is_one_by_one():
     all_ = [Appearance.taken(image, p, FIRST) for p in pixels]
     batch = predict(all_, camera, IDEAL, points, 11)
     for own, template, point in zip(all_, batch, points, strict=True):
-        alone = own.predicted(camera, IDEAL, point)
+        alone = predicted(own, camera, point)
         assert (template is None) == (alone is None)
         if template is not None:
             np.testing.assert_allclose(template, alone, atol=1e-9)
@@ -101,7 +106,7 @@ def test_all_at_once_is_one_by_one():
 )
 def test_what_cannot_be_recognized_is_not_predicted(camera):
     own, point = Appearance.taken(picture(FIRST), (159.5, 119.5), FIRST), np.array([0, 0, 1, 0.5])
-    assert own.predicted(camera, IDEAL, point) is None
+    assert predicted(own, camera, point) is None
 
 
 @pytest.mark.parametrize("degrees", [0, 30, 59, 61, 80])
@@ -112,9 +117,9 @@ def test_what_is_too_oblique_is_not_predicted(degrees):
     np.testing.assert_allclose(own.angle_change(camera, point), a, atol=1e-9)
     assert recognizable([own], camera, point[None])[0] == (degrees < 60)
     if degrees > 60:
-        assert own.predicted(camera, IDEAL, point) is None
+        assert predicted(own, camera, point) is None
     if degrees < 50:
-        assert own.predicted(camera, IDEAL, point) is not None
+        assert predicted(own, camera, point) is not None
 
 
 def test_what_is_predicted_was_recognizable():
@@ -123,14 +128,14 @@ def test_what_is_predicted_was_recognizable():
     for _ in range(60):
         camera = posed(rng.uniform(-2, 1.5, 3), rng.uniform(-0.5, 0.5, 3))
         # the one goes by distances, the other by the map at its very pixel
-        if own.predicted(camera, IDEAL, point) is not None and 0.6 < view_change(own.camera, camera, point)[1] < 1.7:
+        if predicted(own, camera, point) is not None and 0.6 < view_change(own.camera, camera, point)[1] < 1.7:
             assert recognizable([own], camera, point[None]).all()
 
 
 def test_an_infinitely_far_point_turns_with_the_camera_alone():
     image, point = picture(FIRST), np.array([0.0, 0, 1, 0])
     own = Appearance.taken(image, (159.5, 119.5), FIRST)
-    near, far = (own.predicted(posed(p, [0, 0, 0.4]), IDEAL, point) for p in ([0, 0, 0], [9, 9, 9]))
+    near, far = (predicted(own, posed(p, [0, 0, 0.4]), point) for p in ([0, 0, 0], [9, 9, 9]))
     np.testing.assert_allclose(near, far, atol=1e-9)
     assert own.angle_change(posed([9, 9, 9], [0, 0, 0.4]), point) == 0
     assert not own.needs_renewal(SURE, posed([9, 9, 9], [0, 0, 0.4]), point)
@@ -191,7 +196,7 @@ def test_the_patch_seen_most_as_now_is_used():
     for camera in cameras:
         np.testing.assert_array_equal(own.nearest(camera, point).camera, camera)
         np.testing.assert_allclose(
-            own.predicted(camera, IDEAL, point), cut(picture(camera), true_pixel(camera, point), 11).pixels, atol=6
+            predicted(own, camera, point), cut(picture(camera), true_pixel(camera, point), 11).pixels, atol=6
         )
         assert not own.needs_renewal(SURE, camera, point)
 
@@ -211,13 +216,13 @@ def test_files_lose_nothing(kind):
     image = photograph("camera").astype(kind) + (0 if kind is np.uint8 else kind(0.1))
     own = Appearance.taken(image, (100.123456789, 50 + 1 / 3), posed([0.1, 1 / 3, 2], [0.1, 0.2, 0.3]), 13, 1234.5)
     own = Appearance.taken(image, (100, 50), FIRST, 13, previous=own)
-    again = Appearance.unpack(json.loads(json.dumps(own.pack())))
+    again = read(Appearance, json.loads(json.dumps(written(own))))
     assert again.pixels.dtype == own.pixels.dtype
     assert len(again.all) == 2
     for copy, original in zip(again.all, own.all, strict=True):
         for name in ("pixels", "pixel", "camera", "corner", "size", "quality"):
             np.testing.assert_array_equal(getattr(copy, name), getattr(original, name))
-    assert json.dumps(again.pack()) == json.dumps(own.pack())
+    assert json.dumps(written(again)) == json.dumps(written(own))
 
 
 def test_it_cannot_be_changed_by_the_image():
@@ -241,12 +246,18 @@ def test_misuse_is_named():
     with pytest.raises(NonFiniteError):
         Appearance.taken(image, (100, np.nan), FIRST)
     own = Appearance.taken(image, (100, 100), FIRST)
-    with pytest.raises(ShapeError, match="point"):
-        own.predicted(FIRST, IDEAL, np.ones(3))
-    packed = own.pack()
-    for name, value in (("type", "int7"), ("pixels", "no"), ("corner", [1]), ("size", None)):
-        with pytest.raises(SlamlibError):
-            Appearance.unpack({**packed, name: value})
-    with pytest.raises(SlamlibError, match="no packed appearance"):
-        Appearance.unpack({})
+    packed = written(own)
+    pixels = packed["pixels"]
+    wrong = [("pixels", change) for change in ("no", {**pixels, "dtype": "int7"}, {**pixels, "shape": [3]}, {})]
+    for name, value in (
+        *wrong,
+        ("pixels", packed["pixel"]),
+        ("camera", packed["pixel"]),
+        ("corner", [1]),
+        ("size", None),
+    ):
+        with pytest.raises(SlamlibError, match=rf"(?i)appearance.*\b{name}|a grey image"):
+            read(Appearance, {**packed, name: value})
+    with pytest.raises(SlamlibError, match="Appearance: pixels is missing"):
+        read(Appearance, {})
     assert zncc(own.template, own.template) > 1 - 1e-12

@@ -77,7 +77,7 @@ def test_the_toolbox_finds_the_same_cells():
 @pytest.mark.parametrize(
     ("arguments", "match"),
     [
-        (((0, 240),), r"image\[0\] should be 1 or more"),
+        (((0, 240),), r"image\[0\] should be above 0"),
         (((320.5, 240),), "a whole number"),
         (((320, 240, 3),), "2 values"),
         (((4, 4), (8, 6)), "ask for fewer"),

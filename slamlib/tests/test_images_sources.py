@@ -247,7 +247,7 @@ def test_lists_that_make_no_sense(tmp_path, rows, message):
 ANOTHER = """
 from functools import partial
 from slamlib.datasets.dataset import CalibrationReader, Dataset, listed, table
-from slamlib.datasets.lens import Lens, shifted
+from slamlib.datasets.lens import Lens, placed
 
 def cameras(where):
     return {n: where / f"list_{n}" for n in (0, 1) if (where / f"list_{n}").is_file()}
@@ -258,7 +258,7 @@ def opened(listing, fps):
 
 def read(path, text):
     f, baseline = map(float, text.split()[1:])
-    return {i: partial(Lens, (16, 12, f, f), transform=shifted(i * baseline)) for i in (0, 1)}
+    return {i: partial(Lens, (16, 12, f, f), transform=placed((i * baseline, 0, 0))) for i in (0, 1)}
 
 DATASET = Dataset("another", cameras, opened, calibrations=("camera.txt",))
 READER = CalibrationReader("another", lambda text: text.startswith("another "), read)

@@ -5,6 +5,7 @@ import sys
 import numpy as np
 import pytest
 from slambook import rendering
+from slambook.rendering import stereo_rig
 from slambook.stereo_films import stereo_film
 
 from slamlib.data.setup import Rig
@@ -19,7 +20,6 @@ from slamlib.vision.stereo import (
     circular_matches,
     mutual_nearest,
     pair,
-    stereo_rig,
     triangulate,
 )
 from slamlib.vision.stereo.detect import detect, spread

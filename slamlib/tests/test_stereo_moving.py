@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from slambook.stereo_films import stereo_film
 
+from slamlib.data.plain import read, written
 from slamlib.data.records import Control
 from slamlib.data.setup import Rig
 from slamlib.evaluation.consistency import chi2_quantile, nees
@@ -109,8 +110,7 @@ def test_the_motion_fallback_is_the_last_motion_with_a_large_covariance():
     np.testing.assert_allclose(lost[0].value, 1.2 * known.value)
     np.testing.assert_allclose(lost[0].covariance[0, 0], INFLATION * 0.02**2 / 3)
     np.testing.assert_allclose(lost[1].covariance, 2 * lost[0].covariance)
-    again = MotionFallback()
-    again.restore(json.loads(json.dumps(steady.dump())))
+    again = read(MotionFallback, json.loads(json.dumps(written(steady))))
     np.testing.assert_array_equal(again.extrapolate(0.2).covariance, steady.extrapolate(0.2).covariance)
 
 

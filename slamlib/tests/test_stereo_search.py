@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from slambook.stereo_films import stereo_film
 
+from slamlib.data.plain import read, written
 from slamlib.data.records import Frame, Scan
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import Pose, compose
@@ -183,5 +184,5 @@ def test_the_first_view_is_never_given_up():
     assert views.nearest(11.0).disparity == 10.0
     assert views.nearest(26.0).disparity == 24.0
     assert views.all[0].zoom(-1.0) == np.inf
-    packed = json.loads(json.dumps(views.pack()))
-    assert [v.disparity for v in LandmarkViews.unpack(packed).all] == [10.0, 19.0, 24.0, 30.0]
+    packed = json.loads(json.dumps(written(views)))
+    assert [v.disparity for v in read(LandmarkViews, packed).all] == [10.0, 19.0, 24.0, 30.0]

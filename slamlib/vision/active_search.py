@@ -12,6 +12,7 @@ import numpy as np
 
 from slamlib.data.plain import Count, Positive, Range, Share, Whole, check
 from slamlib.errors import SlamlibError
+from slamlib.landmarks.linearity import WORLD
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import FrontEndInput
@@ -23,12 +24,10 @@ from slamlib.vision.grid import Grid
 from slamlib.vision.patches import cut
 from slamlib.vision.search import Match, register, search
 
-_WORLD = np.array([0.0, 0, 0, 1, 0, 0, 0])
-
 
 def _point(landmark: Any) -> Array:
     """The estimated position of a landmark, a homogeneous point (4,) in the world frame."""
-    return landmark.kind.to_frame(_WORLD, landmark.block.mean)
+    return landmark.kind.to_frame(WORLD, landmark.block.mean)
 
 
 @dataclass(frozen=True)
@@ -159,18 +158,14 @@ class ActiveSearch(ImageFrontEnd):
         """Add a patch of this image to landmarks with a reliable match and a changed appearance."""
         camera = inputs.sensor.camera
         for prediction in inputs.predictions:
-            landmark, found = prediction.landmark, self.found.get(prediction.landmark.id)
-            if (
-                prediction.inlier
-                and found is not None
-                and landmark.signature.needs_renewal(found, camera, _point(landmark))
-            ):
+            landmark = prediction.landmark
+            found = self.found.get(landmark.id) if prediction.inlier else None
+            if found is not None and landmark.signature.needs_renewal(found, camera, _point(landmark)):
                 landmark.signature = landmark.signature.renewed(image, found, prediction.predicted_patch, camera)
 
     def initialize_at(self, inputs: FrontEndInput, family: str, values: Array) -> list[tuple[int, Array, Any] | None]:
         """Detect landmarks at given pixels (n, 2), whatever their texture; None where no patch can be cut."""
-        image = np.asarray(inputs.scan.image)
-        signatures = [self.signature(image, inputs, Corner(pixel, 0.0)) for pixel in values]
+        signatures = [self.signature(inputs.scan.image, inputs, Corner(pixel, 0.0)) for pixel in values]
         return [None if s is None else (self.new_id(set()), p, s) for p, s in zip(values, signatures, strict=True)]
 
     def dump(self) -> Any:

@@ -7,20 +7,15 @@ prediction is the better the less the view changes; a rule decides when to take 
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import relative
-from slamlib.manifolds import Array, Image, Mask, finite, numbers, read_only
+from slamlib.manifolds import Array, Image, Mask, finite, read_only
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.patches import Patch, as_floats, cut, grey, half_size
 from slamlib.vision.search import Match, register
 from slamlib.vision.warping import angle, facing_plane, in_camera, stretch, through_camera, towards, warp
-
-_TYPES = {"uint8": np.uint8, "float": np.float64}
-
 
 # Appearance is not predicted beyond this angle [rad] between the plane's normal and the line of sight, nor beyond
 # this factor of magnification or reduction.
@@ -47,6 +42,11 @@ class Appearance:
     quality: float = 0.0
     previous: "Appearance | None" = None
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "pixels", read_only(grey(self.pixels, "Appearance")))
+        for name, size in (("pixel", 2), ("camera", 7)):
+            object.__setattr__(self, name, finite(getattr(self, name), (size,), "Appearance", name))
+
     @classmethod
     def taken(
         cls,
@@ -62,13 +62,12 @@ class Appearance:
         camera: its pose (7,) in the world. Raises SlamlibError for even sizes, ShapeError for colour images.
         """
         array, half = grey(image, "Appearance"), half_size(size, "Appearance") + size
-        pixel, camera = finite(pixel, (2,), "Appearance", "pixel"), finite(camera, (7,), "Appearance", "camera")
         if cut(array, pixel, size) is None:
             return None
         u, v = np.rint(pixel).astype(int).tolist()
         corner = max(u - half, 0), max(v - half, 0)
         piece = array[corner[1] : v + half + 1, corner[0] : u + half + 1]
-        piece = read_only(piece.copy() if piece.dtype == np.uint8 else as_floats(piece, "Appearance"))
+        piece = piece.copy() if piece.dtype == np.uint8 else as_floats(piece, "Appearance")
         return cls(piece, corner, pixel, camera, size, float(quality), previous)
 
     @property
@@ -77,15 +76,6 @@ class Appearance:
         patch = cut(self.pixels, self.pixel - self.corner, self.size)
         assert patch is not None, "checked by taken()"
         return patch
-
-    def predicted(self, camera: Array, calibration: Calibration, point: Array, size: int | None = None) -> Array | None:
-        """The template (size, size) predicted for a camera, pose (7,), and a homogeneous world point (4,).
-
-        None where it is too oblique, too large or too small, not visible, or beyond the stored pixels. Only offsets
-        between pixels are predicted, so an error of the point does not shift the template.
-        """
-        point = finite(point, (4,), "Appearance", "point")
-        return predict([self], camera, calibration, point[None], self.size if size is None else size)[0]
 
     def angle_change(self, camera: Array, point: Array) -> float:
         """Angle [rad] between the viewing directions of a point (4,) from its own camera and from this pose (7,)."""
@@ -122,32 +112,6 @@ class Appearance:
             return self
         return Appearance.taken(image, pixel, camera, self.size, self.quality, self) or self
 
-    def pack(self) -> dict[str, Any]:
-        """Plain data for JSON, without loss."""
-        return {
-            "type": "uint8" if self.pixels.dtype == np.uint8 else "float",
-            "pixels": self.pixels.tolist(),
-            "corner": list(self.corner),
-            "pixel": self.pixel.tolist(),
-            "camera": self.camera.tolist(),
-            "size": self.size,
-            "quality": self.quality,
-            "previous": None if self.previous is None else self.previous.pack(),
-        }
-
-    @classmethod
-    def unpack(cls, packed: dict[str, Any]) -> "Appearance":
-        """What `pack` packed; raises SlamlibError for anything else."""
-        try:
-            pixels = numbers(packed["pixels"], "Appearance", "pixels").astype(_TYPES[packed["type"]])
-            (u, v), size, quality = packed["corner"], int(packed["size"]), float(packed["quality"])
-            pixel, camera, previous = packed["pixel"], packed["camera"], packed["previous"]
-        except (KeyError, TypeError, ValueError) as error:
-            raise SlamlibError(f"Appearance: this is no packed appearance, {error!r}; pack() makes one") from None
-        pixel, camera = finite(pixel, (2,), "Appearance", "pixel"), finite(camera, (7,), "Appearance", "camera")
-        whole = read_only(grey(pixels, "Appearance"))
-        return cls(whole, (int(u), int(v)), pixel, camera, size, quality, previous and cls.unpack(previous))
-
 
 def view_change(before: Array, camera: Array, points: Array) -> tuple[Array, Array]:
     """Angles (...) [rad] between the directions in which two cameras, poses (..., 7), see points (..., 4), and the
@@ -168,7 +132,11 @@ def recognizable(appearances: Sequence[Appearance], camera: Array, points: Array
 def predict(
     appearances: Sequence[Appearance], camera: Array, calibration: Calibration, points: Array, size: int
 ) -> list[Array | None]:
-    """`Appearance.predicted` for n landmarks at points (n, 4) of the world, vectorized."""
+    """The templates (size, size) of n landmarks, predicted for a camera, pose (7,), and world points (n, 4).
+
+    None where one is too oblique, too large or too small, not visible, or beyond the stored pixels. Only offsets
+    between pixels are predicted, so an error of a point does not shift its template.
+    """
     templates: list[Array | None] = [None] * len(appearances)
     nearest = [a.nearest(camera, point) for a, point in zip(appearances, points, strict=True)]
     before = np.array([a.camera for a in nearest]).reshape(-1, 7)

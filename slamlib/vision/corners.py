@@ -70,11 +70,7 @@ def strength(image: Image) -> Array:
 
 
 def best_corner(
-    image: Image,
-    rectangle: tuple[int, int, int, int],
-    quality: float = QUALITY,
-    edge: float = EDGE,
-    border: int = 0,
+    image: Image, rectangle: tuple[int, int, int, int], quality: float = QUALITY, edge: float = EDGE, border: int = 0
 ) -> Corner | None:
     """The best corner among the pixels image[v0:v1, u0:u1] of a rectangle (u0, v0, u1, v1), to a fraction of a pixel.
 

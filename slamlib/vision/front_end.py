@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from slamlib.data.plain import read, written
 from slamlib.data.records import Control, Scan
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Image, Mask
@@ -56,7 +57,7 @@ class ImageFrontEnd:
     An occluded landmark is usually still occluded in the next frame. Without backoff, occluded landmarks, which are
     never updated, would soon be the most uncertain ones, and always be selected first. backoff: by landmarks' ids;
     last: the last id given; seconds: spent so far in "search" and in "detection". size: dimension of a measurement;
-    signature_type: the class of a landmark's signature.
+    signature_type: the dataclass of a landmark's signature.
     """
 
     size: int
@@ -118,21 +119,20 @@ class ImageFrontEnd:
 
     def dump(self) -> Any:
         """The last id given, and the landmarks in search backoff."""
-        rests = {number: (backoff.misses, backoff.frames) for number, backoff in self.backoff.items()}
-        return {"last": self.last, "backoff": rests}
+        return {"last": self.last, "backoff": written(self.backoff)}
 
     def restore(self, state: Any) -> None:
         """Restore the state that `dump` returned."""
         self.last = state["last"]
-        self.backoff = {int(number): Backoff(*backoff) for number, backoff in state["backoff"].items()}
+        self.backoff = {int(number): Backoff(**backoff) for number, backoff in state["backoff"].items()}
 
     def pack(self, signature: Any) -> Any:
         """A landmark's signature as plain data."""
-        return signature.pack()
+        return written(signature)
 
     def unpack(self, packed: Any) -> Any:
         """The signature that `pack` packed."""
-        return self.signature_type.unpack(packed)
+        return read(self.signature_type, packed)
 
 
 class CombinedFrontEnd:
@@ -141,11 +141,7 @@ class CombinedFrontEnd:
     def __init__(self, points: Any, segments: ImageFrontEnd) -> None:
         self.points, self.settings = points, points.settings
         self.front_ends: dict[str, Any] = {"points": points, "segments": segments}
-
-    @property
-    def seconds(self) -> dict[str, float]:
-        """Spent so far, by both, in "search" and in "detection"."""
-        return {part: sum(f.seconds[part] for f in self.front_ends.values()) for part in ("search", "detection")}
+        self.seconds = segments.seconds = points.seconds  # spent so far by both
 
     def check(self, scan: Scan) -> None:
         """Raise SlamlibError for a scan that they cannot process."""

@@ -4,16 +4,14 @@ Steps 1a to 1c of active search, section 6.1.3 of the toolbox's manual; Davison 
 """
 
 from dataclasses import dataclass
-from typing import Annotated
 
 import numpy as np
 
-from slamlib.data.plain import Range, check
+from slamlib.data.plain import Whole, check
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.manifolds import Array, Mask, numbers
 
 Cell = tuple[int, int]
-Count = Annotated[int, Range(ge=1)]
 
 
 @dataclass(frozen=True)
@@ -23,8 +21,8 @@ class Grid:
     A cell is named (row, column). Raises SlamlibError for cells without pixels, and where no cell would be left.
     """
 
-    image: tuple[Count, Count]
-    cells: tuple[Count, Count] = (8, 6)
+    image: tuple[Whole, Whole]
+    cells: tuple[Whole, Whole] = (8, 6)
     skip_outer: bool = True
 
     def __post_init__(self) -> None:

@@ -35,15 +35,6 @@ class EdgeLook:
     profile: Array
     slope: float
 
-    def pack(self) -> Any:
-        """Plain data."""
-        return {"profile": self.profile.tolist(), "slope": float(self.slope)}
-
-    @classmethod
-    def unpack(cls, packed: Any) -> "EdgeLook":
-        """What `pack` packed."""
-        return cls(np.array(packed["profile"]), packed["slope"])
-
 
 @dataclass(frozen=True)
 class SegmentSettings:

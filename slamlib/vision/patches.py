@@ -181,10 +181,11 @@ def top(around: Array) -> Array:
             found = np.array([b * gv - c * gu, b * gu - a * gv]) / det
             if (np.abs(found) <= 1).all():
                 return found
-    return np.array([parabola(*around[1].tolist()), parabola(*around[:, 1].tolist())])
+    return parabola(*np.stack([around[1], around[:, 1]], axis=1))
 
 
-def parabola(left: float, centre: float, right: float) -> float:
-    """Abscissa of the top of the parabola through (-1, left), (0, centre), (1, right); 0 if the centre is not above."""
+def parabola(left: Array, centre: Array, right: Array) -> Array:
+    """Abscissas (...) of tops of parabolas through (-1, left), (0, centre), (1, right); 0 if a centre is not above."""
     bend = left - 2 * centre + right
-    return (left - right) / (2 * bend) if bend < 0 and centre >= max(left, right) else 0.0
+    above = (bend < 0) & (centre >= np.maximum(left, right))
+    return np.where(above, (left - right) / np.where(above, 2 * bend, 1), 0)

@@ -1,12 +1,12 @@
-"""Results of a run on images: numbers per frame, their summary, and its trajectory against a reference."""
+"""Results of a run on images: numbers per frame, and their summary."""
 
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from slamlib.evaluation.alignment import KITTI_LENGTHS, align_trajectory, relative_pose_errors
-from slamlib.evaluation.trajectory import Trajectory, associate
+from slamlib.evaluation import comparison
+from slamlib.evaluation.trajectory import Trajectory
 from slamlib.manifolds import Array
 from slamlib.slam import Report, Slam
 
@@ -87,7 +87,7 @@ def summary(result: ImageResult) -> dict[str, Any]:
 
 
 def table(s: dict[str, Any]) -> list[tuple[str, str]]:
-    """The rows of a summary, and of its "reference" from `compared`, as texts (name, value)."""
+    """The rows of a summary, and of its "reference" (slamlib.evaluation.comparison), as texts (name, value)."""
     share = {name: "none" if s[name] is None else f"{s[name]:.1%}" for name in ("matched_share", "inlier_share")}
     nis = "no match" if s["nis_per_dof"] is None else f"{s['nis_per_dof']:.2f} (1 is ideal; the gate rejects some)"
     unit = "m" if s.get("metric") else "of the run's own units"
@@ -103,62 +103,4 @@ def table(s: dict[str, Any]) -> list[tuple[str, str]]:
         ("path", f"{s['path_length']:.3f} {unit} long"),
         ("milliseconds per frame", f"{sum(s['milliseconds'].values()):.1f}: {parts} (medians)"),
     ]
-    r = s.get("reference")
-    if r is not None:
-        turned, path = f"rotation from the {r['rotation_from']}", f"{r['relative_ate']:.2%} of the path"
-        rows += [
-            ("aligned with reference", f"{r['poses']} poses, scale {r['scale']:.4g}, {turned}"),
-            ("absolute trajectory error", f"{r['ate']:.4g} RMSE, {path} of {r['path_length']:.4g}"),
-            ("orientation error", f"{r['orientation_rms']:.2f} degrees rms"),
-        ]
-    p = r and r.get("parts")
-    if p:
-        means = (
-            f"{p['translation_mean']:.3%} of the length, {p['rotation_mean']:.4f} degrees per metre (KITTI's metric)"
-        )
-        rows.append((f"error over parts of {p['lengths'][0]:g} to {p['lengths'][-1]:g} m", means))
-    return rows
-
-
-def compared(path: Trajectory, reference: Trajectory, interval: float, metric: bool) -> dict[str, Any]:
-    """Errors of the trajectory against a reference of the same camera, as plain data; a free scale is aligned.
-
-    interval [s]: between two images; metric: whether the scale is known. Raises SlamlibError.
-    """
-    i, j = associate(path, reference, max(0.02, 0.5 * interval))
-    estimate, other = path[i], reference[j]
-    found = align_trajectory(estimate, other, scale=not metric)
-    return {
-        "poses": len(estimate),
-        "path_length": found.path,
-        "scale": found.similarity.scale,
-        "rotation_from": found.rotation_from,
-        "ate": found.ate,
-        "relative_ate": found.relative_ate,
-        "orientation_rms": float(np.degrees(np.sqrt((found.orientation**2).mean()))),
-        **({"parts": parts(estimate, other)} if metric else {}),
-    }
-
-
-def parts(estimate: Trajectory, reference: Trajectory) -> dict[str, Any] | None:
-    """KITTI's relative errors of a metric trajectory, as plain data; None if it is too short to be divided."""
-    lengths = lengths_of(float(reference.distances[-1]))
-    if not lengths:
-        return None
-    found = relative_pose_errors(estimate, reference, lengths, step=min(10, max(1, len(reference) // 100)))
-    degrees, shares = np.degrees(found.rotation), found.counts / found.counts.sum()
-    return {
-        "lengths": list(lengths),
-        "counts": found.counts.tolist(),
-        "translation": found.translation.tolist(),
-        "rotation": degrees.tolist(),
-        "translation_mean": float(shares @ found.translation),
-        "rotation_mean": float(shares @ degrees),
-    }
-
-
-def lengths_of(path: float) -> tuple[float, ...]:
-    """KITTI's eight lengths [m], or the same divided by a round factor, so that a trajectory has parts of all."""
-    units = [unit * 10.0**power for power in range(-3, 2) for unit in (1, 2, 5)] + [100.0]
-    unit = max((u for u in units if 9 * u <= path), default=0.0)
-    return tuple(length * unit / KITTI_LENGTHS[0] for length in KITTI_LENGTHS) if unit else ()
+    return rows + comparison.rows(s["reference"]) if s.get("reference") else rows

@@ -26,7 +26,7 @@ from slamlib.data.plain import read, read_fields
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets import opening
 from slamlib.datasets.dataset import ImageSource
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, entry
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam, checkpoint
 from slamlib.slam.data_association.front_end import FrontEnd
@@ -181,9 +181,7 @@ def stereo_run(
     composes motions and their covariances. impulse, velocity: as of a SequenceKind, if the motion has velocities.
     patience: pairs without a match, after which the run stops. Raises SlamlibError.
     """
-    if motion_source not in PAIR_MOTION_SOURCES:
-        raise UnknownNameError.of("motion of a stereo run", motion_source, PAIR_MOTION_SOURCES)
-    chosen = PAIR_MOTION_SOURCES[motion_source]
+    chosen = entry("motion of a stereo run", motion_source, PAIR_MOTION_SOURCES)
     rig = camera_rig(camera, PAIRS, motion=chosen.motion, impulse=impulse, velocity=velocity)
     motion = chosen(rig.sensors[0].calibration, rig.sensors[0].extrinsics, settings)
     options = Options(points=None) if motion_source == "odometry" else options

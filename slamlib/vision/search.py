@@ -159,9 +159,8 @@ def correlate(piece: Array, patch: Patch) -> Array:
     One matrix product gives the products of each row of the patch with each row of each window, which are then summed
     over the rows. The windows' sums come from the integral image. 0 where there is no texture.
     """
-    piece = piece - np.rint(
-        piece.mean()
-    )  # near zero there is no cancellation; integer grey levels stay integers, their sums exact
+    # Near zero there is no cancellation; integer grey levels stay integers, and their sums exact.
+    piece = piece - np.rint(piece.mean())
     (h, w), n = patch.pixels.shape, patch.n
     rows, columns = piece.shape[0] - h + 1, piece.shape[1] - w + 1
     strips = np.lib.stride_tricks.sliding_window_view(piece, w, axis=1).reshape(-1, w)

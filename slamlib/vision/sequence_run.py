@@ -19,6 +19,8 @@ from slamlib.datasets.dataset import ImageSource
 from slamlib.datasets.pictures import TimedImage
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory
+from slamlib.manifolds import Array
+from slamlib.observation.family import viewpoint
 from slamlib.slam import Options, Report, Slam
 from slamlib.vision.front_end import MotionSource
 from slamlib.vision.results import COLUMNS, ImageResult, counts
@@ -73,17 +75,19 @@ class SequenceRun:
         target: Target | None = None,
         history: list[list[float]] | None = None,
         path: list[list[float]] | None = None,
+        covariances: list[list[list[float]]] | None = None,
         tracking_loss: dict[str, Any] | None = None,
         last: list[Any] | None = None,
     ) -> None:
         """slam: with the motion source's front end. patience: frames without a match, after which the run stops.
 
-        metric: whether the scale is known. target: seen in the first image. history, path, tracking_loss, last:
-        of a saved run, whose last image must be the source's still. Raises SlamlibError.
+        metric: whether the scale is known. target: seen in the first image. history, path, covariances, tracking_loss,
+        last: of a saved run, whose last image must be the source's still. Raises SlamlibError.
         """
         self.source, self.slam, self.motion, self.kind = source, slam, motion, kind
         self.patience, self.metric, self.target = patience, metric, target
-        self.history, self.path, self.tracking_loss = history or [], path or [], TrackingLoss(**tracking_loss or {})
+        self.history, self.path, self.covariances = history or [], path or [], covariances or []
+        self.tracking_loss = TrackingLoss(**tracking_loss or {})
         self.is_intact = True  # False while a frame is being processed
         self.picture: TimedImage | None = None  # the last one processed
         if last is not None:
@@ -141,12 +145,19 @@ class SequenceRun:
         row["filter"] = spent - sum(inside.values())
         self.history.append([row[name] for name in self.columns])
         self.path.append(self.slam.sensors[0].camera.tolist())
+        self.covariances.append(self._covariance().tolist())
         inliers = [prediction.landmark.first_seen for prediction in self.slam.predictions[0] if prediction.inlier]
         births = inliers if self.has_map else [0] * int(row["inliers"])
         self.tracking_loss.update(frame.number, births, len(self.slam.landmarks))
         self.picture = picture
         self.is_intact = True
         return ImageStep(frame.number, picture, report, row)
+
+    def _covariance(self) -> Array:
+        """Covariance (6, 6) of the first camera's pose in the world."""
+        sensor = self.slam.sensors[0]
+        J = viewpoint(sensor).jacobian
+        return J @ self.slam.belief.matrix[np.ix_(sensor.columns, sensor.columns)] @ J.T
 
     def _frame(self, picture: TimedImage) -> Frame:
         """A frame of the image, with a control of zeros. Raises SlamlibError for a wrong size, with no side effects."""
@@ -209,7 +220,8 @@ class SequenceRun:
         """Poses of the camera in the world, as estimated at each image. Raises SlamlibError before the first."""
         if not self.history:
             raise SlamlibError("nothing has been run yet")
-        return Trajectory(np.array(self.history)[:, TIME], np.array(self.path))
+        known = np.array(self.covariances) if len(self.covariances) == len(self.path) else None
+        return Trajectory(np.array(self.history)[:, TIME], np.array(self.path), known)
 
     def result(self) -> ImageResult:
         """The result so far. Raises SlamlibError before the first image."""
@@ -223,7 +235,7 @@ class SequenceRun:
                 f"frame {len(self.history) + 1} was interrupted, and the state of the filter is incomplete"
             )
         settings = getattr(self.slam.front_ends[0], "settings", None)
-        run = {name: getattr(self, name) for name in ("history", "path", "patience", "metric")}
+        run = {name: getattr(self, name) for name in ("history", "path", "covariances", "patience", "metric")}
         run |= {"tracking_loss": asdict(self.tracking_loss), "last": self.picture and _identity(self.picture)}
         motion = {"name": self.motion.name, "settings": settings and asdict(settings), "state": self.motion.dump()}
         self.slam.save(path, **{self.kind.name: {"source": self.source.recipe, "run": run, "motion": motion}})

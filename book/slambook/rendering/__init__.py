@@ -3,6 +3,7 @@
 from slambook.rendering.effects import NO_EFFECTS, Effects
 from slambook.rendering.film import Film, film, rig_along_path
 from slambook.rendering.furnished import ROOM_STYLES, default_room
+from slambook.rendering.pairs import stereo_frame, stereo_rig
 from slambook.rendering.paths import PATHS, CameraPath, path
 from slambook.rendering.quads import Room, TexturedQuad
 from slambook.rendering.renderer import Rendered, Renderer, render
@@ -29,4 +30,6 @@ __all__ = [
     "render",
     "rig_along_path",
     "save_film",
+    "stereo_frame",
+    "stereo_rig",
 ]

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from slamlib.datasets.dataset import CalibrationReader, Cameras, Dataset, ImageSource, listed, table
+from slamlib.datasets.dataset import CalibrationReader, Cameras, Dataset, ImageSource, listed_files
 from slamlib.datasets.lens import Lens, Numbers
 from slamlib.errors import SlamlibError, entry
 
@@ -26,10 +26,7 @@ def _cameras(where: Path) -> dict[int, Path]:
 
 
 def _open(listing: Path, fps: float | None) -> ImageSource:
-    """Rows of "time in nanoseconds, file"."""
-    rows = table(listing, 2, ",")
-    paths = [listing.parent / "data" / name for _, (name, *_) in rows]
-    return listed(paths, [1e-9 * time for time, _ in rows], listing)
+    return listed_files(listing, listing.parent / "data", ",", 1e-9)
 
 
 def _fits(text: str) -> bool:

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from slamlib.datasets.dataset import CalibrationReader, Cameras, Dataset, ImageSource, counted, listed, table
-from slamlib.datasets.lens import Lens
+from slamlib.datasets.lens import Lens, placed
 from slamlib.datasets.pictures import images_in
 from slamlib.errors import SlamlibError
 
@@ -47,9 +47,7 @@ def _read(path: Path, text: str) -> Cameras:
 def _lens(row: str) -> Lens:
     """The rectified camera of a projection matrix; its pose is in the frame of camera 0."""
     P = np.array([float(word) for word in row.split()]).reshape(3, 4)
-    transform = np.eye(4)
-    transform[:3, 3] = -np.linalg.solve(P[:, :3], P[:, 3])
-    return Lens((P[0, 2], P[1, 2], P[0, 0], P[1, 1]), transform=tuple(transform.ravel().tolist()))
+    return Lens((P[0, 2], P[1, 2], P[0, 0], P[1, 1]), transform=placed(-np.linalg.solve(P[:, :3], P[:, 3])))
 
 
 KITTI = Dataset("KITTI", _cameras, _open, calibrations=("calib.txt", "calibration.json"))

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.datasets.dataset import CalibrationReader, Cameras
-from slamlib.datasets.lens import Lens, Numbers
+from slamlib.datasets.lens import Lens, Numbers, placed
 from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 
@@ -59,9 +59,8 @@ def _place(found: dict[str, Any]) -> Numbers | None:
     turn, shift = _first(found, "R"), _first(found, "T")
     if turn is None or shift is None:
         return None
-    moved = np.eye(4)
-    moved[:3, :3], moved[:3, 3] = turn, np.ravel(shift)
-    return tuple(np.linalg.inv(moved).ravel().tolist())
+    first = np.reshape(placed(np.ravel(shift), turn), (4, 4))
+    return tuple(np.linalg.inv(first).ravel().tolist())
 
 
 def _first(found: dict[str, Any], *names: str) -> Any:

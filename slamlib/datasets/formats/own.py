@@ -11,7 +11,7 @@ import numpy as np
 from slamlib.data.plain import Range, read, read_fields
 from slamlib.data.setup import SensorSetup
 from slamlib.datasets.dataset import CalibrationReader, Cameras
-from slamlib.datasets.lens import Lens, Numbers, shifted
+from slamlib.datasets.lens import Lens, Numbers, placed
 from slamlib.errors import SlamlibError
 from slamlib.geometry.quaternion import rotation
 
@@ -35,7 +35,7 @@ class RectifiedPair:
     def lens(self, right: bool) -> Lens:
         """One of the two."""
         u, *others = self.intrinsics
-        transform = shifted(self.baseline) if right and self.baseline else None
+        transform = placed((self.baseline, 0, 0)) if right and self.baseline else None
         said = {} if self.std is None else {"std": self.std}
         return Lens((u + right * self.offset, *others), self.image, transform=transform, extra=said)
 
@@ -64,11 +64,9 @@ class OwnCamera:
                 "on this camera's pictures as they are"
             )
         k1, k2, k3 = (*radial, 0.0, 0.0, 0.0)[:3]
-        transform = np.eye(4)
-        transform[:3, :3], transform[:3, 3] = rotation(sensor.extrinsics[3:]), sensor.extrinsics[:3]
-        flat = tuple(transform.ravel().tolist()) if self.of_rig else None
+        transform = placed(sensor.extrinsics[:3], rotation(sensor.extrinsics[3:])) if self.of_rig else None
         distortion = k1, k2, 0.0, 0.0, k3
-        return Lens(sensor.parameters["intrinsics"], self.data.get("image"), distortion=distortion, transform=flat)
+        return Lens(sensor.parameters["intrinsics"], self.data.get("image"), distortion=distortion, transform=transform)
 
 
 def _data(text: str) -> dict[str, Any] | None:
@@ -106,7 +104,7 @@ def _half(setup: dict[str, Any], right: bool) -> Lens:
     """The left or the right lens of a stereo sensor."""
     sensor = SensorSetup(**read_fields(SensorSetup, setup, "stereo"))
     given = sensor.calibration.given  # checked
-    transform = shifted(float(given["baseline"][0])) if right else None
+    transform = placed((given["baseline"][0], 0, 0)) if right else None
     said = {"std": sensor.std, "noise": sensor.noise, "limits": sensor.limits}
     return Lens(tuple(given["intrinsics"].tolist()), sensor.image, transform=transform, extra=said)
 

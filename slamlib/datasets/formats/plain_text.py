@@ -4,9 +4,9 @@ import re
 from functools import partial
 from pathlib import Path
 
+from slamlib.data.plain import OneOf
 from slamlib.datasets.dataset import CalibrationReader, Cameras
 from slamlib.datasets.lens import Lens
-from slamlib.errors import UnknownNameError
 
 ORDER = ("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
 NAMES = (*ORDER, "width", "height")
@@ -27,8 +27,7 @@ def _read(path: Path, text: str) -> Cameras:
 def _lens(rows: list[list[str]]) -> Lens:
     named = dict(zip(ORDER, rows[0], strict=False)) if len(rows) == 1 else {name.lower(): n for name, n in rows}
     for name in named:
-        if name not in NAMES:
-            raise UnknownNameError.of("name", name, NAMES)
+        OneOf(NAMES).check(name, "name")
     given = {name: float(value) for name, value in named.items()}
     size = (given["width"], given["height"]) if {"width", "height"} <= given.keys() else None
     coefficients = tuple(given.get(name, 0.0) for name in ORDER[4:])

@@ -5,7 +5,7 @@ The intrinsics of its three colour cameras are those of the table in "File forma
 
 from pathlib import Path
 
-from slamlib.datasets.dataset import Dataset, ImageSource, listed, table
+from slamlib.datasets.dataset import Dataset, listed_files
 from slamlib.datasets.lens import Lens
 
 LENSES = {
@@ -20,10 +20,4 @@ def _cameras(where: Path) -> dict[int, Path]:
     return {0: listing} if listing.is_file() else {}
 
 
-def _open(listing: Path, fps: float | None) -> ImageSource:
-    """Rows of "time file"."""
-    rows = table(listing, 2, None)
-    return listed([listing.parent / name for _, (name, *_) in rows], [time for time, _ in rows], listing)
-
-
-TUM = Dataset("TUM RGB-D", _cameras, _open, lenses=LENSES)
+TUM = Dataset("TUM RGB-D", _cameras, lambda listing, fps: listed_files(listing, listing.parent, None), lenses=LENSES)

@@ -9,7 +9,7 @@ from slamlib.datasets.pictures import pair
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures, circular_matches, mutual_nearest
 from slamlib.vision.stereo.front_end import StereoSearch
-from slamlib.vision.stereo.geometry import stereo_frame, stereo_rig, triangulate
+from slamlib.vision.stereo.geometry import triangulate
 from slamlib.vision.stereo.motion_source import MOTION_SOURCES, StereoMotionSource
 from slamlib.vision.stereo.odometry import RelativeMotion, Tracks, VisualOdometry, motion_between
 
@@ -27,7 +27,5 @@ __all__ = [
     "motion_between",
     "mutual_nearest",
     "pair",
-    "stereo_frame",
-    "stereo_rig",
     "triangulate",
 ]

@@ -17,6 +17,7 @@ from slamlib.data.plain import Count, Finite, Magnitude, Positive, Range, Share,
 from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Array, Image
+from slamlib.vision.patches import parabola
 
 WINDOW = 5  # px, of the structure tensor, whose smaller eigenvalue is the strength of a corner
 
@@ -112,19 +113,15 @@ def _corners(image: Image, s: StereoSettings) -> Keypoints:
     v, u = np.nonzero(peak)
     rows = spread(np.stack([u, v], 1), strength[v, u], image.shape[::-1], s.cells, s.per_cell)
     u, v = u[rows], v[rows]
-    pixels = np.stack([u + _top(strength, v, u, 0, 1), v + _top(strength, v, u, 1, 0)], axis=1)
+    across, down = (
+        parabola(strength[v - i, u - j], strength[v, u], strength[v + i, u + j]) for i, j in ((0, 1), (1, 0))
+    )
+    pixels = np.stack([u + across, v + down], axis=1)
     points = [cv2.KeyPoint(u, v, 31.0, 0.0, 0.0, 0, i) for i, (u, v) in enumerate(pixels.tolist())]
     kept, descriptors = _describer(s.border - 2).compute(image, points)
     kept_rows = np.array([k.class_id for k in kept], dtype=int)
     bits = np.zeros((0, 32), np.uint8) if descriptors is None else descriptors
     return Keypoints(pixels[kept_rows], strength[v, u][kept_rows], bits)
-
-
-def _top(values: Array, v: Array, u: Array, down: int, right: int) -> Array:
-    """Maximum of the parabola through three neighbours, within half a pixel."""
-    before, middle, after = values[v - down, u - right], values[v, u], values[v + down, u + right]
-    bend = before - 2 * middle + after
-    return np.clip(np.where(bend < 0, (before - after) / np.where(bend < 0, 2 * bend, 1), 0), -0.5, 0.5)
 
 
 def _orb(image: Image, s: StereoSettings, levels: int) -> Keypoints:

@@ -179,18 +179,8 @@ def within_region(expected: Array, values: Array, radius: float) -> Mask:
     return np.abs(expected[:, None, :2] - values[None, :, :2]).max(-1) <= radius
 
 
-@dataclass(frozen=True)
-class Survey:
-    """Of matches found without regard to rows: their number, median of |v_left - v_right| [px], and share with
-    disparities of zero or less."""
-
-    matches: int
-    rows: float
-    negative: float
-
-
-def check_pair(image: Image, name: str, settings: StereoSettings | None = None) -> Survey:
-    """Survey a pair (2, h, w). Raises SlamlibError if left and right are exchanged, or rows do not correspond.
+def check_pair(image: Image, name: str, settings: StereoSettings | None = None) -> None:
+    """Match a pair (2, h, w). Raises SlamlibError if left and right are exchanged, or rows do not correspond.
 
     A pair with too few matches for a check passes: it may be dark.
     """
@@ -202,18 +192,16 @@ def check_pair(image: Image, name: str, settings: StereoSettings | None = None) 
     rows = mutual_nearest(cost, largest=s.distance, ratio=0.75)
     match = apart[rows[:, 0], rows[:, 1]]
     if len(match) < ENOUGH:
-        return Survey(len(match), np.nan, np.nan)
-    negative = float((match[:, 0] + s.offset <= 0).mean())
-    found = Survey(len(match), float(np.median(np.abs(match[:, 1]))), negative)
-    if found.negative > 0.5:
+        return
+    negative, apart_rows = (match[:, 0] + s.offset <= 0).mean(), np.median(np.abs(match[:, 1]))
+    if negative > 0.5:
         raise SlamlibError(
-            f"{name}: {found.negative:.0%} of {found.matches} matches have a negative disparity (in the right image "
+            f"{name}: {negative:.0%} of {len(match)} matches have a negative disparity (in the right image "
             "they are further right): left and right are exchanged; give --left and --right the other way round"
         )
-    if found.rows > s.rows:
+    if apart_rows > s.rows:
         raise SlamlibError(
-            f"{name}: the rows of a point in the two pictures differ by {found.rows:.1f} px (median of {found.matches} "
+            f"{name}: the rows of a point in the two pictures differ by {apart_rows:.1f} px (median of {len(match)} "
             f"matches), and {s.rows} are allowed: the pair is not rectified. Rectify it with --rectify and a "
             "calibration of both lenses with their extrinsics, or give the rectified images"
         )
-    return found

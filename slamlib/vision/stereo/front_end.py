@@ -55,15 +55,6 @@ class LandmarkViews:
         first, rest = self.all[:1], (*self.all[1:], view)
         return LandmarkViews(first + rest[-(most - 1) :] if most > 1 else first)
 
-    def pack(self) -> Any:
-        """Plain data for JSON, without loss."""
-        return [[v.descriptor.tolist(), v.patch.tolist(), v.disparity] for v in self.all]
-
-    @classmethod
-    def unpack(cls, packed: Any) -> "LandmarkViews":
-        """What `pack` packed."""
-        return cls(tuple(LandmarkView(np.array(d, np.uint8), np.array(p, float), float(z)) for d, p, z in packed))
-
 
 class StereoSearch(ImageFrontEnd):
     """Measures (u, v, disparity) [px] in the pair that is a scan's image, an array (2, h, w) of uint8.
@@ -189,10 +180,12 @@ class StereoSearch(ImageFrontEnd):
                 landmark.signature = landmark.signature.with_view(self.view(seen, prediction.measured), s.views)
 
     def dump(self) -> Any:
-        """The state of every front end on images, and the number of pairs processed."""
-        return {**super().dump(), "frame": self.frame}
+        """The state of every front end on images, the number of pairs processed, and the features of the last one that
+        were matched to landmarks or initialized some."""
+        return {**super().dump(), "frame": self.frame, "found": self.found, "initialized": self.initialized}
 
     def restore(self, state: Any) -> None:
         """Restore the state that `dump` returned."""
         super().restore(state)
-        self.frame = state["frame"]
+        self.frame, self.initialized = state["frame"], state["initialized"]
+        self.found = {int(number): row for number, row in state["found"].items()}

@@ -7,11 +7,12 @@ the map give the control's covariance, since the others contain no further infor
 linearization point. A feature reserved for the control is no landmark's measurement, and initializes none.
 """
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from slamlib.data.plain import read, written
 from slamlib.data.records import Control
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
@@ -49,16 +50,17 @@ class StereoMotionSource(MotionSource):
         self.seconds = Stopwatch("odometry")
 
 
+@dataclass
 class MotionFallback:
     """The control of a step whose odometry failed: the last one, with a large covariance.
 
-    Estimates how controls (6,) change from step to step, separately for displacement [m] and rotation [rad].
+    Estimates how controls (6,) change from step to step, separately for displacement [m] and rotation [rad]. rate: the
+    last control, per second; changes (2,): mean squared changes of one coordinate of it; lost: failures in a row.
     """
 
-    def __init__(self) -> None:
-        self.rate: Array | None = None  # the last control, per second
-        self.changes: Array | None = None  # (2,) mean squared changes of one coordinate of the rate
-        self.lost = 0
+    rate: Array | None = None
+    changes: Array | None = None
+    lost: int = 0
 
     def record(self, control: Control, dt: float) -> None:
         """Record the control of a step of dt [s]."""
@@ -76,15 +78,6 @@ class MotionFallback:
             return Control(np.zeros(6), np.repeat(np.square(UNKNOWN), 3))
         example = np.square(self.rate).reshape(2, 3).mean(1) if self.changes is None else self.changes
         return Control(self.rate * dt, np.repeat(INFLATION * self.lost * example * dt**2, 3))
-
-    def dump(self) -> Any:
-        """Plain data."""
-        return [None if a is None else a.tolist() for a in (self.rate, self.changes)] + [self.lost]
-
-    def restore(self, state: Any) -> None:
-        """Restore the state that `dump` returned."""
-        self.rate, self.changes = (None if a is None else np.array(a) for a in state[:2])
-        self.lost = state[2]
 
 
 class SplitFeatures(StereoMotionSource):
@@ -117,12 +110,12 @@ class SplitFeatures(StereoMotionSource):
 
     def dump(self) -> Any:
         """The odometry's state, with the last pair, and how motions change."""
-        return {"odometry": self.odometry.dump(), "fallback": self.fallback.dump()}
+        return {"odometry": self.odometry.dump(), "fallback": written(self.fallback)}
 
     def restore(self, state: Any) -> None:
         """Restore the state that `dump` returned."""
         self.odometry.restore(state["odometry"])
-        self.fallback.restore(state["fallback"])
+        self.fallback = read(MotionFallback, state["fallback"])
 
 
 class CorrelatedFeatures(SplitFeatures):
@@ -162,16 +155,6 @@ class CorrelatedFeatures(SplitFeatures):
         rows, strengths = np.flatnonzero(mask), new.strengths[pairs[mask, 1]]
         mask[rows[np.argsort(-strengths, kind="stable")[: RESERVED_PER_LANDMARK * slam.options.max_new]]] = False
         return mask
-
-    def dump(self) -> Any:
-        """As SplitFeatures; also the features of the last pair that were matched to landmarks or initialized some."""
-        return {**super().dump(), "shown": self.front_end.found, "initialized": self.front_end.initialized}
-
-    def restore(self, state: Any) -> None:
-        """Restore the state that `dump` returned."""
-        super().restore(state)
-        self.front_end.found = {int(number): row for number, row in state["shown"].items()}
-        self.front_end.initialized = state["initialized"]
 
 
 class OdometryOnly(SplitFeatures):

@@ -5,8 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from slamlib.data.plain import unpacked, written
 from slamlib.data.records import Control
-from slamlib.datasets.pictures import opencv, pack, unpack
+from slamlib.datasets.pictures import opencv
 from slamlib.geometry.pose import compose, inverse
 from slamlib.geometry.quaternion import exponential, logarithm, plus
 from slamlib.landmarks.euc_point import EUC_POINT
@@ -171,13 +172,12 @@ class VisualOdometry:
 
     def dump(self) -> Any:
         """The last pair, packed, and the motion to it, as plain data."""
-        last = None if self.last is None else self.last.tolist()
-        return {"pair": None if self.old is None else pack(self.old.image), "last": last}
+        return {"pair": None if self.old is None else written(self.old.image), "last": written(self.last)}
 
     def restore(self, state: Any) -> None:
         """Restore the state that `dump` returned: the next step is the same."""
-        self.old = None if state["pair"] is None else self.extractor.extract(unpack(state["pair"]))
-        self.last = None if state["last"] is None else np.array(state["last"])
+        self.old = None if state["pair"] is None else self.extractor.extract(unpacked(state["pair"]))
+        self.last = None if state["last"] is None else unpacked(state["last"])
 
 
 CHECKERBOARD_SQUARE = 64  # px
