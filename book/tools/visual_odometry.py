@@ -13,7 +13,7 @@ from slambook.stereo_films import KITTI, kitti, stereo_film
 
 from benchmarks import stereo as bench
 from book.tools import layout, stored
-from slamlib.evaluation.alignment import relative_pose_errors
+from slamlib.evaluation.comparison import parts
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
 from slamlib.landmarks.euc_point import EUC_POINT
@@ -84,10 +84,10 @@ def measured(calibration: Calibration, images: list[Array], truth: Trajectory, o
     poses, motions = zip(*stereo_films.odometry(source, images, truth.poses[0]), strict=True)
     fits = [motion.nis_per_dof for motion in motions if motion is not None]
     path = Trajectory(truth.times, np.array(poses))
-    off = relative_pose_errors(path, truth, LENGTHS, step=5)
+    off: Any = parts(path, truth, LENGTHS, step=5)
     return {
-        "translation": np.round(100 * off.translation, 2).tolist(),
-        "rotation": np.round(np.degrees(off.rotation), 4).tolist(),
+        "translation": np.round(100 * np.array(off["translation"]), 2).tolist(),
+        "rotation": np.round(off["rotation"], 4).tolist(),
         "length": round(float(path.distances[-1] / truth.distances[-1]), 4),
         "fit": round(float(np.mean(fits)), 2),
     }

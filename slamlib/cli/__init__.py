@@ -9,15 +9,15 @@ from typing import Any
 import numpy as np
 
 from slamlib import __version__
-from slamlib.cli import compare, listing, run, starting
+from slamlib.cli import compare, evaluate, listing, run, starting
 from slamlib.cli.monocular import ImagesCommand
 from slamlib.cli.runner import STOPPED, signals
 from slamlib.cli.stereo import PairsCommand
 from slamlib.errors import SlamlibError
 
 COMMANDS: dict[str, Any] = {
-    "run": run, "run images": ImagesCommand(), "run stereo-images": PairsCommand(), "compare": compare, "list": listing,
-    "preset": starting,
+    "run": run, "run images": ImagesCommand(), "run stereo-images": PairsCommand(), "compare": compare,
+    "evaluate": evaluate, "list": listing, "preset": starting,
 }  # fmt: skip
 
 
@@ -47,14 +47,11 @@ def main(words: Sequence[str] | None = None) -> int:
             given = parser().parse_args(_joined(sys.argv[1:] if words is None else words))
             status: int = given.execute(given)
         sys.stdout.flush()
-    except SlamlibError as error:
-        print(f"slamlib: {error}", file=sys.stderr)
-        return 2
     except BrokenPipeError:
         sys.stderr.close()
         return 1
-    except OSError as error:  # a full disk behind the standard output, for instance
-        print(f"slamlib: {error.strerror or error}", file=sys.stderr)
+    except (SlamlibError, OSError) as error:  # a full disk behind the standard output, for instance
+        print(f"slamlib: {getattr(error, 'strerror', None) or error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt as stop:
         number = stop.args[0] if stop.args else signal.SIGINT

@@ -16,6 +16,7 @@ from slamlib.landmarks import LINES, POINTS
 from slamlib.slam import Options
 
 OPTION = "any option of `slamlib list options`, such as gate=0.999 or inverse_distance=1,0.5"
+PLOT = "draw the errors over time, with their standard deviations and NEES: .svg, .png or .pdf"
 
 
 def add(parser: argparse.ArgumentParser) -> None:
@@ -55,6 +56,8 @@ def outputs(add: Callable[..., Any]) -> None:
     """Add the output options of a run of any kind."""
     add("--live", action="store_true", help="show the run in a window")
     add("--video", metavar="PATH", help="write a video: .mp4, .webm, .gif, or a folder for numbered PNG files")
+    add("--map", metavar="FILE", help="write the map at the end: .ply (for viewers of point clouds), .json or .csv")
+    add("--plot", metavar="FILE", help=PLOT)
     add("--save", metavar="PATH", help="save the run to a file, also if it is interrupted")
     add("--resume", metavar="PATH", help="continue a saved run instead of starting a new one")
     add("--overwrite", action="store_true", help="replace files that exist")

@@ -50,8 +50,9 @@ def execute(given: argparse.Namespace) -> int:
             kept = f"are in {given.folder}" if given.folder else "would be kept with --folder PATH"
             print(f"slamlib: {name}: finished runs {kept}; the same command goes on from there", file=sys.stderr)
             raise
-        rows.append(summary(name, found))
-    print(json.dumps(rows, indent=2) if given.json else table(rows))
+        rows.append({"preset": base.name, **summary(name, found)})
+    groups = [[row for row in rows if row["preset"] == name] for name in dict.fromkeys(row["preset"] for row in rows)]
+    print(json.dumps(rows, indent=2) if given.json else "\n\n".join(map(table, groups)))
     return 0
 
 
@@ -78,11 +79,12 @@ def summary(name: str, found: Experiment) -> dict[str, Any]:
 
 
 def table(rows: list[dict[str, Any]]) -> str:
-    """The result as a text table."""
+    """The results of one preset as a text table."""
     low, high = rows[0]["nees_band"]
     head = (
-        f"{rows[0]['runs']} runs of {rows[0]['frames']} frames. At the last frame: position error (rms) and sigma, "
-        f"median error of the map.\nNEES of the pose: {DOF} degrees of freedom, averaged over the runs at each frame; "
+        f"Preset {rows[0]['preset']}: {rows[0]['runs']} runs of {rows[0]['frames']} frames.\n"
+        "At the last frame: position error (rms) and sigma, median error of the map.\n"
+        f"NEES of the pose: {DOF} degrees of freedom, averaged over the runs at each frame; "
         f"95 % band [{low:.2f}, {high:.2f}]; share of the frames inside it."
     )
     lines = ["", f"{'':8} {'error':>8} {'sigma':>8} {'map':>8} | {'NEES':>6} {'last':>6} {'1st half':>8} {'all':>5} |"

@@ -10,17 +10,19 @@ from typing import Any
 import numpy as np
 
 from slamlib.cli.arguments import OPTION, aligned_rows, assignments, at_least, count, number, outputs
-from slamlib.cli.runner import EXIT_ERROR, Job, RunEnd, check_files, check_resumed, execute
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.cli.runner import EXIT_ERROR, Job, RunEnd, check_files, check_resumed, execute, export
+from slamlib.errors import SlamlibError, entry
+from slamlib.evaluation.comparison import compared
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
 from slamlib.landmarks import POINTS
-from slamlib.vision.results import compared, summary, table
+from slamlib.vision.results import summary, table
 from slamlib.vision.run import load
 from slamlib.vision.sequence_run import ImageStep, SequenceKind, SequenceRun
 
 Add = Callable[..., Any]  # add_argument of a group
 JUDGED, ENOUGH = 30, 0.85  # frames, and the least share of inliers among the matches of a good run
 NO_MATCH = "no match in {}: prediction only; the run stops after {} such frames in a row (reported once)"
+NOTHING = "nothing was matched in any {}: are they blank, dark, without texture, or not of one sequence?"
 REVERSED = (
     "only {:.0%} of the matches are inliers: the path may be reversed (near points estimated as far, and the motion as "
     "its opposite), which one camera can hardly detect if it already moves in the first image. Start where it is at "
@@ -46,7 +48,8 @@ class ImageCommand:
         self.what(parser.add_argument_group("input options").add_argument)
         self.how(parser.add_argument_group("filter options").add_argument)
         add = parser.add_argument_group("output options").add_argument
-        add("--trajectory", metavar="FILE", help="write the camera's trajectory in TUM format, for evo")
+        add("--trajectory", metavar="FILE", help="write the camera's trajectory in TUM format, for evo; beside it its "
+            "covariances, which `slamlib evaluate` reads too, in a file that ends in .cov")  # fmt: skip
         add("--reference", metavar="FILE", help="compare with a trajectory of this camera (TUM, EuRoC or KITTI format)")
         outputs(add)
         parser.set_defaults(check=lambda given: check_resumed(given, parser, "frames", "patience", "reference"))
@@ -54,9 +57,11 @@ class ImageCommand:
     def execute(self, given: argparse.Namespace) -> int:
         """Run; a run that stops early, by an error or by Ctrl-C, is saved, and can be resumed."""
         check_files(given)
+        if given.plot and not given.reference:
+            raise SlamlibError("--plot draws errors: they need --reference FILE, a trajectory to compare with")
         run = self._resumed(given) if given.resume else self.new_run(given)
-        if not run.has_map and (given.video or given.live):
-            raise SlamlibError("--video and --live show the filter's map: with --odometry-only there is none")
+        if not run.has_map and (given.video or given.live or given.map):
+            raise SlamlibError("--video, --live and --map need the filter's map: with --odometry-only there is none")
         source, warned = run.source, False
         reference = read_trajectory(given.reference, np.array(source.times)) if given.reference else None
 
@@ -77,14 +82,19 @@ class ImageCommand:
         """Write the trajectory, print the result; return the exit status."""
         if given.trajectory:
             write_tum(given.trajectory, run.trajectory())
+        export(given, run.snapshot(), None)
         s: dict[str, Any] = {"source": run.source.where, "layout": run.source.layout, **summary(run.result())}
         s |= {"metric": run.metric, "stopped": ended.why, "reference": None}
         try:
             if reference is not None:
-                s["reference"] = compared(run.trajectory(), reference, run.source.interval, run.metric)
+                s["reference"], series = compared(run.trajectory(), reference, run.source.interval, run.metric)
+                export(given, None, {"camera": series})
         except SlamlibError as error:  # the run is valid without the reference
             ended.status = EXIT_ERROR
             print(f"slamlib: {given.reference}: {error}", file=sys.stderr)
+        if s["frames"] > 1 and s["frames_without_match"] == s["frames"] - 1:
+            ended.status = EXIT_ERROR
+            print(f"slamlib: {NOTHING.format(self.kind.item)}", file=sys.stderr)
         rows = [("source", f"{s['source']} ({s['layout']})"), *table(s)]
         print(json.dumps(s, indent=2) if given.json else aligned_rows(rows))
         inliers = s["inlier_share"]
@@ -125,7 +135,6 @@ class ImageCommand:
 
 def given_options(given: argparse.Namespace, what: str, *names: str) -> dict[str, Any]:
     """The filter's options given on the command line. Raises SlamlibError, which calls the parametrization `what`."""
-    if given.landmark not in POINTS:
-        raise UnknownNameError.of(what, given.landmark, POINTS)
+    entry(what, given.landmark, POINTS)
     named = {"points": given.landmark, **{name: getattr(given, name) for name in names}}
     return {**{name: value for name, value in named.items() if value is not None}, **assignments(given.option)}

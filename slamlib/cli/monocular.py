@@ -9,7 +9,7 @@ from slamlib.cli.images import Add, ImageCommand, given_options
 from slamlib.data.plain import read
 from slamlib.data.setup import SensorSetup
 from slamlib.datasets import opening
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, entry
 from slamlib.motions import MOTIONS
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.vision.active_search import ActiveSearchSettings
@@ -38,7 +38,8 @@ class ImagesCommand(ImageCommand):
     def what(self, add: Add) -> None:
         """Add the input arguments of one camera."""
         add("--source", metavar="PATH", help="a folder, a quoted glob, a video, or a data set's folder")
-        add("--calibration", metavar="FILE", help="slamlib's, EuRoC's, OpenCV's, KITTI's, plain text; or fr1, fr2, fr3")
+        add("--calibration", metavar="FILE",
+            help="slamlib's, ROS's, OpenCV's, Kalibr's, EuRoC's, KITTI's, plain text; or fr1, fr2, fr3")  # fmt: skip
         add("--camera", type=at_least(0), default=0, metavar="N", help="number of the camera (default 0)")
         add("--undistort", action="store_true", help="remove the lens distortion from the images (OpenCV)")
         self._which(add)
@@ -66,9 +67,7 @@ class ImagesCommand(ImageCommand):
         """A run with free scale, or with that of a target."""
         if not given.source or not given.calibration:
             raise SlamlibError("--source and --calibration are needed, or --resume PATH; see slamlib run images --help")
-        motion = ALIASES.get(given.motion, given.motion)
-        if motion not in MOTIONS:
-            raise UnknownNameError.of("motion", given.motion, [*ALIASES, *MOTIONS])
+        motion = entry("motion", given.motion, {name: name for name in MOTIONS} | ALIASES)
         opened = {"camera": given.camera, "fps": given.fps, "undistort": given.undistort}
         source, camera = opening.open_sequence(given.source, given.calibration, **opened)
         if given.noise is not None:

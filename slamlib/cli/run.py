@@ -12,6 +12,7 @@ from slamlib.cli import runner
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band, share_inside
 from slamlib.experiments.runs import Result, Run
+from slamlib.manifolds import Array
 
 DOF = 6
 EXAMPLES = """examples:
@@ -45,6 +46,7 @@ def execute(given: argparse.Namespace) -> int:
     )  # fmt: skip
     ended = runner.execute(job, given)
     result = run.result()
+    runner.export(given, run.slam.snapshot(), result)
     print(json.dumps(summary(result), indent=2) if given.json else table(result))
     return ended.status
 
@@ -71,21 +73,20 @@ def summary(result: Result) -> dict[str, Any]:
     low, high = band(DOF)
     robots = [
         {
-            "name": setup.name,
-            "position_error": float(np.linalg.norm(result.errors[-1, i, :3])),
-            "position_sigma": float(np.linalg.norm(result.sigmas[-1, i, :3])),
-            "attitude_error": float(np.degrees(np.linalg.norm(result.errors[-1, i, 3:]))),
+            **_deviation(setup.name, result.errors[-1, i], result.sigmas[-1, i]),
             "nees": float(result.nees[-1, i]),
             "nees_inside": share_inside(known, (low, high)) if len(known) else None,
         }
         for i, setup in enumerate(result.preset.rig.robots)
         for known in [result.nees[np.isfinite(result.nees[:, i]), i]]
     ]
+    sensors = zip(result.preset.rig.sensors, result.extrinsics[-1], strict=True)
     return {
         "preset": result.preset.name,
         "seed": result.preset.seed,
         "frames": len(result.nees),
         "robots": robots,
+        "extrinsics": [_deviation(setup.name, *found) for setup, found in sensors if setup.estimated],
         "nees_band": [low, high],
         "nis_per_dof": float(result.nis.sum() / max(result.nis_dof.sum(), 1)),
         "landmarks": int(result.landmarks[-1]),
@@ -95,6 +96,17 @@ def summary(result: Result) -> dict[str, Any]:
         "point_error_median": _median(result.map_errors["points"]),
         "line_error_median": _median(result.map_errors["segments"]),
         "milliseconds_per_frame": 1e3 * float(np.median(result.seconds)),
+    }
+
+
+def _deviation(name: str, error: Array, sigma: Array) -> dict[str, Any]:
+    """A pose's error (6,) and standard deviations (6,) as lengths [m] and angles [degrees]."""
+    parts = {"position": (slice(3), 1.0), "attitude": (slice(3, 6), 180 / np.pi)}
+    columns = {"error": error, "sigma": sigma}
+    return {"name": name} | {
+        f"{part}_{column}": float(unit * np.linalg.norm(values[at]))
+        for part, (at, unit) in parts.items()
+        for column, values in columns.items()
     }
 
 
@@ -108,12 +120,15 @@ def table(result: Result) -> str:
     s = summary(result)
     rows = [("preset", f"{s['preset']}, seed {s['seed']}, {s['frames']} frames")]
     low, high = s["nees_band"]
+    at = f"at frame {s['frames']}"
+    for pose in (*s["robots"], *s["extrinsics"]):
+        place = f"{100 * pose['position_error']:.1f} cm (sigma {100 * pose['position_sigma']:.1f} cm)"
+        turn = f"{pose['attitude_error']:.2f} degrees (sigma {pose['attitude_sigma']:.2f})"
+        rows.append((f"{pose['name']}: {'error' if 'nees' in pose else 'extrinsics error'}", f"{place}, {turn}, {at}"))
     for robot in s["robots"]:
-        place = f"{100 * robot['position_error']:.1f} cm (sigma {100 * robot['position_sigma']:.1f} cm), "
-        rows.append((f"{robot['name']}: error", place + f"{robot['attitude_error']:.2f} degrees"))
         share = "the motion has no noise: the pose is known exactly"
         if robot["nees_inside"] is not None:
-            share = f"{robot['nees']:.2f}; {robot['nees_inside']:.0%} of the steps inside [{low:.2f}, {high:.2f}]"
+            share = f"{robot['nees']:.2f}, {at}; {robot['nees_inside']:.0%} of the steps inside [{low:.2f}, {high:.2f}]"
             share += " (1 run, 95 %)"
         rows.append((f"{robot['name']}: NEES, {DOF} dof", share))
     rows.append(("NIS per degree of freedom", f"{s['nis_per_dof']:.2f}"))

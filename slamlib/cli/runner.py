@@ -8,6 +8,7 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from importlib import import_module
 from itertools import tee
 from pathlib import Path
 from typing import Any
@@ -20,7 +21,8 @@ from slamlib.experiments.progress import progress
 
 EXIT_ERROR = 2
 STOPPED: dict[int, str] = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}
-FILES = ("save", "trajectory")  # options whose value is a file that is written
+FILES = ("save", "trajectory", "map", "plot")  # options whose value is a file that is written
+WRITERS = {"map": "slambook.scene.map_file", "plot": "slambook.scene.error_plot"}  # of the book's package
 CONTINUED = ("resume", "overwrite", "video", "live", "json", *FILES)  # those that a resumed run takes too
 Shown = tuple[Snapshot, Truth | None]
 
@@ -61,15 +63,24 @@ def check_files(given: argparse.Namespace) -> None:
     """Raise SlamlibError, before the run, for a file that could not be written after it; make the folders."""
     for name in FILES:
         path = getattr(given, name, None)
-        if path and Path(path).is_file() and not given.overwrite and path != given.resume:
+        if path and name in WRITERS:
+            import_module(WRITERS[name]).check(path)
+        if path and Path(path).is_file() and not given.overwrite and path != getattr(given, "resume", None):
             raise SlamlibError(f"--{name}: {path} exists: choose another name, or replace it with --overwrite")
         if path:
             check_writable(path)
-    if given.video:
+    if getattr(given, "video", None):
         from slambook.scene.video import ready
 
         ready(given.video, overwrite=given.overwrite)
         check_writable(Path(given.video).with_name(".video"))
+
+
+def export(given: argparse.Namespace, snapshot: Snapshot | None, errors: Any) -> None:
+    """Write the map where --map says so; draw errors, a Result or arrays by name, where --plot says so."""
+    for name, content in (("map", snapshot), ("plot", errors)):
+        if content is not None and getattr(given, name, None):
+            import_module(WRITERS[name]).write(getattr(given, name), content)
 
 
 def check_resumed(given: argparse.Namespace, parser: argparse.ArgumentParser, *allowed: str) -> None:
@@ -93,6 +104,8 @@ def execute(job: Job, given: argparse.Namespace) -> RunEnd:
             if given.video:
                 from slambook.scene import animate
 
+                if before:
+                    print(f"slamlib: the video begins at {job.item} {before + 1}, the run's next one", file=sys.stderr)
                 shown, truths = (steps, None) if job.world is None else tee(steps)
                 options = {"truths": (truth for _, truth in truths) if truths else (), "overwrite": given.overwrite}
                 animate((snapshot for snapshot, _ in shown), given.video, world=job.world, fps=job.fps, **options)

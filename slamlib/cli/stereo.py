@@ -31,11 +31,7 @@ class PairsCommand(ImageCommand):
         """Add the input arguments of two cameras."""
         add("--source", metavar="FOLDER", help="of KITTI (image_0, image_1, calib.txt, times.txt) or EuRoC (mav0)")
         for side in ("left", "right"):
-            add(
-                f"--{side}",
-                metavar="GLOB",
-                help=f"the {side} images: a folder, a quoted glob, or a video",
-            )
+            add(f"--{side}", metavar="GLOB", help=f"the {side} images: a folder, a quoted glob, or a video")
         add("--calibration", metavar="FILE", nargs="+",
             help="of both cameras: KITTI's, slamlib's, Kalibr's, OpenCV's or plain JSON, or two files (EuRoC's); a "
                  "data set's folder may contain it")  # fmt: skip

@@ -2,6 +2,7 @@
 
 import errno
 import glob
+import hashlib
 import json
 import os
 import shutil
@@ -79,10 +80,23 @@ def write_whole(path: str | os.PathLike[str], content: bytes | str) -> None:
 def write_archive(
     path: str | os.PathLike[str], form: str, version: int, header: dict[str, Any], arrays: dict[str, Any]
 ) -> None:
-    """Write a compressed .npz of arrays; `header` is the text of a JSON object, with form and version."""
+    """Write a compressed .npz of arrays; `header` is the text of a JSON object, with form and version.
+
+    `digest` is a checksum of all the others: a file in which something was changed is not read.
+    """
     text = json.dumps({"format": form, "version": version, **header}, default=lambda value: value.tolist())
+    content = {"header": np.array(text), **arrays}
     with atomic_write(path) as partial, partial.open("wb") as file:
-        np.savez_compressed(file, header=np.array(text), **arrays)
+        np.savez_compressed(file, digest=np.array(_digest(content)), **content)
+
+
+def _digest(arrays: dict[str, Any]) -> str:
+    """A checksum of arrays: of their names, types, shapes and numbers."""
+    found = hashlib.sha256()
+    for name, array in sorted(arrays.items()):
+        values = np.ascontiguousarray(array)
+        found.update(f"{name} {values.dtype.str} {np.shape(array)}".encode() + values.tobytes())
+    return found.hexdigest()
 
 
 def read_archive(
@@ -99,6 +113,8 @@ def read_archive(
         raise SlamlibError(f"{path}: there is no such file") from None
     except Exception as error:  # a damaged archive fails in more ways than its modules document
         raise SlamlibError(f"{path} cannot be read: it is damaged, or no {form} at all") from error
+    digest = arrays.pop("digest", None)
+    is_whole = digest is None or str(digest) == _digest(arrays)
     try:
         header = dict(json.loads(str(arrays.pop("header"))))
     except (KeyError, ValueError, TypeError):
@@ -107,6 +123,8 @@ def read_archive(
         raise SlamlibError(f"{path} is no {form}: it has no header that says {form!r}")
     if header.get("version") != version:
         raise SlamlibError(f"{path} has version {header.get('version')!r}, and this slamlib reads {version}: {old}")
+    if not is_whole:
+        raise SlamlibError(f"{path} has been changed since it was written: its checksum differs; take another copy")
     return header, arrays
 
 

@@ -35,7 +35,7 @@ class Features:
             raise ShapeError(f"Features: {len(ids)} ids need values of shape ({len(ids)}, m), got {values.shape}")
         if not np.isfinite(values).all():
             raise NonFiniteError("Features: values hold nan or infinity; leave such rows out")
-        if len(np.unique(ids)) != len(ids):
+        if not np.diff(np.sort(ids)).all():
             raise SlamlibError("Features: an id appears twice; what is seen twice in one image has two ids")
         object.__setattr__(self, "ids", read_only(np.array(ids, np.int64)))
         object.__setattr__(self, "values", read_only_copy(values))
@@ -165,5 +165,5 @@ class World(ByFamily):
         faces = numbers(self.faces, "World", "faces")
         object.__setattr__(self, "faces", read_only_copy(finite(faces, (len(faces), 3, 3), "World", "faces")))
         ids = np.concatenate([features.ids for features in self.features.values()])
-        if len(np.unique(ids)) != len(ids):
+        if not np.diff(np.sort(ids)).all():
             raise SlamlibError("World: things of two families share an id; number segments after the points")

@@ -1,4 +1,4 @@
-"""An estimated trajectory against its reference: alignment, absolute errors after it (ATE), relative ones (RPE)."""
+"""An estimated trajectory against its reference: alignment, and the absolute errors after it (ATE)."""
 
 from dataclasses import dataclass
 
@@ -6,9 +6,8 @@ import numpy as np
 
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.evaluation.trajectory import Trajectory, angles
-from slamlib.geometry.pose import compose, inverse, relative
 from slamlib.geometry.quaternion import best_pivot, from_rotation, product, rotation
-from slamlib.manifolds import Array, Indices, finite
+from slamlib.manifolds import Array, finite
 
 STRAIGHT_PATH = 0.05  # a path narrower than this share of its length hardly determines the rotation about itself
 
@@ -26,10 +25,12 @@ class Similarity:
         return self.scale * points @ self.rotation.T + self.translation
 
     def moved(self, trajectory: Trajectory) -> Trajectory:
-        """Transform a trajectory: orientations turn, positions are also scaled."""
+        """Transform a trajectory: orientations turn, positions are also scaled, both with their covariances."""
         turn = from_rotation(self.rotation, best_pivot(self.rotation))
         turned = product(turn, trajectory.poses[:, 3:])
-        return Trajectory(trajectory.times, np.concatenate([self(trajectory.positions), turned], axis=1))
+        J = np.eye(6)
+        J[:3, :3] = self.scale * self.rotation
+        return trajectory.moved(np.concatenate([self(trajectory.positions), turned], axis=1), J)
 
 
 def align(points: Array, reference: Array, *, scale: bool = True, turn: Array | None = None) -> Similarity:
@@ -129,7 +130,7 @@ def align_trajectory(
     """
     if rotation_from not in (None, "positions", "orientations"):
         raise SlamlibError(f"align_trajectory: rotation_from is positions, orientations or None, got {rotation_from!r}")
-    _check_pairs(estimate, reference)
+    check_pairs(estimate, reference)
     narrow = straightness(reference.positions)
     chosen = rotation_from or ("positions" if narrow > STRAIGHT_PATH else "orientations")
     turn = turn_between(estimate, reference) if chosen == "orientations" else None
@@ -140,55 +141,7 @@ def align_trajectory(
     return AlignedTrajectory(similarity, moved, distance, angles(error), float(reference.distances[-1]), chosen, narrow)
 
 
-@dataclass(frozen=True, eq=False)
-class RelativePoseErrors:
-    """Relative pose errors: lengths (k,) [m], for each the number of segments, and two means over them.
-
-    translation (k,): error per length of the path (0.01 is 1 %); rotation (k,): [rad/m]. nan: no segment is so long.
-    """
-
-    lengths: Array
-    counts: Array
-    translation: Array
-    rotation: Array
-
-
-KITTI_LENGTHS: tuple[float, ...] = (100.0, 200.0, 300.0, 400.0, 500.0, 600.0, 700.0, 800.0)
-
-
-def relative_pose_errors(
-    estimate: Trajectory, reference: Trajectory, lengths: tuple[float, ...] = KITTI_LENGTHS, step: int = 10
-) -> RelativePoseErrors:
-    """KITTI's relative pose error: the motion over each segment of a given length, against the true one.
-
-    The two are pairs, row by row, of the same body (one camera, say), and in one unit; no alignment is needed. Segments
-    start at each step-th pose, and end at the first pose that is a length further along the reference. Raises
-    SlamlibError if the path is shorter than all lengths.
-    """
-    _check_pairs(estimate, reference)
-    along = reference.distances
-    if not along[-1] > min(lengths):
-        raise SlamlibError(f"the path is {along[-1]:.4g} long, shorter than all of {lengths}: give shorter lengths")
-    starts = np.arange(0, len(along), step)
-    found = [_segment_errors(estimate, reference, along, starts, length) for length in lengths]
-    counts, translation, turn = (np.array(column) for column in zip(*found, strict=True))
-    return RelativePoseErrors(np.array(lengths), counts, translation, turn)
-
-
-def _segment_errors(
-    estimate: Trajectory, reference: Trajectory, along: Array, starts: Indices, length: float
-) -> tuple[int, float, float]:
-    stops = np.searchsorted(along, along[starts] + length, side="right")
-    i, j = starts[stops < len(along)], stops[stops < len(along)]
-    if not len(i):
-        return 0, np.nan, np.nan
-    error = compose(
-        inverse(relative(reference.poses[i], reference.poses[j])), relative(estimate.poses[i], estimate.poses[j])
-    )
-    moved, turned = np.linalg.norm(error[:, :3], axis=1), angles(error[:, 3:])
-    return len(i), float(moved.mean() / length), float(turned.mean() / length)
-
-
-def _check_pairs(estimate: Trajectory, reference: Trajectory) -> None:
+def check_pairs(estimate: Trajectory, reference: Trajectory) -> None:
+    """Raise ShapeError unless the trajectories have as many poses."""
     if len(estimate) != len(reference):
         raise ShapeError(f"{len(estimate)} poses against {len(reference)}: pick pairs with associate first")

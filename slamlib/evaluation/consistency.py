@@ -25,6 +25,14 @@ def nees(error: Array, covariance: Array) -> Array:
     return _squared(error, covariance, "nees")
 
 
+def nees_where_uncertain(error: Array, covariance: Array) -> float:
+    """NEES of one error (n,); nan where it is known exactly, as a pose is at a start without uncertainty."""
+    try:
+        return float(error @ np.linalg.solve(covariance, error))
+    except np.linalg.LinAlgError:
+        return float("nan")
+
+
 def nis(innovation: Array, covariance: Array) -> Array:
     """Normalized innovation squared z' S^-1 z; innovation (..., m), covariance (..., m, m). Expected value m."""
     return _squared(innovation, covariance, "nis")

@@ -12,7 +12,7 @@ import numpy as np
 
 from slamlib.data.files import write_whole
 from slamlib.errors import ShapeError, SlamlibError
-from slamlib.geometry.pose import compose, relative
+from slamlib.geometry.pose import compose
 from slamlib.geometry.quaternion import best_pivot, from_rotation
 from slamlib.manifolds import Array, Indices, finite, numbers, read_only_copy
 
@@ -21,11 +21,13 @@ from slamlib.manifolds import Array, Indices, finite, numbers, read_only_copy
 class Trajectory:
     """times (n,) [s], increasing, and the poses (n, 7) of one frame, such as a camera's, in the world; n at least 1.
 
-    Quaternions are normalized. Raises SlamlibError for anything else.
+    Quaternions are normalized. covariances (n, 6, 6), or None where they are not known: of the position [m] along the
+    world's axes and the rotation vector [rad] in the moving frame. Raises SlamlibError for anything else.
     """
 
     times: Array
     poses: Array
+    covariances: Array | None = None
 
     def __post_init__(self) -> None:
         times = numbers(self.times, "Trajectory", "times")
@@ -41,13 +43,18 @@ class Trajectory:
             raise SlamlibError("Trajectory: poses are (x, y, z, w, x, y, z), their last four numbers of length one")
         object.__setattr__(self, "times", read_only_copy(times))
         object.__setattr__(self, "poses", read_only_copy(np.concatenate([poses[:, :3], poses[:, 3:] / length], axis=1)))
+        if self.covariances is not None:
+            known = finite(self.covariances, (len(times), 6, 6), "Trajectory", "covariances")
+            object.__setattr__(self, "covariances", read_only_copy(known))
 
     def __len__(self) -> int:
         return len(self.times)
 
     def __getitem__(self, rows: Any) -> "Trajectory":
         """Select poses, in the order of their times."""
-        return Trajectory(self.times[rows], self.poses[rows])
+        return Trajectory(
+            self.times[rows], self.poses[rows], None if self.covariances is None else self.covariances[rows]
+        )
 
     @property
     def positions(self) -> Array:
@@ -60,40 +67,52 @@ class Trajectory:
         steps = np.linalg.norm(np.diff(self.positions, axis=0), axis=1)
         return np.concatenate([[0.0], np.cumsum(steps)])
 
-    def from_start(self) -> "Trajectory":
-        """The same trajectory in the frame of its first pose."""
-        return Trajectory(self.times, relative(self.poses[0], self.poses))
+    def moved(self, poses: Array, J: Array) -> "Trajectory":
+        """Other poses (n, 7) at the same times, with their Jacobians ((n,) 6, 6) w.r.t. the present ones."""
+        known = None if self.covariances is None else J @ self.covariances @ J.swapaxes(-1, -2)
+        return Trajectory(self.times, poses, known)
 
     def sensor_trajectory(self, extrinsics: Array) -> "Trajectory":
         """The trajectory of a sensor at `extrinsics` (7,) in the moving frame, such as a robot's camera."""
-        return Trajectory(self.times, compose(self.poses, extrinsics))
+        poses, J = compose.jac(self.poses, extrinsics)
+        return self.moved(poses, J[0])
 
 
 def write_tum(path: str | os.PathLike[str], trajectory: Trajectory) -> None:
-    """Write rows of "time x y z qx qy qz qw", TUM RGB-D's format, which evo reads; atomically."""
-    order = [0, 1, 2, 4, 5, 6, 3]
+    """Write rows of "time x y z qx qy qz qw", TUM RGB-D's format, which evo reads; atomically.
+
+    Covariances go into a second file beside it, which ends in .cov: rows of the time and the upper triangle.
+    """
+    poses = trajectory.poses[:, [0, 1, 2, 4, 5, 6, 3]]
+    if trajectory.covariances is not None:
+        upper = trajectory.covariances[:, *_UPPER]
+        _write_rows(beside(path), _COVARIANCES, trajectory.times, upper)
+    _write_rows(path, "time[s] x y z qx qy qz qw", trajectory.times, poses)
+
+
+_COVARIANCES = "time[s], 21 numbers: P11 P12 .. P16 P22 .. P66 of x y z [m] in the world, rotation [rad] in the frame"
+_UPPER = np.triu_indices(6)
+
+
+def beside(path: str | os.PathLike[str]) -> Path:
+    """The file of the covariances of a trajectory's file."""
+    return Path(path).with_suffix(".cov")
+
+
+def _write_rows(path: str | os.PathLike[str], head: str, times: Array, values: Array) -> None:
     rows = (
-        " ".join([f"{time:.9f}", *(f"{value:.12g}" for value in pose[order])])
-        for time, pose in zip(trajectory.times, trajectory.poses, strict=True)
+        " ".join([f"{time:.9f}", *(f"{value:.12g}" for value in row)]) for time, row in zip(times, values, strict=True)
     )
-    write_whole(path, "# time[s] x y z qx qy qz qw\n" + "\n".join(rows) + "\n")
+    write_whole(path, f"# {head}\n" + "\n".join(rows) + "\n")
 
 
 def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) -> Trajectory:
     """Read a trajectory: TUM rows of 8 numbers, KITTI rows of 12 (3 x 4, no times), EuRoC rows with commas (ns).
 
-    times (n,) [s]: of the rows of KITTI's format, which has none; the others have their own. Raises SlamlibError.
+    times (n,) [s]: of the rows of KITTI's format, which has none; the others have their own. Covariances are those of
+    the file that `write_tum` writes beside one, if it is there. Raises SlamlibError.
     """
-    try:
-        text = Path(path).read_text("utf-8")
-    except (OSError, ValueError) as error:
-        raise SlamlibError(f"{path} cannot be read: {error}") from None
-    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
-    with_commas = bool(lines) and "," in lines[0]
-    try:
-        rows = np.array([[float(w) for w in line.replace(",", " ").split()] for line in lines])
-    except ValueError as error:
-        raise SlamlibError(f"{path} is no trajectory: its rows are not numbers, as many in each: {error}") from None
+    rows, with_commas = read_rows(path)
     width = rows.shape[1] if rows.ndim == 2 else 0
     if with_commas and width >= 8:
         times, poses = 1e-9 * rows[:, 0], rows[:, 1:8]
@@ -105,9 +124,45 @@ def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) ->
     else:
         raise SlamlibError(f"{path} is no trajectory: rows of 8 (TUM) or 12 numbers (KITTI), or EuRoC's, are wanted")
     if times is None or len(times) != len(poses):
-        given = "give them, times=..." if times is None else f"{len(times)} are given: as many are wanted"
+        given = (
+            "give them (times=..., --times FILE)" if times is None else f"{len(times)} are given: as many are wanted"
+        )
         raise SlamlibError(f"{path} has {len(poses)} poses, but no times (KITTI's form): {given}")
-    return Trajectory(times, poses)
+    covariances = None
+    if beside(path).is_file() and beside(path) != Path(path):
+        covariances = _read_covariances(path, times)
+    try:
+        return Trajectory(times, poses, covariances)
+    except SlamlibError as error:
+        raise SlamlibError(f"{path}: {error}") from None
+
+
+def _read_covariances(path: str | os.PathLike[str], times: Array) -> Array:
+    """The covariances (n, 6, 6) beside the trajectory in a file, of these times (n,)."""
+    known, _ = read_rows(beside(path))
+    if known.shape != (len(times), 22) or (np.abs(known[:, 0] - times) > 1e-6).any():
+        raise SlamlibError(f"{beside(path)} does not have the covariances of the poses in {path}: move it away")
+    covariances = np.empty((len(times), 6, 6))
+    covariances[:, *_UPPER] = covariances[:, *_UPPER[::-1]] = known[:, 1:]
+    return covariances
+
+
+def read_rows(path: str | os.PathLike[str]) -> tuple[Array, bool]:
+    """The rows of numbers in a file, without comments, and whether commas separate them."""
+    try:
+        text = Path(path).read_text("utf-8")
+    except (OSError, ValueError) as error:
+        raise SlamlibError(f"{path} cannot be read: {error}") from None
+    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
+    try:
+        rows = np.array([[float(w) for w in line.replace(",", " ").split()] for line in lines])
+    except ValueError as error:
+        raise SlamlibError(f"{path} is no trajectory: its rows are not numbers, as many in each: {error}") from None
+    if not np.isfinite(rows).all():
+        raise SlamlibError(
+            f"{path} is no trajectory: nan or infinity in its row {np.argwhere(~np.isfinite(rows))[0, 0]}"
+        )
+    return rows, bool(lines) and "," in lines[0]
 
 
 def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tuple[Indices, Indices]:

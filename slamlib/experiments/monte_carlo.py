@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import atomic_write
+from slamlib.data.files import read_archive, write_archive
 from slamlib.errors import SlamlibError, optional
 from slamlib.evaluation.consistency import Consistency
 from slamlib.experiments.presets import Preset
@@ -52,6 +52,7 @@ class Experiment:
         return Consistency.of(self.nees[:, :, robot], 6)
 
 
+FORMAT = "slamlib finished run"
 NAMES = [f.name for f in fields(Experiment)[1:]]
 
 
@@ -89,12 +90,10 @@ def run_once(preset: Preset, seed: int, folder: Path | None = None) -> dict[str,
     digest = hashlib.sha256(plain.encode()).hexdigest()[:12]
     path = None if folder is None else folder / f"{preset.name}-{digest}-{seed}.npz"
     if path and path.is_file():
-        with np.load(path) as file:
-            return dict(file)
+        return read_archive(path, FORMAT, 1)[1]
     row = _row(preset, seed)
     if path:
-        with atomic_write(path) as partial, partial.open("wb") as stream:
-            np.savez_compressed(stream, **row)
+        write_archive(path, FORMAT, 1, {}, row)
     return row
 
 

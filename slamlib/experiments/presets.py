@@ -5,8 +5,10 @@ Numbers are those of the toolbox's userData files and of its quick start, except
 
 import json
 import os
+import tomllib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -47,7 +49,7 @@ class Preset(Plain):
             if not all(sensor.std):
                 raise SlamlibError(f"{sensor.name}: std should be above 0, for the filter, got {sensor.std}")
 
-    @property
+    @cached_property
     def world(self) -> World:
         """The world."""
         return join(*(world(name, **arguments) for name, arguments in self.worlds))
@@ -77,8 +79,6 @@ class Preset(Plain):
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> "Preset":
         """Read a preset as JSON (from `save` or by hand) or, by the file's suffix, TOML. Raises SlamlibError."""
-        import tomllib
-
         source = Path(path)
         try:
             text = source.read_text("utf-8")
@@ -118,8 +118,7 @@ def lines() -> Preset:
 
 def omni() -> Preset:
     """Quick start 13: `points` with the omnidirectional camera of userData, which points forward and down."""
-    backward = (447.3, 0.0, -1.068e-3, 1.184e-6, -1.856e-9)
-    lens = polynomials(np.radians(95), backward=backward)
+    lens = polynomials(np.radians(95), backward=(447.3, 0.0, -1.068e-3, 1.184e-6, -1.856e-9))
     camera = SensorSetup(
         type="omniCam",
         position=(0.2, 0.0, 1.2),

@@ -12,13 +12,14 @@ from slamlib.data.files import complete
 from slamlib.data.records import Frame, Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
+from slamlib.evaluation.consistency import nees_where_uncertain
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.observation import FAMILIES
 from slamlib.slam import Report, Slam
 
-COLUMNS = ("errors", "sigmas", "nees", "nis", "nis_dof", "landmarks", "size", "seconds")
+COLUMNS = ("errors", "sigmas", "nees", "nis", "nis_dof", "landmarks", "size", "seconds", "extrinsics")
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,7 +27,8 @@ class Result:
     """Results of a run: per frame (n,), and for each of r robots.
 
     errors (n, r, 6): true pose minus estimate, in the tangent space; sigmas (n, r, 6): their estimated standard
-    deviations; nees (n, r), 6 degrees of freedom. nis (n,) and its degrees of freedom nis_dof (n,): of all inliers.
+    deviations; nees (n, r), 6 degrees of freedom. extrinsics (n, s, 2, 6): errors and deviations of the sensors', zero
+    where they are given. nis (n,) and its degrees of freedom nis_dof (n,): of all inliers.
     landmarks, size, seconds (n,): of the map, of the state, and of the processor. initialized, deleted: in the whole
     run. map_errors: by family, distances [m] (k,) of the landmarks in the final map from the truth.
     """
@@ -40,6 +42,7 @@ class Result:
     landmarks: Array
     size: Array
     seconds: Array
+    extrinsics: Array
     initialized: int
     deleted: int
     map_errors: dict[str, Array]
@@ -99,11 +102,17 @@ class Run:
             P = self.slam.belief.covariance(robot.block)[:6, :6]
             errors.append(e.tolist())
             sigmas.append(np.sqrt(P.diagonal()).tolist())
-            nees.append(_nees(e, P))
+            nees.append(nees_where_uncertain(e, P))
         inliers = [prediction for each in self.slam.predictions for prediction in each if prediction.inlier]
         nis, dof = sum(prediction.nis for prediction in inliers), sum(len(prediction.S) for prediction in inliers)
-        row = [errors, sigmas, nees, nis, dof, len(self.slam.landmarks), self.slam.belief.size, seconds]
-        self._history.append(row)
+        extrinsics = np.zeros((len(self.slam.sensors), 2, 6))
+        for row, sensor, true in zip(extrinsics, self.slam.sensors, truth.extrinsics, strict=True):
+            if sensor.block is not None:
+                row[0] = Pose.minus(true, sensor.extrinsics)
+                row[1] = np.sqrt(self.slam.belief.covariance(sensor.block).diagonal())
+        size = self.slam.belief.size
+        landmarks = len(self.slam.landmarks)
+        self._history.append([errors, sigmas, nees, nis, dof, landmarks, size, seconds, extrinsics.tolist()])
 
     def result(self) -> Result:
         """Results so far. Raises SlamlibError before the first frame."""
@@ -134,16 +143,10 @@ class Run:
         with complete(path):
             run = cls(Preset.from_dict(extra["preset"]))
             run.slam, run._history = slam, extra["history"]
+            if any(len(row) != len(COLUMNS) for row in run._history):
+                raise ValueError("its frames have other columns than those of this version")
             run._initialized, run._deleted = extra["initialized"], extra["deleted"]
         return run
-
-
-def _nees(error: Array, covariance: Array) -> float:
-    """NEES of a pose; nan where the pose is known exactly, as at a start without uncertainty."""
-    try:
-        return float(error @ np.linalg.solve(covariance, error))
-    except np.linalg.LinAlgError:
-        return float("nan")
 
 
 def map_errors(snapshot: Snapshot, world: World) -> dict[str, Array]:

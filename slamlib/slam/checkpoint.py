@@ -15,7 +15,7 @@ from slamlib.observation import parametrization
 from slamlib.slam.entities import Landmark
 from slamlib.slam.options import Options
 
-FORMAT, VERSION = "slamlib filter", 2
+FORMAT, VERSION = "slamlib filter", 3
 HISTORY = ("id", "first_seen", "searched", "matched", "inliers", "sensor", "last_seen")  # saved fields of a landmark
 
 
@@ -55,7 +55,7 @@ def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
 
 def read(path: str | os.PathLike[str]) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the header and the arrays of a file. Raises SlamlibError for any other file, or an incomplete one."""
-    return read_archive(path, FORMAT, VERSION, "files of before rows had names cannot be read; run it anew and save it")
+    return read_archive(path, FORMAT, VERSION, "run it anew and save it")
 
 
 def load(path: str | os.PathLike[str], front_ends: Any, make: Any) -> tuple[Any, dict[str, Any]]:

@@ -120,6 +120,30 @@ def test_compare_on_the_same_runs(capsys, tmp_path):
     assert "95 % band" in capsys.readouterr().out
 
 
+def test_presets_have_a_table_each(capsys):
+    assert main(["compare", "ahmPnt", "plkLin", "idpPnt", "--runs", "1", "--frames", "3"]) == 0
+    points, lines = capsys.readouterr().out.split("\n\n")
+    assert points.startswith("Preset points: 1 runs of 3 frames")
+    assert [line.split()[0] for line in points.splitlines()[-2:]] == ["ahmPnt", "idpPnt"]
+    assert lines.startswith("Preset lines:")
+    assert "plkLin" in lines
+
+
+def test_the_estimated_extrinsics_are_in_the_table(capsys):
+    assert main(["run", "stereo", "--calibrate", "--frames", "20", "--json"]) == 0
+    (found,) = json.loads(capsys.readouterr().out)["extrinsics"]
+    assert found["name"] == "right"
+    assert 0 < found["position_error"] < 4 * found["position_sigma"] < 0.08
+    assert 0 < found["attitude_error"] < 4 * found["attitude_sigma"] < 2
+    assert main(["run", "stereo", "--calibrate", "--frames", "20"]) == 0
+    text = capsys.readouterr().out
+    assert "right: extrinsics error" in text
+    assert f"(sigma {100 * found['position_sigma']:.1f} cm)" in text
+    assert text.count("at frame 20") == 3
+    assert main(["run", "stereo", "--frames", "5", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["extrinsics"] == []
+
+
 def test_an_interrupted_run_goes_on(tmp_path, monkeypatch, capsys):
     whole = Run.load(_saved(tmp_path, "whole", ["run", "points", *SHORT])).result()
 

@@ -14,6 +14,7 @@ from slamlib.cli import main
 from slamlib.datasets.calibrations import read_calibration
 from slamlib.errors import SlamlibError
 from slamlib.experiments.presets import PRESETS, Preset, preset
+from slamlib.experiments.runs import Run
 
 BASE = {**json.loads(json.dumps(preset("points").to_dict())), "frames": 2}
 WRONG = st.one_of(
@@ -49,9 +50,9 @@ def places(data, path=()):
         yield from places(value, (*path, name))
 
 
-def changed(path, value):
-    """The base preset with one value replaced."""
-    data = json.loads(json.dumps(BASE))
+def changed(path, value, base=BASE):
+    """Plain data, the base preset, with one value replaced."""
+    data = json.loads(json.dumps(base))
     *outer, last = path
     inner = data
     for name in outer:
@@ -231,3 +232,48 @@ def test_version_and_lists(capsys):
     for what, word in (("points", "1/m"), ("worlds", "n=9"), ("search", "patch = 11"), ("calibrations", "ROS")):
         assert main(["list", what]) == 0
         assert word in capsys.readouterr().out
+
+
+def test_a_damaged_run_of_a_comparison_is_named(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    words = ["compare", "ahmPnt", "--runs", "2", "--frames", "3", "--folder", "finished", "--json"]
+    assert main(words) == 0
+    first = capsys.readouterr().out
+    damaged = sorted((tmp_path / "finished").iterdir())[1]
+    whole = damaged.read_bytes()
+    for broken in (whole[: len(whole) // 2], b"", b"PK"):
+        damaged.write_bytes(broken)
+        assert main(words) == 2
+        assert (
+            f"finished/{damaged.name} cannot be read: it is damaged, or no slamlib finished run"
+            in capsys.readouterr().err
+        )
+    damaged.unlink()
+    assert main(words) == 0
+    again = json.loads(capsys.readouterr().out)
+    for one, other in zip(again, json.loads(first), strict=True):
+        del one["milliseconds_per_frame"], other["milliseconds_per_frame"]
+        assert one == other
+
+
+def test_a_run_of_another_version_is_named(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["run", "points", "--frames", "3", "--save", "run.npz"]) == 0
+    run = Run.load("run.npz")
+    for row in run._history:
+        del row[-1]
+    run.save("old.npz")
+    assert main(["run", "--resume", "old.npz", "--frames", "5"]) == 2
+    assert "old.npz is incomplete, or has been changed" in capsys.readouterr().err
+
+
+def test_blank_pictures_are_no_success(tmp_path, monkeypatch, capsys):
+    cv2 = pytest.importorskip("cv2", reason="OpenCV writes the pictures")
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "blank").mkdir()
+    for i in range(20):
+        cv2.imwrite(f"blank/{i}.png", np.full((120, 160), 128, np.uint8))
+    camera = {"image": [160, 120], "parameters": {"intrinsics": [80, 60, 120, 120], "distortion": [0.0]}}
+    (tmp_path / "camera.json").write_text(json.dumps(camera))
+    assert main(["run", "images", "--source", "blank", "--calibration", "camera.json"]) == 2
+    assert "nothing was matched in any picture: are they blank, dark" in capsys.readouterr().err

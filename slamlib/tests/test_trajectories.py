@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.alignment import Similarity, align, align_trajectory, relative_pose_errors, straightness
+from slamlib.evaluation.alignment import Similarity, align, align_trajectory, straightness
+from slamlib.evaluation.comparison import parts
 from slamlib.evaluation.trajectory import Trajectory, associate, read_trajectory, write_tum
-from slamlib.geometry.pose import compose
+from slamlib.geometry.pose import compose, relative
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.tests.pictures import DATA
 
@@ -166,29 +167,31 @@ def test_misuse_of_alignment_is_named():
 def test_errors_over_parts_of_the_path():
     there = walk(np.random.default_rng(9), 400)
     long = Trajectory(there.times, there.poses * [1.02, 1.02, 1.02, 1, 1, 1, 1])
-    found = relative_pose_errors(long, there, (2.0, 5.0, 1000.0))
-    np.testing.assert_array_less(found.translation[:2], 0.02 + 1e-12)  # of a bent part the chord is 2 % too long
-    assert found.counts[2] == 0
-    assert np.isnan(found.translation[2])
-    np.testing.assert_allclose(found.rotation[:2], 0, atol=1e-9)
+    found = parts(long, there, (2.0, 5.0, 1000.0))
+    np.testing.assert_array_less(found["translation"][:2], 0.02 + 1e-12)  # of a bent part the chord is 2 % too long
+    assert found["counts"][2] == 0
+    assert np.isnan(found["translation"][2])
+    np.testing.assert_allclose(found["rotation"][:2], 0, atol=1e-9)
     # a constant error of the heading, 0.01 rad a step, over steps of one metre
     x = np.arange(300.0)
     straight = np.stack([x, 0 * x, 0 * x, 1 + 0 * x, 0 * x, 0 * x, 0 * x], axis=1)
     turned = np.concatenate([straight[:, :3], exponential(np.stack([0 * x, 0 * x, 0.01 * x], axis=1))], axis=1)
-    found = relative_pose_errors(Trajectory(x, turned), Trajectory(x, straight), (99.5,), step=10)
-    assert found.rotation[0] == pytest.approx(1.0 / 99.5)
-    assert found.counts[0] == 20
+    found = parts(Trajectory(x, turned), Trajectory(x, straight), (99.5,), step=10)
+    assert found["rotation"][0] == pytest.approx(np.degrees(1.0 / 99.5))
+    assert found["counts"][0] == 20
     with pytest.raises(SlamlibError, match="give shorter lengths"):
-        relative_pose_errors(there, there)
+        parts(there, there, (500.0,))
 
 
 def test_nothing_depends_on_where_the_world_is():
     rng = np.random.default_rng(10)
     there = walk(rng)
     moved = Similarity(1.0, anyhow(rng).rotation, rng.normal(size=3)).moved(there)
-    np.testing.assert_allclose(moved.from_start().positions, there.from_start().positions, atol=1e-12)
-    found = relative_pose_errors(there, moved, (1.0,), step=1)
-    assert found.translation[0] < 1e-12
+    np.testing.assert_allclose(
+        relative(moved.poses[0], moved.poses)[:, :3], relative(there.poses[0], there.poses)[:, :3], atol=1e-12
+    )
+    found = parts(there, moved, (1.0,), step=1)
+    assert found["translation"][0] < 1e-12
 
 
 def test_the_two_references_of_a_real_sequence_agree():

@@ -1,0 +1,99 @@
+"""A map as a file for other programs: PLY for viewers of point clouds, JSON and CSV with the covariances.
+
+A point is one vertex, a segment is two, its endpoints; lengths in metres, in the world's frame.
+"""
+
+import json
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from slamlib.data.files import write_whole
+from slamlib.data.snapshots import Snapshot
+from slamlib.errors import entry
+from slamlib.manifolds import Array
+
+_UPPER = np.triu_indices(3)
+
+
+class Vertex(NamedTuple):
+    """A point (3,) of a landmark with its covariance (3, 3); number: 0, and 1 for a segment's second endpoint."""
+
+    family: str
+    id: int
+    kind: str
+    converged: bool
+    number: int
+    position: Array
+    covariance: Array
+
+
+def vertices(snapshot: Snapshot) -> Iterator[Vertex]:
+    """The points of all landmarks of a snapshot."""
+    for family, shown in snapshot.landmarks.items():
+        for row, landmark in enumerate(shown.ids.tolist()):
+            places, covariances = shown.geometry[row].reshape(-1, 3), shown.covariance[row].reshape(-1, 3, 3)
+            for number, place in enumerate(places):
+                about = landmark, shown.kinds[row], bool(shown.converged[row]), number
+                yield Vertex(family, *about, place, covariances[number])
+
+
+def _json(snapshot: Snapshot) -> str:
+    """One object a landmark; null for a point at infinity."""
+    landmarks: dict[tuple[str, int], dict[str, Any]] = {}
+    for v in vertices(snapshot):
+        about = {"family": v.family, "id": v.id, "kind": v.kind, "converged": v.converged, "vertices": []}
+        found = landmarks.setdefault((v.family, v.id), about)
+        finite = bool(np.isfinite([*v.position, *v.covariance.ravel()]).all())
+        numbers = {"position": v.position.tolist(), "covariance": v.covariance.tolist()}
+        found["vertices"].append(numbers if finite else dict.fromkeys(numbers))
+    about = {"frame": snapshot.number, "time": snapshot.time, "unit": "m", "landmarks": [*landmarks.values()]}
+    return json.dumps(about, indent=1) + "\n"
+
+
+def _csv(snapshot: Snapshot) -> str:
+    """One row a vertex; nan for a coordinate of a point at infinity."""
+    head = "family,id,kind,converged,vertex,x,y,z,xx,xy,xz,yy,yz,zz"
+    rows = (
+        f"{v.family},{v.id},{v.kind},{int(v.converged)},{v.number},"
+        + ",".join(f"{value:.12g}" for value in (*v.position, *v.covariance[_UPPER]))
+        for v in vertices(snapshot)
+    )
+    return "\n".join([head, *rows]) + "\n"
+
+
+def _ply(snapshot: Snapshot) -> str:
+    """Vertices with the largest standard deviation of each, edges for segments; points at infinity are left out."""
+    found = list(vertices(snapshot))
+    complete = {(v.family, v.id) for v in found} - {
+        (v.family, v.id) for v in found if not np.isfinite([*v.position, *v.covariance.ravel()]).all()
+    }
+    drawn = [v for v in found if (v.family, v.id) in complete]
+    edges = [f"{i - 1} {i}" for i, v in enumerate(drawn) if v.number]
+    head = [
+        "ply", "format ascii 1.0", "comment slamlib: a map [m]; std is the largest standard deviation of the position",
+        f"element vertex {len(drawn)}", *(f"property double {name}" for name in ("x", "y", "z", "std")),
+        "property int id", f"element edge {len(edges)}", "property int vertex1", "property int vertex2", "end_header",
+    ]  # fmt: skip
+    rows = [
+        " ".join([*(f"{x:.9g}" for x in v.position), f"{np.sqrt(np.linalg.eigvalsh(v.covariance)[-1]):.6g} {v.id}"])
+        for v in drawn
+    ]
+    return "\n".join([*head, *rows, *edges]) + "\n"
+
+
+FORMATS = {".ply": _ply, ".json": _json, ".csv": _csv}
+
+
+def check(path: str | os.PathLike[str]) -> None:
+    """Raise SlamlibError for a path whose ending is of no format."""
+    entry("ending of a map's file", Path(path).suffix.lower(), FORMATS)
+
+
+def write(path: str | os.PathLike[str], snapshot: Snapshot) -> None:
+    """Write the map of a snapshot, atomically, in the format of the path's ending. Raises SlamlibError."""
+    check(path)
+    write_whole(path, FORMATS[Path(path).suffix.lower()](snapshot))

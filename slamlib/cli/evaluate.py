@@ -1,0 +1,44 @@
+"""Compare a trajectory with a reference: ATE and RPE as evo does, KITTI's metric, NEES where covariances are known."""
+
+import argparse
+import json
+from pathlib import Path
+
+import numpy as np
+
+from slamlib.cli import arguments as shared
+from slamlib.cli import runner
+from slamlib.evaluation.comparison import compared, rows
+from slamlib.evaluation.trajectory import read_rows, read_trajectory
+
+EXAMPLES = """examples:
+  slamlib evaluate path.txt groundtruth.txt
+  slamlib evaluate path.txt groundtruth.txt --scale --plot errors.svg
+  slamlib evaluate poses.txt sequences/04/poses.txt --times sequences/04/times.txt --json
+
+Both files are of one moving frame, such as a camera; TUM, EuRoC or KITTI format. Times are matched to 0.02 s, or to
+half of the path's own interval. Covariances are read from path.cov, which slamlib writes beside path.txt.
+"""
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments of `slamlib evaluate`."""
+    parser.add_argument("path", help="the estimated trajectory")
+    parser.add_argument("reference", help="the trajectory to compare with")
+    parser.add_argument("--scale", action="store_true", help="align the scale too: the path of one camera has none")
+    parser.add_argument("--times", metavar="FILE", help="one time [s] a row, for files in KITTI's format")
+    parser.add_argument("--plot", metavar="FILE", help=shared.PLOT)
+    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+
+
+def execute(given: argparse.Namespace) -> int:
+    """Print the comparison, and draw it."""
+    runner.check_files(given)
+    times = read_rows(given.times)[0][:, 0] if given.times else None
+    path, reference = (read_trajectory(name, times) for name in (given.path, given.reference))
+    interval = float(np.median(np.diff(path.times))) if len(path) > 1 else 0.0
+    found, series = compared(path, reference, interval, not given.scale)
+    runner.export(given, None, {Path(given.path).name: series})
+    print(json.dumps(found, indent=2) if given.json else shared.aligned_rows(rows(found)))
+    return 0

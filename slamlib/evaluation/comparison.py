@@ -1,0 +1,168 @@
+"""A trajectory compared with a reference, as plain data: what `slamlib evaluate` and runs on images report.
+
+ATE and RPE are those of evo (Grupp, github.com/MichaelGrupp/evo) and of Sturm and others (2012): the distances and
+angles that remain after an alignment, and those of the motions from each pose to the next.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from slamlib.errors import SlamlibError
+from slamlib.evaluation.alignment import align_trajectory, check_pairs
+from slamlib.evaluation.consistency import band, nees_where_uncertain, share_inside
+from slamlib.evaluation.trajectory import Trajectory, angles, associate
+from slamlib.geometry.pose import Pose, compose, inverse, relative
+from slamlib.manifolds import Array
+
+DOF = 6
+KITTI_LENGTHS = tuple(map(float, range(100, 900, 100)))  # [m]
+
+
+def compared(
+    path: Trajectory, reference: Trajectory, interval: float, metric: bool
+) -> tuple[dict[str, Any], dict[str, Array]]:
+    """Errors of the trajectory against a reference of the same moving frame; a free scale is aligned.
+
+    interval [s]: between two poses; metric: whether the scale is known. Lengths in the reference's unit, angles in
+    degrees. NEES needs a known scale and a path with covariances. Second the errors of each pose, arrays (n,) by name,
+    for a plot: after the alignment, or from the first common pose on where NEES is known. Raises SlamlibError.
+    """
+    i, j = associate(path, reference, max(0.02, 0.5 * interval))
+    estimate, other = path[i], reference[j]
+    found = align_trajectory(estimate, other, scale=not metric)
+    orientation = np.degrees(found.orientation)
+    series = {"times": other.times, "position": found.position, "orientation": orientation}
+    uncertain = metric and estimate.covariances is not None
+    series |= _nees(estimate, other) if uncertain else {}
+    steps = _motion_errors(found.estimate, other, slice(None, -1), slice(1, None))
+    summary = {
+        "poses": len(estimate),
+        "path_length": found.path,
+        "scale": found.similarity.scale,
+        "rotation_from": found.rotation_from,
+        "ate": found.ate,
+        "relative_ate": found.relative_ate,
+        "orientation_rms": float(np.sqrt((orientation**2).mean())),
+        "position": statistics(found.position),
+        "orientation": statistics(orientation),
+        "rpe": dict(zip(("position", "orientation"), map(statistics, steps), strict=True)) if len(steps[0]) else None,
+        "parts": parts(estimate, other) if metric else None,
+        "nees": _consistency(series["nees"]) if uncertain else None,
+    }
+    return summary, series
+
+
+def statistics(values: Array) -> dict[str, float]:
+    """The six numbers by which evo describes errors (n,)."""
+    found = {
+        "rmse": np.sqrt((values**2).mean()), "mean": values.mean(), "median": np.median(values), "std": values.std(),
+        "min": values.min(), "max": values.max(),
+    }  # fmt: skip
+    return {name: float(value) for name, value in found.items()}
+
+
+def _motion_errors(estimate: Trajectory, reference: Trajectory, i: Any, j: Any) -> tuple[Array, Array]:
+    """Lengths and angles [degrees] (n,) of the errors of the motions from the poses i to the poses j."""
+    motions = [relative(path.poses[i], path.poses[j]) for path in (reference, estimate)]
+    error = compose(inverse(motions[0]), motions[1])
+    return np.linalg.norm(error[:, :3], axis=1), np.degrees(angles(error[:, 3:]))
+
+
+def _nees(estimate: Trajectory, reference: Trajectory) -> dict[str, Array]:
+    """NEES (n,) of the poses, their errors and standard deviations, with the reference placed at the first common pose.
+
+    A filter's covariance is of its pose relative to where it started, not to where a best alignment puts it.
+    """
+    start = relative(inverse(estimate.poses[0]), inverse(reference.poses[0]))
+    errors = Pose.minus(compose(start, reference.poses), estimate.poses)
+    covariances = np.asarray(estimate.covariances)
+    nees = np.array([nees_where_uncertain(e, P) for e, P in zip(errors, covariances, strict=True)])
+    variance = covariances.diagonal(axis1=1, axis2=2)
+    return {
+        "nees": nees,
+        "position": np.linalg.norm(errors[:, :3], axis=1),
+        "orientation": np.degrees(np.linalg.norm(errors[:, 3:], axis=1)),
+        "position_sigma": np.sqrt(variance[:, :3].sum(1)),
+        "orientation_sigma": np.degrees(np.sqrt(variance[:, 3:].sum(1))),
+    }
+
+
+def _consistency(nees: Array) -> dict[str, Any] | None:
+    known = nees[np.isfinite(nees)]
+    if not len(known):
+        return None
+    limits = band(DOF)
+    return {
+        "dof": DOF, "median": float(np.median(known)), "last": float(known[-1]), "band": list(limits),
+        "inside": share_inside(known, limits),
+    }  # fmt: skip
+
+
+def rows(r: dict[str, Any]) -> list[tuple[str, str]]:
+    """The rows of a comparison as texts (name, value)."""
+    p, o, step, part, nees = r["position"], r["orientation"], r["rpe"], r["parts"], r["nees"]
+    turned = f"rotation from the {r['rotation_from']}"
+    found = [
+        ("aligned with reference", f"{r['poses']} poses, scale {r['scale']:.4g}, {turned}"),
+        ("absolute trajectory error", f"{r['ate']:.4g} RMSE, {r['relative_ate']:.2%} of the path of "
+         f"{r['path_length']:.4g}; median {p['median']:.4g}, max {p['max']:.4g}"),
+        ("orientation error", f"{r['orientation_rms']:.2f} degrees rms; median {o['median']:.2f}, max {o['max']:.2f}"),
+    ]  # fmt: skip
+    if step:
+        moved, turn = step["position"]["rmse"], step["orientation"]["rmse"]
+        found.append(
+            ("relative error per step", f"{moved:.4g} and {turn:.3g} degrees RMSE, from each pose to the next")
+        )
+    if part:
+        means = f"{part['translation_mean']:.3%} of the length, {part['rotation_mean']:.4f} degrees per metre"
+        lengths = f"{part['lengths'][0]:g} to {part['lengths'][-1]:g} m"
+        found.append((f"error over parts of {lengths}", f"{means} (KITTI's metric)"))
+    if nees:
+        low, high = nees["band"]
+        inside = f"{nees['inside']:.0%} of the poses inside [{low:.2f}, {high:.2f}] (1 run, 95 %)"
+        found.append((f"NEES, {DOF} dof", f"median {nees['median']:.3g}, last {nees['last']:.3g}; {inside}"))
+    return found
+
+
+def parts(
+    estimate: Trajectory, reference: Trajectory, lengths: tuple[float, ...] = (), step: int = 0
+) -> dict[str, Any] | None:
+    """KITTI's relative pose error: the motion over each segment of a given length [m], against the true one.
+
+    The two are pairs, row by row, of the same body (one camera, say), and in one unit; no alignment is needed. Segments
+    start at each step-th pose, and end at the first pose that is a length further along the reference. For each length
+    the number of segments, the error of translation per length (0.01 is 1 %) and that of rotation [degrees/m], nan
+    where no segment is so long; and the means over all segments. None if no lengths are given and the path is too short
+    for those of `lengths_of`. Raises SlamlibError if it is shorter than all that are given.
+    """
+    check_pairs(estimate, reference)
+    along, every = reference.distances, step or min(10, max(1, len(reference) // 100))
+    chosen, starts = lengths or lengths_of(float(along[-1])), np.arange(0, len(along), every)
+    if not chosen:
+        return None
+    if not along[-1] > min(chosen):
+        raise SlamlibError(f"the path is {along[-1]:.4g} long, shorter than all of {chosen}: give shorter lengths")
+    counts, translation, turn = np.zeros(len(chosen), dtype=int), *np.full((2, len(chosen)), np.nan)
+    for row, length in enumerate(chosen):
+        stops = np.searchsorted(along, along[starts] + length, side="right")
+        i, j = starts[stops < len(along)], stops[stops < len(along)]
+        if len(i):
+            off, turned = _motion_errors(estimate, reference, i, j)
+            counts[row], translation[row], turn[row] = len(i), off.mean() / length, turned.mean() / length
+    shares = counts / counts.sum()
+    return {
+        "lengths": list(chosen),
+        "counts": counts.tolist(),
+        "translation": translation.tolist(),
+        "rotation": turn.tolist(),
+        "translation_mean": float(shares @ translation),
+        "rotation_mean": float(shares @ turn),
+    }
+
+
+def lengths_of(path: float) -> tuple[float, ...]:
+    """KITTI's eight lengths [m], or the same divided by a round factor, so that a trajectory has parts of all."""
+    units = [unit * 10.0**power for power in range(-3, 2) for unit in (1, 2, 5)] + [100.0]
+    unit = max((u for u in units if 9 * u <= path), default=0.0)
+    return tuple(length * unit / KITTI_LENGTHS[0] for length in KITTI_LENGTHS) if unit else ()

@@ -1,0 +1,206 @@
+"""`slamlib evaluate`, and what runs export: trajectories with covariances, maps, plots of the errors."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from slamlib.cli import main
+from slamlib.errors import SlamlibError
+from slamlib.evaluation.alignment import Similarity
+from slamlib.evaluation.comparison import compared
+from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
+from slamlib.experiments.runs import Run
+from slamlib.geometry.pose import Pose, compose
+from slamlib.geometry.quaternion import exponential, rotation
+
+COUNT, DT = 400, 0.1
+
+
+@pytest.fixture(autouse=True)
+def _elsewhere(tmp_path, monkeypatch):
+    """Files are written to the present folder."""
+    monkeypatch.chdir(tmp_path)
+
+
+def truth(count=COUNT):
+    """A path around a bent circle of 10 m."""
+    a = np.linspace(0, 6, count)
+    places = np.stack([10 * np.cos(a), 10 * np.sin(a), np.sin(3 * a)], axis=1)
+    return Trajectory(DT * np.arange(count), np.concatenate([places, exponential(np.outer(a, [0, 0, 1]))], axis=1))
+
+
+def estimated(path, rng, scale=1.0):
+    """Each pose with an error of its own covariance, which is larger or smaller than claimed by a factor `scale`."""
+    roots = rng.standard_normal((len(path), 6, 6)) * [0.1, 0.1, 0.1, 0.01, 0.01, 0.01]
+    covariances = roots.swapaxes(1, 2) @ roots
+    errors = np.einsum("nij,ni->nj", roots, scale * rng.standard_normal((len(path), 6)))
+    errors[0] = 0
+    return Trajectory(path.times, Pose.plus(path.poses, errors), covariances)
+
+
+def printed(words, capsys):
+    assert main(words) == 0
+    return json.loads(capsys.readouterr().out)
+
+
+@pytest.mark.parametrize(("scale", "low", "high"), [(1.0, 0.92, 0.98), (0.2, -1, 0.1), (3.0, -1, 0.2)])
+def test_nees_says_whether_the_covariances_are_right(scale, low, high, capsys):
+    rng = np.random.default_rng(5)
+    moved = np.concatenate([[3.0, -2, 1], exponential(np.array([0.3, 0.1, -2]))])
+    path = estimated(truth(), rng, scale)
+    write_tum("path.txt", path)
+    write_tum("truth.txt", Trajectory(path.times, compose(moved, truth().poses)))  # in axes of its own
+    found = printed(["evaluate", "path.txt", "truth.txt", "--json"], capsys)
+    assert low < found["nees"]["inside"] < high
+    assert found["scale"] == 1.0
+    assert found["nees"]["dof"] == 6
+
+
+def test_absolute_and_relative_errors_are_those_of_evo(capsys):
+    """The definitions of evo, written out: distances and angles after Umeyama's alignment; and from pose to pose."""
+    path, there = estimated(truth(), np.random.default_rng(1)), truth()
+    write_tum("path.txt", path)
+    write_tum("truth.txt", there)
+    found = printed(["evaluate", "path.txt", "truth.txt", "--json"], capsys)
+    x, y = path.positions - path.positions.mean(0), there.positions - there.positions.mean(0)
+    U, _, V = np.linalg.svd(y.T @ x)
+    distances = np.linalg.norm(x @ (U @ np.diag([1, 1, np.linalg.det(U @ V)]) @ V).T - y, axis=1)
+    assert found["ate"] == found["position"]["rmse"] == pytest.approx(np.sqrt((distances**2).mean()), rel=1e-9)
+    for name, f in (("mean", np.mean), ("median", np.median), ("std", np.std), ("min", np.min), ("max", np.max)):
+        assert found["position"][name] == pytest.approx(f(distances), rel=1e-8)
+    matrices = []
+    for trajectory in (there, path):
+        T = np.tile(np.eye(4), (COUNT, 1, 1))
+        T[:, :3, :3], T[:, :3, 3] = rotation(trajectory.poses[:, 3:]), trajectory.positions
+        matrices.append(np.linalg.inv(T[:-1]) @ T[1:])
+    error = np.linalg.inv(matrices[0]) @ matrices[1]
+    turned = np.degrees(np.arccos(np.clip((np.trace(error[:, :3, :3], axis1=1, axis2=2) - 1) / 2, -1, 1)))
+    moved = np.linalg.norm(error[:, :3, 3], axis=1)
+    assert found["rpe"]["position"]["rmse"] == pytest.approx(np.sqrt((moved**2).mean()), rel=1e-8)
+    assert found["rpe"]["orientation"]["mean"] == pytest.approx(turned.mean(), rel=1e-6)
+
+
+def test_a_path_of_one_camera_needs_its_scale_aligned(capsys):
+    there = truth()
+    small = np.concatenate([0.25 * there.positions, there.poses[:, 3:]], axis=1)
+    write_tum("path.txt", Trajectory(there.times, small, np.tile(np.eye(6), (COUNT, 1, 1))))
+    write_tum("truth.txt", there)
+    assert printed(["evaluate", "path.txt", "truth.txt", "--json"], capsys)["ate"] > 1
+    found = printed(["evaluate", "path.txt", "truth.txt", "--scale", "--json"], capsys)
+    assert (found["scale"], found["ate"]) == (pytest.approx(4), pytest.approx(0, abs=1e-9))
+    assert found["nees"] is None  # of a path without a scale
+    assert main(["evaluate", "path.txt", "truth.txt", "--plot", "errors.svg"]) == 0
+    text = capsys.readouterr().out
+    assert "NEES, 6 dof" in text
+    assert "relative error per step" in text
+
+
+def test_kittis_poses_with_their_times(capsys):
+    there = truth(30)
+    rows = np.concatenate([rotation(there.poses[:, 3:]), there.positions[:, :, None]], axis=2).reshape(-1, 12)
+    np.savetxt("poses.txt", rows)
+    np.savetxt("times.txt", there.times)
+    write_tum("path.txt", there)
+    assert printed(["evaluate", "path.txt", "poses.txt", "--times", "times.txt", "--json"], capsys)["ate"] < 1e-9
+    assert main(["evaluate", "path.txt", "poses.txt"]) == 2
+    assert "no times (KITTI's form): give them (times=..., --times FILE)" in capsys.readouterr().err
+
+
+def test_covariances_stand_beside_the_path():
+    path = estimated(truth(50), np.random.default_rng(2))
+    write_tum("path.txt", path)
+    again = read_trajectory("path.txt")
+    np.testing.assert_allclose(again.covariances, path.covariances, rtol=1e-11)
+    assert again[3:9].covariances.shape == (6, 6, 6)
+    assert [len(line.split()) for line in Path("path.txt").read_text().splitlines()][1] == 8  # what evo reads
+    write_tum("path.txt", truth(49))
+    with pytest.raises(
+        SlamlibError, match=r"path\.cov does not have the covariances of the poses in path\.txt: move it"
+    ):
+        read_trajectory("path.txt")
+
+
+def test_covariances_go_with_the_axes():
+    """Those of many errors that are drawn, and moved one by one."""
+    rng = np.random.default_rng(3)
+    root = 1e-4 * rng.standard_normal((6, 6))
+    pose, extrinsics = Pose.random(rng), Pose.random(rng)
+    errors = rng.standard_normal((20000, 6)) @ root.T
+    drawn = Trajectory(np.arange(20000.0), Pose.plus(pose, errors))
+    one = Trajectory([0.0], pose[None], (root @ root.T)[None])
+    bent = Similarity(2.5, rotation(exponential(np.array([0.4, -1, 2]))), np.array([1.0, 2, 3]))
+    for way in (lambda t: t.sensor_trajectory(extrinsics), bent.moved):
+        found = Pose.minus(way(drawn).poses, way(one).poses[0])
+        expected = way(one).covariances[0]
+        scale = np.sqrt(np.outer(expected.diagonal(), expected.diagonal()))
+        assert np.abs((np.cov(found.T) - expected) / scale).max() < 0.05
+
+
+def test_maps_in_three_formats():
+    words = ["run", "points_and_lines", "--frames", "12", "--overwrite"]
+    for ending in ("ply", "json", "csv"):
+        assert main([*words, "--map", f"new/map.{ending}", "--save", "run.npz"]) == 0
+    shown = Run.load("run.npz").slam.snapshot()
+    points, lines = shown.points, shown.landmarks["segments"]
+    table = np.genfromtxt("new/map.csv", delimiter=",", names=True, dtype=None, encoding="utf-8")
+    assert len(table) == len(points.ids) + 2 * len(lines.ids) > 5
+    rows = table[table["family"] == "points"]
+    np.testing.assert_allclose(np.stack([rows[n] for n in "xyz"], axis=1), points.geometry, rtol=1e-10)
+    np.testing.assert_allclose(rows["xy"], points.covariance[:, 0, 1], rtol=1e-10)
+    held = json.loads(Path("new/map.json").read_text())
+    assert [each["id"] for each in held["landmarks"]] == [*points.ids.tolist(), *lines.ids.tolist()]
+    assert held["landmarks"][-1]["vertices"][1]["position"] == lines.geometry[-1, 1].tolist()
+    head, body = Path("new/map.ply").read_text().split("end_header\n")
+    vertices = int(head.split("element vertex ")[1].split()[0])
+    edges = int(head.split("element edge ")[1].split()[0])
+    rows = [line.split() for line in body.splitlines()]
+    finite = np.isfinite(lines.geometry).all((1, 2)) & np.isfinite(lines.covariance).all((1, 2, 3))
+    assert (len(rows), edges) == (vertices + edges, finite.sum())
+    assert 0 < edges < len(lines.ids)  # one has an endpoint at infinity
+    assert np.isfinite(np.array(rows[:vertices], dtype=float)).all()
+    assert float(rows[0][3]) == pytest.approx(np.sqrt(np.linalg.eigvalsh(points.covariance[0])[-1]), rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["run", "points", "--map", "map.xyz"], "unknown ending of a map's file '.xyz'"),
+        (["run", "points", "--plot", "errors.bmp"], "unknown ending of a plot '.bmp'"),
+        (["run", "images", "--plot", "errors.svg"], "--plot draws errors: they need --reference FILE"),
+        (["evaluate", "nothing.txt", "nothing.txt"], "nothing.txt cannot be read"),
+        (["evaluate", "words.txt", "words.txt"], "words.txt is no trajectory: its rows are not numbers"),
+    ],
+)
+def test_mistakes_are_named_before_the_run(words, message, capsys):
+    Path("words.txt").write_text("these are words")
+    assert main(words) == 2
+    assert message in capsys.readouterr().err
+
+
+def test_plots_are_pictures_and_not_replaced_unasked(capsys):
+    for name in ("errors.svg", "errors.png", "errors.pdf"):
+        assert main(["run", "two_robots", "--frames", "5", "--plot", name]) == 0
+    assert "<svg" in Path("errors.svg").read_text()[:500]
+    assert Path("errors.png").read_bytes()[:4] == b"\x89PNG"
+    capsys.readouterr()
+    assert main(["run", "two_robots", "--frames", "5", "--plot", "errors.svg"]) == 2
+    assert "errors.svg exists" in capsys.readouterr().err
+
+
+def test_what_is_drawn_beside_deviations_is_their_error():
+    """Not that after the best alignment, which a covariance of the pose from its start does not describe."""
+    path = estimated(truth(), np.random.default_rng(6))
+    _, series = compared(path, truth(), DT, metric=True)
+    own = Pose.minus(truth().poses, path.poses)
+    np.testing.assert_allclose(series["position"], np.linalg.norm(own[:, :3], axis=1), atol=1e-12)
+    np.testing.assert_allclose(series["orientation"], np.degrees(np.linalg.norm(own[:, 3:], axis=1)), atol=1e-9)
+    np.testing.assert_allclose(series["position_sigma"] ** 2, path.covariances[:, :3, :3].trace(axis1=1, axis2=2))
+
+
+def test_one_pose_and_short_paths_have_no_relative_errors():
+    there = truth(5)
+    assert compared(there, there, DT, metric=True)[0]["parts"] is not None
+    with pytest.raises(SlamlibError, match="no two times are within"):
+        compared(there, Trajectory([100.0], there.poses[:1]), DT, metric=True)
