@@ -88,10 +88,6 @@ class Preset(Plain):
         return cls.from_dict(data)
 
 
-# The toolbox has (0.01, 0.5): all landmarks start near infinity, where the first frames' linearization is poor, and the
-# filter is overconfident for twenty frames (chapter toolbox_tour). With a quarter the prior's mean is at 4 m, and one
-# standard deviation reaches infinity.
-PRIOR = (0.25, 0.25)
 ROBOT = RobotSetup(position=(0.0, -5.0, 0.0), control=(0.08, 0, 0, 0, 0, 0.9), control_std=(0.005,) * 3 + (0.05,) * 3)
 CAMERA = SensorSetup(position=(0.0, 0.0, 0.6))
 
@@ -100,12 +96,12 @@ def default() -> Preset:
     """userData: two rounds in a cloister of 72 points, with a lens that distorts."""
     lens = {"intrinsics": (320.0, 240.0, 320.0, 320.0), "distortion": (-0.3, 0.1)}
     camera = replace(CAMERA, parameters=lens)
-    return Preset("default", Rig((ROBOT,), (camera,)), Options(max_new_first=5, inverse_distance=PRIOR), frames=800)
+    return Preset("default", Rig((ROBOT,), (camera,)), Options(max_new_first=5), frames=800)
 
 
 def points() -> Preset:
     """userDataPnt: one round in a cloister of 72 points."""
-    return Preset("points", Rig((ROBOT,), (CAMERA,)), Options(points="ahmPnt", inverse_distance=PRIOR))
+    return Preset("points", Rig((ROBOT,), (CAMERA,)), Options(points="ahmPnt"))
 
 
 def lines() -> Preset:
@@ -163,7 +159,7 @@ def points_and_lines() -> Preset:
     """Points and lines in one run: the cloister with the house in its middle (manual, section 6)."""
     camera = replace(CAMERA, position=(0.0, 0.0, 1.0))
     looking_in = replace(camera, name="left camera", euler=(-90.0, 0.0, 0.0))
-    options = Options(points="ahmPnt", lines="ahmLin", max_new_first=5, inverse_distance=PRIOR, updates=20)
+    options = Options(points="ahmPnt", lines="ahmLin", max_new_first=5, updates=20)
     worlds = (("thickCloister", {"n": 7}), ("house", {"x": -2, "y": -2, "z": 0}))
     return Preset("points_and_lines", Rig((ROBOT,), (camera, looking_in)), options, worlds)
 

@@ -37,7 +37,8 @@ class Options(Plain):
         linTestIdp).
     max_new_first, max_new: new landmarks of one sensor in its first frame, and in every other (init.nbrInits).
     inverse_distance: mean and standard deviation [1/m] of the prior for what a bearing does not measure
-        (init.idpPnt.nonObs*).
+        (init.idpPnt.nonObs*). At 4 m, with infinity one standard deviation away. The toolbox has (0.01, 0.5): all
+        landmarks start near infinity, where linearization is poor, and the filter is overconfident for twenty frames.
     line_priors: by the name of a parametrization, prior means and standard deviations of the two numbers that a segment
         does not measure (init.plkLin.nonObs*); lines not listed take inverse_distance for both endpoints.
     innovation: of lines: "ortDst" distances of the measured endpoints, "rhoThe" distance and angle, "angles" of their
@@ -64,7 +65,7 @@ class Options(Plain):
     convert_below: NotNegative = THRESHOLD
     max_new_first: Count = 10
     max_new: Count = 1
-    inverse_distance: tuple[Finite, Positive] = (0.01, 0.5)
+    inverse_distance: tuple[Finite, Positive] = (0.25, 0.25)
     line_priors: dict[Annotated[str, OneOf(LINES)], Prior] = field(
         default_factory=lambda: {"plkLin": PLUCKER, "aplLin": PLUCKER}
     )
