@@ -60,8 +60,20 @@ def outputs(add: Callable[..., Any]) -> None:
     add("--plot", metavar="FILE", help=PLOT)
     add("--save", metavar="PATH", help="save the run to a file, also if it is interrupted")
     add("--resume", metavar="PATH", help="continue a saved run instead of starting a new one")
+    result(add)
+
+
+def result(add: Callable[..., Any]) -> None:
+    """Add the options that say in what form the result is given."""
     add("--overwrite", action="store_true", help="replace files that exist")
-    add("--json", action="store_true", help="print the result as JSON")
+    add("--json", nargs="?", const="-", type=_json, metavar="FILE.json", help="print the result as JSON, or write it")
+
+
+def _json(text: str) -> str:
+    """An argparse type: the name of a JSON file."""
+    if text != "-" and not text.endswith(".json"):
+        raise argparse.ArgumentTypeError(f"a file ending in .json is expected, not {text}; to print, put --json last")
+    return text
 
 
 def base(name: str) -> Preset:

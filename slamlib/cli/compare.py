@@ -1,7 +1,6 @@
 """Compare parametrizations on the same simulated runs: error, consistency, landmarks lost, time."""
 
 import argparse
-import json
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -10,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.cli import arguments as shared
+from slamlib.cli import runner
 from slamlib.data.files import check_writable
 from slamlib.evaluation.consistency import share_inside
 from slamlib.experiments.monte_carlo import Experiment, monte_carlo
@@ -29,13 +29,14 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--runs", type=shared.count, default=20, help="independent runs of each (default 20)")
     parser.add_argument("--jobs", type=shared.count, default=1, help="runs in parallel, one per processor (default 1)")
     parser.add_argument("--folder", metavar="PATH", help="store finished runs there, and reuse them next time")
-    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    shared.result(parser.add_argument)
     shared.add(parser)
 
 
 def execute(given: argparse.Namespace) -> int:
     """Run all parametrizations, each on the same worlds, motions and noises."""
     rows = []
+    runner.check_files(given)
     if given.folder:
         check_writable(Path(given.folder) / "run.npz")
     for name in given.landmarks:
@@ -52,7 +53,7 @@ def execute(given: argparse.Namespace) -> int:
             raise
         rows.append({"preset": base.name, **summary(name, found)})
     groups = [[row for row in rows if row["preset"] == name] for name in dict.fromkeys(row["preset"] for row in rows)]
-    print(json.dumps(rows, indent=2) if given.json else "\n\n".join(map(table, groups)))
+    runner.report(given, rows, "\n\n".join(map(table, groups)))
     return 0
 
 

@@ -1,7 +1,6 @@
 """Compare a trajectory with a reference: ATE and RPE as evo does, KITTI's metric, NEES where covariances are known."""
 
 import argparse
-import json
 from pathlib import Path
 
 import numpy as np
@@ -28,8 +27,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--scale", action="store_true", help="align the scale too: the path of one camera has none")
     parser.add_argument("--times", metavar="FILE", help="one time [s] a row, for files in KITTI's format")
     parser.add_argument("--plot", metavar="FILE", help=shared.PLOT)
-    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
-    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    shared.result(parser.add_argument)
 
 
 def execute(given: argparse.Namespace) -> int:
@@ -39,6 +37,6 @@ def execute(given: argparse.Namespace) -> int:
     path, reference = (read_trajectory(name, times) for name in (given.path, given.reference))
     interval = float(np.median(np.diff(path.times))) if len(path) > 1 else 0.0
     found, series = compared(path, reference, interval, not given.scale)
-    runner.export(given, None, {Path(given.path).name: series})
-    print(json.dumps(found, indent=2) if given.json else shared.aligned_rows(rows(found)))
+    runner.export(given, "plot", lambda: {Path(given.path).name: series})
+    runner.report(given, found, shared.aligned_rows(rows(found)))
     return 0

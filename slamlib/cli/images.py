@@ -1,7 +1,6 @@
 """Runs on images: the arguments that those of one camera and of two share, execution, and the report."""
 
 import argparse
-import json
 import sys
 from collections.abc import Callable
 from dataclasses import fields
@@ -10,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.cli.arguments import OPTION, aligned_rows, assignments, at_least, count, number, outputs
-from slamlib.cli.runner import EXIT_ERROR, Job, RunEnd, check_files, check_resumed, execute, export
+from slamlib.cli.runner import EXIT_ERROR, Job, RunEnd, check_files, check_resumed, execute, export, report
 from slamlib.errors import SlamlibError, entry
 from slamlib.evaluation.comparison import compared
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
@@ -82,13 +81,13 @@ class ImageCommand:
         """Write the trajectory, print the result; return the exit status."""
         if given.trajectory:
             write_tum(given.trajectory, run.trajectory())
-        export(given, run.snapshot(), None)
+        export(given, "map", run.snapshot)
         s: dict[str, Any] = {"source": run.source.where, "layout": run.source.layout, **summary(run.result())}
         s |= {"metric": run.metric, "stopped": ended.why, "reference": None}
         try:
             if reference is not None:
                 s["reference"], series = compared(run.trajectory(), reference, run.source.interval, run.metric)
-                export(given, None, {"camera": series})
+                export(given, "plot", lambda: {"camera": series})
         except SlamlibError as error:  # the run is valid without the reference
             ended.status = EXIT_ERROR
             print(f"slamlib: {given.reference}: {error}", file=sys.stderr)
@@ -96,7 +95,7 @@ class ImageCommand:
             ended.status = EXIT_ERROR
             print(f"slamlib: {NOTHING.format(self.kind.item)}", file=sys.stderr)
         rows = [("source", f"{s['source']} ({s['layout']})"), *table(s)]
-        print(json.dumps(s, indent=2) if given.json else aligned_rows(rows))
+        report(given, s, aligned_rows(rows))
         inliers = s["inlier_share"]
         if not run.metric and s["frames"] >= JUDGED and inliers is not None and inliers < ENOUGH:
             print(f"slamlib: {REVERSED.format(inliers)}", file=sys.stderr)

@@ -1,7 +1,6 @@
 """Run one experiment, and report its errors and consistency."""
 
 import argparse
-import json
 from dataclasses import replace
 from typing import Any
 
@@ -10,6 +9,7 @@ import numpy as np
 from slamlib.cli import arguments as shared
 from slamlib.cli import runner
 from slamlib.errors import SlamlibError
+from slamlib.evaluation.comparison import magnitudes
 from slamlib.evaluation.consistency import band, share_inside
 from slamlib.experiments.runs import Result, Run
 from slamlib.manifolds import Array
@@ -46,8 +46,9 @@ def execute(given: argparse.Namespace) -> int:
     )  # fmt: skip
     ended = runner.execute(job, given)
     result = run.result()
-    runner.export(given, run.slam.snapshot(), result)
-    print(json.dumps(summary(result), indent=2) if given.json else table(result))
+    runner.export(given, "map", run.slam.snapshot)
+    runner.export(given, "plot", lambda: series(result))
+    runner.report(given, summary(result), table(result))
     return ended.status
 
 
@@ -80,7 +81,7 @@ def summary(result: Result) -> dict[str, Any]:
         for i, setup in enumerate(result.preset.rig.robots)
         for known in [result.nees[np.isfinite(result.nees[:, i]), i]]
     ]
-    sensors = zip(result.preset.rig.sensors, result.extrinsics[-1], strict=True)
+    sensors = zip(result.preset.rig.sensors, result.extrinsics, strict=True)
     return {
         "preset": result.preset.name,
         "seed": result.preset.seed,
@@ -100,13 +101,23 @@ def summary(result: Result) -> dict[str, Any]:
 
 
 def _deviation(name: str, error: Array, sigma: Array) -> dict[str, Any]:
-    """A pose's error (6,) and standard deviations (6,) as lengths [m] and angles [degrees]."""
-    parts = {"position": (slice(3), 1.0), "attitude": (slice(3, 6), 180 / np.pi)}
-    columns = {"error": error, "sigma": sigma}
-    return {"name": name} | {
-        f"{part}_{column}": float(unit * np.linalg.norm(values[at]))
-        for part, (at, unit) in parts.items()
-        for column, values in columns.items()
+    """A pose's error (6,) and standard deviations (6,) as plain data."""
+    found = {key: float(value) for key, value in magnitudes(error, sigma).items()}
+    return {
+        "name": name,
+        "position_error": found["position"],
+        "position_sigma": found["position_sigma"],
+        "attitude_error": found["orientation"],
+        "attitude_sigma": found["orientation_sigma"],
+    }
+
+
+def series(result: Result) -> dict[str, dict[str, Array]]:
+    """By robot the errors of each frame (n,), with their standard deviations and NEES, for a plot."""
+    times = result.preset.dt * np.arange(1, len(result.nees) + 1)
+    return {
+        setup.name: {"times": times, "nees": result.nees[:, i], **magnitudes(result.errors[:, i], result.sigmas[:, i])}
+        for i, setup in enumerate(result.preset.rig.robots)
     }
 
 

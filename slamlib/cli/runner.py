@@ -1,6 +1,7 @@
 """Execution of a run, simulated or on images: files checked first, a bar, a window or video; saved where it stops."""
 
 import argparse
+import json
 import signal
 import sys
 import threading
@@ -13,17 +14,18 @@ from itertools import tee
 from pathlib import Path
 from typing import Any
 
-from slamlib.data.files import check_writable
+from slamlib.data.files import check_writable, write_whole
 from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
+from slamlib.evaluation.trajectory import beside
 from slamlib.experiments.progress import progress
 
 EXIT_ERROR = 2
 STOPPED: dict[int, str] = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}
-FILES = ("save", "trajectory", "map", "plot")  # options whose value is a file that is written
+FILES = ("save", "trajectory", "map", "plot", "json")  # options whose value is a file that is written
 WRITERS = {"map": "slambook.scene.map_file", "plot": "slambook.scene.error_plot"}  # of the book's package
-CONTINUED = ("resume", "overwrite", "video", "live", "json", *FILES)  # those that a resumed run takes too
+CONTINUED = ("resume", "overwrite", "video", "live", *FILES)  # those that a resumed run takes too
 Shown = tuple[Snapshot, Truth | None]
 
 
@@ -61,14 +63,14 @@ class RunEnd:
 
 def check_files(given: argparse.Namespace) -> None:
     """Raise SlamlibError, before the run, for a file that could not be written after it; make the folders."""
-    for name in FILES:
-        path = getattr(given, name, None)
-        if path and name in WRITERS:
+    files = [(name, path) for name in FILES if (path := getattr(given, name, None)) not in (None, "-")]
+    files += [(name, str(beside(path))) for name, path in files if name == "trajectory"]  # its covariances
+    for name, path in files:
+        if name in WRITERS:
             import_module(WRITERS[name]).check(path)
-        if path and Path(path).is_file() and not given.overwrite and path != getattr(given, "resume", None):
+        if Path(path).is_file() and not given.overwrite and path != getattr(given, "resume", None):
             raise SlamlibError(f"--{name}: {path} exists: choose another name, or replace it with --overwrite")
-        if path:
-            check_writable(path)
+        check_writable(path)
     if getattr(given, "video", None):
         from slambook.scene.video import ready
 
@@ -76,11 +78,18 @@ def check_files(given: argparse.Namespace) -> None:
         check_writable(Path(given.video).with_name(".video"))
 
 
-def export(given: argparse.Namespace, snapshot: Snapshot | None, errors: Any) -> None:
-    """Write the map where --map says so; draw errors, a Result or arrays by name, where --plot says so."""
-    for name, content in (("map", snapshot), ("plot", errors)):
-        if content is not None and getattr(given, name, None):
-            import_module(WRITERS[name]).write(getattr(given, name), content)
+def export(given: argparse.Namespace, name: str, content: Callable[[], Any]) -> None:
+    """Write a map's snapshot, or errors by name for a plot, where the option of this name says so."""
+    if getattr(given, name):
+        import_module(WRITERS[name]).write(getattr(given, name), content())
+
+
+def report(given: argparse.Namespace, result: Any, text: str) -> None:
+    """Print the result, as text or as JSON; --json FILE writes it, too."""
+    data = json.dumps(result, indent=2)
+    print(data if given.json == "-" else text)
+    if given.json not in (None, "-"):
+        write_whole(given.json, data + "\n")
 
 
 def check_resumed(given: argparse.Namespace, parser: argparse.ArgumentParser, *allowed: str) -> None:

@@ -100,11 +100,12 @@ def _digest(arrays: dict[str, Any]) -> str:
 
 
 def read_archive(
-    path: str | os.PathLike[str], form: str, version: int, old: str = "install a newer one"
+    path: str | os.PathLike[str], form: str, version: int, old: str = "install a newer one", *, foreign: bool = False
 ) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the header and the arrays of an archive; nothing in it is executed.
 
-    Raises SlamlibError for a file that is missing, damaged, of another form, or of another version; old: the advice.
+    Raises SlamlibError for a file that is missing, damaged, changed, of another form, or of another version; old: the
+    advice. foreign: whether the checksum may be missing, in files that other programs write.
     """
     try:
         with Path(path).open("rb") as file, np.load(file, allow_pickle=False) as archive:
@@ -114,7 +115,7 @@ def read_archive(
     except Exception as error:  # a damaged archive fails in more ways than its modules document
         raise SlamlibError(f"{path} cannot be read: it is damaged, or no {form} at all") from error
     digest = arrays.pop("digest", None)
-    is_whole = digest is None or str(digest) == _digest(arrays)
+    is_whole = foreign if digest is None else str(digest) == _digest(arrays)
     try:
         header = dict(json.loads(str(arrays.pop("header"))))
     except (KeyError, ValueError, TypeError):

@@ -32,6 +32,7 @@ def compared(
     estimate, other = path[i], reference[j]
     found = align_trajectory(estimate, other, scale=not metric)
     orientation = np.degrees(found.orientation)
+    turned = statistics(orientation)
     series = {"times": other.times, "position": found.position, "orientation": orientation}
     uncertain = metric and estimate.covariances is not None
     series |= _nees(estimate, other) if uncertain else {}
@@ -43,9 +44,9 @@ def compared(
         "rotation_from": found.rotation_from,
         "ate": found.ate,
         "relative_ate": found.relative_ate,
-        "orientation_rms": float(np.sqrt((orientation**2).mean())),
+        "orientation_rms": turned["rmse"],
         "position": statistics(found.position),
-        "orientation": statistics(orientation),
+        "orientation": turned,
         "rpe": dict(zip(("position", "orientation"), map(statistics, steps), strict=True)) if len(steps[0]) else None,
         "parts": parts(estimate, other) if metric else None,
         "nees": _consistency(series["nees"]) if uncertain else None,
@@ -78,13 +79,16 @@ def _nees(estimate: Trajectory, reference: Trajectory) -> dict[str, Array]:
     errors = Pose.minus(compose(start, reference.poses), estimate.poses)
     covariances = np.asarray(estimate.covariances)
     nees = np.array([nees_where_uncertain(e, P) for e, P in zip(errors, covariances, strict=True)])
-    variance = covariances.diagonal(axis1=1, axis2=2)
+    return {"nees": nees, **magnitudes(errors, np.sqrt(covariances.diagonal(axis1=1, axis2=2)))}
+
+
+def magnitudes(errors: Array, sigmas: Array) -> dict[str, Array]:
+    """Lengths (...) [m] and angles (...) [degrees] of errors (..., 6) of a pose, and of their standard deviations."""
     return {
-        "nees": nees,
-        "position": np.linalg.norm(errors[:, :3], axis=1),
-        "orientation": np.degrees(np.linalg.norm(errors[:, 3:], axis=1)),
-        "position_sigma": np.sqrt(variance[:, :3].sum(1)),
-        "orientation_sigma": np.degrees(np.sqrt(variance[:, 3:].sum(1))),
+        "position": np.linalg.norm(errors[..., :3], axis=-1),
+        "position_sigma": np.linalg.norm(sigmas[..., :3], axis=-1),
+        "orientation": np.degrees(np.linalg.norm(errors[..., 3:], axis=-1)),
+        "orientation_sigma": np.degrees(np.linalg.norm(sigmas[..., 3:], axis=-1)),
     }
 
 

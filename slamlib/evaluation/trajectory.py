@@ -113,7 +113,7 @@ def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) ->
     the file that `write_tum` writes beside one, if it is there. Raises SlamlibError.
     """
     rows, with_commas = read_rows(path)
-    width = rows.shape[1] if rows.ndim == 2 else 0
+    width = rows.shape[1]
     if with_commas and width >= 8:
         times, poses = 1e-9 * rows[:, 0], rows[:, 1:8]
     elif width == 8:
@@ -148,12 +148,14 @@ def _read_covariances(path: str | os.PathLike[str], times: Array) -> Array:
 
 
 def read_rows(path: str | os.PathLike[str]) -> tuple[Array, bool]:
-    """The rows of numbers in a file, without comments, and whether commas separate them."""
+    """The rows of numbers (n, k) in a file, without comments, and whether commas separate them. Raises SlamlibError."""
     try:
         text = Path(path).read_text("utf-8")
     except (OSError, ValueError) as error:
         raise SlamlibError(f"{path} cannot be read: {error}") from None
     lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
+    if not lines:
+        raise SlamlibError(f"{path} is no trajectory: there is no row in it")
     try:
         rows = np.array([[float(w) for w in line.replace(",", " ").split()] for line in lines])
     except ValueError as error:
@@ -162,7 +164,7 @@ def read_rows(path: str | os.PathLike[str]) -> tuple[Array, bool]:
         raise SlamlibError(
             f"{path} is no trajectory: nan or infinity in its row {np.argwhere(~np.isfinite(rows))[0, 0]}"
         )
-    return rows, bool(lines) and "," in lines[0]
+    return rows, "," in lines[0]
 
 
 def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tuple[Indices, Indices]:

@@ -19,7 +19,7 @@ from slamlib.manifolds import Array
 from slamlib.observation import FAMILIES
 from slamlib.slam import Report, Slam
 
-COLUMNS = ("errors", "sigmas", "nees", "nis", "nis_dof", "landmarks", "size", "seconds", "extrinsics")
+COLUMNS = ("errors", "sigmas", "nees", "nis", "nis_dof", "landmarks", "size", "seconds")
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,8 +27,8 @@ class Result:
     """Results of a run: per frame (n,), and for each of r robots.
 
     errors (n, r, 6): true pose minus estimate, in the tangent space; sigmas (n, r, 6): their estimated standard
-    deviations; nees (n, r), 6 degrees of freedom. extrinsics (n, s, 2, 6): errors and deviations of the sensors', zero
-    where they are given. nis (n,) and its degrees of freedom nis_dof (n,): of all inliers.
+    deviations; nees (n, r), 6 degrees of freedom. extrinsics (s, 2, 6): errors and deviations of the sensors' at the
+    end, zero where they are given. nis (n,) and its degrees of freedom nis_dof (n,): of all inliers.
     landmarks, size, seconds (n,): of the map, of the state, and of the processor. initialized, deleted: in the whole
     run. map_errors: by family, distances [m] (k,) of the landmarks in the final map from the truth.
     """
@@ -64,6 +64,7 @@ class Run:
         self.preset = preset if seed is None else replace(preset, seed=seed)
         self.slam = self.preset.slam()
         self._history: list[list[Any]] = []
+        self._extrinsics: list[list[float]] = []  # the true ones
         self._initialized = self._deleted = 0
         self.is_intact = True  # False while a frame is being processed
 
@@ -105,22 +106,22 @@ class Run:
             nees.append(nees_where_uncertain(e, P))
         inliers = [prediction for each in self.slam.predictions for prediction in each if prediction.inlier]
         nis, dof = sum(prediction.nis for prediction in inliers), sum(len(prediction.S) for prediction in inliers)
-        extrinsics = np.zeros((len(self.slam.sensors), 2, 6))
-        for row, sensor, true in zip(extrinsics, self.slam.sensors, truth.extrinsics, strict=True):
-            if sensor.block is not None:
-                row[0] = Pose.minus(true, sensor.extrinsics)
-                row[1] = np.sqrt(self.slam.belief.covariance(sensor.block).diagonal())
-        size = self.slam.belief.size
-        landmarks = len(self.slam.landmarks)
-        self._history.append([errors, sigmas, nees, nis, dof, landmarks, size, seconds, extrinsics.tolist()])
+        self._extrinsics = [extrinsics.tolist() for extrinsics in truth.extrinsics]
+        self._history.append([errors, sigmas, nees, nis, dof, len(self.slam.landmarks), self.slam.belief.size, seconds])
 
     def result(self) -> Result:
         """Results so far. Raises SlamlibError before the first frame."""
         if not self._history:
             raise SlamlibError("nothing has been run yet")
         columns = zip(COLUMNS, map(np.array, zip(*self._history, strict=True)), strict=True)
+        extrinsics = np.zeros((len(self.slam.sensors), 2, 6))
+        for row, sensor, true in zip(extrinsics, self.slam.sensors, self._extrinsics, strict=True):
+            if sensor.block is not None:
+                row[0] = Pose.minus(np.array(true), sensor.extrinsics)
+                row[1] = np.sqrt(self.slam.belief.covariance(sensor.block).diagonal())
         return Result(
             preset=self.preset,
+            extrinsics=extrinsics,
             initialized=self._initialized,
             deleted=self._deleted,
             map_errors=map_errors(self.slam.snapshot(), self.preset.world),
@@ -131,8 +132,8 @@ class Run:
         """Write all of it to one file, atomically. Raises SlamlibError within a frame."""
         if not self.is_intact:
             raise SlamlibError(f"frame {self.done + 1} was interrupted, and the state of the filter is incomplete")
-        counts = {"initialized": self._initialized, "deleted": self._deleted}
-        self.slam.save(path, preset=self.preset.to_dict(), history=self._history, **counts)
+        own = {"initialized": self._initialized, "deleted": self._deleted, "extrinsics": self._extrinsics}
+        self.slam.save(path, preset=self.preset.to_dict(), history=self._history, **own)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> "Run":
@@ -142,7 +143,7 @@ class Run:
             raise SlamlibError(f"{path} holds a filter, but not the experiment that it belongs to: use Slam.load")
         with complete(path):
             run = cls(Preset.from_dict(extra["preset"]))
-            run.slam, run._history = slam, extra["history"]
+            run.slam, run._history, run._extrinsics = slam, extra["history"], extra["extrinsics"]
             if any(len(row) != len(COLUMNS) for row in run._history):
                 raise ValueError("its frames have other columns than those of this version")
             run._initialized, run._deleted = extra["initialized"], extra["deleted"]

@@ -87,7 +87,7 @@ def save(path: str | Path, frames: Iterable[tuple[Frame, Truth | None]], *, rig:
 
 def load(path: str | Path) -> Recording:
     """Read a run. Raises SlamlibError for a file that is missing, damaged, or no recording."""
-    header, arrays = read_archive(path, FORMAT, VERSION)
+    header, arrays = read_archive(path, FORMAT, VERSION, foreign=True)
     with complete(path):
         rig = Rig.from_dict(header["rig"])
         names = [x for x in FAMILIES if f"world.{x}.ids" in arrays]  # all families that there were when it was written

@@ -4,11 +4,13 @@ import io
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from slamlib.cli import main, runner
+from slamlib.experiments.presets import Preset, preset
 from slamlib.experiments.progress import progress
 from slamlib.experiments.runs import Run
 from slamlib.tests.pictures import interrupted_at
@@ -30,6 +32,33 @@ def test_run_prints_json(capsys):
     assert found["robots"][0]["position_error"] < 0.1
     assert found["line_error_median"] is not None
     assert found["point_error_median"] is None
+
+
+def test_json_goes_to_a_file_that_is_not_replaced_unasked(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    for words, known in (
+        (["run", "points"], "robots"),
+        (["compare", "ahmPnt", "--runs", "1"], None),
+    ):
+        name = f"out/{words[0]}.json"
+        assert main([*words, *SHORT, "--json", name]) == 0
+        assert "NEES" in capsys.readouterr().out  # the table is printed all the same
+        found = json.loads(Path(name).read_text())
+        assert known is None or known in found
+        assert main([*words, *SHORT, "--json", name]) == 2
+        assert f"--json: {name} exists: choose another name, or replace it with --overwrite" in capsys.readouterr().err
+        assert main([*words, *SHORT, "--json", name, "--overwrite"]) == 0
+    with pytest.raises(SystemExit) as stopped:
+        main(["run", "--json", "points"])
+    assert stopped.value.code == 2
+    assert "a file ending in .json is expected, not points; to print, put --json last" in capsys.readouterr().err
+
+
+def test_a_short_preset_of_ones_own_has_the_prior_of_the_presets(tmp_path):
+    """The toolbox's, which makes the filter overconfident at first, has to be asked for."""
+    short = tmp_path / "mine.toml"
+    short.write_text('name = "mine"\n[[rig.robots]]\n[[rig.sensors]]\n')
+    assert Preset.load(short).options.inverse_distance == preset("points").options.inverse_distance == (0.25, 0.25)
 
 
 def test_the_same_seed_gives_the_same_numbers(capsys):

@@ -104,6 +104,9 @@ def test_kittis_poses_with_their_times(capsys):
     np.savetxt("times.txt", there.times)
     write_tum("path.txt", there)
     assert printed(["evaluate", "path.txt", "poses.txt", "--times", "times.txt", "--json"], capsys)["ate"] < 1e-9
+    Path("empty.txt").write_text("# nothing\n")
+    assert main(["evaluate", "path.txt", "poses.txt", "--times", "empty.txt"]) == 2
+    assert "empty.txt is no trajectory: there is no row in it" in capsys.readouterr().err
     assert main(["evaluate", "path.txt", "poses.txt"]) == 2
     assert "no times (KITTI's form): give them (times=..., --times FILE)" in capsys.readouterr().err
 

@@ -17,7 +17,7 @@ from slamlib.evaluation.trajectory import read_trajectory
 from slamlib.slam import Options
 from slamlib.tests.test_cli_hostile import ROS, WRONG, called, changed, places
 from slamlib.vision.active_search import ActiveSearchSettings
-from slamlib.vision.run import load
+from slamlib.vision.run import IMAGES, PAIRS, load
 from slamlib.vision.stereo.detect import StereoSettings
 
 FEW = settings(
@@ -85,21 +85,15 @@ def pictures(tmp_path_factory):
     return folder
 
 
-KINDS = {"images": ActiveSearchSettings, "stereo-images": StereoSettings}
+KINDS = {"images": (IMAGES, ActiveSearchSettings), "stereo-images": (PAIRS, StereoSettings)}
 
 
 def words(folder, kind, *more):
     """The command on the pictures of a folder."""
+    sides = [word for side in ("left", "right") for word in (f"--{side}", f"{folder}/{side}")]
     given = {
         "images": ["--source", f"{folder}/left", "--calibration", f"{folder}/camera.json"],
-        "stereo-images": [
-            "--left",
-            f"{folder}/left",
-            "--right",
-            f"{folder}/right",
-            "--calibration",
-            f"{folder}/pair.json",
-        ],
+        "stereo-images": [*sides, "--calibration", f"{folder}/pair.json"],
     }
     return ["run", kind, *given[kind], "--frames", "2", *more]
 
@@ -109,7 +103,7 @@ def test_settings_of_searches(kind, pictures, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
     @FEW
-    @given(name=st.sampled_from([f.name for f in dataclasses.fields(KINDS[kind])]), value=WORDS)
+    @given(name=st.sampled_from([f.name for f in dataclasses.fields(KINDS[kind][1])]), value=WORDS)
     def tried(name, value):
         clear(*called(*words(pictures, kind, "--search", f"{name}={value}", "--overwrite")))
 
@@ -159,7 +153,7 @@ def test_saved_runs(kind, pictures, tmp_path, monkeypatch):
     with np.load(pictures / f"{kind}.npz") as file:
         arrays = dict(file)
     header = json.loads(str(arrays["header"]))
-    load(pictures / f"{kind}.npz", kind_of(kind))
+    load(pictures / f"{kind}.npz", KINDS[kind][0])
 
     @FEW
     @given(path=st.sampled_from([p for p in places(header) if len(p) < 6]), value=WRONG)
@@ -169,10 +163,3 @@ def test_saved_runs(kind, pictures, tmp_path, monkeypatch):
         clear(*called("run", kind, "--resume", "spoilt.npz", "--frames", "3", "--overwrite"))
 
     tried()
-
-
-def kind_of(kind):
-    """The kind of run that a command makes."""
-    from slamlib.vision.run import IMAGES, PAIRS
-
-    return {"images": IMAGES, "stereo-images": PAIRS}[kind]

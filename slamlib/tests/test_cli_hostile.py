@@ -134,6 +134,14 @@ def test_saved_runs_with_parts_missing(tmp_path, monkeypatch):
     assert "it is damaged, or no slamlib filter" in refused("run", "--resume", "junk.npz")
 
 
+def test_a_saved_run_without_its_checksum_is_not_read(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert called("run", "points", "--frames", "3", "--save", "whole.npz")[0] == 0
+    with np.load("whole.npz") as file:
+        np.savez("cut.npz", **without(dict(file), "digest"))
+    assert "has been changed since it was written" in refused("run", "--resume", "cut.npz")
+
+
 def without(table, name):
     return {key: value for key, value in table.items() if key != name}
 

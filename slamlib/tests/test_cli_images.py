@@ -62,7 +62,12 @@ def test_a_folder_with_its_table_and_trajectory(room, tmp_path, capsys):
         "rotation from the",
     ):
         assert what in text
-    assert len(read_trajectory(out)) == COUNT
+    path = read_trajectory(out)
+    assert len(path) == COUNT
+    assert (np.linalg.eigvalsh(path.covariances[1:]) > 0).all()
+    out.unlink()  # its covariances are not replaced unasked
+    assert main(words(room, "--trajectory", str(out))) == 2
+    assert "path.cov exists: choose another name" in capsys.readouterr().err
 
 
 def test_json_and_the_same_seed(room, capsys):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from slambook.patch_maps import offsets_map, plane_homography, similarity, zoom_and_roll
 
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import relative
@@ -18,14 +19,10 @@ from slamlib.vision.warping import (
     facing_plane,
     homography_through,
     in_camera,
-    offsets_map,
-    plane_homography,
     seen_by,
-    similarity,
     stretch,
     through_camera,
     warp,
-    zoom_and_roll,
 )
 
 K = np.array([[260, 0, 159.5], [0, 250, 119.5], [0, 0, 1]])

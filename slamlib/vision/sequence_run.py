@@ -220,8 +220,7 @@ class SequenceRun:
         """Poses of the camera in the world, as estimated at each image. Raises SlamlibError before the first."""
         if not self.history:
             raise SlamlibError("nothing has been run yet")
-        known = np.array(self.covariances) if len(self.covariances) == len(self.path) else None
-        return Trajectory(np.array(self.history)[:, TIME], np.array(self.path), known)
+        return Trajectory(np.array(self.history)[:, TIME], np.array(self.path), np.array(self.covariances))
 
     def result(self) -> ImageResult:
         """The result so far. Raises SlamlibError before the first image."""

@@ -18,18 +18,20 @@ def stereo_rig(rig: Rig, std: tuple[float, ...] = (0.15, 0.15, 0.15)) -> Rig:
     correlated over frames, which the filter does not model. Raises SlamlibError for cameras that are no rectified pair.
     """
     if len(rig.robots) != 1 or len(rig.sensors) != 2:
-        raise SlamlibError("joined: a rig of one robot with a left and a right camera is expected")
+        raise SlamlibError("stereo_rig: a rig of one robot with a left and a right camera is expected")
     left, right = rig.sensors
     baseline, *aside = relative(left.extrinsics, right.extrinsics)[:3].tolist()
     lens = dict(left.parameters)
     if lens != dict(right.parameters) or left.image != right.image or left.euler != right.euler:
-        raise SlamlibError("joined: the two cameras differ in lens, image or direction: rectify them first")
+        raise SlamlibError("stereo_rig: the two cameras differ in lens, image or direction: rectify them first")
     if any(lens.get("distortion", ())):
-        raise SlamlibError("joined: the lenses have distortion, so rows do not correspond: rectify the images first")
+        raise SlamlibError(
+            "stereo_rig: the lenses have distortion, so rows do not correspond: rectify the images first"
+        )
     if not baseline > 0 or np.abs(aside).max() > 1e-9 * baseline:
         raise SlamlibError(
-            f"joined: the right camera is {[baseline, *aside]} m from the left one (right, down, front), and should be "
-            "to the right alone: rectify them, or exchange them"
+            f"stereo_rig: the right camera is {[baseline, *aside]} m (right, down, front) from the left one, and "
+            "should be to the right alone: rectify them, or exchange them"
         )
     parameters = {"intrinsics": lens["intrinsics"], "baseline": (baseline,)}
     sensor = SensorSetup("stereo", type="stereo", image=left.image, parameters=parameters, std=std)

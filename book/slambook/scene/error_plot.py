@@ -9,45 +9,31 @@ import numpy as np
 
 from slambook.scene.parts import extra
 from slamlib.data.files import atomic_write
-from slamlib.errors import SlamlibError, entry
+from slamlib.data.plain import OneOf
+from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band
-from slamlib.experiments.runs import Result
+from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 
-DOF = 6
-ENDINGS = {".svg": None, ".png": None, ".pdf": None}
-PANELS = {"position": "position error [m]", "orientation": "orientation error [°]", "nees": "NEES, 6 dof"}
+ENDINGS = (".svg", ".png", ".pdf")
+PANELS = {"position": "position error [m]", "orientation": "orientation error [°]", "nees": f"NEES, {Pose.dof} dof"}
 Series = Mapping[str, Mapping[str, Any]]
 
 
 def check(path: str | os.PathLike[str]) -> None:
     """Raise SlamlibError for a path whose ending is of no format, and without matplotlib."""
-    entry("ending of a plot", Path(path).suffix.lower(), ENDINGS)
+    OneOf(ENDINGS).check(Path(path).suffix.lower(), "ending of a plot")
     extra("matplotlib.figure", "a plot")
 
 
-def series_of(result: Result) -> Series:
-    """By robot the errors of a simulated run, their standard deviations, and NEES."""
-    times = result.preset.dt * np.arange(1, len(result.nees) + 1)
-    found = {}
-    for i, setup in enumerate(result.preset.rig.robots):
-        found[setup.name] = {"times": times, "nees": result.nees[:, i]}
-        for ending, values in (("", result.errors), ("_sigma", result.sigmas)):
-            found[setup.name]["position" + ending] = np.linalg.norm(values[:, i, :3], axis=1)
-            found[setup.name]["orientation" + ending] = np.degrees(np.linalg.norm(values[:, i, 3:], axis=1))
-    return found
-
-
-def write(path: str | os.PathLike[str], errors: Series | Result) -> None:
+def write(path: str | os.PathLike[str], series: Series) -> None:
     """Draw errors over time, one panel for each kind that is known, and write them atomically.
 
-    errors: of a simulated run; or for each name, of a path for instance, arrays (n,): times [s], position, and perhaps
-    orientation [degrees], position_sigma, orientation_sigma, nees (6 degrees of freedom). Raises SlamlibError.
+    series: for each name, a robot's or a path's, arrays (n,): times [s], position, and perhaps orientation [degrees],
+    position_sigma, orientation_sigma, nees (6 degrees of freedom). Raises SlamlibError.
     """
     check(path)
-    series = series_of(errors) if isinstance(errors, Result) else errors
-    figure = extra("matplotlib.figure", "a plot")
-    style = extra("matplotlib.style", "a plot")
+    figure, style = (extra(f"matplotlib.{module}", "a plot") for module in ("figure", "style"))
     known = [name for name in PANELS if any(name in each for each in series.values())]
     if not known:
         raise SlamlibError("there are no errors to draw")
@@ -70,7 +56,7 @@ def _draw(ax: Any, name: str, label: str | None, each: Mapping[str, Array], is_f
         return
     (line,) = ax.plot(each["times"], each[name], label=label, linewidth=1.2)
     if name == "nees" and is_first:
-        ax.axhspan(*band(DOF), color="#898989", alpha=0.25, linewidth=0, label="95 % of a consistent filter")
+        ax.axhspan(*band(Pose.dof), color="#898989", alpha=0.25, linewidth=0, label="95 % of a consistent filter")
         ax.set_yscale("log")
     elif f"{name}_sigma" in each:
         said = "3 standard deviations" if is_first else None

@@ -5,7 +5,7 @@ A point is one vertex, a segment is two, its endpoints; lengths in metres, in th
 
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -30,6 +30,11 @@ class Vertex(NamedTuple):
     position: Array
     covariance: Array
 
+    @property
+    def is_finite(self) -> bool:
+        """Whether it is known where it is: not at infinity, and with a covariance."""
+        return bool(np.isfinite([*self.position, *self.covariance.ravel()]).all())
+
 
 def vertices(snapshot: Snapshot) -> Iterator[Vertex]:
     """The points of all landmarks of a snapshot."""
@@ -47,9 +52,8 @@ def _json(snapshot: Snapshot) -> str:
     for v in vertices(snapshot):
         about = {"family": v.family, "id": v.id, "kind": v.kind, "converged": v.converged, "vertices": []}
         found = landmarks.setdefault((v.family, v.id), about)
-        finite = bool(np.isfinite([*v.position, *v.covariance.ravel()]).all())
         numbers = {"position": v.position.tolist(), "covariance": v.covariance.tolist()}
-        found["vertices"].append(numbers if finite else dict.fromkeys(numbers))
+        found["vertices"].append(numbers if v.is_finite else dict.fromkeys(numbers))
     about = {"frame": snapshot.number, "time": snapshot.time, "unit": "m", "landmarks": [*landmarks.values()]}
     return json.dumps(about, indent=1) + "\n"
 
@@ -66,12 +70,10 @@ def _csv(snapshot: Snapshot) -> str:
 
 
 def _ply(snapshot: Snapshot) -> str:
-    """Vertices with the largest standard deviation of each, edges for segments; points at infinity are left out."""
+    """Vertices with the largest standard deviation of each, edges for segments; landmarks at infinity are left out."""
     found = list(vertices(snapshot))
-    complete = {(v.family, v.id) for v in found} - {
-        (v.family, v.id) for v in found if not np.isfinite([*v.position, *v.covariance.ravel()]).all()
-    }
-    drawn = [v for v in found if (v.family, v.id) in complete]
+    left_out = {(v.family, v.id) for v in found if not v.is_finite}
+    drawn = [v for v in found if (v.family, v.id) not in left_out]
     edges = [f"{i - 1} {i}" for i, v in enumerate(drawn) if v.number]
     head = [
         "ply", "format ascii 1.0", "comment slamlib: a map [m]; std is the largest standard deviation of the position",
@@ -88,12 +90,11 @@ def _ply(snapshot: Snapshot) -> str:
 FORMATS = {".ply": _ply, ".json": _json, ".csv": _csv}
 
 
-def check(path: str | os.PathLike[str]) -> None:
-    """Raise SlamlibError for a path whose ending is of no format."""
-    entry("ending of a map's file", Path(path).suffix.lower(), FORMATS)
+def check(path: str | os.PathLike[str]) -> Callable[[Snapshot], str]:
+    """What makes the text of a file with this ending. Raises SlamlibError for one of no format."""
+    return entry("ending of a map's file", Path(path).suffix.lower(), FORMATS)
 
 
 def write(path: str | os.PathLike[str], snapshot: Snapshot) -> None:
     """Write the map of a snapshot, atomically, in the format of the path's ending. Raises SlamlibError."""
-    check(path)
-    write_whole(path, FORMATS[Path(path).suffix.lower()](snapshot))
+    write_whole(path, check(path)(snapshot))
