@@ -28,7 +28,7 @@ from slamlib.sensors.sensor import Calibration
 from slamlib.vision.appearance import Appearance, predict
 from slamlib.vision.corners import QUALITY, best_corner, strength
 from slamlib.vision.grid import Grid
-from slamlib.vision.patches import Patch, cut
+from slamlib.vision.patches import cut
 from slamlib.vision.search import correlate, register, search
 
 COUNT, SIZE = 12, 11
@@ -91,7 +91,7 @@ class Scene:
         self.now = compose(first, np.concatenate([[0.2, 0.1, 0.3], exponential(np.array([0.0, 0.02, 0.1]))]))
         taken = [Appearance.taken(self.image, p, first, SIZE) for p in self.pixels]
         self.appearances = [a for a in taken if a is not None]
-        self.templates = [Patch(a.template) for a in self.appearances]
+        self.templates = [a.template for a in self.appearances]
 
     def predict(self) -> Any:
         """The templates of all, warped to this pose."""
@@ -128,7 +128,7 @@ def beside_opencv(seconds: float) -> str:
     image = texture()
     patch, piece = cut(image, np.array([150, 120]), SIZE), image[105:146, 135:176].astype(float)
     assert patch is not None
-    single = piece.astype(np.float32), patch.pixels.astype(np.float32)
+    single = piece.astype(np.float32), patch.astype(np.float32)
     theirs = partial(cv2.matchTemplate, *single, cv2.TM_CCOEFF_NORMED)
     most = np.abs(theirs() - correlate(piece, patch)).max()
     ours, other = quickest(partial(correlate, piece, patch), seconds), quickest(theirs, seconds)
@@ -195,7 +195,7 @@ def matches(noise: float, zoom: float = 1.06, degrees: float = 5.0, sigma: float
             template, guess = cut(first, pixel, SIZE), place + sigma * rng.standard_normal(2)
             found = None if template is None else search(second, template, guess, sigma**2 * np.eye(2))
             if found is not None:
-                finer = register(second, Patch(template), found.pixel)
+                finer = register(second, template, found.pixel)
                 finer = found.pixel if finer is None else finer
                 errors = [np.hypot(*(pixel - place)) for pixel in (found.pixel, finer)]
                 rows.append([corner.quality, errors[0], found.score, found.ratio, errors[1]])

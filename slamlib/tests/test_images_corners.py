@@ -18,7 +18,7 @@ from slamlib.vision.corners import (
     structure_tensor,
 )
 from slamlib.vision.grid import Grid
-from slamlib.vision.patches import Patch, cut
+from slamlib.vision.patches import cut
 from slamlib.vision.search import register, search
 
 EVERYWHERE = (0, 0, 10**6, 10**6)
@@ -168,7 +168,7 @@ def test_the_covariance_of_a_match_is_the_inverse_of_the_tensor(free, gain):
     u, v = grid(41, 41)
     for seed in range(4):
         image = smooth(u, v, seed, shortest=9.0)
-        patch = Patch(image[15:26, 15:26])
+        patch = image[15:26, 15:26]
         found = [register(gain * (image + sigma * rng.standard_normal(u.shape)), patch, (20, 20)) for _ in range(400)]
         scatter, expected = np.cov(np.array(found).T), matching_covariance(patch, sigma, free=True)
         ratio = np.linalg.eigvals(np.linalg.solve(expected, scatter))
@@ -184,11 +184,11 @@ def test_the_covariance_of_a_match_is_the_inverse_of_the_tensor(free, gain):
             assert (ratio < 1.5).all()
 
 
-def _with_known_gain(image: np.ndarray, patch: Patch) -> np.ndarray:
+def _with_known_gain(image: np.ndarray, patch: np.ndarray) -> np.ndarray:
     """One step of least squares from the true position, for gain 1 and offset 0."""
-    down, across = np.gradient(patch.pixels)
+    down, across = np.gradient(patch)
     slopes = np.stack([across.ravel(), down.ravel()], axis=1)
-    return np.linalg.lstsq(slopes, (patch.pixels - image[15:26, 15:26]).ravel(), rcond=None)[0]
+    return np.linalg.lstsq(slopes, (patch - image[15:26, 15:26]).ravel(), rcond=None)[0]
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -113,8 +113,7 @@ class ActiveSearch(ImageFrontEnd):
         S = prediction.S * min(1.0, s.largest / reach) ** 2
         found = search(image, prediction.predicted_patch, prediction.value, S, probability=s.probability)
         if found is not None:
-            patch = cut(image, np.rint(found.pixel), s.patch)
-            prediction.score, prediction.found_patch = found.score, None if patch is None else patch.pixels
+            prediction.score, prediction.found_patch = found.score, cut(image, np.rint(found.pixel), s.patch)
         return found
 
     def accepted(self, found: Match) -> bool:

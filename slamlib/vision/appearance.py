@@ -13,7 +13,7 @@ import numpy as np
 from slamlib.geometry.pose import relative
 from slamlib.manifolds import Array, Image, Mask, finite, read_only
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.patches import Patch, as_floats, cut, grey, half_size
+from slamlib.vision.patches import as_floats, cut, grey, half_size
 from slamlib.vision.search import Match, register
 from slamlib.vision.warping import angle, facing_plane, in_camera, stretch, through_camera, towards, warp
 
@@ -71,7 +71,7 @@ class Appearance:
         return cls(piece, corner, pixel, camera, size, float(quality), previous)
 
     @property
-    def template(self) -> Patch:
+    def template(self) -> Array:
         """The patch as it was taken, of `size` px."""
         patch = cut(self.pixels, self.pixel - self.corner, self.size)
         assert patch is not None, "checked by taken()"

@@ -11,7 +11,7 @@ import numpy as np
 
 from slamlib.errors import ShapeError, SingularPointError
 from slamlib.manifolds import Array, Image
-from slamlib.vision.patches import Patch, as_floats, as_patch, grey, top
+from slamlib.vision.patches import as_floats, grey, top
 
 # With noise of two grey levels in both images a match of this quality has a standard deviation of 0.1 px in its worst
 # direction, 2 sigma^2 / 0.1^2. On photographs (benchmarks/images.py), from this quality on 98 % or more of all searches
@@ -97,14 +97,14 @@ def best_corner(
     return Corner(pixel, float(inner[row, column]))
 
 
-def matching_covariance(patch: Patch | Array, sigma: float, free: bool = False) -> Array:
+def matching_covariance(patch: Array, sigma: float, free: bool = False) -> Array:
     """Covariance (2, 2) [px^2] of the matched position of a patch (h, w), for differences with noise sigma per pixel.
 
     sigma^2 (sum of g g')^-1 over the patch; two images with noise s differ by sigma = s sqrt(2). free: gain and offset
     are unknown, as for ZNCC: the components of the gradients along either give no information on the position. Raises
     SingularPointError for a patch without texture along some direction.
     """
-    pixels = as_patch(patch).pixels
+    pixels = as_floats(grey(patch, "matching_covariance"), "matching_covariance")
     gv, gu = np.gradient(pixels)
     slopes = np.stack([gu.ravel(), gv.ravel()], axis=1)
     if free:

@@ -3,10 +3,6 @@
 The manual's pix2patch, zncc, ssd and census (section 6.1.2). All compare stacks of patches at once.
 """
 
-from dataclasses import dataclass
-from functools import cached_property
-from typing import Any
-
 import numpy as np
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
@@ -36,53 +32,8 @@ def as_floats(piece: Array, function: str) -> Array:
     return floats
 
 
-@dataclass(frozen=True, eq=False)
-class Patch:
-    """A piece of an image, pixels (h, w), with the sums that a correlation needs.
-
-    n: its number of pixels; SI, SII: the sums of the grey levels and of their squares. np.asarray gives its pixels.
-    """
-
-    pixels: Any  # the constructor also takes a patch or an image of bytes
-
-    def __post_init__(self) -> None:
-        pixels = as_floats(grey(self.pixels, "Patch"), "Patch")
-        pixels.flags.writeable = False
-        object.__setattr__(self, "pixels", pixels)
-
-    def __array__(self, dtype: object = None, copy: bool | None = None) -> Array:
-        return np.array(self.pixels, dtype=dtype)  # type: ignore[call-overload]
-
-    @property
-    def n(self) -> int:
-        """Number of pixels."""
-        return int(self.pixels.size)
-
-    @cached_property
-    def SI(self) -> float:
-        """Sum of the grey levels."""
-        return float(self.pixels.sum())
-
-    @cached_property
-    def SII(self) -> float:
-        """Sum of their squares."""
-        return float((self.pixels**2).sum())
-
-    @cached_property
-    def centred(self) -> Array:
-        """The pixels minus their mean, (h, w); zero for a patch without texture (but rounding)."""
-        deviation = self.pixels - self.SI / self.n
-        textured = (deviation**2).sum() > ROUNDING * self.SII
-        return deviation if textured else np.zeros_like(deviation)
-
-
-def as_patch(value: Patch | Array) -> Patch:
-    """A patch, or the patch of an array (h, w)."""
-    return value if isinstance(value, Patch) else Patch(value)
-
-
-def cut(image: Image, pixel: Array, size: int) -> Patch | None:
-    """The size x size patch around a pixel (2,), bilinear between pixels; None where the image ends within it.
+def cut(image: Image, pixel: Array, size: int) -> Array | None:
+    """The size x size patch around a pixel (2,), floats, bilinear between pixels; None where the image ends within it.
 
     Raises SlamlibError for an even size, ShapeError for a colour image.
     """
@@ -94,7 +45,7 @@ def cut(image: Image, pixel: Array, size: int) -> Patch | None:
         return None
     piece = as_floats(array[v - half : last[1] + 1, u - half : last[0] + 1], "cut")
     across = piece[:, :size] if a == 0 else (1 - a) * piece[:, :-1] + a * piece[:, 1:]
-    return Patch(across[:size] if b == 0 else (1 - b) * across[:-1] + b * across[1:])
+    return across[:size] if b == 0 else (1 - b) * across[:-1] + b * across[1:]
 
 
 def sample(pixels: Array, places: Array) -> Array:
@@ -126,11 +77,12 @@ def _pair(a: Array, b: Array, function: str) -> tuple[Array, Array]:
     return first, second
 
 
-def _centred(patches: Array) -> tuple[Array, Array]:
-    """Pixels minus their mean, and the sum of their squares (...), zero where that is rounding."""
+def centred(patches: Array) -> tuple[Array, Array]:
+    """Patches (..., h, w) minus their means, and the sums (...) of the squares; zeros where that is but rounding."""
     deviation = patches - patches.mean((-2, -1), keepdims=True)
     power = (deviation**2).sum((-2, -1))
-    return deviation, np.where(power > ROUNDING * (patches**2).sum((-2, -1)), power, 0)
+    textured = power > ROUNDING * (patches**2).sum((-2, -1))
+    return deviation * textured[..., None, None], power * textured
 
 
 def zncc(a: Array, b: Array) -> Array:
@@ -139,7 +91,7 @@ def zncc(a: Array, b: Array) -> Array:
     The cosine between the two patches minus their means: invariant to a positive gain and an offset. Equal to
     (n SIJ - SI SJ) / sqrt((n SII - SI^2) (n SJJ - SJ^2)), without its cancellation. Raises ShapeError.
     """
-    (first, power_a), (second, power_b) = (_centred(x) for x in _pair(a, b, "zncc"))
+    (first, power_a), (second, power_b) = (centred(x) for x in _pair(a, b, "zncc"))
     product, power = (first * second).sum((-2, -1)), np.sqrt(power_a) * np.sqrt(power_b)
     return np.clip(np.where(power > 0, product / np.where(power > 0, power, 1), 0), -1, 1)
 

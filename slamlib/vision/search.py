@@ -12,7 +12,7 @@ import numpy as np
 from slamlib.errors import CovarianceError, SlamlibError
 from slamlib.manifolds import Array, Image, finite
 from slamlib.slam.data_association.gates import gate
-from slamlib.vision.patches import ROUNDING, Patch, as_floats, as_patch, cut, grey, top
+from slamlib.vision.patches import ROUNDING, as_floats, centred, cut, grey, top
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,29 +54,26 @@ class Scores:
         return Match(pixel, score, max(float(allowed.max()), -1.0))
 
 
-def search(image: Image, template: Patch | Array, centre: Array, S: Array, probability: float = 0.99) -> Match | None:
+def search(image: Image, template: Array, centre: Array, S: Array, probability: float = 0.99) -> Match | None:
     """The best match of a template (h, w), odd sizes, predicted at `centre` (2,) with covariance S (2, 2) [px^2].
 
     Searched: the pixels nearest to positions with z' S^-1 z below the chi-square quantile of `probability`, with their
     whole window in the image; None if there is none. Raises ShapeError, CovarianceError, SlamlibError.
     """
-    patch = as_patch(template)
-    scores = score_map(image, patch, centre, S, probability)
-    return None if scores is None else scores.best(max(patch.pixels.shape) // 2)
+    scores = score_map(image, template, centre, S, probability)
+    return None if scores is None else scores.best(max(template.shape) // 2)
 
 
-def score_map(
-    image: Image, template: Patch | Array, centre: Array, S: Array, probability: float = 0.99
-) -> Scores | None:
+def score_map(image: Image, template: Array, centre: Array, S: Array, probability: float = 0.99) -> Scores | None:
     """All the scores that `search` chooses from."""
-    array, patch = grey(image, "search"), as_patch(template)
-    if patch.pixels.shape[0] % 2 == 0 or patch.pixels.shape[1] % 2 == 0:
-        raise SlamlibError(f"search: a template has a pixel in its centre, odd sizes; got {patch.pixels.shape}")
-    region = ellipse(array.shape, patch.pixels.shape, centre, S, gate(probability, 2))
+    array, patch = grey(image, "search"), as_floats(grey(template, "search"), "search")
+    if patch.shape[0] % 2 == 0 or patch.shape[1] % 2 == 0:
+        raise SlamlibError(f"search: a template has a pixel in its centre, odd sizes; got {patch.shape}")
+    region = ellipse(array.shape, patch.shape, centre, S, gate(probability, 2))
     if region is None:
         return None
     (u, v), mask = region
-    half_v, half_u = (n // 2 for n in patch.pixels.shape)
+    half_v, half_u = (n // 2 for n in patch.shape)
     # One pixel more on every side, where the image has it: the best pixel needs its neighbours.
     left, above = min(u - half_u, 1), min(v - half_v, 1)
     right = min(array.shape[1] - u - mask.shape[1] - half_u, 1)
@@ -87,21 +84,21 @@ def score_map(
     return Scores((u, v), correlate(as_floats(piece, "search"), patch), inside)
 
 
-def register(image: Image, template: Patch | Array, start: Array, steps: int = 10) -> Array | None:
+def register(image: Image, template: Array, start: Array, steps: int = 10) -> Array | None:
     """The pixel (2,) where a template, of odd size, fits best: Gauss-Newton steps from a match's pixel.
 
     Least squares, gain * template(x + d) + bias = image(pixel + x): errors are 1.5 to 2 times smaller than those of a
     correlation's paraboloid (benchmarks/images.py). None where it moves by more than a pixel, or leaves the image.
     """
-    patch, start = as_patch(template), finite(start, (2,), "register", "start")
-    down, across = np.gradient(patch.pixels)
-    columns = [x.ravel() for x in (across, down, patch.centred, np.ones(patch.pixels.shape))]
+    patch, start = as_floats(grey(template, "register"), "register"), finite(start, (2,), "register", "start")
+    down, across = np.gradient(patch)
+    columns = [x.ravel() for x in (across, down, centred(patch)[0], np.ones(patch.shape))]
     inverse, pixel = np.linalg.pinv(np.stack(columns, axis=1)), start.copy()
     for _ in range(steps):
-        seen = cut(image, pixel, len(patch.pixels))
+        seen = cut(image, pixel, len(patch))
         if seen is None:
             return None
-        u, v, gain, _ = inverse @ seen.pixels.ravel()
+        u, v, gain, _ = inverse @ seen.ravel()
         if gain <= 0:
             return None
         step = np.array([u, v]) / gain
@@ -153,7 +150,7 @@ def _whole(low: Array, high: Array, half: int, length: int) -> tuple[Any, Any]:
     return first.astype(int), last.astype(int)
 
 
-def correlate(piece: Array, patch: Patch) -> Array:
+def correlate(piece: Array, patch: Array) -> Array:
     """ZNCC of a patch (h, w) with every window of a piece of an image (rows + h - 1, columns + w - 1).
 
     One matrix product gives the products of each row of the patch with each row of each window, which are then summed
@@ -161,13 +158,13 @@ def correlate(piece: Array, patch: Patch) -> Array:
     """
     # Near zero there is no cancellation; integer grey levels stay integers, and their sums exact.
     piece = piece - np.rint(piece.mean())
-    (h, w), n = patch.pixels.shape, patch.n
+    (h, w), (deviation, power_of_patch) = patch.shape, centred(patch)
     rows, columns = piece.shape[0] - h + 1, piece.shape[1] - w + 1
     strips = np.lib.stride_tricks.sliding_window_view(piece, w, axis=1).reshape(-1, w)
-    products = (patch.centred @ strips.T).reshape(h, len(piece), columns)
+    products = (deviation @ strips.T).reshape(h, len(piece), columns)
     product = sum(products[k, k : k + rows] for k in range(h))
-    power = _sums(piece * piece, h, w) - _sums(piece, h, w) ** 2 / n
-    power = power * (power > ROUNDING * (piece * piece).sum()) * (patch.centred**2).sum()
+    power = _sums(piece * piece, h, w) - _sums(piece, h, w) ** 2 / patch.size
+    power = power * (power > ROUNDING * (piece * piece).sum()) * power_of_patch
     score: Array = product / np.sqrt(np.where(power > 0, power, np.inf))
     return np.clip(score, -1, 1)
 
