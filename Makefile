@@ -76,10 +76,10 @@ generate: environment  ## write slamlib/generated from the models
 	@$(BIN)/python -m slamlib.codegen
 
 tangle: environment  ## write the formula modules from the chapters' cells
-	@$(BIN)/python -m slamlib.codegen.tangle
+	@$(BIN)/python -m book.tools.tangle
 
 untangle: environment  ## carry edited formula modules back into the chapters' cells
-	@$(BIN)/python -m slamlib.codegen.tangle --back
+	@$(BIN)/python -m book.tools.tangle --back
 
 notebooks: environment  ## run every notebook in place and store its text outputs
 	@$(BIN)/python -m book.tools.notebooks run

@@ -50,9 +50,7 @@ def stages(every: bool = False) -> list[Stage]:
         Stage("format", [*PYTHON, "ruff", "format", "--check"], r"(\d+) files? already formatted", "files"),
         Stage("types", [*PYTHON, "mypy", *typed], r"in (\d+) source files", "files"),
         Stage("generated", [*PYTHON, "slamlib.codegen", "--check"], r"generated code: (\d+) models", "models, current"),
-        Stage(
-            "tangled", [*PYTHON, "slamlib.codegen.tangle", "--check"], r"tangled cells: (\d+)", "cells, as in slamlib"
-        ),
+        Stage("tangled", [*PYTHON, "book.tools.tangle", "--check"], r"tangled cells: (\d+)", "cells, as in slamlib"),
         Stage("sizes", [*PYTHON, "book.tools.sizes"], r"sizes: (\d+) figures", "figures, within their limits"),
         Stage("stored", [*PYTHON, "book.tools.notebooks", "check"], r"notebooks: (\d+)", "notebooks, text only"),
         Stage("core", [*PYTHON, "pytest", "-q", "-m", "core", *parallel], r"(\d+) passed", "tests of the core", False),
