@@ -1,4 +1,4 @@
-"""Films of two cameras, for the tests, benchmarks and longer runs of stereo: rendered, and of a real street."""
+"""Films of two cameras, for the tests, benchmarks and longer runs of stereo: rendered, and of a real street; tracks."""
 
 import os
 from collections.abc import Iterable, Iterator
@@ -13,7 +13,7 @@ from slamlib.datasets.pictures import read_image
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.geometry.pose import compose
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Indices
 from slamlib.sensors.sensor import Calibration
 from slamlib.sensors.stereo import STEREO
 from slamlib.vision.stereo import RelativeMotion, VisualOdometry, pair
@@ -62,3 +62,32 @@ def odometry(
         motion = source.step(image)
         pose = pose if motion is None else compose(pose, motion.pose)
         yield pose, motion
+
+
+class Tracks:
+    """Ids of the features of the present pair, and how long each has been tracked.
+
+    ids (n,) of the present features; ages (n,): pairs in which each was seen. A lost feature gets a new id when
+    it is detected again: only a filter's map re-identifies it (slamlib.vision.stereo.front_end).
+    """
+
+    def __init__(self) -> None:
+        self.last = 0
+        self.ids = np.zeros(0, dtype=int)
+        self.ages = np.zeros(0, dtype=int)
+
+    def step(self, count: int, pairs: Indices) -> Array:
+        """Advance to a pair with `count` features, `pairs` (k, 2) of old and new rows; the mask (n,) of the old ones.
+
+        The mask is the report's re-observation mask: the features of the pair before that were matched again in both
+        images of this one (5.2, C41).
+        """
+        seen = np.zeros(len(self.ids), dtype=bool)
+        seen[pairs[:, 0]] = True
+        ids, ages = np.zeros(count, dtype=int), np.ones(count, dtype=int)
+        ids[pairs[:, 1]], ages[pairs[:, 1]] = self.ids[pairs[:, 0]], self.ages[pairs[:, 0]] + 1
+        fresh = ids == 0
+        ids[fresh] = self.last + 1 + np.arange(fresh.sum())
+        self.last += int(fresh.sum())
+        self.ids, self.ages = ids, ages
+        return seen

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 from slambook import stereo_films
-from slambook.stereo_films import KITTI, kitti, stereo_film
+from slambook.stereo_films import KITTI, Tracks, kitti, stereo_film
 
 from benchmarks import stereo as bench
 from book.tools import layout, stored
@@ -25,7 +25,6 @@ from slamlib.vision.stereo import (
     StereoFeatureExtractor,
     StereoFeatures,
     StereoSettings,
-    Tracks,
     VisualOdometry,
     mutual_nearest,
 )

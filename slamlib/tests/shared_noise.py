@@ -27,8 +27,7 @@ from slamlib.manifolds import Array
 from slamlib.motions import ODOMETRY
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.stereo.fitting import _linear
-from slamlib.vision.stereo.geometry import ORIGIN
+from slamlib.vision.stereo.fitting import ORIGIN, _linear
 from slamlib.vision.stereo.odometry import control_axes, motion_between
 
 # The share of R that is no state: where all matches are landmarks, the fit leaves six of their innovations at zero, and

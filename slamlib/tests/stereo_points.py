@@ -10,7 +10,7 @@ from slamlib.slam import Options, Slam
 from slamlib.tests.shared_noise import SharedNoise
 from slamlib.tests.stereo import LENS, MOUNT, calibration, points_seen, seen_from
 from slamlib.vision.stereo import motion_between
-from slamlib.vision.stereo.geometry import ORIGIN
+from slamlib.vision.stereo.fitting import ORIGIN
 
 STILL = Control(np.zeros(6), np.zeros((6, 6)))
 EVERYTHING = Options(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from slambook import rendering
 from slambook.rendering import stereo_rig
-from slambook.stereo_films import stereo_film
+from slambook.stereo_films import Tracks, stereo_film
 
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
@@ -16,7 +16,6 @@ from slamlib.tests.stereo import LENS, calibration, points_seen, seen_from
 from slamlib.vision.stereo import (
     StereoFeatureExtractor,
     StereoSettings,
-    Tracks,
     circular_matches,
     mutual_nearest,
     pair,
@@ -24,8 +23,8 @@ from slamlib.vision.stereo import (
 )
 from slamlib.vision.stereo.detect import detect, spread
 from slamlib.vision.stereo.features import hamming_distances, row_mask, track_features
-from slamlib.vision.stereo.geometry import pixel_noise
-from slamlib.vision.stereo.refine import ALONG_ROW, align, align_shape, cut
+from slamlib.vision.stereo.fitting import pixel_noise
+from slamlib.vision.stereo.refine import ALONG_ROW, align, cut
 
 
 @pytest.fixture(scope="module")
@@ -145,7 +144,7 @@ def test_a_patch_of_another_shape_is_found_where_it_is():
         image = smooth(x + back[0, 0] * du + back[0, 1] * dv, y + back[1, 0] * du + back[1, 1] * dv)
         patch, start = cut(template, np.array([[x, y]]), 13), place[None] + 0.3
         rigid, low = align(image, patch, start)
-        free, high = align_shape(image, patch, start)
+        free, high = align(image, patch, start, free=True)
         assert np.abs(free - place).max() < 0.02
         assert np.abs(rigid - place).max() > 0.05
         assert high[0] > max(0.999, low[0])

@@ -19,8 +19,7 @@ from slamlib.tests.shared_noise import derivatives
 from slamlib.tests.stereo import MOUNT, calibration, points_seen, seen_from
 from slamlib.tests.stereo_points import run, simulate
 from slamlib.vision.stereo import MOTION_SOURCES
-from slamlib.vision.stereo.fitting import fit
-from slamlib.vision.stereo.geometry import ORIGIN
+from slamlib.vision.stereo.fitting import ORIGIN, fit
 from slamlib.vision.stereo.motion_source import INFLATION, CorrelatedFeatures, MotionFallback
 from slamlib.vision.stereo.odometry import checkerboard_half
 

@@ -8,10 +8,10 @@ measurement is (u, v, d) [px] of the left picture, as slamlib.sensors.stereo def
 from slamlib.datasets.pictures import pair
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures, circular_matches, mutual_nearest
+from slamlib.vision.stereo.fitting import triangulate
 from slamlib.vision.stereo.front_end import StereoSearch
-from slamlib.vision.stereo.geometry import triangulate
 from slamlib.vision.stereo.motion_source import MOTION_SOURCES, StereoMotionSource
-from slamlib.vision.stereo.odometry import RelativeMotion, Tracks, VisualOdometry, motion_between
+from slamlib.vision.stereo.odometry import RelativeMotion, VisualOdometry, motion_between
 
 __all__ = [
     "MOTION_SOURCES",
@@ -21,7 +21,6 @@ __all__ = [
     "StereoMotionSource",
     "StereoSearch",
     "StereoSettings",
-    "Tracks",
     "VisualOdometry",
     "circular_matches",
     "motion_between",

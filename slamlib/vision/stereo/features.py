@@ -12,7 +12,7 @@ from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Image, Indices, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.stereo.detect import Keypoints, StereoSettings, detect
-from slamlib.vision.stereo.refine import ALONG_ROW, align, align_shape, cut
+from slamlib.vision.stereo.refine import ALONG_ROW, align, cut
 
 ROWS = 0.1  # of the image's height: largest difference of the rows of a match
 ENOUGH = 12  # least number of matches for a check
@@ -65,9 +65,7 @@ def circular_matches(lefts: Indices, rights: Indices) -> Indices:
     pair is already matched from left to right, so old left, new left, new right, old right closes the cycle of the
     report's figure 5.1 exactly if both pairs are the same.
     """
-    said = set(map(tuple, rights.tolist()))
-    rows = [i for i, match in enumerate(map(tuple, lefts.tolist())) if match in said]
-    return lefts[rows]
+    return lefts[(lefts[:, None] == rights).all(-1).any(1)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,7 +144,7 @@ def refine_by_templates(
     s = settings
     pixels, score = align(image[0], templates, values[:, :2])
     if free:
-        pixels, score = align_shape(image[0], templates, pixels)
+        pixels, score = align(image[0], templates, pixels, free=True, rounds=5)
     good = (score >= s.score) & (np.abs(pixels - values[:, :2]).max(1, initial=0) <= s.shift)
     d, seen = refine_disparities(image, pixels, values[:, 2], s)
     return np.column_stack([pixels, d]), good & seen

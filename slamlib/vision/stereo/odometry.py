@@ -15,8 +15,7 @@ from slamlib.manifolds import Array, Image, Indices, Mask
 from slamlib.observation.points import observe
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures, track_features, within_region
-from slamlib.vision.stereo.fitting import Fit, fit
-from slamlib.vision.stereo.geometry import ORIGIN, triangulate
+from slamlib.vision.stereo.fitting import ORIGIN, Fit, fit, triangulate
 
 MIN_MATCHES = 8  # least number of matches for a motion
 INLIER_THRESHOLD = 2.0  # px, largest reprojection error of an inlier of a sample's motion
@@ -92,35 +91,6 @@ def control_axes(pose: Array) -> Array:
     T = np.eye(6)
     T[3:, 3:] = J.q @ by.step  # the pose's last three numbers turn about its own axes
     return T
-
-
-class Tracks:
-    """Ids of the features of the present pair, and how long each has been tracked.
-
-    ids (n,) of the present features; ages (n,): pairs in which each was seen. A lost feature gets a new id when
-    it is detected again: only a filter's map re-identifies it (slamlib.vision.stereo.front_end).
-    """
-
-    def __init__(self) -> None:
-        self.last = 0
-        self.ids = np.zeros(0, dtype=int)
-        self.ages = np.zeros(0, dtype=int)
-
-    def step(self, count: int, pairs: Indices) -> Array:
-        """Advance to a pair with `count` features, `pairs` (k, 2) of old and new rows; the mask (n,) of the old ones.
-
-        The mask is the report's re-observation mask: the features of the pair before that were matched again in both
-        images of this one (5.2, C41).
-        """
-        seen = np.zeros(len(self.ids), dtype=bool)
-        seen[pairs[:, 0]] = True
-        ids, ages = np.zeros(count, dtype=int), np.ones(count, dtype=int)
-        ids[pairs[:, 1]], ages[pairs[:, 1]] = self.ids[pairs[:, 0]], self.ages[pairs[:, 0]] + 1
-        fresh = ids == 0
-        ids[fresh] = self.last + 1 + np.arange(fresh.sum())
-        self.last += int(fresh.sum())
-        self.ids, self.ages = ids, ages
-        return seen
 
 
 class VisualOdometry:

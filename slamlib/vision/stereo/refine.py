@@ -33,46 +33,38 @@ def cut(image: Image, pixels: Array, size: int, shapes: Array | None = None) -> 
     return upper * (1 - q) + lower * q
 
 
-def align(image: Image, templates: Array, pixels: Array, axes: Array = BOTH, rounds: int = 6) -> tuple[Array, Array]:
+def align(
+    image: Image, templates: Array, pixels: Array, axes: Array = BOTH, *, free: bool = False, rounds: int = 6
+) -> tuple[Array, Array]:
     """Pixels (n, 2) near the given ones where templates (n, s + 2, s + 2) fit best, and correlations (n,) there.
 
     Each template T, without its margin of one, and the image patch I are normalized in mean and scale; the step d
     along the columns of `axes` (2, k) minimizes |I - T - grad T d|^2, and is subtracted from the pixel (inverse
     compositional, Baker and Matthews, 2004). A patch without structure stays where it was, with correlation 0.
-    """
-    size, n = templates.shape[1] - 2, len(templates)
-    T, G = _template(templates)
-    by = _inverse(T, G @ axes)
-    place = np.array(pixels, dtype=float)
-    for _ in range(rounds):
-        found, _ = _normal(cut(image, place, size).reshape(n, size**2))
-        step = (by @ (found - T)[:, :, None])[:, :, 0] @ axes.T
-        place = place - np.clip(step, -1, 1)
-    found, _ = _normal(cut(image, place, size).reshape(n, size**2))
-    return place, (found * T).sum(1)
 
-
-def align_shape(image: Image, templates: Array, pixels: Array, rounds: int = 5) -> tuple[Array, Array]:
-    """As `align`, with any linear map of the patch's shape, for another viewing direction.
-
-    With a fixed shape the result is biased where the image patch is rotated, stretched or sheared, and the error stays
-    as long as the view does; with a free shape it is not. Start near the solution: use `align` before.
+    free: with any linear map of the patch's shape, for another viewing direction, and both axes. With a fixed shape the
+    result is biased where the image patch is rotated, stretched or sheared, and the error stays as long as the view
+    does; with a free shape it is not. Start near the solution: align with a fixed one before.
     """
     size, n = templates.shape[1] - 2, len(templates)
     T, G = _template(templates)
     steps = np.arange(size) - (size - 1) / 2
     x, y = (a.ravel() for a in np.meshgrid(steps, steps))
-    by = _inverse(T, np.concatenate([G, G * x[:, None], G * y[:, None]], axis=2))
-    place, shape = np.array(pixels, dtype=float), np.tile(np.eye(2), (n, 1, 1))
+    by = _inverse(T, np.concatenate([G, G * x[:, None], G * y[:, None]], axis=2) if free else G @ axes)
+    place, shape = np.array(pixels, dtype=float), np.tile(np.eye(2), (n, 1, 1)) if free else None
     for _ in range(rounds):
         found, _ = _normal(cut(image, place, size, shape).reshape(n, size**2))
         step = (by @ (found - T)[:, :, None])[:, :, 0]
-        change = np.eye(2) + np.clip(np.stack([step[:, 2:4], step[:, 4:]], axis=2), -0.2, 0.2)
-        shape = shape @ np.linalg.inv(change)
-        place = place - (shape @ np.clip(step[:, :2, None], -1, 1))[:, :, 0]
+        if shape is None:
+            place = place - np.clip(step @ axes.T, -1, 1)
+        else:
+            change = np.eye(2) + np.clip(np.stack([step[:, 2:4], step[:, 4:]], axis=2), -0.2, 0.2)
+            shape = shape @ np.linalg.inv(change)
+            place = place - (shape @ np.clip(step[:, :2, None], -1, 1))[:, :, 0]
     found, _ = _normal(cut(image, place, size, shape).reshape(n, size**2))
-    plausible = np.abs(shape - np.eye(2)).max((1, 2), initial=0) < MOST
-    return place, np.where(plausible, (found * T).sum(1), 0.0)
+    score = (found * T).sum(1)
+    plausible = True if shape is None else np.abs(shape - np.eye(2)).max((1, 2), initial=0) < MOST
+    return place, np.where(plausible, score, 0.0)
 
 
 def _template(templates: Array) -> tuple[Array, Array]:
