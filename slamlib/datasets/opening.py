@@ -15,7 +15,7 @@ from slamlib.datasets.dataset import ImageSource, Numbers
 from slamlib.datasets.formats import DATASETS
 from slamlib.datasets.lens import Lens, PairCalibration, fitted
 from slamlib.datasets.pictures import TimedImage, pair
-from slamlib.datasets.rectification import Rectification, Undistortion, rectified_setup, why_not_rectified
+from slamlib.datasets.rectification import rectification, rectified_setup, undistortion, why_not_rectified
 from slamlib.datasets.sources import cameras_at, open_source
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import matched_times
@@ -92,8 +92,8 @@ def remapped(
     source: ImageSource, known: Lens | PairCalibration, size: tuple[int, int]
 ) -> tuple[ImageSource, dict[str, Any]]:
     """Images without distortion, or rectified pairs, and plain data of their SensorSetup."""
-    change = Undistortion(known, size) if isinstance(known, Lens) else Rectification(known, size)
-    return source.through(change, {**source.recipe, "remap": written(known), "size": list(size)}), change.setup
+    change, setup = undistortion(known, size) if isinstance(known, Lens) else rectification(known, size)
+    return source.through(change, {**source.recipe, "remap": written(known), "size": list(size)}), setup
 
 
 def reopen(recipe: dict[str, Any], count: int | None = None) -> ImageSource:

@@ -47,11 +47,12 @@ def rectified_setup(pair: PairCalibration, size: tuple[int, int]) -> tuple[dict[
     return {**setup, **pair.left.extra}, pair.right.intrinsics[0] - pair.left.intrinsics[0]
 
 
-class _Remapping:
+class Remapping:
     """Maps images (h, w) of one lens, or pairs (2, h, w) of two, to those of one pin-hole without distortion.
 
     ideal(zoom): that pin-hole, by a factor of its focal lengths; the least one is taken for which all pixels are
-    seen by the lenses.
+    seen by the lenses, and is then `lens`. turns (3, 3): of their rays. size: (width, height) of the pictures. Raises
+    SlamlibError for invalid lenses.
     """
 
     def __init__(
@@ -86,39 +87,33 @@ class _Remapping:
         return found if image.ndim == 3 else found[0]
 
 
-class Undistortion(_Remapping):
-    """Maps images of a lens to those of a pin-hole; setup: plain data of its SensorSetup.
+def undistortion(lens: Lens, size: tuple[int, int]) -> tuple[Remapping, dict[str, Any]]:
+    """Maps images of a lens to those of a pin-hole, with plain data of its SensorSetup.
 
     Both focal lengths are scaled by one factor; the principal point is kept.
     """
-
-    def __init__(self, lens: Lens, size: tuple[int, int]) -> None:
-        """size: (width, height) of the pictures. Raises SlamlibError for an invalid lens."""
-        u, v, a, b = lens.intrinsics
-        image = float(size[0]), float(size[1])
-        super().__init__([lens], [np.eye(3)], lambda zoom: Lens((u, v, zoom * a, zoom * b), image), size)
-        self.setup = self.lens.setup()
+    u, v, a, b = lens.intrinsics
+    image = float(size[0]), float(size[1])
+    found = Remapping([lens], [np.eye(3)], lambda zoom: Lens((u, v, zoom * a, zoom * b), image), size)
+    return found, found.lens.setup()
 
 
-class Rectification(_Remapping):
-    """Maps pairs (2, h, w) of two lenses to rectified pairs; setup: plain data of their SensorSetup."""
+def rectification(pair: PairCalibration, size: tuple[int, int]) -> tuple[Remapping, dict[str, Any]]:
+    """Maps pairs (2, h, w) of two lenses to rectified pairs, with plain data of their SensorSetup."""
+    turns, baseline = _turns(pair.transform)
+    lenses = pair.left, pair.right
+    # Approximate middle of the common view on the new plane z = 1, which is mapped to the image's middle.
+    centre = np.mean([turn[:2, 2] / turn[2, 2] for turn in turns], axis=0)
+    focal = float(np.mean([lens.intrinsics[2:] for lens in lenses]))
 
-    def __init__(self, pair: PairCalibration, size: tuple[int, int]) -> None:
-        """size: (width, height) of both pictures. Raises SlamlibError for invalid lenses."""
-        turns, baseline = _turns(pair.transform)
-        lenses = pair.left, pair.right
-        # Approximate middle of the common view on the new plane z = 1, which is mapped to the image's middle.
-        centre = np.mean([turn[:2, 2] / turn[2, 2] for turn in turns], axis=0)
-        focal = float(np.mean([lens.intrinsics[2:] for lens in lenses]))
+    def ideal(zoom: float) -> Lens:
+        f = zoom * focal
+        u, v = (np.subtract(size, 1) / 2 - f * centre).tolist()
+        return Lens((u, v, f, f), (float(size[0]), float(size[1])))
 
-        def ideal(zoom: float) -> Lens:
-            f = zoom * focal
-            u, v = (np.subtract(size, 1) / 2 - f * centre).tolist()
-            return Lens((u, v, f, f), (float(size[0]), float(size[1])))
-
-        super().__init__(lenses, turns, ideal, size)
-        left, right = replace(self.lens, extra=pair.left.extra), replace(self.lens, transform=placed((baseline, 0, 0)))
-        self.setup, _ = rectified_setup(PairCalibration(left, right), size)
+    found = Remapping(lenses, turns, ideal, size)
+    left, right = replace(found.lens, extra=pair.left.extra), replace(found.lens, transform=placed((baseline, 0, 0)))
+    return found, rectified_setup(PairCalibration(left, right), size)[0]
 
 
 def _turns(transform: Array) -> tuple[list[Array], float]:

@@ -9,7 +9,7 @@ from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets.calibrations import read_calibration, read_lens
 from slamlib.datasets.formats.tum import LENSES as TUM
 from slamlib.datasets.lens import Lens, fitted
-from slamlib.datasets.rectification import Undistortion
+from slamlib.datasets.rectification import undistortion
 from slamlib.errors import SlamlibError
 from slamlib.tests.pictures import DATA, KALIBR
 
@@ -196,8 +196,8 @@ LENSES = {
 def test_undistorted_pictures_are_those_of_a_pinhole(name):
     lens = LENSES[name]
     size = tuple(map(int, lens.image))
-    undistort = Undistortion(lens, size)
-    camera = SensorSetup(**undistort.setup).calibration
+    undistort, setup = undistortion(lens, size)
+    camera = SensorSetup(**setup).calibration
     rng = np.random.default_rng(1)
     points = np.concatenate([rng.uniform(-0.4, 0.4, (40, 2)), np.ones((40, 1))], axis=1)
     there = _project(lens, points)
@@ -244,7 +244,7 @@ def test_radial_lenses_need_no_undistortion_and_agree_with_opencv(tmp_path):
 
 def test_a_lens_that_makes_no_sense_is_not_undistorted():
     with pytest.raises(SlamlibError, match="does not describe pictures"):
-        Undistortion(Lens((900, 240, 500, 500), (640, 480)), (640, 480))
+        undistortion(Lens((900, 240, 500, 500), (640, 480)), (640, 480))
     with pytest.raises(SlamlibError, match="at most 4"):
         Lens((320, 240, 500, 500), model="equidistant", distortion=(1,) * 5)
     with pytest.raises(SlamlibError, match="did you mean 'equidistant'"):

@@ -12,7 +12,7 @@ from slamlib.datasets.calibrations import read_pair
 from slamlib.datasets.lens import Lens, PairCalibration
 from slamlib.datasets.opening import open_pairs, reopen
 from slamlib.datasets.pictures import TimedImage
-from slamlib.datasets.rectification import Rectification, rectified_setup, why_not_rectified
+from slamlib.datasets.rectification import rectification, rectified_setup, why_not_rectified
 from slamlib.datasets.sources import of_pictures
 from slamlib.errors import SlamlibError
 from slamlib.tests.pictures import KALIBR
@@ -99,8 +99,8 @@ def test_kalibrs_and_opencvs_files_of_two_cameras(tmp_path):
     ],
 )
 def test_rectified_pixels_are_those_of_a_stereo_sensor(left, right):
-    change = Rectification(PairCalibration(left, replace(right, transform=tuple(place().ravel()))), SIZE)
-    sensor = SensorSetup(**change.setup).calibration
+    change, setup = rectification(PairCalibration(left, replace(right, transform=tuple(place().ravel()))), SIZE)
+    sensor = SensorSetup(**setup).calibration
     assert sensor.given["baseline"][0] == pytest.approx(np.linalg.norm(SHIFT))
     rng = np.random.default_rng(1)
     rays = np.column_stack([rng.uniform(-0.5, 0.5, (40, 1)), rng.uniform(-0.35, 0.35, (40, 1)), np.ones((40, 1))])
