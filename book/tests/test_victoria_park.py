@@ -10,7 +10,7 @@ from slambook import victoria_park
 from slambook.trees import drive
 
 from book.tools import layout
-from slamlib.codegen.check import check
+from slamlib.codegen import check
 from slamlib.data.records import Control, Features, Frame, Scan
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import compose, to_frame

@@ -21,13 +21,7 @@ from slamlib.manifolds import Array
 from slamlib.motions.odometry import ODOMETRY
 from slamlib.observation.points import observe
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.stereo import (
-    StereoFeatureExtractor,
-    StereoFeatures,
-    StereoSettings,
-    VisualOdometry,
-    mutual_nearest,
-)
+from slamlib.vision.stereo import StereoFeatureExtractor, StereoFeatures, StereoSettings, VisualOdometry, mutual_nearest
 from slamlib.vision.stereo.features import hamming_distances, within_region
 
 FILE = layout.BOOK / "chapters" / "data" / "visual_odometry.json"

@@ -10,9 +10,8 @@ import numpy as np
 
 from slamlib import __version__
 from slamlib.cli import compare, evaluate, listing, run, starting
-from slamlib.cli.monocular import ImagesCommand
 from slamlib.cli.runner import STOPPED, signals
-from slamlib.cli.stereo import PairsCommand
+from slamlib.cli.sequences import ImagesCommand, PairsCommand
 from slamlib.errors import SlamlibError
 
 COMMANDS: dict[str, Any] = {

@@ -4,9 +4,8 @@
 Jacobians with numerical ones, `show` prints source. `python -m slamlib.codegen` writes slamlib/generated.
 """
 
-from slamlib.codegen.check import check
 from slamlib.codegen.derive import Derivation, derive, show
-from slamlib.codegen.proof import assert_same
+from slamlib.codegen.proof import assert_same, check
 
 __all__ = ["Derivation", "assert_same", "check", "derive", "load_ipython_extension", "show"]
 

@@ -13,8 +13,8 @@ import numpy as np
 import sympy
 
 import slamlib
-from slamlib.codegen.check import random_point
 from slamlib.codegen.emit import module
+from slamlib.codegen.proof import random_point
 from slamlib.data.files import write_whole
 from slamlib.errors import entry
 from slamlib.model import FORMULA_PARTS, Model

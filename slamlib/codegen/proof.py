@@ -1,6 +1,10 @@
-"""Prove that two formulas are equal: symbolically, else at exact random points to sixty digits."""
+"""Prove that two formulas are equal, symbolically, else at exact random points to sixty digits; check Jacobians.
+
+The check compares what is generated from a model with numerical derivatives of its definition.
+"""
 
 import random
+from collections.abc import Callable
 from typing import Any
 
 import mpmath
@@ -10,7 +14,10 @@ import sympy
 from slamlib.codegen.derive import Derivation, derive
 from slamlib.codegen.functions import closed_form
 from slamlib.errors import ShapeError, SlamlibError
-from slamlib.model import Model
+from slamlib.model import Argument, Model
+from slamlib.modeling.numerical import complex_step, scaled_differences
+
+Sampler = Callable[[np.random.Generator], list[Any]]
 
 _DIGITS = 60
 _QUICK = 150  # operations
@@ -89,3 +96,43 @@ def _rational_unit(size: int, chance: random.Random) -> list[Any]:
     flat = [sympy.Rational(chance.randint(-99, 99), chance.randint(50, 150)) for _ in range(size - 1)]
     squared = sum(f**2 for f in flat)
     return [(1 - squared) / (1 + squared), *(2 * f / (1 + squared) for f in flat)]
+
+
+def check(
+    model: Model,
+    *,
+    sample: Sampler | None = None,
+    points: int = 20,
+    seed: int = 0,
+    tolerance: float = 1e-9,
+    silent: bool = False,
+) -> None:
+    """Value and Jacobians against the definition at random points; prints a line per argument, raises AssertionError.
+
+    Derivatives are taken through plus and minus of each manifold, by a complex step (rounding errors only).
+    sample(rng) gives the arguments where a model is not defined for every vector; the default draws from each manifold.
+    """
+    rng = np.random.default_rng(seed)
+    worst: dict[str, float] = {}
+    for _ in range(points):
+        arguments = sample(rng) if sample else [random_point(a, rng) for a in model.arguments]
+        value, jacobians = model.jac(*arguments)
+        numerical = [complex_step(model, arguments, index) for index in range(len(arguments))]
+        pairs = [(value, model.definition(*arguments)), *zip(jacobians, numerical, strict=True)]
+        for what, (found, wanted) in zip(("value", *model.parameters), pairs, strict=True):
+            if not np.isfinite(found).all():
+                raise SlamlibError(f"{model.name}: {what} is not finite")
+            error = float(np.max(scaled_differences(found, wanted), initial=0))
+            if error > tolerance:
+                how = f"differs from its definition by {error:.3g}, relative; tolerance {tolerance:.0e}"
+                raise AssertionError(f"{model.name}: {what} {how}")
+            worst[what] = max(worst.get(what, 0.0), error)
+    for name in () if silent else model.parameters:
+        # a rounded bound above the error, the same on every machine: never sharper than 1e-12
+        bound = f"1e-{min(12, int(-np.log10(max(worst[name], 1e-300))))}"
+        print(f"{model.name}: J.{name} is the complex step's at {points} random points, to {bound}")
+
+
+def random_point(argument: Argument, rng: np.random.Generator) -> Any:
+    """Draw a random value for an argument."""
+    return rng.standard_normal(argument.shape) if argument.manifold is None else argument.manifold.random(rng)

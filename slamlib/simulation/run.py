@@ -12,8 +12,7 @@ from slamlib.data.records import Control, Frame, Truth, World
 from slamlib.data.setup import Rig, RobotSetup
 from slamlib.errors import ShapeError, SlamlibError, entry
 from slamlib.manifolds import Array, finite, numbers, read_only_copy
-from slamlib.simulation.draws import Streams, drawn, root, streams
-from slamlib.simulation.sensors import Faults, SimulatedSensor
+from slamlib.simulation.sensors import Faults, SimulatedSensor, Streams, drawn, root, streams
 
 # By name: the shares of the drawn noise in the truth, and in the control given to the estimator.
 NOISE_IN = {"truth": (1.0, 0.0), "control": (0.0, 1.0)}

@@ -1,6 +1,7 @@
 """Simulated sensors of any type, through the same measurement models as the filter's, and their faults.
 
-Faults occur at given rates: features are missed, replaced by outliers, or associated with another landmark.
+Faults occur at given rates: features are missed, replaced by outliers, or associated with another landmark. Each thing
+that is drawn at random has a stream of its own.
 """
 
 from contextlib import suppress
@@ -14,9 +15,8 @@ from slamlib.data.records import Features, Scan, World
 from slamlib.data.setup import SensorSetup
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import Pose, compose
-from slamlib.manifolds import Array, Indices, Mask, read_only_copy
+from slamlib.manifolds import Array, Indices, Manifold, Mask, read_only_copy
 from slamlib.observation import FAMILIES, Family
-from slamlib.simulation.draws import Streams, drawn, root
 from slamlib.simulation.occlusion import hidden, longest_seen
 
 if TYPE_CHECKING:
@@ -24,6 +24,35 @@ if TYPE_CHECKING:
 
 TRIES = 1000  # of a false measurement
 DIRECTIONS = 4096  # in which the extent of all measurements is found
+KINDS = ("start", "control", "extrinsics", "points", "segments", "faults")  # other families come after these
+Streams = dict[str, np.random.Generator]
+
+
+def streams(rng: np.random.Generator, count: int) -> list[Streams]:
+    """A generator of every kind for each of `count` robots or sensors; they depend on the state of `rng` alone.
+
+    The streams are independent: another sensor, another fault, or a filter that draws from `rng` leaves all other
+    numbers as they were. Raises SlamlibError.
+    """
+    if not isinstance(rng, np.random.Generator):
+        raise SlamlibError(f"simulate: rng is a generator, such as np.random.default_rng(1), not {rng!r}")
+    seed = rng.integers(2**32, size=4).tolist()
+    kinds = (*KINDS, *sorted(set(FAMILIES) - set(KINDS)))
+    return [
+        {kind: np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(i, k))) for k, kind in enumerate(kinds)}
+        for i in range(count)
+    ]
+
+
+def drawn(manifold: Manifold, mean: Array, covariance: Array, rng: np.random.Generator) -> Array:
+    """Draw a point (size,) from a Gaussian in the tangent space: mean (size,), covariance (dof, dof)."""
+    return manifold.plus(mean, root(covariance) @ rng.standard_normal(manifold.dof))
+
+
+def root(covariance: Array) -> Array:
+    """The symmetric square root of a covariance, which may be singular."""
+    values, vectors = np.linalg.eigh(covariance)
+    return (vectors * np.sqrt(np.maximum(values, 0))) @ vectors.T
 
 
 @dataclass(frozen=True)

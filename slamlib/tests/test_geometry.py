@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from slamlib.codegen.check import check
+from slamlib.codegen import check
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, UnitError
 from slamlib.geometry import euler, polar, pose, quaternion
 from slamlib.geometry.pose import Pose

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from slamlib.codegen.check import check
+from slamlib.codegen import check
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry import plucker
 from slamlib.geometry import pose as frames

@@ -8,7 +8,7 @@ import pytest
 
 import slamlib
 from slamlib.analytic import cos, sin
-from slamlib.codegen.check import check
+from slamlib.codegen import check
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError, UnitError
 from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import Pose

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from slamlib.codegen.check import check
+from slamlib.codegen import check
 from slamlib.errors import UnknownNameError
 from slamlib.geometry import euler, pose, quaternion
 from slamlib.modeling.numerical import central_difference

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from slamlib.codegen.check import check
+from slamlib.codegen import check
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError, UnknownNameError
 from slamlib.geometry.quaternion import pi_matrix
 from slamlib.landmarks.ahm_point import AHM_POINT

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import slamlib
-from slamlib.codegen.check import check
+from slamlib.codegen import check
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError, UnknownNameError
 from slamlib.sensors import Calibration, sensor
 from slamlib.sensors import pinhole as ph

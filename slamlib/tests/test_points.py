@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
-from slamlib.codegen.check import check
+from slamlib.codegen import check
 from slamlib.errors import ShapeError, SingularPointError, SlamlibError
 from slamlib.geometry import pose as frames
 from slamlib.geometry import quaternion

@@ -15,7 +15,7 @@ from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.geometry.pose import Pose, compose, relative
 from slamlib.geometry.quaternion import logarithm
 from slamlib.manifolds import Array, read_only_copy
-from slamlib.simulation.draws import drawn, root, streams
+from slamlib.simulation.sensors import drawn, root, streams
 
 ASTRAY = 6.0  # standard deviations: the largest distance of a path's start from its rig's start
 

@@ -1,0 +1,170 @@
+"""`slamlib run images` and `slamlib run stereo-images`: their arguments, and the runs that they start."""
+
+import argparse
+from dataclasses import replace
+
+import numpy as np
+
+from slamlib.cli.arguments import assignments, at_least, count, number
+from slamlib.cli.images import Add, ImageCommand, given_options
+from slamlib.data.plain import read
+from slamlib.data.setup import SensorSetup
+from slamlib.datasets import opening
+from slamlib.errors import SlamlibError, entry
+from slamlib.motions import MOTIONS
+from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
+from slamlib.vision.active_search import ActiveSearchSettings
+from slamlib.vision.run import (
+    IMAGES,
+    PAIRS,
+    camera_rig,
+    image_run,
+    make_front_end,
+    open_stereo,
+    options_for,
+    stereo_run,
+)
+from slamlib.vision.sequence_run import SequenceRun
+from slamlib.vision.stereo.detect import StereoSettings
+from slamlib.vision.stereo.motion_source import MOTION_SOURCES
+from slamlib.vision.target import Target
+
+ALIASES = {"constant-velocity": "constVel"}
+
+
+class ImagesCommand(ImageCommand):
+    """Run the filter on real pictures: a folder, a glob, a video, or TUM RGB-D, EuRoC and KITTI layouts."""
+
+    kind = IMAGES
+    EXAMPLES = """examples:
+  slamlib run images --source frames --calibration camera.json --fps 15
+  slamlib run images --source film.mp4 --calibration camera.yaml --frames 300 --video map.mp4
+  slamlib run images --source rgbd_dataset_freiburg1_xyz --calibration fr1 --trajectory path.txt \\
+      --reference rgbd_dataset_freiburg1_xyz/groundtruth.txt
+  slamlib run images --source frames --calibration camera.json --scale target.json
+
+camera.json of a pin-hole, in pixels:
+  {"image": [640, 480], "parameters": {"intrinsics": [320, 240, 500, 500], "distortion": [-0.3, 0.1]}}
+"""
+
+    def what(self, add: Add) -> None:
+        """Add the input arguments of one camera."""
+        add("--source", metavar="PATH", help="a folder, a quoted glob, a video, or a data set's folder")
+        add("--calibration", metavar="FILE",
+            help="slamlib's, ROS's, OpenCV's, Kalibr's, EuRoC's, KITTI's, plain text; or fr1, fr2, fr3")  # fmt: skip
+        add("--camera", type=at_least(0), default=0, metavar="N", help="number of the camera (default 0)")
+        add("--undistort", action="store_true", help="remove the lens distortion from the images (OpenCV)")
+        self._which(add)
+        add("--scale", default="free", metavar="free|FILE",
+            help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3) [m], n at least 4, '
+                 'their "pixels" (n, 2) in the first image, and the "std" of the points [m]')  # fmt: skip
+
+    def how(self, add: Add) -> None:
+        """Add the filter arguments, with all motions of slamlib."""
+        add("--motion", default="constant-velocity", help="constant-velocity, or a name of `slamlib list motions`")
+        self._impulses(add, "", "{:g} times the target's distance, if there is one, and {:g}")
+        add("--noise", type=number, metavar="PX",
+            help=f"std of a pixel coordinate (default: the calibration file's, or {IMAGES.noise[0]})")  # fmt: skip
+        points, updates = IMAGES.options.points, IMAGES.options.updates
+        add("--landmark", default=points, help=f"parametrization of points (default {points})")
+        add("--lines", metavar="LANDMARK",
+            help="also straight edges, in this parametrization, such as idpLin (default: none)")  # fmt: skip
+        add("--updates", type=count, metavar="N", help=f"landmarks per frame (default {updates}, more with a target)")
+        add("--outlier-rejection", choices=OUTLIER_REJECTIONS,
+            help=f"how outliers among matches are rejected (default {IMAGES.options.outlier_rejection})")  # fmt: skip
+        self._search(add, ActiveSearchSettings, "active search")
+        add("--seed", type=int, default=1, metavar="N", help="seed of the search for new landmarks (default 1)")
+
+    def new_run(self, given: argparse.Namespace) -> SequenceRun:
+        """A run with free scale, or with that of a target."""
+        if not given.source or not given.calibration:
+            raise SlamlibError("--source and --calibration are needed, or --resume PATH; see slamlib run images --help")
+        motion = entry("motion", given.motion, {name: name for name in MOTIONS} | ALIASES)
+        opened = {"camera": given.camera, "fps": given.fps, "undistort": given.undistort}
+        source, camera = opening.open_sequence(given.source, given.calibration, **opened)
+        if given.noise is not None:
+            camera["std"] = (given.noise,)
+        target = None if given.scale == "free" else Target.load(given.scale)
+        unit = 1.0 if target is None else target.distance(read(SensorSetup, camera, "camera").calibration)
+        rig = camera_rig(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
+        settings = ActiveSearchSettings(**assignments(given.search, ActiveSearchSettings, "--search"))
+        names = "lines", "updates", "outlier_rejection"
+        said = given_options(given, "point landmark (for lines there is --lines)", *names)
+        chosen = options_for(unit, 0 if target is None else len(target.points), **said)
+        front_end = make_front_end(chosen, rig.sensors[0].calibration, np.random.default_rng(given.seed), settings)
+        pictures = source.part(given.start, given.every, given.frames)
+        return image_run(pictures, rig, chosen, front_end, scale=target, patience=given.patience or 30)
+
+
+class PairsCommand(ImageCommand):
+    """Run the filter on real stereo pairs: KITTI and EuRoC layouts, or a left and a right folder, glob or video."""
+
+    kind = PAIRS
+    EXAMPLES = """examples:
+  slamlib run stereo-images --source sequences/04 --reference poses/04.txt --trajectory path.txt
+  slamlib run stereo-images --source MH_01_easy --frames 200 --video film.mp4
+  slamlib run stereo-images --left "left/*.png" --right "right/*.png" --calibration pair.json --fps 10
+  slamlib run stereo-images --source sequences/04 --odometry-only
+
+pair.json of a rectified pair, in pixels and metres:
+  {"intrinsics": [601.9, 183.1, 707.1, 707.1], "baseline": 0.537}
+"""
+
+    def what(self, add: Add) -> None:
+        """Add the input arguments of two cameras."""
+        add("--source", metavar="FOLDER", help="of KITTI (image_0, image_1, calib.txt, times.txt) or EuRoC (mav0)")
+        for side in ("left", "right"):
+            add(f"--{side}", metavar="GLOB", help=f"the {side} images: a folder, a quoted glob, or a video")
+        add("--calibration", metavar="FILE", nargs="+",
+            help="of both cameras: KITTI's, slamlib's, Kalibr's, OpenCV's or plain JSON, or two files (EuRoC's); a "
+                 "data set's folder may contain it")  # fmt: skip
+        add("--cameras", nargs=2, type=at_least(0), metavar=("L", "R"), help="their numbers (default 0 1, or 2 3)")
+        add("--rectify", action="store_true",
+            help="the images are not rectified: rectify them (OpenCV; always done for EuRoC)")  # fmt: skip
+        self._which(add)
+
+    def how(self, add: Add) -> None:
+        """Add the filter arguments, with visual odometry."""
+        add("--motion", choices=MOTION_SOURCES, default="split-features",
+            help="where predictions come from: constant-velocity, split-features (odometry of one half of the "
+                 "features, landmarks of the other; default), correlated (all for both; needs many)")  # fmt: skip
+        add("--odometry-only", action="store_true", help="no filter: visual odometry alone, for comparison")
+        self._impulses(add, "with --motion constant-velocity, ", "{:g} {:g}")
+        noise = " ".join(f"{n:g}" for n in PAIRS.noise)
+        add("--noise", nargs="+", type=number, metavar="PX",
+            help=f"std of u, v and disparity, or one for all (default: the calibration's, or {noise})")  # fmt: skip
+        points, updates = PAIRS.options.points, PAIRS.options.updates
+        add("--landmark", default=points, help=f"parametrization of points (default {points})")
+        for name, text in (
+            ("window", "delete landmarks not seen for N pairs (default: none)"),
+            ("capacity", "most landmarks; beyond it the least recently seen one is deleted"),
+            ("updates", f"landmarks measured per pair (default {updates})"),
+        ):
+            add(f"--{name}", type=count, metavar="N", help=text)
+        self._search(add, StereoSettings, "features")
+
+    def new_run(self, given: argparse.Namespace) -> SequenceRun:
+        """A run of the filter, or of visual odometry alone."""
+        if not given.source and not (given.left and given.right):
+            see = "see slamlib run stereo-images --help"
+            raise SlamlibError(f"--source, or --left and --right, are needed, or --resume PATH; {see}")
+        if given.source and (given.left or given.right):
+            raise SlamlibError("--source has both cameras in it: leave --left and --right out")
+        settings = StereoSettings(**assignments(given.search, StereoSettings, "--search"))
+        full = {} if given.capacity is None else {"pruning": "least-recently-seen"}
+        said = given_options(given, "point landmark", "window", "capacity", "updates")
+        options = replace(PAIRS.options, **{**full, **said})
+        cameras = tuple(given.cameras) if given.cameras else None
+        source, camera, settings = open_stereo(
+            given.source, given.left, given.right, given.calibration,
+            cameras=cameras, fps=given.fps, rectify=given.rectify, settings=settings,
+        )  # fmt: skip
+        if given.noise is not None:
+            if len(given.noise) not in (1, 3) or not min(given.noise) > 0:
+                raise SlamlibError(f"--noise takes one number above 0, or three (u, v, disparity), got {given.noise}")
+            camera = {**camera, "std": tuple(given.noise * (3 // len(given.noise))), "noise": None}
+        return stereo_run(
+            source.part(given.start, given.every, given.frames), camera, options,
+            motion_source="odometry" if given.odometry_only else given.motion, settings=settings,
+            impulse=given.impulse, velocity=given.velocity, patience=given.patience or 30,
+        )  # fmt: skip
