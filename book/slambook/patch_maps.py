@@ -1,6 +1,7 @@
-"""Maps of patches beside those that the active search uses, as slamlib.vision.warping has them. Chapter active_search.
+"""Maps and scores of patches beside those that the active search uses, which slamlib.vision has. Chapter active_search.
 
-By zoom and roll, as the toolbox's manual has it; by the homography of a plane, for cameras without distortion.
+By zoom and roll, as the toolbox's manual has it; by the homography of a plane, for cameras without distortion. The
+manual's scores ssd and census (section 6.1.2); and how well a patch's position can be known.
 """
 
 import numpy as np
@@ -8,6 +9,7 @@ import numpy as np
 from slamlib.errors import SingularPointError
 from slamlib.geometry.quaternion import rotation
 from slamlib.manifolds import Array
+from slamlib.vision.patches import as_floats, as_pair, grey
 
 
 def zoom_and_roll(relative: Array, point: Array) -> tuple[float, float]:
@@ -44,3 +46,41 @@ def offsets_map(H: Array, old: Array) -> Array:
     from_new[:2, 2], to_old[:2, 2] = image[:2] / image[2], -np.asarray(old)
     result: Array = to_old @ np.linalg.solve(H, from_new)
     return result / result[2, 2]
+
+
+def ssd(a: Array, b: Array) -> Array:
+    """Root of the mean squared difference (...) of patches (..., h, w), in grey levels: 0 for equal ones.
+
+    The name is that of the sum of squared differences, whose order it keeps; the toolbox's has the same scale.
+    """
+    first, second = as_pair(a, b, "ssd")
+    return np.sqrt(((first - second) ** 2).mean((-2, -1)))
+
+
+def census(a: Array, b: Array) -> Array:
+    """Share (...) of the pixels of patches (..., h, w) that are brighter than the centre in both, or in none.
+
+    1 for equal patches; invariant to monotonically increasing changes of the grey levels. Zabih and Woodfill (1994).
+    """
+    first, second = as_pair(a, b, "census")
+    brighter = [x > x[..., x.shape[-2] // 2, None, x.shape[-1] // 2, None] for x in (first, second)]
+    return (brighter[0] == brighter[1]).mean((-2, -1))
+
+
+def matching_covariance(patch: Array, sigma: float, free: bool = False) -> Array:
+    """Covariance (2, 2) [px^2] of the matched position of a patch (h, w), for differences with noise sigma per pixel.
+
+    sigma^2 (sum of g g')^-1 over the patch; two images with noise s differ by sigma = s sqrt(2). free: gain and offset
+    are unknown, as for ZNCC: the components of the gradients along either give no information on the position. Raises
+    SingularPointError for a patch without texture along some direction.
+    """
+    pixels = as_floats(grey(patch, "matching_covariance"), "matching_covariance")
+    gv, gu = np.gradient(pixels)
+    slopes = np.stack([gu.ravel(), gv.ravel()], axis=1)
+    if free:
+        known = np.linalg.qr(np.stack([np.ones(pixels.size), pixels.ravel()], axis=1))[0]
+        slopes = slopes - known @ (known.T @ slopes)
+    S = slopes.T @ slopes
+    if np.linalg.eigvalsh(S)[0] <= 1e-9 * max(np.trace(S), 1e-300):
+        raise SingularPointError("matching_covariance: the patch has no texture along some direction; it slides there")
+    return sigma**2 * np.linalg.inv(S)

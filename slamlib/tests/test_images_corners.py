@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from slambook.patch_maps import matching_covariance
 
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError
 from slamlib.tests.pictures import NAMES, cube, grid, photograph, smooth
@@ -13,7 +14,6 @@ from slamlib.vision.corners import (
     SUPPORT,
     best_corner,
     eigenvalues,
-    matching_covariance,
     strength,
     structure_tensor,
 )

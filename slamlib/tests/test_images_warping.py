@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from slambook.patch_maps import offsets_map, plane_homography, similarity, zoom_and_roll
+from slambook.patch_maps import offsets_map, plane_homography, similarity, ssd, zoom_and_roll
 
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import relative
@@ -13,7 +13,7 @@ from slamlib.sensors.omni import OMNI
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
 from slamlib.tests.pictures import grid, smooth
-from slamlib.vision.patches import ssd, zncc
+from slamlib.vision.patches import zncc
 from slamlib.vision.warping import (
     affine,
     facing_plane,

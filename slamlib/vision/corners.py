@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slamlib.errors import ShapeError, SingularPointError
+from slamlib.errors import ShapeError
 from slamlib.manifolds import Array, Image
 from slamlib.vision.patches import as_floats, grey, top
 
@@ -95,25 +95,6 @@ def best_corner(
     row, column = divmod(int(np.argmax(np.where(good, inner, -1))), inner.shape[1])
     pixel = np.array([u0 + column, v0 + row]) + top(smaller[row : row + 3, column : column + 3])
     return Corner(pixel, float(inner[row, column]))
-
-
-def matching_covariance(patch: Array, sigma: float, free: bool = False) -> Array:
-    """Covariance (2, 2) [px^2] of the matched position of a patch (h, w), for differences with noise sigma per pixel.
-
-    sigma^2 (sum of g g')^-1 over the patch; two images with noise s differ by sigma = s sqrt(2). free: gain and offset
-    are unknown, as for ZNCC: the components of the gradients along either give no information on the position. Raises
-    SingularPointError for a patch without texture along some direction.
-    """
-    pixels = as_floats(grey(patch, "matching_covariance"), "matching_covariance")
-    gv, gu = np.gradient(pixels)
-    slopes = np.stack([gu.ravel(), gv.ravel()], axis=1)
-    if free:
-        known = np.linalg.qr(np.stack([np.ones(pixels.size), pixels.ravel()], axis=1))[0]
-        slopes = slopes - known @ (known.T @ slopes)
-    S = slopes.T @ slopes
-    if np.linalg.eigvalsh(S)[0] <= 1e-9 * max(np.trace(S), 1e-300):
-        raise SingularPointError("matching_covariance: the patch has no texture along some direction; it slides there")
-    return sigma**2 * np.linalg.inv(S)
 
 
 def _filtered(stack: Array, down: Array, across: Array) -> Array:

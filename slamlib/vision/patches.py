@@ -1,6 +1,6 @@
-"""Image patches, three scores to compare them (ZNCC, SSD, census), and a score's peak. Chapter active_search.
+"""Image patches, the score that compares them (ZNCC), and its peak. Chapter active_search.
 
-The manual's pix2patch, zncc, ssd and census (section 6.1.2). All compare stacks of patches at once.
+The manual's pix2patch and zncc (section 6.1.2); its other scores are in slambook.patch_maps.
 """
 
 import numpy as np
@@ -69,7 +69,7 @@ def half_size(size: int, function: str) -> int:
     return int(size) // 2
 
 
-def _pair(a: Array, b: Array, function: str) -> tuple[Array, Array]:
+def as_pair(a: Array, b: Array, function: str) -> tuple[Array, Array]:
     """Two patches, or stacks (..., h, w) whose leading axes agree, as floats."""
     first, second = (np.asarray(x, dtype=float) for x in (a, b))
     if first.ndim < 2 or first.shape[-2:] != second.shape[-2:]:
@@ -91,28 +91,9 @@ def zncc(a: Array, b: Array) -> Array:
     The cosine between the two patches minus their means: invariant to a positive gain and an offset. Equal to
     (n SIJ - SI SJ) / sqrt((n SII - SI^2) (n SJJ - SJ^2)), without its cancellation. Raises ShapeError.
     """
-    (first, power_a), (second, power_b) = (centred(x) for x in _pair(a, b, "zncc"))
+    (first, power_a), (second, power_b) = (centred(x) for x in as_pair(a, b, "zncc"))
     product, power = (first * second).sum((-2, -1)), np.sqrt(power_a) * np.sqrt(power_b)
     return np.clip(np.where(power > 0, product / np.where(power > 0, power, 1), 0), -1, 1)
-
-
-def ssd(a: Array, b: Array) -> Array:
-    """Root of the mean squared difference (...) of patches (..., h, w), in grey levels: 0 for equal ones.
-
-    The name is that of the sum of squared differences, whose order it keeps; the toolbox's has the same scale.
-    """
-    first, second = _pair(a, b, "ssd")
-    return np.sqrt(((first - second) ** 2).mean((-2, -1)))
-
-
-def census(a: Array, b: Array) -> Array:
-    """Share (...) of the pixels of patches (..., h, w) that are brighter than the centre in both, or in none.
-
-    1 for equal patches; invariant to monotonically increasing changes of the grey levels. Zabih and Woodfill (1994).
-    """
-    first, second = _pair(a, b, "census")
-    brighter = [x > x[..., x.shape[-2] // 2, None, x.shape[-1] // 2, None] for x in (first, second)]
-    return (brighter[0] == brighter[1]).mean((-2, -1))
 
 
 # Least squares through the nine values at (u, v) = (-1..1, -1..1), row by row: first and second derivatives.
