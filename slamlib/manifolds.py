@@ -28,11 +28,17 @@ def numbers(value: ArrayLike, function: str, argument: str) -> Array:
         raise SlamlibError(f"{function}: {argument} should be an array of real numbers: {error}") from None
 
 
-def finite(value: ArrayLike, shape: tuple[int, ...], function: str, argument: str) -> Array:
-    """Convert to an array of finite floats of exactly this shape; raises ShapeError, NonFiniteError."""
+def finite(value: ArrayLike, shape: tuple[int | None, ...] | None, function: str, argument: str) -> Array:
+    """Convert to an array of finite floats of this shape, where None is any length, or any shape.
+
+    Raises ShapeError, NonFiniteError.
+    """
     array = numbers(value, function, argument)
-    if array.shape != shape:
-        raise ShapeError(f"{function}: {argument} should have shape {shape}, but has shape {array.shape}")
+    if shape is not None and array.shape != shape:
+        free = len(shape) == array.ndim and all(m in (None, n) for n, m in zip(array.shape, shape, strict=True))
+        if not free:
+            form = str(shape).replace("None", "n")
+            raise ShapeError(f"{function}: {argument} should have shape {form}, but has shape {array.shape}")
     if not np.isfinite(array).all():
         where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
         raise NonFiniteError(f"{function}: {argument} holds {array[where]} at index {where}; remove or mask it")

@@ -51,8 +51,8 @@ class Features:
 
 def _keep(record: Any, name: str) -> None:
     """Check the value (m,) of a record and its noise (m, m), and keep read-only copies."""
-    value = numbers(record.value, name, "value")
-    object.__setattr__(record, "value", read_only_copy(finite(value, (value.size,), name, "value")))
+    value = finite(record.value, (None,), name, "value")
+    object.__setattr__(record, "value", read_only_copy(value))
     object.__setattr__(record, "covariance", read_only_copy(covariance(record.covariance, value.size, name, "noise")))
 
 
@@ -162,8 +162,7 @@ class World(ByFamily):
             size, given = FAMILIES[name].world_size, features.values.shape[1]
             if given != size:
                 raise ShapeError(f"World: {name} have {size} numbers each, got {given}")
-        faces = numbers(self.faces, "World", "faces")
-        object.__setattr__(self, "faces", read_only_copy(finite(faces, (len(faces), 3, 3), "World", "faces")))
+        object.__setattr__(self, "faces", read_only_copy(finite(self.faces, (None, 3, 3), "World", "faces")))
         ids = np.concatenate([features.ids for features in self.features.values()])
         if not np.diff(np.sort(ids)).all():
             raise SlamlibError("World: things of two families share an id; number segments after the points")

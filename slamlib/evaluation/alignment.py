@@ -48,10 +48,8 @@ def align(points: Array, reference: Array, *, scale: bool = True, turn: Array | 
     Raises SlamlibError where the points do not determine it: fewer than three, or collinear, so that every rotation
     about their line fits equally well; there use `align_trajectory`, which takes the rotation from the orientations.
     """
-    shape = np.shape(points)
-    if len(shape) != 2 or shape != np.shape(reference) or shape[1] != 3:
-        raise ShapeError(f"align: pairs of points (n, 3) are wanted, got {shape} and {np.shape(reference)}")
-    x, y = finite(points, shape, "align", "points"), finite(reference, shape, "align", "reference")
+    x = finite(points, (None, 3), "align", "points")
+    y = finite(reference, x.shape, "align", "reference")
     mean_x, mean_y = x.mean(0), y.mean(0)
     x, y = x - mean_x, y - mean_y
     if turn is None:

@@ -10,11 +10,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
 from slamlib.kalman import linalg
-from slamlib.manifolds import Array, numbers
+from slamlib.manifolds import Array, finite
 
 
 def nees(error: Array, covariance: Array) -> Array:
@@ -39,7 +38,7 @@ def nis(innovation: Array, covariance: Array) -> Array:
 
 
 def _squared(vector: Array, matrix: Array, function: str) -> Array:
-    vector, matrix = _numbers(vector, function, "vector"), _numbers(matrix, function, "covariance")
+    vector, matrix = finite(vector, None, function, "vector"), finite(matrix, None, function, "covariance")
     n = vector.shape[-1] if vector.ndim else 0
     if matrix.shape[-2:] != (n, n) or n == 0:
         raise ShapeError(
@@ -59,19 +58,12 @@ def _squared(vector: Array, matrix: Array, function: str) -> Array:
     return (white * white).sum(-1)
 
 
-def _numbers(value: ArrayLike, function: str, name: str) -> Array:
-    array = numbers(value, function, name)
-    if not np.isfinite(array).all():
-        raise NonFiniteError(f"{function}: nan or infinity in the {name}; leave out the steps that were not estimated")
-    return array
-
-
 def rmse(errors: Array, axis: int | tuple[int, ...] | None = None) -> Array:
     """Root mean square of the norm of errors (..., n), over `axis` of the leading axes (default: all).
 
     It measures how large the errors are, not whether the filter is consistent (NEES). Compare filters on the same runs.
     """
-    errors = _numbers(errors, "rmse", "errors")
+    errors = finite(errors, None, "rmse", "errors")
     if not errors.ndim or not errors.size:
         raise ShapeError(f"rmse: errors should have shape (..., n) and not be empty, but have shape {errors.shape}")
     return np.sqrt((errors * errors).sum(-1).mean(axis))
@@ -169,7 +161,7 @@ def share_inside(series: Array, limits: tuple[float, float]) -> float:
 
     How near cannot be inferred from one set of runs: the values at neighbouring steps are correlated.
     """
-    series = _numbers(series, "share_inside", "series")
+    series = finite(series, None, "share_inside", "series")
     if not series.size:
         raise ShapeError("share_inside: the series is empty")
     return float(np.mean((series >= limits[0]) & (series <= limits[1])))
@@ -189,7 +181,7 @@ class Consistency:
     @classmethod
     def of(cls, statistic: Array, dof: int, *, name: str = "NEES", probability: float = 0.95) -> "Consistency":
         """Average the statistic of every run and step, shape (runs, steps)."""
-        statistic = _numbers(statistic, "Consistency", "statistic")
+        statistic = finite(statistic, None, "Consistency", "statistic")
         if statistic.ndim != 2 or not statistic.size:
             raise ShapeError(f"Consistency: the statistic should have shape (runs, steps), but has {statistic.shape}")
         runs = len(statistic)

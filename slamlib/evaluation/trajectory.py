@@ -14,7 +14,7 @@ from slamlib.data.files import write_whole
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.pose import compose
 from slamlib.geometry.quaternion import best_pivot, from_rotation
-from slamlib.manifolds import Array, Indices, finite, numbers, read_only_copy
+from slamlib.manifolds import Array, Indices, finite, read_only_copy
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,8 +30,7 @@ class Trajectory:
     covariances: Array | None = None
 
     def __post_init__(self) -> None:
-        times = numbers(self.times, "Trajectory", "times")
-        times = finite(times, (times.size,), "Trajectory", "times")
+        times = finite(self.times, (None,), "Trajectory", "times")
         poses = finite(self.poses, (len(times), 7), "Trajectory", "poses")
         if not len(times):
             raise ShapeError("Trajectory: there is no pose in it")

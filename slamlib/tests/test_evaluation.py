@@ -84,7 +84,7 @@ def test_rmse():
 
 NAN, SKEWED = [1.0, np.nan], [[1.0, 0.5], [0, 1]]
 WRONG = {
-    "nees: nan": (lambda: nees(NAN, np.eye(2)), NonFiniteError, "nees: nan or infinity in the vector"),
+    "nees: nan": (lambda: nees(NAN, np.eye(2)), NonFiniteError, "nees: vector holds nan at index"),
     "nees: shape": (lambda: nees([1, 2, 3], np.eye(2)), ShapeError, r"needs a matrix \(..., 3, 3\), got \(2, 2\)"),
     "nees: number": (lambda: nees(1.0, 1.0), ShapeError, "nees: a vector of shape"),
     "nees: axes": (lambda: nees(np.ones((3, 2)), np.ones((4, 2, 2))), ShapeError, "leading axes .* do not match"),
@@ -99,9 +99,9 @@ WRONG = {
         CovarianceError,
         r"at index \(1,\) is not positive definite \(smallest eigenvalue -1\)",
     ),
-    "nis: infinite": (lambda: nis([1, 2], np.diag([1, np.inf])), NonFiniteError, "in the covariance; leave out"),
+    "nis: infinite": (lambda: nis([1, 2], np.diag([1, np.inf])), NonFiniteError, "holds inf at index"),
     "nis: text": (lambda: nis(["a", "b"], np.eye(2)), SlamlibError, "nis: vector should be an array of real numbers"),
-    "rmse: nan": (lambda: rmse([NAN]), NonFiniteError, "rmse: nan or infinity in the errors"),
+    "rmse: nan": (lambda: rmse([NAN]), NonFiniteError, "rmse: errors holds nan at index"),
     "rmse: empty": (lambda: rmse(np.ones((0, 2))), ShapeError, r"rmse: .* have shape \(0, 2\)"),
     "cdf: nan": (lambda: chi2_cdf(np.nan, 2), NonFiniteError, "chi2_cdf: x is nan"),
     "cdf: dof": (lambda: chi2_cdf(1, 0), SlamlibError, "dof should be positive and finite, got 0"),
@@ -111,9 +111,9 @@ WRONG = {
     "band: signs": (lambda: band(-3, -50), SlamlibError, "band: dof should be positive"),
     "band: runs": (lambda: band(3, 0), SlamlibError, "band: runs should be positive"),
     "share: empty": (lambda: share_inside([], (0, 1)), ShapeError, "the series is empty"),
-    "share: nan": (lambda: share_inside(NAN, (0, 1)), NonFiniteError, "in the series; leave out"),
+    "share: nan": (lambda: share_inside(NAN, (0, 1)), NonFiniteError, "series holds nan at index"),
     "of: shape": (lambda: Consistency.of([1, 2], 2), ShapeError, r"\(runs, steps\), but has \(2,\)"),
-    "of: nan": (lambda: Consistency.of([NAN], 2), NonFiniteError, "Consistency: nan or infinity in the statistic"),
+    "of: nan": (lambda: Consistency.of([NAN], 2), NonFiniteError, "Consistency: statistic holds nan at index"),
 }
 
 

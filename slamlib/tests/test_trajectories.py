@@ -160,7 +160,7 @@ def test_misuse_of_alignment_is_named():
         align_trajectory(there, there[np.arange(5)])
     with pytest.raises(SlamlibError, match="positions, orientations"):
         align_trajectory(there, there, rotation_from="looks")
-    with pytest.raises(SlamlibError, match="pairs of points"):
+    with pytest.raises(SlamlibError, match=r"align: reference should have shape"):
         align(np.zeros((4, 3)), np.zeros((5, 3)))
 
 

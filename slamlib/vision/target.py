@@ -37,8 +37,8 @@ class Target:
     std: float = 0.0
 
     def __post_init__(self) -> None:
-        count = len(np.atleast_1d(self.points))
-        object.__setattr__(self, "points", finite(self.points, (count, 3), "Target", "points"))
+        object.__setattr__(self, "points", finite(self.points, (None, 3), "Target", "points"))
+        count = len(self.points)
         object.__setattr__(self, "pixels", finite(self.pixels, (count, 2), "Target", "pixels"))
         if count < LEAST:
             raise SlamlibError(
