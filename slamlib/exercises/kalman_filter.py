@@ -3,7 +3,7 @@
 import numpy as np
 
 from slamlib.exercises import Candidate, Rng, exercise
-from slamlib.exercises.properties import cases, covariance, holds, number, parts, random_covariance, same
+from slamlib.exercises.properties import cases, covariance, holds, least_squares, number, parts, random_covariance, same
 from slamlib.manifolds import Array
 
 
@@ -37,11 +37,10 @@ def scalar_update(candidate: Candidate, rng: Rng) -> None:
         x, z = rng.standard_normal(n), rng.standard_normal(m)
         estimate = {"the state": (n,), "the covariance": (n, n)}
         mean, found = parts(candidate(x, P, z, H, R), estimate)
-        information = np.linalg.inv(P) + H.T @ np.linalg.inv(R) @ H
-        best = np.linalg.solve(information, np.linalg.inv(P) @ x + H.T @ np.linalg.inv(R) @ z)
+        best, least = least_squares(x, P, [(H, z, R)])
         same(mean, best, f"the state is that of least squares, {what}")
         covariance(found, n)
-        same(found, np.linalg.inv(information), f"information adds, {what}")
+        same(found, least, f"information adds, {what}")
         order = rng.permutation(m)
         again, _ = parts(candidate(x, P, z[order], H[order], R[np.ix_(order, order)]), estimate)
         same(again, mean, f"the order of the numbers does not matter, {what}")

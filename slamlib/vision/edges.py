@@ -220,8 +220,7 @@ def directed(image: Image, segments: Array) -> Array:
     endpoints = segments.reshape(-1, 1, 2, 2)
     share = np.linspace(0.1, 0.9, 16)[:, None]
     middle = (1 - share) * endpoints[:, :, 0] + share * endpoints[:, :, 1]
-    forward = endpoints[:, :, 1] - endpoints[:, :, 0]
-    right = SIDE * np.stack([-forward[..., 1], forward[..., 0]], -1) / np.linalg.norm(forward, axis=-1, keepdims=True)
+    right = SIDE * axes(segments)[1][:, None]
     rise = np.nan_to_num(sample(image, middle + right) - sample(image, middle - right)).mean(-1)
     return np.where(rise[:, None] < 0, segments[:, [2, 3, 0, 1]], segments)
 

@@ -50,8 +50,9 @@ class Grid:
         if pixels.ndim != 2 or pixels.shape[1] != 2:
             raise ShapeError(f"Grid.occupied: pixels should have shape (n, 2), but have shape {pixels.shape}")
         mask = np.zeros(self.cells[::-1], dtype=bool)
-        columns, rows = (_place(pixels[:, i], self._bounds(i)) for i in (0, 1))
-        inside = (columns >= 0) & (rows >= 0)
+        # A pixel extends half a pixel each way.
+        columns, rows = (np.digitize(pixels[:, i], self._bounds(i) - 0.5) - 1 for i in (0, 1))
+        inside = (columns >= 0) & (columns < self.cells[0]) & (rows >= 0) & (rows < self.cells[1])
         mask[rows[inside], columns[inside]] = True
         return mask
 
@@ -77,9 +78,3 @@ class Grid:
     def _bounds(self, axis: int) -> Array:
         """First pixel of each column or row, and one past the last."""
         return np.rint(np.linspace(0, self.image[axis], self.cells[axis] + 1)).astype(int)
-
-
-def _place(values: Array, bounds: Array) -> Array:
-    """Index (n,) of the cell between whose bounds a value lies, -1 if none; a pixel extends half a pixel each way."""
-    found = np.searchsorted(bounds - 0.5, values, side="right") - 1
-    return np.where((values >= -0.5) & (values < bounds[-1] - 0.5), found, -1)
