@@ -194,7 +194,7 @@ def matches(noise: float, zoom: float = 1.06, degrees: float = 5.0, sigma: float
             place = move(pixel[None])[0]
             template, guess = cut(first, pixel, SIZE), place + sigma * rng.standard_normal(2)
             found = None if template is None else search(second, template, guess, sigma**2 * np.eye(2))
-            if found is not None:
+            if template is not None and found is not None:
                 finer = register(second, template, found.pixel)
                 finer = found.pixel if finer is None else finer
                 errors = [np.hypot(*(pixel - place)) for pixel in (found.pixel, finer)]
