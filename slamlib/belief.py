@@ -226,6 +226,10 @@ class Belief:
         finally:
             sequence.finish()
 
+    def transport(self, rows: Indices, C: Array) -> None:
+        """Change the errors' coordinates: e becomes e + C e[rows], rows (k,) of the covariance, C (size, k)."""
+        linalg.transport(self._P, rows, C)
+
     def _own(self, blocks: Sequence[Block]) -> None:
         if isinstance(blocks, Block):
             raise SlamlibError(f"give a list of blocks and a list of as many Jacobians: [{blocks!r}], [H]")

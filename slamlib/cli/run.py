@@ -102,19 +102,15 @@ def summary(result: Result) -> dict[str, Any]:
 
 def _deviation(name: str, error: Array, sigma: Array) -> dict[str, Any]:
     """A pose's error (6,) and standard deviations (6,) as plain data."""
-    found = {key: float(value) for key, value in magnitudes(error, sigma).items()}
-    return {
-        "name": name,
-        "position_error": found["position"],
-        "position_sigma": found["position_sigma"],
-        "attitude_error": found["orientation"],
-        "attitude_sigma": found["orientation_sigma"],
-    }
+    found = magnitudes(error, sigma)
+    names = {"position_error": "position", "attitude_error": "orientation"}
+    names |= {"position_sigma": "position_sigma", "attitude_sigma": "orientation_sigma"}
+    return {"name": name, **{key: float(found[own]) for key, own in names.items()}}
 
 
 def series(result: Result) -> dict[str, dict[str, Array]]:
     """By robot the errors of each frame (n,), with their standard deviations and NEES, for a plot."""
-    times = result.preset.dt * np.arange(1, len(result.nees) + 1)
+    times = result.preset.dt * np.arange(1.0, len(result.nees) + 1)
     return {
         setup.name: {"times": times, "nees": result.nees[:, i], **magnitudes(result.errors[:, i], result.sigmas[:, i])}
         for i, setup in enumerate(result.preset.rig.robots)

@@ -109,6 +109,19 @@ def subtract_square(matrix: Array, rows: Array) -> None:
         matrix -= rows.T @ rows
 
 
+def transport(P: Array, rows: Indices, C: Array) -> None:
+    """P becomes T P T' in place, T = I + C E: E picks the rows (k,), C is (n, k). P stays exactly symmetric."""
+    half = P.take(rows, axis=0).T + C @ P[np.ix_(rows, rows)] / 2  # T P T' = P + C half' + half C'
+    large = len(P) >= _LARGE and P.flags.c_contiguous
+    fast = _scipy("scipy.linalg.blas", "dsyr2k") if large else None
+    if fast:
+        fast(1.0, np.asfortranarray(C), np.asfortranarray(half), 1.0, P.T, overwrite_c=1)
+        _mirror(P)
+    else:
+        change = C @ half.T
+        P += change + change.T
+
+
 _WIDTH = 64  # of the blocks in which a matrix is mirrored: they fit the cache
 _BELOW = np.tri(_WIDTH, k=-1, dtype=bool)
 

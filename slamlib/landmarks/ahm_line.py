@@ -2,8 +2,10 @@
 
 import numpy as np
 
+from slamlib.geometry.moved import Parts, number, vector
 from slamlib.geometry.plucker import join
 from slamlib.geometry.pose import Pose
+from slamlib.geometry.pose import from_frame as into_world
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import ahm_point
 from slamlib.landmarks.parametrization import LineLandmark
@@ -33,4 +35,5 @@ def point_at(landmark, abscissa):
     return np.concatenate([h[:3] + h[3] * landmark[:3], h[3:]])
 
 
-AHM_LINE = LineLandmark("ahmLin", as_manifold(11), to_frame, from_frame, point_at, (0, 1))
+MOVED = Parts(into_world, vector, number, vector, number)
+AHM_LINE = LineLandmark("ahmLin", as_manifold(11), to_frame, from_frame, point_at, (0, 1), moved=MOVED)

@@ -2,7 +2,9 @@
 
 import numpy as np
 
+from slamlib.geometry.moved import Parts, number, vector
 from slamlib.geometry.pose import Pose
+from slamlib.geometry.pose import from_frame as into_world
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import as_manifold
@@ -29,4 +31,4 @@ def to_point(landmark):
     return landmark[:3] + landmark[3:6] / landmark[6]
 
 
-AHM_POINT = PointLandmark("ahmPnt", as_manifold(7), to_frame, from_frame, to_point)
+AHM_POINT = PointLandmark("ahmPnt", as_manifold(7), to_frame, from_frame, to_point, Parts(into_world, vector, number))

@@ -3,7 +3,9 @@
 import numpy as np
 
 from slamlib.geometry import plucker
+from slamlib.geometry.moved import Parts, vector
 from slamlib.geometry.pose import Pose
+from slamlib.geometry.pose import from_frame as into_world
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import as_manifold
@@ -38,4 +40,5 @@ def constrain(landmark, eye):
     return np.concatenate([anchor, plucker.constrain(landmark[3:], eye - anchor)])
 
 
-APL_LINE = LineLandmark("aplLin", as_manifold(9), to_frame, from_frame, point_at, (-8, 8), constrain)
+MOVED = Parts(into_world, vector, vector)
+APL_LINE = LineLandmark("aplLin", as_manifold(9), to_frame, from_frame, point_at, (-8, 8), constrain, MOVED)

@@ -28,4 +28,4 @@ def to_point(landmark):
     return landmark
 
 
-EUC_POINT = PointLandmark("eucPnt", as_manifold(3), to_frame, from_frame, to_point)
+EUC_POINT = PointLandmark("eucPnt", as_manifold(3), to_frame, from_frame, to_point, into_world)

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from slamlib.geometry.pose import Pose
+from slamlib.geometry.moved import Parts, number
+from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import Product, as_manifold
@@ -35,4 +36,5 @@ def to_point(landmark):
     return origin + rotation(orientation) @ np.array([u, v, 1]) / inverse_depth
 
 
-FHM_POINT = PointLandmark("fhmPnt", FramedPoint, to_frame, from_frame, to_point)
+MOVED = Parts(compose, number, number, number)
+FHM_POINT = PointLandmark("fhmPnt", FramedPoint, to_frame, from_frame, to_point, MOVED)

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from slamlib.geometry.moved import Parts
 from slamlib.geometry.plucker import join
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import hmg_point
@@ -30,4 +31,5 @@ def point_at(landmark, abscissa):
     return (1 - abscissa) * second[3] * first + abscissa * first[3] * second
 
 
-HMG_LINE = LineLandmark("hmgLin", as_manifold(8), to_frame, from_frame, point_at, (0, 1))
+MOVED = Parts(hmg_point.from_frame, hmg_point.from_frame)
+HMG_LINE = LineLandmark("hmgLin", as_manifold(8), to_frame, from_frame, point_at, (0, 1), moved=MOVED)

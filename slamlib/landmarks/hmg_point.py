@@ -29,4 +29,4 @@ def to_point(landmark):
     return landmark[:3] / landmark[3]
 
 
-HMG_POINT = PointLandmark("hmgPnt", as_manifold(4), to_frame, from_frame, to_point)
+HMG_POINT = PointLandmark("hmgPnt", as_manifold(4), to_frame, from_frame, to_point, from_frame)

@@ -2,11 +2,13 @@
 
 import numpy as np
 
+from slamlib.geometry.moved import Parts, number
 from slamlib.geometry.plucker import join
 from slamlib.geometry.pose import Pose
+from slamlib.geometry.pose import from_frame as into_world
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import idp_point
-from slamlib.landmarks.idp_point import angles_of, direction
+from slamlib.landmarks.idp_point import angles_moved, angles_of, direction
 from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import as_manifold
 from slamlib.model import model
@@ -36,4 +38,5 @@ def point_at(landmark, abscissa):
     return np.concatenate([h + w * landmark[:3], np.array([w])])
 
 
-IDP_LINE = LineLandmark("idpLin", as_manifold(9), to_frame, from_frame, point_at, (0, 1))
+MOVED = Parts(into_world, angles_moved, number, angles_moved, number)
+IDP_LINE = LineLandmark("idpLin", as_manifold(9), to_frame, from_frame, point_at, (0, 1), moved=MOVED)

@@ -3,7 +3,9 @@
 import numpy as np
 
 from slamlib.analytic import arctan2, cos, sin, sqrt
+from slamlib.geometry.moved import Parts, number
 from slamlib.geometry.pose import Pose
+from slamlib.geometry.pose import from_frame as into_world
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import as_manifold
@@ -45,4 +47,11 @@ def to_point(landmark):
     return landmark[:3] + direction(landmark[3:5]) / landmark[5]
 
 
-IDP_POINT = PointLandmark("idpPnt", as_manifold(6), to_frame, from_frame, to_point)
+@model(motion=Pose, angles=2)
+def angles_moved(motion, angles):
+    """Elevation and azimuth [rad] of a direction that turns with the world. Chapter points, eq. (pt-angles)."""
+    return angles_of(rotation(motion[3:]) @ direction(angles))
+
+
+MOVED = Parts(into_world, angles_moved, number)
+IDP_POINT = PointLandmark("idpPnt", as_manifold(6), to_frame, from_frame, to_point, MOVED)

@@ -1,6 +1,7 @@
 """The interface of parametrizations of landmarks: points and straight lines."""
 
 from dataclasses import dataclass
+from typing import Any
 
 from slamlib.manifolds import Manifold
 from slamlib.model import Model
@@ -8,11 +9,12 @@ from slamlib.model import Model
 
 @dataclass(frozen=True)
 class PointLandmark:
-    """A parametrization of points: name, manifold of the state, and three models.
+    """A parametrization of points: name, manifold of the state, and its models.
 
     to_frame(pose, landmark): homogeneous point (h, w) (4,) in the frame `pose`; the Euclidean point is h / w, and w = 0
     is at infinity. from_frame(pose, point): the landmark of a homogeneous point (4,) in that frame; a camera's ray has
     |h| = 1, so that w is the inverse distance [1/m]. to_point(landmark): Euclidean point (3,) in the world [m].
+    moved(motion, landmark): the landmark after a rigid motion (7,) of the world; a consistent filter needs it.
     """
 
     name: str
@@ -20,17 +22,18 @@ class PointLandmark:
     to_frame: Model
     from_frame: Model
     to_point: Model
+    moved: Any = None
 
 
 @dataclass(frozen=True)
 class LineLandmark:
-    """A parametrization of lines: name, manifold of the state, three models, and the endpoints' initial abscissas.
+    """A parametrization of lines: name, manifold of the state, its models, and the endpoints' initial abscissas.
 
     to_frame(pose, landmark): Pluecker coordinates (n, v) (6,) in the frame `pose`. from_frame(pose, rays, prior): the
     landmark seen along two unit rays (6,) of that frame, its endpoints', with the prior (2,) of two unmeasured
     numbers. point_at(landmark, abscissa): homogeneous point (4,) in the world. abscissas: of the two endpoints.
     constrain(landmark, eye), for states with redundant numbers: enforces the line constraint with the image from
-    `eye` (3,) unchanged; the filter calls it after each update.
+    `eye` (3,) unchanged; the filter calls it after each update. moved: as of points.
     """
 
     name: str
@@ -40,3 +43,4 @@ class LineLandmark:
     point_at: Model
     abscissas: tuple[float, float]
     constrain: Model | None = None
+    moved: Any = None

@@ -31,4 +31,6 @@ def constrain(landmark, eye):
     return plucker.constrain(landmark, eye)
 
 
-PLK_LINE = LineLandmark("plkLin", as_manifold(6), to_frame, from_frame, point_at, (-8, 8), constrain)
+PLK_LINE = LineLandmark(
+    "plkLin", as_manifold(6), to_frame, from_frame, point_at, (-8, 8), constrain, plucker.from_frame
+)

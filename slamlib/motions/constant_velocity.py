@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from slamlib.geometry.pose import Pose
+from slamlib.geometry.moved import Parts, number, vector
+from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import plus
 from slamlib.manifolds import Euclidean, Product
 from slamlib.model import model
@@ -23,4 +24,5 @@ def step(state, control, dt):
     return np.concatenate([*moved, velocity + control[:3], spin + control[3:]])
 
 
-CONSTANT_VELOCITY = Motion("constVel", MovingPose, control=6, step=step)
+MOVED = Parts(compose, vector, number, number, number)  # omega, in the body's axes, does not notice
+CONSTANT_VELOCITY = Motion("constVel", MovingPose, control=6, step=step, moved=MOVED)

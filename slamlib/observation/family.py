@@ -1,8 +1,7 @@
 """The interface of a family of landmarks (points, lines, ...) to the filter and the simulator.
 
-A family is one value in a module of this folder, found by a walk (observation.FAMILIES): planes or tags are added by
-one more file. The methods here are those of a family whose measurements are numbers in the sensor's frame, one row
-for each landmark; what a family must define itself is abstract.
+A family is one value in a module of this folder, found by a walk (observation.FAMILIES): planes or tags are one more
+file. The methods here are those of a family whose measurements are rows of numbers; what it must define is abstract.
 """
 
 from __future__ import annotations
@@ -22,7 +21,8 @@ from slamlib.sensors.sensor import Calibration
 
 if TYPE_CHECKING:  # the filter is above this folder; only the type checker imports it
     from slamlib.belief import Belief
-    from slamlib.slam.entities import Landmark, Linearization, MountedSensor
+    from slamlib.slam.entities import Landmark, MountedSensor
+    from slamlib.slam.linearization import Linearization
     from slamlib.slam.options import Options
 
 

@@ -50,6 +50,8 @@ def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
         "means": np.concatenate([block.mean for block in slam.belief.blocks]),
         "abscissas": np.array([none if lm.abscissas is None else lm.abscissas for lm in landmarks]).reshape(-1, 2),
     }
+    if slam.linearization is not None:
+        arrays["linearization"] = np.concatenate([slam.linearization.at(block) for block in slam.belief.blocks])
     write_archive(path, FORMAT, VERSION, header, arrays)
 
 
@@ -79,6 +81,8 @@ def load(path: str | os.PathLike[str], front_ends: Any, make: Any) -> tuple[Any,
             history = {name: row[name] for name in HISTORY}
             landmark = Landmark(kind=kinds[block], block=blocks[block], abscissas=known, signature=signature, **history)
             slam.landmarks.append(landmark)
+        if slam.linearization is not None:
+            slam.linearization.added(slam.belief.blocks, np.split(arrays["linearization"], stops[:-1]))
         for front_end, state in zip(slam.front_ends, header["front_ends"], strict=True):
             front_end.restore(state)
         slam.number, slam.time, slam.frame_counts = header["number"], header["time"], header["frame_counts"]

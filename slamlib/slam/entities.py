@@ -1,7 +1,7 @@
 """Robots, sensors and landmarks of the filter: handles to blocks of the belief, and the data kept with them."""
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,24 +11,10 @@ from slamlib.manifolds import Array, Indices
 from slamlib.motions import Motion
 from slamlib.sensors.sensor import Calibration
 
+if TYPE_CHECKING:
+    from slamlib.slam.linearization import Linearization
+
 POSE = 6  # degrees of freedom of a pose, the first of every robot's state
-
-
-class Linearization:
-    """The linearization point of each block, at which Jacobians with respect to it are taken. Here: the present mean.
-
-    The innovation is always computed at the present means. An ordinary EKF takes its Jacobians there too, at an ever
-    changing estimate, and so gains spurious information. An EKF with first-estimates Jacobians (Huang, Mourikis
-    and Roumeliotis 2008) takes those of one block always at one point: a subclass of this class, assigned to
-    `Slam.linearization`.
-    """
-
-    def at(self, block: Block) -> Array:
-        """The linearization point of a block: a mean (size,)."""
-        return block.mean
-
-    def predicted(self, block: Block) -> None:
-        """Called after the motion has moved a robot's block; a subclass may choose the new linearization point here."""
 
 
 @dataclass(eq=False)
@@ -58,7 +44,7 @@ class MountedSensor:
     calibration: Calibration
     given: Array
     block: Block | None = None
-    linearization: Linearization | None = None
+    linearization: "Linearization | None" = None
 
     @property
     def extrinsics(self) -> Array:

@@ -16,10 +16,11 @@ from slamlib.errors import SingularPointError, SlamlibError, entry
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.observation import FAMILIES, Family
-from slamlib.slam import checkpoint
+from slamlib.slam import checkpoint, transport
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.front_end import FrontEnd, FrontEndInput, KnownAssociation
-from slamlib.slam.entities import Landmark, Linearization, MountedSensor, Robot
+from slamlib.slam.entities import Landmark, MountedSensor, Robot
+from slamlib.slam.linearization import FirstEstimates, Linearization
 from slamlib.slam.map_management import is_bad, out_of_window, prune_candidate
 from slamlib.slam.measurement_update import (
     KIND,
@@ -68,6 +69,9 @@ class Slam:
         self.scans: list[Scan | None] = [None] * len(self.sensors)
         self.predictions: list[Predictions] = [[] for _ in self.sensors]
         self.absolute: list[RobotUpdate] = []
+        if self.options.error == "first-estimates":
+            self.linearization = FirstEstimates()
+        transport.check(self)
 
     def _mounted(self, setup: Any) -> MountedSensor:
         block = self.belief.add(Pose, setup.extrinsics, setup.covariance) if setup.estimated else None
@@ -82,6 +86,8 @@ class Slam:
     def linearization(self, linearization: Linearization | None) -> None:
         for sensor in self.sensors:
             sensor.linearization = linearization
+        if linearization is not None:
+            linearization.added(self.belief.blocks, [block.mean for block in self.belief.blocks])
 
     def step(self, frame: Frame, *, update: bool = True, first: bool = False) -> Report:
         """Process one frame: all robots move; then each sensor updates the map and initializes new landmarks.
@@ -144,19 +150,20 @@ class Slam:
     def _predict(self, robot: Robot, control: Control | None, dt: float) -> None:
         value = np.zeros(robot.motion.control) if control is None else control.value
         noise = robot.noise if control is None else control.covariance
-        state, J = robot.motion.step.jac(robot.block.mean, value, dt)
+        state, (F, G, _) = robot.motion.step.jac(robot.block.mean, value, dt)
         if self.linearization is not None:
-            J = robot.motion.step.jac(self.linearization.at(robot.block), value, dt)[1]
-        self.belief.predict(robot.block, state, J.state, J.control @ noise @ J.control.T)
+            F, G = self.linearization.motion(robot, state, value, dt)
+        self.belief.predict(robot.block, state, F, G @ noise @ G.T)
         if self.linearization is not None:
             self.linearization.predicted(robot.block)
 
     def _update(self, i: int, scan: Scan) -> None:
         sensor, predictions = self.sensors[i], self.predictions[i]
         matched = select_and_match(FrontEndInput(scan, sensor, predictions), self.front_ends[i], self.options)
-        update = update_sequentially if self.options.reproject else update_in_batch
         for group in OUTLIER_REJECTIONS[self.options.outlier_rejection](self.belief, sensor, matched, self.options):
-            update(self.belief, sensor, group, self.options)
+            with transport.TRANSPORTS[self.options.error](self, sensor) as project:
+                update = partial(update_sequentially, project=project) if self.options.reproject else update_in_batch
+                update(self.belief, sensor, group, self.options)
         for prediction in matched:
             if prediction.inlier:
                 prediction.landmark.last_seen = self.number
@@ -232,6 +239,8 @@ class Slam:
         blocks = sensor.blocks
         pads = [np.pad(J, ((0, 0), (0, b.dof - J.shape[1]))) for b, J in zip(blocks, jacobians, strict=False)]
         block = self.belief.add(kind.manifold, x, noise, given=blocks, jacobians=pads)
+        if self.linearization is not None:
+            self.linearization.added([block], [x])
         own = {"abscissas": family.abscissas(kind), "sensor": i, "signature": signature}
         self.landmarks.append(Landmark(number, kind, block, self.number, **own))
         report.initialized.append(number)

@@ -17,13 +17,16 @@ from slamlib.manifolds import Array, Euclidean, Indices
 from slamlib.observation.family import Family, Innovation, PredictedBatch, viewpoint
 from slamlib.slam.data_association.front_end import FrontEnd, FrontEndInput
 from slamlib.slam.data_association.gates import SELECTIONS, gate, innovation_covariances, mahalanobis_squared
-from slamlib.slam.entities import POSE, Landmark, Linearization, MountedSensor, Robot
+from slamlib.slam.entities import POSE, Landmark, MountedSensor, Robot
 
 if TYPE_CHECKING:
+    from slamlib.slam.linearization import Linearization
     from slamlib.slam.options import Options
 
 T = TypeVar("T")
 KIND = attrgetter("kind")  # of a landmark
+# Takes a Jacobian at the present means, w.r.t. rows of the covariance, to the errors that the covariance is of.
+Projection = Callable[[Indices, Array], Array]
 
 
 def group_by_kind(items: Iterable[T], kind: Callable[[T], Any] = attrgetter("landmark.kind")) -> list[list[T]]:
@@ -130,7 +133,18 @@ def select_and_match(inputs: FrontEndInput, front_end: FrontEnd, options: Option
     return [prediction for prediction in chosen if prediction.matched]
 
 
-def update_sequentially(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> None:
+def unprojected(columns: Indices, H: Array) -> Array:
+    """The projection of a filter whose covariance is of the errors of the present means."""
+    return H
+
+
+def update_sequentially(
+    belief: Belief,
+    sensor: MountedSensor,
+    predictions: Predictions,
+    options: Options,
+    project: Projection = unprojected,
+) -> None:
     """Update by one landmark after another, each predicted anew at the current mean."""
     with belief.sequential_update() as sequence:
         for prediction in predictions:
@@ -138,7 +152,8 @@ def update_sequentially(belief: Belief, sensor: MountedSensor, predictions: Pred
             if found is not None:
                 limit = gate(options.gate, len(found.z))
                 columns = prediction.batch.columns[prediction.row]
-                prediction.apply_gate(sequence.update(columns, found.H, found.z, found.R, limit).nis, limit)
+                H = project(columns, found.H)
+                prediction.apply_gate(sequence.update(columns, H, found.z, found.R, limit).nis, limit)
 
 
 def innovations(sensor: MountedSensor, group: Predictions) -> tuple[PredictedBatch, Innovation]:

@@ -13,6 +13,7 @@ from slamlib.slam.data_association.gates import SELECTIONS
 from slamlib.slam.map_management import PRUNING_RULES
 
 Prior = tuple[tuple[Finite, Finite], tuple[Positive, Positive]]
+ERRORS = ("local", "world", "first-estimates")
 PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 
 
@@ -25,6 +26,9 @@ class Options(Plain):
     capacity: largest number of landmarks, or None for no limit (map.numLmks).
     pruning: how the map stays within the capacity: None refuses new landmarks; "least-recently-seen" prunes the one
         not seen for longest; "least-reliable" the one with the smallest share of searches that gave an inlier.
+    error: whose covariance the filter keeps: "local", the error of each block by itself, as in every EKF; "world", the
+        right-invariant error; "first-estimates", as "local", with all Jacobians of a block at one point. The last two
+        gain no information that no measurement has.
     window: a landmark that was not seen for more frames than this is deleted; None: no such limit.
     updates: most landmarks by which one sensor updates the map in one frame (correct.nUpdates).
     selection: "information": those whose innovation covariance has the largest determinant; "order": the oldest.
@@ -55,6 +59,7 @@ class Options(Plain):
     lines: Annotated[str, OneOf(LINES)] | None = None
     capacity: Whole | None = None
     pruning: Annotated[str, OneOf(PRUNING_RULES)] | None = None
+    error: Annotated[str, OneOf(ERRORS)] = "local"
     window: Whole | None = None
     updates: Count = 10
     selection: Annotated[str, OneOf(SELECTIONS)] = "information"

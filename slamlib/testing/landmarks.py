@@ -1,5 +1,8 @@
 """Properties that every parametrization must have: of points, and of lines."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 from slamlib.errors import SingularPointError
@@ -22,6 +25,9 @@ CONSTRAINT = "the line in the frame is a line: n . v = 0"
 SEEN = "from_frame, then to_frame: the line is seen along both rays"
 INCIDENT = "point_at gives points on the line, seen from anywhere"
 DISTINCT = "the endpoints are two points"
+UNNOTICED = "a motion of the world is not noticed from a pose that moves along"
+GENERATOR = "the Jacobian of `moved` is its derivative, where nothing has moved yet"
+INHERITED = "a new landmark moves along with the pose that it is seen from"
 
 IDENTITY = np.array([0.0, 0, 0, 1, 0, 0, 0])
 FORWARDS = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, -0.5])  # a camera with its optical axis along the world's x axis
@@ -56,6 +62,26 @@ def point_properties(judge: Judge, kind: PointLandmark) -> None:
                 h = kind.to_frame(pose, landmark)
                 case.compare(EUCLIDEAN, h[:3] / h[3], frames.to_frame(pose, kind.to_point(landmark)))
         _infinity(judge, kind, poses)
+        _moved(judge, kind, made, seen)
+
+
+def _moved(judge: Judge, kind: Any, made: Sequence[tuple[Array, ...]], seen: list[tuple[Array, Array]]) -> None:
+    """Check the motion of the world, for a parametrization that says it; made: arguments of from_frame."""
+    if kind.moved is None:
+        return
+    steps = 1e-6 * np.concatenate([np.eye(6), -np.eye(6)])
+    for pose, landmark in seen:
+        case, motion = judge.at(f"{kind.name}.moved", landmark=landmark, pose=pose), Pose.random(judge.rng)
+        from_there = kind.to_frame(frames.compose(motion, pose), kind.moved(motion, landmark))
+        case.compare(UNNOTICED, from_there, kind.to_frame(pose, landmark), "motion")
+        near = [kind.moved(Pose.plus(IDENTITY, step), landmark) for step in steps]
+        change = np.array([kind.manifold.minus(a, b) for a, b in zip(near[:6], near[6:], strict=True)]) / 2e-6
+        case.compare(GENERATOR, kind.moved.jac(IDENTITY, landmark)[1][0], change.T, "motion", 1e-6)
+    for place in made:
+        landmark, J = kind.from_frame.jac(*place)
+        along = J.pose @ frames.compose.jac(IDENTITY, place[0])[1].outer
+        case = judge.at(f"{kind.name}.moved", landmark=landmark, pose=place[0])
+        case.compare(INHERITED, kind.moved.jac(IDENTITY, landmark)[1][0], along, "landmark")
 
 
 def _homogeneous(rng: np.random.Generator) -> Array:
@@ -144,6 +170,7 @@ def line_properties(judge: Judge, kind: LineLandmark) -> None:
     if not judge.lacks(DEFINED):
         _seen_along_rays(judge, kind, [*made, *nasty])
         _points_on_line(judge, kind, seen)
+        _moved(judge, kind, made, seen)
 
 
 def _rays(rng: np.random.Generator) -> Array:

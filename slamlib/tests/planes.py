@@ -18,12 +18,16 @@ from slamlib.observation.family import Family
 
 @dataclass(frozen=True)
 class PlaneLandmark:
-    """A way to hold a plane: to_frame(pose, landmark) and from_frame(pose, foot) give feet of perpendiculars (3,)."""
+    """A way to hold a plane: to_frame(pose, landmark) and from_frame(pose, foot) give feet of perpendiculars (3,).
+
+    moved(motion, landmark): after a motion of the world, which is from_frame.
+    """
 
     name: str
     manifold: Manifold
     to_frame: Model
     from_frame: Model
+    moved: Model
 
 
 @model(pose=Pose, landmark=3)
@@ -39,7 +43,7 @@ def from_frame(pose, foot):
     return turned * (1 + turned @ pose[:3] / (turned @ turned))
 
 
-FOOT_PLANE = PlaneLandmark("footPln", as_manifold(3), to_frame, from_frame)
+FOOT_PLANE = PlaneLandmark("footPln", as_manifold(3), to_frame, from_frame, from_frame)
 
 
 class PlaneFamily(Family):

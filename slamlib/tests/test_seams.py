@@ -17,7 +17,7 @@ from slamlib.motions import Motion
 from slamlib.observation.family import columns_jacobian, viewpoint
 from slamlib.simulation import simulate
 from slamlib.slam import Options, Slam
-from slamlib.slam.entities import Linearization
+from slamlib.slam.linearization import Linearization
 from slamlib.slam.measurement_update import predict_from_pose, predict_measurements
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from slambook import rendering
 from slambook.rendering import stereo_rig
-from slambook.stereo_films import Tracks, stereo_film
+from slambook.stereo_films import Tracks, pixel_noise, stereo_film
 
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
@@ -23,7 +23,6 @@ from slamlib.vision.stereo import (
 )
 from slamlib.vision.stereo.detect import detect, spread
 from slamlib.vision.stereo.features import hamming_distances, row_mask, track_features
-from slamlib.vision.stereo.fitting import pixel_noise
 from slamlib.vision.stereo.refine import ALONG_ROW, align, cut
 
 

@@ -8,6 +8,7 @@ DIGESTS = {
     "to_frame": "46b11e977d98dfc8",
     "from_frame": "2917b9d0b1a807fc",
     "to_point": "2fbc0dd46a196fe6",
+    "angles_moved": "2f20e9b57c46bc50",
 }
 SHAPES = {
     "direction": (3,),
@@ -15,6 +16,7 @@ SHAPES = {
     "to_frame": (4,),
     "from_frame": (6,),
     "to_point": (3,),
+    "angles_moved": (2,),
 }
 
 
@@ -475,4 +477,138 @@ def to_point_jac(landmark):
         t3,
         0,
         -t7*t9,
+    )
+
+
+def angles_moved(motion, angles):
+    """angles_moved: value."""
+    _, _, _, motion3, motion4, motion5, motion6 = motion
+    angles0, angles1 = angles
+    t0 = cos(angles0)
+    t1 = cos(angles1)*t0
+    t2 = t1 + t1
+    t3 = motion3*motion5
+    t4 = motion4*motion6
+    t5 = sin(angles0)
+    t6 = motion5*motion5
+    t7 = -t6
+    t8 = motion3*motion3
+    t9 = motion6*motion6
+    t10 = motion4*motion4
+    t11 = -t10
+    t12 = sin(angles1)*t0
+    t13 = t12 + t12
+    t14 = motion3*motion4
+    t15 = motion5*motion6
+    vector2 = -(t3 - t4)*t2 + (t7 + t8 + t9 + t11)*t5 + (t14 + t15)*t13
+    t16 = t8 - t9
+    t17 = t5 + t5
+    t18 = motion3*motion6
+    t19 = motion4*motion5
+    vector0 = (t7 + t16 + t10)*t1 + (t3 + t4)*t17 - (t18 - t19)*t13
+    t20 = vector0*vector0
+    vector1 = (t18 + t19)*t2 - (t14 - t15)*t17 + (t6 + t16 + t11)*t12
+    t21 = vector1*vector1
+    t22 = t20 + t21
+    t23 = sqrt(t22)
+    return (
+        arctan2(vector2, t23),
+        arctan2(vector1, vector0),
+    )
+
+
+def angles_moved_jac(motion, angles):
+    """angles_moved: value and Jacobians."""
+    _, _, _, motion3, motion4, motion5, motion6 = motion
+    angles0, angles1 = angles
+    t0 = cos(angles0)
+    t1 = sin(angles1)
+    t2 = t0*t1
+    t3 = t2 + t2
+    t4 = motion3*motion4
+    t5 = motion5*motion6
+    t6 = t4 + t5
+    t7 = cos(angles1)
+    t8 = t0*t7
+    t9 = t8 + t8
+    t10 = motion3*motion5
+    t11 = motion4*motion6
+    t12 = t10 - t11
+    t13 = sin(angles0)
+    t14 = motion5*motion5
+    t15 = -t14
+    t16 = motion3*motion3
+    t17 = motion6*motion6
+    t18 = motion4*motion4
+    t19 = -t18
+    t20 = t15 + t16 + t17 + t19
+    vector2 = t3*t6 - t12*t9 + t13*t20
+    t21 = motion3*motion6
+    t22 = motion4*motion5
+    t23 = t21 - t22
+    t24 = t16 - t17
+    t25 = t18 + t15 + t24
+    t26 = t10 + t11
+    t27 = t13 + t13
+    vector0 = -t23*t3 + t25*t8 + t26*t27
+    t28 = vector0*vector0
+    t29 = t14 + t24 + t19
+    t30 = t4 - t5
+    t31 = t21 + t22
+    vector1 = t2*t29 - t27*t30 + t31*t9
+    t32 = vector1*vector1
+    t33 = t28 + t32
+    t34 = sqrt(t33)
+    t35 = vector2*vector2
+    t36 = t33 + t35
+    t37 = 1/t36
+    t38 = motion3*t2 - motion4*t13 + motion6*t8
+    t39 = motion4*t8 + motion5*t2 + motion6*t13
+    t40 = t39*vector0
+    t41 = 1/t34
+    t42 = t41*vector2
+    t43 = motion3*t13 + motion4*t2 - motion5*t0*t7
+    t44 = t42*vector1
+    t45 = -t34*t38 + t40*t42 - t43*t44
+    t46 = motion3*t8 + motion5*t13 - motion6*t0*t1
+    t47 = t46*vector0
+    t48 = t38*vector1
+    t49 = -t34*t43 + t42*t47 + t42*t48
+    t50 = t42*vector0
+    t51 = t46*vector1
+    t52 = -t34*t39 - t38*t50 + t42*t51
+    t53 = t39*vector1
+    t54 = t43*vector0
+    t55 = t34*t46 + t42*t53 + t42*t54
+    t56 = -(motion3*t52 - motion4*t55 + motion5*t45 - motion6*t49)*t37
+    t57 = 1/t33
+    t58 = t53 + t54
+    t59 = t38*vector0 - t51
+    t60 = t47 + t48
+    t61 = t40 - t43*vector1
+    t62 = (motion3*t60 - motion4*t61 - motion5*t58 - motion6*t59)*t57
+    t63 = t1*t27
+    t64 = t27*t7
+    t65 = t0 + t0
+    t66 = t30*t65 + t31*t64 + t1*t13*t29
+    t67 = t13*t25*t7 - t26*t65 - t23*t63
+    return (
+        arctan2(vector2, t34),
+        arctan2(vector1, vector0),
+        0,
+        0,
+        0,
+        -(motion3*t45 - motion4*t49 - motion5*t52 + motion6*t55)*t37,
+        -(motion3*t55 + motion4*t52 - motion5*t49 - motion6*t45)*t37,
+        t56,
+        0,
+        0,
+        0,
+        (-motion3*t58 - motion4*t59 - motion5*t60 + motion6*t61)*t57,
+        (motion3*t61 + motion4*t60 - motion5*t59 + motion6*t58)*t57,
+        t62,
+        -((t6*t63 - t12*t64 - t0*t20)*t34 - t44*t66 - t50*t67)*t37,
+        t56,
+        -(-t67*vector1 + t66*vector0)*t57,
+        t62,
     )

@@ -34,16 +34,6 @@ def triangulate(calibration: Calibration, values: Array, extrinsics: Array = ORI
     return points, by @ calibration.noise @ by.swapaxes(-1, -2)
 
 
-def pixel_noise(left: float, right: float) -> Array:
-    """R (3, 3) of (u_l, v_l, u_l - u_r) [px^2], for independent u_l, v_l and u_r with these standard deviations [px].
-
-    For both pixels detected independently: u and disparity are correlated then. For a disparity measured by aligning
-    the left patch in the right image they are not, and R is diagonal.
-    """
-    J = np.array([[1.0, 0, 0], [0, 1, 0], [1, 0, -1]])
-    return J @ np.diag([left**2, left**2, right**2]) @ J.T
-
-
 @dataclass(frozen=True, eq=False)
 class Fit:
     """The robot's new pose (7,) in its old frame, covariance (6, 6), mask (n,) of the inliers, and sum of z' S^-1 z."""

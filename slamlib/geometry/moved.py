@@ -1,0 +1,42 @@
+"""What a rigid motion of the world does to the parts of a state: points, vectors, numbers, poses.
+
+Taking a part from a frame into the world and moving the world are one thing: the pose is the motion.
+"""
+
+import numpy as np
+
+from slamlib.geometry.pose import Pose
+from slamlib.geometry.quaternion import rotation
+from slamlib.model import model
+
+
+@model(motion=Pose, vector=3)
+def vector(motion, vector):
+    """A direction or a velocity turns with the world. Chapter frames_and_quaternions, eq. (fq-moved)."""
+    return rotation(motion[3:]) @ vector
+
+
+@model(motion=Pose, number=1)
+def number(motion, number):
+    """A distance, or a pixel, stays. Chapter frames_and_quaternions, eq. (fq-moved)."""
+    return number
+
+
+class Parts:
+    """moved(motion, state) of a state made of parts, each with its own model of a motion (7,) and the part."""
+
+    def __init__(self, *parts):
+        self.parts = parts
+        self.stops = np.cumsum([part.arguments[1].size for part in parts])[:-1]
+
+    def __call__(self, motion, state):
+        """The state (..., size) after the motion."""
+        return np.concatenate([part(motion, own) for part, own in self._split(state)], axis=-1)
+
+    def jac(self, motion, state):
+        """The state after the motion, and (J,) with J (..., dof, 6), its Jacobian with respect to the motion."""
+        values, found = zip(*(part.jac(motion, own) for part, own in self._split(state)), strict=True)
+        return np.concatenate(values, axis=-1), (np.concatenate([J[0] for J in found], axis=-2),)
+
+    def _split(self, state):
+        return zip(self.parts, np.split(np.asarray(state), self.stops, axis=-1), strict=True)

@@ -1,0 +1,209 @@
+"""What no measurement can tell stays unknown: the null space of every model, and the covariance carried along it."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from slamlib.belief import Belief
+from slamlib.data.records import RobotMeasurement
+from slamlib.data.setup import Rig, SensorSetup
+from slamlib.errors import SlamlibError
+from slamlib.evaluation.consistency import band
+from slamlib.experiments.monte_carlo import monte_carlo
+from slamlib.experiments.presets import preset
+from slamlib.geometry.pose import Pose, compose
+from slamlib.landmarks import LINES, POINTS
+from slamlib.motions import MOTIONS
+from slamlib.slam import Slam
+from slamlib.slam.measurement_update import predict_measurements
+from slamlib.slam.transport import NO_MOTION, carried, generators, unobservable
+
+ERRORS = ("local", "world", "first-estimates")
+
+
+def with_options(name, **options):
+    p = preset(name)
+    return replace(p, options=replace(p.options, **options))
+
+
+def with_landmark(name, **options):
+    """The preset of a parametrization; Euclidean points are seen by a sensor of range and bearing."""
+    family = "points" if name in POINTS else "lines"
+    p = with_options(family, **{family: name}, **options)
+    if name == "eucPnt":
+        laser = SensorSetup(type="rangeBearing", euler=(0.0, 0.0, 0.0), std=(0.05, 0.02, 0.02), image=None)
+        p = replace(p, rig=Rig(p.rig.robots, (laser,)))
+    return p
+
+
+def run(p, frames):
+    slam = p.slam()
+    for frame, _ in replace(p, frames=frames).simulate():
+        slam.step(frame)
+    return slam
+
+
+@pytest.mark.parametrize("name", MOTIONS)
+def test_the_motion_takes_what_cannot_be_known_along(name):
+    """F N(x) = N(x'): a robot in a moved world moves as before."""
+    motion, rng = MOTIONS[name], np.random.default_rng(1)
+    for _ in range(20):
+        x, u = motion.manifold.random(rng), 0.3 * rng.standard_normal(motion.control)
+        if name == "constVel":
+            u[:3] = 0  # a known impulse in the world's axes would tell how the world is turned
+        g = Pose.random(rng)
+        there, J = motion.step.jac(x, u, 0.1)
+        np.testing.assert_allclose(motion.step(motion.moved(g, x), u, 0.1), motion.moved(g, there), atol=1e-9)
+        before, after = (motion.moved.jac(NO_MOTION, at)[1][0] for at in (x, there))
+        np.testing.assert_allclose(J.state @ before, after, atol=1e-9)
+
+
+@pytest.mark.parametrize("name", [*POINTS, *LINES])
+def test_no_measurement_tells_the_motion_of_the_world(name):
+    """H N = 0 for the filter's own Jacobians, and a new landmark or a converted one has the N of its place."""
+    slam = run(with_landmark(name), 5)
+    sensor, N = slam.sensors[0], generators(slam)
+    predictions = predict_measurements(slam.belief, sensor, slam.families, slam.landmarks, slam.options)
+    assert len(predictions) > 3
+    for p in predictions:
+        value = p.value + 1e-3
+        found = p.family.batch_innovation(sensor, p.batch.take([p.row]), value[None])
+        columns = p.batch.columns[p.row]
+        scale = np.abs(found.H[0]).max() * np.abs(N[columns]).max()
+        assert np.abs(found.H[0] @ N[columns]).max() < 1e-9 * scale
+        assert np.abs(found.H[0] @ np.eye(len(N))[columns][:, : N.shape[1]]).max() > 0
+
+
+def test_neither_robot_nor_extrinsics_are_told_apart_by_their_own_sensor():
+    slam = run(with_options("self_calibration"), 5)
+    right = slam.sensors[1]
+    N = unobservable(slam, right)
+    assert N.shape == (slam.belief.size, 12)
+    assert np.linalg.matrix_rank(N) == 12
+    for p in predict_measurements(slam.belief, right, slam.families, slam.landmarks, slam.options):
+        H, columns = p.batch.jacobian[p.row], p.batch.columns[p.row]
+        assert np.abs(H @ N[columns]).max() < 1e-9 * np.abs(H).max() * np.abs(N[columns]).max()
+    r, e, g = slam.robots[0].pose, right.extrinsics, Pose.random(np.random.default_rng(2))
+    inverse = Pose.plus(NO_MOTION, 1e-7 * np.arange(1.0, 7))
+    moved = compose(compose(r, inverse), compose(_inverse(inverse), e))
+    assert np.allclose(moved, compose(r, e), atol=1e-12)
+    assert not np.allclose(compose(g, e), e)
+
+
+def _inverse(pose):
+    from slamlib.geometry.pose import inverse
+
+    return inverse(pose)
+
+
+@pytest.mark.parametrize("n", [20, 200])
+def test_coordinates_of_the_error_change_as_their_matrix_says(n):
+    rng = np.random.default_rng(3)
+    belief, A = Belief(), rng.standard_normal((n, n))
+    belief.add(n, np.zeros(n), A @ A.T)
+    before, rows, C = belief.matrix.copy(), np.array([4, 5, 9]), rng.standard_normal((n, 3))
+    belief.transport(rows, C)
+    T = np.eye(n) + C @ np.eye(n)[rows]
+    np.testing.assert_allclose(belief.matrix, T @ before @ T.T, rtol=1e-10, atol=1e-9 * np.abs(before).max())
+    assert np.array_equal(belief.matrix, belief.matrix.T)
+
+
+@pytest.mark.parametrize("reproject", [True, False])
+@pytest.mark.parametrize("name", ["points", "lines", "two_robots", "self_calibration", "points_and_lines"])
+def test_an_update_gains_nothing_where_nothing_is_told(name, reproject):
+    """Of two filters one is unsure of the motion of the world; it stays exactly as unsure of that of the new means."""
+    far = {}
+    for error in ("local", "world"):
+        p = replace(with_options(name, error=error, reproject=reproject, convert=False), frames=7)
+        *frames, last = [frame for frame, _ in p.simulate()]
+        sure, unsure = p.slam(), p.slam()
+        for slam in (sure, unsure):
+            for frame in frames:
+                slam.step(frame)
+            slam.predict(last.controls, last.dt)
+        N, blocks = generators(unsure), dict(enumerate(unsure.belief.blocks))
+        means = {i: block.mean for i, block in blocks.items()}
+        unsure.belief.overwrite(blocks, means, unsure.belief.matrix + N @ N.T)
+        for slam in (sure, unsure):
+            update(slam, last)
+        assert not np.allclose(sure.robots[0].pose, means[0][:7], atol=1e-6)
+        N = generators(sure)
+        difference = unsure.belief.matrix - sure.belief.matrix
+        far[error] = np.linalg.norm(difference - N @ N.T) / np.linalg.norm(N @ N.T)
+    assert far["world"] < 1e-9, far
+    assert far["local"] > 1e-5, far
+
+
+def update(slam, frame):
+    """The measurement update of the first sensor alone."""
+    slam.predictions[0] = predict_measurements(
+        slam.belief, slam.sensors[0], slam.families, slam.landmarks, slam.options
+    )
+    slam._update(0, frame.scans[0])
+
+
+@pytest.mark.parametrize("reproject", [True, False])
+@pytest.mark.parametrize("error", ERRORS)
+@pytest.mark.parametrize("name", ["points_and_lines", "self_calibration"])
+def test_a_resumed_run_goes_on_bit_for_bit(name, error, reproject, tmp_path):
+    p = replace(with_options(name, error=error, reproject=reproject), frames=24)
+    slam, other = p.slam(), None
+    for i, (frame, _) in enumerate(p.simulate()):
+        slam.step(frame)
+        if other:
+            other.step(frame)
+        if i == 11:
+            slam.save(tmp_path / "half.npz")
+            other = Slam.load(tmp_path / "half.npz")
+    assert np.array_equal(slam.belief.matrix, other.belief.matrix)
+
+
+def test_what_says_nothing_of_the_motion_of_the_world_is_refused_before_the_run():
+    from slamlib.observation import FAMILIES
+
+    p, own = preset("points"), replace(POINTS["ahmPnt"], name="mine", moved=None)
+    rig = Rig((replace(p.rig.robots[0], motion=replace(MOTIONS["odometry"], moved=None)),), p.rig.sensors)
+    with pytest.raises(SlamlibError, match=r"needs the model moved\(motion, state\) of odometry, which has none"):
+        Slam(rig, replace(p.options, error="world"))
+    slam = run(with_options("points", error="world"), 3)
+    slam.landmarks[0].kind = own
+    with pytest.raises(SlamlibError, match="of mine, which has none"), carried(slam, slam.sensors[0]):
+        pass
+    assert "points" in FAMILIES
+
+
+def measured(p, frames, seed, measure):
+    """NEES (frames,) of a robot that also measures itself."""
+    slam, rng, found = p.slam(), np.random.default_rng(seed), []
+    for frame, truth in replace(p, frames=frames, seed=seed).simulate():
+        slam.step(replace(frame, absolute=measure(truth.robots[0], rng)))
+        e = Pose.minus(truth.robots[0], slam.robots[0].pose)
+        found.append(e @ np.linalg.solve(slam.belief.covariance(slam.robots[0].block), e))
+    return found
+
+
+def test_what_is_told_from_outside_is_believed():
+    """With GPS the world's motion can be known: nothing is carried along there, and the filter is consistent."""
+    from slamlib.tests.test_seams import gps
+
+    def by_gps(pose, rng):
+        return (RobotMeasurement("gps", gps, gps(pose) + 0.1 * rng.standard_normal(3), 0.01 * np.eye(3)),)
+
+    p = replace(with_options("points", points="ahmPnt", error="world", reproject=False), noise_in="truth")
+    robot = replace(p.rig.robots[0], position_std=(0.5,), orientation_std=(3.0,))
+    p = replace(p, rig=Rig((robot,), p.rig.sensors))
+    found = np.array([measured(p, 60, seed, by_gps) for seed in range(12)])
+    average, (low, high) = found.mean(0), band(6, 12)
+    assert np.mean((low < average) & (average < high)) > 0.6
+    assert found.mean() < 9
+
+
+@pytest.mark.parametrize("name", [*POINTS, *LINES])
+def test_every_parametrization_is_consistent(name):
+    """NEES of the pose (6) with error="world", averaged over 8 runs at each of 60 frames."""
+    p = replace(with_landmark(name, error="world", reproject=False), noise_in="truth", frames=60)
+    found = monte_carlo(p, 8, seed=5).nees[:, :, 0]
+    average, (low, high) = found.mean(0), band(6, 8)
+    assert found.mean() < 7.5
+    assert np.mean((low < average) & (average < high)) > 0.9
