@@ -31,6 +31,8 @@ from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.simulation.worlds import gallery_radius
 from slamlib.slam import Slam
 from slamlib.slam.entities import Landmark
+from slamlib.slam.linearization import FirstEstimates
+from slamlib.slam.transport import TRANSPORTS
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,7 @@ CASES = [
     Case("lines", "idpLin", True, (164, 215), 50),
     Case("lines", "idpLin", False, (164, 215), 50),
 ]
+FIRST = "first-estimates"
 PARTS = ("_predict", "predict_measurements", "_update", "_delete", "_initialize")  # of a step; INNER: of _update
 INNER = ("select_and_match", "update_sequentially", "update_in_batch", "after_update")
 
@@ -167,8 +170,40 @@ def _steps(slam: Slam, frames: list[Frame]) -> list[float]:
     return times
 
 
+def errors(repeats: int) -> str:
+    """Table 3: the measurement update of 600 states by 20 points, by the error whose covariance is kept."""
+    lines = []
+    for reproject in (True, False):
+        least: dict[str, float] = {}
+        for error in [*TRANSPORTS] * repeats:
+            slam, frames = large_map(198)
+            slam.options = replace(slam.options, reproject=reproject, error="local" if error == FIRST else error)
+            slam.linearization = FirstEstimates() if error == FIRST else None
+            spent = sum(_updates(slam, frames))
+            least[error] = min(spent, least.get(error, spent))
+        times = [f"{error} {spent / least['local']:.2f}" for error, spent in least.items() if error != "local"]
+        how = "in sequence" if reproject else "batch"
+        lines.append(f"update of 600 states by 20 points, {how}: times that of local: {', '.join(times)}")
+    return "\n".join(lines)
+
+
+def _updates(slam: Slam, frames: list[Frame]) -> list[float]:
+    """CPU time [s] of the measurement update of each frame, after prediction and the predicted measurements."""
+    times, update = [], slam._update
+
+    def timed(i: int, scan: Any) -> None:
+        start = time.process_time_ns()
+        update(i, scan)
+        times.append((time.process_time_ns() - start) / 1e9)
+
+    slam._update = timed  # type: ignore[method-assign]
+    for frame in frames:
+        slam.step(frame)
+    return times
+
+
 def thousand() -> str:
-    """Table 3: steps per second with 1000 Euclidean points in the map."""
+    """Table 4: steps per second with 1000 Euclidean points in the map."""
     slam, frames = large_map(1000)
     times, looked = [], []
     for frame in frames:
@@ -181,7 +216,7 @@ def thousand() -> str:
 
 
 def parts(case: Case, frames: int = 200) -> str:
-    """Table 5: share of the time of a step by part."""
+    """Table 6: share of the time of a step by part."""
     experiment, profiler = case.experiment, cProfile.Profile()
     records = [frame for frame, _ in islice(experiment.simulate(), frames)]
     slam = experiment.slam()
@@ -198,7 +233,7 @@ def parts(case: Case, frames: int = 200) -> str:
 
 
 def peers(seconds: float) -> str:
-    """Table 4: the same update by a peer, if it is installed."""
+    """Table 5: the same update by a peer, if it is installed."""
     if importlib.util.find_spec("filterpy") is None:
         return "filterpy is not installed: skipped (pip install filterpy)"
     KalmanFilter = importlib.import_module("filterpy.kalman").KalmanFilter
@@ -222,7 +257,7 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=0.5, help="CPU time spent on each update (default 0.5)")
     options = parser.parse_args()
     print(per_frame(options.repeats, options.frames), flush=True)
-    print(f"\n{scaling(options.seconds)}\n\n{thousand()}\n", flush=True)
+    print(f"\n{scaling(options.seconds)}\n\n{errors(options.repeats)}\n\n{thousand()}\n", flush=True)
     for case in CASES[:1] + CASES[2:3] + CASES[4:5]:
         print(f"{case.preset} {'in sequence' if case.reproject else 'batch'}: {parts(case)}")
     print(f"\n{peers(options.seconds)}")
