@@ -324,7 +324,7 @@ def test_an_arrow_points_from_its_words_to_its_point():
 
 
 @given(st.floats(-1e6, 1e6), st.floats(-9, 9), st.integers(4, 7))
-@settings(max_examples=300)
+@settings(max_examples=300, deadline=None)
 def test_ticks_are_round_and_few_and_within_the_limits(low, exponent, most):
     high = low + 10.0**exponent
     assume(high - low > 1e-9 * abs(low))
@@ -341,7 +341,7 @@ def test_ticks_are_round_and_few_and_within_the_limits(low, exponent, most):
 
 
 @given(st.floats(-300, 300), st.floats(0.001, 60), st.integers(4, 7))
-@settings(max_examples=300)
+@settings(max_examples=300, deadline=None)
 def test_logarithmic_ticks_are_round_and_few_and_within_the_limits(start, reach, most):
     low, high = 10.0**start, 10.0 ** min(start + reach, 307)
     assume(high > low * 1.001)
