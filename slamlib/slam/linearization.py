@@ -8,7 +8,7 @@ import numpy as np
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array
 from slamlib.slam.entities import POSE, Robot
-from slamlib.slam.transport import NO_MOTION
+from slamlib.slam.transport import generator
 
 
 class Linearization:
@@ -60,7 +60,7 @@ class FirstEstimates(Linearization):
     def motion(self, robot: Robot, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
         """Jacobians of the motion, the first one changed so that it takes N of one first estimate to N of the next."""
         F, G = super().motion(robot, state, control, dt)
-        before, after = (robot.motion.moved.jac(NO_MOTION, x)[1][0] for x in (self.at(robot.block), state))
+        before, after = (generator(robot.motion, x) for x in (self.at(robot.block), state))
         F = F.copy()
         F[:, :POSE] += (after - F @ before) @ np.linalg.inv(before[:POSE])
         return F, G

@@ -11,9 +11,9 @@ from slamlib.observation.lines import RESIDUALS
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.gates import SELECTIONS
 from slamlib.slam.map_management import PRUNING_RULES
+from slamlib.slam.transport import TRANSPORTS
 
 Prior = tuple[tuple[Finite, Finite], tuple[Positive, Positive]]
-ERRORS = ("local", "world", "first-estimates")
 PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 
 
@@ -41,8 +41,7 @@ class Options(Plain):
         linTestIdp).
     max_new_first, max_new: new landmarks of one sensor in its first frame, and in every other (init.nbrInits).
     inverse_distance: mean and standard deviation [1/m] of the prior for what a bearing does not measure
-        (init.idpPnt.nonObs*). At 4 m, with infinity one standard deviation away. The toolbox has (0.01, 0.5): all
-        landmarks start near infinity, where linearization is poor, and the filter is overconfident for twenty frames.
+        (init.idpPnt.nonObs*). With the toolbox's (0.01, 0.5), near infinity, the filter is overconfident at first.
     line_priors: by the name of a parametrization, prior means and standard deviations of the two numbers that a segment
         does not measure (init.plkLin.nonObs*); lines not listed take inverse_distance for both endpoints.
     innovation: of lines: "ortDst" distances of the measured endpoints, "rhoThe" distance and angle, "angles" of their
@@ -59,7 +58,7 @@ class Options(Plain):
     lines: Annotated[str, OneOf(LINES)] | None = None
     capacity: Whole | None = None
     pruning: Annotated[str, OneOf(PRUNING_RULES)] | None = None
-    error: Annotated[str, OneOf(ERRORS)] = "local"
+    error: Annotated[str, OneOf(TRANSPORTS)] = "local"
     window: Whole | None = None
     updates: Count = 10
     selection: Annotated[str, OneOf(SELECTIONS)] = "information"

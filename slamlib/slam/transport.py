@@ -22,32 +22,36 @@ from slamlib.slam.measurement_update import KIND, Projection, group_by_kind, unp
 NO_MOTION = np.array([0.0, 0, 0, 1, 0, 0, 0])
 
 
-def moved(kind: Any) -> Any:
-    """The model moved(motion, state) of a parametrization or a motion. Raises SlamlibError if it has none."""
-    found = getattr(kind, "moved", None)
-    if found is None:
+def check_moved(kind: Any) -> None:
+    """Raise SlamlibError for a parametrization, or a motion, without the model moved(motion, state)."""
+    if getattr(kind, "moved", None) is None:
         raise SlamlibError(
             f"the error that this filter keeps needs the model moved(motion, state) of {kind.name}, which has none: "
             "write it, or use the option error='local'"
         )
-    return found
 
 
 def check(slam: Any) -> None:
-    """Raise SlamlibError, before a run, for a motion or a parametrization of new landmarks without the model."""
+    """Check, before a run, all motions, and the parametrizations of new landmarks. Raises SlamlibError."""
     if slam.options.error != "local":
         kinds = [family.new_kind(slam.options) for family in slam.families.values()]
         for kind in (*(robot.motion for robot in slam.robots), *filter(None, kinds)):
-            moved(kind)
+            check_moved(kind)
+
+
+def generator(kind: Any, states: Array) -> Array:
+    """N (..., dof, 6) of states (..., size) of a parametrization or a motion. Raises SlamlibError."""
+    check_moved(kind)
+    return np.asarray(kind.moved.jac(NO_MOTION, states)[1][0])
 
 
 def generators(slam: Any) -> Array:
     """N (size, 6): the change of all blocks' errors by a motion (tau [m], phi [rad]) of the world."""
     N = np.zeros((slam.belief.size, 6))
     for robot in slam.robots:
-        N[robot.block.slice] = moved(robot.motion).jac(NO_MOTION, robot.block.mean)[1][0]
+        N[robot.block.slice] = generator(robot.motion, robot.block.mean)
     for group in group_by_kind(slam.landmarks, KIND):
-        N[state_rows(group)] = moved(group[0].kind).jac(NO_MOTION, landmark_means(group))[1][0]
+        N[state_rows(group)] = generator(group[0].kind, landmark_means(group))
     return N
 
 

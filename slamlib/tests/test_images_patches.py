@@ -102,13 +102,17 @@ def test_uint8_and_floats_are_the_same():
     image = np.random.default_rng(1).integers(0, 256, (30, 30), dtype=np.uint8)
     for pixel in ((15, 14), (15.25, 14.75)):
         np.testing.assert_array_equal(cut(image, pixel, 9), cut(image.astype(float), pixel, 9))
+    for compare in COMPARE:  # no overflow
+        assert compare(image, image.T) == compare(image.astype(float), image.T.astype(float))
 
 
-def test_a_patch_is_no_view_of_the_image():
+def test_a_patch_cannot_be_changed_and_is_no_view_of_the_image():
     image = np.ones((9, 9))
     patch = cut(image, (4, 4), 9)
     image[0, 0] = 7
     assert patch.sum() == 81
+    with pytest.raises(ValueError, match="read-only"):
+        patch[0, 0] = 1
 
 
 def test_misuse_is_named():

@@ -17,9 +17,7 @@ from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS
 from slamlib.slam import Slam
 from slamlib.slam.measurement_update import predict_measurements
-from slamlib.slam.transport import NO_MOTION, carried, generators, unobservable
-
-ERRORS = ("local", "world", "first-estimates")
+from slamlib.slam.transport import TRANSPORTS, carried, generator, generators, unobservable
 
 
 def with_options(name, **options):
@@ -55,7 +53,7 @@ def test_the_motion_takes_what_cannot_be_known_along(name):
         g = Pose.random(rng)
         there, J = motion.step.jac(x, u, 0.1)
         np.testing.assert_allclose(motion.step(motion.moved(g, x), u, 0.1), motion.moved(g, there), atol=1e-9)
-        before, after = (motion.moved.jac(NO_MOTION, at)[1][0] for at in (x, there))
+        before, after = (generator(motion, at) for at in (x, there))
         np.testing.assert_allclose(J.state @ before, after, atol=1e-9)
 
 
@@ -145,7 +143,7 @@ def at_first_estimates(slam):
     """N (size, 6) at the linearization points."""
     N = np.zeros((slam.belief.size, 6))
     for owner, kind in [(r, r.motion) for r in slam.robots] + [(lm, lm.kind) for lm in slam.landmarks]:
-        N[owner.block.slice] = kind.moved.jac(NO_MOTION, slam.linearization.at(owner.block))[1][0]
+        N[owner.block.slice] = generator(kind, slam.linearization.at(owner.block))
     return N
 
 
@@ -158,7 +156,7 @@ def update(slam, frame):
 
 
 @pytest.mark.parametrize("reproject", [True, False])
-@pytest.mark.parametrize("error", ERRORS)
+@pytest.mark.parametrize("error", TRANSPORTS)
 @pytest.mark.parametrize("name", ["points_and_lines", "self_calibration"])
 def test_a_resumed_run_goes_on_bit_for_bit(name, error, reproject, tmp_path):
     p = replace(with_options(name, error=error, reproject=reproject), frames=24)

@@ -6,7 +6,7 @@ The manual's pix2patch and zncc (section 6.1.2); its other scores are in slamboo
 import numpy as np
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
-from slamlib.manifolds import Array, Image, finite
+from slamlib.manifolds import Array, Image, finite, read_only
 
 ROUNDING = 1e-12  # share of the sum of squares that may be rounding: less variation than that is no texture
 
@@ -45,7 +45,7 @@ def cut(image: Image, pixel: Array, size: int) -> Array | None:
         return None
     piece = as_floats(array[v - half : last[1] + 1, u - half : last[0] + 1], "cut")
     across = piece[:, :size] if a == 0 else (1 - a) * piece[:, :-1] + a * piece[:, 1:]
-    return across[:size] if b == 0 else (1 - b) * across[:-1] + b * across[1:]
+    return read_only(across[:size] if b == 0 else (1 - b) * across[:-1] + b * across[1:])
 
 
 def sample(pixels: Array, places: Array) -> Array:

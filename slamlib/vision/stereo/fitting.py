@@ -1,7 +1,4 @@
-"""Points of stereo measurements with their covariances, and the motion that is most likely, given noise in both pairs.
-
-The motion is found by Gauss-Newton with the points eliminated.
-"""
+"""Points of stereo measurements; the most likely motion between two pairs: Gauss-Newton, the points eliminated."""
 
 from dataclasses import dataclass
 
