@@ -6,7 +6,7 @@ READY := $(VENV)/.ready
 export OPENBLAS_NUM_THREADS := 1
 export PYTHONDONTWRITEBYTECODE := 1
 
-.PHONY: help book serve test test-all quick chapter environment assets parity experiments audit monocular real-images visual-odometry stereo-slam report-experiments rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book serve test test-all quick chapter environment assets parity experiments audit monocular real-images visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -20,7 +20,7 @@ serve: book  ## build the book and serve it on this machine only
 test: environment  ## run every check of .ci/run, with a summary line each
 	@$(BIN)/python -m book.tools.ci
 
-test-all: environment  ## every check, with all live cells of all pages; before a release, and every night
+test-all: environment  ## every check, on all pages in the browser; before a release, and every night
 	@$(BIN)/python -m book.tools.ci --all
 
 quick: environment  ## while you work: lint, tangled and stored cells, the core's tests (under a minute)
@@ -48,8 +48,9 @@ assets: environment  ## fetch what the site serves itself (MathJax, Python for t
 parity: book  ## compare the page's Python with this one, and store the appendix's table (needs Chromium)
 	@$(BIN)/python -m pytest -q book/tests/site -k two_pythons --store-parity
 
-experiments: environment  ## run the Monte Carlo experiments of chapter toolbox_tour and store their averages (long; resumable)
+experiments: environment  ## run the Monte Carlo experiments of chapters toolbox_tour and observability (hours; resumable)
 	@$(BIN)/python -m book.tools.experiments
+	@$(BIN)/python -m book.tools.consistency
 
 audit: environment  ## compute every figure of the errata E01 to E30 of the report again (ARGS=--store, "--only E07", --json)
 	@$(BIN)/python -m book.tools.audit $(ARGS)
@@ -68,6 +69,9 @@ stereo-slam: environment  ## run the longer films of chapter stereo_ekf_slam, an
 
 report-experiments: environment  ## run the experiments that the report asks for, and store their figures (chapter 22)
 	@$(BIN)/python -m book.tools.report_experiments
+
+other-filters: environment  ## run the comparison of filters of chapter other_filters, and store its figures (long)
+	@$(BIN)/python -m book.tools.other_filters
 
 rosetta: environment  ## write the tables of the Rosetta appendix from its CSV and the package
 	@$(BIN)/python -m book.tools.rosetta

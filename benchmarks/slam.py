@@ -31,7 +31,6 @@ from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.simulation.worlds import gallery_radius
 from slamlib.slam import Slam
 from slamlib.slam.entities import Landmark
-from slamlib.slam.linearization import FirstEstimates
 from slamlib.slam.transport import TRANSPORTS
 
 
@@ -62,7 +61,6 @@ CASES = [
     Case("lines", "idpLin", True, (164, 215), 50),
     Case("lines", "idpLin", False, (164, 215), 50),
 ]
-FIRST = "first-estimates"
 PARTS = ("_predict", "predict_measurements", "_update", "_delete", "_initialize")  # of a step; INNER: of _update
 INNER = ("select_and_match", "update_sequentially", "update_in_batch", "after_update")
 
@@ -177,8 +175,7 @@ def errors(repeats: int) -> str:
         least: dict[str, float] = {}
         for error in [*TRANSPORTS] * repeats:
             slam, frames = large_map(198)
-            slam.options = replace(slam.options, reproject=reproject, error="local" if error == FIRST else error)
-            slam.linearization = FirstEstimates() if error == FIRST else None
+            slam.options = replace(slam.options, reproject=reproject, error=error)
             spent = sum(_updates(slam, frames))
             least[error] = min(spent, least.get(error, spent))
         times = [f"{error} {spent / least['local']:.2f}" for error, spent in least.items() if error != "local"]

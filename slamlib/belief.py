@@ -9,7 +9,7 @@ The matrix has exactly the size of the state: adding, replacing and removing blo
 of one update; and what every update touches is contiguous, a third quicker than a view of a larger array.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
 import numpy as np
@@ -27,11 +27,14 @@ __all__ = ["Belief", "BeliefSnapshot", "Block", "LinearizedMeasurement", "Update
 class Belief:
     """Means of blocks and their joint covariance.
 
-    retraction: how a step moves all means together; None: each block by its own plus. It may be assigned at any time.
+    retraction: how a step moves all means together; None: each block by its own plus. transport: called once the means
+    have been updated, it says in what coordinates errors are then, (rows (k,), C (size, k)): e becomes e + C e[rows];
+    None: they stay. Both may be assigned at any time.
     """
 
     def __init__(self, retraction: Retraction | None = None) -> None:
         self.retraction = retraction
+        self.transport: Callable[[], linalg.Carry] | None = None
         self._set([], np.zeros((0, 0)))
 
     @property
@@ -195,8 +198,8 @@ class Belief:
         finite(flat, flat.shape, "update", "the updated means")
         for block, mean in zip(self._layout.points, points, strict=True):
             finite(mean, (block.manifold.size,), "update", f"the updated mean of {block!r}")
-        linalg.subtract_square(self._P, rows)
         self._layout.assign(flat, points)
+        linalg.subtract_square(self._P, rows, self.transport and self.transport())
         return UpdateResult(stacked.z, S, nis)
 
     @linalg.quiet_floats
@@ -219,16 +222,12 @@ class Belief:
         immediately, the covariance at the end, also where an error ends it. Until then nothing else may be done with
         the belief.
         """
-        sequence = SequentialUpdate(self._P, self._layout, self.retraction)
+        sequence = SequentialUpdate(self._P, self._layout, self.retraction, self.transport)
         try:
             with np.errstate(over="ignore", invalid="ignore"):  # one for all of them
                 yield sequence
         finally:
             sequence.finish()
-
-    def transport(self, rows: Indices, C: Array) -> None:
-        """Change the errors' coordinates: e becomes e + C e[rows], rows (k,) of the covariance, C (size, k)."""
-        linalg.transport(self._P, rows, C)
 
     def _own(self, blocks: Sequence[Block]) -> None:
         if isinstance(blocks, Block):

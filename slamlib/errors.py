@@ -56,7 +56,7 @@ class UnknownNameError(SlamlibError):
         """The standard message, with the choices and the nearest one."""
         choices = sorted(known)
         near = get_close_matches(str(name), choices, n=1)
-        hint = f"; did you mean {near[0]!r}?" if near else ""
+        hint = f"; did you mean {near[0]!r}?" if near else "."
         return cls(f"unknown {what} {name!r}{hint} Known: {', '.join(choices)}")
 
 

@@ -62,7 +62,7 @@ class ParkRecording:
     fixes: Array
 
 
-def load(folder: str | os.PathLike[str]) -> ParkRecording:
+def load(folder: str | Path) -> ParkRecording:
     """Read the recording. Raises SlamlibError for a file that is missing or another one, and without SciPy."""
     with complete(folder):
         park, gps = (_variables(Path(folder) / name, names) for name, names in FILES.items())

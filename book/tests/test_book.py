@@ -145,12 +145,15 @@ def test_without_a_browser_the_stage_is_skipped_or_fails_where_it_is_needed():
         assert "apt-get install chromium" in run.stdout + run.stderr
 
 
-def test_live_cells_run_where_a_change_reaches_and_everywhere_if_the_package_changed(monkeypatch):
+def test_pages_are_tried_where_a_change_reaches_and_everywhere_if_what_is_behind_them_changed(monkeypatch):
     everywhere = live_page.live_pages()
     monkeypatch.setattr(live_page, "changed_files", lambda: {"book/chapters/points.ipynb", "README.md"})
     assert {f.stem for f in live_page.live_pages(every=False)} == {*live_page.ALWAYS, "points"}
     monkeypatch.setattr(live_page, "changed_files", lambda: {"slamlib/belief.py"})
     assert live_page.live_pages(every=False) == everywhere
+    assert {f.stem for f in live_page.shown_pages(every=False)} == {*live_page.ALWAYS}
+    monkeypatch.setattr(live_page, "changed_files", lambda: {"book/slambook/figures/axes.py"})
+    assert live_page.shown_pages(every=False) == layout.pages()
     monkeypatch.setattr(live_page, "changed_files", lambda: None)
     assert live_page.live_pages(every=False) == everywhere
 

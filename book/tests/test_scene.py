@@ -12,11 +12,12 @@ from slambook.figures.colors import colors
 from slambook.scene.figures import view_of
 from slambook.scene.image_scene import AWAY, OUTCOMES, RING, beside, regions, sensor_scene
 from slambook.scene.layers import Layer, strung
-from slambook.scene.options import MapOptions, SensorOptions, chosen
+from slambook.scene.options import MapOptions, SensorOptions
 from slambook.scene.roles import DARK, MAP, ROLES, THEMES, themed
 from slambook.scene.scene import bounds, map_scene
 from slambook.scene.view import NAMED, NEAR, OrbitView, rings
 
+from slamlib.data.plain import read
 from slamlib.data.setup import SensorSetup
 from slamlib.data.snapshots import MapView
 from slamlib.errors import SlamlibError, UnknownNameError
@@ -325,7 +326,7 @@ def test_the_dark_palette_is_the_page_s():
 )
 def test_wrong_options_of_the_map_are_named(wrong, said):
     with pytest.raises(SlamlibError, match=said):
-        chosen(MapOptions(), wrong)
+        read(MapOptions, wrong)
 
 
 @pytest.mark.parametrize(
@@ -333,7 +334,7 @@ def test_wrong_options_of_the_map_are_named(wrong, said):
 )
 def test_wrong_options_of_a_sensor_are_named(wrong, said):
     with pytest.raises(SlamlibError, match=said):
-        chosen(SensorOptions(), wrong)
+        read(SensorOptions, wrong)
     with pytest.raises(SlamlibError, match="there is no sensor 'radar'; there are camera"):
         sensor_scene(scenes.snapshot(), "radar")
 

@@ -39,7 +39,7 @@ class Result:
 
 
 def stages(every: bool = False) -> list[Stage]:
-    """The checks, quick ones first; every: of the live pages all, changed or not."""
+    """The checks, quick ones first; every: all pages in the browser, changed or not."""
     parallel = ["-n", "2", "--dist", "loadscope"]
     chromium = [*PYTHON, "pytest", "-q", "book/tests/site", "-n", "2", "--dist", "worksteal"]
     pages = ["--every-page"] if every else []
@@ -58,8 +58,8 @@ def stages(every: bool = False) -> list[Stage]:
         Stage("nbval", [*PYTHON, *notebooks.NBVAL, *parallel, *files], r"(\d+) passed", "cells as stored"),
         Stage("book", [*PYTHON, "book.tools.build"], r"running (\d+) notebooks", "notebooks in the book"),
         Stage("site", [*PYTHON, "book.tools.site"], r"site: (\d+) pages", "pages, links resolve"),
-        Stage("browser", [*chromium, "-k", "test_pages and not axe"], r"(\d+) passed", "views of pages"),
-        Stage("axe", [*chromium, "-k", "test_pages and axe"], r"(\d+) passed", "pages, nothing serious"),
+        Stage("browser", [*chromium, "-k", "test_pages and not axe", *pages], r"(\d+) passed", "views of pages"),
+        Stage("axe", [*chromium, "-k", "test_pages and axe", *pages], r"(\d+) passed", "pages, nothing serious"),
         Stage("live", [*chromium, "-k", "not test_pages", *pages], r"(\d+) passed", "live pages and readers' ways"),
     ]
 
@@ -114,7 +114,7 @@ def main(arguments: list[str] | None = None) -> int:
     names = ", ".join(stage.name for stage in stages())
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("stage", nargs="*", help=f"of {names} (default: all but core, which is a part of pytest)")
-    parser.add_argument("--all", action="store_true", help="run the live cells of all pages, changed or not")
+    parser.add_argument("--all", action="store_true", help="look at all pages and run their live cells, changed or not")
     options = parser.parse_args(arguments)
     known, wanted = stages(options.all), options.stage
     for name in set(wanted) - {stage.name for stage in known}:

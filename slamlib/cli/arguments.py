@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 from slamlib.data.plain import read_fields
-from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.experiments.presets import PRESETS, Preset, preset
 from slamlib.landmarks import LINES, POINTS
@@ -93,7 +92,15 @@ def changed(chosen: Preset, given: argparse.Namespace) -> Preset:
         options["reproject"] = False
     chosen = replace(chosen, options=replace(chosen.options, **options))
     if given.calibrate:
-        chosen = replace(chosen, rig=_calibrated(chosen.rig))
+        first, *others = chosen.rig.sensors
+        if not others:
+            raise SlamlibError(
+                "--calibrate keeps the first sensor's extrinsics and estimates those of the others, and this rig has "
+                "one sensor: try `slamlib run stereo --calibrate`, or a preset whose sensor has 'estimated': true"
+            )
+        loose: dict[str, Any] = {"estimated": True, "position_std": (0.02,), "orientation_std": (1.5,)}
+        sensors = (first, *(s if s.estimated else replace(s, **loose) for s in others))
+        chosen = replace(chosen, rig=replace(chosen.rig, sensors=sensors))
     return replace(chosen, **{name: value for name, value in names.items() if value is not None})
 
 
@@ -106,19 +113,6 @@ def with_landmark(chosen: Preset, name: str) -> Preset:
         raise SlamlibError(f"the preset {chosen.name!r} has no {family}, so {name} cannot be used in it")
     change: dict[str, Any] = {family: name}
     return replace(chosen, options=replace(chosen.options, **change))
-
-
-def _calibrated(rig: Rig) -> Rig:
-    if len(rig.sensors) < 2:
-        raise SlamlibError(
-            "--calibrate: a rig of one sensor cannot be calibrated: the sensor's extrinsics and the robot's pose "
-            "cannot be distinguished. Try `slamlib run stereo --calibrate`"
-        )
-    first, *others = rig.sensors
-    loose = [
-        s if s.estimated else replace(s, estimated=True, position_std=(0.02,), orientation_std=(1.5,)) for s in others
-    ]
-    return replace(rig, sensors=(first, *loose))
 
 
 def assignments(texts: list[str], kind: type = Options, flag: str = "--option") -> dict[str, Any]:

@@ -3,6 +3,7 @@
 import argparse
 import sys
 from dataclasses import replace
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -14,11 +15,13 @@ from slamlib.data.files import check_writable
 from slamlib.evaluation.consistency import share_inside
 from slamlib.experiments.monte_carlo import Experiment, monte_carlo
 from slamlib.landmarks import LINES
+from slamlib.slam.transport import TRANSPORTS
 
 DOF = 6
 EXAMPLES = """examples:
   slamlib compare ahmPnt idpPnt hmgPnt --runs 20 --jobs 2 --folder finished
   slamlib compare plkLin aplLin --preset lines --frames 200
+  slamlib compare hmgPnt idpPnt --errors local world
 """
 
 
@@ -26,6 +29,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `slamlib compare`."""
     parser.add_argument("landmarks", nargs="+", help="parametrizations, of `slamlib list points` or `lines`")
     parser.add_argument("--preset", help="default: points for points, lines for lines")
+    parser.add_argument("--errors", nargs="+", choices=TRANSPORTS, metavar="NAME",
+        help="also compare filters, by the error whose covariance they keep: " + ", ".join(TRANSPORTS))  # fmt: skip
     parser.add_argument("--runs", type=shared.count, default=20, help="independent runs of each (default 20)")
     parser.add_argument("--jobs", type=shared.count, default=1, help="runs in parallel, one per processor (default 1)")
     parser.add_argument("--folder", metavar="PATH", help="store finished runs there, and reuse them next time")
@@ -39,9 +44,11 @@ def execute(given: argparse.Namespace) -> int:
     runner.check_files(given)
     if given.folder:
         check_writable(Path(given.folder) / "run.npz")
-    for name in given.landmarks:
+    for name, error in product(given.landmarks, given.errors or [None]):
         base = shared.base(given.preset or ("lines" if name in LINES else "points"))
         preset = shared.with_landmark(shared.changed(base, given), name)
+        if error:
+            preset = replace(preset, options=replace(preset.options, error=error))
         # The seed draws the runs: files of finished runs belong to the preset without it.
         try:
             found = monte_carlo(
@@ -63,6 +70,7 @@ def summary(name: str, found: Experiment) -> dict[str, Any]:
     half = statistic.average.size // 2
     return {
         "landmark": name,
+        "error": found.preset.options.error,
         "runs": statistic.runs,
         "frames": statistic.average.size,
         "position_error_rms": float(np.sqrt((found.errors[:, -1, 0] ** 2).mean())),
@@ -88,13 +96,16 @@ def table(rows: list[dict[str, Any]]) -> str:
         f"NEES of the pose: {DOF} degrees of freedom, averaged over the runs at each frame; "
         f"95 % band [{low:.2f}, {high:.2f}]; share of the frames inside it."
     )
-    lines = ["", f"{'':8} {'error':>8} {'sigma':>8} {'map':>8} | {'NEES':>6} {'last':>6} {'1st half':>8} {'all':>5} |"
-             f" {'map':>5} {'lost':>5} {'ms/frame':>8}"]  # fmt: skip
+    several = len({row["error"] for row in rows}) > 1
+    names = [f"{row['landmark']} {row['error']}" if several else row["landmark"] for row in rows]
+    width = max(8, *map(len, names))
+    lines = ["", f"{'':{width}} {'error':>8} {'sigma':>8} {'map':>8} | {'NEES':>6} {'last':>6} {'1st half':>8} "
+             f"{'all':>5} | {'map':>5} {'lost':>5} {'ms/frame':>8}"]  # fmt: skip
     lines += [
-        f"{r['landmark']:8} {100 * r['position_error_rms']:5.1f} cm {100 * r['position_sigma']:5.1f} cm "
+        f"{name:{width}} {100 * r['position_error_rms']:5.1f} cm {100 * r['position_sigma']:5.1f} cm "
         f"{100 * r['map_error_median']:5.1f} cm | {r['nees_median']:6.2f} {r['nees_last']:6.2f} "
         f"{r['inside_first_half']:8.0%} {r['inside']:5.0%} | {r['landmarks']:5.1f} {r['deleted']:5.1f} "
         f"{r['milliseconds_per_frame']:8.2f}"
-        for r in rows
+        for name, r in zip(names, rows, strict=True)
     ]
     return head + "\n".join(lines)

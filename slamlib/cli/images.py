@@ -32,21 +32,20 @@ REVERSED = (
 class ImageCommand:
     """A command that runs on images of one kind; a subclass's docstring starts with its help text.
 
-    what(add), how(add): add the arguments of the input, and of the filter, to a group. new_run(given): the run
+    options(what, how): add the arguments of the input, and of the filter, each to its group. new_run(given): the run
     specified by the arguments.
     """
 
     kind: SequenceKind
     EXAMPLES: str
-    what: Callable[[Add], None]
-    how: Callable[[Add], None]
+    options: Callable[[Add, Add], None]
     new_run: Callable[[argparse.Namespace], SequenceRun]
 
     def arguments(self, parser: argparse.ArgumentParser) -> None:
         """Add the arguments of the command."""
-        self.what(parser.add_argument_group("input options").add_argument)
-        self.how(parser.add_argument_group("filter options").add_argument)
-        add = parser.add_argument_group("output options").add_argument
+        group = parser.add_argument_group
+        self.options(group("input options").add_argument, group("filter options").add_argument)
+        add = group("output options").add_argument
         add("--trajectory", metavar="FILE", help="write the camera's trajectory in TUM format, for evo; beside it its "
             "covariances, which `slamlib evaluate` reads too, in a file that ends in .cov")  # fmt: skip
         add("--reference", metavar="FILE", help="compare with a trajectory of this camera (TUM, EuRoC or KITTI format)")
@@ -58,7 +57,12 @@ class ImageCommand:
         check_files(given)
         if given.plot and not given.reference:
             raise SlamlibError("--plot draws errors: they need --reference FILE, a trajectory to compare with")
-        run = self._resumed(given) if given.resume else self.new_run(given)
+        if given.resume:
+            given.check(given)
+            run = load(given.resume, self.kind, frames=given.frames)
+            run.patience = given.patience or run.patience
+        else:
+            run = self.new_run(given)
         if not run.has_map and (given.video or given.live or given.map):
             raise SlamlibError("--video, --live and --map need the filter's map: with --odometry-only there is none")
         source, warned = run.source, False
@@ -101,12 +105,6 @@ class ImageCommand:
             print(f"slamlib: {REVERSED.format(inliers)}", file=sys.stderr)
         return ended.status
 
-    def _resumed(self, given: argparse.Namespace) -> SequenceRun:
-        given.check(given)
-        run = load(given.resume, self.kind, frames=given.frames)
-        run.patience = given.patience or run.patience
-        return run
-
     def _which(self, add: Add) -> None:
         """Add the arguments that select images."""
         of = f"{self.kind.item}s"
@@ -126,7 +124,8 @@ class ImageCommand:
 
     def _search(self, add: Add, settings: Any, of: str) -> None:
         """Add the arguments of the filter's options, and of the search for features."""
-        names = ", ".join(f.name for f in fields(settings))
+        names, points = ", ".join(f.name for f in fields(settings)), self.kind.options.points
+        add("--landmark", default=points, help=f"parametrization of points (default {points})")
         add("--option", action="append", default=[], metavar="NAME=VALUE", help=OPTION)
         add("--search", action="append", default=[], metavar="NAME=VALUE", help=f"setting of {of}: {names}")
         add("--patience", type=count, metavar="N", help=f"stop after N {self.kind.item}s without a match (default 30)")

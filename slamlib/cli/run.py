@@ -9,12 +9,11 @@ import numpy as np
 from slamlib.cli import arguments as shared
 from slamlib.cli import runner
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.comparison import magnitudes
+from slamlib.evaluation.comparison import DOF, magnitudes
 from slamlib.evaluation.consistency import band, share_inside
 from slamlib.experiments.runs import Result, Run
 from slamlib.manifolds import Array
 
-DOF = 6
 EXAMPLES = """examples:
   slamlib run points
   slamlib run points --landmark hmgPnt --seed 7 --video run.mp4
@@ -81,13 +80,15 @@ def summary(result: Result) -> dict[str, Any]:
         for i, setup in enumerate(result.preset.rig.robots)
         for known in [result.nees[np.isfinite(result.nees[:, i]), i]]
     ]
-    sensors = zip(result.preset.rig.sensors, result.extrinsics, strict=True)
+    sensors = zip(result.preset.rig.sensors, result.extrinsics, result.extrinsics_nees, strict=True)
     return {
         "preset": result.preset.name,
         "seed": result.preset.seed,
         "frames": len(result.nees),
         "robots": robots,
-        "extrinsics": [_deviation(setup.name, *found) for setup, found in sensors if setup.estimated],
+        "extrinsics": [
+            {**_deviation(setup.name, *found), "nees": float(nees)} for setup, found, nees in sensors if setup.estimated
+        ],
         "nees_band": [low, high],
         "nis_per_dof": float(result.nis.sum() / max(result.nis_dof.sum(), 1)),
         "landmarks": int(result.landmarks[-1]),
@@ -128,16 +129,17 @@ def table(result: Result) -> str:
     rows = [("preset", f"{s['preset']}, seed {s['seed']}, {s['frames']} frames")]
     low, high = s["nees_band"]
     at = f"at frame {s['frames']}"
-    for pose in (*s["robots"], *s["extrinsics"]):
+    for pose, what in [(robot, "error") for robot in s["robots"]] + [(e, "extrinsics error") for e in s["extrinsics"]]:
         place = f"{100 * pose['position_error']:.1f} cm (sigma {100 * pose['position_sigma']:.1f} cm)"
         turn = f"{pose['attitude_error']:.2f} degrees (sigma {pose['attitude_sigma']:.2f})"
-        rows.append((f"{pose['name']}: {'error' if 'nees' in pose else 'extrinsics error'}", f"{place}, {turn}, {at}"))
+        rows.append((f"{pose['name']}: {what}", f"{place}, {turn}, {at}"))
     for robot in s["robots"]:
         share = "the motion has no noise: the pose is known exactly"
         if robot["nees_inside"] is not None:
             share = f"{robot['nees']:.2f}, {at}; {robot['nees_inside']:.0%} of the steps inside [{low:.2f}, {high:.2f}]"
             share += " (1 run, 95 %)"
         rows.append((f"{robot['name']}: NEES, {DOF} dof", share))
+    rows += [(f"{e['name']}: extrinsics NEES, {DOF} dof", f"{e['nees']:.2f}, {at}") for e in s["extrinsics"]]
     rows.append(("NIS per degree of freedom", f"{s['nis_per_dof']:.2f}"))
     rows.append(("landmarks", f"{s['landmarks']} in the map, {s['initialized']} initialized, {s['deleted']} deleted"))
     for name in ("point", "line"):

@@ -47,33 +47,29 @@ camera.json of a pin-hole, in pixels:
   {"image": [640, 480], "parameters": {"intrinsics": [320, 240, 500, 500], "distortion": [-0.3, 0.1]}}
 """
 
-    def what(self, add: Add) -> None:
-        """Add the input arguments of one camera."""
-        add("--source", metavar="PATH", help="a folder, a quoted glob, a video, or a data set's folder")
-        add("--calibration", metavar="FILE",
+    def options(self, what: Add, how: Add) -> None:
+        """Add the arguments of one camera's images, and of the filter, with all motions of slamlib."""
+        what("--source", metavar="PATH", help="a folder, a quoted glob, a video, or a data set's folder")
+        what("--calibration", metavar="FILE",
             help="slamlib's, ROS's, OpenCV's, Kalibr's, EuRoC's, KITTI's, plain text; or fr1, fr2, fr3")  # fmt: skip
-        add("--camera", type=at_least(0), default=0, metavar="N", help="number of the camera (default 0)")
-        add("--undistort", action="store_true", help="remove the lens distortion from the images (OpenCV)")
-        self._which(add)
-        add("--scale", default="free", metavar="free|FILE",
+        what("--camera", type=at_least(0), default=0, metavar="N", help="number of the camera (default 0)")
+        what("--undistort", action="store_true", help="remove the lens distortion from the images (OpenCV)")
+        self._which(what)
+        what("--scale", default="free", metavar="free|FILE",
             help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3) [m], n at least 4, '
                  'their "pixels" (n, 2) in the first image, and the "std" of the points [m]')  # fmt: skip
-
-    def how(self, add: Add) -> None:
-        """Add the filter arguments, with all motions of slamlib."""
-        add("--motion", default="constant-velocity", help="constant-velocity, or a name of `slamlib list motions`")
-        self._impulses(add, "", "{:g} times the target's distance, if there is one, and {:g}")
-        add("--noise", type=number, metavar="PX",
+        how("--motion", default="constant-velocity", help="constant-velocity, or a name of `slamlib list motions`")
+        self._impulses(how, "", "{:g} times the target's distance, if there is one, and {:g}")
+        how("--noise", type=number, metavar="PX",
             help=f"std of a pixel coordinate (default: the calibration file's, or {IMAGES.noise[0]})")  # fmt: skip
-        points, updates = IMAGES.options.points, IMAGES.options.updates
-        add("--landmark", default=points, help=f"parametrization of points (default {points})")
-        add("--lines", metavar="LANDMARK",
+        how("--lines", metavar="LANDMARK",
             help="also straight edges, in this parametrization, such as idpLin (default: none)")  # fmt: skip
-        add("--updates", type=count, metavar="N", help=f"landmarks per frame (default {updates}, more with a target)")
-        add("--outlier-rejection", choices=OUTLIER_REJECTIONS,
+        how("--updates", type=count, metavar="N",
+            help=f"landmarks per frame (default {IMAGES.options.updates}, more with a target)")  # fmt: skip
+        how("--outlier-rejection", choices=OUTLIER_REJECTIONS,
             help=f"how outliers among matches are rejected (default {IMAGES.options.outlier_rejection})")  # fmt: skip
-        self._search(add, ActiveSearchSettings, "active search")
-        add("--seed", type=int, default=1, metavar="N", help="seed of the search for new landmarks (default 1)")
+        self._search(how, ActiveSearchSettings, "active search")
+        how("--seed", type=int, default=1, metavar="N", help="seed of the search for new landmarks (default 1)")
 
     def new_run(self, given: argparse.Namespace) -> SequenceRun:
         """A run with free scale, or with that of a target."""
@@ -110,38 +106,33 @@ pair.json of a rectified pair, in pixels and metres:
   {"intrinsics": [601.9, 183.1, 707.1, 707.1], "baseline": 0.537}
 """
 
-    def what(self, add: Add) -> None:
-        """Add the input arguments of two cameras."""
-        add("--source", metavar="FOLDER", help="of KITTI (image_0, image_1, calib.txt, times.txt) or EuRoC (mav0)")
+    def options(self, what: Add, how: Add) -> None:
+        """Add the arguments of two cameras' images, and of the filter, with visual odometry."""
+        what("--source", metavar="FOLDER", help="of KITTI (image_0, image_1, calib.txt, times.txt) or EuRoC (mav0)")
         for side in ("left", "right"):
-            add(f"--{side}", metavar="GLOB", help=f"the {side} images: a folder, a quoted glob, or a video")
-        add("--calibration", metavar="FILE", nargs="+",
+            what(f"--{side}", metavar="GLOB", help=f"the {side} images: a folder, a quoted glob, or a video")
+        what("--calibration", metavar="FILE", nargs="+",
             help="of both cameras: KITTI's, slamlib's, Kalibr's, OpenCV's or plain JSON, or two files (EuRoC's); a "
                  "data set's folder may contain it")  # fmt: skip
-        add("--cameras", nargs=2, type=at_least(0), metavar=("L", "R"), help="their numbers (default 0 1, or 2 3)")
-        add("--rectify", action="store_true",
+        what("--cameras", nargs=2, type=at_least(0), metavar=("L", "R"), help="their numbers (default 0 1, or 2 3)")
+        what("--rectify", action="store_true",
             help="the images are not rectified: rectify them (OpenCV; always done for EuRoC)")  # fmt: skip
-        self._which(add)
-
-    def how(self, add: Add) -> None:
-        """Add the filter arguments, with visual odometry."""
-        add("--motion", choices=MOTION_SOURCES, default="split-features",
+        self._which(what)
+        how("--motion", choices=MOTION_SOURCES, default="split-features",
             help="where predictions come from: constant-velocity, split-features (odometry of one half of the "
                  "features, landmarks of the other; default), correlated (all for both; needs many)")  # fmt: skip
-        add("--odometry-only", action="store_true", help="no filter: visual odometry alone, for comparison")
-        self._impulses(add, "with --motion constant-velocity, ", "{:g} {:g}")
+        how("--odometry-only", action="store_true", help="no filter: visual odometry alone, for comparison")
+        self._impulses(how, "with --motion constant-velocity, ", "{:g} {:g}")
         noise = " ".join(f"{n:g}" for n in PAIRS.noise)
-        add("--noise", nargs="+", type=number, metavar="PX",
+        how("--noise", nargs="+", type=number, metavar="PX",
             help=f"std of u, v and disparity, or one for all (default: the calibration's, or {noise})")  # fmt: skip
-        points, updates = PAIRS.options.points, PAIRS.options.updates
-        add("--landmark", default=points, help=f"parametrization of points (default {points})")
         for name, text in (
             ("window", "delete landmarks not seen for N pairs (default: none)"),
             ("capacity", "most landmarks; beyond it the least recently seen one is deleted"),
-            ("updates", f"landmarks measured per pair (default {updates})"),
+            ("updates", f"landmarks measured per pair (default {PAIRS.options.updates})"),
         ):
-            add(f"--{name}", type=count, metavar="N", help=text)
-        self._search(add, StereoSettings, "features")
+            how(f"--{name}", type=count, metavar="N", help=text)
+        self._search(how, StereoSettings, "features")
 
     def new_run(self, given: argparse.Namespace) -> SequenceRun:
         """A run of the filter, or of visual odometry alone."""

@@ -18,7 +18,7 @@ from slamlib.errors import SlamlibError
 
 
 @contextmanager
-def atomic_write(path: str | os.PathLike[str]) -> Iterator[Path]:
+def atomic_write(path: str | Path) -> Iterator[Path]:
     """A temporary path beside `path`, with its suffix; it becomes `path` only if the block ends without an error.
 
     A folder replaces an older one. What a process that was killed left of it is removed. Raises SlamlibError, which
@@ -58,7 +58,7 @@ def _is_alive(process: str) -> bool:
     return True
 
 
-def check_writable(path: str | os.PathLike[str]) -> None:
+def check_writable(path: str | Path) -> None:
     """Make the folder of a file that will be written after long work. Raises SlamlibError if it cannot be written."""
     target = Path(path)
     try:
@@ -71,15 +71,13 @@ def check_writable(path: str | os.PathLike[str]) -> None:
         raise SlamlibError(f"{path} cannot be written: {error.strerror or error}") from None
 
 
-def write_whole(path: str | os.PathLike[str], content: bytes | str) -> None:
+def write_whole(path: str | Path, content: bytes | str) -> None:
     """Write bytes, or a text in UTF-8 with its line ends as they are, atomically."""
     with atomic_write(path) as partial:
         partial.write_bytes(content if isinstance(content, bytes) else content.encode("utf-8"))
 
 
-def write_archive(
-    path: str | os.PathLike[str], form: str, version: int, header: dict[str, Any], arrays: dict[str, Any]
-) -> None:
+def write_archive(path: str | Path, form: str, version: int, header: dict[str, Any], arrays: dict[str, Any]) -> None:
     """Write a compressed .npz of arrays; `header` is the text of a JSON object, with form and version.
 
     `digest` is a checksum of all the others: a file in which something was changed is not read.
@@ -100,7 +98,7 @@ def _digest(arrays: dict[str, Any]) -> str:
 
 
 def read_archive(
-    path: str | os.PathLike[str], form: str, version: int, old: str = "install a newer one", *, foreign: bool = False
+    path: str | Path, form: str, version: int, old: str = "install a newer one", *, foreign: bool = False
 ) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the header and the arrays of an archive; nothing in it is executed.
 
@@ -130,7 +128,7 @@ def read_archive(
 
 
 @contextmanager
-def complete(path: str | os.PathLike[str]) -> Iterator[None]:
+def complete(path: str | Path) -> Iterator[None]:
     """Within the block an archive's header and arrays are used: what is missing or wrong raises SlamlibError."""
     try:
         yield

@@ -9,7 +9,7 @@ import base64
 import zlib
 from collections.abc import Callable, Collection
 from contextlib import suppress
-from dataclasses import MISSING, dataclass, fields, is_dataclass, replace
+from dataclasses import MISSING, dataclass, fields, is_dataclass
 from functools import cache
 from inspect import signature
 from math import inf, isfinite
@@ -136,11 +136,6 @@ def read(kind: type[T], data: Any, path: str = "") -> T:
         elif f.name not in given and f.default is MISSING and f.default_factory is MISSING:
             raise SlamlibError(f"{path}: {f.name} is missing")
     return kind(**given)
-
-
-def changed(value: T, changes: dict[str, Any]) -> T:
-    """Return a copy with some fields changed. Raises SlamlibError as `read` does."""
-    return replace(value, **read_fields(type(value), changes))  # type: ignore[type-var]
 
 
 @cache

@@ -3,7 +3,6 @@
 fr1, fr2 and fr3 are the colour cameras of TUM RGB-D, by name: no file is needed.
 """
 
-import os
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +18,7 @@ NO_BASELINE = (
 )
 
 
-def read_calibration(path: str | os.PathLike[str], camera: int = 0) -> dict[str, Any]:
+def read_calibration(path: str | Path, camera: int = 0) -> dict[str, Any]:
     """Plain data of a SensorSetup; camera: its number in files of several.
 
     Raises SlamlibError for an unreadable file, and for lenses that slamlib's pin-hole cannot represent.
@@ -27,7 +26,7 @@ def read_calibration(path: str | os.PathLike[str], camera: int = 0) -> dict[str,
     return _read(path, camera, lambda found: found.setup())
 
 
-def read_lens(path: str | os.PathLike[str], camera: int = 0) -> Lens:
+def read_lens(path: str | Path, camera: int = 0) -> Lens:
     """The lens of a pin-hole or fisheye camera as its file describes it, to undistort pictures. Raises SlamlibError."""
     return _read(path, camera, lambda found: found.lens)
 
@@ -47,7 +46,7 @@ def read_pair(paths: list[str], cameras: tuple[int, int] = (0, 1)) -> PairCalibr
     return pair
 
 
-def _read(path: str | os.PathLike[str], camera: int, what: Any) -> Any:
+def _read(path: str | Path, camera: int, what: Any) -> Any:
     """The value of what(camera), for a camera of the file, which has setup() and lens."""
     named = {name: lens for dataset in DATASETS.values() for name, lens in dataset.lenses.items()}
     if str(path) in named and not Path(path).exists():

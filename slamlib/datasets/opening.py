@@ -1,6 +1,5 @@
 """Sequences with their cameras: checked for consistency, undistorted or rectified, reopened."""
 
-import os
 import re
 from collections.abc import Iterator
 from dataclasses import replace
@@ -127,7 +126,7 @@ def _find_calibration(source: str | None, layout: str, cameras: tuple[int, int])
     )
 
 
-def two_cameras(where: str | os.PathLike[str]) -> tuple[int, int]:
+def two_cameras(where: str | Path) -> tuple[int, int]:
     """The numbers of the left and the right camera in a data set's folder. Raises SlamlibError if there are none."""
     there = cameras_at(where)
     found = next((two for two in CAMERAS if set(two) <= set(there)), None)

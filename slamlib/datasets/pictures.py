@@ -3,7 +3,6 @@
 A rectified pair is one image too: an array (2, h, w), the left image and the right one.
 """
 
-import os
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -38,7 +37,7 @@ def opencv(purpose: str) -> Any:
     return optional("cv2", purpose, "images")
 
 
-def read_image(path: str | os.PathLike[str]) -> Array:
+def read_image(path: str | Path) -> Array:
     """Grey values (h, w), uint8, of an image file; colours become their luminance. Raises SlamlibError."""
     try:
         data = Path(path).read_bytes()

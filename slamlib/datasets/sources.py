@@ -28,7 +28,7 @@ def of_pictures(pictures: list[TimedImage], interval: float) -> ImageSource:
     return ImageSource(names, times, interval, lambda frames: (pictures[i] for i in frames), range(len(pictures)))
 
 
-def open_source(text: str | os.PathLike[str], *, fps: float | None = None, camera: int = 0) -> ImageSource:
+def open_source(text: str | Path, *, fps: float | None = None, camera: int = 0) -> ImageSource:
     """The pictures at a path or a glob; no image is read yet, only a video's header.
 
     fps: images per second, if there are no times, or instead of a video's own. camera: its number, in layouts with
@@ -46,7 +46,7 @@ def open_source(text: str | os.PathLike[str], *, fps: float | None = None, camer
     return replace(dataset.open(cameras[camera], fps), layout=dataset.name, where=where, recipe=recipe)
 
 
-def cameras_at(where: str | os.PathLike[str]) -> list[int]:
+def cameras_at(where: str | Path) -> list[int]:
     """Numbers of the cameras at a path."""
     return sorted(_found(os.path.abspath(where))[1])
 

@@ -75,15 +75,6 @@ def _nearest_rotation(M: Array) -> Array:
     return U @ np.diag([1.0, 1.0, sign]) @ Vt
 
 
-def turn_between(estimate: Trajectory, reference: Trajectory) -> Array:
-    """The rotation R (3, 3) for which sum |Q_i - R P_i|^2 is least, P_i and Q_i being rotation matrices of the two.
-
-    As in `align`, with M = sum Q_i P_i'. Both trajectories must be of the same body frame (two of one camera, say).
-    """
-    Q, P = rotation(reference.poses[:, 3:]), rotation(estimate.poses[:, 3:])
-    return _nearest_rotation((Q @ P.swapaxes(-1, -2)).sum(0))
-
-
 def straightness(points: Array) -> float:
     """Width of points (n, 3) across their main direction relative to their length: second by first singular value."""
     size = np.linalg.svd(points - points.mean(0), compute_uv=False)
@@ -123,15 +114,18 @@ def align_trajectory(
     """Align an estimate with its reference (pairs, row by row) and compute the remaining errors.
 
     rotation_from: whether the "positions" or the "orientations" determine the rotation; None: the positions, but for a
-    nearly straight path (STRAIGHT_PATH) the orientations, since positions hardly determine the rotation about it.
-    Raises SlamlibError.
+    nearly straight path (STRAIGHT_PATH) the orientations, since positions hardly determine the rotation about it; both
+    trajectories must then be of the same body frame (two of one camera, say). Raises SlamlibError.
     """
     if rotation_from not in (None, "positions", "orientations"):
         raise SlamlibError(f"align_trajectory: rotation_from is positions, orientations or None, got {rotation_from!r}")
     check_pairs(estimate, reference)
     narrow = straightness(reference.positions)
     chosen = rotation_from or ("positions" if narrow > STRAIGHT_PATH else "orientations")
-    turn = turn_between(estimate, reference) if chosen == "orientations" else None
+    turn = None
+    if chosen == "orientations":  # as in `align`, with M = sum Q_i P_i': sum |Q_i - R P_i|^2 is least
+        Q, P = rotation(reference.poses[:, 3:]), rotation(estimate.poses[:, 3:])
+        turn = _nearest_rotation((Q @ P.swapaxes(-1, -2)).sum(0))
     similarity = align(estimate.positions, reference.positions, scale=scale, turn=turn)
     moved = similarity.moved(estimate)
     distance = np.linalg.norm(moved.positions - reference.positions, axis=1)

@@ -3,7 +3,6 @@
 Alignment with a reference, and the remaining errors, are in slamlib.evaluation.alignment.
 """
 
-import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -77,7 +76,7 @@ class Trajectory:
         return self.moved(poses, J[0])
 
 
-def write_tum(path: str | os.PathLike[str], trajectory: Trajectory) -> None:
+def write_tum(path: str | Path, trajectory: Trajectory) -> None:
     """Write rows of "time x y z qx qy qz qw", TUM RGB-D's format, which evo reads; atomically.
 
     Covariances go into a second file beside it, which ends in .cov: rows of the time and the upper triangle.
@@ -93,19 +92,19 @@ _COVARIANCES = "time[s], 21 numbers: P11 P12 .. P16 P22 .. P66 of x y z [m] in t
 _UPPER = np.triu_indices(6)
 
 
-def beside(path: str | os.PathLike[str]) -> Path:
+def beside(path: str | Path) -> Path:
     """The file of the covariances of a trajectory's file."""
     return Path(path).with_suffix(".cov")
 
 
-def _write_rows(path: str | os.PathLike[str], head: str, times: Array, values: Array) -> None:
+def _write_rows(path: str | Path, head: str, times: Array, values: Array) -> None:
     rows = (
         " ".join([f"{time:.9f}", *(f"{value:.12g}" for value in row)]) for time, row in zip(times, values, strict=True)
     )
     write_whole(path, f"# {head}\n" + "\n".join(rows) + "\n")
 
 
-def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) -> Trajectory:
+def read_trajectory(path: str | Path, times: Array | None = None) -> Trajectory:
     """Read a trajectory: TUM rows of 8 numbers, KITTI rows of 12 (3 x 4, no times), EuRoC rows with commas (ns).
 
     times (n,) [s]: of the rows of KITTI's format, which has none; the others have their own. Covariances are those of
@@ -129,24 +128,18 @@ def read_trajectory(path: str | os.PathLike[str], times: Array | None = None) ->
         raise SlamlibError(f"{path} has {len(poses)} poses, but no times (KITTI's form): {given}")
     covariances = None
     if beside(path).is_file() and beside(path) != Path(path):
-        covariances = _read_covariances(path, times)
+        known, _ = read_rows(beside(path))
+        if known.shape != (len(times), 22) or (np.abs(known[:, 0] - times) > 1e-6).any():
+            raise SlamlibError(f"{beside(path)} does not have the covariances of the poses in {path}: move it away")
+        covariances = np.empty((len(times), 6, 6))
+        covariances[:, *_UPPER] = covariances[:, *_UPPER[::-1]] = known[:, 1:]
     try:
         return Trajectory(times, poses, covariances)
     except SlamlibError as error:
         raise SlamlibError(f"{path}: {error}") from None
 
 
-def _read_covariances(path: str | os.PathLike[str], times: Array) -> Array:
-    """The covariances (n, 6, 6) beside the trajectory in a file, of these times (n,)."""
-    known, _ = read_rows(beside(path))
-    if known.shape != (len(times), 22) or (np.abs(known[:, 0] - times) > 1e-6).any():
-        raise SlamlibError(f"{beside(path)} does not have the covariances of the poses in {path}: move it away")
-    covariances = np.empty((len(times), 6, 6))
-    covariances[:, *_UPPER] = covariances[:, *_UPPER[::-1]] = known[:, 1:]
-    return covariances
-
-
-def read_rows(path: str | os.PathLike[str]) -> tuple[Array, bool]:
+def read_rows(path: str | Path) -> tuple[Array, bool]:
     """The rows of numbers (n, k) in a file, without comments, and whether commas separate them. Raises SlamlibError."""
     try:
         text = Path(path).read_text("utf-8")

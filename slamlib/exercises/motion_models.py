@@ -5,7 +5,7 @@ import numpy as np
 from slamlib.data.records import World
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.exercises.properties import Candidate, Rng, cases, covariance, differences, exercise, holds, parts, same
-from slamlib.geometry.pose import Pose, compose
+from slamlib.geometry.pose import ORIGIN, Pose, compose
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.motions import Motion
 from slamlib.motions.odometry import step
@@ -49,7 +49,7 @@ def straight_drive(candidate: Candidate) -> None:
     """Against the book's own prediction, step by step in six dimensions."""
     drives = (1, 0.5, 0.02), (2, 0.5, 0.02), (7, 2.0, 0.01), (40, 0.25, 0.03)
     for steps, length, sigma in cases(drives, "{} steps of {:g} m with {:g} rad, in units of sigma squared"):
-        pose, P, U = np.array([0, 0, 0, 1.0, 0, 0, 0]), np.zeros((6, 6)), np.zeros((6, 6))
+        pose, P, U = ORIGIN, np.zeros((6, 6)), np.zeros((6, 6))
         U[5, 5] = sigma**2
         for _ in range(steps):
             pose, J = step.jac(pose, np.array([length, 0, 0, 0, 0, 0]), 1.0)

@@ -4,8 +4,9 @@ import numpy as np
 
 from slamlib.exercises import Candidate, Rng, exercise
 from slamlib.exercises.properties import array_of, cases, covariance, differences, holds, number, parts, same
+from slamlib.geometry.pose import ORIGIN
 from slamlib.landmarks.fhm_point import FHM_POINT
-from slamlib.landmarks.linearity import WORLD, euclidean_index
+from slamlib.landmarks.linearity import euclidean_index
 
 
 @exercise("points.1", "how far a stereo head sees")
@@ -15,15 +16,15 @@ def farthest(candidate: Candidate) -> None:
     for f, b, sigma, index in cases(heads, "f = {:g}, b = {:g}, sigma = {:g}, index = {:g}"):
         depth = number(candidate(f, b, sigma, index), "the depth")
         holds(depth > 0, "the depth is positive", f"found {depth:.4g}")
-        landmark, information = np.array([*WORLD, 0, 0, 1 / depth]), np.zeros((3, 3))
+        landmark, information = np.array([*ORIGIN, 0, 0, 1 / depth]), np.zeros((3, 3))
         for x in (0.0, b):
-            point, J = FHM_POINT.to_frame.jac(np.array([x, *WORLD[1:]]), landmark)
+            point, J = FHM_POINT.to_frame.jac(np.array([x, *ORIGIN[1:]]), landmark)
             u, v, z = point[:3]
             rows = f / z * np.array([[1, 0, -u / z], [0, 1, -v / z]]) @ J.landmark[:3, 6:]
             information += rows.T @ rows / sigma**2
         P = np.zeros((9, 9))
         P[6:, 6:] = np.linalg.inv(information)
-        found = float(euclidean_index(FHM_POINT, landmark, P, WORLD))
+        found = float(euclidean_index(FHM_POINT, landmark, P, ORIGIN))
         same(found / index, 1, "a point at that depth, found by least squares, has that index")
 
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from slamlib.exercises import Candidate, Rejected, Rng, exercise
 from slamlib.exercises.properties import array_of, cases, holds, parts, rotation_matrix, same
-from slamlib.geometry.pose import to_frame
+from slamlib.geometry.pose import ORIGIN, to_frame
 from slamlib.geometry.quaternion import UnitQuaternion, rotation
 from slamlib.manifolds import Array
 
@@ -66,12 +66,11 @@ def _agreeing(old: Array, left: Array, right: Array, new: Array) -> None:
 @exercise("visual_odometry.3", "from PnP's answer to the robot's control", seed=213)
 def control(candidate: Candidate, rng: Rng) -> None:
     """The points of the world, seen before and after, agree with PnP's answer on any robot."""
-    home = np.array([0.0, 0, 0, 1, 0, 0, 0])
     for number in range(6):
         turn, shift = rotation(UnitQuaternion.random(rng)), rng.uniform(-1, 1, 3)
         camera = np.concatenate([rng.uniform(-1, 1, 3), UnitQuaternion.random(rng)])
         turn = np.eye(3) if number == 0 else turn
-        camera = home if number < 2 else camera  # first a camera at the robot's origin
+        camera = ORIGIN if number < 2 else camera  # first a camera at the robot's origin
         moved, R = parts(candidate(turn, shift, camera), {"the displacement": (3,), "the rotation matrix": (3, 3)})
         rotation_matrix(R, "the rotation")
         points = rng.uniform(-5, 5, (8, 3))  # of the old robot's frame

@@ -3,8 +3,8 @@
 import numpy as np
 
 from slamlib.exercises.properties import Candidate, Rejected, Rng, cases, differences, exercise, holds, parts, same
+from slamlib.geometry.pose import ORIGIN
 from slamlib.landmarks import PointLandmark
-from slamlib.landmarks.linearity import WORLD
 from slamlib.manifolds import Euclidean
 from slamlib.testing import CheckError, check_landmark
 
@@ -34,7 +34,7 @@ def distance_point(candidate: Candidate) -> None:
     except CheckError as error:
         raise Rejected(str(error)) from None
     holds(True, "the package's checks of a point landmark")
-    landmark = kind.from_frame(WORLD, np.array([0.6, 0, 0.8, 0.25]))
+    landmark = kind.from_frame(ORIGIN, np.array([0.6, 0, 0.8, 0.25]))
     same(landmark[6], 4.0, "the seventh number is the distance in metres")  # of a point 4 m away
 
 

@@ -8,7 +8,6 @@ experiment continues. Parallel runs use joblib: to outgrow one machine, make the
 
 import hashlib
 import json
-import os
 from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
@@ -29,10 +28,9 @@ from slamlib.manifolds import Array
 class Experiment:
     """Many runs of one preset: per run and frame (k, n), and for each of r robots.
 
-    nees (k, n, r), 6 degrees of freedom; errors, sigmas (k, n, r): position errors [m] and their standard deviations
-    by the filter; nis, nis_dof (k, n). landmarks, initialized, deleted (k,); seconds (k,): processor time, median of a
-    frame;
-    map_error (k,): median distance [m] of the map's landmarks from the truth.
+    nees (k, n, r), 6 degrees of freedom; errors, sigmas (k, n, r): position errors [m] and their standard deviations by
+    the filter; nis, nis_dof (k, n). landmarks, initialized, deleted (k,); seconds (k,): processor time, median of a
+    frame; map_error (k,): median distance [m] of the map's landmarks from the truth.
     """
 
     preset: Preset
@@ -57,7 +55,7 @@ NAMES = [f.name for f in fields(Experiment)[1:]]
 
 
 def monte_carlo(
-    preset: Preset, runs: int, *, seed: int = 0, jobs: int | None = 1, folder: str | os.PathLike[str] | None = None
+    preset: Preset, runs: int, *, seed: int = 0, jobs: int | None = 1, folder: str | Path | None = None
 ) -> Experiment:
     """Run a preset `runs` times, independently.
 
@@ -91,17 +89,10 @@ def run_once(preset: Preset, seed: int, folder: Path | None = None) -> dict[str,
     path = None if folder is None else folder / f"{preset.name}-{digest}-{seed}.npz"
     if path and path.is_file():
         return read_archive(path, FORMAT, 1)[1]
-    row = _row(preset, seed)
-    if path:
-        write_archive(path, FORMAT, 1, {}, row)
-    return row
-
-
-def _row(preset: Preset, seed: int) -> dict[str, Any]:
     result = Run(preset, seed).finish()
     away = np.concatenate([*result.map_errors.values()])
     away = away[np.isfinite(away)]
-    return {
+    row = {
         "nees": result.nees,
         "errors": np.linalg.norm(result.errors[:, :, :3], axis=-1),
         "sigmas": np.linalg.norm(result.sigmas[:, :, :3], axis=-1),
@@ -113,3 +104,6 @@ def _row(preset: Preset, seed: int) -> dict[str, Any]:
         "seconds": np.median(result.seconds),
         "map_error": np.median(away) if len(away) else np.nan,
     }
+    if path:
+        write_archive(path, FORMAT, 1, {}, row)
+    return row

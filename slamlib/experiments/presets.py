@@ -4,7 +4,6 @@ Numbers are those of the toolbox's userData files and of its quick start, except
 """
 
 import json
-import os
 import tomllib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
@@ -72,12 +71,12 @@ class Preset(Plain):
         """Make a filter for it, before the first frame."""
         return Slam(self.rig, self.options)
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def save(self, path: str | Path) -> None:
         """Write it as JSON, atomically."""
         write_whole(path, json.dumps(self.to_dict(), indent=2) + "\n")
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> "Preset":
+    def load(cls, path: str | Path) -> "Preset":
         """Read a preset as JSON (from `save` or by hand) or, by the file's suffix, TOML. Raises SlamlibError."""
         source = Path(path)
         try:

@@ -1,9 +1,9 @@
 """Run a preset frame by frame, and collect what an evaluation needs; a run can be saved at any frame and resumed."""
 
-import os
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -28,9 +28,9 @@ class Result:
 
     errors (n, r, 6): true pose minus estimate, in the tangent space; sigmas (n, r, 6): their estimated standard
     deviations; nees (n, r), 6 degrees of freedom. extrinsics (s, 2, 6): errors and deviations of the sensors' at the
-    end, zero where they are given. nis (n,) and its degrees of freedom nis_dof (n,): of all inliers.
-    landmarks, size, seconds (n,): of the map, of the state, and of the processor. initialized, deleted: in the whole
-    run. map_errors: by family, distances [m] (k,) of the landmarks in the final map from the truth.
+    end, extrinsics_nees (s,) their NEES; zero where they are given. nis (n,) and its degrees of freedom nis_dof (n,):
+    of all inliers. landmarks, size, seconds (n,): of the map, of the state, and of the processor. initialized,
+    deleted: in the whole run. map_errors: by family, distances [m] (k,) of the final map's landmarks from the truth.
     """
 
     preset: Preset
@@ -43,6 +43,7 @@ class Result:
     size: Array
     seconds: Array
     extrinsics: Array
+    extrinsics_nees: Array
     initialized: int
     deleted: int
     map_errors: dict[str, Array]
@@ -114,21 +115,23 @@ class Run:
         if not self._history:
             raise SlamlibError("nothing has been run yet")
         columns = zip(COLUMNS, map(np.array, zip(*self._history, strict=True)), strict=True)
-        extrinsics = np.zeros((len(self.slam.sensors), 2, 6))
-        for row, sensor, true in zip(extrinsics, self.slam.sensors, self._extrinsics, strict=True):
+        extrinsics, nees = np.zeros((len(self.slam.sensors), 2, 6)), np.zeros(len(self.slam.sensors))
+        for i, (sensor, true) in enumerate(zip(self.slam.sensors, self._extrinsics, strict=True)):
             if sensor.block is not None:
-                row[0] = Pose.minus(np.array(true), sensor.extrinsics)
-                row[1] = np.sqrt(self.slam.belief.covariance(sensor.block).diagonal())
+                P = self.slam.belief.covariance(sensor.block)
+                extrinsics[i] = Pose.minus(np.array(true), sensor.extrinsics), np.sqrt(P.diagonal())
+                nees[i] = nees_where_uncertain(extrinsics[i, 0], P)
         return Result(
             preset=self.preset,
             extrinsics=extrinsics,
+            extrinsics_nees=nees,
             initialized=self._initialized,
             deleted=self._deleted,
             map_errors=map_errors(self.slam.snapshot(), self.preset.world),
             **dict(columns),
         )
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def save(self, path: str | Path) -> None:
         """Write all of it to one file, atomically. Raises SlamlibError within a frame."""
         if not self.is_intact:
             raise SlamlibError(f"frame {self.done + 1} was interrupted, and the state of the filter is incomplete")
@@ -136,7 +139,7 @@ class Run:
         self.slam.save(path, preset=self.preset.to_dict(), history=self._history, **own)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> "Run":
+    def load(cls, path: str | Path) -> "Run":
         """Resume a saved run. Raises SlamlibError for a file that holds none."""
         slam, extra = Slam.resume(path)
         if "preset" not in extra:

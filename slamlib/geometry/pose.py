@@ -10,6 +10,7 @@ from slamlib.manifolds import Euclidean, Product
 from slamlib.model import model
 
 Pose = Product("pose", Euclidean(3), UnitQuaternion)
+ORIGIN = np.array([0.0, 0, 0, 1, 0, 0, 0])  # of the world itself: no displacement, no rotation
 
 
 @model(pose=Pose, point=3)

@@ -94,32 +94,33 @@ def solve_lower(factor: Array, right: Array) -> Array:
     return fast(factor.T, right, trans=1) if right.ndim == 1 else fast(1.0, factor.T, right.T, side=1).T
 
 
-def subtract_square(matrix: Array, rows: Array) -> None:
+Carry = tuple[Indices, Array]  # rows (k,) of a covariance, and C (n, k)
+
+
+def subtract_square(matrix: Array, rows: Array, carry: Carry | None = None) -> None:
     """matrix -= rows.T @ rows in place; a symmetric matrix stays exactly symmetric.
+
+    carry: (indices (k,), C (n, k)); the result P then becomes T P T', T = I + C E, where E picks these indices.
 
     NumPy computes W'W as a symmetric product. BLAS can update one triangle in place, which is then mirrored; but only
     a contiguous matrix: of a view into a larger array its wrapper silently updates a copy.
     """
+    if carry:
+        at, C = carry
+        half = (matrix.take(at, axis=0) - rows[:, at].T @ rows).T
+        half += C @ half[at] / 2  # T P T' = P + C half' + half C'
     large = len(matrix) >= _LARGE and len(rows) and matrix.flags.c_contiguous
-    fast = _scipy("scipy.linalg.blas", "dsyrk") if large else None
+    fast, twice = (_scipy("scipy.linalg.blas", name) if large else None for name in ("dsyrk", "dsyr2k"))
     if fast:
         fast(-1.0, rows.T, 1.0, matrix.T, overwrite_c=1)
+        if carry and twice:
+            twice(1.0, C, half, 1.0, matrix.T, overwrite_c=1)
         _mirror(matrix)
     else:
         matrix -= rows.T @ rows
-
-
-def transport(P: Array, rows: Indices, C: Array) -> None:
-    """P becomes T P T' in place, T = I + C E: E picks the rows (k,), C is (n, k). P stays exactly symmetric."""
-    half = P.take(rows, axis=0).T + C @ P[np.ix_(rows, rows)] / 2  # T P T' = P + C half' + half C'
-    large = len(P) >= _LARGE and P.flags.c_contiguous
-    fast = _scipy("scipy.linalg.blas", "dsyr2k") if large else None
-    if fast:
-        fast(1.0, np.asfortranarray(C), np.asfortranarray(half), 1.0, P.T, overwrite_c=1)
-        _mirror(P)
-    else:
-        change = C @ half.T
-        P += change + change.T
+        if carry:
+            change = C @ half.T
+            matrix += change + change.T
 
 
 _WIDTH = 64  # of the blocks in which a matrix is mirrored: they fit the cache

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slamlib.manifolds import Array, Euclidean, Manifold, finite, ranges, read_only, read_only_copy
+from slamlib.manifolds import Array, Euclidean, Indices, Manifold, finite, ranges, read_only, read_only_copy
 
 
 class Block:
@@ -97,8 +97,13 @@ def stacked_means(blocks: Sequence[Block]) -> Array:
     layout = layouts.pop()
     if layouts or layout is None:
         return np.array([block.mean for block in blocks])
-    places = np.array([block.slice_in_flat.start for block in blocks])[:, None] + np.arange(blocks[0].dof)
-    return layout.flat.take(places)
+    return layout.flat.take(places(blocks))
+
+
+def places(blocks: Sequence[Block]) -> Indices:
+    """Where the means (n, dof) of vectors, of one size, lie among their layout's numbers."""
+    starts: Indices = np.array([block.slice_in_flat.start for block in blocks])
+    return starts[:, None] + np.arange(blocks[0].dof)
 
 
 @dataclass(frozen=True, eq=False)

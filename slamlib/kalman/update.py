@@ -159,9 +159,15 @@ _ROWS = 32  # initial capacity for rows of W
 class SequentialUpdate:
     """Updates in progress; made by Belief.sequential_update."""
 
-    def __init__(self, covariance: Array, layout: StateLayout, retraction: Retraction | None = None) -> None:
+    def __init__(
+        self,
+        covariance: Array,
+        layout: StateLayout,
+        retraction: Retraction | None = None,
+        transport: Callable[[], linalg.Carry] | None = None,
+    ) -> None:
         """covariance (n, n): updated in place by `finish`."""
-        self._P, self._layout, self._retraction = covariance, layout, retraction
+        self._P, self._layout, self._retraction, self._transport = covariance, layout, retraction, transport
         self._store, self._count = np.empty((_ROWS, len(covariance))), 0  # W is its first rows
 
     def update(self, columns: Indices, H: Array, innovation: Array, R: Array, gate: float = np.inf) -> UpdateResult:
@@ -197,5 +203,5 @@ class SequentialUpdate:
     def finish(self) -> None:
         """Set the covariance to that of the present means, which stay as they are."""
         if self._count:
-            linalg.subtract_square(self._P, self._store[: self._count])
+            linalg.subtract_square(self._P, self._store[: self._count], self._transport and self._transport())
             self._count = 0

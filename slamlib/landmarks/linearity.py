@@ -10,11 +10,11 @@ import math
 import numpy as np
 
 from slamlib.errors import ShapeError, SlamlibError
+from slamlib.geometry.pose import ORIGIN
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import Array, Mask
 
 THRESHOLD = 0.1  # of the linearity index, below which a point may become Euclidean; the toolbox's linTestIdp
-WORLD = np.array([0.0, 0, 0, 1, 0, 0, 0])
 
 
 def inverse_distance_prior(nearest: float) -> tuple[float, float]:
@@ -41,9 +41,8 @@ def euclidean_index(
 ) -> Array:
     """The linearity index (...) that the point will have as a Euclidean one; arguments as there. Eq. (pt-index-euc).
 
-    Four times the relative standard deviation of the distance |h| / w. Infinite for points at or beyond infinity.
-    by: Jacobian (dof + 6, k) of landmark and camera w.r.t. the errors of the covariance (..., k, k), if it is of
-    others.
+    Four times the relative standard deviation of the distance |h| / w. Infinite for points at or beyond infinity. by:
+    Jacobian (dof + 6, k) of landmark and camera w.r.t. the errors of the covariance (..., k, k), if it is of others.
     """
     point, J, P = _seen(kind, mean, covariance, camera, "euclidean_index", by)
     h, w = point[..., :3], point[..., 3]
@@ -79,7 +78,7 @@ def beyond_infinity(kind: PointLandmark, mean: Array, covariance: Array, sigmas:
 
     An unbiased estimate of a far point has a smaller negative w half of the time: such points are kept unchanged.
     """
-    point, J, P = _seen(kind, mean, covariance, WORLD, "beyond_infinity")
+    point, J, P = _seen(kind, mean, covariance, ORIGIN, "beyond_infinity")
     row = J[..., 3, :]
     variance = (row[..., None, :] @ P @ row[..., None])[..., 0, 0]
     return point[..., 3] < -sigmas * np.sqrt(np.maximum(variance, 0))

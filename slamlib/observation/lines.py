@@ -60,11 +60,12 @@ def initialize_line(
     camera, by_camera = compose.jac(robot, extrinsics)
     rays, by_pixels, by_sensor = rays_of(calibration, segment)
     landmark, by_frame = kind.from_frame.jac(camera, rays, prior)
+    by_given = {n: getattr(by_sensor, n)[..., :3, :] for n in calibration.given}  # (..., 2, 3, k), ray by ray
     parts = {
         **through(by_camera, by_frame.pose),
         "measurement": by_frame.rays @ by_pixels,
         "unmeasured": by_frame.prior,
-        **{n: by_frame.rays @ _of_rays(getattr(by_sensor, n)) for n in calibration.given},
+        **{n: by_frame.rays @ J.reshape(*J.shape[:-3], 6, J.shape[-1]) for n, J in by_given.items()},
     }
     return landmark, named(parts)
 
@@ -73,12 +74,6 @@ def _check_lines(calibration: Calibration, task: str) -> None:
     """Raise SlamlibError for a sensor that cannot image lines."""
     if calibration.sensor.project_line is None:
         raise SlamlibError(f"{calibration.sensor.name} measures no lines, so it cannot {task}")
-
-
-def _of_rays(by_parameter: Array) -> Array:
-    """Jacobians of two homogeneous points (..., 2, 4, n) as that of their two rays (..., 6, n)."""
-    rays = by_parameter[..., :3, :]
-    return rays.reshape(*rays.shape[:-3], 6, rays.shape[-1])
 
 
 # -- residuals of segments -------------------------------------------------------------------------------------------

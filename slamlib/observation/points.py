@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slamlib.errors import SingularPointError, SlamlibError
-from slamlib.geometry.pose import compose
+from slamlib.geometry.pose import ORIGIN, compose
 from slamlib.kalman.linalg import principal_blocks
 from slamlib.landmarks import POINTS
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.landmarks.linearity import WORLD, beyond_infinity, should_convert, to_euclidean
+from slamlib.landmarks.linearity import beyond_infinity, should_convert, to_euclidean
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation.family import Family, landmark_means, product, state_columns, state_rows, viewpoint
@@ -215,7 +215,7 @@ class PointFamily(Family):
         if kind is EUC_POINT:
             return set()
         means = landmark_means(landmarks)
-        if (kind.to_frame(WORLD, means)[:, 3] >= 0).all():
+        if (kind.to_frame(ORIGIN, means)[:, 3] >= 0).all():
             return set()  # mostly the case: quick, without Jacobians
         beyond = beyond_infinity(kind, means, principal_blocks(belief.matrix, state_rows(landmarks)))
         return {landmarks[i] for i in np.flatnonzero(beyond)}
@@ -224,7 +224,7 @@ class PointFamily(Family):
         """Points (n, 3) in the world and their covariances (n, 3, 3); nan for those at infinity."""
         geometry, covariance = np.full((len(landmarks), 3), np.nan), np.full((len(landmarks), 3, 3), np.nan)
         for i, landmark in enumerate(landmarks):
-            h, J = landmark.kind.to_frame.jac(WORLD, landmark.block.mean)
+            h, J = landmark.kind.to_frame.jac(ORIGIN, landmark.block.mean)
             if h[3] > 0:
                 by = (J.landmark[:3] - np.outer(h[:3], J.landmark[3]) / h[3]) / h[3]
                 geometry[i], covariance[i] = h[:3] / h[3], by @ belief.covariance(landmark.block) @ by.T

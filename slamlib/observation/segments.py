@@ -108,7 +108,9 @@ class LineFamily(Family):
         rays, old = rays_of(sensor.calibration, measured)[0], np.array([landmark.abscissas for landmark in landmarks])
         found = endpoints.observed_endpoints(kind, landmark_means(landmarks), camera, rays)
         ends = np.where(found.usable[:, None], found.abscissas, old)
-        spread = _endpoint_std(belief, sensor.calibration, camera, landmarks, ends)
+        seen, _, (by_point, _, F, by_line) = project_endpoints(sensor.calibration, camera, landmarks, ends)
+        H, P = by_point @ F @ by_line, principal_blocks(belief.matrix, state_rows(landmarks))
+        spread = np.where(seen, endpoints.largest_std(H @ P[:, None] @ H.swapaxes(-1, -2)), np.inf).max(-1)
         for landmark, new in zip(landmarks, rule.update(old, found, spread), strict=True):
             landmark.abscissas = new
 
@@ -178,16 +180,6 @@ def project_endpoints(
     seen = calibration.visible(point)
     pixel, by_sensor = calibration.project_jac(np.where(seen[..., None], point, PLACEHOLDER_POINT))
     return seen, pixel, (by_sensor.point, F.pose, F.landmark, by_line.landmark)
-
-
-def _endpoint_std(
-    belief: Belief, calibration: Calibration, camera: Array, landmarks: list[Landmark], abscissas: Array
-) -> Array:
-    """The larger standard deviation (n,) [px] of the lines' two endpoints in the image; inf if one is out of view."""
-    seen, _, (by_point, _, F, by_line) = project_endpoints(calibration, camera, landmarks, abscissas)
-    H, P = by_point @ F @ by_line, principal_blocks(belief.matrix, state_rows(landmarks))
-    spread = endpoints.largest_std(H @ P[:, None] @ H.swapaxes(-1, -2))
-    return np.where(seen, spread, np.inf).max(-1)
 
 
 def endpoints_converged(geometry: Array, covariance: Array) -> Mask:

@@ -1,8 +1,7 @@
 """Recorded runs: a file with all that another filter needs to repeat one, in a layout that NumPy and JSON read.
 
 A recording is a compressed .npz, with arrays of 64-bit floats and integers under these names. F is the number of
-frames, i counts robots, j counts sensors, both from 0; X is points, segments, or another family of
-landmarks:
+frames, i counts robots, j counts sensors, both from 0; X is points, segments, or another family of landmarks:
 
     header              text: JSON with format "slamlib recording", version 1, rig (robots and sensors: the fields of
                         RobotSetup and SensorSetup, in metres and degrees), truth (whether it is there)

@@ -59,9 +59,8 @@ def root(covariance: Array) -> Array:
 class Faults:
     """Rates, between 0 and 1, of the features in view that suffer each fault, applied in this order.
 
-    miss: not delivered. outlier: delivered with a measurement unrelated to the landmark, uniform in the
-    image (of sensors without one, in the range of all that they can measure). swap: delivered with the id of another
-    one.
+    miss: not delivered. outlier: delivered with a measurement unrelated to the landmark, uniform in the image (of
+    sensors without one, in the range of all that they can measure). swap: delivered with the id of another one.
     """
 
     miss: Share = 0.0

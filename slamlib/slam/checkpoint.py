@@ -4,7 +4,7 @@ The file is a ZIP of NumPy arrays (np.load reads it): `header`, the text of a JS
 `means`, all blocks' means one after another; `abscissas`, the two endpoints of each line (nan for points).
 """
 
-import os
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,7 +19,7 @@ FORMAT, VERSION = "slamlib filter", 3
 HISTORY = ("id", "first_seen", "searched", "matched", "inliers", "sensor", "last_seen")  # saved fields of a landmark
 
 
-def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
+def save(slam: Any, path: str | Path, **extra: Any) -> None:
     """Write the filter to a file; extra: the caller's own plain data, which `load` returns."""
     landmarks = slam.landmarks
     order = {id(block): i for i, block in enumerate(slam.belief.blocks)}
@@ -55,12 +55,12 @@ def save(slam: Any, path: str | os.PathLike[str], **extra: Any) -> None:
     write_archive(path, FORMAT, VERSION, header, arrays)
 
 
-def read(path: str | os.PathLike[str]) -> tuple[dict[str, Any], dict[str, Any]]:
+def read(path: str | Path) -> tuple[dict[str, Any], dict[str, Any]]:
     """Return the header and the arrays of a file. Raises SlamlibError for any other file, or an incomplete one."""
     return read_archive(path, FORMAT, VERSION, "run it anew and save it")
 
 
-def load(path: str | os.PathLike[str], front_ends: Any, make: Any) -> tuple[Any, dict[str, Any]]:
+def load(path: str | Path, front_ends: Any, make: Any) -> tuple[Any, dict[str, Any]]:
     """Return the filter of a file, made by make(rig, options, front_ends=...), and the caller's extra data.
 
     Raises SlamlibError.

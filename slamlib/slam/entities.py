@@ -74,7 +74,7 @@ class Landmark:
 
     searched, matched, inliers: how often it was searched for, matched, and accepted as an inlier. sensor: index of the
     sensor that initialized it; signature: what that sensor's front end keeps of it. first_seen: the frame in
-    which it was initialized; last_seen: the frame of its last inlier.
+    which it was initialized; last_seen: the frame of its last inlier. first_measured: what initialized it.
     """
 
     id: int
@@ -88,6 +88,7 @@ class Landmark:
     sensor: int = 0
     signature: Any = field(default=None, repr=False)
     last_seen: int = 0
+    first_measured: Array | None = field(default=None, repr=False)
 
     def __post_init__(self) -> None:
         self.last_seen = max(self.last_seen, self.first_seen)

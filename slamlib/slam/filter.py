@@ -1,9 +1,8 @@
 """EKF-SLAM: robots, sensors and landmarks in one joint Gaussian, updated frame by frame. Chapter ekf_slam reads it."""
 
-import os
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -21,7 +20,7 @@ from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.front_end import FrontEnd, FrontEndInput, KnownAssociation
 from slamlib.slam.entities import Landmark, MountedSensor, Robot
 from slamlib.slam.linearization import FirstEstimates, Linearization
-from slamlib.slam.map_management import is_bad, out_of_window, prune_candidate
+from slamlib.slam.map_management import Report, is_bad, out_of_window, prune_candidate
 from slamlib.slam.measurement_update import (
     KIND,
     Predictions,
@@ -38,15 +37,6 @@ from slamlib.slam.options import Options
 from slamlib.slam.snapshot import snapshot_of
 
 
-@dataclass(frozen=True)
-class Report:
-    """What one step did: ids of the landmarks initialized, deleted, and refused because the map was full."""
-
-    initialized: list[int] = field(default_factory=list)
-    deleted: list[int] = field(default_factory=list)
-    refused: list[int] = field(default_factory=list)
-
-
 class Slam:
     """The EKF-SLAM filter: made from a rig and options, it processes frames one by one; `snapshot` shows its state."""
 
@@ -54,7 +44,7 @@ class Slam:
         self, rig: Rig, options: Options | None = None, *, front_ends: Sequence[FrontEnd] | None = None
     ) -> None:
         """front_ends: one for each sensor, which finds its measurements (default: KnownAssociation)."""
-        self.rig, self.options = rig, options or Options()
+        self.rig, self._options = rig, Options()
         self.belief = Belief()
         self.robots = [Robot(r.name, r.model, self.belief.add(r.model.manifold, r.state, r.covariance), r.noise)
                        for r in rig.robots]  # fmt: skip
@@ -69,9 +59,19 @@ class Slam:
         self.scans: list[Scan | None] = [None] * len(self.sensors)
         self.predictions: list[Predictions] = [[] for _ in self.sensors]
         self.absolute: list[RobotUpdate] = []
-        if self.options.error == "first-estimates":
-            self.linearization = FirstEstimates()
-        transport.check(self)
+        self.options = options or Options()
+
+    @property
+    def options(self) -> Options:
+        """The options. Others may be assigned between two steps; raises SlamlibError if a type has no `moved`."""
+        return self._options
+
+    @options.setter
+    def options(self, options: Options) -> None:
+        transport.check(self, options)
+        if options.error != self._options.error:
+            self.linearization = FirstEstimates() if options.error == "first-estimates" else None
+        self._options = options
 
     def _mounted(self, setup: Any) -> MountedSensor:
         block = self.belief.add(Pose, setup.extrinsics, setup.covariance) if setup.estimated else None
@@ -185,19 +185,17 @@ class Slam:
         """Return a copy of everything that may be shown of the filter; it never changes."""
         return snapshot_of(self)
 
-    def save(self, path: str | os.PathLike[str], **extra: Any) -> None:
+    def save(self, path: str | Path, **extra: Any) -> None:
         """Write the filter to one file, atomically; extra: plain data that `resume` returns."""
         checkpoint.save(self, path, **extra)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str], *, front_ends: Sequence[FrontEnd] | None = None) -> "Slam":
+    def load(cls, path: str | Path, *, front_ends: Sequence[FrontEnd] | None = None) -> "Slam":
         """Load the filter of a file: it continues bit for bit like the saved one. Raises SlamlibError."""
         return cls.resume(path, front_ends=front_ends)[0]
 
     @classmethod
-    def resume(
-        cls, path: str | os.PathLike[str], *, front_ends: Sequence[FrontEnd] | None = None
-    ) -> tuple["Slam", Any]:
+    def resume(cls, path: str | Path, *, front_ends: Sequence[FrontEnd] | None = None) -> tuple["Slam", Any]:
         """Load the filter of a file, together with the extra data that were saved with it."""
         return checkpoint.load(path, front_ends, cls)
 
@@ -241,6 +239,6 @@ class Slam:
         block = self.belief.add(kind.manifold, x, noise, given=blocks, jacobians=pads)
         if self.linearization is not None:
             self.linearization.added([block], [x])
-        own = {"abscissas": family.abscissas(kind), "sensor": i, "signature": signature}
+        own = {"abscissas": family.abscissas(kind), "sensor": i, "signature": signature, "first_measured": value}
         self.landmarks.append(Landmark(number, kind, block, self.number, **own))
         report.initialized.append(number)

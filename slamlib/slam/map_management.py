@@ -1,12 +1,22 @@
-"""Which good landmarks are deleted all the same: those outside the window, and those pruned from a full map."""
+"""Which landmarks are deleted: bad ones, those outside the window, those pruned from a full map; a step's report."""
 
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from slamlib.slam.entities import Landmark
 
 if TYPE_CHECKING:
     from slamlib.slam.options import Options
+
+
+@dataclass(frozen=True)
+class Report:
+    """What one step did: ids of the landmarks initialized, deleted, and refused because the map was full."""
+
+    initialized: list[int] = field(default_factory=list)
+    deleted: list[int] = field(default_factory=list)
+    refused: list[int] = field(default_factory=list)
 
 
 def out_of_window(landmarks: Iterable[Landmark], number: int, options: "Options") -> list[Landmark]:
@@ -28,18 +38,10 @@ def prune_candidate(landmarks: Iterable[Landmark], number: int, options: "Option
     return min(away, key=PRUNING_RULES[options.pruning], default=None) if options.pruning else None
 
 
-def least_recently_seen(landmark: Landmark) -> Any:
-    """Rank by the last frame as an inlier; of equals, by the number of inliers."""
-    return landmark.last_seen, landmark.inliers
-
-
-def least_reliable(landmark: Landmark) -> Any:
-    """Rank by the share of searches that gave an inlier; of equals, by the last frame as an inlier."""
-    return landmark.inliers / landmark.searched, landmark.last_seen
-
-
 # The rank of a landmark, by the name of a rule: the lowest is pruned first.
 PRUNING_RULES: dict[str, Callable[[Landmark], Any]] = {
-    "least-recently-seen": least_recently_seen,
-    "least-reliable": least_reliable,
+    # the last frame as an inlier; of equals, the number of inliers
+    "least-recently-seen": lambda landmark: (landmark.last_seen, landmark.inliers),
+    # the share of searches that gave an inlier; of equals, the last frame as an inlier
+    "least-reliable": lambda landmark: (landmark.inliers / landmark.searched, landmark.last_seen),
 }

@@ -7,7 +7,6 @@ import numpy as np
 from slamlib.belief import Belief
 from slamlib.data.snapshots import MapView, MeasurementView, RobotView, SensorView, Snapshot
 from slamlib.manifolds import Array
-from slamlib.observation import Family
 from slamlib.observation.family import columns_jacobian, state_columns, viewpoint
 from slamlib.observation.segments import project_endpoints
 from slamlib.slam.entities import POSE, Landmark, MountedSensor
@@ -20,7 +19,11 @@ def snapshot_of(slam: Any) -> Snapshot:
     """A copy of everything that may be shown of a filter, after its last frame."""
     robots = tuple(RobotView(r.name, r.block.mean.copy(), slam.belief.covariance(r.block)) for r in slam.robots)
     sensors = tuple(_sensor_view(slam, i, sensor) for i, sensor in enumerate(slam.sensors))
-    landmarks = {family.name: _map_view(slam, family) for family in slam.families.values()}
+    landmarks = {}
+    for family in slam.families.values():
+        own = [lm for lm in slam.landmarks if isinstance(lm.kind, family.kinds)]
+        ids, kinds = np.array([lm.id for lm in own], dtype=int), tuple(lm.kind.name for lm in own)
+        landmarks[family.name] = MapView(ids, kinds, *family.geometry(slam.belief, own))
     return Snapshot(slam.number, slam.time, robots, sensors, landmarks, slam.belief.size)
 
 
@@ -54,12 +57,6 @@ def _measurement_view(slam: Any, i: int, family: str, size: int) -> MeasurementV
         predicted_patch=tuple(prediction.predicted_patch for prediction in own),
         found_patch=tuple(prediction.found_patch for prediction in own),
     )
-
-
-def _map_view(slam: Any, family: Family) -> MapView:
-    own = [lm for lm in slam.landmarks if isinstance(lm.kind, family.kinds)]
-    kinds = tuple(landmark.kind.name for landmark in own)
-    return MapView(np.array([lm.id for lm in own], dtype=int), kinds, *family.geometry(slam.belief, own))
 
 
 def endpoints_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:

@@ -14,15 +14,15 @@ from slamlib.belief import Belief, LinearizedMeasurement
 from slamlib.data.records import Frame
 from slamlib.data.setup import ZERO, Rig
 from slamlib.errors import SlamlibError
-from slamlib.geometry.pose import Pose, compose, from_frame
+from slamlib.geometry.pose import ORIGIN, Pose, compose, from_frame
 from slamlib.geometry.quaternion import rotation
 from slamlib.kalman.state import Block
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.landmarks.linearity import WORLD
 from slamlib.manifolds import Array, Euclidean, Product
 from slamlib.slam.data_association.front_end import FrontEnd
 from slamlib.slam.entities import POSE
-from slamlib.slam.filter import Report, Slam
+from slamlib.slam.filter import Slam
+from slamlib.slam.map_management import Report
 from slamlib.slam.options import Options
 
 
@@ -65,7 +65,7 @@ class Atlas:
     @property
     def pose(self) -> Array:
         """The robot's pose (7,) at the end of the last map, where the next one starts."""
-        return self.blocks[-1].mean[:7] if self.blocks else WORLD
+        return self.blocks[-1].mean[:7] if self.blocks else ORIGIN
 
     def points(self, number: int) -> Array:
         """Points (n, 3) [m] of one map, in the first map's frame."""

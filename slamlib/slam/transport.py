@@ -7,19 +7,19 @@ world are made one of the new means: the covariance is that of the right-invaria
 
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
+from functools import lru_cache
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.geometry.pose import compose
-from slamlib.kalman.state import Block
-from slamlib.manifolds import Array, Indices
+from slamlib.geometry.pose import ORIGIN, compose
+from slamlib.kalman.state import Block, StateLayout, places
+from slamlib.manifolds import Array, Euclidean, Indices, read_only
 from slamlib.observation.family import landmark_means, state_rows
 from slamlib.slam.entities import POSE, MountedSensor
 from slamlib.slam.measurement_update import KIND, Projection, group_by_kind, unprojected
-
-NO_MOTION = np.array([0.0, 0, 0, 1, 0, 0, 0])
 
 
 def check_moved(kind: Any) -> None:
@@ -31,10 +31,10 @@ def check_moved(kind: Any) -> None:
         )
 
 
-def check(slam: Any) -> None:
-    """Check, before a run, all motions, and the parametrizations of new landmarks. Raises SlamlibError."""
-    if slam.options.error != "local":
-        kinds = [family.new_kind(slam.options) for family in slam.families.values()]
+def check(slam: Any, options: Any) -> None:
+    """Check, before they are used, all motions, and the parametrizations of new landmarks. Raises SlamlibError."""
+    if options.error != "local":
+        kinds = [family.new_kind(options) for family in slam.families.values()]
         for kind in (*(robot.motion for robot in slam.robots), *filter(None, kinds)):
             check_moved(kind)
 
@@ -42,7 +42,13 @@ def check(slam: Any) -> None:
 def generator(kind: Any, states: Array) -> Array:
     """N (..., dof, 6) of states (..., size) of a parametrization or a motion. Raises SlamlibError."""
     check_moved(kind)
-    return np.asarray(kind.moved.jac(NO_MOTION, states)[1][0])
+    return _generator(kind.moved, states.tobytes(), states.shape)
+
+
+@lru_cache(maxsize=32)  # by the numbers themselves: most updates begin with the landmarks that the last one left
+def _generator(moved: Any, states: bytes, shape: tuple[int, ...]) -> Array:
+    N: Array = moved.jac(ORIGIN, np.frombuffer(states).reshape(shape))[1][0]
+    return read_only(N)
 
 
 def generators(slam: Any) -> Array:
@@ -50,16 +56,32 @@ def generators(slam: Any) -> Array:
     N = np.zeros((slam.belief.size, 6))
     for robot in slam.robots:
         N[robot.block.slice] = generator(robot.motion, robot.block.mean)
-    for group in group_by_kind(slam.landmarks, KIND):
-        N[state_rows(group)] = generator(group[0].kind, landmark_means(group))
+    layout = slam.landmarks[0].block.layout if slam.landmarks else None
+    groups = _GROUPS.get(layout) if layout else None
+    if groups is None:
+        groups = [(group, state_rows(group), _places(group)) for group in group_by_kind(slam.landmarks, KIND)]
+        if layout:
+            _GROUPS[layout] = groups
+    for group, rows, at in groups:
+        means = landmark_means(group) if layout is None or at is None else layout.flat.take(at)
+        N[rows] = generator(group[0].kind, means)
     return N
+
+
+# Landmarks by kind, their rows, and where their means are: a belief's layout is a new one whenever blocks change.
+_GROUPS: WeakKeyDictionary[StateLayout, list[tuple[list[Any], Indices, Indices | None]]] = WeakKeyDictionary()
+
+
+def _places(group: list[Any]) -> Indices | None:
+    """Where the means of landmarks of one kind lie in their layout; None if they are no vectors."""
+    return places([landmark.block for landmark in group]) if type(group[0].block.manifold) is Euclidean else None
 
 
 def trade(size: int, sensor: MountedSensor, extrinsics: Block) -> Array:
     """N (size, 6) of the motions of robot and extrinsics against each other, which leave the sensor where it is."""
     N = np.zeros((size, 6))
-    N[sensor.robot.block.start + np.arange(POSE)] = compose.jac(sensor.robot.pose, NO_MOTION)[1].inner
-    N[extrinsics.slice] = -compose.jac(NO_MOTION, extrinsics.mean)[1].outer
+    N[sensor.robot.block.start + np.arange(POSE)] = compose.jac(sensor.robot.pose, ORIGIN)[1].inner
+    N[extrinsics.slice] = -compose.jac(ORIGIN, extrinsics.mean)[1].outer
     return N
 
 
@@ -71,7 +93,7 @@ def unobservable(slam: Any, sensor: MountedSensor) -> Array:
 
 @contextmanager
 def carried(slam: Any, sensor: MountedSensor) -> Iterator[Projection]:
-    """Within the block the means are updated; at its end the covariance follows: T P T', T N(before) = N(after).
+    """Within the block one update moves the means, and the covariance follows them: T P T', T N(before) = N(after).
 
     T = I + (N(after) - N(before)) L, where L reads the motion of the world from the errors of the sensor's robot and
     extrinsics. Until then a Jacobian H at other means becomes H T = H (I - N(before) L), as H N(after) = 0.
@@ -85,10 +107,11 @@ def carried(slam: Any, sensor: MountedSensor) -> Iterator[Projection]:
         H[:, : len(rows)] -= H @ before[columns] @ motion
         return H
 
-    yield project
-    change = unobservable(slam, sensor) - before
-    if change.any():
-        slam.belief.transport(rows, change @ motion)
+    slam.belief.transport = lambda: (rows, (unobservable(slam, sensor) - before) @ motion)
+    try:
+        yield project
+    finally:
+        slam.belief.transport = None
 
 
 def kept(slam: Any, sensor: MountedSensor) -> AbstractContextManager[Projection]:

@@ -7,7 +7,7 @@ import numpy as np
 
 from slamlib.errors import SingularPointError
 from slamlib.geometry import pose as frames
-from slamlib.geometry.pose import Pose
+from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.manifolds import Array
 from slamlib.model import Model
@@ -29,7 +29,6 @@ UNNOTICED = "a motion of the world is not noticed from a pose that moves along"
 GENERATOR = "the Jacobian of `moved` is its derivative, where nothing has moved yet"
 INHERITED = "a new landmark moves along with the pose that it is seen from"
 
-IDENTITY = np.array([0.0, 0, 0, 1, 0, 0, 0])
 FORWARDS = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, -0.5])  # a camera with its optical axis along the world's x axis
 
 
@@ -39,7 +38,7 @@ def point_properties(judge: Judge, kind: PointLandmark) -> None:
     if not interface(judge, kind, {"to_frame": place | own, "from_frame": place | {"point": 4}, "to_point": own}):
         return
     rng = judge.rng
-    poses = [IDENTITY, FORWARDS, *(Pose.random(rng) for _ in range(6))]
+    poses = [ORIGIN, FORWARDS, *(Pose.random(rng) for _ in range(6))]
     points = [_homogeneous(rng) for _ in poses]
     axis = np.array([0, 0, 1, 0.3])
     made = [*zip(poses, points, strict=True), (poses[2], axis), (poses[3], axis)]
@@ -74,14 +73,14 @@ def _moved(judge: Judge, kind: Any, made: Sequence[tuple[Array, ...]], seen: lis
         case, motion = judge.at(f"{kind.name}.moved", landmark=landmark, pose=pose), Pose.random(judge.rng)
         from_there = kind.to_frame(frames.compose(motion, pose), kind.moved(motion, landmark))
         case.compare(UNNOTICED, from_there, kind.to_frame(pose, landmark), "motion")
-        near = [kind.moved(Pose.plus(IDENTITY, step), landmark) for step in steps]
+        near = [kind.moved(Pose.plus(ORIGIN, step), landmark) for step in steps]
         change = np.array([kind.manifold.minus(a, b) for a, b in zip(near[:6], near[6:], strict=True)]) / 2e-6
-        case.compare(GENERATOR, kind.moved.jac(IDENTITY, landmark)[1][0], change.T, "motion", 1e-6)
+        case.compare(GENERATOR, kind.moved.jac(ORIGIN, landmark)[1][0], change.T, "motion", 1e-6)
     for place in made:
         landmark, J = kind.from_frame.jac(*place)
-        along = J.pose @ frames.compose.jac(IDENTITY, place[0])[1].outer
+        along = J.pose @ frames.compose.jac(ORIGIN, place[0])[1].outer
         case = judge.at(f"{kind.name}.moved", landmark=landmark, pose=place[0])
-        case.compare(INHERITED, kind.moved.jac(IDENTITY, landmark)[1][0], along, "landmark")
+        case.compare(INHERITED, kind.moved.jac(ORIGIN, landmark)[1][0], along, "landmark")
 
 
 def _homogeneous(rng: np.random.Generator) -> Array:
@@ -155,7 +154,7 @@ def line_properties(judge: Judge, kind: LineLandmark) -> None:
     made = [(pose, _rays(rng), rng.uniform(0.1, 0.5, 2)) for pose in poses]
     nasty = [(pose, rays, np.array(p)) for pose, rays, _ in made for p in ([0.0, 0], [0.1, 0], [-0.1, 0.2])]
     through_axis = np.array([0, 0, 1, *_rays(rng)[3:]])
-    nasty += [(pose, through_axis, np.array([0.1, 0.2])) for pose in (IDENTITY, *poses[:2])]
+    nasty += [(pose, through_axis, np.array([0.1, 0.2])) for pose in (ORIGIN, *poses[:2])]
     model_properties(judge, kind.from_frame, f"{kind.name}.from_frame", made, nasty)
     if judge.lacks(DEFINED):
         return
@@ -163,7 +162,7 @@ def line_properties(judge: Judge, kind: LineLandmark) -> None:
     seen = [(Pose.random(rng), x) for x in landmarks]
     on_line = [(point[:3] / point[3], x) for x in landmarks for point in [kind.point_at(x, 0.3)]]
     awkward = [(np.array([*point, *FORWARDS[3:]]), x) for point, x in on_line]  # lines through the optical centre
-    awkward += [(IDENTITY, x) for place in nasty if (x := _value(kind.from_frame, *place)) is not None]
+    awkward += [(ORIGIN, x) for place in nasty if (x := _value(kind.from_frame, *place)) is not None]
     model_properties(judge, kind.to_frame, f"{kind.name}.to_frame", seen, awkward)
     ends = [(x, np.array(float(s))) for x in landmarks for s in (*kind.abscissas, 0.3)]
     model_properties(judge, kind.point_at, f"{kind.name}.point_at", ends)

@@ -42,13 +42,22 @@ def pair_properties(judge: Judge, kind: PointLandmark, calibration: Calibration)
             continue
         if not case.compare(AGAIN, y + sensor.manifold.minus(seen.value, y), y, tolerance=1e-7):
             continue
-        H = seen.jacobians
-        for argument in G._fields:
-            found = H.landmark @ getattr(G, argument) + (getattr(H, argument) if argument in H._fields else 0)
-            wanted = np.eye(len(y)) if argument == "measurement" else np.zeros_like(found)
-            case.compare(DERIVATIVES, found, wanted, argument, 1e-6)
-        R = calibration.noise
+        H, R = seen.jacobians, calibration.noise
+        follows(case, DERIVATIVES, H, G, np.eye(len(y)))
         corrected(case, kind, landmark, G, G.measurement @ R @ G.measurement.T, [H.robot, H.landmark], R)
+
+
+def follows(case: Case, what: str, H: Any, G: Any, wanted: Array) -> None:
+    """Check that a new landmark, observed again, moves with its measurement, as `wanted`, and with nothing else.
+
+    H: Jacobians of the predicted measurement; G: those of the new landmark, of which the arguments that H lacks are not
+    judged, but for the measurement and what it leaves open.
+    """
+    for argument in G._fields:
+        own = getattr(H, argument, 0.0 if argument in ("measurement", "unmeasured") else None)
+        if own is not None:
+            found = H.landmark @ getattr(G, argument) + own
+            case.compare(what, found, wanted if argument == "measurement" else np.zeros_like(found), argument, 1e-6)
 
 
 def corrected(

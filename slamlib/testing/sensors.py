@@ -36,14 +36,22 @@ def sensor_properties(judge: Judge, calibration: Calibration) -> None:
     if not judge.at(f"{sensor.name}.visible").require(SEES, len(points) >= 10, how):
         return
     _mask(judge, calibration)
-    parameters = [*full_length(calibration).values()]
+    sizes = {a.name: a.size for a in sensor.project.arguments}  # of as many coefficients as the models can have
+    parameters = [np.pad(v, (0, sizes[n] - len(v))) for n, v in calibration.given.items()]
     axes = [np.array([*sign * e, w]) for e in np.eye(3) for sign in (1, -1) for w in (0.3, 0.0)]
     far = [np.array([*p[:3], 0.0]) for p in points]
     nasty = [p for p in [*axes, *far] if calibration.visible(p)]
     ordinary = [(p, *parameters) for p in points]
     model_properties(judge, sensor.project, f"{sensor.name}.project", ordinary, [(p, *parameters) for p in nasty])
     for p in [*points, *nasty]:
-        _measurable(judge, calibration, p)
+        visible, project = (judge.at(f"{sensor.name}.{name}", point=p) for name in ("visible", "project"))
+        try:
+            value, scaled = calibration.project(p), calibration.project(3 * p)
+        except SingularPointError as error:
+            visible.fail(MEASURABLE, f"project refuses a visible point: {str(error).split(', at')[0]}")
+            continue
+        visible.hold(MEASURABLE)
+        project.compare(RATIO, scaled, value, "point")
     if judge.lacks(DEFINED):
         return
     measured = [(sensor.project(*place), *unmeasured(calibration, rng), *parameters) for place in ordinary]
@@ -104,17 +112,6 @@ def _mask(judge: Judge, calibration: Calibration) -> None:
         case.compare(MASK, found.astype(int), single.astype(int), "point")
 
 
-def _measurable(judge: Judge, calibration: Calibration, point: Array) -> None:
-    visible, project = (judge.at(f"{calibration.sensor.name}.{name}", point=point) for name in ("visible", "project"))
-    try:
-        value, scaled = calibration.project(point), calibration.project(3 * point)
-    except SingularPointError as error:
-        visible.fail(MEASURABLE, f"project refuses a visible point: {str(error).split(', at')[0]}")
-        return
-    visible.hold(MEASURABLE)
-    project.compare(RATIO, scaled, value, "point")
-
-
 def _undo(judge: Judge, calibration: Calibration, measured: list[tuple[Array, ...]]) -> None:
     """project(back_project(y, u, k), k) = y: its value, and its derivatives w.r.t. y, u and every parameter k."""
     sensor = calibration.sensor
@@ -144,12 +141,6 @@ def _size(matrix: Array) -> Array:
     """Lengths of the columns, so that pixels, metres and radians weigh the same."""
     lengths = np.linalg.norm(matrix, axis=0)
     return np.where(lengths > 0, lengths, 1)
-
-
-def full_length(calibration: Calibration) -> dict[str, Array]:
-    """The parameters with as many coefficients as the models can have, so that all derivatives are judged."""
-    sizes = {a.name: a.size for a in calibration.sensor.project.arguments}
-    return {n: np.pad(v, (0, sizes[n] - len(v))) for n, v in calibration.given.items()}
 
 
 def _lines(judge: Judge, calibration: Calibration, points: Array) -> None:

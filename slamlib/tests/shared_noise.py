@@ -20,14 +20,14 @@ import numpy as np
 
 from slamlib.belief import Belief, Block
 from slamlib.errors import SlamlibError
-from slamlib.geometry.pose import Pose
+from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.kalman.update import LinearizedMeasurement
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array
 from slamlib.motions import ODOMETRY
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.stereo.fitting import ORIGIN, _linear
+from slamlib.vision.stereo.fitting import _linear
 from slamlib.vision.stereo.odometry import control_axes, motion_between
 
 # The share of R that is no state: where all matches are landmarks, the fit leaves six of their innovations at zero, and

@@ -5,11 +5,10 @@ import pytest
 from slambook import stereo_films
 from slambook.stereo_films import KITTI, LENS
 
-from slamlib.geometry.pose import compose, inverse
+from slamlib.geometry.pose import ORIGIN, compose, inverse
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.sensors.sensor import Calibration
 from slamlib.sensors.stereo import STEREO
-from slamlib.vision.stereo.fitting import ORIGIN
 
 MOUNT = compose(np.array([0.1, -0.05, 0.2, 1, 0, 0, 0]), np.array([0, 0, 0, 0.5, -0.5, 0.5, -0.5]))
 

@@ -4,13 +4,12 @@ import numpy as np
 
 from slamlib.data.records import Control, Features, Frame, Scan
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
-from slamlib.geometry.pose import Pose
+from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.motions import ODOMETRY
 from slamlib.slam import Options, Slam
 from slamlib.tests.shared_noise import SharedNoise
 from slamlib.tests.stereo import LENS, MOUNT, calibration, points_seen, seen_from
 from slamlib.vision.stereo import motion_between
-from slamlib.vision.stereo.fitting import ORIGIN
 
 STILL = Control(np.zeros(6), np.zeros((6, 6)))
 EVERYTHING = Options(

@@ -20,6 +20,7 @@ from slamlib.observation import lines
 from slamlib.sensors import SENSORS, Calibration
 from slamlib.testing import CheckError, check_landmark, check_pair, check_sensor, line_pairs
 from slamlib.testing.sensors import visible_points
+from slamlib.tests.line_chains import check_chains
 from slamlib.tests.test_every_type import example
 
 
@@ -182,9 +183,30 @@ CAMERA = next(example(s) for s in SENSORS.values() if s.project_line)
         ),
     ],
 )
-def test_a_jacobian_that_a_pair_with_lines_lacks_is_named(monkeypatch, function, argument):
-    monkeypatch.setattr(line_pairs, function, without(getattr(line_pairs, function), argument))
+def test_a_jacobian_that_the_chain_of_lines_lacks_is_named(monkeypatch, function, argument):
+    monkeypatch.setattr(lines, function, without(getattr(lines, function), argument))
     with pytest.raises(CheckError, match=f"argument '{argument}': the Jacobian is the derivative"):
+        check_chains(LINES["plkLin"], CAMERA)
+
+
+@pytest.mark.parametrize(
+    ("function", "argument"),
+    [
+        *(("observe_line", a) for a in ("robot", "extrinsics")),
+        *(("initialize_line", a) for a in ("robot", "extrinsics", "measurement", "unmeasured")),
+    ],
+)
+def test_a_line_that_does_not_follow_its_segment_is_found(monkeypatch, function, argument):
+    right = getattr(line_pairs, function)
+
+    def mistaken(*args):
+        found = right(*args)
+        value, jacobians = found if isinstance(found, tuple) else (found.value, found.jacobians)
+        jacobians = jacobians._replace(**{argument: getattr(jacobians, argument) + 0.1})
+        return (value, jacobians) if isinstance(found, tuple) else dataclasses.replace(found, jacobians=jacobians)
+
+    monkeypatch.setattr(line_pairs, function, mistaken)
+    with pytest.raises(CheckError, match=f"argument '{argument}': and follows them, whatever"):
         check_pair(LINES["plkLin"], CAMERA, silent=True)
 
 
@@ -215,14 +237,16 @@ def test_a_line_that_misses_its_segment_is_found(monkeypatch):
 
 
 def test_numbers_without_a_value_are_found_at_nasty_places(monkeypatch):
+    right = lines.observe_line
+
     def lost_at_the_centre(kind, calibration, robot, extrinsics, landmark):
-        found = lines.observe_line(kind, calibration, robot, extrinsics, landmark)
+        found = right(kind, calibration, robot, extrinsics, landmark)
         through_centre = np.abs(found.value).max() < 1e-6
         return dataclasses.replace(found, value=found.value * (np.nan if through_centre else 1))
 
-    monkeypatch.setattr(line_pairs, "observe_line", lost_at_the_centre)
+    monkeypatch.setattr(lines, "observe_line", lost_at_the_centre)
     with pytest.raises(CheckError, match="in degenerate cases all numbers are finite, or it is refused"):
-        check_pair(LINES["plkLin"], CAMERA, silent=True)
+        check_chains(LINES["plkLin"], CAMERA)
 
 
 def test_a_narrow_lens_is_judged_too_and_one_that_sees_nothing_is_reported():

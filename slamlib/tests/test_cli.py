@@ -93,7 +93,7 @@ def test_calibrate_puts_the_second_extrinsics_into_the_map(tmp_path):
         (["run", "absent.toml"], "cannot be read"),
         (["run", "points", "--landmark", "ahmPt"], "did you mean 'ahmPnt'?"),
         (["run", "points", "--landmark", "plkLin"], "has no lines"),
-        (["run", "points", "--calibrate"], "cannot be calibrated"),
+        (["run", "points", "--calibrate"], "this rig has one sensor"),
         (["run", "points", "--option", "gat=0.9"], "did you mean 'gate'?"),
         (["run", "points", "--option", "gate"], "NAME=VALUE"),
         (["run", "points", "--option", "gate=2"], "gate should be"),
@@ -158,6 +158,15 @@ def test_presets_have_a_table_each(capsys):
     assert "plkLin" in lines
 
 
+def test_filters_are_compared_by_their_errors(capsys):
+    words = ["compare", "hmgPnt", "eucPnt", "--runs", "1", "--frames", "3", "--errors", "local", "world"]
+    assert main(words) == 0
+    rows = [line.split()[:2] for line in capsys.readouterr().out.splitlines()[-4:]]
+    assert rows == [["hmgPnt", "local"], ["hmgPnt", "world"], ["eucPnt", "local"], ["eucPnt", "world"]]
+    assert main([*words, "--json"]) == 0
+    assert [row["error"] for row in json.loads(capsys.readouterr().out)] == ["local", "world"] * 2
+
+
 def test_the_estimated_extrinsics_are_in_the_table(capsys):
     assert main(["run", "stereo", "--calibrate", "--frames", "20", "--json"]) == 0
     (found,) = json.loads(capsys.readouterr().out)["extrinsics"]
@@ -168,7 +177,9 @@ def test_the_estimated_extrinsics_are_in_the_table(capsys):
     text = capsys.readouterr().out
     assert "right: extrinsics error" in text
     assert f"(sigma {100 * found['position_sigma']:.1f} cm)" in text
-    assert text.count("at frame 20") == 3
+    assert f"right: extrinsics NEES, 6 dof  {found['nees']:.2f}, at frame 20" in text
+    assert 0.2 < found["nees"] < 30
+    assert text.count("at frame 20") == 4
     assert main(["run", "stereo", "--frames", "5", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["extrinsics"] == []
 

@@ -16,6 +16,7 @@ from slamlib.errors import SlamlibError
 from slamlib.landmarks import LINES, POINTS
 from slamlib.sensors import SENSORS, Calibration
 from slamlib.testing import check_landmark, check_pair, check_sensor
+from slamlib.tests.line_chains import check_chains
 
 DEFAULTS = {  # by a parameter's name and by how many numbers its model takes
     ("intrinsics", 4): [320.0, 240.0, 400.0, 410.0],
@@ -58,6 +59,13 @@ def test_every_sensor_passes_the_checks(name, capsys):
 def test_every_pair_initializes_observes_and_updates(kind, sensor, capsys):
     check_pair({**POINTS, **LINES}[kind], example(SENSORS[sensor]))
     assert capsys.readouterr().out.endswith(("properties hold.\n", "the property holds.\n"))
+
+
+@pytest.mark.parametrize(
+    ("kind", "sensor"), list(itertools.product(LINES, [name for name, s in SENSORS.items() if s.project_line]))
+)
+def test_every_chain_of_lines_has_the_derivatives_of_its_formulas(kind, sensor):
+    check_chains(LINES[kind], example(SENSORS[sensor]))
 
 
 @pytest.mark.parametrize("name", list(SENSORS))

@@ -37,7 +37,7 @@ def test_finished_runs_are_kept_and_not_run_again(tmp_path, monkeypatch):
     assert len(list(tmp_path.iterdir())) == 3
     other = replace(SHORT, options=replace(SHORT.options, updates=3))
     assert not np.array_equal(monte_carlo(other, 2, folder=tmp_path).nees, first.nees)
-    monkeypatch.setattr("slamlib.experiments.monte_carlo._row", None)  # whatever would be run again would fail
+    monkeypatch.setattr("slamlib.experiments.monte_carlo.Run", None)  # whatever would be run again would fail
     assert equal(monte_carlo(SHORT, 3, folder=tmp_path), more)
 
 

@@ -45,29 +45,9 @@ def test_a_figure_of_eight_closes_and_crosses_itself():
     assert poses[:, 1].min() == pytest.approx(-6, abs=0.2)
 
 
-def test_waypoints_are_reached_in_steps_that_are_short_enough():
-    points = np.array([[0, 0], [2, 0], [2, 0], [2, 3], [-1, 3], [-1.5, 2.0]])
-    steps = controls.waypoints(points, heading=np.radians(170), step=0.3, turn=np.radians(10))
-    poses = path(steps, heading=np.radians(170))
-    for point in points:
-        assert np.linalg.norm(poses[:, :2] - point, axis=1).min() < 1e-12
-    assert poses[-1, :2] == pytest.approx(points[-1])
-    assert steps[:, 0].max() <= 0.3 * (1 + 1e-9)
-    assert np.abs(steps[:, 5]).max() <= np.radians(10) * (1 + 1e-9)
-    assert not (steps[:, 0] * steps[:, 5]).any()
-
-
-def test_a_full_number_of_steps_is_not_split_further():
-    assert len(controls.waypoints([[0, 0], [3, 0]], heading=0, step=0.3, turn=1)) == 10
-
-
 def test_misuse_is_named():
     for wrong in (lambda: controls.straight(0, 1.0), lambda: controls.circle(2.5, 1.0)):
         with pytest.raises(SlamlibError, match="steps is a whole number"):
             wrong()
     with pytest.raises(SlamlibError, match="an even number of steps"):
         controls.figure_of_eight(9, 1.0)
-    with pytest.raises(SlamlibError, match="two or more rows"):
-        controls.waypoints([[0, 0]], heading=0, step=1, turn=1)
-    with pytest.raises(SlamlibError, match="step and turn are above zero"):
-        controls.waypoints([[0, 0], [1, 1]], heading=0, step=0, turn=1)

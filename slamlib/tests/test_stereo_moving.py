@@ -11,7 +11,7 @@ from slamlib.data.plain import read, written
 from slamlib.data.records import Control
 from slamlib.data.setup import Rig
 from slamlib.evaluation.consistency import chi2_quantile, nees
-from slamlib.geometry.pose import Pose
+from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.motions import ODOMETRY
 from slamlib.observation.family import viewpoint
 from slamlib.slam import Options, Slam
@@ -19,7 +19,7 @@ from slamlib.tests.shared_noise import derivatives
 from slamlib.tests.stereo import MOUNT, calibration, points_seen, seen_from
 from slamlib.tests.stereo_points import run, simulate
 from slamlib.vision.stereo import MOTION_SOURCES
-from slamlib.vision.stereo.fitting import ORIGIN, fit
+from slamlib.vision.stereo.fitting import fit
 from slamlib.vision.stereo.motion_source import INFLATION, CorrelatedFeatures, MotionFallback
 from slamlib.vision.stereo.odometry import checkerboard_half
 

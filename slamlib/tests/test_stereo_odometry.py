@@ -5,12 +5,11 @@ import pytest
 from slambook.stereo_films import Tracks, pixel_noise, stereo_film
 
 from slamlib.evaluation.consistency import chi2_quantile, nees
-from slamlib.geometry.pose import Pose, compose
+from slamlib.geometry.pose import ORIGIN, Pose, compose
 from slamlib.geometry.quaternion import exponential
 from slamlib.motions import ODOMETRY
 from slamlib.tests.stereo import MOUNT, calibration, kitti, points_seen, seen_from
 from slamlib.vision.stereo import StereoFeatureExtractor, VisualOdometry, motion_between
-from slamlib.vision.stereo.fitting import ORIGIN
 from slamlib.vision.stereo.odometry import checkerboard_half
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed")

@@ -16,6 +16,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS
 from slamlib.slam import Slam
+from slamlib.slam.linearization import FirstEstimates, Linearization
 from slamlib.slam.measurement_update import predict_measurements
 from slamlib.slam.transport import TRANSPORTS, carried, generator, generators, unobservable
 
@@ -87,9 +88,12 @@ def test_coordinates_of_the_error_change_as_their_matrix_says(n):
     belief, A = Belief(), rng.standard_normal((n, n))
     belief.add(n, np.zeros(n), A @ A.T)
     before, rows, C = belief.matrix.copy(), np.array([4, 5, 9]), rng.standard_normal((n, 3))
-    belief.transport(rows, C)
-    T = np.eye(n) + C @ np.eye(n)[rows]
-    np.testing.assert_allclose(belief.matrix, T @ before @ T.T, rtol=1e-10, atol=1e-9 * np.abs(before).max())
+    belief.transport = lambda: (rows, C)
+    H = rng.standard_normal((2, n))
+    belief.update(list(belief.blocks), [H], np.zeros(2), np.eye(2))
+    K = np.linalg.solve(H @ before @ H.T + np.eye(2), H @ before).T
+    T, after = np.eye(n) + C @ np.eye(n)[rows], before - K @ H @ before
+    np.testing.assert_allclose(belief.matrix, T @ after @ T.T, rtol=1e-9, atol=1e-9 * np.abs(before).max())
     assert np.array_equal(belief.matrix, belief.matrix.T)
 
 
@@ -169,6 +173,23 @@ def test_a_resumed_run_goes_on_bit_for_bit(name, error, reproject, tmp_path):
             slam.save(tmp_path / "half.npz")
             other = Slam.load(tmp_path / "half.npz")
     assert np.array_equal(slam.belief.matrix, other.belief.matrix)
+
+
+def test_the_error_may_be_changed_between_two_steps(monkeypatch):
+    p = with_options("points", points="idpPnt")
+    slam, frames = p.slam(), [frame for frame, _ in replace(p, frames=12).simulate()]
+    for i, error in enumerate(["local", "world", "first-estimates", "local"]):
+        slam.options = replace(slam.options, error=error)
+        assert isinstance(slam.linearization, FirstEstimates) == (error == "first-estimates")
+        for frame in frames[3 * i : 3 * i + 3]:
+            slam.step(frame)
+    slam.linearization = own = Linearization()
+    slam.options = replace(slam.options, updates=3)
+    assert slam.linearization is own
+    monkeypatch.setattr(slam.robots[0], "motion", replace(MOTIONS["odometry"], moved=None))
+    with pytest.raises(SlamlibError, match="which has none"):
+        slam.options = replace(slam.options, error="world")
+    assert slam.options.error == "local"
 
 
 def test_what_says_nothing_of_the_motion_of_the_world_is_refused_before_the_run():

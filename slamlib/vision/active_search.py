@@ -3,7 +3,7 @@
 Each function is one step of section 6.1.3 of the toolbox's manual. Chapter active_search walks through them.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import compress
 from typing import Annotated, Any
@@ -12,10 +12,10 @@ import numpy as np
 
 from slamlib.data.plain import Count, Positive, Range, Share, Whole, check
 from slamlib.errors import SlamlibError
-from slamlib.landmarks.linearity import WORLD
-from slamlib.manifolds import Array, Image, Mask
+from slamlib.geometry.pose import ORIGIN
+from slamlib.manifolds import Array, Image
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.front_end import FrontEndInput
+from slamlib.slam.data_association.front_end import FrontEndInput, Usable
 from slamlib.slam.data_association.gates import gate
 from slamlib.vision.appearance import Appearance, predict, recognizable
 from slamlib.vision.corners import QUALITY, Corner, best_corner
@@ -27,7 +27,7 @@ from slamlib.vision.search import Match, register, search
 
 def _point(landmark: Any) -> Array:
     """The estimated position of a landmark, a homogeneous point (4,) in the world frame."""
-    return landmark.kind.to_frame(WORLD, landmark.block.mean)
+    return landmark.kind.to_frame(ORIGIN, landmark.block.mean)
 
 
 @dataclass(frozen=True)
@@ -120,9 +120,7 @@ class ActiveSearch(ImageFrontEnd):
         """2g: whether the score is high enough, and no other peak of the region nearly as high."""
         return found.score >= self.settings.threshold and found.second <= self.settings.max_second_ratio * found.score
 
-    def new_landmarks(
-        self, inputs: FrontEndInput, usable: Callable[[Array], Mask], count: int
-    ) -> Iterator[tuple[Array, Any]]:
+    def new_landmarks(self, inputs: FrontEndInput, usable: Usable, count: int) -> Iterator[tuple[Array, Any]]:
         """Pixel and appearance of up to `count` landmarks, each in a cell of its own without landmarks. 1a to 1h."""
         image = np.asarray(inputs.scan.image)
         self.renew(image, inputs)
@@ -130,7 +128,7 @@ class ActiveSearch(ImageFrontEnd):
         for corner in self.new_corners(image, seen, usable, count):
             yield corner.pixel, self.signature(image, inputs, corner)
 
-    def new_corners(self, image: Image, seen: Array, usable: Callable[[Array], Mask], count: int) -> list[Corner]:
+    def new_corners(self, image: Image, seen: Array, usable: Usable, count: int) -> list[Corner]:
         """1a to 1e: the best corners of cells without landmarks, drawn at random, if good enough; each cell once.
 
         seen (n, 2): predicted pixels of landmarks. A corner on the border of two cells belongs to both: one nearer to

@@ -14,7 +14,7 @@ from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Slam
-from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput
+from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput, Usable
 
 
 class Stopwatch(dict[str, float]):
@@ -63,7 +63,7 @@ class ImageFrontEnd:
     size: int
     signature_type: Any
     find: Callable[[FrontEndInput, list[Any]], Iterable[tuple[int, Array]]]
-    new_landmarks: Callable[[FrontEndInput, Callable[[Array], Mask], int], Iterable[tuple[Array, Any]]]
+    new_landmarks: Callable[[FrontEndInput, Usable, int], Iterable[tuple[Array, Any]]]
 
     def __init__(self, calibration: Calibration, settings: Any) -> None:
         self.calibration, self.settings = calibration, settings
@@ -105,9 +105,7 @@ class ImageFrontEnd:
                 self.backoff[prediction.landmark.id] = before.increased(self.settings.max_backoff)
         return measured, found
 
-    def detect(
-        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
-    ) -> list[Detected]:
+    def detect(self, inputs: FrontEndInput, family: str, known: set[int], usable: Usable, count: int) -> list[Detected]:
         """Up to `count` new landmarks (id, measurement, signature)."""
         with self.seconds.timed("detection"):
             return [(self.new_id(known), *new) for new in self.new_landmarks(inputs, usable, count)]
@@ -155,22 +153,15 @@ class CombinedFrontEnd:
         """Measurements (n, m) and mask (n,) from the family's front end."""
         return self.front_ends[family].match(_own(inputs, family), family, predictions)
 
-    def detect(
-        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
-    ) -> list[Detected]:
+    def detect(self, inputs: FrontEndInput, family: str, known: set[int], usable: Usable, count: int) -> list[Detected]:
         """New landmarks of the family's front end, with ids that neither front end has given before."""
-        self._share_last_id()
-        return self.front_ends[family].detect(_own(inputs, family), family, known, usable, count)
+        given = {f.last for f in self.front_ends.values()}
+        return self.front_ends[family].detect(_own(inputs, family), family, known | given, usable, count)
 
     def initialize_at(self, inputs: FrontEndInput, family: str, values: Array) -> list[Detected | None]:
         """Landmarks at given measurements (n, 2); points only."""
-        self._share_last_id()
+        self.points.last = max(f.last for f in self.front_ends.values())
         return self.points.initialize_at(_own(inputs, family), family, values)
-
-    def _share_last_id(self) -> None:
-        last = max(f.last for f in self.front_ends.values())
-        for front_end in self.front_ends.values():
-            front_end.last = last
 
     def dump(self) -> Any:
         """The states of both, by family."""

@@ -5,7 +5,7 @@ endpoints of the predicted segment across it. Their covariance follows from that
 region is an ellipse in the plane of these two numbers, as that of a point is one in the image.
 """
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import compress
 from typing import Any
@@ -17,7 +17,7 @@ from slamlib.landmarks.segments import length
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.observation.lines import distort_segments, undistort_segments
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.front_end import FrontEndInput
+from slamlib.slam.data_association.front_end import FrontEndInput, Usable
 from slamlib.slam.data_association.gates import gate
 from slamlib.vision.edges import PROFILE, STEP, Edge, EdgeStrip, axes, edge_strip, fitted, line, refined, segments_of
 from slamlib.vision.front_end import ImageFrontEnd
@@ -125,9 +125,7 @@ class SegmentSearch(ImageFrontEnd):
         """Segments (n, 4) [px] without the lens distortion."""
         return undistort_segments(self.calibration, np.reshape(segments, (-1, 4)))[0]
 
-    def new_landmarks(
-        self, inputs: FrontEndInput, usable: Callable[[Array], Mask], count: int
-    ) -> Iterator[tuple[Array, Any]]:
+    def new_landmarks(self, inputs: FrontEndInput, usable: Usable, count: int) -> Iterator[tuple[Array, Any]]:
         """Segment and EdgeLook of up to `count` new edges, the longest that match no prediction."""
         s, image = self.settings, np.asarray(inputs.scan.image)
         count = min(count, s.max_in_view - len(inputs.predictions))

@@ -51,15 +51,22 @@ def cut(image: Image, pixel: Array, size: int) -> Array | None:
 def sample(pixels: Array, places: Array) -> Array:
     """Grey levels (...) at positions (..., 2) [px] of an image (h, w), bilinear between pixels, nan outside of it."""
     array = as_floats(pixels, "sample")
-    last = np.array(array.shape[::-1]) - 1
-    inside = np.all((places >= 0) & (places <= last), axis=-1)
-    safe = np.where(inside[..., None], places, 0)
-    u, v = np.moveaxis(np.minimum(safe.astype(int), np.maximum(last - 1, 0)), -1, 0)
-    a, b = np.moveaxis(safe, -1, 0) - (u, v)
-    right, below = np.minimum(u + 1, last[0]), np.minimum(v + 1, last[1])
-    above = (1 - a) * array[v, u] + a * array[v, right]
-    value: Array = (1 - b) * above + b * ((1 - a) * array[below, u] + a * array[below, right])
-    return np.where(inside, value, np.nan)
+    inside = np.all((places >= 0) & (places <= np.array(array.shape[::-1]) - 1), axis=-1)
+    u, v = np.moveaxis(np.where(inside[..., None], places, 0), -1, 0)
+    return np.where(inside, bilinear(array, u, v), np.nan)
+
+
+def bilinear(image: Image, u: Array, v: Array) -> Array:
+    """Grey levels (...) at u, v (...) [px] of an image (h, w), between its pixels; outside, its border is repeated."""
+    h, w = image.shape
+    i, j = np.floor(v).astype(np.intp), np.floor(u).astype(np.intp)
+    q, p = v - i, u - j
+    below, right = (np.minimum(np.maximum(x + 1, 0), n - 1) for x, n in ((i, h), (j, w)))
+    i, j = (np.minimum(np.maximum(x, 0), n - 1) for x, n in ((i, h), (j, w)))
+    flat = image.reshape(-1)
+    upper: Array = flat[i * w + j] * (1 - p) + flat[i * w + right] * p
+    lower = flat[below * w + j] * (1 - p) + flat[below * w + right] * p
+    return upper * (1 - q) + lower * q
 
 
 def half_size(size: int, function: str) -> int:

@@ -14,9 +14,9 @@ the (left) camera is at the robot's origin. With a target the world is the targe
 relocalization), so a run stops with TrackingLostError if a tracking loss lasts too long (slamlib.vision.sequence_run).
 """
 
-import os
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -189,7 +189,7 @@ def stereo_run(
 
 
 def load(
-    path: str | os.PathLike[str],
+    path: str | Path,
     kind: SequenceKind = IMAGES,
     *,
     source: ImageSource | None = None,

@@ -116,8 +116,7 @@ def ellipse(
     """The pixels nearest to positions with z' S^-1 z <= limit, if their window `size` (h, w) is in the image (h, w).
 
     As the pixel (u, v) of the upper left corner, and a mask (rows, columns) from there; None if there is none. An
-    ellipse between four pixels contains those nearest to it. Raises CovarianceError where S is not positive
-    definite.
+    ellipse between four pixels contains those nearest to it. Raises CovarianceError where S is not positive definite.
     """
     (x, y), S, limit = finite(centre, (2,), "search", "centre"), finite(S, (2, 2), "search", "S"), min(limit, 1e18)
     (a, b), (_, c) = S.tolist()

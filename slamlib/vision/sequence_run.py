@@ -4,11 +4,11 @@ Runs on single images and on stereo pairs differ by a SequenceKind and a MotionS
 slamlib.vision.run. A stereo pair is one image (2, h, w).
 """
 
-import os
 import time
 import zlib
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,7 +19,6 @@ from slamlib.datasets.dataset import ImageSource
 from slamlib.datasets.pictures import TimedImage
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory
-from slamlib.manifolds import Array
 from slamlib.observation.family import viewpoint
 from slamlib.slam import Options, Report, Slam
 from slamlib.vision.front_end import MotionSource
@@ -144,20 +143,16 @@ class SequenceRun:
         row = {"time": picture.time, **counts(self.slam, report), **self.motion.counts(), "reading": reading, **inside}
         row["filter"] = spent - sum(inside.values())
         self.history.append([row[name] for name in self.columns])
-        self.path.append(self.slam.sensors[0].camera.tolist())
-        self.covariances.append(self._covariance().tolist())
+        camera = self.slam.sensors[0]
+        J, rows = viewpoint(camera).jacobian, camera.columns
+        self.path.append(camera.camera.tolist())
+        self.covariances.append((J @ self.slam.belief.matrix[np.ix_(rows, rows)] @ J.T).tolist())
         inliers = [prediction.landmark.first_seen for prediction in self.slam.predictions[0] if prediction.inlier]
         births = inliers if self.has_map else [0] * int(row["inliers"])
         self.tracking_loss.update(frame.number, births, len(self.slam.landmarks))
         self.picture = picture
         self.is_intact = True
         return ImageStep(frame.number, picture, report, row)
-
-    def _covariance(self) -> Array:
-        """Covariance (6, 6) of the first camera's pose in the world."""
-        sensor = self.slam.sensors[0]
-        J = viewpoint(sensor).jacobian
-        return J @ self.slam.belief.matrix[np.ix_(sensor.columns, sensor.columns)] @ J.T
 
     def _frame(self, picture: TimedImage) -> Frame:
         """A frame of the image, with a control of zeros. Raises SlamlibError for a wrong size, with no side effects."""
@@ -180,10 +175,8 @@ class SequenceRun:
         told = control is not None and self._can_move()
         frame = replace(frame, controls=(control,)) if told else self._predict_missing(frame)
         is_target = self.target is not None and not self.history
-        if self.target is not None and is_target:
-            self.target.put(
-                self.slam, frame.scans[0]
-            )  # its pixels are used by this update: it is not searched for again
+        if self.target is not None and is_target:  # its pixels are used by this update: it is not searched for again
+            self.target.put(self.slam, frame.scans[0])
         return self.slam.step(frame, update=not is_target, first=not self.slam.landmarks)
 
     def _predict_missing(self, frame: Frame) -> Frame:
@@ -227,12 +220,10 @@ class SequenceRun:
         path, columns = self.trajectory(), np.array(self.history, dtype=float).T
         return ImageResult(dict(zip(self.columns, columns, strict=True)), path, self.slam.belief.size)
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def save(self, path: str | Path) -> None:
         """Write the run to one file, atomically. Raises SlamlibError within a frame."""
         if not self.is_intact:
-            raise SlamlibError(
-                f"frame {len(self.history) + 1} was interrupted, and the state of the filter is incomplete"
-            )
+            raise SlamlibError(f"frame {self.done + 1} was interrupted, and the state of the filter is incomplete")
         settings = getattr(self.slam.front_ends[0], "settings", None)
         run = {name: getattr(self, name) for name in ("history", "path", "covariances", "patience", "metric")}
         run |= {"tracking_loss": asdict(self.tracking_loss), "last": self.picture and _identity(self.picture)}

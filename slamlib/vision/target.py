@@ -1,7 +1,6 @@
 """A known target in the first image, which fixes the scale and the reference frame of a monocular run."""
 
 import json
-import os
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -50,7 +49,7 @@ class Target:
             raise SlamlibError(f"the target's std is a length, 0 or more, got {self.std!r}")
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> "Target":
+    def load(cls, path: str | Path) -> "Target":
         """Load from JSON: {"points": [[x, y, z], ...], "pixels": [[u, v], ...], "std": s}. Raises SlamlibError."""
         try:
             data = json.loads(Path(path).read_text("utf-8"))

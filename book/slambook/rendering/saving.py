@@ -7,7 +7,6 @@ groundtruth_0.txt, ...     poses of camera 0, ... in the room, "time x y z qx qy
 """
 
 import json
-import os
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +21,7 @@ from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array
 
 
-def save_film(folder: str | os.PathLike[str], film: Film) -> Path:
+def save_film(folder: str | Path, film: Film) -> Path:
     """Write a film into a folder that is not there yet, or empty; the list of times comes last.
 
     Each file is written atomically. Raises SlamlibError if the folder holds something, and for a film without

@@ -1,9 +1,10 @@
-"""FastSLAM 1.0 in the plane (Montemerlo et al. 2002): particles for the path, for each landmark a small Kalman filter.
+"""FastSLAM in the plane: particles for the path, for each landmark a small Kalman filter.
 
 Given the path, what is known of one landmark says nothing of another. So a particle, which is one path, needs no joint
-covariance: 2 numbers and a 2 by 2 matrix for each landmark. Paths are sampled from the odometry and weighted by the
-measurements; when few particles hold most of the weight they are resampled, and a path that is not drawn loses its
-map.
+covariance: 2 numbers and a 2 by 2 matrix for each landmark. FastSLAM 1.0 (Montemerlo et al. 2002) samples paths from
+the odometry and weights them by the measurements; 2.0 (Montemerlo et al. 2003) samples them from odometry and
+measurements together. When few particles hold most of the weight they are resampled, and a path that is not drawn
+loses its map.
 """
 
 import numpy as np
@@ -15,8 +16,9 @@ from slamlib.manifolds import Array, Indices
 
 
 class FastSlam:
-    """N particles side by side: poses (N, 3), means (N, L, 2) and covariances (N, L, 2, 2) of landmarks, log weights.
+    """FastSLAM 1.0: N particles side by side.
 
+    Poses (N, 3), means (N, L, 2) and covariances (N, L, 2, 2) of landmarks, log weights.
     known (L,): the landmarks seen so far, the same for every particle (known data association). parents: for each step
     (N,), of which particle each descends; effective: number of particles that the weights are worth, for each step.
     """
@@ -45,10 +47,10 @@ class FastSlam:
             self.covariances = self.covariances[parents]
             self.log_weights = np.full(len(parents), -np.log(len(parents)))
         self.parents.append(parents)
-        noise = self._motion_std * self._rng.standard_normal(self.poses.shape)
-        self.poses = moved(self.poses, u + noise)
         old = self.known[scan.names]
-        self._update(scan.names[old], scan.z[old])
+        logs = self.log_weights + self._move_and_update(u, PlanarScan(scan.names[old], scan.z[old]))
+        logs -= logs.max()
+        self.log_weights = logs - np.log(np.exp(logs).sum())
         self._initialize(PlanarScan(scan.names[~old], scan.z[~old]))
         self.effective.append(float(1 / (self.weights**2).sum()))
 
@@ -57,22 +59,29 @@ class FastSlam:
         """Weights (N,), of sum 1."""
         return np.exp(self.log_weights)
 
-    def _update(self, names: Indices, z: Array) -> None:
-        """Each particle's weight times the likelihood of the measurements, and each landmark's Kalman filter."""
-        m, C = self.means[:, names], self.covariances[:, names]
-        H = seen_by_point(self.poses, m)
-        innovation = z - seen(self.poses, m)
-        innovation[..., 1] = wrapped(innovation[..., 1])
-        CH = C @ H.swapaxes(-1, -2)
-        S = H @ CH + self._R
-        inverse, determinant = _inverse(S)
+    def _move_and_update(self, u: Array, scan: PlanarScan) -> Array:
+        """Poses are drawn from the motion; returns the log likelihoods (N,) of known landmarks' measurements there."""
+        noise = self._motion_std * self._rng.standard_normal(self.poses.shape)
+        self.poses = moved(self.poses, u + noise)
+        H, innovation, inverse, determinant = self._predicted(self.poses, scan)
+        self._update(scan.names, H, innovation, inverse)
         white = (inverse @ innovation[..., None])[..., 0]
-        self.means[:, names] = m + (CH @ white[..., None])[..., 0]
+        return -((innovation * white).sum(-1) + np.log(determinant)).sum(-1) / 2  # but for a constant
+
+    def _predicted(self, poses: Array, scan: PlanarScan) -> tuple[Array, Array, Array, Array]:
+        """From given poses: H (N, m, 2, 2) w.r.t. landmarks, innovations (N, m, 2), inverses and determinants of S."""
+        means = self.means[:, scan.names]
+        H = seen_by_point(poses, means)
+        innovation = scan.z - seen(poses, means)
+        innovation[..., 1] = wrapped(innovation[..., 1])
+        return H, innovation, *_inverse(H @ self.covariances[:, scan.names] @ H.swapaxes(-1, -2) + self._R)
+
+    def _update(self, names: Indices, H: Array, innovation: Array, inverse: Array) -> None:
+        """Each landmark's Kalman filter, in each particle."""
+        C = self.covariances[:, names]
+        CH = C @ H.swapaxes(-1, -2)
+        self.means[:, names] += (CH @ inverse @ innovation[..., None])[..., 0]
         self.covariances[:, names] = C - CH @ inverse @ CH.swapaxes(-1, -2)
-        density = -((innovation * white).sum(-1) + np.log(determinant)) / 2  # but for a constant
-        logs = self.log_weights + density.sum(-1)
-        logs -= logs.max()
-        self.log_weights = logs - np.log(np.exp(logs).sum())
 
     def _initialize(self, scan: PlanarScan) -> None:
         """New landmarks: every particle puts them where it sees them; the weights stay."""
@@ -105,6 +114,40 @@ class FastSlam:
             found.append(len(np.unique(line)))
             line = parents[line]
         return np.array(found[::-1])
+
+
+class FastSlam2(FastSlam):
+    """FastSLAM 2.0: poses are drawn from what odometry and measurements say together."""
+
+    def _move_and_update(self, u: Array, scan: PlanarScan) -> Array:
+        """Poses are drawn from the proposal; returns log p(z | path so far) (N,), whatever pose was drawn."""
+        mean, covariance, density = self.proposal(u, scan)
+        noise = self._rng.standard_normal(mean.shape)
+        self.poses = mean + (np.linalg.cholesky(covariance) @ noise[..., None])[..., 0]
+        self._update(scan.names, *self._predicted(self.poses, scan)[:3])
+        return density
+
+    def proposal(self, u: Array, scan: PlanarScan) -> tuple[Array, Array, Array]:
+        """Gaussian of the new pose for each particle, means (N, 3) and covariances (N, 3, 3), and log p(z) (N,).
+
+        All is linear about the pose that odometry u (3,) predicts. Information adds up, that of the odometry and of
+        each known landmark; log p(z) leaves out a constant. The motion's noise must not be zero.
+        """
+        mean = moved(self.poses, u)
+        H, innovation, inverse, determinant = self._predicted(mean, scan)
+        J = np.concatenate([-H, np.broadcast_to([[0.0], [-1.0]], (*H.shape[:-1], 1))], -1)  # w.r.t. the pose
+        JW = J.swapaxes(-1, -2) @ inverse
+        c, s = np.cos(self.poses[:, 2]), np.sin(self.poses[:, 2])
+        G = np.zeros((len(mean), 3, 3))
+        G[:, 0, 0], G[:, 0, 1], G[:, 1, 0], G[:, 1, 1], G[:, 2, 2] = c, -s, s, c, 1
+        own = G / self._motion_std**2 @ G.swapaxes(-1, -2)
+        information = own + (JW @ J).sum(1)
+        b = (JW @ innovation[..., None]).sum(1)
+        covariance = np.linalg.inv(information)
+        white = (inverse @ innovation[..., None])[..., 0]
+        square = (innovation * white).sum((-1, -2)) - (b * (covariance @ b)).sum((-1, -2))
+        size = np.log(determinant).sum(-1) + np.log(np.linalg.det(information))  # and log det of the motion's
+        return mean + (covariance @ b)[..., 0], covariance, -(square + size) / 2
 
 
 def systematic(weights: Array, rng: np.random.Generator) -> Indices:

@@ -4,6 +4,7 @@ The formulas take leading axes: one robot, or as many particles as there are. An
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -73,9 +74,21 @@ class Data:
 MOTION = np.array([0.05, 0.02, np.radians(1.0)])  # [m, m, rad] in a step of 0.8 m
 LOOK = np.array([0.1, np.radians(1.5)])  # [m, rad]
 LAP = 60  # steps
+SCANNERS: dict[str, dict[str, Any]] = {  # what `drive` takes; the coarse one is a sonar's, on wheels that slip
+    "usual scanner": {},
+    "precise scanner": {"scan_std": LOOK / 10},
+    "coarse scanner": {"scan_std": LOOK * [1, 6], "motion_std": MOTION * [2, 2, 5], "reach": 4.0},
+}
 
 
-def drive(rng: np.random.Generator, steps: int = 120, landmarks: int = 20, reach: float = 6.0) -> Data:
+def drive(
+    rng: np.random.Generator,
+    steps: int = 120,
+    landmarks: int = 20,
+    reach: float = 6.0,
+    motion_std: Array = MOTION,
+    scan_std: Array = LOOK,
+) -> Data:
     """Round and round in a ring of points: 60 steps of 0.8 m a lap. The world is the same for all; the noise is not."""
     angle = 2 * np.pi * np.arange(landmarks) / landmarks
     radius = 48 / (2 * np.pi) + np.where(np.arange(landmarks) % 2, 2.5, -2.0)
@@ -87,5 +100,5 @@ def drive(rng: np.random.Generator, steps: int = 120, landmarks: int = 20, reach
     for pose in truth:
         z = seen(pose, points)
         names = np.flatnonzero(z[:, 0] < reach)
-        scans.append(PlanarScan(names, z[names] + LOOK * rng.standard_normal((len(names), 2))))
-    return Data(points, np.array(truth), u + MOTION * rng.standard_normal((steps, 3)), scans, MOTION, LOOK)
+        scans.append(PlanarScan(names, z[names] + scan_std * rng.standard_normal((len(names), 2))))
+    return Data(points, np.array(truth), u + motion_std * rng.standard_normal((steps, 3)), scans, motion_std, scan_std)

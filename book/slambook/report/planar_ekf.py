@@ -9,10 +9,13 @@ from slamlib.manifolds import Array
 
 
 class PlanarEkf:
-    """Pose and landmarks in one Gaussian. It starts at a pose known exactly, with a first scan."""
+    """Pose and landmarks in one Gaussian. It starts at a pose known exactly, with a first scan.
+
+    U (3, 3): covariance of the odometry's noise; it may be changed from step to step.
+    """
 
     def __init__(self, data: Data) -> None:
-        self._U, self._R = np.diag(data.motion_std**2), np.diag(data.look_std**2)
+        self.U, self._R = np.diag(data.motion_std**2), np.diag(data.look_std**2)
         self.belief, self.landmarks = Belief(), dict[int, Block]()
         self._pose = self.belief.add(3, data.truth[0], np.zeros((3, 3)))
         self._initialize(data.scans[0])
@@ -21,7 +24,7 @@ class PlanarEkf:
         """Odometry u (3,), then the measurements."""
         x = self._pose.mean
         F, G = moved_by(x, u)
-        self.belief.predict(self._pose, moved(x, u), F, G @ self._U @ G.T)
+        self.belief.predict(self._pose, moved(x, u), F, G @ self.U @ G.T)
         known = [self._observed(self.landmarks[n], z) for n, z in zip(scan.names, scan.z, strict=True) if n in self]
         if known:
             self.belief.update_all(known)

@@ -1,6 +1,5 @@
 """Errors over time as a picture: position, orientation, NEES; with what the filter claims, where it is known."""
 
-import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -20,13 +19,13 @@ PANELS = {"position": "position error [m]", "orientation": "orientation error [Â
 Series = Mapping[str, Mapping[str, Any]]
 
 
-def check(path: str | os.PathLike[str]) -> None:
+def check(path: str | Path) -> None:
     """Raise SlamlibError for a path whose ending is of no format, and without matplotlib."""
     OneOf(ENDINGS).check(Path(path).suffix.lower(), "ending of a plot")
     extra("matplotlib.figure", "a plot")
 
 
-def write(path: str | os.PathLike[str], series: Series) -> None:
+def write(path: str | Path, series: Series) -> None:
     """Draw errors over time, one panel for each kind that is known, and write them atomically.
 
     series: for each name, a robot's or a path's, arrays (n,): times [s], position, and perhaps orientation [degrees],

@@ -9,11 +9,12 @@ import numpy as np
 from slambook.figures import Figure, figure
 from slambook.scene.image_scene import sensor_scene, sensor_view
 from slambook.scene.layers import Flat
-from slambook.scene.options import MapOptions, SensorOptions, chosen
+from slambook.scene.options import MapOptions, SensorOptions
 from slambook.scene.photographs import Photograph, photograph
 from slambook.scene.roles import HALO, OUTLINE, ROLES, Role, over_image
 from slambook.scene.scene import bounds, map_scene
 from slambook.scene.view import NAMED, OrbitView
+from slamlib.data.plain import read
 from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.geometry.pose import from_frame
@@ -41,7 +42,7 @@ def map_figure(
 
     world, truth: what is known of reality, drawn in grey. path, true_path: the snapshots and the truths up to now.
     """
-    look = chosen(MapOptions(), options)
+    look = read(MapOptions, options)
     corners = bounds(snapshot, world, truth, path, look)
     shown: dict[str, Any] = {"world": world, "truth": truth, "path": path, "true_path": true_path}
     layers = map_scene(snapshot, **shown, options=look, corners=corners)
@@ -86,7 +87,7 @@ def sensor_figure(
     snapshot: Snapshot, sensor: int | str = 0, *, width: float = 5.8, height: float = 4.3, **options: Any
 ) -> Figure:
     """What a sensor saw, as a figure of so many inches; the other keywords are those of SensorOptions."""
-    look = chosen(SensorOptions(), options)
+    look = read(SensorOptions, options)
     view = sensor_view(snapshot, sensor)
     layers = sensor_scene(snapshot, sensor, options=look)
     fig, ax = figure(width=width, height=height)

@@ -4,7 +4,6 @@ A point is one vertex, a segment is two, its endpoints; lengths in metres, in th
 """
 
 import json
-import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -90,11 +89,11 @@ def _ply(snapshot: Snapshot) -> str:
 FORMATS = {".ply": _ply, ".json": _json, ".csv": _csv}
 
 
-def check(path: str | os.PathLike[str]) -> Callable[[Snapshot], str]:
+def check(path: str | Path) -> Callable[[Snapshot], str]:
     """What makes the text of a file with this ending. Raises SlamlibError for one of no format."""
     return entry("ending of a map's file", Path(path).suffix.lower(), FORMATS)
 
 
-def write(path: str | os.PathLike[str], snapshot: Snapshot) -> None:
+def write(path: str | Path, snapshot: Snapshot) -> None:
     """Write the map of a snapshot, atomically, in the format of the path's ending. Raises SlamlibError."""
     write_whole(path, check(path)(snapshot))

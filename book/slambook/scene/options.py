@@ -5,13 +5,12 @@ from math import inf
 from typing import Annotated
 
 from slambook.scene.view import NAMED
-from slamlib.data.plain import OneOf, Range, changed, check
+from slamlib.data.plain import OneOf, Range, check
 from slamlib.errors import SlamlibError
 
 Finite = Annotated[float, Range(gt=-inf, lt=inf)]
 Positive = Annotated[float, Range(gt=0)]
 Place = Annotated[int, Range(ge=0)]
-chosen = changed
 
 
 @dataclass(frozen=True)

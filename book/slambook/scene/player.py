@@ -17,10 +17,11 @@ from slambook.figures.style import DASHES
 from slambook.scene.figures import SHELL, draw, map_figure
 from slambook.scene.image_frames import ImageFrames
 from slambook.scene.image_scene import OUTCOMES, sensor_scene
-from slambook.scene.options import MapOptions, SensorOptions, chosen
+from slambook.scene.options import MapOptions, SensorOptions
 from slambook.scene.packing import packed
 from slambook.scene.player_page import Player
 from slambook.scene.roles import HALO, MAP, OUTLINE, SENSOR, Role, over_image
+from slamlib.data.plain import read
 from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
@@ -53,7 +54,7 @@ def player(
     note: gives a text for each frame, below the map. sensor: index or name of the one shown beside the map. images:
     whether that camera's images lie below its view, small; then all weighs up to 800 kB. Raises SlamlibError.
     """
-    map_options = chosen(MapOptions(), options)
+    map_options = read(MapOptions, options)
     _check(snapshots, truths, alt, frames, fps)
     shots = None if sensor is None else ImageFrames(snapshots, sensor, sensor_options or SensorOptions(), images)
     most = WEIGHT + WEIGHT_OF_IMAGES * images

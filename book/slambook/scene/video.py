@@ -29,7 +29,7 @@ Writer = Callable[[Path, Iterable[Array], float], None]
 
 def animate(
     snapshots: Iterable[Snapshot],
-    path: str | os.PathLike[str],
+    path: str | Path,
     *,
     world: World | None = None,
     truths: Iterable[Truth] = (),
@@ -71,7 +71,7 @@ def animate(
     return target
 
 
-def ready(path: str | os.PathLike[str], *, overwrite: bool = False) -> Writer:
+def ready(path: str | Path, *, overwrite: bool = False) -> Writer:
     """What will write a film to this path. Raises SlamlibError if nothing can: ask before a long run, not after it."""
     target = Path(path)
     ending = target.suffix.lower()

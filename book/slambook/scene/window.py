@@ -13,10 +13,11 @@ import numpy as np
 from slambook.figures.colors import colors
 from slambook.scene.figures import view_of
 from slambook.scene.image_scene import sensor_view
-from slambook.scene.options import MapOptions, SensorOptions, chosen
+from slambook.scene.options import MapOptions, SensorOptions
 from slambook.scene.parts import Part, SensorPart, extra
 from slambook.scene.roles import MAP, themed
 from slambook.scene.scene import bounds, map_scene
+from slamlib.data.plain import read
 from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
@@ -62,7 +63,7 @@ class Window:
         coming: Sequence[Snapshot] = (),
         **options: Any,
     ) -> None:
-        self.options = chosen(MapOptions(), options)
+        self.options = read(MapOptions, options)
         self.sensor_options = sensor_options or SensorOptions()
         self.world, self.corners = world, corners
         self.sensors = tuple(range(min(len(snapshot.sensors), 3)) if sensors is None else sensors)

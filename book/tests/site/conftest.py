@@ -11,14 +11,16 @@ from typing import Any
 
 import pytest
 
-from book.tests.site.live_page import live_cells, live_pages
+from book.tests.site.live_page import PATIENCE, address, live_cells, live_pages, shown_pages
 from book.tools import browser, layout, serve
+
+ADDED = ("index.html", "genindex.html", "search.html")  # by Sphinx
 
 
 def pytest_addoption(parser: Any) -> None:
     """Options of the live pages."""
     group = parser.getgroup("site")
-    group.addoption("--every-page", action="store_true", help="run the live cells of all pages, changed or not")
+    group.addoption("--every-page", action="store_true", help="try all pages, changed or not")
     group.addoption("--store-parity", action="store_true", help="write the appendix's table of the two Pythons")
 
 
@@ -35,10 +37,14 @@ def pytest_configure(config: Any) -> None:
 
 
 def pytest_generate_tests(metafunc: Any) -> None:
-    """The live pages, long ones first, so that no worker is left alone with one at the end."""
+    """The pages; live ones with long ones first, so that no worker is left alone with one at the end."""
     if "notebook" in metafunc.fixturenames:
         files = sorted(live_pages(metafunc.config.getoption("every_page")), key=lambda f: -len(live_cells(f)))
         metafunc.parametrize("notebook", files, ids=[f.stem for f in files])
+    if "name" in metafunc.fixturenames:
+        names = [address(f) for f in shown_pages(metafunc.config.getoption("every_page"))]
+        added = ADDED if "view" in metafunc.fixturenames else ADDED[1:]  # the first one only leads on
+        metafunc.parametrize("name", [*names, *(n for n in added if (layout.SITE / n).is_file())])
 
 
 @pytest.fixture(scope="session")
@@ -52,6 +58,13 @@ def site() -> Iterator[str]:
     """The URL of the served site."""
     with serve.running(serve.Server()) as base:
         yield base
+
+
+@pytest.fixture
+def context(context: Any) -> Any:
+    """The browser's context, with time for a page on a machine that has other things to do."""
+    context.set_default_timeout(PATIENCE)
+    return context
 
 
 @pytest.fixture

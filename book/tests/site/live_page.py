@@ -12,6 +12,7 @@ SAID = """(i) => [...Live.page.cells[i].output.querySelectorAll('[data-kind]')]
   .filter(e => e.dataset.kind !== 'hint').map(e => e.dataset.text ?? e.textContent).join('')"""
 ALWAYS = ("slam_in_five_minutes", "proving_a_jacobian", "ekf_slam", "active_search")  # one of each kind of page
 BEHIND = ("slamlib/", "book/slambook/", "book/live/", "book/tools/", "book/tests/site/", "requirements.txt")
+LOOKS = ("book/slambook/figures/", "book/slambook/scene/", "book/live/", "book/_", "book/tests/site/", "_config.yml")
 PATIENCE = 240_000  # milliseconds for a cell, on a machine that runs a second page and does other things too
 
 
@@ -22,9 +23,18 @@ def live_cells(file: Path) -> list[Any]:
 
 def live_pages(every: bool = True) -> list[Path]:
     """The notebooks with live cells; unless `every`, those changed since the merge base, and four more."""
-    files = [file for file in layout.notebooks() if live_cells(file)]
+    return _chosen([file for file in layout.notebooks() if live_cells(file)], BEHIND, every)
+
+
+def shown_pages(every: bool = True) -> list[Path]:
+    """The sources of all pages; unless `every`, those changed since the merge base, and four more."""
+    return _chosen(layout.pages(), (*LOOKS, "requirements.txt"), every)
+
+
+def _chosen(files: list[Path], behind: tuple[str, ...], every: bool) -> list[Path]:
+    """All of them if something behind them has changed."""
     changed = None if every else changed_files()
-    if changed is None or any(name.startswith(BEHIND) for name in changed):
+    if changed is None or any(name.startswith(behind) for name in changed):
         return files
     return [f for f in files if f.stem in ALWAYS or f.relative_to(layout.ROOT).as_posix() in changed]
 

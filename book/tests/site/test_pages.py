@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from book.tools import assets, browser, layout, site
+from book.tools import assets, browser
 
 VIEWS = {"light": ("light", 1280), "dark": ("dark", 1280), "phone": ("light", 390)}
 FAULTS = """() => {
@@ -29,8 +29,6 @@ SETTLED = "() => new Promise((done) => requestAnimationFrame(() => requestAnimat
 SERIOUS = """async () => (await axe.run(document, { resultTypes: ['violations'] })).violations
   .filter(f => ['serious', 'critical'].includes(f.impact))
   .map(f => `${f.id}: ${f.help}: ${f.nodes.length} places, such as ${f.nodes[0].html.slice(0, 160)}`)"""
-ADDED = [n for n in ("index.html", "genindex.html", "search.html") if (layout.SITE / n).is_file()]  # by Sphinx
-PAGES = [*site.wanted(), *ADDED]
 
 
 @pytest.fixture
@@ -49,7 +47,6 @@ def wrong(answer: Any) -> list[str]:
 
 
 @pytest.mark.parametrize("view", VIEWS)
-@pytest.mark.parametrize("name", PAGES)
 def test_a_page_shows_no_faults(name, view, page, site, outside):
     faults: list[str] = []
     page.on("console", lambda m: faults.append(f"console: {m.text}") if m.type == "error" else None)
@@ -75,7 +72,6 @@ def axe() -> str:
         return file.read().decode("utf-8")
 
 
-@pytest.mark.parametrize("name", [n for n in PAGES if n != "index.html"])  # that one only leads to the first page
 def test_axe_finds_nothing_serious_in_light_and_dark(name, page, site, axe):
     browser.load(page, f"{site}/{name}")
     page.add_style_tag(content=STILL)  # a colour on its way from light to dark is none that a reader sees

@@ -187,6 +187,7 @@ def opened_as_a_file(chromium: Any, file: Path) -> bool:
 def on_a_phone(chromium: Any, base: str, file: Path) -> bool:
     """With the panel open and a result shown, nothing is wider than a phone, and every button can be touched."""
     context = chromium.new_context(viewport={"width": 390, "height": 800}, has_touch=True, color_scheme="dark")
+    context.set_default_timeout(PATIENCE)
     page = context.new_page()
     page.goto(f"{base}/{address(file)}")
     page.wait_for_function("() => window.Live && Live.page")

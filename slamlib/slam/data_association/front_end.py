@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 NONE = Features.none(0)
 Detected = tuple[int, Array, Any]  # of a new landmark: its id, its first measurement (m,), its signature
+Usable = Callable[[Array], Mask]  # which of the values (n, m) may initialize a landmark: a mask (n,)
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,13 +44,8 @@ class FrontEnd(Protocol):
     def match(self, inputs: FrontEndInput, family: str, predictions: list[PredictedMeasurement]) -> tuple[Array, Mask]:
         """Measurements (n, m) of the landmarks searched for, nan where not found, and the mask (n,) of those found."""
 
-    def detect(
-        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
-    ) -> list[Detected]:
-        """Return up to `count` measurements of new landmarks; known: ids of the landmarks in the map.
-
-        usable(values) is the mask of the values (n, m) by which a landmark may be initialized.
-        """
+    def detect(self, inputs: FrontEndInput, family: str, known: set[int], usable: Usable, count: int) -> list[Detected]:
+        """Return up to `count` usable measurements of new landmarks; known: ids of the landmarks in the map."""
 
     def check(self, scan: Scan) -> None:
         """Raise SlamlibError for a scan that it cannot process, before anything is changed. Here: it accepts all."""
@@ -91,9 +87,7 @@ class KnownAssociation(FrontEnd):
             measured[matched] = features.values[rows[matched]]
         return measured, matched
 
-    def detect(
-        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
-    ) -> list[Detected]:
+    def detect(self, inputs: FrontEndInput, family: str, known: set[int], usable: Usable, count: int) -> list[Detected]:
         """Return the features with the lowest ids that are not known."""
         features = inputs.scan.features.get(family, NONE)
         fresh = sorted((number, row) for row, number in enumerate(features.ids.tolist()) if number not in known)

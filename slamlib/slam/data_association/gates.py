@@ -5,6 +5,7 @@ the extrinsics if they are estimated, the landmark.
 """
 
 import math
+from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
@@ -38,12 +39,10 @@ def by_information(S: Array, count: int) -> Indices:
     return np.argsort(-linalg.log_determinants(S), kind="stable")[:count]
 
 
-def by_order(S: Array, count: int) -> Indices:
-    """The first `count` rows."""
-    return np.arange(len(S))[:count]
-
-
-SELECTIONS = {"information": by_information, "order": by_order}
+SELECTIONS: dict[str, Callable[[Array, int], Indices]] = {
+    "information": by_information,
+    "order": lambda S, count: np.arange(len(S))[:count],
+}
 
 
 @lru_cache

@@ -114,9 +114,8 @@ def jcbb(z: Array, S: Array, dof: Array, limit: Threshold, max_nodes: int = MAX_
     """Mask (n,) of the largest set of innovations whose joint square z' S^-1 z is below limit(its degrees of freedom).
 
     z (n, d), S (n, d, n, d) positive definite, dof (n,). Of sets of one size the one with the smallest square. Exact,
-    unless more than `max_nodes` nodes of the tree are needed: then the best set found so far, at worst the greedy
-    one (always remove what lowers the square most), which is compatible and rarely another one. Raises
-    CovarianceError.
+    unless more than `max_nodes` nodes of the tree are needed: then the best set found so far, at worst the greedy one
+    (always remove what lowers the square most), which is compatible and rarely another one. Raises CovarianceError.
     """
     search = _Search(z, S, dof, limit, max_nodes)
     greedy, drop = search.greedy()

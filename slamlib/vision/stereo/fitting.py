@@ -5,14 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.errors import SlamlibError
-from slamlib.geometry.pose import Pose
+from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array, Mask
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.gates import gate
 
-ORIGIN = np.array([0.0, 0, 0, 1, 0, 0, 0])
 GATE_PROBABILITY = 0.999  # probability that a correct match passes
 ROUNDS = 10
 

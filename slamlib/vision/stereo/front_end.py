@@ -1,6 +1,6 @@
 """A front end for a stereo sensor: landmarks are matched by their descriptors, within the filter's own gate."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,7 +11,7 @@ from slamlib.datasets.pictures import checked
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.front_end import FrontEndInput
+from slamlib.slam.data_association.front_end import FrontEndInput, Usable
 from slamlib.slam.data_association.gates import gate
 from slamlib.vision.front_end import ImageFrontEnd
 from slamlib.vision.stereo.detect import StereoSettings
@@ -138,9 +138,7 @@ class StereoSearch(ImageFrontEnd):
         allowed[:, self.reserved] = np.inf
         return allowed
 
-    def new_landmarks(
-        self, inputs: FrontEndInput, usable: Callable[[Array], Mask], count: int
-    ) -> Iterator[tuple[Array, Any]]:
+    def new_landmarks(self, inputs: FrontEndInput, usable: Usable, count: int) -> Iterator[tuple[Array, Any]]:
         """Value (3,) and views of up to `count` new landmarks, the strongest, separated from all in view."""
         seen = self.extractor.extract(inputs.scan.image)
         self.renew(seen, inputs)

@@ -8,14 +8,14 @@ import numpy as np
 from slamlib.data.plain import unpacked, written
 from slamlib.data.records import Control
 from slamlib.datasets.pictures import opencv
-from slamlib.geometry.pose import compose, inverse
+from slamlib.geometry.pose import ORIGIN, compose, inverse
 from slamlib.geometry.quaternion import exponential, logarithm, plus
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array, Image, Indices, Mask
 from slamlib.observation.points import observe
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures, track_features, within_region
-from slamlib.vision.stereo.fitting import ORIGIN, Fit, fit, triangulate
+from slamlib.vision.stereo.fitting import Fit, fit, triangulate
 
 MIN_MATCHES = 8  # least number of matches for a motion
 INLIER_THRESHOLD = 2.0  # px, largest reprojection error of an inlier of a sample's motion

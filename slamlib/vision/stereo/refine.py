@@ -3,6 +3,7 @@
 import numpy as np
 
 from slamlib.manifolds import Array, Image
+from slamlib.vision.patches import bilinear
 
 BOTH = np.eye(2)
 ALONG_ROW = np.array([[1.0], [0.0]])
@@ -22,15 +23,7 @@ def cut(image: Image, pixels: Array, size: int, shapes: Array | None = None) -> 
     else:
         (a, b), (c, d) = shapes.transpose(1, 2, 0)[..., None, None]
         u, v = u + a * right + b * down, v + c * right + d * down
-    h, w = image.shape
-    i, j = np.floor(v).astype(np.intp), np.floor(u).astype(np.intp)
-    q, p = v - i, u - j
-    below, right = np.clip(i + 1, 0, h - 1), np.clip(j + 1, 0, w - 1)
-    i, j = np.clip(i, 0, h - 1), np.clip(j, 0, w - 1)
-    flat = image.reshape(-1)
-    upper = flat[i * w + j] * (1 - p) + flat[i * w + right] * p
-    lower = flat[below * w + j] * (1 - p) + flat[below * w + right] * p
-    return upper * (1 - q) + lower * q
+    return bilinear(image, u, v)
 
 
 def align(
@@ -47,7 +40,10 @@ def align(
     does; with a free shape it is not. Start near the solution: align with a fixed one before.
     """
     size, n = templates.shape[1] - 2, len(templates)
-    T, G = _template(templates)
+    right = (templates[:, 1:-1, 2:] - templates[:, 1:-1, :-2]) / 2
+    down = (templates[:, 2:, 1:-1] - templates[:, :-2, 1:-1]) / 2
+    T, length = _normal(templates[:, 1:-1, 1:-1].reshape(n, size**2))
+    G = np.stack([right, down], axis=-1).reshape(*T.shape, 2) / length[:, None, None]
     steps = np.arange(size) - (size - 1) / 2
     x, y = (a.ravel() for a in np.meshgrid(steps, steps))
     by = _inverse(T, np.concatenate([G, G * x[:, None], G * y[:, None]], axis=2) if free else G @ axes)
@@ -65,15 +61,6 @@ def align(
     score = (found * T).sum(1)
     plausible = True if shape is None else np.abs(shape - np.eye(2)).max((1, 2), initial=0) < MOST
     return place, np.where(plausible, score, 0.0)
-
-
-def _template(templates: Array) -> tuple[Array, Array]:
-    """Templates without margin as rows (n, k), normalized in mean and scale, and their gradients (n, k, 2) likewise."""
-    n = len(templates)
-    down = (templates[:, 2:, 1:-1] - templates[:, :-2, 1:-1]) / 2
-    right = (templates[:, 1:-1, 2:] - templates[:, 1:-1, :-2]) / 2
-    T, length = _normal(templates[:, 1:-1, 1:-1].reshape(n, (templates.shape[1] - 2) ** 2))
-    return T, np.stack([right, down], axis=-1).reshape(*T.shape, 2) / length[:, None, None]
 
 
 def _inverse(T: Array, J: Array) -> Array:

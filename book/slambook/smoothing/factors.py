@@ -1,0 +1,160 @@
+"""The factors of a smoother's problem: whitened residuals over all frames, with the Jacobians of the filter's models.
+
+A motion's residual is the noise w itself, the one with which
+step(x, control + w) is the next state: its covariance is that of the control, and its Jacobians follow from those of
+the step (implicit functions). Where a control has fewer numbers than the state (constant velocity, a car), the other
+directions are held by SLACK; what has no noise at all is held by EXACT.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from slambook.smoothing.least_squares import EXACT, Factor, Terms, Values, Variable
+from slamlib.geometry.pose import compose
+from slamlib.manifolds import Array, Euclidean, Indices, Mask
+from slamlib.motions import ODOMETRY
+from slamlib.sensors.sensor import Calibration
+from slamlib.slam.entities import POSE, MountedSensor
+
+SLACK = 1e-3  # standard deviation where a control has no noise, relative to what its noise does there one step later
+HUBER, CAUCHY = 1.345, 2.385  # of a whitened residual: 95 % efficient without outliers (Zhang, IVC 15(1), 1997)
+NOWHERE = Terms(np.inf, np.zeros((0, 1)), [])  # what cannot be
+Loss = Callable[[Array], tuple[Array, Array]]  # from squared whitened residuals to their costs and weights
+LOSSES: dict[str, Loss] = {
+    "squares": lambda s: (s, np.ones_like(s)),
+    "huber": lambda s: (
+        np.where(s <= HUBER**2, s, 2 * HUBER * np.sqrt(s) - HUBER**2),
+        HUBER / np.sqrt(np.maximum(s, HUBER**2)),
+    ),
+    "cauchy": lambda s: (CAUCHY**2 * np.log1p(s / CAUCHY**2), 1 / (1 + s / CAUCHY**2)),
+}
+
+
+def whitening(covariance: Array) -> Array:
+    """W (..., m, m) with W'W = covariance^-1; variances below EXACT^2 are raised to it."""
+    values, vectors = np.linalg.eigh(covariance)
+    whitened: Array = (vectors / np.sqrt(np.maximum(values, EXACT**2))[..., None, :]).swapaxes(-1, -2)
+    return whitened
+
+
+def prior(variable: Variable, mean: Array, covariance: Array) -> Factor:
+    """The variable's first item, known beforehand: a pose, and velocities, with this mean and covariance."""
+    W, first = whitening(covariance), np.zeros(1, dtype=int)
+
+    def terms(values: Values) -> Terms:
+        e = variable.manifold.minus(values[variable.index][0], mean)
+        J = np.eye(len(e))
+        turned = ODOMETRY.step.jac(mean[:7], np.concatenate([np.zeros(3), e[3:POSE]]), 0.0)[1].control
+        J[3:POSE, 3:POSE] = np.linalg.inv(turned[3:, 3:])
+        return Terms(float(((W @ e) ** 2).sum()), (W @ e)[None], [(variable, first, (W @ J)[None])])
+
+    return terms
+
+
+def motion(variable: Variable, step: Any, controls: Sequence[tuple[Array, Array, float]], states: Array) -> Factor:
+    """The noise in each control (value, covariance, dt), between a robot's states; states: the initial ones."""
+    u, Q, dt = (np.array(column) for column in zip(*controls, strict=True))
+    items, c = np.arange(len(dt)), u.shape[1]
+    _, (F, G, _) = step.jac(states[:-1], u, dt)
+    root = np.linalg.inv(whitening(Q))
+    U, moved, V = np.linalg.svd(G @ root)
+    root, works = root @ V.swapaxes(-1, -2), moved > EXACT  # the noise, in parts; does this one move the state?
+    later = U[..., c:].swapaxes(-1, -2) @ F @ G @ root
+    slack = np.linalg.inv(whitening(SLACK**2 * later @ later.swapaxes(-1, -2)))
+    held = np.concatenate([EXACT * U[..., :c], U[..., c:] @ slack], axis=-1)
+
+    def terms(values: Values) -> Terms:
+        x, after, w = values[variable.index][:-1], values[variable.index][1:], np.zeros_like(u)
+        for _ in range(20):  # Newton's method for the parts w of the noise that move the state
+            reached, (F, G, _) = step.jac(x, u + (root @ w[..., None])[..., 0], dt)
+            by = held.copy()
+            by[..., :c] = np.where(works[:, None], G @ root, by[..., :c])
+            J = np.linalg.inv(by)
+            r = (J @ variable.manifold.minus(after, reached)[..., None])[..., 0]
+            change = works * r[:, :c]
+            w = w + change
+            if np.abs(change).max() < 1e-6:  # of a standard deviation; what is left is its square
+                r[:, :c] = np.where(works, w, r[:, :c])
+                return Terms(float((r**2).sum()), r, [(variable, items, -J @ F), (variable, items + 1, J)])
+        return NOWHERE
+
+    return terms
+
+
+def absolute(variable: Variable, model: Any, rows: Sequence[tuple[int, Any]]) -> Factor:
+    """A robot's measurements of itself by one model: (item, RobotMeasurement)."""
+    items = np.array([item for item, _ in rows])
+    measured, W = np.array([m.value for _, m in rows]), whitening(np.array([m.covariance for _, m in rows]))
+    space = (model.result.manifold if model.result else None) or Euclidean(measured.shape[1])
+
+    def terms(values: Values) -> Terms:
+        predicted, J = model.jac(values[variable.index][items, :7])
+        r = (W @ space.minus(measured, predicted)[..., None])[..., 0]
+        return Terms(float((r**2).sum()), r, [(variable, items, padded(-W @ J[0], variable.width))])
+
+    return terms
+
+
+def padded(J: Array, width: int) -> Array:
+    """Jacobians (n, m, 6) w.r.t. a pose as those w.r.t. a state (n, m, width) that begins with it."""
+    return np.pad(J, ((0, 0), (0, 0), (0, width - J.shape[-1])))
+
+
+@dataclass(frozen=True, eq=False)
+class Group:
+    """Measurements (n, m) by one sensor of landmarks of one kind: items of the robot's states and of the landmarks.
+
+    numbers (n,): where they stand in the list of all measurements.
+    """
+
+    sensor: MountedSensor
+    family: Any
+    options: Any
+    robot: Variable
+    extrinsics: Variable | None
+    landmarks: Variable
+    numbers: Indices
+    items: Indices
+    rows: Indices
+    measured: Array
+
+    @property
+    def calibration(self) -> Calibration:
+        """The sensor's, but for its limits of distance: what was measured was within them."""
+        given = self.sensor.calibration
+        limits = {**given.limits, **{n: d for n, d in (("near", 0.0), ("far", np.inf)) if n in given.limits}}
+        return Calibration(given.sensor, given.noise, image=given.image, limits=limits, **given.given)
+
+    def _arguments(self, values: Values) -> tuple[Array, Any, Array]:
+        """The sensor's poses (n, 7), their Jacobians w.r.t. robot and extrinsics, and the landmarks (n, size)."""
+        inner = self.sensor.given if self.extrinsics is None else values[self.extrinsics.index][0]
+        cameras, J = compose.jac(values[self.robot.index][self.items, :7], inner)
+        return cameras, J, values[self.landmarks.index][self.rows]
+
+    def seen(self, values: Values) -> Mask:
+        """Mask (n,) of the measurements that the sensor can make at all."""
+        cameras, _, means = self._arguments(values)
+        inside = self.landmarks.kind.to_frame(cameras, means)
+        return np.isfinite(self.family.innovation_input(self.calibration, inside)).all(-1)
+
+    def terms(self, values: Values, loss: Loss) -> Terms:
+        """Terms weighted by the loss; the cost is infinite where a measurement cannot be made."""
+        if not self.seen(values).all():
+            return NOWHERE
+        cameras, outer, means = self._arguments(values)
+        inner, _, J = self.family.observe(self.landmarks.kind, self.calibration, cameras, means)
+        by = np.concatenate([J.camera @ outer.outer, J.camera @ outer.inner, J.landmark], axis=-1)
+        z, H, R = self.family.residual(self.sensor, inner, by, self.measured, self.options)
+        W = whitening(R)
+        r = (W @ z[..., None])[..., 0]
+        costs, weights = loss((r**2).sum(-1))
+        root = np.sqrt(weights)[:, None]
+        H = -root[..., None] * (W @ H)
+        parts = [(self.robot, self.items, padded(H[..., :POSE], self.robot.width))]
+        parts.append((self.landmarks, self.rows, H[..., 2 * POSE :]))
+        if self.extrinsics is not None:
+            parts.append((self.extrinsics, np.zeros_like(self.items), H[..., POSE : 2 * POSE]))
+        return Terms(float(costs.sum()), root * r, parts)

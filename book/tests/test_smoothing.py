@@ -1,0 +1,245 @@
+"""Smoothing: exact Jacobians, the Kalman filter's answer where all is linear, GTSAM's where it is not, consistency."""
+
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+import pytest
+from slambook.smoothing import Smoother
+from slambook.smoothing.factors import LOSSES
+
+from slamlib.data.records import Features, RobotMeasurement, Scan
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
+from slamlib.errors import SlamlibError
+from slamlib.evaluation.consistency import band
+from slamlib.experiments.presets import preset
+from slamlib.geometry.pose import Pose
+from slamlib.landmarks import LINES, POINTS
+from slamlib.tests.test_seams import gps
+
+pytest.importorskip("scipy.sparse")
+FLYING = RobotSetup(
+    motion="constVel", velocity=(1, 0, 0, 0, 0, 10), velocity_std=(0.1, 0.1, 0.1, 1, 1, 1), position=(0, -5, 0),
+    control_std=(0.01, 0.01, 0.01, 0.1, 0.1, 0.1), position_std=(0.01,), orientation_std=(0.5,),
+)  # fmt: skip
+
+
+def with_options(name, **options):
+    p = preset(name)
+    return replace(p, options=replace(p.options, **options))
+
+
+def recorded(p, change=lambda frame, truth: frame):
+    """The smoother of all frames, the filter, the true poses (n, 7) and the filtered ones of the first robot."""
+    slam, true, filtered = p.slam(), [], []
+    smoother = Smoother(slam)
+    for frame, truth in p.simulate():
+        frame = change(frame, truth)
+        slam.step(frame)
+        smoother.record(frame)
+        true.append(truth.robots[0][:7])
+        filtered.append(slam.robots[0].pose)
+    return smoother, slam, np.array(true), np.array(filtered)
+
+
+def flying():
+    p = preset("stereo")
+    return replace(p, rig=Rig((FLYING,), p.rig.sensors), noise_in="truth")
+
+
+CASES = {
+    "odometry": lambda: with_options("points", points="idpPnt", convert=False),
+    "converted": lambda: with_options("points", points="ahmPnt"),
+    "extrinsics": lambda: with_options("self_calibration"),
+    "robots": lambda: with_options("two_robots"),
+    "lines": lambda: with_options("lines", lines="aplLin", max_new=3),
+    "lines of two points": lambda: with_options("lines", lines="hmgLin", max_new=3),
+    "constant velocity": flying,
+}
+
+
+def by_gps(frame, truth):
+    """The frame, with the true position of the robot."""
+    return replace(frame, absolute=(RobotMeasurement("gps", gps, gps(truth.robots[0][:7]), 0.01 * np.eye(3)),))
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_jacobians_are_those_of_the_residuals(name):
+    """Central differences over all unknown numbers, at the solution, where no slack is left."""
+    smoother, *_ = recorded(replace(CASES[name](), frames=7), by_gps)
+    found = smoother.solve()
+    matches = smoother._usable([m for m in smoother._matches if m.inlier])
+    variables, values, _, groups = smoother._problem(matches)
+    for i, states in enumerate(found.states):
+        values[i] = states
+    factors = smoother._motions(variables, values) + [partial(group.terms, loss=LOSSES["squares"]) for group in groups]
+    assert len(groups) > 0
+    size = found.minimum.size
+
+    def residuals(step):
+        moved = [v.moved(x, step) for v, x in zip(variables, values, strict=True)]
+        return np.concatenate([factor(moved).residual.ravel() for factor in factors])
+
+    J, start = np.zeros((len(residuals(np.zeros(size))), size)), 0
+    for factor in factors:
+        terms = factor(values)
+        for variable, items, by in terms.parts:
+            B = variable.basis(values[variable.index])
+            for n, item in enumerate(items):
+                rows = start + n * terms.residual.shape[1] + np.arange(terms.residual.shape[1])
+                J[rows[:, None], variable.columns(np.array([item]))[0]] += by[n] @ B[item]
+        start += terms.residual.size
+    h = 1e-5
+    numeric = np.stack([(residuals(h * e) - residuals(-h * e)) / (2 * h) for e in np.eye(size)], axis=1)
+    scale = np.abs(J).max(1, keepdims=True)
+    np.testing.assert_allclose(numeric / scale, J / scale, atol=2e-6)
+
+
+def linear():
+    """A robot that knows its orientation to a few microradians, and measures relative positions: all is linear."""
+    turn = float(np.degrees(2e-6))
+    robot = RobotSetup(control=(0.1, 0, 0, 0, 0, 2), control_std=(0.02,) * 3 + (turn,) * 3, position_std=(0.3,),
+                       orientation_std=(turn,))  # fmt: skip
+    sensor = SensorSetup(type="relativePosition", std=(0.05,), euler=(0, 0, 0), limits={"far": 5.0})
+    p = with_options("points", points="eucPnt", gate=1.0, updates=99, max_new=99, max_new_first=99)
+    return replace(p, rig=Rig((robot,), (sensor,)), frames=40, noise_in="truth")
+
+
+def test_where_all_is_linear_the_last_pose_is_the_filters():
+    smoother, slam, *_ = recorded(linear())
+    found = smoother.solve()
+    assert len(found.landmarks) > 10
+    np.testing.assert_allclose(found.poses[-1, 0], slam.robots[0].pose, atol=1e-8)
+    covariance = slam.belief.covariance(slam.robots[0].block)
+    np.testing.assert_allclose(found.covariance(), covariance, atol=1e-9)
+    for landmark in slam.landmarks:
+        position, P = found.point(landmark.id)
+        np.testing.assert_allclose(position, landmark.block.mean, atol=1e-8)
+        np.testing.assert_allclose(P, slam.belief.covariance(landmark.block), atol=1e-9)
+    assert (np.linalg.eigvalsh(found.covariance(0)[:3, :3]) < np.linalg.eigvalsh(covariance[:3, :3]) + 1).all()
+
+
+def test_all_parametrizations_of_points_have_one_best_estimate():
+    estimates = []
+    for kind in POINTS:
+        if kind != "eucPnt":
+            p = with_options("points", points=kind, convert=False, gate=1.0, updates=99, selection="order")
+            smoother, *_ = recorded(replace(p, frames=30))
+            estimates.append(smoother.solve())
+    for other in estimates[1:]:
+        assert other.left_out == estimates[0].left_out
+        assert abs(other.costs[-1] - estimates[0].costs[-1]) < 1e-6
+        np.testing.assert_allclose(other.poses, estimates[0].poses, atol=1e-7)
+        np.testing.assert_allclose(other.covariance(), estimates[0].covariance(), rtol=1e-5, atol=1e-10)
+
+
+@pytest.mark.parametrize("kind", LINES)
+def test_every_line_is_smoothed(kind):
+    smoother, *_ = recorded(replace(with_options("lines", lines=kind, max_new=3), frames=40))
+    found = smoother.solve()
+    assert found.costs[-1] < 1.3 * found.dof
+    assert np.isfinite(found.covariance(np.arange(40))).all()
+    with pytest.raises(SlamlibError, match=f"is a {kind}, no point"):
+        found.point(next(iter(found.landmarks)))
+
+
+def nees(errors, covariances):
+    return np.einsum("ni,nij,nj->n", errors, np.linalg.inv(covariances), errors)
+
+
+@pytest.mark.parametrize("name", ["points", "self_calibration", "constant velocity"])
+def test_ten_runs_are_consistent_and_no_worse_than_the_filter(name):
+    p = flying() if name == "constant velocity" else replace(with_options(name, convert=False), noise_in="truth")
+    last, everywhere, off = [], [], []
+    for seed in range(10):
+        smoother, _, true, filtered = recorded(replace(p, frames=60, seed=seed))
+        found = smoother.solve()
+        assert found.minimum.converged
+        e = Pose.minus(true, found.poses[:, 0])
+        series = nees(e[4:], found.covariance(np.arange(4, 60)))
+        last.append(series[-1])
+        everywhere.append(series.mean())
+        off.append([np.sqrt((x[:, :3] ** 2).sum(1).mean()) for x in (e, Pose.minus(true, filtered))])
+    low, high = band(6, 10, 0.999)
+    assert low < np.mean(last) < high
+    assert low < np.mean(everywhere) < high
+    smoothed, filter_ = np.mean(off, axis=0)
+    assert smoothed < 1.02 * filter_
+
+
+def with_gross_errors(rng):
+    """A change of frames: one measurement in twenty is wrong by up to 60 px."""
+
+    def change(frame, truth):
+        points = frame.scans[0].points
+        wrong = (rng.random(len(points)) < 0.05)[:, None] * rng.uniform(-60, 60, (len(points), 2))
+        return replace(frame, scans=(Scan({"points": Features(points.ids, points.values + wrong)}),))
+
+    return change
+
+
+def test_a_robust_loss_bears_gross_errors():
+    """Position errors over five runs, with all that the filter's gate refused: the loss does what the gate did."""
+    off = {"clean": [], "squares": [], "huber": [], "cauchy": []}
+    for seed in range(5):
+        p = replace(with_options("points", points="idpPnt", convert=False), frames=60, seed=seed)
+        clean, _, true, _ = recorded(p)
+        dirty, *_ = recorded(p, with_gross_errors(np.random.default_rng(seed)))
+        for name, values in off.items():
+            found = clean.solve() if name == "clean" else dirty.solve(loss=name, refused=True)
+            e = Pose.minus(true, found.poses[:, 0])[:, :3]
+            values.append(np.sqrt((e**2).sum(1).mean()))
+    mean = {name: np.mean(values) for name, values in off.items()}
+    assert mean["huber"] < 1.2 * mean["clean"], mean
+    assert mean["cauchy"] < 1.2 * mean["clean"], mean
+    assert mean["squares"] > 2 * mean["clean"], mean
+
+
+def test_no_step_ever_raises_the_cost_and_damping_finds_the_same_place():
+    smoother, *_ = recorded(replace(with_options("points"), frames=40))
+    found = smoother.solve()
+    assert found.minimum.converged
+    assert (np.diff(found.costs) <= 0).all()
+    first = smoother.solve(steps=1)
+    assert not first.minimum.converged
+    assert first.costs[0] == found.costs[0]
+    assert smoother.solve(steps=0).costs == found.costs[:1]
+
+
+def test_a_deleted_landmark_still_tells_where_the_robot_was():
+    p = replace(with_options("points", window=3, points="idpPnt"), frames=60)
+    smoother, slam, *_ = recorded(p)
+    found = smoother.solve()
+    assert len(smoother._last) > len(slam.landmarks)
+    assert set(found.landmarks) <= {landmark.id for landmark in slam.landmarks}
+    assert (
+        sum(v.width * len(found.states[0]) for v in found.minimum.variables[:1]) + 3 * len(found.landmarks)
+        < found.minimum.size
+    )
+
+
+def test_misuse_is_named():
+    p = replace(preset("points"), frames=3)
+    slam = p.slam()
+    smoother, (frame, other, last) = Smoother(slam), [frame for frame, _ in p.simulate()]
+    with pytest.raises(SlamlibError, match="no frame has been recorded"):
+        smoother.solve()
+    slam.step(frame)
+    with pytest.raises(SlamlibError, match="frame 2 is not the filter's last step"):
+        smoother.record(other)
+    smoother.record(frame)
+    with pytest.raises(SlamlibError, match="frame 1 is not the filter's last step"):
+        smoother.record(frame)
+    with pytest.raises(SlamlibError, match="has begun already"):
+        Smoother(slam)
+    slam.step(other)
+    slam.step(last)
+    with pytest.raises(SlamlibError, match="frame 3 is not the filter's last step"):
+        smoother.record(last)
+    with pytest.raises(SlamlibError, match="unknown loss 'hubber'; did you mean 'huber'"):
+        smoother.solve(loss="hubber")
+    found = smoother.solve()
+    with pytest.raises(SlamlibError, match="whole numbers from -1 to 0, got 1"):
+        found.covariance(1)
+    with pytest.raises(SlamlibError, match="landmark 999 was not smoothed"):
+        found.point(999)
