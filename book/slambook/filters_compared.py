@@ -45,61 +45,60 @@ def poses(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array]:
 
 
 def run(preset: Preset, seed: int, name: str) -> dict[str, Array]:
-    """One run, of each robot: nees (n, r); heading (n, r, 2), its error and its sigma [rad].
+    """One run: nees (n, r) of each robot; the others of the first robot, at each step.
 
-    The heading is the rotation about the robot's own vertical axis.
+    heading (n, 2): error of the rotation about the robot's own vertical axis, and its sigma [rad]; scale (n, 2): error
+    away from the start, and its sigma [m], above zero if the scale is too small; rest (n,): NEES of the five other
+    directions.
     """
     true, x, P = poses(preset, seed, name)
     errors = Pose.minus(true, x)
     nees = [[nees_where_uncertain(e, C) for e, C in zip(*step, strict=True)] for step in zip(errors, P, strict=True)]
-    return {"nees": np.array(nees), "heading": np.stack([errors[..., -1], np.sqrt(P[..., -1, -1])], axis=-1)}
-
-
-def away(preset: Preset, seed: int, name: str) -> dict[str, Array]:
-    """One run of the first robot: away (n, 2), its error away from the start and the sigma [m]; others (n,).
-
-    A scale that is too small leaves it too near: an error above zero. others: NEES of the rest, 5 degrees of freedom.
-    """
-    true, x, P = (values[:, 0] for values in poses(preset, seed, name))
-    arm = true[:, :3] - preset.rig.robots[0].state[:3]
+    errors, P, arm = errors[:, 0], P[:, 0], true[:, 0, :3] - preset.rig.robots[0].state[:3]
     out = arm / np.linalg.norm(arm, axis=-1, keepdims=True)
-    rows, others = [], []
-    for e, C, u in zip(Pose.minus(true, x), P, out, strict=True):
-        rows.append((u @ e[:3], np.sqrt(u @ C[:3, :3] @ u)))
+    scale, rest = [], []
+    for e, C, u in zip(errors, P, out, strict=True):
+        scale.append((u @ e[:3], np.sqrt(u @ C[:3, :3] @ u)))
         across = np.linalg.svd(np.append(u, np.zeros(3))[None])[2][1:]
-        others.append(nees_where_uncertain(across @ e, across @ C @ across.T))
-    return {"away": np.array(rows), "others": np.array(others)}
+        rest.append(nees_where_uncertain(across @ e, across @ C @ across.T))
+    heading = np.stack([errors[:, -1], np.sqrt(P[:, -1, -1])], axis=-1)
+    return {"nees": np.array(nees), "heading": heading, "scale": np.array(scale), "rest": np.array(rest)}
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What the NEES of many runs says of a filter, all robots together.
+    """What the NEES of k runs of n steps says of a filter with r robots.
 
-    mean: over runs and steps, with its standard error over runs; median: of the runs' means; failed: share of runs
-    whose own mean is above the 95 % limit of one step; inside: share of the steps whose average lies inside the band.
-    average (n,): over the runs and robots at each step.
+    own (k,): mean of each run; average (n, r): over the runs at each step.
     """
 
-    mean: float
-    error: float
-    median: float
-    failed: float
-    inside: float
+    own: Array
     average: Array
 
     @classmethod
     def of(cls, nees: Array) -> "Verdict":
-        """Of NEES (k, n, r) of k runs."""
-        own = nees.mean((1, 2))
-        inside = [share_inside(nees[:, :, robot].mean(0), band(DOF, len(nees))) for robot in range(nees.shape[2])]
-        return cls(
-            mean=float(own.mean()),
-            error=float(own.std(ddof=1) / np.sqrt(len(own))),
-            median=float(np.median(own)),
-            failed=float((own > chi2_quantile(0.95, DOF)).mean()),
-            inside=float(np.mean(inside)),
-            average=nees.mean((0, 2)),
-        )
+        """Of NEES (k, n, r)."""
+        return cls(nees.mean((1, 2)), nees.mean(0))
+
+    def joined(self, other: "Verdict") -> "Verdict":
+        """Of these runs and of others."""
+        average = np.average([self.average, other.average], axis=0, weights=[len(self.own), len(other.own)])
+        return Verdict(np.concatenate([self.own, other.own]), average)
+
+    def numbers(self) -> dict[str, float]:
+        """What is said of them in a table.
+
+        mean: over runs and steps, with its standard error over runs; median: of the runs' means; failed: share of runs
+        whose own mean is above the 95 % limit of one step; inside: share of the steps whose average lies in the band.
+        """
+        limits = band(DOF, len(self.own))
+        return {
+            "mean": float(self.own.mean()),
+            "error": float(self.own.std(ddof=1) / np.sqrt(len(self.own))),
+            "median": float(np.median(self.own)),
+            "failed": float((self.own > chi2_quantile(0.95, DOF)).mean()),
+            "inside": float(np.mean([share_inside(robot, limits) for robot in self.average.T])),
+        }
 
 
 def stacked(rows: Sequence[dict[str, Array]], name: str) -> Array:

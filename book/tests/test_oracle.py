@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from slambook import filters_compared
-from slambook.filters_compared import ALL_DATA, FILTERS, Verdict, away, run
+from slambook.filters_compared import ALL_DATA, FILTERS, Verdict, run
 from slambook.oracle import Oracle, nearest
 
 from book.tools import consistency
@@ -82,14 +82,21 @@ def test_extrinsics_that_are_estimated_are_refused():
 def test_a_verdict_counts_runs_steps_and_failures(rng):
     nees = rng.chisquare(6, (200, 50, 2))
     nees[:10] = 40
-    found = Verdict.of(nees)
-    assert found.failed == 0.05
-    assert found.mean == pytest.approx(6 + 0.05 * 34, abs=0.15)
-    assert found.median == pytest.approx(6, abs=0.1)
-    assert found.average.shape == (50,)
-    assert found.inside < 0.05
-    assert Verdict.of(nees[10:]).inside > 0.85
-    assert Verdict.of(nees[10:]).error == pytest.approx(np.sqrt(12 / 100 / 190), rel=0.2)
+    found = Verdict.of(nees).numbers()
+    assert found["failed"] == 0.05
+    assert found["mean"] == pytest.approx(6 + 0.05 * 34, abs=0.15)
+    assert found["median"] == pytest.approx(6, abs=0.1)
+    assert found["inside"] < 0.05
+    right = Verdict.of(nees[10:]).numbers()
+    assert right["inside"] > 0.85
+    assert right["error"] == pytest.approx(np.sqrt(12 / 100 / 190), rel=0.2)
+
+
+def test_runs_that_are_added_later_count_as_if_made_at_once(rng):
+    nees = rng.chisquare(6, (30, 50, 2))
+    joined = Verdict.of(nees[:20]).joined(Verdict.of(nees[20:]))
+    assert joined.numbers() == pytest.approx(Verdict.of(nees).numbers(), rel=1e-12)
+    np.testing.assert_allclose(joined.average, nees.mean(0), rtol=1e-12)
 
 
 def test_the_filters_of_one_seed_have_the_same_data():
@@ -114,6 +121,6 @@ def test_a_path_that_is_too_small_is_too_near_and_else_right(monkeypatch):
     small[:, 0, :3] -= 0.01 * np.arange(1.0, 5.0)[:, None] * [0.6, 0.8, 0.0]
     P = np.tile(0.02**2 * np.eye(6), (4, 1, 1, 1))
     monkeypatch.setattr(filters_compared, "poses", lambda *_: (true, small, P))
-    found = away(setup, 0, "local")
-    np.testing.assert_allclose(found["away"], [(0.01 * k, 0.02) for k in range(1, 5)], atol=1e-12)
-    np.testing.assert_allclose(found["others"], 0, atol=1e-12)
+    found = run(setup, 0, "local")
+    np.testing.assert_allclose(found["scale"], [(0.01 * k, 0.02) for k in range(1, 5)], atol=1e-12)
+    np.testing.assert_allclose(found["rest"], 0, atol=1e-12)

@@ -179,9 +179,9 @@ def with_gross_errors(rng):
 
 
 def test_a_robust_loss_bears_gross_errors():
-    """Position errors over five runs, with all that the filter's gate refused: the loss does what the gate did."""
+    """Position errors over three runs, with all that the filter's gate refused: the loss does what the gate did."""
     off = {"clean": [], "squares": [], "huber": [], "cauchy": []}
-    for seed in range(5):
+    for seed in range(3):
         p = replace(with_options("points", points="idpPnt", convert=False), frames=60, seed=seed)
         clean, _, true, _ = recorded(p)
         dirty, *_ = recorded(p, with_gross_errors(np.random.default_rng(seed)))

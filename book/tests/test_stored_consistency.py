@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from slambook.filters_compared import ALL_DATA, run
+from slambook.filters_compared import ALL_DATA, Verdict, run
 
 from book.tools import consistency
 from book.tools.experiments import digest
@@ -25,8 +25,18 @@ def test_every_case_is_there_and_still_the_same(stored):
     }, RENEW
     for name, case in stored["cases"].items():
         for filter_name in consistency.filters(name, CASES[name]):
-            runs = [case[filter_name][str(number)]["runs"] for number in consistency.SEEDS]
-            assert runs == [len(consistency.seeds(number, name)) for number in consistency.SEEDS], RENEW
+            sets = [case[filter_name][str(number)] for number in consistency.SEEDS]
+            assert [len(s["own"]) for s in sets] == [s["runs"] for s in sets] == [case["local"]["17"]["runs"]] * 2, (
+                RENEW
+            )
+
+
+def test_what_is_said_of_the_runs_follows_from_their_numbers(stored):
+    for name, case in stored["cases"].items():
+        for filter_name in consistency.filters(name, CASES[name]):
+            for said in case[filter_name].values():
+                verdict = Verdict(np.array(said["own"]), np.array(said["average"]).T).numbers()
+                assert {key: said[key] for key in verdict} == pytest.approx(verdict, abs=6e-3), name
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -34,5 +44,5 @@ def test_the_first_numbers_come_out_again(stored, name):
     frames, number = consistency.FIRST_FRAMES, consistency.SEEDS[0]
     for filter_name in set(consistency.filters(name, CASES[name])) - {ALL_DATA}:  # it looks back from the last frame
         first = stored["cases"][name][filter_name][str(number)]["first"]
-        found = run(replace(CASES[name], frames=frames), consistency.seeds(number, name)[0], filter_name)
+        found = run(replace(CASES[name], frames=frames), consistency.seeds(number, 1)[0], filter_name)
         np.testing.assert_allclose(found["nees"][:, 0], first, rtol=1e-4, atol=1e-2, err_msg=RENEW)

@@ -12,6 +12,7 @@ from book.tools import layout, notebooks
 from book.tools.browser import SKIPPED
 
 PYTHON = [sys.executable, "-m"]
+LIVE_MINUTES = "10"  # after which no further page is tried live in `make test`; `make test-all` tries them all
 
 
 @dataclass(frozen=True)
@@ -41,8 +42,8 @@ class Result:
 def stages(every: bool = False) -> list[Stage]:
     """The checks, quick ones first; every: all pages in the browser, changed or not."""
     parallel = ["-n", "2", "--dist", "loadscope"]
-    chromium = [*PYTHON, "pytest", "-q", "book/tests/site", "-n", "2", "--dist", "worksteal"]
-    pages = ["--every-page"] if every else []
+    chromium = [*PYTHON, "pytest", "-q", "-rs", "book/tests/site", "-n", "2", "--maxschedchunk", "1"]
+    pages, minutes = (["--every-page"], []) if every else ([], ["--minutes", LIVE_MINUTES])
     typed = [f"-p{name}" for name in ("slamlib", "slambook", "book.tools", "book.live", "benchmarks")]
     files = [str(f.relative_to(layout.ROOT)) for f in layout.notebooks()]
     return [
@@ -60,7 +61,12 @@ def stages(every: bool = False) -> list[Stage]:
         Stage("site", [*PYTHON, "book.tools.site"], r"site: (\d+) pages", "pages, links resolve"),
         Stage("browser", [*chromium, "-k", "test_pages and not axe", *pages], r"(\d+) passed", "views of pages"),
         Stage("axe", [*chromium, "-k", "test_pages and axe", *pages], r"(\d+) passed", "pages, nothing serious"),
-        Stage("live", [*chromium, "-k", "not test_pages", *pages], r"(\d+) passed", "live pages and readers' ways"),
+        Stage(
+            "live",
+            [*chromium, "-k", "not test_pages", *pages, *minutes],
+            r"(\d+) passed",
+            "live pages and readers' ways",
+        ),
     ]
 
 

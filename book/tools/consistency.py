@@ -1,38 +1,36 @@
 """The second half of `make experiments`: every parametrization by the filters of chapter observability, and the oracle.
 
-Two sets of seeds; finished runs are kept in _build/consistency, so that an interrupted experiment goes on where it was.
+Two sets of seeds. The file keeps the mean of each run and the averages at each step, so that further runs are joined to
+those that it has: an interrupted experiment goes on where it was, and a longer one begins with a shorter one.
 Noise is in the truth: the odometry that the filter is told is what was commanded. One batch update a frame.
 """
 
 import argparse
-import hashlib
+import itertools
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 import joblib
 import numpy as np
-from slambook.filters_compared import ALL_DATA, FILTERS, Verdict, away, run, stacked
+from slambook.filters_compared import ALL_DATA, FILTERS, Verdict, run, stacked
 
 from book.tools import layout
 from book.tools.experiments import digest, rounded, with_options
-from slamlib.data.files import read_archive, write_archive
 from slamlib.experiments.presets import PRESETS, Preset, lines, points
 from slamlib.landmarks import LINES, POINTS
 from slamlib.manifolds import Array
 
 FILE = layout.BOOK / "chapters" / "data" / "consistency.json"
-FOLDER = layout.BUILD / "consistency"
-RUNS, SEEDS = 16, (17, 18)
-FEW, LARGE = 8, ("two_robots", "omni", "stereo", "points_and_lines", "self_calibration")  # runs of the slowest presets
+RUNS, SEEDS, ROUND = 100, (17, 18), 10
+LARGE = ("two_robots", "omni", "stereo", "points_and_lines", "self_calibration")
 # One truth of these is many states, and none of them belongs to the estimate.
 WITHOUT_ORACLE = ("hmgPnt", "ahmLin", "hmgLin", "idpLin", "points_and_lines")
 BIASED = "points_and_lines"  # in scale
+START = "start known to 5 degrees"
 ONE_CAMERA, BY_CONTROL = "idpPnt", "idpPnt, noise in the control"  # by all data at once, too
 FIRST_FRAMES = 12  # of the first run, kept number by number
-EVERY = 10  # frames between two stored averages
-FORMAT = "consistency of one run"
 
 
 def by_range_and_bearing(preset: Preset) -> Preset:
@@ -63,7 +61,7 @@ def cases() -> dict[str, Preset]:
         **{name: with_options(base, points=name) for name in sorted(POINTS) if name != "eucPnt"},
         "eucPnt": euclidean,
         **{name: with_options(house, lines=name) for name in sorted(LINES)},
-        "start known to 5 degrees": unsure_start(euclidean),
+        START: unsure_start(euclidean),
         BY_CONTROL: replace(with_options(base, points=ONE_CAMERA), noise_in="control"),
         **{n: replace(with_options(PRESETS[n](), reproject=False), noise_in="truth") for n in LARGE},
     }
@@ -76,67 +74,74 @@ def filters(case: str, preset: Preset) -> tuple[str, ...]:
     return (*FILTERS, ALL_DATA) if case in (ONE_CAMERA, BY_CONTROL) else FILTERS
 
 
-def one(preset: Preset, seed: int, name: str, what: Callable[..., dict[str, Array]] = run) -> dict[str, Array]:
-    """One run, or what is asked of it, from its file if there is one."""
-    asked = [replace(preset, seed=0).to_dict(), name] + ([] if what is run else [what.__name__])
-    key = hashlib.sha256(json.dumps(asked, sort_keys=True).encode()).hexdigest()
-    path = FOLDER / f"{key[:16]}-{seed}.npz"
-    if path.is_file():
-        return read_archive(path, FORMAT, 1)[1]
-    row = what(preset, seed, name)
-    write_archive(path, FORMAT, 1, {}, row)
-    return row
-
-
-def seeds(number: int, case: str) -> list[int]:
-    """The seeds of one set for a case."""
-    runs = FEW if case in LARGE else RUNS
+def seeds(number: int, runs: int) -> list[int]:
+    """The seeds of one set; more runs begin with the same ones."""
     return [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(number).spawn(runs)]
 
 
-def summary(rows: Sequence[dict[str, Array]]) -> dict[str, Any]:
-    """What is kept of the runs of one filter; headings in degrees, root mean squares over the runs at the last step."""
-    found = Verdict.of(stacked(rows, "nees"))
-    last = np.degrees(np.sqrt((stacked(rows, "heading")[:, -1, 0] ** 2).mean(0)))
+def kept(case: str, rows: Sequence[dict[str, Array]], before: dict[str, Any] | None) -> dict[str, Any]:
+    """What the file keeps of the runs of one filter, joined to what it kept before.
+
+    Numbers of a table; own: mean NEES of each run; average: NEES at each step, by robot; first: of the first run. For
+    START each run's heading at the end, error and claim [deg]; for BIASED its error away from the start, averaged over
+    the steps, the claim [m], and the mean NEES of the rest.
+    """
+    verdict = Verdict.of(stacked(rows, "nees"))
+    columns = {"own": rounded(verdict.own, 3)}
+    if case == START:
+        error, claim = np.degrees(stacked(rows, "heading")[:, -1]).T
+        columns |= {"heading": rounded(error, 4), "claim": rounded(claim, 4)}
+    if case == BIASED:
+        scale, rest = stacked(rows, "scale"), np.nanmean(stacked(rows, "rest"), axis=1)
+        claim = np.sqrt((scale[..., 1] ** 2).mean(1))
+        columns |= {"away": rounded(scale[..., 0].mean(1), 4), "claim": rounded(claim, 4), "rest": rounded(rest, 2)}
+    first = rounded(rows[0]["nees"][:FIRST_FRAMES, 0], 3)
+    if before:
+        verdict = Verdict(np.array(before["own"]), np.array(before["average"]).T).joined(verdict)
+        columns = {name: before[name] + values for name, values in columns.items()}
+        first = before["first"]
+    numbers = {name: round(value, 3) for name, value in verdict.numbers().items()}
+    average = [rounded(robot, 2) for robot in verdict.average.T]
+    return {"runs": len(verdict.own), **numbers, **columns, "average": average, "first": first}
+
+
+def stored(fresh: bool = False) -> dict[str, dict[str, Any]]:
+    """The cases of the file that still are what they were; none if it is begun anew."""
+    found = {} if fresh or not FILE.is_file() else json.loads(FILE.read_text("utf-8"))["cases"]
+    now = {name: digest(preset) for name, preset in cases().items()}
     return {
-        **{name: round(getattr(found, name), 3) for name in ("mean", "error", "median", "failed", "inside")},
-        "heading": rounded(last, 4),
-        "average": rounded(found.average[EVERY - 1 :: EVERY], 2),
-        "first": rounded(rows[0]["nees"][:FIRST_FRAMES, 0], 3),
+        name: found[name] if found.get(name, {}).get("digest") == key else {"digest": key} for name, key in now.items()
     }
 
 
-def of_scale(rows: Sequence[dict[str, Array]]) -> dict[str, Any]:
-    """What is kept of `away`: mean and standard error over the runs of the error and of the others' NEES; the claim."""
-    error, others = stacked(rows, "away")[..., 0].mean(1), np.nanmean(stacked(rows, "others"), axis=1)
-    spread = [(v.mean(), v.std(ddof=1) / np.sqrt(len(v))) for v in (error, others)]
-    claim = np.sqrt((stacked(rows, "away")[..., 1] ** 2).mean())
-    return {"away": rounded(spread[0], 4), "claim": round(float(claim), 4), "others": rounded(spread[1], 2)}
+def write(found: dict[str, dict[str, Any]]) -> None:
+    """The file, a line for each case."""
+    text = ",\n".join(f"{json.dumps(name)}: {json.dumps(case, separators=(',', ':'))}" for name, case in found.items())
+    layout.write_whole(FILE, f'{{"seeds": {list(SEEDS)}, "cases": {{\n{text}\n}}}}\n'.encode())
 
 
 def main() -> None:
-    """Run everything, and write the file when all of it is done."""
-    parser = argparse.ArgumentParser(description="Run the experiments of chapter observability.")
+    """Make the runs that the file has not yet, ROUND of each filter at a time, and join them to it."""
+    parser = argparse.ArgumentParser(description="Run the experiments of chapter observability; resumable.")
+    parser.add_argument("--runs", type=int, default=RUNS, help=f"of each case and set of seeds (default {RUNS})")
     parser.add_argument("--jobs", type=int, default=2, help="runs at once (default 2)")
-    parser.add_argument("--sets", type=int, default=len(SEEDS), help=f"sets of seeds (default {len(SEEDS)})")
+    parser.add_argument("--only", nargs="+", choices=list(cases()), help="of these cases", metavar="CASE")
+    parser.add_argument("--fresh", action="store_true", help="forget what the file has: the filter has changed")
     given = parser.parse_args()
-    FOLDER.mkdir(parents=True, exist_ok=True)
-    parallel = joblib.Parallel(n_jobs=given.jobs)
-    found: dict[str, dict[str, Any]] = {}
-    for number in SEEDS[: given.sets]:
-        for case, preset in cases().items():
-            for name in filters(case, preset):
-                rows = parallel(joblib.delayed(one)(preset, seed, name) for seed in seeds(number, case))
-                kept = found.setdefault(case, {"digest": digest(preset), "frames": preset.frames})
-                kept.setdefault(name, {})[str(number)] = said = summary(rows)
-                said["runs"] = len(rows)
-                print(case, name, number, {k: said[k] for k in ("mean", "error", "failed", "inside")}, flush=True)
-        rows = parallel(joblib.delayed(one)(cases()[BIASED], s, "world", away) for s in seeds(number, BIASED))
-        found[BIASED].setdefault("scale", {})[str(number)] = of_scale(rows)
-    head = {"seeds": SEEDS[: given.sets], "every": EVERY}
-    text = ",\n".join(f"{json.dumps(case)}: {json.dumps(kept)}" for case, kept in found.items())
-    layout.write_whole(FILE, (json.dumps(head)[:-1] + ', "cases": {\n' + text + "\n}}\n").encode())
-    print(f"wrote {FILE.relative_to(layout.ROOT)}: {len(found)} cases")
+    parallel, found = joblib.Parallel(n_jobs=given.jobs), stored(given.fresh)
+    chosen = {case: preset for case, preset in cases().items() if case in (given.only or found)}
+    for end in [*range(ROUND, given.runs, ROUND), given.runs]:
+        for case, number in itertools.product(chosen, SEEDS):
+            for name in filters(case, chosen[case]):
+                sets = found[case].setdefault(name, {})
+                before = sets.get(str(number))
+                missing = seeds(number, end)[before["runs"] if before else 0 :]
+                if missing:
+                    rows = parallel(joblib.delayed(run)(chosen[case], seed, name) for seed in missing)
+                    sets[str(number)] = said = kept(case, rows, before)
+                    write(found)
+                    print(case, name, number, {k: said[k] for k in ("runs", "mean", "error", "inside")}, flush=True)
+    print(f"{FILE.relative_to(layout.ROOT)}: {len(found)} cases")
 
 
 if __name__ == "__main__":

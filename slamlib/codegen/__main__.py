@@ -70,7 +70,15 @@ def texts(folder: Path) -> dict[str, str]:
 
 
 def check() -> list[str]:
-    """Differences between slamlib/generated and what two fresh runs, under two hash seeds, generate."""
+    """Differences between slamlib/generated and what two fresh runs generate."""
+    one, two = generated_twice()
+    committed = texts(TARGET)
+    found = (_problem(path, committed.get(path), one.get(path), two.get(path)) for path in sorted(one | committed))
+    return [problem for problem in found if problem]
+
+
+def generated_twice() -> tuple[dict[str, str], dict[str, str]]:
+    """Texts of all generated files by two fresh runs, under two hash seeds. Raises SystemExit where one fails."""
     with tempfile.TemporaryDirectory() as scratch:
         folders = [Path(scratch) / seed for seed in ("1", "2")]
         paths = [str(PACKAGE.parent), *filter(None, sys.path)]
@@ -85,11 +93,8 @@ def check() -> list[str]:
         for run in runs:
             errors = run.communicate()[1]
             if run.returncode:
-                return [errors]
-        one, two = map(texts, folders)
-    committed = texts(TARGET)
-    found = (_problem(path, committed.get(path), one.get(path), two.get(path)) for path in sorted(one | committed))
-    return [problem for problem in found if problem]
+                raise SystemExit(errors)
+        return texts(folders[0]), texts(folders[1])
 
 
 def _problem(path: str, committed: str | None, one: str | None, two: str | None) -> str | None:

@@ -17,7 +17,7 @@ from slamlib.errors import SlamlibError
 from slamlib.experiments.runs import Run
 from slamlib.vision.run import IMAGES, PAIRS, load
 
-STOPS = 20
+STOPS, FEW = 20, 3  # at most; at least, where a resumed run is quicker than the one whose calls were counted
 
 
 def called(words, at=None, number=signal.SIGINT):
@@ -82,7 +82,7 @@ def test_a_simulated_run(tmp_path, monkeypatch, capsys):
     status, calls = called([*call, "--save", "whole.npz"])
     assert status == 0
     count, words = stopped([*call, "--save", "cut.npz"], calls, capsys)
-    assert count >= STOPS / 2
+    assert count >= FEW
     assert words == ["run", "--resume", "cut.npz", "--save", "cut.npz"]
     same(Run.load("whole.npz"), Run.load("cut.npz"), lambda run: run.result().errors)
 
@@ -96,7 +96,7 @@ def test_a_run_on_images(kind, room, tmp_path, monkeypatch, capsys):
     status, calls = called([*call, "--save", "whole.npz"])
     assert status == 0
     count, _ = stopped([*call, "--save", "cut.npz"], calls, capsys)
-    assert count >= STOPS / 2
+    assert count >= FEW
     same(load("whole.npz", kind), load("cut.npz", kind), lambda run: run.trajectory().poses)
 
 
@@ -133,7 +133,7 @@ def test_a_comparison(tmp_path, monkeypatch, capsys):
     assert status == 0
     wanted = json.loads(capsys.readouterr().out)
     count, _ = stopped([*call, "cut"], calls, capsys)
-    assert count >= STOPS / 2
+    assert count >= FEW
     capsys.readouterr()
     assert main([*call, "cut"]) == 0
     found = json.loads(capsys.readouterr().out)

@@ -24,7 +24,7 @@ from slamlib.vision.stereo.motion_source import INFLATION, CorrelatedFeatures, M
 from slamlib.vision.stereo.odometry import checkerboard_half
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")
-RUNS, STEPS, POINTS, STD = 100, 5, 48, 0.1
+RUNS, STEPS, POINTS, STD = 40, 5, 48, 0.1
 OPTIONS = Options(points="eucPnt", updates=40, max_new_first=40, max_new=5, reproject=False)
 
 

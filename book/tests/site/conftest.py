@@ -6,12 +6,13 @@ skipped, or fail if BOOK_BROWSER_NEEDED is set.
 """
 
 import os
+import time
 from collections.abc import Iterator
 from typing import Any
 
 import pytest
 
-from book.tests.site.live_page import PATIENCE, address, live_cells, live_pages, shown_pages
+from book.tests.site.live_page import PATIENCE, address, live_pages, shown_pages, urgency
 from book.tools import browser, layout, serve
 
 ADDED = ("index.html", "genindex.html", "search.html")  # by Sphinx
@@ -21,6 +22,7 @@ def pytest_addoption(parser: Any) -> None:
     """Options of the live pages."""
     group = parser.getgroup("site")
     group.addoption("--every-page", action="store_true", help="try all pages, changed or not")
+    group.addoption("--minutes", type=float, default=float("inf"), help="begin with no live page after that long")
     group.addoption("--store-parity", action="store_true", help="write the appendix's table of the two Pythons")
 
 
@@ -37,9 +39,9 @@ def pytest_configure(config: Any) -> None:
 
 
 def pytest_generate_tests(metafunc: Any) -> None:
-    """The pages; live ones with long ones first, so that no worker is left alone with one at the end."""
+    """The pages; of the live ones first those that must be tried."""
     if "notebook" in metafunc.fixturenames:
-        files = sorted(live_pages(metafunc.config.getoption("every_page")), key=lambda f: -len(live_cells(f)))
+        files = sorted(live_pages(metafunc.config.getoption("every_page")), key=urgency)
         metafunc.parametrize("notebook", files, ids=[f.stem for f in files])
     if "name" in metafunc.fixturenames:
         names = [address(f) for f in shown_pages(metafunc.config.getoption("every_page"))]
@@ -58,6 +60,19 @@ def site() -> Iterator[str]:
     """The URL of the served site."""
     with serve.running(serve.Server()) as base:
         yield base
+
+
+@pytest.fixture(scope="session")
+def begun() -> float:
+    """When the first live page was asked for, on a clock in seconds."""
+    return time.monotonic()
+
+
+@pytest.fixture
+def in_time(begun: float, request: Any) -> None:
+    """Skips a live page that comes too late: the first ones are those that must be tried."""
+    if time.monotonic() - begun > 60 * request.config.getoption("minutes"):
+        pytest.skip("no time left for this page: `make test-all` tries every page")
 
 
 @pytest.fixture

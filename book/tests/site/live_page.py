@@ -36,6 +36,17 @@ def _chosen(files: list[Path], behind: tuple[str, ...], every: bool) -> list[Pat
     changed = None if every else changed_files()
     if changed is None or any(name.startswith(behind) for name in changed):
         return files
+    return _touched(files)
+
+
+def urgency(file: Path) -> tuple[bool, int]:
+    """Sorts live pages: those that have changed and the four first; and long ones first, to keep both workers busy."""
+    return not _touched([file]), -len(live_cells(file))
+
+
+def _touched(files: list[Path]) -> list[Path]:
+    """Those changed since the merge base, and four more."""
+    changed = changed_files() or set()
     return [f for f in files if f.stem in ALWAYS or f.relative_to(layout.ROOT).as_posix() in changed]
 
 

@@ -28,7 +28,7 @@ DRAWN = """(e) => {
 TIMED = re.compile(r"perf_counter|time\.time")  # what a clock decides is drawn differently on each run
 
 
-def test_the_cells_print_what_the_notebook_has_stored_and_the_sliders_answer(notebook, context, site, outside):
+def test_the_cells_print_what_the_notebook_has_stored_and_the_sliders_answer(in_time, notebook, context, site, outside):
     faults: list[str] = []
     page = open_page(context, site, notebook, faults)
     for i, cell in enumerate(live_cells(notebook)):
