@@ -14,7 +14,7 @@ from slamlib.errors import SlamlibError, entry
 from slamlib.evaluation.comparison import compared
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
 from slamlib.landmarks import POINTS
-from slamlib.vision.results import summary, table
+from slamlib.vision.results import doubts, summary, table
 from slamlib.vision.run import load
 from slamlib.vision.sequence_run import ImageStep, SequenceKind, SequenceRun
 
@@ -100,6 +100,8 @@ class ImageCommand:
             print(f"slamlib: {NOTHING.format(self.kind.item)}", file=sys.stderr)
         rows = [("source", f"{s['source']} ({s['layout']})"), *table(s)]
         report(given, s, aligned_rows(rows))
+        for doubt in doubts(s):
+            print(f"slamlib: {doubt}", file=sys.stderr)
         inliers = s["inlier_share"]
         if not run.metric and s["frames"] >= JUDGED and inliers is not None and inliers < ENOUGH:
             print(f"slamlib: {REVERSED.format(inliers)}", file=sys.stderr)

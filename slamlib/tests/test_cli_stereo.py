@@ -104,7 +104,9 @@ def test_every_motion_and_plain_odometry_follow_the_path(room, motion, share, ca
         assert s["reference"]["scale"] == 1.0
         assert s["reference"]["relative_ate"] < most
         assert s["reference"]["parts"]["counts"][0] > 3
+        assert 6 < s["near_mean"] <= s["tracked_mean"]  # in a room of a few metres
     assert s["landmarks"] == 0
+    assert s["innovation_correlation"] is None
 
 
 def test_nothing_is_drawn_two_runs_are_the_same(room, capsys):

@@ -1,5 +1,6 @@
 """A run on pictures, with a front end that is given its matches: tracking losses, scale, times, and lossless saving."""
 
+import itertools
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +14,7 @@ from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import compose, to_frame
 from slamlib.geometry.quaternion import exponential
-from slamlib.vision.results import COLUMNS, PARTS, summary, table
+from slamlib.vision.results import COLUMNS, PARTS, doubts, lasting, summary, table
 from slamlib.vision.run import IMAGES, camera_rig, image_run, load, options_for
 from slamlib.vision.sequence_run import TrackingLostError
 from slamlib.vision.target import Target
@@ -130,8 +131,34 @@ def test_a_run_of_all_pictures():
     assert s["matched_share"] > 0.9
     assert set(s["milliseconds"]) == set(PARTS)
     assert table(s)[0][0] == "frames"
+    assert abs(s["innovation_correlation"]) < 4 * s["innovation_correlation_std"]  # the noise of the data is white
+    assert s["innovation_correlation_std"] < 0.1
+    assert s["near_mean"] is None
+    assert doubts(s) == []
+    assert "ideal" not in "".join(value for _, value in table(s))
     with pytest.raises(AttributeError):
         _ = result.nothing
+
+
+def test_errors_that_last_are_told_from_the_innovations():
+    """A mean that stays, as large as the noise: a correlation of one half."""
+    rng = np.random.default_rng(3)
+    white = [{i: rng.standard_normal(3) for i in range(40)} for _ in range(20)]
+    means = rng.standard_normal((40, 3))
+    lasts = [{i: value + means[i] for i, value in frame.items()} for frame in white]
+    for frames, expected in ((white, 0.0), (lasts, 0.5)):
+        rows = [lasting(*pair) for pair in itertools.pairwise(frames)]
+        assert [row["lasting_dof"] for row in rows] == [120] * 19
+        size = np.mean([value @ value / 3 for frame in frames for value in frame.values()])
+        found = sum(row["lasting"] for row in rows) / (120 * 19) / size
+        assert found == pytest.approx(expected, abs=0.1)
+    assert lasting(white[0], {}) == {"lasting": 0, "lasting_dof": 0}
+
+
+def test_a_run_doubts_itself_in_words():
+    said = {"innovation_correlation": 0.6, "innovation_correlation_std": 0.03, "near_mean": 3.4}
+    assert [text.split()[1] for text in doubts(said)] == ["innovations", "3.4"]
+    assert doubts({**said, "innovation_correlation_std": 0.2, "near_mean": None}) == []  # by chance
 
 
 def test_going_on_is_the_same_as_not_stopping(tmp_path):
@@ -147,7 +174,8 @@ def test_going_on_is_the_same_as_not_stopping(tmp_path):
     assert np.array_equal(whole.trajectory().poses, again.trajectory().poses)
     assert np.array_equal(whole.slam.belief.matrix, again.slam.belief.matrix)
     timeless = [i for i, name in enumerate(COLUMNS) if name not in PARTS]
-    assert np.array_equal(np.array(whole.history)[:, timeless], np.array(again.history)[:, timeless])
+    numbers, resumed = (np.array(run.history)[:, timeless] for run in (whole, again))
+    assert np.array_equal(numbers, resumed, equal_nan=True)  # of one camera no point is known to be near
     with pytest.raises(SlamlibError, match="were in memory"):
         load(tmp_path / "run.npz", front_end=lambda calibration: Told())
     again.slam.save(tmp_path / "other.npz")

@@ -204,9 +204,9 @@ class MotionSource:
         """The control of the step of dt [s] to this image, before Slam.step; None: zeros, with the robot's noise."""
         return None
 
-    def counts(self) -> dict[str, float]:
-        """Columns of the run's history that are not the filter's own."""
-        return {}
+    def counts(self, slam: Slam) -> dict[str, float]:
+        """Columns of the run's history that are not the filter's own, after its frame."""
+        return {"near": np.nan}
 
     def dump(self) -> Any:
         """Its state as plain data, without that of the front end, which is in the filter's file."""

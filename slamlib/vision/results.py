@@ -13,8 +13,11 @@ from slamlib.slam import Report, Slam
 PARTS = ("filter", "search", "detection", "reading")
 COLUMNS = (
     *("time", "searched", "matched", "inliers", "nis", "nis_dof", "landmarks", "initialized", "deleted"),
+    *("lasting", "lasting_dof", "near"),
     *PARTS,
 )
+LASTING, FEW_NEAR = 0.3, 6.0  # the largest correlation of innovations, the least near points, of a run without doubts
+Whitened = dict[int, Array]  # innovations in units of their standard deviations, uncorrelated; by landmark
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,8 +25,10 @@ class ImageResult:
     """Per frame, arrays (n,) by the names of COLUMNS; the camera's trajectory; final size of the state.
 
     time [s] of the image; searched, matched, inliers: landmarks searched for, found, and accepted; nis and its degrees
-    of freedom nis_dof: of all inliers; landmarks: in the map; initialized, deleted; PARTS, and perhaps more of them:
-    processor time [s].
+    of freedom nis_dof: of all inliers; landmarks: in the map; initialized, deleted; lasting: product of the whitened
+    innovations of this frame and the last, of lasting_dof numbers, zero on average where the errors of a landmark's
+    measurements are independent; near: inliers nearer than 40 baselines, nan for a single camera;
+    PARTS, and perhaps more of them: processor time [s].
     """
 
     columns: dict[str, Array]
@@ -62,10 +67,29 @@ def counts(slam: Slam, report: Report) -> dict[str, float]:
     }
 
 
+def whitened(slam: Slam) -> Whitened:
+    """The innovations of the points that were inliers, before the update."""
+    found = [p for p in slam.predictions[0] if p.inlier and p.family.name == "points"]
+    if not found:
+        return {}
+    factors = np.linalg.cholesky([p.S for p in found])
+    values = np.linalg.solve(factors, np.array([p.measured - p.value for p in found])[..., None])[..., 0]
+    return {p.landmark.id: value for p, value in zip(found, values, strict=True)}
+
+
+def lasting(now: Whitened, before: Whitened) -> dict[str, float]:
+    """The two columns of the innovations of a frame and the one before."""
+    products = [float(value @ before[number]) for number, value in now.items() if number in before]
+    dof = sum(len(value) for number, value in now.items() if number in before)
+    return {"lasting": sum(products), "lasting_dof": dof}
+
+
 def summary(result: ImageResult) -> dict[str, Any]:
     """Plain data: lengths in the run's unit, times in milliseconds (medians over the frames)."""
     c = result.columns
     searched, matched, inliers = (float(c[name].sum()) for name in ("searched", "matched", "inliers"))
+    lasting_dof = c["lasting_dof"].sum()
+    nis = float(c["nis"].sum() / c["nis_dof"].sum()) if inliers else None
     tracked = c["inliers"][1:] if len(c["time"]) > 1 else c["inliers"]
     return {
         "frames": len(c["time"]),
@@ -76,7 +100,10 @@ def summary(result: ImageResult) -> dict[str, Any]:
         "searched": int(searched),
         "matched_share": matched / searched if searched else None,
         "inlier_share": inliers / matched if matched else None,
-        "nis_per_dof": float(c["nis"].sum() / c["nis_dof"].sum()) if inliers else None,
+        "nis_per_dof": nis,
+        "innovation_correlation": float(c["lasting"].sum() / lasting_dof / nis) if nis and lasting_dof else None,
+        "innovation_correlation_std": float(lasting_dof**-0.5) if lasting_dof else None,
+        "near_mean": None if np.isnan(c["near"]).any() else float(c["near"][1:].mean()) if len(tracked) > 1 else None,
         "landmarks": int(c["landmarks"][-1]),
         "initialized": int(c["initialized"].sum()),
         "deleted": int(c["deleted"].sum()),
@@ -86,10 +113,26 @@ def summary(result: ImageResult) -> dict[str, Any]:
     }
 
 
+def doubts(s: dict[str, Any]) -> list[str]:
+    """What a summary says against its own covariances, in sentences; no reference is needed."""
+    found, lasts, near = [], s["innovation_correlation"], s["near_mean"]
+    if lasts is not None and lasts > max(LASTING, 4 * s["innovation_correlation_std"]):
+        found.append(
+            f"the innovations of a frame foretell those of the next (correlation {lasts:.2f}): errors last that the "
+            "filter takes for independent, and its covariances are too small"
+        )
+    if near is not None and near < FEW_NEAR:
+        found.append(
+            f"only {near:.1f} points per frame are nearer than 40 baselines: how far each step went is hardly measured"
+        )
+    return found
+
+
 def table(s: dict[str, Any]) -> list[tuple[str, str]]:
     """The rows of a summary, and of its "reference" (slamlib.evaluation.comparison), as texts (name, value)."""
     share = {name: "none" if s[name] is None else f"{s[name]:.1%}" for name in ("matched_share", "inlier_share")}
-    nis = "no match" if s["nis_per_dof"] is None else f"{s['nis_per_dof']:.2f} (1 is ideal; the gate rejects some)"
+    nis = "no match" if s["nis_per_dof"] is None else f"{s['nis_per_dof']:.2f} (without those that the gate rejects)"
+    lasts, near = s["innovation_correlation"], s["near_mean"]
     unit = "m" if s.get("metric") else "of the run's own units"
     parts = ", ".join(f"{name} {spent:.1f}" for name, spent in s["milliseconds"].items())
     rows = [
@@ -98,6 +141,18 @@ def table(s: dict[str, Any]) -> list[tuple[str, str]]:
         ("frames without a match", f"{s['frames_without_match']} (predictions)"),
         ("matched", f"{share['matched_share']} of {s['searched']} searched; {share['inlier_share']} of them inliers"),
         ("NIS per degree of freedom", nis),
+        *(
+            []
+            if lasts is None
+            else [
+                (
+                    "innovations, next frame",
+                    f"correlated by {lasts:.2f}, +- "
+                    f"{s['innovation_correlation_std']:.2f} by chance; 0 if errors do not last",
+                )
+            ]
+        ),
+        *([] if near is None else [("near points", f"{near:.1f} per frame, nearer than 40 baselines")]),
         ("landmarks", f"{s['landmarks']} in the map, {s['initialized']} initialized, {s['deleted']} deleted"),
         ("state", f"{s['state']} degrees of freedom"),
         ("path", f"{s['path_length']:.3f} {unit} long"),

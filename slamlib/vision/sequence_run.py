@@ -22,7 +22,7 @@ from slamlib.evaluation.trajectory import Trajectory
 from slamlib.observation.family import viewpoint
 from slamlib.slam import Options, Report, Slam
 from slamlib.vision.front_end import MotionSource
-from slamlib.vision.results import COLUMNS, ImageResult, counts
+from slamlib.vision.results import COLUMNS, ImageResult, counts, lasting, whitened
 from slamlib.vision.target import Target
 from slamlib.vision.tracking_loss import TrackingLoss, TrackingLostError
 
@@ -76,17 +76,19 @@ class SequenceRun:
         path: list[list[float]] | None = None,
         covariances: list[list[list[float]]] | None = None,
         tracking_loss: dict[str, Any] | None = None,
+        innovations: dict[str, list[float]] | None = None,
         last: list[Any] | None = None,
     ) -> None:
         """slam: with the motion source's front end. patience: frames without a match, after which the run stops.
 
         metric: whether the scale is known. target: seen in the first image. history, path, covariances, tracking_loss,
-        last: of a saved run, whose last image must be the source's still. Raises SlamlibError.
+        innovations, last: of a saved run, whose last image must be the source's still. Raises SlamlibError.
         """
         self.source, self.slam, self.motion, self.kind = source, slam, motion, kind
         self.patience, self.metric, self.target = patience, metric, target
         self.history, self.path, self.covariances = history or [], path or [], covariances or []
         self.tracking_loss = TrackingLoss(**tracking_loss or {})
+        self.innovations = {int(number): np.array(value) for number, value in (innovations or {}).items()}
         self.is_intact = True  # False while a frame is being processed
         self.picture: TimedImage | None = None  # the last one processed
         if last is not None:
@@ -136,11 +138,13 @@ class SequenceRun:
         frame = self._frame(picture)
         elapsed = picture.time - self.history[-1][TIME] if self.history else 0.0
         self.is_intact = False
-        began, before = time.perf_counter(), self._seconds_spent()
+        began, clocks = time.perf_counter(), self._seconds_spent()
         report = self._process(frame, elapsed)
-        inside = {name: after - before[name] for name, after in self._seconds_spent().items()}
+        inside = {name: after - clocks[name] for name, after in self._seconds_spent().items()}
         spent = time.perf_counter() - began
-        row = {"time": picture.time, **counts(self.slam, report), **self.motion.counts(), "reading": reading, **inside}
+        before, self.innovations = self.innovations, whitened(self.slam)
+        row = {"time": picture.time, **counts(self.slam, report), **lasting(self.innovations, before)}
+        row |= {**self.motion.counts(self.slam), "reading": reading, **inside}
         row["filter"] = spent - sum(inside.values())
         self.history.append([row[name] for name in self.columns])
         camera = self.slam.sensors[0]
@@ -227,6 +231,7 @@ class SequenceRun:
         settings = getattr(self.slam.front_ends[0], "settings", None)
         run = {name: getattr(self, name) for name in ("history", "path", "covariances", "patience", "metric")}
         run |= {"tracking_loss": asdict(self.tracking_loss), "last": self.picture and _identity(self.picture)}
+        run["innovations"] = {str(number): value.tolist() for number, value in self.innovations.items()}
         motion = {"name": self.motion.name, "settings": settings and asdict(settings), "state": self.motion.dump()}
         self.slam.save(path, **{self.kind.name: {"source": self.source.recipe, "run": run, "motion": motion}})
 

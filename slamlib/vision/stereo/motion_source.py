@@ -7,6 +7,7 @@ the map give the control's covariance, since the others contain no further infor
 linearization point. A feature reserved for the control is no landmark's measurement, and initializes none.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -24,6 +25,7 @@ from slamlib.vision.stereo.fitting import fit
 from slamlib.vision.stereo.front_end import StereoSearch
 from slamlib.vision.stereo.odometry import MIN_MATCHES, RelativeMotion, VisualOdometry, as_control
 
+NEAR = 40.0  # baselines: nearer points tell how long a step was, the others where it turned (Mur-Artal, Tardos 2017)
 UNINFORMATIVE = 1e4  # factor of a covariance that makes a control uninformative
 NEAR_SIGMAS = 3.5  # standard deviations: a feature so near to a predicted landmark may be that landmark
 SLACK = 2.0  # px, largest distance of a detected feature from its landmark
@@ -48,6 +50,15 @@ class StereoMotionSource(MotionSource):
         super().__init__(StereoSearch(calibration, settings, half=self.landmark_half))
         self.found: RelativeMotion | None = None
         self.seconds = Stopwatch("odometry")
+
+    def counts(self, slam: Any) -> dict[str, float]:
+        """Near points among the inliers."""
+        return {"near": self.near([p.measured for p in slam.predictions[0] if p.inlier])}
+
+    def near(self, values: Sequence[Array] | Array) -> int:
+        """How many of these measurements (u, v, disparity) are of points nearer than NEAR baselines."""
+        limit = self.front_end.calibration.given["intrinsics"][2] / NEAR
+        return sum(float(value[2]) > limit for value in values)
 
 
 @dataclass
@@ -167,9 +178,10 @@ class OdometryOnly(SplitFeatures):
     name = "odometry"
     odometry_half = None
 
-    def counts(self) -> dict[str, float]:
+    def counts(self, slam: Any) -> dict[str, float]:
         """Numbers of features, instead of landmarks."""
         inliers = 0 if self.found is None else int(self.found.inliers.sum())
+        near = 0 if self.found is None else self.near(self.odometry.matched[self.found.inliers])
         dof = max(3 * inliers - 6, 0)
         return {
             "searched": 0 if self.odometry.old is None else len(self.odometry.old),
@@ -177,6 +189,7 @@ class OdometryOnly(SplitFeatures):
             "inliers": inliers,
             "nis": 0.0 if self.found is None else self.found.nis_per_dof * dof,
             "nis_dof": dof,
+            "near": near,
         }
 
 
