@@ -50,7 +50,7 @@ def compared(
         "orientation": turned,
         "rpe": dict(zip(("position", "orientation"), map(statistics, steps), strict=True)) if len(steps[0]) else None,
         "parts": parts(estimate, other) if metric else None,
-        "nees": _consistency(series["nees"]) if uncertain else None,
+        "nees": _consistency(series) if uncertain else None,
     }
     return summary, series
 
@@ -99,14 +99,15 @@ def magnitudes(errors: Array, sigmas: Array) -> dict[str, Array]:
     }
 
 
-def _consistency(nees: Array) -> dict[str, Any] | None:
-    known = nees[np.isfinite(nees)]
+def _consistency(series: dict[str, Array]) -> dict[str, Any] | None:
+    known = series["nees"][np.isfinite(series["nees"])]
     if not len(known):
         return None
     limits = band(DOF)
     return {
         "dof": DOF, "median": float(np.median(known)), "last": float(known[-1]), "band": list(limits),
         "inside": share_inside(known, limits),
+        "at_end": {n: float(series[n][-1]) for n in series if n.startswith(("position", "orientation"))},
     }  # fmt: skip
 
 
@@ -128,9 +129,13 @@ def rows(r: dict[str, Any]) -> list[tuple[str, str]]:
         lengths = f"{part['lengths'][0]:g} to {part['lengths'][-1]:g} m"
         found.append((f"error over parts of {lengths}", f"{means} (KITTI's metric)"))
     if nees:
-        low, high = nees["band"]
-        inside = f"{nees['inside']:.0%} of the poses inside [{low:.2f}, {high:.2f}] (1 run, 95 %); aligned by the start"
-        found.append((f"NEES, {DOF} dof", f"median {nees['median']:.3g}, last {nees['last']:.3g}; {inside}"))
+        (low, high), e = nees["band"], nees["at_end"]
+        inside = f"{nees['inside']:.0%} of the poses inside [{low:.2f}, {high:.2f}] (1 run, 95 %)"
+        found += [
+            (f"NEES, {DOF} dof", f"median {nees['median']:.3g}, last {nees['last']:.3g}; {inside}"),
+            ("at the end, from the start", f"off by {e['position']:.3g} (sigma {e['position_sigma']:.2g}), "
+             f"{e['orientation']:.2g} degrees (sigma {e['orientation_sigma']:.2g})"),
+        ]  # fmt: skip
     return found
 
 

@@ -59,6 +59,9 @@ def test_nees_says_whether_the_covariances_are_right(scale, low, high, capsys):
     assert low < found["nees"]["inside"] < high
     assert found["scale"] == 1.0
     assert found["nees"]["dof"] == 6
+    end = found["nees"]["at_end"]
+    assert 0.05 < end["position_sigma"] < 1
+    assert end["position"] < 5 * scale * end["position_sigma"]
 
 
 def test_absolute_and_relative_errors_are_those_of_evo(capsys):
@@ -98,6 +101,7 @@ def test_a_path_of_one_camera_needs_its_scale_aligned(capsys):
     text = capsys.readouterr().out
     assert "NEES, 6 dof" in text
     assert "relative error (RPE)" in text
+    assert "(sigma 1.7), " in text  # metres, of three unit variances
 
 
 def test_kittis_poses_with_their_times(capsys):
