@@ -100,8 +100,9 @@ def kept(case: str, rows: Sequence[dict[str, Array]], before: dict[str, Any] | N
         verdict = Verdict(np.array(before["own"]), np.array(before["average"]).T).joined(verdict)
         columns = {name: before[name] + values for name, values in columns.items()}
         first = before["first"]
-    numbers = {name: round(value, 3) for name, value in verdict.numbers().items()}
     average = [rounded(robot, 2) for robot in verdict.average.T]
+    said = Verdict(np.array(columns["own"]), np.array(average).T).numbers()  # of what is written, not of more digits
+    numbers = {name: round(value, 3) for name, value in said.items()}
     return {"runs": len(verdict.own), **numbers, **columns, "average": average, "first": first}
 
 
