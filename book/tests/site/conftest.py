@@ -63,15 +63,15 @@ def site() -> Iterator[str]:
 
 
 @pytest.fixture(scope="session")
-def begun() -> float:
+def start_time() -> float:
     """When the first live page was asked for, on a clock in seconds."""
     return time.monotonic()
 
 
 @pytest.fixture
-def in_time(begun: float, request: Any) -> None:
+def in_time(start_time: float, request: Any) -> None:
     """Skips a live page that comes too late: the first ones are those that must be tried."""
-    if time.monotonic() - begun > 60 * request.config.getoption("minutes"):
+    if time.monotonic() - start_time > 60 * request.config.getoption("minutes"):
         pytest.skip("no time left for this page: `make test-all` tries every page")
 
 
