@@ -151,7 +151,7 @@ def test_pages_are_tried_where_a_change_reaches_and_everywhere_if_what_is_behind
     assert {f.stem for f in live_page.live_pages(every=False)} == {*live_page.ALWAYS, "points"}
     monkeypatch.setattr(live_page, "changed_files", lambda: {"slamlib/belief.py"})
     assert live_page.live_pages(every=False) == everywhere
-    urgent = [f.stem for f in sorted(everywhere, key=live_page.urgency)]
+    urgent = [f.stem for f in live_page.most_urgent_first(everywhere)]
     assert {*urgent[: len(live_page.ALWAYS)]} == {*live_page.ALWAYS}  # where time is short, these are tried
     assert {f.stem for f in live_page.shown_pages(every=False)} == {*live_page.ALWAYS}
     monkeypatch.setattr(live_page, "changed_files", lambda: {"book/slambook/figures/axes.py"})

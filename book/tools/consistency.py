@@ -106,10 +106,10 @@ def kept(case: str, rows: Sequence[dict[str, Array]], before: dict[str, Any] | N
     return {"runs": len(verdict.own), **numbers, **columns, "average": average, "first": first}
 
 
-def stored(fresh: bool = False) -> dict[str, dict[str, Any]]:
-    """The cases of the file that still are what they were; none if it is begun anew."""
+def stored(known: dict[str, Preset], fresh: bool = False) -> dict[str, dict[str, Any]]:
+    """The known cases as the file has them, where they still are what they were; none if it is begun anew."""
     found = {} if fresh or not FILE.is_file() else json.loads(FILE.read_text("utf-8"))["cases"]
-    now = {name: digest(preset) for name, preset in cases().items()}
+    now = {name: digest(preset) for name, preset in known.items()}
     return {
         name: found[name] if found.get(name, {}).get("digest") == key else {"digest": key} for name, key in now.items()
     }
@@ -123,14 +123,15 @@ def write(found: dict[str, dict[str, Any]]) -> None:
 
 def main() -> None:
     """Make the runs that the file has not yet, ROUND of each filter at a time, and join them to it."""
+    known = cases()
     parser = argparse.ArgumentParser(description="Run the experiments of chapter observability; resumable.")
     parser.add_argument("--runs", type=int, default=RUNS, help=f"of each case and set of seeds (default {RUNS})")
     parser.add_argument("--jobs", type=int, default=2, help="runs at once (default 2)")
-    parser.add_argument("--only", nargs="+", choices=list(cases()), help="of these cases", metavar="CASE")
+    parser.add_argument("--only", nargs="+", choices=list(known), help="of these cases", metavar="CASE")
     parser.add_argument("--fresh", action="store_true", help="forget what the file has: the filter has changed")
     given = parser.parse_args()
-    parallel, found = joblib.Parallel(n_jobs=given.jobs), stored(given.fresh)
-    chosen = {case: preset for case, preset in cases().items() if case in (given.only or found)}
+    parallel, found = joblib.Parallel(n_jobs=given.jobs), stored(known, given.fresh)
+    chosen = {case: preset for case, preset in known.items() if case in (given.only or found)}
     for end in [*range(ROUND, given.runs, ROUND), given.runs]:
         for case, number in itertools.product(chosen, SEEDS):
             for name in filters(case, chosen[case]):

@@ -7,7 +7,7 @@ import json
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -125,6 +125,12 @@ def read_archive(
     if not is_whole:
         raise SlamlibError(f"{path} has been changed since it was written: its checksum differs; take another copy")
     return header, arrays
+
+
+def check_columns(rows: list[list[float]], columns: Sequence[str]) -> None:
+    """Raise ValueError, within `complete`, unless each row of a saved history has these columns."""
+    if any(len(row) != len(columns) for row in rows):
+        raise ValueError("its frames have other columns than those of this version")
 
 
 @contextmanager

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import complete
+from slamlib.data.files import check_columns, complete
 from slamlib.data.records import Frame, Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
@@ -147,8 +147,7 @@ class Run:
         with complete(path):
             run = cls(Preset.from_dict(extra["preset"]))
             run.slam, run._history, run._extrinsics = slam, extra["history"], extra["extrinsics"]
-            if any(len(row) != len(COLUMNS) for row in run._history):
-                raise ValueError("its frames have other columns than those of this version")
+            check_columns(run._history, COLUMNS)
             run._initialized, run._deleted = extra["initialized"], extra["deleted"]
         return run
 

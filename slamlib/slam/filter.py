@@ -59,6 +59,7 @@ class Slam:
         self.scans: list[Scan | None] = [None] * len(self.sensors)
         self.predictions: list[Predictions] = [[] for _ in self.sensors]
         self.absolute: list[RobotUpdate] = []
+        self.landmark_groups: tuple[Any, list[Any]] = None, []  # by kind, in this layout of the blocks
         self.options = options or Options()
 
     @property

@@ -9,13 +9,12 @@ from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from functools import lru_cache
 from typing import Any
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, compose
-from slamlib.kalman.state import Block, StateLayout, places
+from slamlib.kalman.state import Block, places
 from slamlib.manifolds import Array, Euclidean, Indices, read_only
 from slamlib.observation.family import landmark_means, state_rows
 from slamlib.slam.entities import POSE, MountedSensor
@@ -57,19 +56,13 @@ def generators(slam: Any) -> Array:
     for robot in slam.robots:
         N[robot.block.slice] = generator(robot.motion, robot.block.mean)
     layout = slam.landmarks[0].block.layout if slam.landmarks else None
-    groups = _GROUPS.get(layout) if layout else None
-    if groups is None:
+    if layout is None or slam.landmark_groups[0] is not layout:
         groups = [(group, state_rows(group), _places(group)) for group in group_by_kind(slam.landmarks, KIND)]
-        if layout:
-            _GROUPS[layout] = groups
-    for group, rows, at in groups:
+        slam.landmark_groups = layout, groups
+    for group, rows, at in slam.landmark_groups[1]:
         means = landmark_means(group) if layout is None or at is None else layout.flat.take(at)
         N[rows] = generator(group[0].kind, means)
     return N
-
-
-# Landmarks by kind, their rows, and where their means are: a belief's layout is a new one whenever blocks change.
-_GROUPS: WeakKeyDictionary[StateLayout, list[tuple[list[Any], Indices, Indices | None]]] = WeakKeyDictionary()
 
 
 def _places(group: list[Any]) -> Indices | None:

@@ -181,6 +181,10 @@ def test_going_on_is_the_same_as_not_stopping(tmp_path):
     again.slam.save(tmp_path / "other.npz")
     with pytest.raises(SlamlibError, match="holds no run on pictures"):
         load(tmp_path / "other.npz")
+    again.history = [row[:-1] for row in again.history]
+    again.save(tmp_path / "older.npz")
+    with pytest.raises(SlamlibError, match="other columns than those of this version"):
+        load(tmp_path / "older.npz", source=pictures({20, 21}), front_end=lambda calibration: Told())
 
 
 def test_what_is_broken_off_in_the_middle_is_not_saved(tmp_path):

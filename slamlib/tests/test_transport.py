@@ -1,5 +1,7 @@
 """What no measurement can tell stays unknown: the null space of every model, and the covariance carried along it."""
 
+import gc
+import weakref
 from dataclasses import replace
 
 import numpy as np
@@ -41,6 +43,15 @@ def run(p, frames):
     for frame, _ in replace(p, frames=frames).simulate():
         slam.step(frame)
     return slam
+
+
+def test_a_filter_that_is_no_longer_used_is_freed():
+    slam = run(with_options("points", error="world"), 8)
+    generators(slam)
+    landmark = weakref.ref(slam.landmarks[0])
+    del slam
+    gc.collect()
+    assert landmark() is None
 
 
 @pytest.mark.parametrize("name", MOTIONS)

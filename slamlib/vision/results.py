@@ -16,6 +16,7 @@ COLUMNS = (
     *("lasting", "lasting_dof", "near"),
     *PARTS,
 )
+NEAR = 40.0  # baselines: nearer points tell how long a step was, the others where it turned (Mur-Artal, Tardos 2017)
 LASTING, FEW_NEAR = 0.3, 6.0  # the largest correlation of innovations, the least near points, of a run without doubts
 Whitened = dict[int, Array]  # innovations in units of their standard deviations, uncorrelated; by landmark
 
@@ -27,8 +28,8 @@ class ImageResult:
     time [s] of the image; searched, matched, inliers: landmarks searched for, found, and accepted; nis and its degrees
     of freedom nis_dof: of all inliers; landmarks: in the map; initialized, deleted; lasting: product of the whitened
     innovations of this frame and the last, of lasting_dof numbers, zero on average where the errors of a landmark's
-    measurements are independent; near: inliers nearer than 40 baselines, nan for a single camera;
-    PARTS, and perhaps more of them: processor time [s].
+    measurements are independent; near: inliers nearer than NEAR, nan for a single camera; PARTS, and perhaps
+    more of them: processor time [s].
     """
 
     columns: dict[str, Array]
@@ -122,9 +123,8 @@ def doubts(s: dict[str, Any]) -> list[str]:
             "filter takes for independent, and its covariances are too small"
         )
     if near is not None and near < FEW_NEAR:
-        found.append(
-            f"only {near:.1f} points per frame are nearer than 40 baselines: how far each step went is hardly measured"
-        )
+        few = f"only {near:.1f} points per frame are nearer than {NEAR:g} baselines"
+        found.append(f"{few}: how far each step went is hardly measured")
     return found
 
 
@@ -132,7 +132,12 @@ def table(s: dict[str, Any]) -> list[tuple[str, str]]:
     """The rows of a summary, and of its "reference" (slamlib.evaluation.comparison), as texts (name, value)."""
     share = {name: "none" if s[name] is None else f"{s[name]:.1%}" for name in ("matched_share", "inlier_share")}
     nis = "no match" if s["nis_per_dof"] is None else f"{s['nis_per_dof']:.2f} (without those that the gate rejects)"
-    lasts, near = s["innovation_correlation"], s["near_mean"]
+    known = []
+    if s["innovation_correlation"] is not None:
+        by = f"{s['innovation_correlation']:.2f}, +- {s['innovation_correlation_std']:.2f} by chance"
+        known.append(("innovations, next frame", f"correlated by {by}; 0 if errors do not last"))
+    if s["near_mean"] is not None:
+        known.append(("near points", f"{s['near_mean']:.1f} per frame, nearer than {NEAR:g} baselines"))
     unit = "m" if s.get("metric") else "of the run's own units"
     parts = ", ".join(f"{name} {spent:.1f}" for name, spent in s["milliseconds"].items())
     rows = [
@@ -141,18 +146,7 @@ def table(s: dict[str, Any]) -> list[tuple[str, str]]:
         ("frames without a match", f"{s['frames_without_match']} (predictions)"),
         ("matched", f"{share['matched_share']} of {s['searched']} searched; {share['inlier_share']} of them inliers"),
         ("NIS per degree of freedom", nis),
-        *(
-            []
-            if lasts is None
-            else [
-                (
-                    "innovations, next frame",
-                    f"correlated by {lasts:.2f}, +- "
-                    f"{s['innovation_correlation_std']:.2f} by chance; 0 if errors do not last",
-                )
-            ]
-        ),
-        *([] if near is None else [("near points", f"{near:.1f} per frame, nearer than 40 baselines")]),
+        *known,
         ("landmarks", f"{s['landmarks']} in the map, {s['initialized']} initialized, {s['deleted']} deleted"),
         ("state", f"{s['state']} degrees of freedom"),
         ("path", f"{s['path_length']:.3f} {unit} long"),

@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import complete
+from slamlib.data.files import check_columns, complete
 from slamlib.data.plain import read, read_fields
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets import opening
@@ -215,4 +215,6 @@ def load(
             motion = MotionSource(front_end(rig.sensors[0].calibration))
         slam = Slam.load(path, front_ends=[motion.front_end])
         motion.restore(told["state"])
-        return SequenceRun(source or opening.reopen(saved["source"], frames), slam, motion, kind, **saved["run"])
+        run = SequenceRun(source or opening.reopen(saved["source"], frames), slam, motion, kind, **saved["run"])
+        check_columns(run.history, run.columns)
+        return run

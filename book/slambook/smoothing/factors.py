@@ -1,9 +1,9 @@
 """The factors of a smoother's problem: whitened residuals over all frames, with the Jacobians of the filter's models.
 
-A motion's residual is the noise w itself, the one with which
-step(x, control + w) is the next state: its covariance is that of the control, and its Jacobians follow from those of
-the step (implicit functions). Where a control has fewer numbers than the state (constant velocity, a car), the other
-directions are held by SLACK; what has no noise at all is held by EXACT.
+A motion's residual is the noise w itself, the one with which step(x, control + w) is the next state: its covariance is
+that of the control, and its Jacobians follow from those of the step (implicit functions). Where a control has fewer
+numbers than the state (constant velocity, a car), the other directions are held by SLACK; what has no noise at all is
+held by EXACT.
 """
 
 from collections.abc import Callable, Sequence

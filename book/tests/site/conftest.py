@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from book.tests.site.live_page import PATIENCE, address, live_pages, shown_pages, urgency
+from book.tests.site.live_page import PATIENCE, address, live_pages, most_urgent_first, shown_pages
 from book.tools import browser, layout, serve
 
 ADDED = ("index.html", "genindex.html", "search.html")  # by Sphinx
@@ -41,7 +41,7 @@ def pytest_configure(config: Any) -> None:
 def pytest_generate_tests(metafunc: Any) -> None:
     """The pages; of the live ones first those that must be tried."""
     if "notebook" in metafunc.fixturenames:
-        files = sorted(live_pages(metafunc.config.getoption("every_page")), key=urgency)
+        files = most_urgent_first(live_pages(metafunc.config.getoption("every_page")))
         metafunc.parametrize("notebook", files, ids=[f.stem for f in files])
     if "name" in metafunc.fixturenames:
         names = [address(f) for f in shown_pages(metafunc.config.getoption("every_page"))]

@@ -39,9 +39,10 @@ def _chosen(files: list[Path], behind: tuple[str, ...], every: bool) -> list[Pat
     return _touched(files)
 
 
-def urgency(file: Path) -> tuple[bool, int]:
-    """Sorts live pages: those that have changed and the four first; and long ones first, to keep both workers busy."""
-    return not _touched([file]), -len(live_cells(file))
+def most_urgent_first(files: list[Path]) -> list[Path]:
+    """Live pages that have changed and the four, then the others; long ones first, to keep both workers busy."""
+    urgent = _touched(files)
+    return sorted(files, key=lambda file: (file not in urgent, -len(live_cells(file))))
 
 
 def _touched(files: list[Path]) -> list[Path]:

@@ -19,13 +19,13 @@ from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.measurement_update import predict_from_pose
 from slamlib.vision.front_end import MotionSource, Stopwatch
+from slamlib.vision.results import NEAR
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import StereoFeatures
 from slamlib.vision.stereo.fitting import fit
 from slamlib.vision.stereo.front_end import StereoSearch
 from slamlib.vision.stereo.odometry import MIN_MATCHES, RelativeMotion, VisualOdometry, as_control
 
-NEAR = 40.0  # baselines: nearer points tell how long a step was, the others where it turned (Mur-Artal, Tardos 2017)
 UNINFORMATIVE = 1e4  # factor of a covariance that makes a control uninformative
 NEAR_SIGMAS = 3.5  # standard deviations: a feature so near to a predicted landmark may be that landmark
 SLACK = 2.0  # px, largest distance of a detected feature from its landmark
