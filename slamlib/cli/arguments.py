@@ -62,6 +62,12 @@ def outputs(add: Callable[..., Any]) -> None:
     result(add)
 
 
+def reference_std(add: Callable[..., Any]) -> None:
+    """Add the option that says how well a reference is known."""
+    known = "std of the reference's own poses, as its maker states them, which NEES then expects too (default 0 0)"
+    add("--reference-std", nargs=2, type=number, metavar=("M", "DEG"), default=(0.0, 0.0), help=known)
+
+
 def result(add: Callable[..., Any]) -> None:
     """Add the options that say in what form the result is given."""
     add("--overwrite", action="store_true", help="replace files that exist")

@@ -25,6 +25,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("path", help="the estimated trajectory")
     parser.add_argument("reference", help="the trajectory to compare with")
     parser.add_argument("--scale", action="store_true", help="align the scale too: the path of one camera has none")
+    shared.reference_std(parser.add_argument)
     parser.add_argument("--times", metavar="FILE", help="one time [s] a row, for files in KITTI's format")
     parser.add_argument("--plot", metavar="FILE", help=shared.PLOT)
     shared.result(parser.add_argument)
@@ -36,7 +37,7 @@ def execute(given: argparse.Namespace) -> int:
     times = read_rows(given.times)[0][:, 0] if given.times else None
     path, reference = (read_trajectory(name, times) for name in (given.path, given.reference))
     interval = float(np.median(np.diff(path.times))) if len(path) > 1 else 0.0
-    found, series = compared(path, reference, interval, not given.scale)
+    found, series = compared(path, reference, interval, not given.scale, given.reference_std)
     runner.export(given, "plot", lambda: {Path(given.path).name: series})
     runner.report(given, found, shared.aligned_rows(rows(found)))
     return 0

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.cli.arguments import OPTION, aligned_rows, assignments, at_least, count, number, outputs
+from slamlib.cli.arguments import OPTION, aligned_rows, assignments, at_least, count, number, outputs, reference_std
 from slamlib.cli.runner import EXIT_ERROR, Job, RunEnd, check_files, check_resumed, execute, export, report
 from slamlib.errors import SlamlibError, entry
 from slamlib.evaluation.comparison import compared
@@ -49,8 +49,10 @@ class ImageCommand:
         add("--trajectory", metavar="FILE", help="write the camera's trajectory in TUM format, for evo; beside it its "
             "covariances, which `slamlib evaluate` reads too, in a file that ends in .cov")  # fmt: skip
         add("--reference", metavar="FILE", help="compare with a trajectory of this camera (TUM, EuRoC or KITTI format)")
+        reference_std(add)
         outputs(add)
-        parser.set_defaults(check=lambda given: check_resumed(given, parser, "frames", "patience", "reference"))
+        allowed = "frames", "patience", "reference", "reference_std"
+        parser.set_defaults(check=lambda given: check_resumed(given, parser, *allowed))
 
     def execute(self, given: argparse.Namespace) -> int:
         """Run; a run that stops early, by an error or by Ctrl-C, is saved, and can be resumed."""
@@ -90,7 +92,8 @@ class ImageCommand:
         s |= {"metric": run.metric, "stopped": ended.why, "reference": None}
         try:
             if reference is not None:
-                s["reference"], series = compared(run.trajectory(), reference, run.source.interval, run.metric)
+                known = run.metric, given.reference_std
+                s["reference"], series = compared(run.trajectory(), reference, run.source.interval, *known)
                 export(given, "plot", lambda: {"camera": series})
         except SlamlibError as error:  # the run is valid without the reference
             ended.status = EXIT_ERROR

@@ -4,6 +4,7 @@ ATE and RPE are those of evo (Grupp, github.com/MichaelGrupp/evo) and of Sturm a
 angles that remain after an alignment, and those of the motions from each pose to the next.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -21,13 +22,14 @@ KITTI_LENGTHS = tuple(map(float, range(100, 900, 100)))  # [m]
 
 
 def compared(
-    path: Trajectory, reference: Trajectory, interval: float, metric: bool
+    path: Trajectory, reference: Trajectory, interval: float, metric: bool, noise: Sequence[float] = (0, 0)
 ) -> tuple[dict[str, Any], dict[str, Array]]:
     """Errors of the trajectory against a reference of the same moving frame; a free scale is aligned.
 
-    interval [s]: between two poses; metric: whether the scale is known. Lengths in the reference's unit, angles in
-    degrees. NEES needs a known scale and a path with covariances. Second the errors of each pose, arrays (n,) by name,
-    for a plot: after the alignment, or by the first poses alone where NEES is known. Raises SlamlibError.
+    interval [s]: between two poses; metric: whether the scale is known; noise: the reference's own standard deviations,
+    position and orientation. Lengths in the reference's unit, angles in degrees. NEES needs a known scale and a path
+    with covariances. Second the errors of each pose, arrays (n,) by name, for a plot: after the alignment, or by the
+    first poses alone where NEES is known. Raises SlamlibError.
     """
     i, j = associate(path, reference, max(0.02, 0.5 * interval))
     estimate, other = path[i], reference[j]
@@ -36,7 +38,7 @@ def compared(
     turned = statistics(orientation)
     series = {"times": other.times, "position": found.position, "orientation": orientation}
     uncertain = metric and estimate.covariances is not None
-    series |= _nees(estimate, other) if uncertain else {}
+    series |= _nees(estimate, other, noise) if uncertain else {}
     steps = _motion_errors(found.estimate, other, slice(None, -1), slice(1, None))
     summary = {
         "poses": len(estimate),
@@ -71,18 +73,19 @@ def _motion_errors(estimate: Trajectory, reference: Trajectory, i: Any, j: Any) 
     return np.linalg.norm(error[:, :3], axis=1), np.degrees(angles(error[:, 3:]))
 
 
-def _nees(estimate: Trajectory, reference: Trajectory) -> dict[str, Array]:
+def _nees(estimate: Trajectory, reference: Trajectory, noise: Sequence[float]) -> dict[str, Array]:
     """NEES (n,) of the poses, their errors and standard deviations, by the motion that fits the first poses best.
 
     A filter's covariance is of its pose relative to where it started, not to where a best alignment of all puts it. But
-    one pose of a reference may be wrong by more than the filter is (KITTI's first one by 0.8 degrees, which are 0.8 m
-    after 60 m): the first second counts, or a tenth of a shorter path. Its own NEES, which are too small, are nan.
+    one pose of a reference may be wrong by more than the filter is (0.5 degrees are 0.5 m after 60 m): the first second
+    counts, or a tenth of a shorter path. Its own NEES, which are too small, are nan. noise: of each of its poses.
     """
     spans = estimate.times - estimate.times[0]
     first = np.flatnonzero(spans <= min(PLACED, spans[-1] / 10))
     placed = align_trajectory(estimate[first], reference[first], scale=False, rotation_from="orientations")
     moved = placed.similarity.moved(estimate)
     errors, covariances = Pose.minus(reference.poses, moved.poses), np.asarray(moved.covariances)
+    covariances = covariances + np.diag(np.repeat([noise[0], np.radians(noise[1])], 3) ** 2)
     nees = np.array([nees_where_uncertain(e, P) for e, P in zip(errors, covariances, strict=True)])
     if len(first) > 1:
         nees[first] = np.nan

@@ -64,6 +64,18 @@ def test_nees_says_whether_the_covariances_are_right(scale, low, high, capsys):
     assert end["position"] < 5 * scale * end["position_sigma"]
 
 
+@pytest.mark.parametrize(("said", "low", "high"), [("0 0", -1, 0.2), ("0.5 3", 0.92, 0.98), ("5 30", -1, 0.1)])
+def test_a_reference_may_have_errors_too(said, low, high, capsys):
+    rng = np.random.default_rng(9)
+    path, sigma = estimated(truth(), rng), np.repeat([0.5, np.radians(3)], 3)
+    errors = sigma * rng.standard_normal((len(path), 6))
+    errors[path.times <= 1.0] = 0
+    write_tum("path.txt", path)
+    write_tum("truth.txt", Trajectory(path.times, Pose.plus(truth().poses, errors)))
+    found = printed(["evaluate", "path.txt", "truth.txt", "--reference-std", *said.split(), "--json"], capsys)
+    assert low < found["nees"]["inside"] < high
+
+
 def test_absolute_and_relative_errors_are_those_of_evo(capsys):
     """The definitions of evo, written out: distances and angles after Umeyama's alignment; and from pose to pose."""
     path, there = estimated(truth(), np.random.default_rng(1)), truth()
