@@ -51,8 +51,7 @@ class ImageCommand:
         add("--reference", metavar="FILE", help="compare with a trajectory of this camera (TUM, EuRoC or KITTI format)")
         reference_std(add)
         outputs(add)
-        allowed = "frames", "patience", "reference", "reference_std"
-        parser.set_defaults(check=lambda given: check_resumed(given, parser, *allowed))
+        parser.set_defaults(check=lambda given: check_resumed(given, parser))
 
     def execute(self, given: argparse.Namespace) -> int:
         """Run; a run that stops early, by an error or by Ctrl-C, is saved, and can be resumed."""

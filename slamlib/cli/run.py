@@ -31,7 +31,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--landmark", action="append", default=[], help="parametrization of new points or lines")
     shared.add(parser)
     shared.outputs(parser.add_argument)
-    parser.set_defaults(check=lambda given: runner.check_resumed(given, parser, "frames"))
+    parser.set_defaults(check=lambda given: runner.check_resumed(given, parser))
 
 
 def execute(given: argparse.Namespace) -> int:

@@ -25,7 +25,7 @@ EXIT_ERROR = 2
 STOPPED: dict[int, str] = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}
 FILES = ("save", "trajectory", "map", "plot", "json")  # options whose value is a file that is written
 WRITERS = {"map": "slambook.scene.map_file", "plot": "slambook.scene.error_plot"}  # of the book's package
-CONTINUED = ("resume", "overwrite", "video", "live", *FILES)  # those that a resumed run takes too
+CONTINUED = "resume", "overwrite", "video", "live", "frames", "patience", "reference", "reference_std", *FILES
 Shown = tuple[Snapshot, Truth | None]
 
 
@@ -92,10 +92,10 @@ def report(given: argparse.Namespace, result: Any, text: str) -> None:
         write_whole(given.json, data + "\n")
 
 
-def check_resumed(given: argparse.Namespace, parser: argparse.ArgumentParser, *allowed: str) -> None:
-    """Raise SlamlibError for an option that a resumed run cannot take, by its name."""
+def check_resumed(given: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
+    """Raise SlamlibError for an option that a resumed run cannot take (that is not CONTINUED), by its name."""
     for name, value in vars(given).items():
-        if name not in (*CONTINUED, *allowed, "command", "execute") and value != parser.get_default(name):
+        if name not in (*CONTINUED, "command", "execute") and value != parser.get_default(name):
             flag = "the preset's name" if name == "preset" else "--" + name.replace("_", "-")
             raise SlamlibError(f"--resume continues the run of its file as it was begun: leave {flag} out")
 

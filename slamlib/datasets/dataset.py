@@ -13,6 +13,7 @@ import numpy as np
 from slamlib.datasets.lens import Lens
 from slamlib.datasets.pictures import TimedImage, read_image
 from slamlib.errors import SlamlibError
+from slamlib.geometry.pose import ORIGIN
 from slamlib.manifolds import Array
 
 FPS = 30.0
@@ -26,7 +27,8 @@ class ImageSource:
     names, times [s]: of the whole sequence; interval [s]: typical, between two neighbours of it. read(numbers,
     ascending) yields some of them. frames: the numbers of its own images in the whole. has_times: whether a list gives
     the times, by which images of two cameras can be paired; otherwise they follow from the numbers. layout: its name;
-    where: the absolute path; recipe: plain data to open the same source again.
+    where: the absolute path; recipe: plain data to open the same source again. original (7,): pose of the camera that
+    took the images in the frame of the one whose images they are now: a rectification turns it.
     Iterating raises SlamlibError, which names the picture, for one that cannot be read or has another size.
     """
 
@@ -39,6 +41,7 @@ class ImageSource:
     layout: str = "memory"
     where: str = "memory"
     recipe: dict[str, Any] = field(default_factory=dict)
+    original: Array = field(default_factory=lambda: ORIGIN)
 
     def __len__(self) -> int:
         return len(self.frames)
@@ -73,13 +76,13 @@ class ImageSource:
             return self
         return self.part(chosen.start, chosen.step, len(chosen) if count is None else count)
 
-    def through(self, change: Callable[[Array], Array], recipe: dict[str, Any]) -> "ImageSource":
+    def through(self, change: Callable[[Array], Array], recipe: dict[str, Any], original: Array) -> "ImageSource":
         """The same images, each changed, as by an undistortion; recipe: plain data that includes the change."""
 
         def read(frames: Numbers) -> Iterator[TimedImage]:
             return (replace(picture, image=change(picture.image)) for picture in self.read(frames))
 
-        return replace(self, read=read, recipe=recipe)
+        return replace(self, read=read, recipe=recipe, original=original)
 
 
 @dataclass(frozen=True)

@@ -92,7 +92,8 @@ def remapped(
 ) -> tuple[ImageSource, dict[str, Any]]:
     """Images without distortion, or rectified pairs, and plain data of their SensorSetup."""
     change, setup = undistortion(known, size) if isinstance(known, Lens) else rectification(known, size)
-    return source.through(change, {**source.recipe, "remap": written(known), "size": list(size)}), setup
+    recipe = {**source.recipe, "remap": written(known), "size": list(size)}
+    return source.through(change, recipe, change.original), setup
 
 
 def reopen(recipe: dict[str, Any], count: int | None = None) -> ImageSource:

@@ -14,6 +14,7 @@ import numpy as np
 from slamlib.datasets.lens import FISHEYE, MODELS, Lens, PairCalibration, placed
 from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
+from slamlib.geometry.quaternion import best_pivot, from_rotation
 from slamlib.manifolds import Array
 
 PURPOSE = "to undistort images"
@@ -51,8 +52,8 @@ class Remapping:
     """Maps images (h, w) of one lens, or pairs (2, h, w) of two, to those of one pin-hole without distortion.
 
     ideal(zoom): that pin-hole, by a factor of its focal lengths; the least one is taken for which all pixels are
-    seen by the lenses, and is then `lens`. turns (3, 3): of their rays. size: (width, height) of the pictures. Raises
-    SlamlibError for invalid lenses.
+    seen by the lenses, and is then `lens`. turns (3, 3): of their rays; original (7,): of the first camera, as a pose.
+    size: (width, height) of the pictures. Raises SlamlibError for invalid lenses.
     """
 
     def __init__(
@@ -77,6 +78,7 @@ class Remapping:
             middle = float(np.sqrt(low * high))
             low, high = (low, middle) if fits(middle) else (middle, high)
         self.lens, self._maps = ideal(high), places(high)
+        self.original = np.concatenate([np.zeros(3), from_rotation(turns[0], best_pivot(turns[0]))])
 
     def __call__(self, image: Array) -> Array:
         """The remapped image (h, w) or pair (2, h, w), bilinear."""

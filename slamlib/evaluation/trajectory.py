@@ -98,9 +98,7 @@ def beside(path: str | Path) -> Path:
 
 
 def _write_rows(path: str | Path, head: str, times: Array, values: Array) -> None:
-    rows = (
-        " ".join([f"{time:.9f}", *(f"{value:.12g}" for value in row)]) for time, row in zip(times, values, strict=True)
-    )
+    rows = (" ".join([f"{t:.9f}", *(f"{value:.12g}" for value in row)]) for t, row in zip(times, values, strict=True))
     write_whole(path, f"# {head}\n" + "\n".join(rows) + "\n")
 
 
@@ -122,10 +120,8 @@ def read_trajectory(path: str | Path, times: Array | None = None) -> Trajectory:
     else:
         raise SlamlibError(f"{path} is no trajectory: rows of 8 (TUM) or 12 numbers (KITTI), or EuRoC's, are wanted")
     if times is None or len(times) != len(poses):
-        given = (
-            "give them (times=..., --times FILE)" if times is None else f"{len(times)} are given: as many are wanted"
-        )
-        raise SlamlibError(f"{path} has {len(poses)} poses, but no times (KITTI's form): {given}")
+        why = "give them (times=..., --times FILE)" if times is None else f"{len(times)} are given: as many are wanted"
+        raise SlamlibError(f"{path} has {len(poses)} poses, but no times (KITTI's form): {why}")
     covariances = None
     if beside(path).is_file() and beside(path) != Path(path):
         known, _ = read_rows(beside(path))
@@ -152,10 +148,8 @@ def read_rows(path: str | Path) -> tuple[Array, bool]:
         rows = np.array([[float(w) for w in line.replace(",", " ").split()] for line in lines])
     except ValueError as error:
         raise SlamlibError(f"{path} is no trajectory: its rows are not numbers, as many in each: {error}") from None
-    if not np.isfinite(rows).all():
-        raise SlamlibError(
-            f"{path} is no trajectory: nan or infinity in its row {np.argwhere(~np.isfinite(rows))[0, 0]}"
-        )
+    if len(bad := np.argwhere(~np.isfinite(rows))):
+        raise SlamlibError(f"{path} is no trajectory: nan or infinity in its row {bad[0, 0]}")
     return rows, "," in lines[0]
 
 

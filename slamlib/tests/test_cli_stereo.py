@@ -14,6 +14,7 @@ from slamlib.datasets.dataset import table
 from slamlib.evaluation.comparison import lengths_of
 from slamlib.evaluation.trajectory import read_trajectory
 from slamlib.geometry.pose import relative
+from slamlib.geometry.quaternion import rotation
 from slamlib.tests.pictures import interrupted_at, windows
 from slamlib.vision.run import PAIRS
 from slamlib.vision.run import load as load_kind
@@ -178,6 +179,10 @@ def test_the_layout_of_euroc_is_rectified_and_matched_by_time(room, tmp_path, ca
     truth = read_trajectory(room / "groundtruth_0.txt")
     moved = from_start(run.trajectory())[-1, :3]
     assert np.linalg.norm(moved) == pytest.approx(np.linalg.norm(from_start(truth)[5, :3]), rel=0.03)
+    # The trajectory is of the camera that took the pictures: its baseline is the rectified one's x axis.
+    turn = rotation(relative(np.array(run.path[0]), run.trajectory().poses[0])[3:])
+    np.testing.assert_allclose(turn @ TURNS[0].T @ [1, 0, 0], [1, 0, 0], atol=1e-6)
+    assert np.linalg.norm(turn - np.eye(3)) > 0.01
     assert next(p.image.shape for p in run.source) == (2, 120, 160)
 
 

@@ -15,6 +15,7 @@ from slamlib.datasets.pictures import TimedImage
 from slamlib.datasets.rectification import rectification, rectified_setup, why_not_rectified
 from slamlib.datasets.sources import of_pictures
 from slamlib.errors import SlamlibError
+from slamlib.geometry.quaternion import rotation
 from slamlib.tests.pictures import KALIBR
 from slamlib.vision.run import PAIRS, load, open_stereo, stereo_run
 from slamlib.vision.stereo import StereoSettings
@@ -102,6 +103,7 @@ def test_rectified_pixels_are_those_of_a_stereo_sensor(left, right):
     change, setup = rectification(PairCalibration(left, replace(right, transform=tuple(place().ravel()))), SIZE)
     sensor = SensorSetup(**setup).calibration
     assert sensor.given["baseline"][0] == pytest.approx(np.linalg.norm(SHIFT))
+    np.testing.assert_allclose(rotation(change.original[3:]), new_axes(), atol=1e-12)
     rng = np.random.default_rng(1)
     rays = np.column_stack([rng.uniform(-0.5, 0.5, (40, 1)), rng.uniform(-0.35, 0.35, (40, 1)), np.ones((40, 1))])
     points = rays * rng.uniform(1, 6, (40, 1))  # in the left camera's frame

@@ -8,6 +8,7 @@ from slamlib.datasets.opening import open_rectified_pairs, reopen
 from slamlib.datasets.pictures import TimedImage, read_image
 from slamlib.datasets.sources import of_pictures, open_source
 from slamlib.errors import SlamlibError
+from slamlib.geometry.pose import ORIGIN
 from slamlib.modeling.registry import Registry
 from slamlib.tests.pictures import DATA
 
@@ -96,7 +97,7 @@ def test_colour_becomes_grey_and_a_black_picture_is_valid(tmp_path):
     assert one.mean() == pytest.approx(0.587 * 200, abs=1)
     assert np.array_equal(one, two)
     assert not black.any()
-    halved = open_source(tmp_path).through(lambda image: image[::2], {"halved": True})
+    halved = open_source(tmp_path).through(lambda image: image[::2], {"halved": True}, ORIGIN)
     assert [p.image.shape for p in halved] == [(12, 32)] * 3
     assert halved.part(1).recipe == {"halved": True, "frames": [1, 3, 1]}
 

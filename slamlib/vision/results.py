@@ -80,9 +80,8 @@ def whitened(slam: Slam) -> Whitened:
 
 def lasting(now: Whitened, before: Whitened) -> dict[str, float]:
     """The two columns of the innovations of a frame and the one before."""
-    products = [float(value @ before[number]) for number, value in now.items() if number in before]
-    dof = sum(len(value) for number, value in now.items() if number in before)
-    return {"lasting": sum(products), "lasting_dof": dof}
+    pairs = [(value, before[number]) for number, value in now.items() if number in before]
+    return {"lasting": sum(float(a @ b) for a, b in pairs), "lasting_dof": sum(len(a) for a, _ in pairs)}
 
 
 def summary(result: ImageResult) -> dict[str, Any]:

@@ -214,10 +214,11 @@ class SequenceRun:
         return replace(shown, sensors=tuple(replace(v, scan=s) for v, s in zip(shown.sensors, scans, strict=True)))
 
     def trajectory(self) -> Trajectory:
-        """Poses of the camera in the world, as estimated at each image. Raises SlamlibError before the first."""
+        """Poses of the camera that took the images, as estimated at each. Raises SlamlibError before the first."""
         if not self.history:
             raise SlamlibError("nothing has been run yet")
-        return Trajectory(np.array(self.history)[:, TIME], np.array(self.path), np.array(self.covariances))
+        path = Trajectory(np.array(self.history)[:, TIME], np.array(self.path), np.array(self.covariances))
+        return path.sensor_trajectory(self.source.original)
 
     def result(self) -> ImageResult:
         """The result so far. Raises SlamlibError before the first image."""
