@@ -56,8 +56,8 @@ class ImageCommand:
     def execute(self, given: argparse.Namespace) -> int:
         """Run; a run that stops early, by an error or by Ctrl-C, is saved, and can be resumed."""
         check_files(given)
-        if given.plot and not given.reference:
-            raise SlamlibError("--plot draws errors: they need --reference FILE, a trajectory to compare with")
+        if (given.plot or any(given.reference_std)) and not given.reference:
+            raise SlamlibError("--plot and --reference-std are about errors: they need --reference FILE, a trajectory")
         if given.resume:
             given.check(given)
             run = load(given.resume, self.kind, frames=given.frames)

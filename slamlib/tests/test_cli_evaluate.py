@@ -190,7 +190,8 @@ def test_maps_in_three_formats():
     [
         (["run", "points", "--map", "map.xyz"], "unknown ending of a map's file '.xyz'"),
         (["run", "points", "--plot", "errors.bmp"], "unknown ending of a plot '.bmp'"),
-        (["run", "images", "--plot", "errors.svg"], "--plot draws errors: they need --reference FILE"),
+        (["run", "images", "--plot", "errors.svg"], "are about errors: they need --reference FILE"),
+        (["run", "images", "--reference-std", "0.1", "1"], "are about errors: they need --reference FILE"),
         (["evaluate", "nothing.txt", "nothing.txt"], "nothing.txt cannot be read"),
         (["evaluate", "words.txt", "words.txt"], "words.txt is no trajectory: its rows are not numbers"),
     ],
