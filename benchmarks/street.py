@@ -62,7 +62,7 @@ WAYS: dict[str, dict[str, Any]] = {
     "correlated": {"settings": {"max_in_view": 60}, "options": {"max_new": 30, "window": 8}},
 }
 INTERPOLATED = 12  # pairs, until the reference turns as a car does
-REFERENCE = (0.02, 0.1)  # [m], [degrees]: of its satellite and inertial sensors (Geiger and others 2013)
+REFERENCE = (0.02, 0.1)  # [m], [degrees]: resolution of its sensor (Geiger and others 2013)
 HEAD = (
     f"{'':16} translation (5 to 40 m)     rotation         ATE   orient.   matches (least) NIS/dof  searched    ms/pair"
 )
@@ -97,8 +97,7 @@ def offsets(source: ImageSource, camera: dict[str, Any], truth: Trajectory) -> I
     """Odometry with constants added to all disparities."""
     for offset in OFFSETS:
         run = stereo_run(source, camera, motion_source="odometry", settings=StereoSettings(offset=offset, **FEATURES))
-        list(progress(run, len(run), f"offset {offset}"))
-        r = run.result()
+        r = finished(f"offset {offset}", run).result()
         yield {
             "offset": offset,
             "fit": float(r.nis.sum() / r.nis_dof.sum()),
@@ -151,7 +150,7 @@ def figures(offset: float = CHOSEN, names: list[str] | None = None) -> dict[str,
     later = source.part(INTERPOLATED)
     both = [dict(runs(later, camera, o, names or list(WAYS))) for o in (0.0, offset)]
     paths = [{name: finished(name, run).trajectory() for name, run in part.items()} for part in both]
-    found["nees"] = {name: nees(path, paths[1][name], truth) for name, path in paths[0].items()}
+    found["nees"] = {name: nees(path, paths[1][name], truth, source.interval) for name, path in paths[0].items()}
     return found
 
 
@@ -168,16 +167,15 @@ def turning(truth: Trajectory) -> list[float]:
     return [float(np.sqrt((part**2).mean())) for part in (changes[: INTERPOLATED - 2], changes[INTERPOLATED:])]
 
 
-def nees(path: Trajectory, shifted: Trajectory, truth: Trajectory) -> list[float]:
+def nees(path: Trajectory, shifted: Trajectory, truth: Trajectory, interval: float) -> list[float]:
     """Medians of NEES, 6 dof: by the path's covariances; with those of the reference; with its camera turned as in 3;
     and with the disparities' offset considered. shifted: the path with all disparities larger by its deviation."""
     assert path.covariances is not None
     away = Pose.minus(shifted.poses, path.poses)
     considered = Trajectory(path.times, path.poses, path.covariances + away[:, :, None] * away[:, None, :])
     turned = truth.sensor_trajectory(constant_turn(path, truth[INTERPOLATED:]))
-    judged = [(path, truth, (0.0, 0.0)), (path, truth, REFERENCE), (path, turned, REFERENCE)]
-    judged.append((considered, turned, REFERENCE))
-    interval = float(np.median(np.diff(path.times)))
+    known = ((path, truth), (path, turned), (considered, turned))
+    judged = [(path, truth, (0.0, 0.0)), *((p, there, REFERENCE) for p, there in known)]
     return [compared(p, there, interval, True, noise)[0]["nees"]["median"] for p, there, noise in judged]
 
 

@@ -64,7 +64,7 @@ def outputs(add: Callable[..., Any]) -> None:
 
 def reference_std(add: Callable[..., Any]) -> None:
     """Add the option that says how well a reference is known."""
-    known = "std of the reference's own poses, as its maker states them, which NEES then expects too (default 0 0)"
+    known = "std of the reference's own poses, as its maker states them; added to the path's own (default 0 0)"
     add("--reference-std", nargs=2, type=number, metavar=("M", "DEG"), default=(0.0, 0.0), help=known)
 
 

@@ -84,15 +84,15 @@ class ImageCommand:
 
     def _report(self, run: SequenceRun, given: argparse.Namespace, ended: RunEnd, reference: Trajectory | None) -> int:
         """Write the trajectory, print the result; return the exit status."""
+        path = run.trajectory()
         if given.trajectory:
-            write_tum(given.trajectory, run.trajectory())
+            write_tum(given.trajectory, path)
         export(given, "map", run.snapshot)
         s: dict[str, Any] = {"source": run.source.where, "layout": run.source.layout, **summary(run.result())}
         s |= {"metric": run.metric, "stopped": ended.why, "reference": None}
         try:
             if reference is not None:
-                known = run.metric, given.reference_std
-                s["reference"], series = compared(run.trajectory(), reference, run.source.interval, *known)
+                s["reference"], series = compared(path, reference, run.source.interval, run.metric, given.reference_std)
                 export(given, "plot", lambda: {"camera": series})
         except SlamlibError as error:  # the run is valid without the reference
             ended.status = EXIT_ERROR
