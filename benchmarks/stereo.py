@@ -13,6 +13,7 @@ import argparse
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -21,11 +22,31 @@ from slambook.stereo_films import KITTI, kitti, stereo_film
 
 from benchmarks.stereo_filter import Case, speed
 from benchmarks.stereo_filter import room as filter_in_room
-from slamlib.manifolds import Array
+from slamlib.datasets.pictures import opencv
+from slamlib.manifolds import Array, Image
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options
 from slamlib.vision.stereo import MOTION_SOURCES, StereoFeatureExtractor, StereoSettings, VisualOdometry
+from slamlib.vision.stereo.detect import DETECTORS, Keypoints, spread
 
+
+def orb(image: Image, s: StereoSettings, levels: int) -> Keypoints:
+    """ORB's own detector (FAST), with descriptors rotated by its angles; spread over the grid likewise."""
+    cv2 = opencv("to find features")
+    extractor = cv2.ORB_create(nfeatures=5000, nlevels=levels, edgeThreshold=s.border, fastThreshold=10)
+    found = extractor.detect(image, None)
+    pixels = np.array([k.pt for k in found]).reshape(-1, 2)
+    strengths = np.array([k.response for k in found])
+    rows = spread(pixels, strengths, image.shape[::-1], s.cells, s.per_cell)
+    chosen, descriptors = extractor.compute(image, [found[i] for i in rows.tolist()])
+    return Keypoints(
+        np.array([k.pt for k in chosen], dtype=float).reshape(-1, 2),
+        np.array([k.response for k in chosen]),
+        np.zeros((0, 32), np.uint8) if descriptors is None else descriptors,
+    )
+
+
+DETECTORS |= {"orb": partial(orb, levels=1), "orb8": partial(orb, levels=8)}
 ERRORS = (0.06, 0.055, 0.05)  # px: standard deviations of u, v and d as measured in the rooms, without their tails
 
 VARIANTS = {

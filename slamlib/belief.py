@@ -34,7 +34,7 @@ class Belief:
 
     def __init__(self, retraction: Retraction | None = None) -> None:
         self.retraction = retraction
-        self.transport: Callable[[], linalg.Carry] | None = None
+        self.transport: Callable[[], linalg.Carry | None] | None = None
         self._set([], np.zeros((0, 0)))
 
     @property

@@ -12,7 +12,7 @@ import inspect
 import math
 from abc import ABC, abstractmethod
 from collections import namedtuple
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextvars import ContextVar
 from types import ModuleType
 from typing import Any
@@ -166,6 +166,10 @@ class Model(Formula):
         value, *jacobians = self._evaluate("_jac", self._bind(args, kwargs))
         return value, self._jacobians(*jacobians)
 
+    def jac_where(self, first: Sequence[float], *others: ArrayLike) -> Array:
+        """The Jacobian (..., result, argument) w.r.t. the first argument alone, where that is one point: quicker."""
+        return self._run(self._kernel_where(tuple(first)), [np.asarray(other) for other in others])[0]
+
     def storage_jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Any]:
         """Value and plain derivatives w.r.t. the stored numbers: seven of a pose, four of a quaternion.
 
@@ -188,8 +192,6 @@ class Model(Formula):
     @functools.cached_property
     def code(self) -> ModuleType:
         """The module of the generated functions, checked against the definition."""
-        if self._whole is not None:
-            return in_memory.for_fewer(self._whole, self, self._whole.code)
         if self.module.split(".")[:2] not in [["slamlib", part] for part in FORMULA_PARTS]:  # a reader's own
             return in_memory.compile_in_memory(self)
         command = "run `make generate` (python -m slamlib.codegen)"
@@ -205,18 +207,18 @@ class Model(Formula):
     @functools.cached_property
     def storage_code(self) -> ModuleType:
         """The module of the derivatives w.r.t. stored numbers, which no filter needs: generated when first needed."""
-        if self._whole is not None:
-            return in_memory.for_fewer(self._whole, self, self._whole.storage_code)
         return in_memory.compile_in_memory(self, by_storage=True)
 
     def _evaluate(self, kind: str, arguments: list[Array]) -> list[Array]:
         fitting: Model = self
         if self._may_be_shorter:
             fitting = self.shortened(*(a.fitting(v).size for a, v in zip(self.arguments, arguments, strict=True)))
-        kernel = fitting._kernel(kind)
+        return self._run(fitting._kernel(kind), arguments)
+
+    def _run(self, kernel: Kernel, arguments: list[Array]) -> list[Array]:
         found = kernel.single(arguments)
         if found is None:
-            for argument, value in zip(self.arguments, arguments, strict=True):
+            for argument, value in zip(self.arguments[-len(arguments) :], arguments, strict=True):
                 argument.check(value, self.name)
             found = kernel(arguments)
         return found
@@ -224,12 +226,21 @@ class Model(Formula):
     @functools.cache  # noqa: B019 - models live as long as their module
     def _kernel(self, kind: str) -> Kernel:
         """The generated function of a kind, with the shapes of the arrays that its entries fill."""
-        shape = self.code.SHAPES[self.name]
-        function = getattr(self.storage_code if kind == "_storage_jac" else self.code, self.name + kind)
-        return Kernel(function, self.name, self.arguments, self.shapes(kind, shape))
+        return Kernel(self.generated(kind), self.name, self.arguments, self.shapes(kind))
 
-    def shapes(self, kind: str, shape: tuple[int, ...]) -> list[tuple[int, ...]]:
-        """Shapes of the arrays that a generated function returns: the value, of this shape, and the Jacobians."""
+    @functools.cache  # noqa: B019 - models live as long as their module
+    def _kernel_where(self, first: tuple[float, ...]) -> Kernel:
+        return Kernel(in_memory.where_first(self, first), self.name, self.arguments[1:], self.shapes("_jac")[1:2])
+
+    def generated(self, kind: str) -> Any:
+        """The generated function: of the value "", with Jacobians "_jac", or with "_storage_jac"."""
+        if self._whole is not None:
+            return in_memory.for_fewer(self._whole, self, kind)
+        return getattr(self.storage_code if kind == "_storage_jac" else self.code, self.name + kind)
+
+    def shapes(self, kind: str) -> list[tuple[int, ...]]:
+        """Shapes of the arrays that a generated function returns: the value, and the Jacobians."""
+        shape = (self._whole or self).code.SHAPES[self.name]
         stored = kind == "_storage_jac" or not self.has_manifold
         rows = self.result.tangent if self.result is not None and not stored else shape
         return [shape, *(rows + (a.shape if stored else a.tangent) for a in self.arguments if kind)]

@@ -30,6 +30,8 @@ WITHOUT_ORACLE = ("hmgPnt", "ahmLin", "hmgLin", "idpLin", "points_and_lines")
 BIASED = "points_and_lines"  # in scale
 START = "start known to 5 degrees"
 ONE_CAMERA, BY_CONTROL = "idpPnt", "idpPnt, noise in the control"  # by all data at once, too
+# Plücker lines whose prior is as wide as lines are near: 1 / distance, where the toolbox's second number has 1 / m.
+NARROW, PRIOR = ", narrow prior", ((0.1, 0.0), (0.25, 0.25))
 FIRST_FRAMES = 12  # of the first run, kept number by number
 
 
@@ -61,6 +63,7 @@ def cases() -> dict[str, Preset]:
         **{name: with_options(base, points=name) for name in sorted(POINTS) if name != "eucPnt"},
         "eucPnt": euclidean,
         **{name: with_options(house, lines=name) for name in sorted(LINES)},
+        **{name + NARROW: with_options(house, lines=name, line_priors={name: PRIOR}) for name in ("aplLin", "plkLin")},
         START: unsure_start(euclidean),
         BY_CONTROL: replace(with_options(base, points=ONE_CAMERA), noise_in="control"),
         **{n: replace(with_options(PRESETS[n](), reproject=False), noise_in="truth") for n in LARGE},

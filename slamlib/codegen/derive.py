@@ -78,5 +78,4 @@ def show(thing: Any, *, generated: bool = False) -> CodeListing:
         return CodeListing(inspect.getsource(thing))
     if not generated:
         return CodeListing(fingerprint.source(thing.function))
-    functions = (getattr(thing.code, thing.name + kind, None) for kind in ("", "_jac"))
-    return CodeListing("\n\n".join(inspect.getsource(f) for f in functions if f))
+    return CodeListing("\n\n".join(inspect.getsource(thing.generated(kind)) for kind in ("", "_jac")))

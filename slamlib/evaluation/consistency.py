@@ -91,21 +91,10 @@ def chi2_quantile(probability: float, dof: float) -> float:
     high = max(float(dof), 2 * low)
     while chi2_cdf(high, dof) < probability:
         low, high = high, 2 * high
-    x = _between(low, high)
-    for _ in range(200):
-        excess = chi2_cdf(x, dof) - probability
-        low, high = (low, x) if excess > 0 else (x, high)
-        slope = math.exp((a - 1) * math.log(x / 2) - x / 2 - math.lgamma(a)) / 2
-        newton = x - excess / slope if slope > 0 else low
-        following = newton if low < newton < high else _between(low, high)
-        if abs(following - x) <= 1e-15 * x:
-            break
-        x = following
-    return x
-
-
-def _between(low: float, high: float) -> float:
-    return math.sqrt(low) * math.sqrt(high) if high > 4 * low > 0 else (low + high) / 2
+    while high - low > 1e-15 * high + 1e-300:
+        x = math.sqrt(low) * math.sqrt(high) if high > 4 * low > 0 else (low + high) / 2
+        low, high = (low, x) if chi2_cdf(x, dof) > probability else (x, high)
+    return high
 
 
 def _gamma_p(a: float, x: float) -> float:

@@ -33,10 +33,9 @@ class Parts:
         """The state (..., size) after the motion."""
         return np.concatenate([part(motion, own) for part, own in self._split(state)], axis=-1)
 
-    def jac(self, motion, state):
-        """The state after the motion, and (J,) with J (..., dof, 6), its Jacobian with respect to the motion."""
-        values, found = zip(*(part.jac(motion, own) for part, own in self._split(state)), strict=True)
-        return np.concatenate(values, axis=-1), (np.concatenate([J[0] for J in found], axis=-2),)
+    def jac_where(self, motion, state):
+        """(..., dof, 6): its Jacobian with respect to the motion, where that is `motion` (7,)."""
+        return np.concatenate([part.jac_where(motion, own) for part, own in self._split(state)], axis=-2)
 
     def _split(self, state):
         return zip(self.parts, np.split(np.asarray(state), self.stops, axis=-1), strict=True)

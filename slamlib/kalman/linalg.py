@@ -94,21 +94,21 @@ def solve_lower(factor: Array, right: Array) -> Array:
     return fast(factor.T, right, trans=1) if right.ndim == 1 else fast(1.0, factor.T, right.T, side=1).T
 
 
-Carry = tuple[Indices, Array]  # rows (k,) of a covariance, and C (n, k)
+Carry = tuple[Indices, Array, Array]  # rows (k,) of a covariance, C (n, r) and L (r, k)
 
 
 def subtract_square(matrix: Array, rows: Array, carry: Carry | None = None) -> None:
     """matrix -= rows.T @ rows in place; a symmetric matrix stays exactly symmetric.
 
-    carry: (indices (k,), C (n, k)); the result P then becomes T P T', T = I + C E, where E picks these indices.
+    carry: (indices (k,), C, L); the result P then becomes T P T', T = I + C L E, where E picks these indices.
 
     NumPy computes W'W as a symmetric product. BLAS can update one triangle in place, which is then mirrored; but only
     a contiguous matrix: of a view into a larger array its wrapper silently updates a copy.
     """
     if carry:
-        at, C = carry
-        half = (matrix.take(at, axis=0) - rows[:, at].T @ rows).T
-        half += C @ half[at] / 2  # T P T' = P + C half' + half C'
+        at, C, L = carry
+        half = (L @ (matrix.take(at, axis=0) - rows[:, at].T @ rows)).T
+        half += C @ (L @ half[at]) / 2  # T P T' = P + C half' + half C'
     large = len(matrix) >= _LARGE and len(rows) and matrix.flags.c_contiguous
     fast, twice = (_scipy("scipy.linalg.blas", name) if large else None for name in ("dsyrk", "dsyr2k"))
     if fast:

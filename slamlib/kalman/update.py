@@ -164,7 +164,7 @@ class SequentialUpdate:
         covariance: Array,
         layout: StateLayout,
         retraction: Retraction | None = None,
-        transport: Callable[[], linalg.Carry] | None = None,
+        transport: Callable[[], linalg.Carry | None] | None = None,
     ) -> None:
         """covariance (n, n): updated in place by `finish`."""
         self._P, self._layout, self._retraction, self._transport = covariance, layout, retraction, transport

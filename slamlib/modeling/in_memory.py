@@ -1,11 +1,12 @@
-"""Generated code that is in no file: of readers' models, of storage Jacobians, and for fewer coefficients."""
+"""Generated code that is in no file: of readers' models, of storage Jacobians, and where some numbers are known."""
 
 import ast
 import inspect
 import linecache
 import math
-from collections.abc import Callable
-from types import ModuleType, SimpleNamespace
+import operator
+from collections.abc import Callable, Sequence
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -44,39 +45,45 @@ def load(text: str, name: str) -> Any:
     return module
 
 
-def for_fewer(whole: "Model", short: "Model", generated: Any) -> Any:
-    """Adapt the functions in `generated`, made for the model `whole`, to `short`, whose lists are shorter.
+def for_fewer(whole: "Model", short: "Model", kind: str) -> Callable[..., Any]:
+    """The generated function of a kind of the model `whole`, adapted to `short`, whose lists are shorter.
 
     A lens may have eight coefficients, and most have two; the missing ones are zero. Products with a missing one are
-    left out of the generated function, and so are the derivatives w.r.t. it; what remains is the same arithmetic.
+    left out of the function, and so are the derivatives w.r.t. it; what remains is the same arithmetic.
     """
     pairs = list(zip(whole.arguments, short.arguments, strict=True))
     lengths = {b.name: b.size for b in short.arguments}
-    zeros = {f"{a.name}{i}" for a, b in pairs for i in range(b.size, a.size)}
-    shape, functions = generated.SHAPES[whole.name], {}
-    for kind in ("", "_jac", "_storage_jac"):
-        if (function := getattr(generated, whole.name + kind, None)) is None:
-            continue
-        kept, start = [], 0
-        for all_of, left in zip(whole.shapes(kind, shape), short.shapes(kind, shape), strict=True):
-            entries = np.arange(start, start + math.prod(all_of)).reshape(all_of)
-            kept += entries[tuple(map(slice, left))].ravel().tolist()
-            start += entries.size
-        functions[whole.name + kind] = _without(function, lengths, zeros, kept)
-    return SimpleNamespace(SHAPES=generated.SHAPES, **functions)
+    zeros = {f"{a.name}{i}": 0.0 for a, b in pairs for i in range(b.size, a.size)}
+    kept, start = [], 0
+    for all_of, left in zip(whole.shapes(kind), short.shapes(kind), strict=True):
+        entries = np.arange(start, start + math.prod(all_of)).reshape(all_of)
+        kept += entries[tuple(map(slice, left))].ravel().tolist()
+        start += entries.size
+    return _without(whole.generated(kind), lengths, zeros, kept)
+
+
+def where_first(model: "Model", first: Sequence[float]) -> Callable[..., Any]:
+    """The generated Jacobian w.r.t. the first argument where that is `first`: a function of the other arguments."""
+    (known, *others), (value, by, *_) = model.arguments, model.shapes("_jac")
+    lengths, start = {argument.name: argument.size for argument in others}, math.prod(value)
+    numbers = {f"{known.name}{i}": float(number) for i, number in enumerate(first)}
+    return _without(model.generated("_jac"), lengths, numbers, list(range(start, start + math.prod(by))))
 
 
 def _without(
-    function: Callable[..., Any], lengths: dict[str, int], zeros: set[str], kept: list[int]
+    function: Callable[..., Any], lengths: dict[str, int], known: dict[str, float], kept: list[int]
 ) -> Callable[..., Any]:
-    """The function for arguments of these lengths, without the numbers named in `zeros`; only the entries `kept`."""
+    """The function of arguments of these lengths, without the `known` numbers; only the entries `kept`."""
     definition: Any = ast.parse(inspect.getsource(function)).body[0]
+    definition.args.args = [argument for argument in definition.args.args if argument.arg in lengths]
     *lines, result = definition.body
-    fold, body = _Fold(zeros), []
+    fold, body = _Fold(known), []
     for line in lines:
         fold.visit(line)
         target = line.targets[0] if isinstance(line, ast.Assign) else None
         if isinstance(target, ast.Tuple):  # the numbers of an argument: pose0, pose1, ... = pose
+            if line.value.id not in lengths:
+                continue
             target.elts = target.elts[: lengths[line.value.id]]
         if isinstance(target, ast.Name) and isinstance(line.value, ast.Constant | ast.Name):
             fold.known[target.id] = line.value
@@ -104,30 +111,40 @@ def _names(node: ast.AST) -> set[str]:
     return {n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
 
 
-class _Fold(ast.NodeTransformer):
-    """Leaves out what is multiplied by zero, and the zeros in sums."""
+_ARITHMETIC = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv}
 
-    def __init__(self, zeros: set[str]) -> None:
-        self.known: dict[str, ast.expr] = {name: ast.Constant(0) for name in zeros}
+
+class _Fold(ast.NodeTransformer):
+    """Computes what is known, and leaves out zeros in sums, ones in products, and what is multiplied by zero."""
+
+    def __init__(self, known: dict[str, float]) -> None:
+        self.known: dict[str, ast.expr] = {name: _number(value) for name, value in known.items()}
 
     def visit_Name(self, node: ast.Name) -> ast.expr:
         return self.known.get(node.id, node) if isinstance(node.ctx, ast.Load) else node
 
     def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.expr:
         self.generic_visit(node)
-        return node.operand if _is_zero(node.operand) else node
+        return _number(-node.operand.value) if isinstance(node.operand, ast.Constant) else node
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.expr:
         self.generic_visit(node)
-        left, right = _is_zero(node.left), _is_zero(node.right)
+        left, right = (side.value if isinstance(side, ast.Constant) else None for side in (node.left, node.right))
+        if left is not None and right is not None:
+            return _number(_ARITHMETIC[type(node.op)](left, right))
         if isinstance(node.op, ast.Mult | ast.Div):
-            return ast.Constant(0) if left or right else node
-        if right:
+            if left == 0 or right == 0:
+                return ast.Constant(0)
+            if right == 1:
+                return node.left
+            return node.right if left == 1 and isinstance(node.op, ast.Mult) else node
+        if right == 0:
             return node.left
-        if left:
+        if left == 0:
             return node.right if isinstance(node.op, ast.Add) else ast.UnaryOp(ast.USub(), node.right)
         return node
 
 
-def _is_zero(node: ast.expr) -> bool:
-    return isinstance(node, ast.Constant) and node.value == 0
+def _number(value: float) -> ast.Constant:
+    """A whole number is an int: of those a kernel knows that they are the same in each call."""
+    return ast.Constant(int(value) if value == int(value) else value)

@@ -14,6 +14,7 @@ import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, compose
+from slamlib.kalman.linalg import Carry
 from slamlib.kalman.state import Block, places
 from slamlib.manifolds import Array, Euclidean, Indices, read_only
 from slamlib.observation.family import landmark_means, state_rows
@@ -46,8 +47,7 @@ def generator(kind: Any, states: Array) -> Array:
 
 @lru_cache(maxsize=32)  # by the numbers themselves: most updates begin with the landmarks that the last one left
 def _generator(moved: Any, states: bytes, shape: tuple[int, ...]) -> Array:
-    N: Array = moved.jac(ORIGIN, np.frombuffer(states).reshape(shape))[1][0]
-    return read_only(N)
+    return read_only(moved.jac_where(ORIGIN, np.frombuffer(states).reshape(shape)))
 
 
 def generators(slam: Any) -> Array:
@@ -100,7 +100,12 @@ def carried(slam: Any, sensor: MountedSensor) -> Iterator[Projection]:
         H[:, : len(rows)] -= H @ before[columns] @ motion
         return H
 
-    slam.belief.transport = lambda: (rows, (unobservable(slam, sensor) - before) @ motion)
+    def carry() -> Carry | None:
+        change = unobservable(slam, sensor) - before
+        moved = change.any(axis=0)  # a translation of the world adds the same to a point or a pose anywhere
+        return (rows, change[:, moved], motion[moved]) if moved.any() else None
+
+    slam.belief.transport = carry
     try:
         yield project
     finally:

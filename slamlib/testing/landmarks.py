@@ -75,12 +75,12 @@ def _moved(judge: Judge, kind: Any, made: Sequence[tuple[Array, ...]], seen: lis
         case.compare(UNNOTICED, from_there, kind.to_frame(pose, landmark), "motion")
         near = [kind.moved(Pose.plus(ORIGIN, step), landmark) for step in steps]
         change = np.array([kind.manifold.minus(a, b) for a, b in zip(near[:6], near[6:], strict=True)]) / 2e-6
-        case.compare(GENERATOR, kind.moved.jac(ORIGIN, landmark)[1][0], change.T, "motion", 1e-6)
+        case.compare(GENERATOR, kind.moved.jac_where(ORIGIN, landmark), change.T, "motion", 1e-6)
     for place in made:
         landmark, J = kind.from_frame.jac(*place)
         along = J.pose @ frames.compose.jac(ORIGIN, place[0])[1].outer
         case = judge.at(f"{kind.name}.moved", landmark=landmark, pose=place[0])
-        case.compare(INHERITED, kind.moved.jac(ORIGIN, landmark)[1][0], along, "landmark")
+        case.compare(INHERITED, kind.moved.jac_where(ORIGIN, landmark), along, "landmark")
 
 
 def _homogeneous(rng: np.random.Generator) -> Array:

@@ -9,8 +9,11 @@ import sympy
 from slamlib.codegen import check
 from slamlib.codegen.emit import factored, unified
 from slamlib.codegen.printer import Printer
-from slamlib.geometry.pose import Pose, compose
+from slamlib.errors import ShapeError
+from slamlib.geometry import plucker
+from slamlib.geometry.pose import ORIGIN, Pose, compose, from_frame
 from slamlib.landmarks.ahm_point import to_frame
+from slamlib.landmarks.idp_point import angles_moved
 from slamlib.model import model
 from slamlib.observation.points import product
 from slamlib.sensors.pinhole import PINHOLE, pixel, project
@@ -135,6 +138,18 @@ def test_a_model_for_fewer_coefficients_is_the_model_with_zeros(count):
     assert np.array_equal(short(point, intrinsics, given), project(point, intrinsics, np.pad(given, (0, 8 - count))))
     for a, b in zip(jacobians, expected, strict=True):
         assert np.array_equal(a, b[..., : a.shape[-1]])
+
+
+@pytest.mark.parametrize("first", [ORIGIN, Pose.random(np.random.default_rng(2))], ids=["origin", "anywhere"])
+@pytest.mark.parametrize("known", [compose, from_frame, plucker.from_frame, angles_moved], ids=lambda m: m.module)
+def test_a_jacobian_where_the_first_argument_is_known_is_the_same_to_the_bit(known, first):
+    second, rng = known.arguments[1], np.random.default_rng(3)
+    for count in (1, 3, 50):
+        there = np.array([second.manifold.random(rng) for _ in range(count)])
+        assert np.array_equal(known.jac_where(first, there), known.jac(first, there)[1][0])
+        assert np.array_equal(known.jac_where(first, there[0]), known.jac(first, there[0])[1][0])
+    with pytest.raises(ShapeError, match=f"{known.name}: argument '{second.name}'"):
+        known.jac_where(first, np.zeros(second.size + 1))
 
 
 @model(pose=Pose, sequence=3, returns=Pose)

@@ -98,12 +98,13 @@ def test_coordinates_of_the_error_change_as_their_matrix_says(n):
     rng = np.random.default_rng(3)
     belief, A = Belief(), rng.standard_normal((n, n))
     belief.add(n, np.zeros(n), A @ A.T)
-    before, rows, C = belief.matrix.copy(), np.array([4, 5, 9]), rng.standard_normal((n, 3))
-    belief.transport = lambda: (rows, C)
+    before, rows, C = belief.matrix.copy(), np.array([4, 5, 9]), rng.standard_normal((n, 2))
+    L = rng.standard_normal((2, 3))
+    belief.transport = lambda: (rows, C, L)
     H = rng.standard_normal((2, n))
     belief.update(list(belief.blocks), [H], np.zeros(2), np.eye(2))
     K = np.linalg.solve(H @ before @ H.T + np.eye(2), H @ before).T
-    T, after = np.eye(n) + C @ np.eye(n)[rows], before - K @ H @ before
+    T, after = np.eye(n) + C @ L @ np.eye(n)[rows], before - K @ H @ before
     np.testing.assert_allclose(belief.matrix, T @ after @ T.T, rtol=1e-9, atol=1e-9 * np.abs(before).max())
     assert np.array_equal(belief.matrix, belief.matrix.T)
 

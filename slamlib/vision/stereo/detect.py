@@ -7,7 +7,7 @@ that ORB's invariance to these costs accuracy without benefit; `python -m benchm
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import lru_cache
 from math import inf
 from typing import Annotated, Any
 
@@ -124,29 +124,9 @@ def _corners(image: Image, s: StereoSettings) -> Keypoints:
     return Keypoints(pixels[kept_rows], strength[v, u][kept_rows], bits)
 
 
-def _orb(image: Image, s: StereoSettings, levels: int) -> Keypoints:
-    """ORB's own detector (FAST), with descriptors rotated by its angles; spread over the grid likewise."""
-    cv2 = opencv("to find features")
-    orb = cv2.ORB_create(nfeatures=5000, nlevels=levels, edgeThreshold=s.border, fastThreshold=10)
-    found = orb.detect(image, None)
-    pixels = np.array([k.pt for k in found]).reshape(-1, 2)
-    strengths = np.array([k.response for k in found])
-    rows = spread(pixels, strengths, image.shape[::-1], s.cells, s.per_cell)
-    chosen, descriptors = orb.compute(image, [found[i] for i in rows.tolist()])
-    return Keypoints(
-        np.array([k.pt for k in chosen], dtype=float).reshape(-1, 2),
-        np.array([k.response for k in chosen]),
-        np.zeros((0, 32), np.uint8) if descriptors is None else descriptors,
-    )
-
-
 @lru_cache
 def _describer(border: int) -> Any:
     return opencv("to describe features").ORB_create(nlevels=1, edgeThreshold=border)
 
 
-DETECTORS: dict[str, Callable[[Array, StereoSettings], Keypoints]] = {
-    "corners": _corners,
-    "orb": partial(_orb, levels=1),
-    "orb8": partial(_orb, levels=8),
-}
+DETECTORS: dict[str, Callable[[Array, StereoSettings], Keypoints]] = {"corners": _corners}
