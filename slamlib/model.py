@@ -167,7 +167,7 @@ class Model(Formula):
         return value, self._jacobians(*jacobians)
 
     def jac_where(self, first: Sequence[float], *others: ArrayLike) -> Array:
-        """The Jacobian (..., result, argument) w.r.t. the first argument alone, where that is one point: quicker."""
+        """The Jacobian (..., result, argument) w.r.t. the first argument alone, at a point for which code is kept."""
         return self._run(self._kernel_where(tuple(first)), [np.asarray(other) for other in others])[0]
 
     def storage_jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Any]:

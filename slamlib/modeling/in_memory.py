@@ -51,9 +51,8 @@ def for_fewer(whole: "Model", short: "Model", kind: str) -> Callable[..., Any]:
     A lens may have eight coefficients, and most have two; the missing ones are zero. Products with a missing one are
     left out of the function, and so are the derivatives w.r.t. it; what remains is the same arithmetic.
     """
-    pairs = list(zip(whole.arguments, short.arguments, strict=True))
     lengths = {b.name: b.size for b in short.arguments}
-    zeros = {f"{a.name}{i}": 0.0 for a, b in pairs for i in range(b.size, a.size)}
+    zeros = {f"{a.name}{i}": 0.0 for a in whole.arguments for i in range(lengths[a.name], a.size)}
     kept, start = [], 0
     for all_of, left in zip(whole.shapes(kind), short.shapes(kind), strict=True):
         entries = np.arange(start, start + math.prod(all_of)).reshape(all_of)
@@ -65,6 +64,7 @@ def for_fewer(whole: "Model", short: "Model", kind: str) -> Callable[..., Any]:
 def where_first(model: "Model", first: Sequence[float]) -> Callable[..., Any]:
     """The generated Jacobian w.r.t. the first argument where that is `first`: a function of the other arguments."""
     (known, *others), (value, by, *_) = model.arguments, model.shapes("_jac")
+    known.check(np.array(first), model.name)
     lengths, start = {argument.name: argument.size for argument in others}, math.prod(value)
     numbers = {f"{known.name}{i}": float(number) for i, number in enumerate(first)}
     return _without(model.generated("_jac"), lengths, numbers, list(range(start, start + math.prod(by))))
@@ -130,14 +130,14 @@ class _Fold(ast.NodeTransformer):
     def visit_BinOp(self, node: ast.BinOp) -> ast.expr:
         self.generic_visit(node)
         left, right = (side.value if isinstance(side, ast.Constant) else None for side in (node.left, node.right))
+        if right == 0 and isinstance(node.op, ast.Div):
+            return node  # singular, which the kernel reports with the place
         if left is not None and right is not None:
             return _number(_ARITHMETIC[type(node.op)](left, right))
         if isinstance(node.op, ast.Mult | ast.Div):
             if left == 0 or right == 0:
                 return ast.Constant(0)
-            if right == 1:
-                return node.left
-            return node.right if left == 1 and isinstance(node.op, ast.Mult) else node
+            return node.left if right == 1 else node.right if left == 1 and isinstance(node.op, ast.Mult) else node
         if right == 0:
             return node.left
         if left == 0:

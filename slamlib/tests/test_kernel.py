@@ -9,7 +9,7 @@ import sympy
 from slamlib.codegen import check
 from slamlib.codegen.emit import factored, unified
 from slamlib.codegen.printer import Printer
-from slamlib.errors import ShapeError
+from slamlib.errors import ShapeError, SingularPointError
 from slamlib.geometry import plucker
 from slamlib.geometry.pose import ORIGIN, Pose, compose, from_frame
 from slamlib.landmarks.ahm_point import to_frame
@@ -150,6 +150,19 @@ def test_a_jacobian_where_the_first_argument_is_known_is_the_same_to_the_bit(kno
         assert np.array_equal(known.jac_where(first, there[0]), known.jac(first, there[0])[1][0])
     with pytest.raises(ShapeError, match=f"{known.name}: argument '{second.name}'"):
         known.jac_where(first, np.zeros(second.size + 1))
+    with pytest.raises(ShapeError, match=f"{known.name}: argument '{known.arguments[0].name}'"):
+        known.jac_where(first[:6], second.manifold.random(rng))
+
+
+@model(scale=2, vector=3)
+def scaled(scale, vector):
+    """A vector divided by two numbers."""
+    return vector / (scale[0] * scale[1])
+
+
+def test_a_known_point_without_a_derivative_is_reported():
+    with pytest.raises(SingularPointError, match="scaled is not defined, or has no derivative"):
+        scaled.jac_where((1.0, 0.0), np.ones(3))
 
 
 @model(pose=Pose, sequence=3, returns=Pose)
