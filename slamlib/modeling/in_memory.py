@@ -125,7 +125,7 @@ class _Fold(ast.NodeTransformer):
 
     def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.expr:
         self.generic_visit(node)
-        return _number(-node.operand.value) if isinstance(node.operand, ast.Constant) else node
+        return _number(ast.literal_eval(node)) if isinstance(node.operand, ast.Constant) else node
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.expr:
         self.generic_visit(node)

@@ -14,7 +14,6 @@ import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, compose
-from slamlib.kalman.linalg import Carry
 from slamlib.kalman.state import Block, places
 from slamlib.manifolds import Array, Euclidean, Indices, read_only
 from slamlib.observation.family import landmark_means, state_rows
@@ -100,7 +99,7 @@ def carried(slam: Any, sensor: MountedSensor) -> Iterator[Projection]:
         H[:, : len(rows)] -= H @ before[columns] @ motion
         return H
 
-    def carry() -> Carry | None:
+    def carry() -> Any:
         change = unobservable(slam, sensor) - before
         moved = change.any(axis=0)  # a translation of the world adds the same to a point or a pose anywhere
         return (rows, change[:, moved], motion[moved]) if moved.any() else None
