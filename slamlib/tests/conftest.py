@@ -4,8 +4,9 @@ from typing import Any
 
 from hypothesis import settings
 
-settings.register_profile("untimed", deadline=None)  # a busy machine is no failure
-settings.load_profile("untimed")
+# A busy machine is no failure; and the same commit has the same result: other examples by --hypothesis-profile=default.
+settings.register_profile("repeatable", deadline=None, derandomize=True)
+settings.load_profile("repeatable")
 CORE = {
     *("test_association", "test_belief", "test_belief_properties", "test_compatibility", "test_evaluation"),
     *("test_expected", "test_forgetting", "test_geometry", "test_implicit", "test_kernel", "test_model"),

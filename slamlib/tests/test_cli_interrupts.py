@@ -1,5 +1,6 @@
 """Every command is stopped at random moments, by Ctrl-C and by SIGTERM: it goes on as if it had not been."""
 
+import codecs
 import json
 import os
 import shutil
@@ -141,6 +142,20 @@ def test_a_comparison(tmp_path, monkeypatch, capsys):
         del row["milliseconds_per_frame"]
     assert found == wanted
     assert sorted(os.listdir("cut")) == sorted(os.listdir("whole"))
+
+
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_a_stop_within_a_codec(number, status, monkeypatch, capsys):
+    """Until Python 3.12 a codec wraps what is raised in it, as in one that reads the names within an archive."""
+    stopping = codecs.CodecInfo(None, lambda *_: os.kill(os.getpid(), number), name="stopping")
+    find = {"stopping": stopping}.get
+    codecs.register(find)
+    try:
+        monkeypatch.setattr("slamlib.cli.parser", lambda: b"-".decode("stopping"))
+        assert called([])[0] == status
+    finally:
+        codecs.unregister(find)
+    assert capsys.readouterr().err.startswith("slamlib: ")
 
 
 def test_a_stopped_run_without_a_name_gets_a_new_one(tmp_path, monkeypatch, capsys):

@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.simulation import simulate, world
-from slamlib.simulation.occlusion import hidden, longest_seen
+from slamlib.simulation.occlusion import hidden, longest_seen, shadows
 
 
 def crossed(point, face, eye):
@@ -30,19 +30,23 @@ def test_hidden_points_are_those_whose_sight_line_meets_a_triangle(seed):
 
 
 @settings(max_examples=50, deadline=None)
+@example(600)  # a shadow of three hundred-thousandths of the segment
 @given(st.integers(0, 2**32 - 1))
 def test_what_is_left_of_a_segment_is_its_longest_stretch_of_seen_points(seed):
     rng = np.random.default_rng(seed)
     faces, segments, eye = rng.normal(size=(4, 3, 3)), 2 * rng.normal(size=(10, 2, 3)), 2 * rng.normal(size=3)
     endpoints, seen = longest_seen(segments, faces, eye)
+    planes = shadows(faces, eye).reshape(-1, 4).T
     for segment, found, any_left in zip(segments, endpoints, seen, strict=True):
         a, along = segment[0], segment[1] - segment[0]
         low, high = (found - a) @ along / (along @ along) if any_left else (0.0, 0.0)
-        share = np.sort([*np.linspace(0, 1, 2001), max(low - 1e-7, 0), min(high + 1e-7, 1)])
-        mask = ~hidden(a + share[:, None] * along, faces, eye)
+        heights = [np.concatenate([points, [1]]) @ planes for points in segment]  # between two planes all is the same
+        cuts = heights[0] / (heights[0] - heights[1])
+        cuts = np.sort([0, 1, *cuts[(cuts > 0) & (cuts < 1)]])
+        mask = ~hidden(a + (cuts[:-1] + cuts[1:])[:, None] / 2 * along, faces, eye)
         edges = np.flatnonzero(np.diff(np.concatenate([[0], mask, [0]])))
-        runs = share[edges[1::2] - 1] - share[edges[::2]]
-        assert high - low == pytest.approx(runs.max(initial=0), abs=2 / 2000)
+        runs = cuts[edges[1::2]] - cuts[edges[::2]]
+        assert high - low == pytest.approx(runs.max(initial=0), abs=1e-9)
         assert np.cross(found - a, along) == pytest.approx(np.zeros((2, 3)), abs=1e-12)
 
 
