@@ -22,8 +22,8 @@ from slambook import rendering
 
 from slamlib.data.records import Frame
 from slamlib.evaluation.alignment import align_trajectory
-from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.evaluation.trajectory import Trajectory
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array, Mask
 from slamlib.slam import Options, Slam
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS

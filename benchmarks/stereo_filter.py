@@ -12,8 +12,9 @@ from slambook.stereo_films import stereo_film
 
 from slamlib.data.records import Frame
 from slamlib.data.setup import Rig
-from slamlib.evaluation.consistency import chi2_quantile, nees
+from slamlib.evaluation.consistency import nees
 from slamlib.geometry.pose import Pose
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array
 from slamlib.slam import Options, Slam
 from slamlib.vision.stereo import MOTION_SOURCES, StereoSettings

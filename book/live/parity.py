@@ -11,7 +11,8 @@ import numpy as np
 import slamlib
 from slamlib.belief import Belief
 from slamlib.errors import SingularPointError
-from slamlib.evaluation.consistency import chi2_cdf, chi2_quantile, nees, nis
+from slamlib.evaluation.consistency import nees, nis
+from slamlib.kalman.chi_square import chi2_cdf, chi2_quantile
 from slamlib.model import FORMULA_PARTS, Model
 
 

@@ -11,9 +11,10 @@ import numpy as np
 
 from slambook.oracle import Oracle
 from slambook.smoothing import Smoother
-from slamlib.evaluation.consistency import band, chi2_quantile, nees_where_uncertain, share_inside
+from slamlib.evaluation.consistency import band, nees_where_uncertain, share_inside
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array
 
 FILTERS, ALL_DATA = ("local", "world", "oracle"), "all data"

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.analytic import arctan2, cos, sin, sqrt
-from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.geometry.pose import Pose, compose, from_frame
 from slamlib.geometry.quaternion import exponential
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array, Euclidean, Mask, Product
 from slamlib.model import model
 from slamlib.motions import Motion

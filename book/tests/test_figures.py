@@ -18,7 +18,7 @@ from slambook.figures.colors import standing_alone
 
 from book.live.standin import pyplot as stand_in
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
-from slamlib.evaluation.consistency import chi2_cdf
+from slamlib.kalman.chi_square import chi2_cdf
 
 ROOT = Path(__file__).parents[2]
 STATIC = ROOT / "book" / "_static"

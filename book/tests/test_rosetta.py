@@ -12,7 +12,7 @@ import pytest
 
 from book.tools import layout, rosetta
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.consistency import chi2_cdf
+from slamlib.kalman.chi_square import chi2_cdf
 from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import CONSTANT_VELOCITY, ODOMETRY
 from slamlib.observation.lines import initialize_line, observe_line

@@ -21,7 +21,7 @@ from slamlib.data.plain import read
 from slamlib.data.setup import SensorSetup
 from slamlib.data.snapshots import MapView
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.evaluation.consistency import chi2_quantile
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS
 from slamlib.sensors import SENSORS

@@ -7,8 +7,8 @@ import pytest
 from slambook.scene import SensorOptions, map_scene, sensor_scene
 
 from slamlib.data.setup import Rig
-from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.experiments.presets import preset
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.landmarks import LINES
 from slamlib.observation.segments import CONVERGED_RATIO, endpoints_converged
 from slamlib.slam import snapshot

@@ -49,11 +49,9 @@ def execute(given: argparse.Namespace) -> int:
         preset = shared.with_landmark(shared.changed(base, given), name)
         if error:
             preset = replace(preset, options=replace(preset.options, error=error))
-        # The seed draws the runs: files of finished runs belong to the preset without it.
+        drawn = replace(preset, seed=0)  # the seed draws the runs: their files belong to the preset without it
         try:
-            found = monte_carlo(
-                replace(preset, seed=0), given.runs, seed=preset.seed, jobs=given.jobs, folder=given.folder
-            )
+            found = monte_carlo(drawn, given.runs, seed=preset.seed, jobs=given.jobs, folder=given.folder)
         except KeyboardInterrupt:
             kept = f"are in {given.folder}" if given.folder else "would be kept with --folder PATH"
             print(f"slamlib: {name}: finished runs {kept}; the same command goes on from there", file=sys.stderr)

@@ -12,7 +12,6 @@ from slamlib.errors import SlamlibError
 from slamlib.evaluation.comparison import DOF, magnitudes
 from slamlib.evaluation.consistency import band, share_inside
 from slamlib.experiments.runs import Result, Run
-from slamlib.manifolds import Array
 
 EXAMPLES = """examples:
   slamlib run points
@@ -46,7 +45,7 @@ def execute(given: argparse.Namespace) -> int:
     ended = runner.execute(job, given)
     result = run.result()
     runner.export(given, "map", run.slam.snapshot)
-    runner.export(given, "plot", lambda: series(result))
+    runner.export(given, "plot", result.series)
     runner.report(given, summary(result), table(result))
     return ended.status
 
@@ -101,21 +100,12 @@ def summary(result: Result) -> dict[str, Any]:
     }
 
 
-def _deviation(name: str, error: Array, sigma: Array) -> dict[str, Any]:
+def _deviation(name: str, *error_and_sigma: Any) -> dict[str, Any]:
     """A pose's error (6,) and standard deviations (6,) as plain data."""
-    found = magnitudes(error, sigma)
+    found = magnitudes(*error_and_sigma)
     names = {"position_error": "position", "attitude_error": "orientation"}
     names |= {"position_sigma": "position_sigma", "attitude_sigma": "orientation_sigma"}
     return {"name": name, **{key: float(found[own]) for key, own in names.items()}}
-
-
-def series(result: Result) -> dict[str, dict[str, Array]]:
-    """By robot the errors of each frame (n,), with their standard deviations and NEES, for a plot."""
-    times = result.preset.dt * np.arange(1.0, len(result.nees) + 1)
-    return {
-        setup.name: {"times": times, "nees": result.nees[:, i], **magnitudes(result.errors[:, i], result.sigmas[:, i])}
-        for i, setup in enumerate(result.preset.rig.robots)
-    }
 
 
 def _median(values: Any) -> float | None:

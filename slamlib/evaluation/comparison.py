@@ -84,12 +84,18 @@ def _nees(estimate: Trajectory, reference: Trajectory, noise: Sequence[float]) -
     first = np.flatnonzero(spans <= min(PLACED, spans[-1] / 10))
     placed = align_trajectory(estimate[first], reference[first], scale=False, rotation_from="orientations")
     moved = placed.similarity.moved(estimate)
-    errors, covariances = Pose.minus(reference.poses, moved.poses), np.asarray(moved.covariances)
-    covariances = covariances + np.diag(np.repeat([noise[0], np.radians(noise[1])], 3) ** 2)
-    nees = np.array([nees_where_uncertain(e, P) for e, P in zip(errors, covariances, strict=True)])
+    covariances = np.asarray(moved.covariances) + np.diag(np.repeat([noise[0], np.radians(noise[1])], 3) ** 2)
+    found = map(pose_error, reference.poses, moved.poses, covariances)
+    errors, sigmas, nees = map(np.array, zip(*found, strict=True))
     if len(first) > 1:
         nees[first] = np.nan
-    return {"nees": nees, **magnitudes(errors, np.sqrt(covariances.diagonal(axis1=1, axis2=2)))}
+    return {"nees": nees, **magnitudes(errors, sigmas)}
+
+
+def pose_error(true: Array, estimate: Array, covariance: Array) -> tuple[Array, Array, float]:
+    """Error (6,) of a pose (7,), true minus estimate in the tangent space, its standard deviations (6,), its NEES."""
+    error = Pose.minus(true, estimate)
+    return error, np.sqrt(covariance.diagonal()), nees_where_uncertain(error, covariance)
 
 
 def magnitudes(errors: Array, sigmas: Array) -> dict[str, Array]:

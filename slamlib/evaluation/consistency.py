@@ -6,13 +6,13 @@ such band; and a statistic inside its band does not prove the model right, it fa
 and Kirubarajan (2001), section 5.4.
 """
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 
-from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
+from slamlib.errors import CovarianceError, ShapeError, SlamlibError
 from slamlib.kalman import linalg
+from slamlib.kalman.chi_square import chi2_quantile, positive
 from slamlib.manifolds import Array, finite
 
 
@@ -69,76 +69,13 @@ def rmse(errors: Array, axis: int | tuple[int, ...] | None = None) -> Array:
     return np.sqrt((errors * errors).sum(-1).mean(axis))
 
 
-def chi2_cdf(x: float, dof: float) -> float:
-    """Probability that a chi-square variable with `dof` degrees of freedom is below x. Numbers, not arrays."""
-    _positive(dof, "chi2_cdf", "dof")
-    if math.isnan(x):
-        raise NonFiniteError("chi2_cdf: x is nan")
-    return 1.0 if x == math.inf else _gamma_p(dof / 2, x / 2) if x / 2 > 0 else 0.0
-
-
-def chi2_quantile(probability: float, dof: float) -> float:
-    """The x with chi2_cdf(x, dof) = probability, for 0 < probability < 1, to ten digits up to a million dof.
-
-    A gate that a true measurement passes with probability p is chi2_quantile(p, dof of the innovation).
-    """
-    _positive(dof, "chi2_quantile", "dof")
-    if not 0 < probability < 1:
-        raise SlamlibError(f"chi2_quantile: probability should lie between 0 and 1, got {probability}")
-    a = dof / 2
-    # Without its factor exp(-x/2) the density is larger, so that its integral reaches the probability sooner.
-    low = 2 * math.exp((math.log(probability) + math.lgamma(a + 1)) / a) * (1 - 1e-9)
-    high = max(float(dof), 2 * low)
-    while chi2_cdf(high, dof) < probability:
-        low, high = high, 2 * high
-    while high - low > 1e-15 * high + 1e-300:
-        x = math.sqrt(low) * math.sqrt(high) if high > 4 * low > 0 else (low + high) / 2
-        low, high = (low, x) if chi2_cdf(x, dof) > probability else (x, high)
-    return high
-
-
-def _gamma_p(a: float, x: float) -> float:
-    """Regularised lower incomplete gamma function: series below a + 1, continued fraction above (DLMF 8.9, 8.11)."""
-    front = math.exp(a * math.log(x) - x - math.lgamma(a))
-    if x < a + 1:
-        term = total = 1 / a
-        k = a
-        while abs(term) > 1e-17 * total:
-            k += 1
-            term *= x / k
-            total += term
-        return front * total
-    return 1 - front * _gamma_fraction(a, x)
-
-
-def _gamma_fraction(a: float, x: float) -> float:
-    """Lentz's evaluation of the continued fraction of the upper incomplete gamma function."""
-    b = x + 1 - a
-    c, d = 1e300, 1 / b
-    value = d
-    for i in range(1, 10000):
-        step = -i * (i - a)
-        b += 2
-        d = 1 / (step * d + b)
-        c = b + step / c
-        value *= d * c
-        if abs(d * c - 1) < 1e-16:
-            break
-    return value
-
-
-def _positive(value: float, function: str, name: str) -> None:
-    if not value > 0 or not math.isfinite(value):
-        raise SlamlibError(f"{function}: {name} should be positive and finite, got {value}")
-
-
 def band(dof: int, runs: int = 1, probability: float = 0.95) -> tuple[float, float]:
     """Interval of the average over `runs` independent runs of a chi-square statistic with `dof` degrees of freedom.
 
     For one step. Not for an average over the steps of a run: they are correlated, and its band is wider.
     """
-    _positive(dof, "band", "dof")
-    _positive(runs, "band", "runs")
+    positive(dof, "band", "dof")
+    positive(runs, "band", "runs")
     if not 0 < probability < 1:
         raise SlamlibError(f"band: probability should lie between 0 and 1, got {probability}")
     tail = (1 - probability) / 2

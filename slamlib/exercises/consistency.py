@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slamlib.evaluation.consistency import band, chi2_quantile
+from slamlib.evaluation.consistency import band
 from slamlib.exercises.properties import Candidate, Rng, array_of, between, cases, exercise, given, holds, number, same
 from slamlib.manifolds import Array
 
@@ -43,7 +43,7 @@ def gate(candidate: Candidate, rng: Rng) -> None:
     for seen in cases(which):
         m, n, missing = len(seen), sum(seen), ~np.array(seen)
         given(f"{n} of {m} numbers")
-        distances = np.sqrt([chi2_quantile((k + 0.5) / 80, n) for k in range(80)])  # one in each eightieth
+        distances = np.sqrt([band(n, 1, (k + 0.5) / 40) for k in range(40)]).ravel()  # one in each eightieth
         for scale, probability in ((0.1, 0.5), (10.0, 0.9)):
             root = scale * (np.tril(np.ones((m, m))) + 0.1 * rng.standard_normal((m, m)))
             S, drawn = root @ root.T, np.full((80, m), np.nan)

@@ -92,15 +92,10 @@ def run_once(preset: Preset, seed: int, folder: Path | None = None) -> dict[str,
     result = Run(preset, seed).finish()
     away = np.concatenate([*result.map_errors.values()])
     away = away[np.isfinite(away)]
-    row = {
-        "nees": result.nees,
+    row = {name: getattr(result, name) for name in ("nees", "nis", "nis_dof", "initialized", "deleted")} | {
         "errors": np.linalg.norm(result.errors[:, :, :3], axis=-1),
         "sigmas": np.linalg.norm(result.sigmas[:, :, :3], axis=-1),
-        "nis": result.nis,
-        "nis_dof": result.nis_dof,
         "landmarks": result.landmarks[-1],
-        "initialized": result.initialized,
-        "deleted": result.deleted,
         "seconds": np.median(result.seconds),
         "map_error": np.median(away) if len(away) else np.nan,
     }

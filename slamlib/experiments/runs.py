@@ -12,9 +12,8 @@ from slamlib.data.files import check_columns, complete
 from slamlib.data.records import Frame, Truth, World
 from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.consistency import nees_where_uncertain
+from slamlib.evaluation.comparison import magnitudes, pose_error
 from slamlib.experiments.presets import Preset
-from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.observation import FAMILIES
 from slamlib.slam import Report, Slam
@@ -47,6 +46,14 @@ class Result:
     initialized: int
     deleted: int
     map_errors: dict[str, Array]
+
+    def series(self) -> dict[str, dict[str, Array]]:
+        """By robot the errors of each frame (n,), with their standard deviations and NEES, for a plot."""
+        times = self.preset.dt * np.arange(1.0, len(self.nees) + 1)
+        return {
+            setup.name: {"times": times, "nees": self.nees[:, i], **magnitudes(self.errors[:, i], self.sigmas[:, i])}
+            for i, setup in enumerate(self.preset.rig.robots)
+        }
 
 
 @dataclass(frozen=True)
@@ -100,11 +107,11 @@ class Run:
         self._deleted += len(report.deleted)
         errors, sigmas, nees = [], [], []
         for robot, state in zip(self.slam.robots, truth.robots, strict=True):
-            e = Pose.minus(state[:7], robot.pose)
             P = self.slam.belief.covariance(robot.block)[:6, :6]
-            errors.append(e.tolist())
-            sigmas.append(np.sqrt(P.diagonal()).tolist())
-            nees.append(nees_where_uncertain(e, P))
+            error, sigma, value = pose_error(state[:7], robot.pose, P)
+            errors.append(error.tolist())
+            sigmas.append(sigma.tolist())
+            nees.append(value)
         inliers = [prediction for each in self.slam.predictions for prediction in each if prediction.inlier]
         nis, dof = sum(prediction.nis for prediction in inliers), sum(len(prediction.S) for prediction in inliers)
         self._extrinsics = [extrinsics.tolist() for extrinsics in truth.extrinsics]
@@ -119,8 +126,7 @@ class Run:
         for i, (sensor, true) in enumerate(zip(self.slam.sensors, self._extrinsics, strict=True)):
             if sensor.block is not None:
                 P = self.slam.belief.covariance(sensor.block)
-                extrinsics[i] = Pose.minus(np.array(true), sensor.extrinsics), np.sqrt(P.diagonal())
-                nees[i] = nees_where_uncertain(extrinsics[i, 0], P)
+                *extrinsics[i], nees[i] = pose_error(np.array(true), sensor.extrinsics, P)
         return Result(
             preset=self.preset,
             extrinsics=extrinsics,

@@ -1,6 +1,6 @@
 """Properties that every parametrization must have: of points, and of lines."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,7 +10,6 @@ from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.manifolds import Array
-from slamlib.model import Model
 from slamlib.testing.judge import Judge
 from slamlib.testing.models import DEFINED, interface, model_properties
 
@@ -96,7 +95,7 @@ def _nasty_points(rng: np.random.Generator) -> list[Array]:
     return [np.array(p, dtype=float) for p in [*rays, [x, y, z, 0], [0, 0, 1, 0], [x, y, z, 1e-9], [x, y, z, -0.01]]]
 
 
-def _value(model: Model, *place: Array) -> Array | None:
+def _value(model: Callable[..., Array], *place: Array) -> Array | None:
     """The model's value, or None where it refuses the place."""
     try:
         return model(*place)

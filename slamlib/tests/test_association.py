@@ -5,7 +5,7 @@ import pytest
 
 from slamlib.belief import Belief
 from slamlib.data.records import Features, Scan
-from slamlib.evaluation.consistency import chi2_cdf
+from slamlib.kalman.chi_square import chi2_cdf
 from slamlib.slam.data_association.front_end import FrontEndInput, KnownAssociation
 from slamlib.slam.data_association.gates import SELECTIONS, gate, innovation_covariances, mahalanobis_squared
 

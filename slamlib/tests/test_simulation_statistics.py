@@ -11,8 +11,9 @@ import pytest
 from slamlib.belief import Belief
 from slamlib.data.records import World
 from slamlib.data.setup import RobotSetup
-from slamlib.evaluation.consistency import Consistency, chi2_quantile
+from slamlib.evaluation.consistency import Consistency
 from slamlib.geometry.pose import Pose, relative
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.landmarks import POINTS
 from slamlib.landmarks.segments import length
 from slamlib.motions import CONSTANT_VELOCITY

@@ -10,9 +10,10 @@ from hypothesis import strategies as st
 from slamlib.data.records import Control, Features, Frame, Scan
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.evaluation.consistency import band, chi2_quantile
+from slamlib.evaluation.consistency import band
 from slamlib.experiments.presets import PRESETS, preset
 from slamlib.geometry.pose import Pose
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.landmarks import LINES, POINTS
 from slamlib.observation.lines import RESIDUALS
 from slamlib.slam import Options, Slam

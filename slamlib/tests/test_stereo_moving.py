@@ -10,8 +10,9 @@ from slambook.stereo_films import stereo_film
 from slamlib.data.plain import read, written
 from slamlib.data.records import Control
 from slamlib.data.setup import Rig
-from slamlib.evaluation.consistency import chi2_quantile, nees
+from slamlib.evaluation.consistency import nees
 from slamlib.geometry.pose import ORIGIN, Pose
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.motions import ODOMETRY
 from slamlib.observation.family import viewpoint
 from slamlib.slam import Options, Slam

@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 from slambook.stereo_films import Tracks, pixel_noise, stereo_film
 
-from slamlib.evaluation.consistency import chi2_quantile, nees
+from slamlib.evaluation.consistency import nees
 from slamlib.geometry.pose import ORIGIN, Pose, compose
 from slamlib.geometry.quaternion import exponential
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.motions import ODOMETRY
 from slamlib.tests.stereo import MOUNT, calibration, kitti, points_seen, seen_from
 from slamlib.vision.stereo import StereoFeatureExtractor, VisualOdometry, motion_between

@@ -6,7 +6,7 @@ import numpy as np
 
 from slambook.figures.colors import colors
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.consistency import chi2_quantile
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.kalman.linalg import covariance as positive
 from slamlib.manifolds import Array, finite
 

@@ -11,8 +11,9 @@ from slambook.report.angles import wrapped
 from slambook.report.fastslam import FastSlam
 from slambook.report.planar import Data, drive
 from slambook.report.planar_ekf import PlanarEkf
-from slamlib.evaluation.consistency import Consistency, chi2_quantile
+from slamlib.evaluation.consistency import Consistency
 from slamlib.experiments.progress import progress
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array
 
 DOF = 3

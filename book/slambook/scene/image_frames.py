@@ -11,7 +11,7 @@ from slambook.scene.options import SensorOptions
 from slambook.scene.photographs import Photograph, photograph
 from slamlib.data.snapshots import MeasurementView, SensorView, Snapshot
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.consistency import chi2_quantile
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array
 
 ROUND = 1  # decimals of a pixel

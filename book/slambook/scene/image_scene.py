@@ -13,7 +13,7 @@ from slambook.scene.options import SensorOptions
 from slambook.scene.view import rings
 from slamlib.data.snapshots import MeasurementView, SensorView, Snapshot
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.consistency import chi2_quantile
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array, Mask
 
 AWAY = 8.0  # pixels from a segment to its label, along its normal

@@ -10,8 +10,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from slamlib.evaluation.consistency import chi2_quantile
 from slamlib.kalman import linalg
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array, Indices
 
 

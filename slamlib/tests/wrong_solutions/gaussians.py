@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slamlib.evaluation.consistency import chi2_quantile
+from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.tests.wrong_solutions import wrong
 
 ANGLE = np.linspace(0, 2 * np.pi, 100)
