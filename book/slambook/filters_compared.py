@@ -1,14 +1,17 @@
 """One preset by filters that differ in the error whose covariance they keep, by the oracle, and by all data at once.
 
-The same data, the same seeds. FILTERS: two of the options' errors, and "oracle"; ALL_DATA: smoothing, with the data
-association and the start of the ordinary filter. Chapter observability.
+The same data, the same seeds. FILTERS: two of the options' errors, and "oracle"; WITH_ANCHORS: "world", and along the
+anchors of landmarks, too; ALL_DATA: smoothing, with the data association and the start of the ordinary filter. Chapter
+observability.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from unittest.mock import patch
 
 import numpy as np
 
+from slambook.anchors import anchors_carried
 from slambook.oracle import Oracle
 from slambook.smoothing import Smoother
 from slamlib.evaluation.consistency import band, nees_where_uncertain, share_inside
@@ -16,14 +19,19 @@ from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array
+from slamlib.slam.transport import TRANSPORTS
 
-FILTERS, ALL_DATA = ("local", "world", "oracle"), "all data"
+FILTERS, WITH_ANCHORS, ALL_DATA = ("local", "world", "oracle"), "anchors", "all data"
 DOF = 6
 
 
 def poses(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array]:
     """Of each robot in one run by this name: true poses (n, r, 7), estimated ones, their covariances (n, r, 6, 6)."""
-    error = name if name in FILTERS[:2] else "local"
+    with patch.dict(TRANSPORTS, {WITH_ANCHORS: anchors_carried}):  # an option for this run alone
+        return _poses(preset, seed, name, name if name in TRANSPORTS else "local")
+
+
+def _poses(preset: Preset, seed: int, name: str, error: str) -> tuple[Array, Array, Array]:
     preset = replace(preset, seed=seed, options=replace(preset.options, error=error))
     slam = preset.slam()
     oracle = Oracle(slam, preset.world) if name == "oracle" else None

@@ -14,7 +14,8 @@ from typing import Any
 
 import joblib
 import numpy as np
-from slambook.filters_compared import ALL_DATA, FILTERS, Verdict, run, stacked
+from slambook.anchors import ANCHORS
+from slambook.filters_compared import ALL_DATA, FILTERS, WITH_ANCHORS, Verdict, run, stacked
 
 from book.tools import layout
 from book.tools.experiments import digest, rounded, with_options
@@ -72,6 +73,8 @@ def cases() -> dict[str, Preset]:
 
 def filters(case: str, preset: Preset) -> tuple[str, ...]:
     """The filters that are compared. The oracle needs extrinsics that are given, and one true state a landmark."""
+    if case in ANCHORS:
+        return (*FILTERS, WITH_ANCHORS, *[ALL_DATA] * (case == ONE_CAMERA))
     if case in WITHOUT_ORACLE or any(sensor.estimated for sensor in preset.rig.sensors):
         return FILTERS[:2]
     return (*FILTERS, ALL_DATA) if case in (ONE_CAMERA, BY_CONTROL) else FILTERS
