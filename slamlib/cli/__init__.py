@@ -53,8 +53,7 @@ def main(words: Sequence[str] | None = None) -> int:
         print(f"slamlib: {getattr(error, 'strerror', None) or error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt as stop:
-        args = (stop.__cause__ or stop).args  # a codec that is stopped raises its own, from it
-        number = args[0] if args else signal.SIGINT
+        number = next(iter((stop.__cause__ or stop).args), signal.SIGINT)  # a codec raises its own from it
         print(f"slamlib: {STOPPED[number]}", file=sys.stderr)
         return 128 + number
     return status

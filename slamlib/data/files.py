@@ -36,6 +36,8 @@ def atomic_write(path: str | Path) -> Iterator[Path]:
         os.replace(partial, target)
     except OSError as error:
         raise SlamlibError(f"{path} cannot be written: {error.strerror or error}") from error
+    except ValueError as error:  # a ZIP file that is stopped within an entry says that it cannot be closed
+        raise (error.__context__ if isinstance(error.__context__, KeyboardInterrupt) else error) from None
     finally:
         _remove(partial)
 

@@ -7,13 +7,14 @@ import shutil
 import signal
 import subprocess
 import sys
+from contextlib import contextmanager
 
 import numpy as np
 import pytest
 from slambook import rendering
 
 from slamlib.cli import main
-from slamlib.data.files import check_writable, write_whole
+from slamlib.data.files import atomic_write, check_writable, write_whole
 from slamlib.errors import SlamlibError
 from slamlib.experiments.runs import Run
 from slamlib.vision.run import IMAGES, PAIRS, load
@@ -156,6 +157,28 @@ def test_a_stop_within_a_codec(number, status, monkeypatch, capsys):
     finally:
         codecs.unregister(find)
     assert capsys.readouterr().err.startswith("slamlib: ")
+
+
+def test_a_stop_within_an_archive_is_a_stop(tmp_path):
+    """A ZIP file that is left with an open entry refuses to be closed, and its ValueError would hide the stop."""
+
+    @contextmanager
+    def unclosable():
+        try:
+            yield
+        finally:
+            raise ValueError("an open writing handle")
+
+    def write(error):
+        with atomic_write(tmp_path / "a.zip") as partial, unclosable():
+            partial.write_text("half")
+            raise error
+
+    with pytest.raises(KeyboardInterrupt):
+        write(KeyboardInterrupt())
+    with pytest.raises(ValueError, match="open writing handle"):
+        write(RuntimeError())
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_stopped_run_without_a_name_gets_a_new_one(tmp_path, monkeypatch, capsys):
