@@ -58,7 +58,7 @@ def run(preset: Preset, seed: int, name: str) -> dict[str, Array]:
 
     heading (n, 2): error of the rotation about the robot's own vertical axis, and its sigma [rad]; scale (n, 2): error
     away from the start, and its sigma [m], above zero if the scale is too small; rest (n,): NEES of the five other
-    directions.
+    directions. position (n,): distance of the estimate from the truth [m].
     """
     true, x, P = poses(preset, seed, name)
     errors = Pose.minus(true, x)
@@ -71,7 +71,8 @@ def run(preset: Preset, seed: int, name: str) -> dict[str, Array]:
         across = np.linalg.svd(np.append(u, np.zeros(3))[None])[2][1:]
         rest.append(nees_where_uncertain(across @ e, across @ C @ across.T))
     heading = np.stack([errors[:, -1], np.sqrt(P[:, -1, -1])], axis=-1)
-    return {"nees": np.array(nees), "heading": heading, "scale": np.array(scale), "rest": np.array(rest)}
+    said = {"nees": np.array(nees), "heading": heading, "scale": np.array(scale), "rest": np.array(rest)}
+    return {**said, "position": np.linalg.norm(errors[:, :3], axis=-1)}
 
 
 @dataclass(frozen=True)

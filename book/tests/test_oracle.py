@@ -124,3 +124,4 @@ def test_a_path_that_is_too_small_is_too_near_and_else_right(monkeypatch):
     found = run(setup, 0, "local")
     np.testing.assert_allclose(found["scale"], [(0.01 * k, 0.02) for k in range(1, 5)], atol=1e-12)
     np.testing.assert_allclose(found["rest"], 0, atol=1e-12)
+    np.testing.assert_allclose(found["position"], [0.01, 0.02, 0.03, 0.04], atol=1e-12)

@@ -88,12 +88,14 @@ def seeds(number: int, runs: int) -> list[int]:
 def kept(case: str, rows: Sequence[dict[str, Array]], before: dict[str, Any] | None) -> dict[str, Any]:
     """What the file keeps of the runs of one filter, joined to what it kept before.
 
-    Numbers of a table; own: mean NEES of each run; average: NEES at each step, by robot; first: of the first run. For
-    START each run's heading at the end, error and claim [deg]; for BIASED its error away from the start, averaged over
-    the steps, the claim [m], and the mean NEES of the rest.
+    Numbers of a table; own: mean NEES of each run; position: its root mean square error [m], unless runs before it were
+    made without; average: NEES at each step, by robot; first: of the first run. For START each run's heading at the
+    end, error and claim [deg]; for BIASED its error away from the start, averaged over the steps, the claim [m], and
+    the mean NEES of the rest.
     """
     verdict = Verdict.of(stacked(rows, "nees"))
-    columns = {"own": rounded(verdict.own, 3)}
+    position = np.sqrt((stacked(rows, "position") ** 2).mean(1))
+    columns = {"own": rounded(verdict.own, 3), "position": rounded(position, 5)}
     if case == START:
         error, claim = np.degrees(stacked(rows, "heading")[:, -1]).T
         columns |= {"heading": rounded(error, 4), "claim": rounded(claim, 4)}
@@ -104,7 +106,7 @@ def kept(case: str, rows: Sequence[dict[str, Array]], before: dict[str, Any] | N
     first = rounded(rows[0]["nees"][:FIRST_FRAMES, 0], 3)
     if before:
         verdict = Verdict(np.array(before["own"]), np.array(before["average"]).T).joined(verdict)
-        columns = {name: before[name] + values for name, values in columns.items()}
+        columns = {name: before[name] + values for name, values in columns.items() if name in before}
         first = before["first"]
     average = [rounded(robot, 2) for robot in verdict.average.T]
     said = Verdict(np.array(columns["own"]), np.array(average).T).numbers()  # of what is written, not of more digits
