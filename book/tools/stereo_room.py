@@ -42,6 +42,7 @@ class Way:
 WAYS = {
     "twice": Way(Twice),
     "constant-velocity": Way(MOTION_SOURCES["constant-velocity"]),
+    "covariance-intersection": Way(MOTION_SOURCES["covariance-intersection"]),
     "split-features": Way(MOTION_SOURCES["split-features"]),
     "correlated": Way(MOTION_SOURCES["correlated"]),
     "in turns": Way(MOTION_SOURCES["correlated"], update_interval=10),
@@ -89,7 +90,8 @@ class Run:
 def run(film: Film, name: str, options: Options = OPTIONS) -> Run:
     """One run through a film; the filter starts at the pose of the first pair."""
     (rig, pairs), rows, nis, old = film, [], list[float](), []
-    way, sensor = WAYS[name], rig.sensors[0]
+    way, rig = WAYS[name], WAYS[name].motion_source.inflated(rig)
+    sensor = rig.sensors[0]
     settings = StereoSettings(update_interval=way.update_interval, max_in_view=30)
     motion_source: StereoMotionSource = way.motion_source(sensor.calibration, sensor.extrinsics, settings)
     slam = moved_by(motion_source, rig, options, pairs[0][1].robots[0][:7])

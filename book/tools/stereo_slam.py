@@ -1,9 +1,9 @@
 """`python -m book.tools.stereo_slam`: store chapter stereo_ekf_slam's longer runs as one small file, part by part.
 
 The report's errors turned on together and repaired one after another, and the filter with wrong covariances
-(slambook.report); slamlib's own system in the rendered stereo room (book.tools.stereo_room), and on KITTI's street,
-where that is at hand (benchmarks.street). Times belong to a machine and are not stored. `--only NAME` makes one part
-again and keeps the others.
+(slambook.report); slamlib's own system in the rendered stereo room (book.tools.stereo_room), on KITTI's street
+(benchmarks.street), and by defaults on it and on a waved rig (benchmarks.stereo_sequences), where they are at hand.
+Times belong to a machine and are not stored. `--only NAME` makes one part again and keeps the others.
 """
 
 from collections.abc import Callable
@@ -16,6 +16,7 @@ from slambook.report.runs import Outcome, monte_carlo
 from slambook.report.scenes import SCENES, Scene
 from slambook.report.switches import SWITCHES, Switch
 
+from benchmarks import stereo_sequences
 from benchmarks import street as bench
 from book.tools import layout, stereo_room, stored
 from slamlib.experiments.progress import progress
@@ -74,6 +75,11 @@ def street() -> dict[str, Any] | None:
     return stored.plain(_without_times(bench.figures()))
 
 
+def sequences() -> dict[str, Any] | None:
+    """The real sequences at hand by the command's defaults, without times; None where there is none."""
+    return stored.plain(_without_times(stereo_sequences.figures())) or None
+
+
 def _without_times(value: Any) -> Any:
     """Plain data without times of a machine."""
     if isinstance(value, dict):
@@ -85,6 +91,7 @@ PARTS: dict[str, Callable[[], Any]] = {
     "light": stereo_room.light,
     "repairs": repairs,
     "round": stereo_room.around,
+    "sequences": sequences,
     "street": street,
     "tuning": tuning,
     "ways": stereo_room.ways,

@@ -118,9 +118,10 @@ pair.json of a rectified pair, in pixels and metres:
         what("--rectify", action="store_true",
             help="the images are not rectified: rectify them (OpenCV; always done for EuRoC)")  # fmt: skip
         self._which(what)
-        how("--motion", choices=MOTION_SOURCES, default="split-features",
-            help="where predictions come from: constant-velocity, split-features (odometry of one half of the "
-                 "features, landmarks of the other; default), correlated (all for both; needs many)")  # fmt: skip
+        how("--motion", choices=MOTION_SOURCES, default="covariance-intersection",
+            help="where predictions come from: constant-velocity, covariance-intersection (odometry and landmarks of "
+                 "all features, all variances doubled; default), split-features (odometry of one half of the features, "
+                 "landmarks of the other), correlated (all for both, modelled; needs many)")  # fmt: skip
         how("--odometry-only", action="store_true", help="no filter: visual odometry alone, for comparison")
         self._impulses(how, "with --motion constant-velocity, ", "{:g} {:g}")
         noise = " ".join(f"{n:g}" for n in PAIRS.noise)

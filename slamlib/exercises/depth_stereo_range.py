@@ -1,7 +1,5 @@
 """Checks of the chapter: depth, stereo, range and bearing."""
 
-from functools import partial
-
 import numpy as np
 
 from slamlib.exercises.properties import Candidate, Rng, array_of, cases, covariance, differences, exercise, given, same
@@ -15,7 +13,8 @@ def stereo_covariance(candidate: Candidate, rng: Rng) -> None:
         f, b, sigma = rng.uniform(300, 900), rng.uniform(0.05, 0.5), rng.uniform(0.2, 1)
         x, y, z = rng.uniform(-2, 2), rng.uniform(-1, 1), rng.uniform(3, 12)
         given(f"x, y, z = {x:.3f} {y:.3f} {z:.3f} m, in units of the depth's variance")
-        J = sigma * differences(partial(_triangulated, f, b), np.array([f * x / z, f * y / z, f * (x - b) / z]))
+        seen = np.array([f * x / z, f * y / z, f * (x - b) / z])
+        J = sigma * differences(lambda p, f=f, b=b: b / (p[0] - p[2]) * np.array([p[0], p[1], f]), seen)
         wanted = J @ J.T
         scale = wanted[2, 2]
         found = covariance(candidate(x, y, z, f, b, sigma), 3) / scale
@@ -24,11 +23,6 @@ def stereo_covariance(candidate: Candidate, rng: Rng) -> None:
         same(found, wanted / scale, "the covariances between them", tolerance=1e-5)
         twice = array_of(candidate(x, y, z, f, b, 2 * sigma), (3, 3), "the covariance")
         same(twice / scale, 4 * wanted / scale, "twice the noise, four times the covariance", tolerance=1e-5)
-
-
-def _triangulated(f: float, b: float, pixels: Array) -> Array:
-    left, row, right = pixels
-    return np.asarray(b / (left - right) * np.array([left, row, f]))
 
 
 @exercise("depth_stereo_range.2", "an innovation that wraps", seed=102)

@@ -80,6 +80,7 @@ def even(ids):
 # Each way takes the data and the standard deviation. E21 is "twice": all matches move the robot and update the map.
 WAYS = {
     "twice": lambda d, s: filtered(d, s, lambda k, old, new: as_control(s, old, new, new[0] > 0)),
+    "covariance-intersection": lambda d, s: WAYS["twice"](d, np.sqrt(2) * s),  # all variances doubled
     "nothing told": lambda d, s: filtered(d, s, lambda k, old, new: hardly(as_control(s, old, new, new[0] > 0))),
     "constant-velocity": lambda d, s: filtered(d, s, lambda k, old, new: None, **VELOCITY),
     "split-features": lambda d, s: filtered(d, s, lambda k, old, new: as_control(s, old, new, ~even(new[0])), even),

@@ -9,7 +9,7 @@ from slambook.stereo_films import stereo_film
 
 from slamlib.data.plain import read, written
 from slamlib.data.records import Control
-from slamlib.data.setup import Rig
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.evaluation.consistency import nees
 from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.kalman.chi_square import chi2_quantile
@@ -36,6 +36,7 @@ def averages():
     names = (
         "twice",
         "constant-velocity",
+        "covariance-intersection",
         "split-features",
         "split-features, each pair once",
         "correlated",
@@ -62,6 +63,29 @@ def test_the_same_matches_twice_are_not(averages):
     high = chi2_quantile(0.9995, 6 * RUNS) / (6 * RUNS)
     assert averages["twice"][0] > 1.8
     assert (averages["twice"] > high).all()
+
+
+def test_covariance_intersection_is_never_too_sure(averages):
+    """Half the NEES of all matches twice; not exactly, since by larger deviations more matches agree."""
+    low, high = (chi2_quantile(p, 6 * RUNS) / (6 * RUNS) for p in (0.0005, 0.9995))
+    np.testing.assert_allclose(2 * averages["covariance-intersection"], averages["twice"], rtol=0.01)
+    assert low < averages["covariance-intersection"][0] < high
+    assert (averages["covariance-intersection"] < high).all()
+
+
+def test_a_doubled_block_diagonal_bounds_any_cross_covariance():
+    """2 diag(A, B) - [[A, C], [C', B]] = [[A, -C], [-C', B]], which is a covariance, too: of a and -b."""
+    for J in np.random.default_rng(7).normal(size=(20, 9, 9)):
+        joint = J @ J.T
+        bound = np.zeros((9, 9))
+        bound[:6, :6], bound[6:, 6:] = 2 * joint[:6, :6], 2 * joint[6:, 6:]
+        assert np.linalg.eigvalsh(bound - joint).min() > -1e-9
+
+
+def test_inflated_variances_are_the_filter_s_and_the_odometry_s():
+    sensor = SensorSetup(type="stereo", image=(320, 240), std=(0.1, 0.2, 0.3), parameters=calibration(0.1).given)
+    rig = MOTION_SOURCES["covariance-intersection"].inflated(Rig((RobotSetup(),), (sensor,)))
+    np.testing.assert_allclose(rig.sensors[0].calibration.noise, np.diag([0.02, 0.08, 0.18]))
 
 
 def test_halves_are_a_little_too_cautious(averages):

@@ -1,11 +1,7 @@
 """Runs on images of one camera, or on stereo pairs: created, and loaded.
 
-**Scale.** The scale is not observable with one camera: the images are the same if world, trajectory and velocities are
-scaled by k. With a free scale, the priors alone determine k: the inverse distance that new landmarks are initialized
-with, and the velocities and impulses of the motion. The unit of length is then the one in which the first landmarks are
-about 1 / mean away (Options.inverse_distance). It drifts as new landmarks take over from old ones, and a trajectory is
-compared with a reference after a similarity (slamlib.evaluation.alignment). A known target (slamlib.vision.target)
-gives true lengths, and so does the baseline of a stereo pair.
+**Scale.** One camera cannot observe it (chapter monocular): priors of inverse distance, velocity and impulse give the
+unit of length, which drifts; a trajectory is compared after a similarity. A target or a baseline gives true lengths.
 
 **Frame of reference.** The robot's first pose is the world's origin, known exactly; the optical axis is along x, and
 the (left) camera is at the robot's origin. With a target the world is the target's.
@@ -169,7 +165,7 @@ def stereo_run(
     camera: dict[str, Any],
     options: Options = PAIRS.options,
     *,
-    motion_source: str = "split-features",
+    motion_source: str = "covariance-intersection",
     settings: StereoSettings | None = None,
     impulse: tuple[float, float] | None = None,
     velocity: tuple[float, float] | None = None,
@@ -182,7 +178,7 @@ def stereo_run(
     patience: pairs without a match, after which the run stops. Raises SlamlibError.
     """
     chosen = entry("motion of a stereo run", motion_source, PAIR_MOTION_SOURCES)
-    rig = camera_rig(camera, PAIRS, motion=chosen.motion, impulse=impulse, velocity=velocity)
+    rig = chosen.inflated(camera_rig(camera, PAIRS, motion=chosen.motion, impulse=impulse, velocity=velocity))
     motion = chosen(rig.sensors[0].calibration, rig.sensors[0].extrinsics, settings)
     options = Options(points=None) if motion_source == "odometry" else options
     return SequenceRun(source, Slam(rig, options, front_ends=[motion.front_end]), motion, PAIRS, patience=patience)

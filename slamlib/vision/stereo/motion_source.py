@@ -1,11 +1,4 @@
-"""The source of a stereo filter's predictions, without using a measurement twice (E21). Chapter stereo_ekf_slam.
-
-"constant-velocity": the robot keeps its velocities, and all features update. "split-features": those in one half of
-the image give the control, those in the other one update. "correlated": all features do both, and their
-cross-correlation is modelled. For this (slamlib.tests.shared_noise has the proof) only features that do not update
-the map give the control's covariance, since the others contain no further information; all of them together give the
-linearization point. A feature reserved for the control is no landmark's measurement, and initializes none.
-"""
+"""The source of a stereo filter's predictions, without counting a measurement twice (E21). Chapter stereo_ekf_slam."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -15,6 +8,7 @@ import numpy as np
 
 from slamlib.data.plain import read, written
 from slamlib.data.records import Control
+from slamlib.data.setup import Rig
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.measurement_update import predict_from_pose
@@ -36,13 +30,13 @@ INFLATION = 9.0  # factor of the variances: a motion is lost where it changes mo
 
 
 class StereoMotionSource(MotionSource):
-    """Base of the motion sources of stereo pairs; it gives no control: the motion model predicts with its own noise.
+    """Base of the motion sources of stereo pairs; it gives no control: the robot keeps its velocities.
 
     motion: motion model of the robot. found: the odometry's motion to the present pair, or None. landmark_half: half of
-    the image in which landmarks are measured; None: all of it.
+    the image in which landmarks are measured; None: all of it. variance: factor of the measurements' variances.
     """
 
-    motion = "constVel"
+    motion, variance = "constVel", 1.0
     landmark_half: int | None = None
     front_end: StereoSearch
 
@@ -50,6 +44,12 @@ class StereoMotionSource(MotionSource):
         super().__init__(StereoSearch(calibration, settings, half=self.landmark_half))
         self.found: RelativeMotion | None = None
         self.seconds = Stopwatch("odometry")
+
+    @classmethod
+    def inflated(cls, rig: Rig) -> Rig:
+        """The rig with the variances that this source wants its one sensor's measurements to have."""
+        noise = cls.variance * rig.sensors[0].calibration.noise
+        return replace(rig, sensors=(replace(rig.sensors[0], noise=tuple(map(tuple, noise.tolist()))),))
 
     def counts(self, slam: Any) -> dict[str, float]:
         """Near points among the inliers."""
@@ -106,6 +106,7 @@ class SplitFeatures(StereoMotionSource):
     def control(self, image: Image | None, dt: float, slam: Any) -> Control:
         """The odometry's; zeros for the first pair; where none is found, the last one with a large covariance."""
         with self.seconds.timed("odometry"):
+            self.front_end.reserved = np.zeros(0, dtype=int)
             old = self.odometry.old
             self.found = self.odometry.step(image)
             if old is None:
@@ -129,16 +130,21 @@ class SplitFeatures(StereoMotionSource):
         self.fallback = read(MotionFallback, state["fallback"])
 
 
+class CovarianceIntersection(SplitFeatures):
+    """All features for both; the doubled variances of `inflated` bound any cross-correlation. Eq. (se-intersection)."""
+
+    name, variance = "covariance-intersection", 2.0
+    odometry_half = landmark_half = None
+
+
 class CorrelatedFeatures(SplitFeatures):
-    """All features for both: the control of those not used by the filter, linearized at the motion of all features."""
+    """All features for both, their cross-correlation modelled: linearized at the motion of all of them, the control has
+    the covariance of those that do not update the map, as the others tell nothing more (slamlib.tests.shared_noise has
+    the proof). A feature reserved for the control is no landmark's measurement, and initializes none.
+    """
 
     name = "correlated"
     odometry_half = landmark_half = None
-
-    def control(self, image: Image | None, dt: float, slam: Any) -> Control:
-        """As SplitFeatures; the features reserved for the odometry are chosen for each pair."""
-        self.front_end.reserved = np.zeros(0, dtype=int)
-        return super().control(image, dt, slam)
 
     def filter_control(self, old: StereoFeatures, new: StereoFeatures, found: RelativeMotion, slam: Any) -> Control:
         """The motion of unmapped features, starting from that of all; if too few, the latter, uninformative."""
@@ -195,6 +201,7 @@ class OdometryOnly(SplitFeatures):
 
 MOTION_SOURCES: dict[str, type[StereoMotionSource]] = {
     "constant-velocity": StereoMotionSource,
+    "covariance-intersection": CovarianceIntersection,
     "split-features": SplitFeatures,
     "correlated": CorrelatedFeatures,
 }

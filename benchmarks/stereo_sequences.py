@@ -1,0 +1,123 @@
+"""Each source of a stereo filter's motion against visual odometry alone, by defaults, on real sequences at hand.
+
+A rig waved by hand that sees the same places again and again (EuRoC's MH_01 before it flies: Burri and others, 2016)
+and a street that is passed once (KITTI). Their licences forbid shipping them. ATE: root mean square of the distances
+after the best rigid motion [m]; EuRoC's reference of the position is some 8 ms late against that of the orientation,
+which is why the ATE is given by the time shift that makes odometry's own least, too.
+"""
+
+import os
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy loads
+
+import tempfile
+import time
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from slambook.stereo_films import DATA
+
+from benchmarks import street
+from slamlib.datasets.dataset import ImageSource
+from slamlib.datasets.sources import of_pictures
+from slamlib.errors import SlamlibError
+from slamlib.evaluation.comparison import compared
+from slamlib.evaluation.trajectory import Trajectory, read_trajectory
+from slamlib.experiments.progress import progress
+from slamlib.vision.run import PAIR_MOTION_SOURCES, open_stereo, stereo_run
+from slamlib.vision.stereo import StereoSettings
+
+EUROC = DATA / "stereo_euroc_mh01_hand"
+LATE = 0.008  # s
+CAMERA = """%YAML:1.0
+sensor_type: camera
+T_BS:
+  cols: 4
+  rows: 4
+  data: [{}, 0, 0, 0, 1]
+resolution: [752, 480]
+camera_model: pinhole
+distortion_model: radial-tangential
+intrinsics: [{}]
+distortion_coefficients: [{}]
+"""
+CAMERAS = (  # pose in the body, row by row; intrinsics; distortion: of the data set's own files
+    CAMERA.format(
+        "0.0148655429818, -0.999880929698, 0.00414029679422, -0.0216401454975, 0.999557249008, 0.0149672133247, "
+        "0.025715529948, -0.064676986768, -0.0257744366974, 0.00375618835797, 0.999660727178, 0.00981073058949",
+        "458.654, 457.296, 367.215, 248.375",
+        "-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05",
+    ),
+    CAMERA.format(
+        "0.0125552670891, -0.999755099723, 0.0182237714554, -0.0198435579556, 0.999598781151, 0.0130119051815, "
+        "0.0251588363115, 0.0453689425024, -0.0253898008918, 0.0179005838253, 0.999517347078, 0.00786212447038",
+        "457.587, 456.134, 379.999, 255.238",
+        "-0.28368365, 0.07451284, -0.00010473, -3.5559070e-05",
+    ),
+)
+
+Sequence = tuple[ImageSource, dict[str, Any], Trajectory]
+
+
+def waved() -> Sequence:
+    """EuRoC's rig, waved by hand: the rectified pairs in memory, their camera, and the true path of the raw one."""
+    with tempfile.TemporaryDirectory() as folder:
+        files = [str(Path(folder) / f"cam{i}.yaml") for i in (0, 1)]
+        for file, text in zip(files, CAMERAS, strict=True):
+            Path(file).write_text(text)
+        left, right = (str(EUROC / f"cam{i}" / "*.jpg") for i in (0, 1))
+        source, camera, _ = open_stereo(left=left, right=right, calibration=files, rectify=True, fps=20)
+    pairs = list(progress(source, len(source), "reading"))
+    first = np.loadtxt(EUROC / "frames.txt", usecols=0)[0]
+    truth = read_trajectory(EUROC / "groundtruth.txt")
+    begun = replace(truth, times=truth.times - first)
+    return replace(of_pictures(pairs, source.interval), original=source.original), camera, begun
+
+
+SEQUENCES = {"waved": (EUROC, waved), "street": (street.KITTI, street.street)}
+
+
+def figures() -> dict[str, dict[str, dict[str, float]]]:
+    """By sequence and source of the motion; of the sequences at hand."""
+    found: dict[str, dict[str, dict[str, float]]] = {}
+    for name, (folder, opened) in SEQUENCES.items():
+        if folder.is_dir():
+            sequence = opened()
+            found[name] = {motion: judged(sequence, motion) for motion in PAIR_MOTION_SOURCES}
+    return found
+
+
+def judged(sequence: Sequence, motion: str) -> dict[str, float]:
+    """A run by defaults: errors, how many landmarks (of odometry, features) a pair has inliers of, and its time."""
+    source, camera, truth = sequence
+    run = stereo_run(source, camera, motion_source=motion, settings=StereoSettings())
+    began = time.process_time()
+    try:
+        street.finished(motion, run)
+        stopped = 0
+    except SlamlibError:  # lost: judged by what it has
+        stopped = len(run.history)
+    spent = 1e3 * (time.process_time() - began) / len(run.history)
+    path, later = run.trajectory(), replace(truth, times=truth.times - LATE)
+    ate, shifted = (compared(path, there, source.interval, True)[0]["ate"] for there in (truth, later))
+    matched = float(np.mean(run.result().inliers))
+    return {"ate": ate, "shifted": shifted, "inliers": matched, "stopped": stopped, "milliseconds": spent}
+
+
+def table(found: dict[str, dict[str, dict[str, float]]]) -> Iterator[str]:
+    """As printed lines."""
+    for name, rows in found.items():
+        yield f"{name:24}    ATE     against    8 ms later   inliers   ms/pair"
+        alone = rows["odometry"]["ate"]
+        for motion, row in rows.items():
+            lost = f"   lost at pair {row['stopped']:.0f}" if row["stopped"] else ""
+            errors = f"{1e3 * row['ate']:6.1f} mm {row['ate'] / alone - 1:+12.0%} {1e3 * row['shifted']:10.1f} mm"
+            yield f"{motion:24} {errors} {row['inliers']:9.1f} {row['milliseconds']:9.0f}{lost}"
+
+
+if __name__ == "__main__":
+    for line in table(figures()) if any(folder.is_dir() for folder, _ in SEQUENCES.values()) else ["set SLAMLIB_DATA"]:
+        print(line)
