@@ -31,7 +31,7 @@ def read_lens(path: str | Path, camera: int = 0) -> Lens:
     return _read(path, camera, lambda found: found.lens)
 
 
-def read_pair(paths: list[str], cameras: tuple[int, int] = (0, 1)) -> PairCalibration:
+def read_pair(paths: list[str] | list[Path], cameras: tuple[int, int] = (0, 1)) -> PairCalibration:
     """The calibration in one file, or in one for each camera; cameras: their numbers in files of several.
 
     Raises SlamlibError for an unreadable file, and if the baseline is missing.
@@ -40,9 +40,9 @@ def read_pair(paths: list[str], cameras: tuple[int, int] = (0, 1)) -> PairCalibr
         raise SlamlibError(f"a calibration is one file, or one for each of two cameras, not {len(paths)}")
     pair = PairCalibration(*map(read_lens, paths * (3 - len(paths)), cameras))
     if pair.right.transform is None:
-        raise SlamlibError(f"{' and '.join(paths)}: {NO_BASELINE}")
+        raise SlamlibError(f"{' and '.join(map(str, paths))}: {NO_BASELINE}")
     if not np.linalg.norm(pair.transform[:3, 3]) > 0:
-        raise SlamlibError(f"{' and '.join(paths)}: both cameras have the same position; {NO_BASELINE}")
+        raise SlamlibError(f"{' and '.join(map(str, paths))}: both cameras have the same position; {NO_BASELINE}")
     return pair
 
 

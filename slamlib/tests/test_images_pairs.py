@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -80,6 +81,10 @@ def test_slamlibs_own_and_plain_files(tmp_path):
 
 
 def test_kalibrs_and_opencvs_files_of_two_cameras(tmp_path):
+    alone = written(tmp_path, "alone.yaml", KALIBR)
+    for path in (alone, Path(alone)):
+        with pytest.raises(SlamlibError, match=r"alone\.yaml: the baseline is missing"):
+            read_pair([path])
     found = read_pair([written(tmp_path, "camchain.yaml", CHAIN)])
     assert (found.left.model, found.right.model) == ("equidistant", "radial-tangential")
     np.testing.assert_allclose(found.transform, place(np.eye(3), [0.11, 0, 0]), atol=1e-12)
