@@ -1,6 +1,7 @@
 """The page's Python, as far as it can be tested without a page: its runner, its wheel, its archives."""
 
 import ast
+import builtins
 import dis
 import importlib.util
 import io
@@ -328,6 +329,16 @@ def test_what_a_slider_draws_from_is_still_there_when_all_cells_have_run(chapter
             needed |= new
             waiting += [(name, known[name]) for name in new & known.keys()]
         assert needed & set().union(*map(bound, cells[k + 1 :])) == set(), source
+
+
+@pytest.mark.parametrize("chapter", chapters(), ids=lambda c: c.stem)
+def test_what_a_live_cell_uses_no_other_cell_has_defined(chapter):
+    """The page does not run what is tagged not-live: a name that only such a cell binds is missing there."""
+    cells = [compile(re.sub("(?m)^%.*$", "", s), "cell", "exec") for s in code_cells(chapter, "live")]
+    steps = [step for code in cells for step in dis.get_instructions(code)]
+    bound_somewhere = {step.argval for step in steps if step.opname == "STORE_NAME"} | set(dir(builtins))
+    used = {step.argval for step in steps if step.opname == "LOAD_NAME"}.union(*map(looked_up, cells))
+    assert used - bound_somewhere - {"__name__", "__annotations__", "get_ipython"} == set()
 
 
 # -- archives, the ZIP -------------------------------------------------------------------------------------------------
