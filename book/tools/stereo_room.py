@@ -21,6 +21,7 @@ from slamlib.vision.stereo.motion_source import SplitFeatures, StereoMotionSourc
 STD = (0.06, 0.055, 0.05)  # px, of u, v and d, as measured in these rooms
 SEEDS, FRAMES, LIGHT = (1, 2, 3), 150, 10
 ROUND, ROUND_SEEDS, EVERY, WINDOW = 900, (1, 2), 15, 60  # frames
+TURN_SEEDS, INTERVALS = range(1, 11), (1, 10)
 OLD = 400  # frames: a landmark initialized so long ago and seen now closes the loop
 OPTIONS = Options(points="eucPnt", updates=60, max_new_first=30, max_new=5, reproject=False)
 
@@ -87,10 +88,10 @@ class Run:
         }
 
 
-def run(film: Film, name: str, options: Options = OPTIONS) -> Run:
+def run(film: Film, way: Way, options: Options = OPTIONS) -> Run:
     """One run through a film; the filter starts at the pose of the first pair."""
     (rig, pairs), rows, nis, old = film, [], list[float](), []
-    way, rig = WAYS[name], WAYS[name].motion_source.inflated(rig)
+    rig = way.motion_source.inflated(rig)
     sensor = rig.sensors[0]
     settings = StereoSettings(update_interval=way.update_interval, max_in_view=30)
     motion_source: StereoMotionSource = way.motion_source(sensor.calibration, sensor.extrinsics, settings)
@@ -128,7 +129,7 @@ def ways() -> dict[str, Any]:
         pairs = film("sideways", FRAMES, seed)
         found["odometry"].append(odometry(pairs))
         for name in WAYS:
-            made = run(pairs, name)
+            made = run(pairs, WAYS[name])
             found.setdefault(name, {"runs": []})["runs"].append(made.row)
             squares[name].append(made.nees)
     limits = band(6, len(SEEDS))
@@ -142,7 +143,7 @@ def ways() -> dict[str, Any]:
 
 def light() -> dict[str, float]:
     """The start of one run, which a test runs again."""
-    return run(film("sideways", LIGHT, SEEDS[0]), "in turns").row
+    return run(film("sideways", LIGHT, SEEDS[0]), WAYS["in turns"]).row
 
 
 def around() -> dict[str, Any]:
@@ -157,7 +158,7 @@ def around() -> dict[str, Any]:
     for seed in progress(ROUND_SEEDS, len(ROUND_SEEDS), "round the room"):
         pairs = film("round", ROUND, seed)
         for kind, (name, options) in runs.items():
-            made = run(pairs, name, options)
+            made = run(pairs, WAYS[name], options)
             places = {"place": made.found, "true": made.true}
             found[kind].append({
                 **made.row,
@@ -167,3 +168,21 @@ def around() -> dict[str, Any]:
                 **{what: np.round(values[stored], 5).tolist() for what, values in places.items()},
             })  # fmt: skip
     return found
+
+
+def turns() -> list[dict[str, Any]]:
+    """Once round the room by two sources of the motion, each landmark in every pair or in one of ten."""
+    found = []
+    for seed in progress(TURN_SEEDS, len(TURN_SEEDS), "two by two"):
+        pairs = film("round", ROUND, seed)
+        for motion in ("constant-velocity", "covariance-intersection"):
+            for interval in INTERVALS:
+                made = run(pairs, Way(MOTION_SOURCES[motion], interval))
+                found.append({"motion": motion, "interval": interval, **turned(made)})
+    return found
+
+
+def turned(made: Run) -> dict[str, Any]:
+    """Of a run once round: errors in per cent of the path, NEES / 6 by quarters, most old landmarks of a late pair."""
+    quarters = [float(q.mean()) / 6 for q in np.array_split(made.nees, 4)]
+    return {"rms": made.row["rms"], "end": made.row["end"], "quarters": quarters, "old": max(made.old[-200:])}

@@ -94,6 +94,7 @@ PARTS: dict[str, Callable[[], Any]] = {
     "sequences": sequences,
     "street": street,
     "tuning": tuning,
+    "turns": lambda: stored.plain(stereo_room.turns()),
     "ways": stereo_room.ways,
 }
 
