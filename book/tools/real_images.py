@@ -40,7 +40,12 @@ COUNT, FPS = 80, 25.0
 OPENCV = "opencv-python-headless"
 
 SEEDS, FEW, NOISE, IMPULSE = tuple(range(1, 21)), tuple(range(1, 6)), 0.1, (0.3, 10.0)  # [px]; [unit/s], [deg/s]
-SAID: dict[str, Any] = {"updates": 25, "outlier_rejection": "joint"}  # of the filter's options
+SAID: dict[str, Any] = {
+    "updates": 25,
+    "max_new": 3,
+    "inverse_distance": (1.0, 0.5),
+    "outlier_rejection": "joint",
+}  # of the filter's options
 LIGHT = 20  # frames that a test runs again
 # Variants by their names in the chapter's table, with a few seeds each.
 CHANGES: dict[str, dict[str, Any]] = {

@@ -19,13 +19,13 @@ from slamlib.vision.run import load
 from slamlib.vision.sequence_run import ImageStep, SequenceKind, SequenceRun
 
 Add = Callable[..., Any]  # add_argument of a group
-JUDGED, ENOUGH = 30, 0.85  # frames, and the least share of inliers among the matches of a good run
+JUDGED, ENOUGH = 30, 0.7  # frames, and the least share of inliers among the matches of a good run
 NO_MATCH = "no match in {}: prediction only; the run stops after {} such frames in a row (reported once)"
 NOTHING = "nothing was matched in any {}: are they blank, dark, without texture, or not of one sequence?"
 REVERSED = (
     "only {:.0%} of the matches are inliers: the path may be reversed (near points estimated as far, and the motion as "
-    "its opposite), which one camera can hardly detect if it already moves in the first image. Start where it is at "
-    "rest, or give more information: a target (--scale FILE), another --velocity"
+    "its opposite), or the calibration wrong. Start at another picture, or give more information: a target (--scale "
+    "FILE), another --velocity"
 )
 
 

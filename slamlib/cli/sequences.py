@@ -1,6 +1,8 @@
 """`slamlib run images` and `slamlib run stereo-images`: their arguments, and the runs that they start."""
 
 import argparse
+import sys
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
@@ -28,6 +30,7 @@ from slamlib.vision.sequence_run import SequenceRun
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.motion_source import MOTION_SOURCES
 from slamlib.vision.target import Target
+from slamlib.vision.two_views import two_view_target
 
 ALIASES = {"constant-velocity": "constVel"}
 
@@ -58,6 +61,8 @@ camera.json of a pin-hole, in pixels:
         what("--scale", default="free", metavar="free|FILE",
             help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3) [m], n at least 4, '
                  'their "pixels" (n, 2) in the first image, and the "std" of the points [m]')  # fmt: skip
+        how("--initialization", choices=("two-view", "priors"), default="two-view",
+            help="of a free scale: by two images with enough parallax (the default), or by priors")  # fmt: skip
         how("--motion", default="constant-velocity", help="constant-velocity, or a name of `slamlib list motions`")
         self._impulses(how, "", "{:g} times the target's distance, if there is one, and {:g}")
         how("--noise", type=number, metavar="PX",
@@ -83,13 +88,22 @@ camera.json of a pin-hole, in pixels:
         target = None if given.scale == "free" else Target.load(given.scale)
         unit = 1.0 if target is None else target.distance(read(SensorSetup, camera, "camera").calibration)
         rig = camera_rig(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
-        settings = ActiveSearchSettings(**assignments(given.search, ActiveSearchSettings, "--search"))
+        search = assignments(given.search, ActiveSearchSettings, "--search")
+        settings = ActiveSearchSettings(**{"max_in_view": 60, **search})
         names = "lines", "updates", "outlier_rejection"
         said = given_options(given, "point landmark (for lines there is --lines)", *names)
         chosen = options_for(unit, 0 if target is None else len(target.points), **said)
         front_end = make_front_end(chosen, rig.sensors[0].calibration, np.random.default_rng(given.seed), settings)
         pictures = source.part(given.start, given.every, given.frames)
-        return image_run(pictures, rig, chosen, front_end, scale=target, patience=given.patience or 30)
+        start = None
+        if target is None and given.initialization == "two-view":
+            with suppress(SlamlibError):  # of a picture that cannot be read the run tells when it is there
+                start = two_view_target(pictures, rig.sensors[0].calibration, rig.sensors[0].extrinsics)
+            if start is None:
+                print("slamlib: no two views with enough parallax: the run starts from priors", file=sys.stderr)
+        run = image_run(pictures, rig, chosen, front_end, scale=target, start=start, patience=given.patience or 30)
+        run.relocalizes = True
+        return run
 
 
 class PairsCommand(ImageCommand):

@@ -6,8 +6,8 @@ unit of length, which drifts; a trajectory is compared after a similarity. A tar
 **Frame of reference.** The robot's first pose is the world's origin, known exactly; the optical axis is along x, and
 the (left) camera is at the robot's origin. With a target the world is the target's.
 
-**Without matches** a frame is a prediction only. Landmarks are searched for near their predictions alone (there is no
-relocalization), so a run stops with TrackingLostError if a tracking loss lasts too long (slamlib.vision.sequence_run).
+**Without matches** a frame is a prediction only, and the next image may be searched for the map. A run stops with
+TrackingLostError if a tracking loss lasts too long all the same (slamlib.vision.sequence_run).
 """
 
 from collections.abc import Callable
@@ -64,11 +64,11 @@ IMAGES = SequenceKind(
     ),
     _image_source,
     Options(
-        points="ahmPnt", updates=25, max_new_first=12, max_new=3, inverse_distance=(1.0, 0.5), outlier_rejection="joint"
+        points="ahmPnt", updates=40, max_new_first=12, max_new=8, inverse_distance=(1.0, 1.0), outlier_rejection="joint"
     ),
-    impulse=(0.3, 10.0),
+    impulse=(0.1, 5.0),
     velocity=(0.3, 10.0),
-    noise=(0.1,),  # of a matched patch; by the NIS of the real sequences rather too large than too small
+    noise=(0.5,),  # of a matched patch in a hand-held camera's images, by their NIS
 )
 PAIRS = SequenceKind(
     "stereo-images",
@@ -127,10 +127,12 @@ def image_run(
     front_end: FrontEnd | None = None,
     *,
     scale: Target | None = None,
+    start: Target | None = None,
     patience: int = 30,
     rng: np.random.Generator | None = None,
 ) -> SequenceRun:
-    """A run on images. rig: one robot with one camera. scale: a known target, or None for a free scale.
+    """A run on images. rig: one robot with one camera. scale: a known target, or None for a free scale; then
+    start: guessed points to start from (slamlib.vision.two_views), or None.
 
     front_end: default ActiveSearch, which draws with `rng`, and also SegmentSearch if the options have lines.
     patience: frames without a match, after which the run stops. The impulses of the rig's motion are those between two
@@ -142,7 +144,7 @@ def image_run(
     own = front_end or make_front_end(options, rig.sensors[0].calibration, rng or np.random.default_rng(0))
     slam = Slam(rig, options, front_ends=[own])
     metric = scale is not None
-    return SequenceRun(source, slam, MotionSource(own), IMAGES, patience=patience, metric=metric, target=scale)
+    return SequenceRun(source, slam, MotionSource(own), IMAGES, patience=patience, metric=metric, target=scale or start)
 
 
 def open_stereo(

@@ -22,11 +22,12 @@ from slamlib.evaluation.trajectory import Trajectory
 from slamlib.observation.family import viewpoint
 from slamlib.slam import Options, Report, Slam
 from slamlib.vision.front_end import MotionSource
+from slamlib.vision.relocalization import LOST, relocalize
 from slamlib.vision.results import COLUMNS, ImageResult, counts, lasting, whitened
 from slamlib.vision.target import Target
 from slamlib.vision.tracking_loss import TrackingLoss, TrackingLostError
 
-TIME, LANDMARKS = COLUMNS.index("time"), COLUMNS.index("landmarks")
+TIME, LANDMARKS, INLIERS = (COLUMNS.index(name) for name in ("time", "landmarks", "inliers"))
 
 
 @dataclass(frozen=True)
@@ -71,6 +72,7 @@ class SequenceRun:
         *,
         patience: int = 30,
         metric: bool = True,
+        relocalizes: bool = False,
         target: Target | None = None,
         history: list[list[float]] | None = None,
         path: list[list[float]] | None = None,
@@ -81,11 +83,11 @@ class SequenceRun:
     ) -> None:
         """slam: with the motion source's front end. patience: frames without a match, after which the run stops.
 
-        metric: whether the scale is known. target: seen in the first image. history, path, covariances, tracking_loss,
-        innovations, last: of a saved run, whose last image must be the source's still. Raises SlamlibError.
+        metric: whether the scale is known. relocalizes: whether a lost camera is sought. target: seen in the first
+        image. The others: of a saved run, whose last image must be the source's still. Raises SlamlibError.
         """
         self.source, self.slam, self.motion, self.kind = source, slam, motion, kind
-        self.patience, self.metric, self.target = patience, metric, target
+        self.patience, self.metric, self.relocalizes, self.target = patience, metric, relocalizes, target
         self.history, self.path, self.covariances = history or [], path or [], covariances or []
         self.tracking_loss = TrackingLoss(**tracking_loss or {})
         self.innovations = {int(number): np.array(value) for number, value in (innovations or {}).items()}
@@ -129,8 +131,8 @@ class SequenceRun:
             if len(self) and self.tracking_loss.frames >= self.patience:
                 raise TrackingLostError(
                     f"lost: {self.tracking_loss.frames} {self.kind.item}s in a row without a match, from frame "
-                    f"{self.tracking_loss.first} on; {self.kind.causes[not self.slam.landmarks]} There is no "
-                    f"relocalization: resume with more patience, or start again at a later {self.kind.item}"
+                    f"{self.tracking_loss.first} on; {self.kind.causes[not self.slam.landmarks]} Resume with more "
+                    f"patience, or start again at a later {self.kind.item}"
                 )
             began = time.perf_counter()
 
@@ -177,7 +179,11 @@ class SequenceRun:
         """One frame of the filter; in an empty map as many landmarks are initialized as in a first frame."""
         control = self.motion.control(frame.scans[0].image, elapsed, self.slam)
         told = control is not None and self._can_move()
-        frame = replace(frame, controls=(control,)) if told else self._predict_missing(frame)
+        is_lost = self.relocalizes and self._can_move() and self.history[-1][INLIERS] <= LOST
+        if is_lost and relocalize(self.slam, np.asarray(frame.scans[0].image)):
+            frame = replace(frame, dt=0.0)  # its pose is that of this image: there is nothing to predict
+        else:
+            frame = replace(frame, controls=(control,)) if told else self._predict_missing(frame)
         is_target = self.target is not None and not self.history
         if self.target is not None and is_target:  # its pixels are used by this update: it is not searched for again
             self.target.put(self.slam, frame.scans[0])
@@ -230,7 +236,7 @@ class SequenceRun:
         if not self.is_intact:
             raise SlamlibError(f"frame {self.done + 1} was interrupted, and the state of the filter is incomplete")
         settings = getattr(self.slam.front_ends[0], "settings", None)
-        run = {name: getattr(self, name) for name in ("history", "path", "covariances", "patience", "metric")}
+        run = {n: getattr(self, n) for n in ("history", "path", "covariances", "patience", "metric", "relocalizes")}
         run |= {"tracking_loss": asdict(self.tracking_loss), "last": self.picture and _identity(self.picture)}
         run["innovations"] = {str(number): value.tolist() for number, value in self.innovations.items()}
         motion = {"name": self.motion.name, "settings": settings and asdict(settings), "state": self.motion.dump()}

@@ -29,11 +29,11 @@ LARGEST = 5.0  # px: largest rms error of the pixels at the best pose; beyond it
 
 @dataclass(frozen=True, eq=False)
 class Target:
-    """Points (n, 3) [m] of the world, n at least 4, their pixels (n, 2) in the first image, and their std [m]."""
+    """Points (n, 3) [m] of the world, n >= 4, their pixels (n, 2) in the first image, and their std [m] or (n,)."""
 
     points: Array
     pixels: Array
-    std: float = 0.0
+    std: float | Array = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "points", finite(self.points, (None, 3), "Target", "points"))
@@ -45,7 +45,7 @@ class Target:
             )
         if straightness(self.points) < 1e-3:
             raise SlamlibError("the target's points lie on one line: a rotation about it is not observable")
-        if not (np.isfinite(self.std) and self.std >= 0):
+        if not (np.isfinite(self.std) & (np.asarray(self.std) >= 0)).all():
             raise SlamlibError(f"the target's std is a length, 0 or more, got {self.std!r}")
 
     @classmethod
@@ -121,10 +121,11 @@ class Target:
                 f"at least {LEAST} must be left"
             )
         pixel_of: dict[Any, Array] = {}
-        for one, point, pixel in zip(found, self.points, self.pixels, strict=True):
+        stds = np.broadcast_to(self.std, len(found))
+        for one, point, pixel, std in zip(found, self.points, self.pixels, stds, strict=True):
             if one is not None:
                 number, _, signature = one
-                block = slam.belief.add(EUC_POINT.manifold, point, self.std**2 * np.eye(3))
+                block = slam.belief.add(EUC_POINT.manifold, point, std**2 * np.eye(3))
                 landmark = Landmark(number, EUC_POINT, block, first_seen=1, signature=signature)
                 slam.landmarks.append(landmark)
                 pixel_of[landmark] = pixel

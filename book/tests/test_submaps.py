@@ -1,9 +1,10 @@
-"""Maps closed and started anew, joined and tied (slamlib.slam.submaps)."""
+"""Maps closed and started anew, joined and tied (slambook.submaps)."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from slambook.submaps import Atlas, Submap, SubmapSlam
 
 from slamlib.data.setup import Rig, SensorSetup
 from slamlib.errors import SlamlibError
@@ -11,7 +12,6 @@ from slamlib.evaluation.consistency import Consistency, band, nees
 from slamlib.experiments import presets
 from slamlib.geometry.pose import Pose, compose, from_frame
 from slamlib.slam import Options
-from slamlib.slam.submaps import Atlas, Submap, SubmapSlam
 
 EYES = SensorSetup(
     type="stereo", position=(0, 0, 0.6), parameters={"intrinsics": (320, 240, 320, 320), "baseline": (0.5,)}

@@ -17,7 +17,6 @@ from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, Pose, compose, from_frame
 from slamlib.geometry.quaternion import rotation
 from slamlib.kalman.state import Block
-from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array, Euclidean, Product
 from slamlib.slam.data_association.front_end import FrontEnd
 from slamlib.slam.entities import POSE
@@ -45,7 +44,7 @@ class Submap:
     @classmethod
     def of(cls, slam: Slam) -> "Submap":
         """The marginal of a one-robot filter over its pose and its Euclidean points; all else is left out."""
-        known = [landmark for landmark in slam.landmarks if landmark.kind is EUC_POINT]
+        known = [landmark for landmark in slam.landmarks if landmark.kind.name == "eucPnt"]
         robot = slam.robots[0].block
         starts = np.array([lm.block.start for lm in known], dtype=int)
         rows = np.concatenate([robot.start + np.arange(POSE), (starts[:, None] + np.arange(3)).ravel()])

@@ -1,0 +1,89 @@
+"""Two-view initialization and relocalization of one camera, in rendered films of a room."""
+
+import numpy as np
+import pytest
+
+pytest.importorskip("cv2")
+
+from slambook import rendering
+
+from slamlib.datasets.pictures import TimedImage
+from slamlib.geometry.pose import compose, relative
+from slamlib.geometry.quaternion import rotation
+from slamlib.slam import Slam
+from slamlib.vision.active_search import ActiveSearch
+from slamlib.vision.relocalization import relocalize
+from slamlib.vision.run import options_for
+from slamlib.vision.two_views import two_view_target
+
+DT = 1 / 30
+
+
+def film(name, frames, start=0, seed=1):
+    """The rig, the frames, and the true poses of the robot, from frame `start` on."""
+    way = rendering.path(name)
+    rig = rendering.rig_along_path(way, std=(0.035,))
+    made = rendering.film(
+        rendering.default_room("drawn"), rig, way, frames=start + frames, dt=DT, rng=np.random.default_rng(seed)
+    )
+    steps = list(made)[start:]
+    return rig, [frame for frame, _ in steps], np.array([truth.robots[0][:7] for _, truth in steps])
+
+
+def pictures(frames):
+    """The images as a run gets them."""
+    return [TimedImage(str(i), i * DT, np.asarray(f.scans[0].image)) for i, f in enumerate(frames)]
+
+
+@pytest.fixture(scope="module")
+def moving():
+    """A camera that moves in its first image already."""
+    return film("sideways", 45, start=30)
+
+
+def test_two_views_find_the_depths_up_to_one_scale(moving):
+    rig, frames, truth = moving
+    sensor = rig.sensors[0]
+    target = two_view_target(iter(pictures(frames)), sensor.calibration, compose(truth[0], sensor.extrinsics))
+    camera = compose(truth[0], sensor.extrinsics)
+    # The room's wall with its posters is the plane x = 3; what is seen of it lies there at one scale.
+    rays = target.points - camera[:3]
+    on_wall = (3.0 - camera[0]) / rays[:, 0]  # the scale that would put each point on the wall
+    scale = np.median(on_wall)
+    assert len(target.points) >= 10
+    assert np.mean(np.abs(on_wall / scale - 1) < 0.02) >= 0.5  # the others are behind the window
+    assert (target.std > 0).all()
+    assert np.median((rays @ rotation(camera[3:]))[:, 2]) == pytest.approx(1, abs=0.3)  # in units of the median depth
+
+
+def test_without_parallax_there_are_no_two_views(moving):
+    rig, frames, truth = moving
+    still = [pictures(frames)[0]] * 5
+    assert two_view_target(iter(still), rig.sensors[0].calibration, truth[0]) is None
+    blank = [TimedImage("blank", 0.0, np.zeros_like(still[0].image))] * 3
+    assert two_view_target(iter(blank), rig.sensors[0].calibration, truth[0]) is None
+
+
+def test_a_kidnapped_camera_is_found_by_its_map_and_the_map_is_not_changed(moving):
+    rig, frames, _ = moving
+    options = options_for(1.0, inverse_distance=(0.4, 0.4))
+    slam = Slam(rig, options, front_ends=[ActiveSearch(rig.sensors[0].calibration, np.random.default_rng(1))])
+    for frame in frames[:30]:
+        slam.step(frame)
+    robot = slam.robots[0]
+    expected, means = robot.pose.copy(), [landmark.block.mean.copy() for landmark in slam.landmarks]
+    lost = robot.block.mean.copy()
+    lost[:7] = compose(expected, np.array([0.5, 0.4, 0, np.cos(0.4), 0, 0, np.sin(0.4)]))
+    slam.belief.predict(robot.block, lost, np.eye(12), np.zeros((12, 12)))
+    image = np.asarray(frames[29].scans[0].image)
+    assert relocalize(slam, image)
+    off = relative(expected, robot.pose)
+    assert np.linalg.norm(off[:3]) < 0.05
+    assert 2 * np.linalg.norm(off[4:]) < np.radians(1)
+    P = slam.belief.covariance(robot.block)
+    assert np.sqrt(P[3, 3]) == pytest.approx(np.radians(1))
+    assert all((a == landmark.block.mean).all() for a, landmark in zip(means, slam.landmarks, strict=True))
+    assert not slam.belief.covariance(robot.block, slam.landmarks[0].block).any()
+    blank = robot.block.mean.copy()
+    assert not relocalize(slam, np.zeros_like(image))
+    assert (robot.block.mean == blank).all()
