@@ -88,13 +88,13 @@ class Run:
         }
 
 
-def run(film: Film, way: Way, options: Options = OPTIONS) -> Run:
+def run(film: Film, chosen: Way, options: Options = OPTIONS) -> Run:
     """One run through a film; the filter starts at the pose of the first pair."""
     (rig, pairs), rows, nis, old = film, [], list[float](), []
-    rig = way.motion_source.inflated(rig)
+    rig = chosen.motion_source.inflated(rig)
     sensor = rig.sensors[0]
-    settings = StereoSettings(update_interval=way.update_interval, max_in_view=30)
-    motion_source: StereoMotionSource = way.motion_source(sensor.calibration, sensor.extrinsics, settings)
+    settings = StereoSettings(update_interval=chosen.update_interval, max_in_view=30)
+    motion_source: StereoMotionSource = chosen.motion_source(sensor.calibration, sensor.extrinsics, settings)
     slam = moved_by(motion_source, rig, options, pairs[0][1].robots[0][:7])
     for i, (frame, truth) in enumerate(pairs):
         advance(slam, motion_source, frame, frame.dt if i else 0.0)

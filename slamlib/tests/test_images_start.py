@@ -36,13 +36,13 @@ def pictures(frames):
 
 
 @pytest.fixture(scope="module")
-def moving():
+def started():
     """A camera that moves in its first image already."""
     return film("sideways", 45, start=30)
 
 
-def test_two_views_find_the_depths_up_to_one_scale(moving):
-    rig, frames, truth = moving
+def test_two_views_find_the_depths_up_to_one_scale(started):
+    rig, frames, truth = started
     sensor = rig.sensors[0]
     target = two_view_target(iter(pictures(frames)), sensor.calibration, compose(truth[0], sensor.extrinsics))
     camera = compose(truth[0], sensor.extrinsics)
@@ -56,16 +56,16 @@ def test_two_views_find_the_depths_up_to_one_scale(moving):
     assert np.median((rays @ rotation(camera[3:]))[:, 2]) == pytest.approx(1, abs=0.3)  # in units of the median depth
 
 
-def test_without_parallax_there_are_no_two_views(moving):
-    rig, frames, truth = moving
+def test_without_parallax_there_are_no_two_views(started):
+    rig, frames, truth = started
     still = [pictures(frames)[0]] * 5
     assert two_view_target(iter(still), rig.sensors[0].calibration, truth[0]) is None
     blank = [TimedImage("blank", 0.0, np.zeros_like(still[0].image))] * 3
     assert two_view_target(iter(blank), rig.sensors[0].calibration, truth[0]) is None
 
 
-def test_a_kidnapped_camera_is_found_by_its_map_and_the_map_is_not_changed(moving):
-    rig, frames, _ = moving
+def test_a_kidnapped_camera_is_found_by_its_map_and_the_map_is_not_changed(started):
+    rig, frames, _ = started
     options = options_for(1.0, inverse_distance=(0.4, 0.4))
     slam = Slam(rig, options, front_ends=[ActiveSearch(rig.sensors[0].calibration, np.random.default_rng(1))])
     for frame in frames[:30]:
