@@ -11,11 +11,11 @@ import numpy as np
 from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, compose, inverse
-from slamlib.geometry.quaternion import exponential
 from slamlib.manifolds import Array, Image
 from slamlib.slam.entities import Landmark
 from slamlib.slam.filter import Slam
 from slamlib.vision.appearance import Appearance
+from slamlib.vision.target import normalized, refined
 
 LOST = 4  # inliers: with no more of them, the next image is searched for the map
 MOST, VIEWS, SEEN = 80, 3, 3  # landmarks searched for; patches of each; times that it must have been an inlier
@@ -37,19 +37,14 @@ def relocalize(slam: Slam, image: Image) -> bool:
     if len(matches) < FEWEST:
         return False
     points, pixels = (np.array(column, dtype=float) for column in zip(*matches, strict=True))
-    rays, _ = sensor.calibration.back_project_jac(pixels, np.ones((len(pixels), 1)))
-    plane, limit = (
-        np.ascontiguousarray(rays[:, :2] / rays[:, 2:3]),
-        MAX_ERROR / sensor.calibration.given["intrinsics"][2],
-    )
+    plane, limit = normalized(sensor.calibration, pixels), MAX_ERROR / sensor.calibration.given["intrinsics"][2]
     good, turn, shift, rows = cv2.solvePnPRansac(
         points[:, None], plane[:, None], np.eye(3), None, iterationsCount=2000, reprojectionError=limit,
         confidence=0.9999, flags=cv2.SOLVEPNP_EPNP,
     )  # fmt: skip
     if not good or rows is None or len(rows) < FEWEST:
         return False
-    turn, shift = cv2.solvePnPRefineLM(points[rows], plane[rows], np.eye(3), None, turn, shift)
-    camera = inverse(np.concatenate([shift.ravel(), exponential(turn.ravel())]))
+    camera = refined(cv2, points[rows], plane[rows], turn, shift)
     mean, P = slam.rig.robots[0].state, slam.rig.robots[0].covariance
     mean[:7] = compose(camera, inverse(sensor.extrinsics))
     distance = float(np.median(np.linalg.norm(points - camera[:3], axis=1)))

@@ -27,6 +27,18 @@ LEAST = 4  # points; with three, up to four poses fit
 LARGEST = 5.0  # px: largest rms error of the pixels at the best pose; beyond it they do not belong to these points
 
 
+def normalized(calibration: Calibration, pixels: Array) -> Array:
+    """Where the rays of pixels (n, 2) meet the plane at depth 1 (n, 2)."""
+    rays, _ = calibration.back_project_jac(pixels, np.ones((len(pixels), 1)))
+    return np.ascontiguousarray(rays[:, :2] / rays[:, 2:3])
+
+
+def refined(cv2: Any, points: Array, plane: Array, turn: Array, shift: Array) -> Array:
+    """Pose (7,) of the camera that fits normalized pixels of points best, from OpenCV's world-to-camera motion."""
+    turn, shift = cv2.solvePnPRefineLM(points, plane, np.eye(3), None, turn, shift)
+    return inverse(np.concatenate([shift.ravel(), exponential(turn.ravel())]))
+
+
 @dataclass(frozen=True, eq=False)
 class Target:
     """Points (n, 3) [m] of the world, n >= 4, their pixels (n, 2) in the first image, and their std [m] or (n,)."""
@@ -64,14 +76,12 @@ class Target:
         Found by OpenCV's PnP from the pixels' rays, so any calibrated camera with rays in front of it will do.
         """
         cv2 = opencv("to find the camera's pose relative to the target")
-        rays, _ = calibration.back_project_jac(self.pixels, np.ones((len(self.pixels), 1)))
-        plane = np.ascontiguousarray(rays[:, :2] / rays[:, 2:3])[:, None]
+        plane = normalized(calibration, self.pixels)[:, None]
         points = np.ascontiguousarray(self.points)[:, None]
         good, turn, shift = cv2.solvePnP(points, plane, np.eye(3), None, flags=cv2.SOLVEPNP_SQPNP)
         if not good:
             raise SlamlibError("no pose of the camera fits the target's pixels")
-        turn, shift = cv2.solvePnPRefineLM(points, plane, np.eye(3), None, turn, shift)
-        pose: Array = inverse(np.concatenate([shift.ravel(), exponential(turn.ravel())]))
+        pose = refined(cv2, points, plane, turn, shift)
         seen = np.column_stack([to_frame(pose, self.points), np.ones(len(self.points))])
         fits = calibration.visible(seen).all()
         error = np.linalg.norm(calibration.project(seen) - self.pixels, axis=1) if fits else np.array([np.inf])

@@ -13,7 +13,7 @@ from slamlib.datasets.pictures import TimedImage, opencv
 from slamlib.geometry.pose import from_frame
 from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.target import Target
+from slamlib.vision.target import Target, normalized
 
 LOOK_AHEAD = 150  # images in which the second view is looked for
 PARALLAX = 2.0  # degrees: least median angle between the rays of a point, once the rotation is removed
@@ -59,7 +59,7 @@ def _tracked(cv2: Any, before: Array, image: Array, pixels: Array) -> tuple[Arra
 
 def _triangulated(cv2: Any, calibration: Calibration, old: Array, new: Array) -> Array | None:
     """Points (n, 3) in the first camera's frame, nan for outliers; None without a unique, sure relative motion."""
-    a, b = (_plane(calibration, pixels) for pixels in (old, new))
+    a, b = (normalized(calibration, pixels) for pixels in (old, new))
     limit = MAX_ERROR / calibration.given["intrinsics"][2]
     E, mask = cv2.findEssentialMat(a, b, np.eye(3), method=cv2.USAC_MAGSAC, prob=0.9999, threshold=limit)
     if E is None or E.shape != (3, 3):
@@ -76,12 +76,6 @@ def _triangulated(cv2: Any, calibration: Calibration, old: Array, new: Array) ->
 def _directions(plane: Array) -> Array:
     """Unit vectors (n, 3) to points (n, 2) of the plane at depth 1."""
     return np.column_stack([plane, np.ones(len(plane))]) / np.sqrt(1 + (plane**2).sum(1, keepdims=True))
-
-
-def _plane(calibration: Calibration, pixels: Array) -> Array:
-    """Where the rays of pixels (n, 2) meet the plane at depth 1 (n, 2)."""
-    rays, _ = calibration.back_project_jac(pixels, np.ones((len(pixels), 1)))
-    return np.ascontiguousarray(rays[:, :2] / rays[:, 2:3])
 
 
 def _spread(pixels: Array, usable: Mask, spacing: float) -> list[int]:
