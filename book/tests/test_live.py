@@ -17,7 +17,7 @@ import pytest
 from slamlib.errors import SlamlibError
 
 ROOT = Path(__file__).parents[2]
-BY_ASSERTION = {"other_filters"}  # its exercises are checked in their own cells: slamlib.exercises has no room for more
+BY_ASSERTION = {"other_filters"}  # its exercises are checked in their own cells
 CHECK = re.compile(r"""^check\("(\w+\.\d+)", (\w+)\)""", re.MULTILINE)
 pytestmark = pytest.mark.skipif(not (ROOT / "book").is_dir(), reason="the book is not beside the package")
 
@@ -111,7 +111,7 @@ def test_a_caller_who_wants_more_or_less_says_so(page):
 
 
 def test_a_rejected_exercise_speaks_for_itself(page):
-    text = "from slamlib.exercises import check\ndef gain(P, Q, R):\n    return P[0]\ncheck('kalman_filter.3', gain)"
+    text = "from slambook.exercises import check\ndef gain(P, Q, R):\n    return P[0]\ncheck('kalman_filter.3', gain)"
     assert not page.run(text, "cell 1")
     found = failed(page)
     assert found["line"] == 3
@@ -119,7 +119,7 @@ def test_a_rejected_exercise_speaks_for_itself(page):
 
 
 def test_an_exercise_that_is_not_written_is_not_judged(page):
-    text = "from slamlib.exercises import check\ndef gain(P, Q, R):\n    ...\ncheck('kalman_filter.3', gain)"
+    text = "from slambook.exercises import check\ndef gain(P, Q, R):\n    ...\ncheck('kalman_filter.3', gain)"
     assert page.run(text, "cell 1")
     assert "write the function, then run the cell again" in said(page, "stdout")
 

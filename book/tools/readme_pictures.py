@@ -17,7 +17,7 @@ from book.tools import browser, layout
 STATIC = layout.BOOK / "_static"
 HEAD = """import numpy as np
 
-from slamlib.exercises import check
+from slambook.exercises import check
 
 
 def average_nees(errors, covariances):

@@ -142,7 +142,7 @@ LAYERS = [  # each may import those above it, and itself
     {"data"},
     {"evaluation"},
     {"slam", "simulation", "testing"},
-    {"experiments", "datasets", "exercises"},
+    {"experiments", "datasets"},
     {"vision"},
     {"cli", "codegen"},
 ]
@@ -153,7 +153,6 @@ NEVER = {  # beyond the layers: the algebra knows no types, simulator and filter
     "slam": {"simulation"},
     "testing": {"slam", "simulation"},
     "datasets": {"slam", "experiments"},
-    "exercises": {"slam", "experiments", "datasets"},
 }
 LAZY = {"codegen": {"sympy", "IPython"}}  # heavy packages that a part may import when it is loaded
 HEAVY = {"sympy", "matplotlib", "scipy", "IPython", "cv2", "skimage", "joblib"}

@@ -1,0 +1,88 @@
+"""Checks of the chapter: consistency."""
+
+import numpy as np
+
+from slambook.exercises.properties import Candidate, Rng, array_of, between, cases, exercise, given, holds, number, same
+from slamlib.evaluation.consistency import band
+from slamlib.manifolds import Array
+
+
+@exercise("consistency.1", "how many runs a band needs")
+def runs_needed(candidate: Candidate) -> None:
+    """The exact band of that many runs is as narrow as was asked for, within the error of the approximation."""
+    for n, share in cases((n, share) for n in (1, 2, 6, 15) for share in (0.05, 0.1, 0.2)):
+        runs = number(candidate(n, share), "the number of runs")
+        given(f"n = {n}, +-{share:.0%}: {runs:.6g} runs")
+        holds(runs >= 1, "at least one run")
+        low, high = band(n, max(1, round(runs)))
+        half = (high - low) / 2 / n
+        holds(half < 1.04 * share, "the band is narrow enough", f"they give +-{half:.1%}")
+        holds(half > 0.94 * share, "no run is wasted", f"they give +-{half:.1%}")
+
+
+@exercise("consistency.2", "NEES averaged over runs", seed=52)
+def average_nees(candidate: Candidate, rng: Rng) -> None:
+    """Inside its band for a consistent filter, invariant to units, a quarter for twice the claimed std."""
+    runs, steps, n = 200, 15, 3
+    roots = rng.standard_normal((runs, steps, n, n)) + 2 * np.eye(n)
+    covariances = roots @ roots.transpose(0, 1, 3, 2)
+    errors = (roots @ rng.standard_normal((runs, steps, n, 1)))[..., 0]
+    found = array_of(candidate(errors, covariances), (steps,), "the average")
+    between(found, *band(n, runs, 0.9999), "the errors of a consistent filter lie in the band")
+    units = np.diag([1000.0, 1, 0.01])
+    same(candidate(errors @ units, units @ covariances @ units), found, "metres or millimetres make no difference")
+    same(candidate(errors, 4 * covariances), found / 4, "twice the claimed standard deviation, a quarter of the NEES")
+    one = (np.linalg.solve(np.linalg.cholesky(covariances[0, 0]), errors[0, 0]) ** 2).sum()
+    same(candidate(errors[:1], covariances[:1])[0], one, "one run is e' P^-1 e")
+
+
+@exercise("consistency.3", "a gate with the right degrees of freedom", seed=53)
+def gate(candidate: Candidate, rng: Rng) -> None:
+    """The share of good innovations that pass, in any units, whichever numbers are missing; an elliptic boundary."""
+    which = (True,), (True, True), (False, True), (True, True, True), (True, False, True), (False, True, False)
+    for seen in cases(which):
+        m, n, missing = len(seen), sum(seen), ~np.array(seen)
+        given(f"{n} of {m} numbers")
+        distances = np.sqrt([band(n, 1, (k + 0.5) / 40) for k in range(40)]).ravel()  # one in each eightieth
+        for scale, probability in ((0.1, 0.5), (10.0, 0.9)):
+            root = scale * (np.tril(np.ones((m, m))) + 0.1 * rng.standard_normal((m, m)))
+            S, drawn = root @ root.T, np.full((80, m), np.nan)
+            seen_root = np.linalg.cholesky(S[~missing][:, ~missing])
+            drawn[:, ~missing] = distances[:, None] * _directions(rng, 80, n) @ seen_root.T
+            passed = np.mean([bool(candidate(z, S, probability)) for z in drawn])
+            what = "the chosen share of good innovations passes, in any units and with numbers missing"
+            between(passed, probability - 0.06, probability + 0.06, what)
+        for distance in () if missing.any() else (0.5, 1, 1.5, 2, 2.5, 3):
+            shell = distance * _directions(rng, 20, m) @ root.T
+            what = "whether one passes depends on its distance, not on its direction"
+            same_side = len({bool(candidate(z, S, 0.9)) for z in shell}) == 1
+            holds(same_side, what, f"it does at distance {distance}")
+
+
+def _directions(rng: Rng, count: int, n: int) -> Array:
+    vectors = rng.standard_normal((count, n))
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
+
+
+@exercise("consistency.5", "the whiteness of innovations", seed=55)
+def whiteness(candidate: Candidate, rng: Rng) -> None:
+    """One at lag zero, none elsewhere for white innovations, the known value for coloured ones, in any units."""
+    T, m, a = 6000, 2, 0.8
+    L = np.array([[2.0, 0.0], [1.5, 0.5]])
+    S, white = L @ L.T, rng.standard_normal((T, m))
+    coloured = np.zeros((T, m))
+    for k in range(1, T):
+        coloured[k] = a * coloured[k - 1] + np.sqrt(1 - a * a) * white[k]
+
+    def value(innovations: Array, lag: int, S: Array = S) -> float:
+        return number(candidate(innovations, S, lag), "the whiteness")
+
+    for lag in cases((0, 1, 3), "lag {}"):
+        wanted = float(lag == 0)
+        what = "white innovations: 1 at lag 0, about 0 elsewhere"
+        between(value(white @ L.T, lag), wanted - 0.06, wanted + 0.06, what)
+        between(value(coloured @ L.T, lag), a**lag - 0.1, a**lag + 0.1, "a first-order memory a shows as a^lag")
+    turned = coloured * np.where(np.arange(T) % 2, 1, -1)[:, None]
+    once = value(coloured @ L.T, 1)
+    same(value(turned @ L.T, 1), -once, "alternating signs give the negative value at lag 1")
+    same(once, value(coloured, 1, np.eye(m)), "mixing the numbers, and S with them, changes nothing")

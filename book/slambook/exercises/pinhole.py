@@ -1,0 +1,96 @@
+"""Checks of the chapter: the pin-hole camera."""
+
+from typing import Any
+
+import numpy as np
+
+from slambook.exercises import Candidate, Rng, exercise
+from slambook.exercises.properties import array_of, cases, differences, given, holds, parts, same
+from slamlib.manifolds import Array
+
+
+def _factor(radius: Any, coefficients: Any) -> Any:
+    """1 + d1 r^2 + d2 r^4 + ..., by which the distortion lengthens a radius."""
+    return 1 + sum(c * radius ** (2 * i) for i, c in enumerate(coefficients, start=1))
+
+
+@exercise("pinhole.1", "where the distortion folds", seed=81)
+def fold(candidate: Candidate, rng: Rng) -> None:
+    """The slope vanishes there, and nowhere before; where the answer is infinity, it vanishes nowhere."""
+    known = [(-0.3, 0.0), (-0.3, 0.1), (-0.5, 0.1), (0.2, -0.05), (0.2, 0.1), (0.0, 0.0), (0.0, -0.1), (-0.4, 0.03)]
+    for d1, d2 in cases([*known, *map(tuple, rng.uniform(-0.4, 0.4, (40, 2)))], "d1 = {:.4g}, d2 = {:.4g}"):
+        found = float(np.asarray(candidate(d1, d2), dtype=float))
+        slope = 3 * d1, 5 * d2  # of r (1 + d1 r^2 + d2 r^4)
+        holds(found > 0, "the radius is above zero", f"found {found:.6g}")
+        before = np.linspace(0, min(found, 1e3), 20001)[:-1]
+        holds((_factor(before, slope) > 0).all(), "the slope is positive before the fold", f"found {found:.6g}")
+        if np.isfinite(found):
+            same(_factor(found, slope), 0.0, "the slope is zero at the fold", tolerance=1e-8)
+
+
+@exercise("pinhole.2", "a pixel and its Jacobian", seed=82)
+def pinhole(candidate: Candidate, rng: Rng) -> None:
+    """Symmetry, scale and the centre fix the value; the Jacobian is that of the candidate's own value."""
+    for d in ([], [-0.3, 0.1], [0.2], [-0.1, 0.05, -0.02, 0.01]):
+        k = np.array([320, 240, 300, 400]) + rng.uniform(-20, 20, 4)
+
+        def seen(point: Array, k: Array = k, d: Array = np.array(d)) -> list[Any]:  # noqa: B008
+            return parts(candidate(point, k, d), {"the pixel": (2,), "the Jacobian": (2, 3)})
+
+        same(seen(np.array([0, 0, 2.0]))[0], k[:2], "a point on the axis is seen at (u0, v0)")
+        for _ in cases(range(4)):
+            point = np.array([*rng.uniform(-1, 1, 2), rng.uniform(1, 3)])
+            given(f"the point {point.round(4).tolist()}")
+            pixel, J = seen(point)
+            same(seen(point / 3)[0], pixel, "a point on the same ray has the same pixel")
+            ideal, distorted = point[:2] / point[2], (pixel - k[:2]) / k[2:]
+            r = np.hypot(*ideal)
+            same(distorted[0] * ideal[1], distorted[1] * ideal[0], "distortion moves along the radius", tolerance=1e-12)
+            same(np.hypot(*distorted), r * _factor(r, d), "the distorted radius is r + d1 r^3 + d2 r^5 + ...")
+            own = differences(lambda p, seen=seen: seen(p)[0], point)
+            same(J, own, "the Jacobian is that of the pixel", tolerance=1e-6)
+
+
+@exercise("pinhole.3", "undoing distortion")
+def undistort(candidate: Candidate) -> None:
+    """Distorting the result gives back what was given; it lies below the fold; where none exists, nan."""
+    turns = np.array([[0.6, 0.8], [-1.0, 0.0], [0.28, -0.96]])
+    lenses: list[tuple[list[float], list[float], float]] = [
+        ([], [0.0, 0.3, 5.0], np.inf),
+        ([-0.3, 0.1], [0.0, 0.3, 1.0, 2.5], np.inf),
+        ([-0.3], [0.3, 0.9, 1.04], 1 / np.sqrt(0.9)),
+        ([0.5], [0.3, 1.4, 3.0], np.inf),
+        ([0.2, 0.05, 0.01], [0.5, 2.0], np.inf),
+        ([-0.4, 0.04], [0.5, 0.9], 1.0),
+    ]
+    for d, radii, fold in lenses:
+        for r, turn in cases((r, turn) for r in radii for turn in turns):
+            ideal = r * turn
+            distorted = ideal * _factor(r, d)
+            given(f"distorted {np.round(distorted, 4).tolist()}, d = {d}")
+            found = array_of(candidate(distorted, np.array(d)), (2,), "the ideal point")
+            radius = np.hypot(*found)
+            otherwise = f"found radius {radius:.4g}, and the fold is at {fold:.4g}"
+            holds(radius <= fold + 1e-9, "the ideal point lies below the fold", otherwise)
+            same(found, ideal, "distorting the result gives back what was given")
+    lost = ([-0.3], 0.71), ([-0.3], 3.0), ([-0.4, 0.04], 0.9), ([-0.4, 0.04], 2.0)
+    for d, radius in cases(lost, "d = {} and the distorted radius {}"):
+        try:
+            found = np.asarray(candidate(radius * turns[0], np.array(d)), dtype=float)
+        except (TypeError, ValueError):
+            found = np.zeros(2)
+        nan = found.shape == (2,) and np.isnan(found).all()
+        holds(nan, "where no ideal point exists, the result is nan", f"found {found}")
+
+
+@exercise("pinhole.5", "half the image", seed=85)
+def halved(candidate: Candidate, rng: Rng) -> None:
+    """Where the four large pixels of a small one lie, their mean is the small one's centre."""
+    for _ in range(5):
+        k = np.array([320, 240, 300, 400]) + rng.uniform(-50, 50, 4)
+        small = array_of(candidate(k.copy()), (4,), "the intrinsics")
+        for pixel in rng.integers(0, 300, (4, 2)):
+            four = 2 * pixel + np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
+            seen = small[:2] + small[2:] * ((four - k[:2]) / k[2:]).mean(axis=0)
+            same(seen, pixel, "the mean ray of four pixels is the ray of the small one", tolerance=1e-10)
+        same(small[2:], k[2:] / 2, "the focal lengths are halved")

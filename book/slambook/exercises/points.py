@@ -1,0 +1,58 @@
+"""Checks of the chapter: points."""
+
+import numpy as np
+
+from slambook.exercises import Candidate, Rng, exercise
+from slambook.exercises.properties import array_of, cases, covariance, differences, holds, number, parts, same
+from slamlib.geometry.pose import ORIGIN
+from slamlib.landmarks.fhm_point import FHM_POINT
+from slamlib.landmarks.linearity import euclidean_index
+
+
+@exercise("points.1", "how far a stereo head sees")
+def farthest(candidate: Candidate) -> None:
+    """The index of the point that least squares finds in two pictures, by the package's own models."""
+    heads = (320.0, 0.5, 1.0, 0.1), (450.0, 0.11, 0.3, 0.4), (1000.0, 0.2, 2.0, 0.05)
+    for f, b, sigma, index in cases(heads, "f = {:g}, b = {:g}, sigma = {:g}, index = {:g}"):
+        depth = number(candidate(f, b, sigma, index), "the depth")
+        holds(depth > 0, "the depth is positive", f"found {depth:.4g}")
+        landmark, information = np.array([*ORIGIN, 0, 0, 1 / depth]), np.zeros((3, 3))
+        for x in (0.0, b):
+            point, J = FHM_POINT.to_frame.jac(np.array([x, *ORIGIN[1:]]), landmark)
+            u, v, z = point[:3]
+            rows = f / z * np.array([[1, 0, -u / z], [0, 1, -v / z]]) @ J.landmark[:3, 6:]
+            information += rows.T @ rows / sigma**2
+        P = np.zeros((9, 9))
+        P[6:, 6:] = np.linalg.inv(information)
+        found = float(euclidean_index(FHM_POINT, landmark, P, ORIGIN))
+        same(found / index, 1, "a point at that depth, found by least squares, has that index")
+
+
+@exercise("points.2", "an anchored point becomes Euclidean", seed=112)
+def convert(candidate: Candidate, rng: Rng) -> None:
+    """The point lies on the ray at its distance; covariance against differences of the candidate's own point."""
+    for length in cases((1.0, 2.5, 0.4), "a direction of length {:g}"):
+        m = rng.standard_normal(3)
+        landmark = np.array([*rng.standard_normal(3), *(length * m / np.linalg.norm(m)), rng.uniform(0.1, 1)])
+        root = rng.standard_normal((7, 7)) / 10
+        P = root @ root.T
+        point, found = parts(candidate(landmark, P), {"the point": (3,), "the covariance": (3, 3)})
+        ray = point - landmark[:3]
+        same(np.cross(ray, landmark[3:6]), np.zeros(3), "the point lies on the ray from the anchor")
+        same(ray * landmark[6], landmark[3:6], "rho times the ray is the direction")
+        covariance(found, 3)
+        J = differences(lambda x: candidate(x, np.eye(7))[0], landmark)
+        same(found, J @ P @ J.T, "the covariance moves with the point's own Jacobian", tolerance=1e-6)
+
+
+@exercise("points.3", "depth and distance")
+def depth_or_distance(candidate: Candidate) -> None:
+    """The homogeneous point has a unit ray, goes through the image, and lies at the depth."""
+    images = (0.0, 0.0, 4.0), (0.8, -0.6, 5.0), (-1.5, 2.0, 0.5), (0.1, 0.0, 100.0)
+    for u, v, depth in cases(images, "({:g}, {:g}) at depth {:g}"):
+        point = array_of(candidate(np.array([u, v]), depth), (4,), "the homogeneous point")
+        same(np.linalg.norm(point[:3]), 1, "h has unit length")
+        holds(point[2] > 0, "the ray points ahead", f"found h = {point[:3].round(4)}")
+        same(point[:2] / point[2], [u, v], "h goes through the image of the point")
+        holds(point[3] > 0, "w is positive", f"found w = {point[3]:.4g}")
+        same(point[2] / point[3] / depth, 1, "h / w lies at the depth")

@@ -1,0 +1,89 @@
+"""Checks of the chapter: proving a Jacobian."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from slambook.exercises.properties import Candidate, Rng, array_of, cases, exercise, given, holds, number, same
+from slamlib.manifolds import Array
+
+
+@exercise("proving_a_jacobian.1", "the best step of a one-sided difference", seed=41)
+def best_step(candidate: Candidate, rng: Rng) -> None:
+    """No other step has a smaller bound of the error; for values of any size and sign, in any precision."""
+    for precision in cases(np.repeat([2.0**-53, 2.0**-24], 10)):
+        value, second = 10 ** rng.uniform(-3, 3, 2) * rng.choice([-1.0, 1.0], 2)
+        h = number(candidate(value, second, float(precision)), "the step")
+        given(f"f = {value:.3g}, f'' = {second:.3g}, precision {precision:.3g}")
+        holds(h > 0, "the step is positive", f"it is {h:.3g}")
+        steps = h * np.array([1, rng.uniform(0.5, 0.99), 1.01])
+        bound, smaller, larger = 2 * precision * abs(value) / steps + steps * abs(second) / 2
+        holds(bound < smaller, "no smaller step has a smaller bound", f"the step {h:.3g} is too large")
+        holds(bound < larger, "no larger step has a smaller bound", f"the step {h:.3g} is too small")
+
+
+@exercise("proving_a_jacobian.2", "the Jacobian by the complex step", seed=42)
+def complex_jacobian(candidate: Candidate, rng: Rng) -> None:
+    """Exact to rounding, which no difference is; and right for functions of several results."""
+    A = rng.standard_normal((3, 4))
+    x = rng.standard_normal(4)
+    same(candidate(lambda v: A @ v, x), A, "a linear function gives its matrix", tolerance=1e-14)
+    found = candidate(lambda v: np.exp(v[:2] * v[2:]), x)
+    e = np.exp(x[:2] * x[2:])
+    expected = np.hstack([np.diag(e * x[2:]), np.diag(e * x[:2])])
+    same(found, expected, "products and exponentials, to the last digits", tolerance=1e-14)
+
+
+@exercise("proving_a_jacobian.3", "the derivative of a bearing", seed=43)
+def bearing_jacobian(candidate: Candidate, rng: Rng) -> None:
+    """Against the complex step of the bearing, at many places."""
+    for _ in range(10):
+        robot, landmark = rng.standard_normal(3), 5 * rng.standard_normal(2)
+        found = array_of(candidate(robot, landmark), (1, 3), "the Jacobian")
+        d = (landmark[0] - robot[0]) + 1j * (landmark[1] - robot[1])  # bearing = imaginary part of log(d)
+        expected = [np.imag(-1 / d), np.imag(-1j / d), -1.0]
+        same(found, [expected], "agrees with the derivative of the logarithm of a complex number")
+
+
+@exercise("proving_a_jacobian.5", "finding the wrong entry", seed=45)
+def wrong_entries(candidate: Candidate, rng: Rng) -> None:
+    """Nothing found in a right Jacobian; one damaged entry found, in any unit, of either sign, at any of the points."""
+    points = rng.uniform(0.5, 2, (4, 3))
+    points[0] = 1.0  # where x = x^2 = x^3, and many a mistake does not show
+    points[3] = rng.uniform(-2, -0.5, 3)
+
+    def table(derivative: Callable[..., Array]) -> Array:
+        return array_of(candidate(_function, derivative, points), (3, 3), "the table of wrong entries")
+
+    found = table(_derivative)
+    holds(not found.any(), "finds nothing in a right Jacobian", f"found {found.astype(int).tolist()}")
+    damages = {
+        "a sign": lambda J, x: -J,
+        "one in a thousand too large": lambda J, x: 1.001 * J,
+        "one in a thousand too small": lambda J, x: 0.999 * J,
+        "a factor x forgotten": lambda J, x: J / x[2],
+        "a factor that is right where x is positive": lambda J, x: J * np.sign(x[2]),
+        "a number where zero belongs": lambda J, x: J + 1e-3,
+    }
+    for name, damage in damages.items():
+        zero = name == "a number where zero belongs"
+        what = f"finds {name}" + ("" if zero else ", in every unit")
+        for at in [(1, 0)] if zero else [(0, 0), (0, 2), (1, 1), (2, 0), (2, 2)]:
+            expected = np.zeros((3, 3), dtype=bool)
+            expected[at] = True
+            found = table(lambda x, damage=damage, at=expected: np.where(at, damage(_derivative(x), x), _derivative(x)))
+            otherwise = f"damaged was entry {at}, found was {found.astype(int).tolist()}"
+            holds(np.array_equal(found != 0, expected), what, otherwise)
+
+
+def _function(x: Array) -> Array:
+    """Three results in three units: one of order 1, one a million times larger, one a million times smaller."""
+    return np.array([x[0] * x[2] ** 2, 1e6 * np.sin(x[1]), 1e-6 * x[0] ** 2 / x[2]])
+
+
+def _derivative(x: Array) -> Array:
+    return np.array([
+        [x[2] ** 2, 0.0, 2 * x[0] * x[2]],
+        [0.0, 1e6 * np.cos(x[1]), 0.0],
+        [2e-6 * x[0] / x[2], 0.0, -1e-6 * x[0] ** 2 / x[2] ** 2],
+    ])  # fmt: skip

@@ -1,0 +1,209 @@
+"""Every exercise's check accepts the published solution and rejects plausible wrong ones."""
+
+import json
+import linecache
+import re
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+import pytest
+from slambook.exercises import Rejected, check, exercise, load_all, properties
+
+import slamlib
+from book.tests.wrong_solutions import load
+from slamlib.errors import SlamlibError, UnknownNameError
+
+CHAPTERS = Path(slamlib.__file__).parent.parent / "book" / "chapters"
+KNOWN = load_all()
+WRONG = load()
+
+
+def solutions() -> list[tuple[str, str]]:
+    """Source of every published solution that is code: name of the chapter, and the cell."""
+    found = []
+    for notebook in sorted(CHAPTERS.glob("*.ipynb")):
+        for cell in json.loads(notebook.read_text("utf-8"))["cells"]:
+            if "solution" in cell["metadata"].get("tags", []):
+                found.append((notebook.stem, "".join(cell["source"])))
+    return found
+
+
+def run(chapter: str, source: str) -> None:
+    """Run a cell by itself; its source is kept, so that models defined in it find their definition."""
+    name = f"<solution in {chapter}, {hash(source)}>"
+    linecache.cache[name] = (len(source), None, source.splitlines(keepends=True), name)
+    exec(compile(source, name, "exec"), {"__name__": "__main__"})
+
+
+@pytest.mark.parametrize(
+    ("chapter", "source"), [pytest.param(c, s, id=f"{c}-{i}") for i, (c, s) in enumerate(solutions())]
+)
+def test_published_solutions_run_by_themselves(chapter, source, capsys, monkeypatch):
+    monkeypatch.chdir(CHAPTERS)
+    run(chapter, source)
+    checked = re.findall(r"""check\(\s*["'](\w+\.\d+)["']""", source)
+    printed = capsys.readouterr().out
+    assert [n for n in checked if f"Exercise {n} accepted" not in printed] == []
+
+
+def test_every_exercise_has_a_solution_in_its_own_chapter_of_the_book():
+    assert KNOWN, "no exercise is registered"
+    checks = [(chapter, n) for chapter, s in solutions() for n in re.findall(r"""check\(\s*["'](\w+\.\d+)["']""", s)]
+    published = {n for chapter, n in checks if chapter == n.split(".")[0]}
+    assert not sorted(set(KNOWN) - published), "registered, but no cell tagged `solution` checks it"
+    assert not sorted(published - set(KNOWN)), "checked in a chapter, but not registered"
+
+
+@pytest.mark.parametrize(("number", "candidate"), [pytest.param(n, f, id=f"{n}: {why}") for n, why, f in WRONG])
+def test_wrong_solutions_are_rejected_for_a_reason(number, candidate):
+    with pytest.raises(Rejected) as caught:
+        check(number, candidate)
+    assert caught.value.__cause__ is None, "rejected only because it crashed: that is not a plausible wrong solution"
+
+
+def test_every_exercise_has_two_wrong_solutions():
+    count = Counter(number for number, _, _ in WRONG)
+    assert not [n for n in KNOWN if count[n] < 2]
+    assert not [n for n in count if n not in KNOWN]
+
+
+# -- the framework itself ----------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def doubling():
+    @exercise("99.1", "twice a vector")
+    def _check(candidate):
+        properties.same(candidate(np.array([1.0, 2])), [2, 4], "twice the vector")
+
+    yield "99.1"
+    properties.KNOWN.pop("99.1")
+
+
+def test_a_right_solution_is_accepted_with_its_properties(doubling, capsys):
+    check(doubling, lambda x: 2 * x)
+    assert capsys.readouterr().out == "  holds: twice the vector\nExercise 99.1 accepted: twice a vector.\n"
+
+
+def in_place(x):
+    x *= 2
+    return x
+
+
+@pytest.mark.parametrize(
+    ("candidate", "message"),
+    [
+        (lambda x: 3 * x, r"twice the vector: differs: found \[3. 6.\].*\[2. 4.\]"),
+        (lambda x: 2 * x * (1 + 1e-7), r"found \[2.0000002 4.0000004\].*asks for \[2. 4.\]"),
+        (lambda x: None, "returned None"),
+        (lambda x: x[0], "should have shape"),
+        (lambda x: x * np.nan, "nan or infinity"),
+        (lambda x: x["a"], "raised IndexError"),
+        (lambda x: "a", "should be an array of numbers"),
+        (in_place, "changed its argument in place"),
+        (lambda: 0, "raised TypeError"),
+    ],
+)
+def test_what_is_wrong_is_reported(doubling, candidate, message):
+    with pytest.raises(Rejected, match=message):
+        check(doubling, candidate)
+
+
+def test_an_unknown_exercise_is_named_with_the_known_ones():
+    with pytest.raises(UnknownNameError, match=r"unknown exercise 'slam_in_five_minutes\.99'"):
+        check("slam_in_five_minutes.99", len)
+
+
+def test_a_number_that_is_not_quoted_is_named_too():
+    with pytest.raises(UnknownNameError, match=r"unknown exercise 99\.1"):
+        check(99.1, len)
+
+
+def test_what_held_before_the_rejection_is_printed(capsys):
+    @exercise("99.2", "two properties")
+    def _check(candidate):
+        properties.same(candidate(1.0), 2.0, "doubles one")
+        a, b = candidate(3.0)
+        properties.same(a, b, "never reached")
+
+    try:
+        with pytest.raises(Rejected, match="cannot be used: TypeError: cannot unpack") as caught:
+            check("99.2", lambda x: 2 * x)
+        assert capsys.readouterr().out == "  so far: doubles one\n"
+        assert isinstance(caught.value.__cause__, TypeError)
+    finally:
+        properties.KNOWN.pop("99.2")
+
+
+def test_a_number_is_given_once():
+    def other(candidate):
+        pass
+
+    other.__module__ = "elsewhere"
+    exercise("99.3", "first")(lambda candidate: None)
+    try:
+        with pytest.raises(SlamlibError, match=r"99\.3 is registered twice"):
+            exercise("99.3", "second")(other)
+    finally:
+        properties.KNOWN.pop("99.3")
+
+
+def guarded(function):
+    return properties.Found(function).candidate
+
+
+def test_arrays_inside_lists_and_named_arguments_are_guarded_too():
+    def inside(pieces, scale):
+        pieces[0] *= scale
+        return pieces
+
+    with pytest.raises(Rejected, match="in place"):
+        guarded(inside)([np.ones(2)], scale=np.array(2.0))
+    assert guarded(lambda x, scale: x * scale)(np.array([np.nan, 1.0]), scale=2)[1] == 2.0
+
+
+def test_a_reader_sees_the_message_and_the_own_line_only():
+    with pytest.raises(Rejected) as caught:
+        guarded(lambda x: x["a"])(np.ones(2))
+    shown = "\n".join(caught.value._render_traceback_())
+    assert shown.startswith("Rejected: for the input ([1. 1.]) your function raised IndexError")
+    assert "test_exercises.py" in shown
+    assert "properties.py" not in shown
+
+
+TURN = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+
+
+@pytest.mark.parametrize(
+    ("judge", "good", "bad"),
+    [
+        (lambda x: properties.same(x, [1.0, 2.0], "p"), [1.0, 2.0], [1.0, 2.0 + 1e-6]),
+        (lambda x: properties.covariance(x, 2, "p"), np.diag([1.0, 0.0]), np.array([[1.0, 0.1], [0.0, 1.0]])),
+        (lambda x: properties.covariance(x, 2, "p"), np.eye(2), np.array([[1.0, 2.0], [2.0, 1.0]])),
+        (lambda x: properties.rotation_matrix(x, "p"), TURN, np.diag([1.0, 1.0, -1.0])),
+        (lambda x: properties.rotation_matrix(x, "p"), TURN[:2, :2], 1.001 * TURN),
+        (lambda x: properties.between(x, 0.9, 1.1, "p"), 1.0, 1.2),
+        (lambda x: properties.between(x, 0.9, 1.1, "p"), 0.9, np.nan),
+        (lambda f: properties.same(properties.differences(f, [0.3]), [[np.cos(0.3)]], "p"), np.sin, np.cos),
+    ],
+)
+def test_each_property_accepts_what_has_it_and_rejects_what_lacks_it(judge, good, bad):
+    judge(good)
+    with pytest.raises(Rejected, match="p"):
+        judge(bad)
+
+
+def test_the_batch_oracle_minimises_the_sum_of_squares():
+    rng = np.random.default_rng(5)
+    mean, P = rng.standard_normal(3), np.diag([1.0, 2.0, 3.0])
+    batch = [(rng.standard_normal((2, 3)), rng.standard_normal(2), np.diag([0.5, 0.1])) for _ in range(4)]
+
+    def cost(x):
+        prior = (x - mean) @ np.linalg.solve(P, x - mean)
+        return prior + sum((y - H @ x) @ np.linalg.solve(R, y - H @ x) for H, y, R in batch)
+
+    best, covariance = properties.least_squares(mean, P, batch)
+    steps = 0.01 * rng.standard_normal((20, 3))
+    for d in steps:  # the cost is exactly quadratic, with the inverse of the covariance as its curvature
+        assert cost(best + d) - cost(best) == pytest.approx(d @ np.linalg.solve(covariance, d), rel=1e-6)

@@ -1,0 +1,125 @@
+"""Wrong solutions of chapter extended_kalman_filter."""
+
+import numpy as np
+
+from book.tests.wrong_solutions import wrong
+
+
+def _across(x, landmark):
+    d = x - landmark
+    return np.array([-d[1], d[0]]) / np.hypot(*d), np.hypot(*d)
+
+
+@wrong("extended_kalman_filter.1", "the half of Taylor's second term is forgotten")
+def without_the_half(x, landmark, P):
+    b, distance = _across(x, landmark)
+    return b @ P @ b / distance
+
+
+@wrong("extended_kalman_filter.1", "all of P counts, also along the line of sight")
+def whole_trace(x, landmark, P):
+    return np.trace(P) / (2 * np.hypot(*(x - landmark)))
+
+
+@wrong("extended_kalman_filter.1", "along the line of sight instead of across it")
+def along(x, landmark, P):
+    d = (x - landmark) / np.hypot(*(x - landmark))
+    return d @ P @ d / (2 * np.hypot(*(x - landmark)))
+
+
+@wrong("extended_kalman_filter.1", "divides by the square of the distance")
+def square_of_distance(x, landmark, P):
+    b, distance = _across(x, landmark)
+    return b @ P @ b / (2 * distance**2)
+
+
+@wrong("extended_kalman_filter.1", "the sign of the sonar's bias, whose range is given and not measured")
+def shorter(x, landmark, P):
+    b, distance = _across(x, landmark)
+    return -b @ P @ b / (2 * distance)
+
+
+@wrong("extended_kalman_filter.4", "plain difference")
+def plain(z, e):
+    return z - e
+
+
+@wrong("extended_kalman_filter.4", "each bearing is wrapped, but their difference is not")
+def wrapped_before(z, e):
+    def wrap(angle):
+        return (angle + np.pi) % (2 * np.pi) - np.pi
+
+    return np.array([z[0] - e[0], wrap(z[1]) - wrap(e[1])])
+
+
+@wrong("extended_kalman_filter.4", "wraps the whole vector, the range with it")
+def range_too(z, e):
+    return (z - e + np.pi) % (2 * np.pi) - np.pi
+
+
+@wrong("extended_kalman_filter.4", "takes away one turn at most, and only on one side")
+def one_turn(z, e):
+    nu = z - e
+    return nu - [0, 2 * np.pi] if nu[1] > np.pi else nu
+
+
+@wrong("extended_kalman_filter.4", "arctan of the tangent: half turns are lost as well")
+def half_turns(z, e):
+    return np.array([z[0] - e[0], np.arctan(np.tan(z[1] - e[1]))])
+
+
+@wrong("extended_kalman_filter.4", "the remainder from 0 to 2 pi")
+def never_negative(z, e):
+    return np.array([z[0] - e[0], (z[1] - e[1]) % (2 * np.pi)])
+
+
+@wrong("extended_kalman_filter.2", "one step only: the ordinary EKF")
+def one_step(x0, P, z, R, h, jacobian):
+    H = jacobian(x0)
+    return x0 + P @ H.T @ np.linalg.solve(H @ P @ H.T + R, z - h(x0))
+
+
+@wrong("extended_kalman_filter.2", "restarts each iteration from the last state, and so forgets the prior")
+def forgets_prior(x0, P, z, R, h, jacobian):
+    x = x0
+    for _ in range(20):
+        H = jacobian(x)
+        x = x + P @ H.T @ np.linalg.solve(H @ P @ H.T + R, z - h(x))
+    return x
+
+
+@wrong("extended_kalman_filter.2", "leaves out the term H (x0 - x)")
+def without_shift(x0, P, z, R, h, jacobian):
+    x = x0
+    for _ in range(20):
+        H = jacobian(x)
+        x = x0 + P @ H.T @ np.linalg.solve(H @ P @ H.T + R, z - h(x))
+    return x
+
+
+def _moved(x, u):
+    return x + np.array([u[0] * np.cos(x[2]), u[0] * np.sin(x[2]), u[1]])
+
+
+def _jacobians(x, u):
+    c, s = np.cos(x[2]), np.sin(x[2])
+    return np.array([[1, 0, -u[0] * s], [0, 1, u[0] * c], [0, 0, 1]]), np.array([[c, 0], [s, 0], [0, 1]])
+
+
+@wrong("extended_kalman_filter.3", "Jacobians after the motion (E02), as in PythonRobotics before its pull request 305")
+def after_the_motion(x, P, u, Q):
+    x = _moved(x, u)
+    F, G = _jacobians(x, u)
+    return x, F @ P @ F.T + G @ Q @ G.T
+
+
+@wrong("extended_kalman_filter.3", "adds the control's covariance without its Jacobian")
+def noise_in_the_wrong_frame(x, P, u, Q):
+    F, _ = _jacobians(x, u)
+    return _moved(x, u), F @ P @ F.T + np.diag([Q[0, 0], Q[0, 0], Q[1, 1]])
+
+
+@wrong("extended_kalman_filter.3", "forgets the control's noise")
+def without_noise(x, P, u, Q):
+    F, _ = _jacobians(x, u)
+    return _moved(x, u), F @ P @ F.T

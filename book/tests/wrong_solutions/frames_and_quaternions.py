@@ -1,0 +1,95 @@
+"""Wrong solutions of chapter frames_and_quaternions."""
+
+import numpy as np
+
+from book.tests.wrong_solutions import wrong
+from slamlib.geometry.quaternion import conjugate, exponential, minus, plus, product, rotation
+
+
+def _cross(a):
+    return np.array([[0, -a[2], a[1]], [a[2], 0, -a[0]], [-a[1], a[0], 0]])
+
+
+@wrong("frames_and_quaternions.2", "the sign of the rotation part: turning the frame is taken for turning the point")
+def sign(pose, point):
+    R = rotation(pose[3:])
+    return np.hstack([-R.T, -_cross(R.T @ (point - pose[:3]))])
+
+
+@wrong("frames_and_quaternions.2", "the rotation vector is taken in world axes")
+def world_axes(pose, point):
+    R = rotation(pose[3:])
+    return np.hstack([-R.T, R.T @ _cross(point - pose[:3])])
+
+
+@wrong("frames_and_quaternions.2", "R instead of its transpose")
+def transposed(pose, point):
+    R = rotation(pose[3:])
+    return np.hstack([-R, _cross(R.T @ (point - pose[:3]))])
+
+
+def _long_log(q):
+    norm = np.sqrt(q[1:] @ q[1:])
+    return 2 * np.arctan2(norm, q[0]) / norm * q[1:]
+
+
+@wrong("frames_and_quaternions.3", "the four-quadrant arctangent goes the long way when w < 0")
+def long_way(q0, q1, u):
+    return plus(q0, u * _long_log(product(conjugate(q0), q1)))
+
+
+@wrong("frames_and_quaternions.3", "linear interpolation of the numbers, then normalised: not at constant speed")
+def chord(q0, q1, u):
+    q = (1 - u) * q0 + u * q1 * np.sign(q0 @ q1)
+    return q / np.sqrt(q @ q)
+
+
+@wrong("frames_and_quaternions.3", "the rotation vector, which is in the first frame's axes, is applied in the world's")
+def in_world_axes(q0, q1, u):
+    return product(exponential(u * minus(q1, q0)), q0)
+
+
+@wrong("frames_and_quaternions.4", "the error's factor one half is forgotten")
+def without_the_half(share, distance):
+    return share
+
+
+@wrong("frames_and_quaternions.4", "the error of second order is taken as a share of the distance, not of the motion")
+def share_of_distance(share, distance):
+    return np.sqrt(2 * share)
+
+
+@wrong("frames_and_quaternions.4", "a far point moves more, so it is taken to allow less")
+def less_for_far_points(share, distance):
+    return 2 * share / distance
+
+
+@wrong("frames_and_quaternions.4", "in degrees")
+def in_degrees(share, distance):
+    return np.degrees(2 * share)
+
+
+@wrong("frames_and_quaternions.5", "R instead of its transpose")
+def into_the_world(pose, P):
+    T = np.eye(6)
+    T[3:, 3:] = rotation(pose[3:])
+    return T @ P @ T.T
+
+
+@wrong("frames_and_quaternions.5", "only the rotation's own block is turned, its correlation with the position is not")
+def own_block_only(pose, P):
+    R, P = rotation(pose[3:]), P.copy()
+    P[3:, 3:] = R.T @ P[3:, 3:] @ R
+    P[:3, 3:] = P[3:, :3] = 0
+    return P
+
+
+@wrong("frames_and_quaternions.5", "the position is turned as well, but its axes are the same in both conventions")
+def both_turned(pose, P):
+    T = np.kron(np.eye(2), rotation(pose[3:]).T)
+    return T @ P @ T.T
+
+
+@wrong("frames_and_quaternions.5", "a rotation vector is a rotation vector")
+def unchanged(pose, P):
+    return P.copy()

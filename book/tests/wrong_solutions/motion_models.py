@@ -1,0 +1,116 @@
+"""Wrong solutions of chapter motion_models."""
+
+import numpy as np
+
+from book.tests.wrong_solutions import wrong
+from slamlib.analytic import cos, sin, stumpff
+from slamlib.geometry.pose import Pose, from_frame
+from slamlib.geometry.quaternion import plus
+from slamlib.model import model
+from slamlib.motions import Motion
+
+
+def _propagate(f, x, P, u, U):
+    h = 1e-6
+    F = np.stack([(f(x + h * e, u) - f(x - h * e, u)) / (2 * h) for e in np.eye(3)], -1)
+    G = np.stack([(f(x, u + h * e) - f(x, u - h * e)) / (2 * h) for e in np.eye(2)], -1)
+    return f(x, u), F @ P @ F.T + G @ U @ G.T
+
+
+@wrong("motion_models.2", "drives straight ahead, then turns")
+def turn_last(x, P, u, U):
+    return _propagate(lambda x, u: x + np.array([u[0] * np.cos(x[2]), u[0] * np.sin(x[2]), u[1]]), x, P, u, U)
+
+
+@wrong("motion_models.2", "takes the arc's length for the chord's")
+def chord(x, P, u, U):
+    middle = lambda x, u: x[2] + u[1] / 2  # noqa: E731
+    return _propagate(
+        lambda x, u: x + np.array([u[0] * np.cos(middle(x, u)), u[0] * np.sin(middle(x, u)), u[1]]), x, P, u, U
+    )
+
+
+@wrong("motion_models.2", "forgets the noise of the control")
+def without_noise(x, P, u, U):
+    def f(x, u):
+        s = np.sinc(u[1] / 2 / np.pi) * u[0]
+        return x + np.array([s * np.cos(x[2] + u[1] / 2), s * np.sin(x[2] + u[1] / 2), u[1]])
+
+    mean, _ = _propagate(f, x, P, u, U)
+    return mean, _propagate(f, x, P, u, np.zeros((2, 2)))[1]
+
+
+@wrong("motion_models.3", "the transposed Jacobian, as published")
+def transposed(F, P, Q):
+    return F.T @ P @ F + Q
+
+
+@wrong("motion_models.3", "forgets Q")
+def without_q(F, P, Q):
+    return F @ P @ F.T
+
+
+@wrong("motion_models.3", "multiplies on one side only")
+def one_side(F, P, Q):
+    half = F @ P
+    return (half + half.T) / 2 + Q
+
+
+@wrong("motion_models.5", "counts the turn of a step as if it came before the step's move")
+def turn_first(length, sigma, steps):
+    k = np.arange(1, steps + 1)
+    both = length * k.sum()
+    return sigma**2 * np.array([[length**2 * (k**2).sum(), both], [both, steps]])
+
+
+@wrong(
+    "motion_models.5",
+    "a turn moves the robot sideways in the next step only, so that the error grows with the root of n",
+)
+def no_memory(length, sigma, steps):
+    both = length * (steps - 1)
+    return sigma**2 * np.array([[length**2 * (steps - 1), both], [both, steps]])
+
+
+@wrong("motion_models.5", "the variances are right, but the two errors are taken for independent")
+def independent(length, sigma, steps):
+    k = np.arange(steps)
+    return sigma**2 * np.diag([length**2 * (k**2).sum(), steps])
+
+
+@wrong("motion_models.5", "adds standard deviations instead of variances")
+def standard_deviations(length, sigma, steps):
+    k = np.arange(steps)
+    a = np.array([length * k.sum(), steps])
+    return sigma**2 * np.outer(a, a)
+
+
+@model(state=Pose, control=2, dt=(), returns=Pose)
+def ahead_then_turn(state, control, dt):
+    """The whole way straight ahead, then the whole turn."""
+    zero = 0 * dt
+    ahead = np.array([control[0] * dt, zero, zero])
+    return np.concatenate([from_frame(state, ahead), plus(state[3:], np.array([zero, zero, control[1] * dt]))])
+
+
+@model(state=Pose, control=2, dt=(), returns=Pose)
+def in_the_world(state, control, dt):
+    """An arc about the world's vertical axis through the world's x, whatever the robot's heading."""
+    zero, half = 0 * dt, control[1] * dt / 2
+    chord = control[0] * dt * stumpff(1, half * half)
+    moved = np.array([chord * cos(half), chord * sin(half), zero])
+    return np.concatenate([state[:3] + moved, plus(state[3:], np.array([zero, zero, 2 * half]))])
+
+
+@model(state=Pose, control=2, dt=(), returns=Pose)
+def arc(state, control, dt):
+    """Right."""
+    zero, half = 0 * dt, control[1] * dt / 2
+    chord = control[0] * dt * stumpff(1, half * half)
+    moved = np.array([chord * cos(half), chord * sin(half), zero])
+    return np.concatenate([from_frame(state, moved), plus(state[3:], np.array([zero, zero, 2 * half]))])
+
+
+wrong("motion_models.6", "drives straight ahead, then turns")(Motion("unicycle", Pose, 2, ahead_then_turn, (1,)))
+wrong("motion_models.6", "moves along the world's axes")(Motion("unicycle", Pose, 2, in_the_world, (1,)))
+wrong("motion_models.6", "takes the yaw rate of a setup for radians")(Motion("unicycle", Pose, 2, arc, ()))

@@ -1,0 +1,74 @@
+"""Wrong solutions of chapter points."""
+
+import numpy as np
+
+from book.tests.wrong_solutions import wrong
+
+
+@wrong("points.1", "forgets that both pixels are noisy")
+def one_pixel(f, b, sigma, index):
+    return index * f * b / (4 * sigma)
+
+
+@wrong("points.1", "forgets the four of the index")
+def relative_error(f, b, sigma, index):
+    return index * f * b / (np.sqrt(2) * sigma)
+
+
+@wrong("points.1", "lets the variances of the pixels be standard deviations")
+def variances(f, b, sigma, index):
+    return index * f * b / (4 * 2 * sigma)
+
+
+@wrong("points.2", "the distance is the inverse of rho whatever the length of m, as in a test with unit directions")
+def unit_direction(landmark, P):
+    anchor, m, rho = landmark[:3], landmark[3:6], landmark[6]
+    m = m / np.linalg.norm(m)
+    J = np.c_[np.eye(3), np.eye(3) / rho, -m / rho**2]
+    return anchor + m / rho, J @ P @ J.T
+
+
+@wrong("points.2", "only the inverse distance is uncertain, as in the toolbox's test")
+def rho_alone(landmark, P):
+    anchor, m, rho = landmark[:3], landmark[3:6], landmark[6]
+    return anchor + m / rho, np.outer(m, m) * P[6, 6] / rho**4
+
+
+@wrong("points.2", "the variance of 1 / rho is taken for that of rho")
+def variance_of_inverse(landmark, P):
+    anchor, m, rho = landmark[:3], landmark[3:6], landmark[6]
+    J = np.c_[np.eye(3), np.eye(3) / rho, -m / rho]
+    return anchor + m / rho, J @ P @ J.T
+
+
+@wrong("points.2", "the blocks of the covariance are taken for independent")
+def independent(landmark, P):
+    anchor, m, rho = landmark[:3], landmark[3:6], landmark[6]
+    own = P[:3, :3] + P[3:6, 3:6] / rho**2 + np.outer(m, m) * P[6, 6] / rho**4
+    return anchor + m / rho, own
+
+
+@wrong("points.2", "the inverse of the squared distance, as published in p2idp")
+def squared(landmark, P):
+    anchor, m, rho = landmark[:3], landmark[3:6], landmark[6]
+    d = 1 / np.sqrt(rho)
+    J = np.c_[np.eye(3), np.eye(3) * d, -m * d**3 / 2]
+    return anchor + m * d, J @ P @ J.T
+
+
+@wrong("points.3", "the inverse depth on a unit ray, as published")
+def depth_on_unit_ray(ideal, depth):
+    ray = np.array([*ideal, 1.0])
+    return np.array([*(ray / np.linalg.norm(ray)), 1 / depth])
+
+
+@wrong("points.3", "the right point with a ray that is not of unit length")
+def long_ray(ideal, depth):
+    return np.array([*ideal, 1.0, 1 / depth])
+
+
+@wrong("points.3", "multiplies by the cosine where it should divide")
+def upside_down(ideal, depth):
+    ray = np.array([*ideal, 1.0])
+    length = np.linalg.norm(ray)
+    return np.array([*(ray / length), length / depth])

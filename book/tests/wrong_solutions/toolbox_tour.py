@@ -1,0 +1,73 @@
+"""Wrong solutions of chapter toolbox_tour."""
+
+import numpy as np
+
+from book.tests.wrong_solutions import wrong
+
+
+@wrong("toolbox_tour.1", "the product in the other order")
+def other_order(line, c):
+    return np.concatenate([line[:3] + np.cross(line[3:], c), line[3:]])
+
+
+@wrong("toolbox_tour.1", "adds the shift, as to a point")
+def as_a_point(line, c):
+    return np.concatenate([line[:3] + c, line[3:]])
+
+
+@wrong("toolbox_tour.1", "writes into the line")
+def in_place(line, c):
+    line[:3] += np.cross(c, line[3:])
+    return line
+
+
+@wrong("toolbox_tour.2", "looks at the first look alone")
+def first_alone(predictions):
+    return _null(predictions[0])
+
+
+@wrong("toolbox_tour.2", "adds the Jacobians up, so that their rows hide each other")
+def added(predictions):
+    return _null(predictions.sum(0))
+
+
+@wrong("toolbox_tour.2", "returns what is seen")
+def row_space(predictions):
+    _, s, V = np.linalg.svd(np.vstack(predictions))
+    return V[: int((s > 1e-9 * max(s[0], 1e-300)).sum())].T
+
+
+@wrong("toolbox_tour.2", "a threshold for which a small look is none")
+def coarse(predictions):
+    _, s, V = np.linalg.svd(np.vstack(predictions))
+    return V[int((s > 0.01 * s[0]).sum()) :].T
+
+
+def _null(H):
+    _, s, V = np.linalg.svd(H)
+    return V[int((s > 1e-9 * max(s[0], 1e-300)).sum()) :].T
+
+
+@wrong("toolbox_tour.3", "every run has the experiment's seed")
+def one_seed(seed, runs):
+    return [np.random.default_rng(seed) for _ in range(runs)]
+
+
+@wrong("toolbox_tour.3", "neighbouring experiments share all runs but one")
+def seed_plus_number(seed, runs):
+    return [np.random.default_rng(seed + i) for i in range(runs)]
+
+
+@wrong("toolbox_tour.3", "one stream for each worker, of which there are four")
+def by_worker(seed, runs):
+    return [np.random.default_rng([seed, i % 4]) for i in range(runs)]
+
+
+@wrong("toolbox_tour.3", "fresh entropy, never the same again")
+def fresh(seed, runs):
+    return [np.random.default_rng() for _ in range(runs)]
+
+
+@wrong("toolbox_tour.3", "the streams depend on how many there are")
+def by_count(seed, runs):
+    return [np.random.default_rng([seed, runs, i]) for i in range(runs)]

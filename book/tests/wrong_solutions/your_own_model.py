@@ -1,0 +1,136 @@
+"""Wrong solutions of chapter your_own_model."""
+
+import numpy as np
+
+from book.tests.wrong_solutions import wrong
+from slamlib.analytic import sqrt
+from slamlib.geometry.pose import Pose
+from slamlib.geometry.quaternion import rotation
+from slamlib.landmarks import PointLandmark
+from slamlib.manifolds import as_manifold
+from slamlib.model import model
+
+
+@wrong("your_own_model.1", "keeps the standard deviation, as if the angle were the inverse distance")
+def same_spread(rho, sigma):
+    return np.arctan(rho), sigma
+
+
+@wrong("your_own_model.1", "takes the spread from one side only")
+def one_side(rho, sigma):
+    return np.arctan(rho), np.arctan(rho + sigma) - np.arctan(rho)
+
+
+@wrong("your_own_model.1", "confuses the cosine with its square")
+def cosine(rho, sigma):
+    return np.arctan(rho), sigma / np.sqrt(1 + rho**2)
+
+
+@wrong("your_own_model.1", "gives the variance")
+def variance(rho, sigma):
+    return np.arctan(rho), (sigma / (1 + rho**2)) ** 2
+
+
+@model(pose=Pose, landmark=7)
+def to_frame(pose, landmark):
+    """Right: homogeneous, from anchor, direction and distance."""
+    offset = landmark[6] * landmark[3:6] + landmark[:3] - pose[:3]
+    return np.array([*(rotation(pose[3:]).T @ offset), 1])
+
+
+@model(pose=Pose, landmark=7)
+def as_inverse(pose, landmark):
+    """The formula of the inverse distance, with the distance in it."""
+    offset = landmark[3:6] + landmark[6] * (landmark[:3] - pose[:3])
+    return np.array([*(rotation(pose[3:]).T @ offset), 1])
+
+
+@model(pose=Pose, point=4)
+def from_frame(pose, point):
+    """Right."""
+    length = sqrt(point[:3] @ point[:3])
+    return np.array([*pose[:3], *(rotation(pose[3:]) @ point[:3] / length), length / point[3]])
+
+
+@model(pose=Pose, point=4)
+def turned_back(pose, point):
+    """The rotation transposed: right as long as the camera is not turned."""
+    length = sqrt(point[:3] @ point[:3])
+    return np.array([*pose[:3], *(rotation(pose[3:]).T @ point[:3] / length), length / point[3]])
+
+
+@model(pose=Pose, point=4)
+def with_depth(pose, point):
+    """The depth along the axis for the distance along the ray."""
+    length = sqrt(point[:3] @ point[:3])
+    return np.array([*pose[:3], *(rotation(pose[3:]) @ point[:3] / length), point[2] / point[3]])
+
+
+@model(pose=Pose, point=4)
+def from_frame_inverse(pose, point):
+    """Keeps the inverse distance."""
+    length = sqrt(point[:3] @ point[:3])
+    return np.array([*pose[:3], *(rotation(pose[3:]) @ point[:3] / length), point[3] / length])
+
+
+@model(pose=Pose, landmark=7)
+def to_frame_inverse(pose, landmark):
+    """The anchored homogeneous point of chapter points."""
+    offset = landmark[3:6] + landmark[6] * (landmark[:3] - pose[:3])
+    return np.array([*(rotation(pose[3:]).T @ offset), landmark[6]])
+
+
+@model(landmark=7)
+def to_point(landmark):
+    """Right."""
+    return landmark[:3] + landmark[6] * landmark[3:6]
+
+
+@model(landmark=7)
+def to_point_inverse(landmark):
+    """Of the inverse distance."""
+    return landmark[:3] + landmark[3:6] / landmark[6]
+
+
+def _point(*models):
+    return PointLandmark("dstPnt", as_manifold(7), *models)
+
+
+@wrong("your_own_model.2", "the rotation of from_frame is transposed")
+def transposed():
+    return _point(to_frame, turned_back, to_point)
+
+
+@wrong("your_own_model.2", "the depth along the axis instead of the distance along the ray")
+def depth():
+    return _point(to_frame, with_depth, to_point)
+
+
+@wrong("your_own_model.2", "the formula for inverse distances, with a distance")
+def mixed():
+    return _point(as_inverse, from_frame, to_point)
+
+
+@wrong("your_own_model.2", "is the anchored homogeneous point: it holds the inverse distance")
+def inverse():
+    return _point(to_frame_inverse, from_frame_inverse, to_point_inverse)
+
+
+@wrong("your_own_model.3", "the speed of the robot, whatever the direction, as published")
+def speed(point, velocity):
+    return np.linalg.norm(velocity)
+
+
+@wrong("your_own_model.3", "positive when the range grows, as many radars have it")
+def range_rate(point, velocity):
+    return -point @ velocity / np.linalg.norm(point)
+
+
+@wrong("your_own_model.3", "forgets to divide by the distance")
+def unscaled(point, velocity):
+    return point @ velocity
+
+
+@wrong("your_own_model.3", "the forward speed alone")
+def forward(point, velocity):
+    return velocity[0]
