@@ -11,7 +11,7 @@ import nbformat
 import pytest
 
 from book.tests.site import live_page
-from book.tools import browser, ci, layout, notebooks, site
+from book.tools import browser, ci, landing, layout, notebooks, site
 
 CHAPTERS = sorted((layout.BOOK / "chapters").glob("*.ipynb"))
 PARTS = [
@@ -69,6 +69,13 @@ def test_outputs_are_stored_as_text_with_counts_that_nbval_compares(page):
     assert counts == list(range(1, len(counts) + 1))
     assert "image/" not in page.read_text("utf-8")
     assert notebooks.unstored([page]) == []
+
+
+def test_the_landing_page_has_a_line_for_each_chapter_and_the_figure_of_what_needs_what():
+    page = landing.PAGE.read_text("utf-8")
+    for name, goals in landing.chapters().items():
+        assert re.search(rf"\| {{doc}}`chapters/{name}` \| .+ \| {re.escape(goals['time'])} \|", page), name
+    assert landing.current() == page, "python -m book.tools.landing"
 
 
 # -- notebooks ---------------------------------------------------------------------------------------------------------

@@ -15,10 +15,18 @@ BUILD = ROOT / "_build"
 SITE = BUILD / "html"
 
 
+def _toc() -> Any:
+    return yaml.safe_load((ROOT / "_toc.yml").read_text("utf-8"))
+
+
+def parts() -> list[list[str]]:
+    """The pages' names of each part of the book."""
+    return [[name.rsplit("/", 1)[-1] for name in _names(part)] for part in _toc()["parts"]]
+
+
 def pages() -> list[Path]:
     """Source file of every page of _toc.yml, in order; raises FileNotFoundError for a page that is not there."""
-    toc = yaml.safe_load((ROOT / "_toc.yml").read_text("utf-8"))
-    found = []
+    toc, found = _toc(), []
     for name in _names(toc):
         files = [f for suffix in (".ipynb", ".md") if (f := ROOT / (name + suffix)).is_file()]
         if not files:

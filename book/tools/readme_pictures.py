@@ -1,4 +1,5 @@
-"""Make the pictures of the README: chapter slam_in_five_minutes's map, and an exercise solved in the page.
+"""Make the pictures of the README and the landing page: chapter slam_in_five_minutes's two laps as an animated GIF,
+and an exercise solved in the page.
 
 `python -m book.tools.readme_pictures`; needs a built book.
 """
@@ -10,7 +11,9 @@ import os
 import sys
 from typing import Any
 
-from slambook.figures.replay import replayed
+import matplotlib.pyplot as plt
+import numpy as np
+from PIL import Image
 
 from book.tools import browser, layout
 
@@ -40,7 +43,7 @@ check("consistency.2", average_nees)""",
 
 
 def of_the_map() -> None:
-    """Run chapter slam_in_five_minutes's own cells up to its map, and save that map."""
+    """Run chapter slam_in_five_minutes's own cells up to its map, and save the two laps as a film."""
     chapter = layout.BOOK / "chapters" / "slam_in_five_minutes.ipynb"
     names: dict[str, Any] = {"__name__": "__main__"}
     os.chdir(chapter.parent)
@@ -51,8 +54,22 @@ def of_the_map() -> None:
                 exec(compile(source, "<chapter slam_in_five_minutes>", "exec"), names)
             if "def draw_state" in source:
                 break
-    drawn = replayed(names["draw_state"](len(names["history"]) - 1))
-    drawn.savefig(STATIC / "readme.svg", alt="A robot's map after two laps.")
+    pictures = [pixels(names["draw_state"](step)) for step in range(3, len(names["history"]), 4)]
+    colors = pictures[-1].quantize(32)
+    first, *others = (picture.quantize(palette=colors, dither=Image.Dither.NONE) for picture in pictures)
+    times = [120] * len(others) + [3000]  # [ms] of each; the last one stays
+    film = io.BytesIO()
+    first.save(film, "GIF", save_all=True, append_images=others, duration=times, loop=0, optimize=True)
+    layout.write_whole(STATIC / "two_laps.gif", film.getvalue())
+
+
+def pixels(fig: Any) -> Image.Image:
+    """A matplotlib figure as an image, and closed."""
+    fig.set_dpi(90)
+    fig.canvas.draw()
+    image = Image.fromarray(np.asarray(fig.canvas.buffer_rgba())).convert("RGB")
+    plt.close(fig)
+    return image
 
 
 def of_the_exercise(executable: str) -> None:
@@ -80,8 +97,8 @@ def main() -> int:
     if executable is None:
         print("no Chromium found; install one (apt-get install chromium) or set BOOK_BROWSER", file=sys.stderr)
         return browser.SKIPPED
-    of_the_exercise(executable)
     of_the_map()
+    of_the_exercise(executable)
     return 0
 
 
