@@ -72,6 +72,12 @@ def test_every_class_has_a_name_of_its_own() -> None:
     assert {name: where for name, where in homes.items() if len(where) > 1} == {}
 
 
+def test_every_term_is_in_the_glossary() -> None:
+    defined = re.findall(r"(?m)^(\S.*)\n  ", (ROOT / "book/appendices/glossary.md").read_text("utf-8"))
+    assert len(defined) == len(set(defined))
+    assert {row["term"] for row in rows()} - set(defined) == set()
+
+
 def test_the_list_is_in_order() -> None:
     assert all(row["term"] for row in rows())
     words = [word for row in rows() for word in row["identifiers"].split()]
