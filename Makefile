@@ -6,13 +6,16 @@ READY := $(VENV)/.ready
 export OPENBLAS_NUM_THREADS := 1
 export PYTHONDONTWRITEBYTECODE := 1
 
-.PHONY: help book serve test test-all quick chapter environment assets parity experiments audit monocular real-images visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book pdf serve test test-all quick chapter environment assets parity experiments audit monocular real-images visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
 
 book: environment  ## build the book (HTML) and print where it is
 	@$(BIN)/python -m book.tools.build
+
+pdf: book  ## print the whole book as a PDF, linked from its landing page (needs Chromium; minutes)
+	@$(BIN)/python -m book.tools.pdf
 
 serve: book  ## build the book and serve it on this machine only
 	@$(BIN)/python -m book.tools.serve

@@ -35,11 +35,18 @@ def load(page: Any, url: str) -> None:
 
 
 @contextlib.contextmanager
-def site_in_chromium(executable: str) -> Iterator[tuple[str, Any]]:
-    """The URL of the served site, and a browser; for as long as the block lasts."""
+def chromium(executable: str) -> Iterator[Any]:
+    """A browser, for as long as the block lasts."""
     from playwright.sync_api import sync_playwright
 
-    with serve.running(serve.Server()) as base, sync_playwright() as tool:
+    with sync_playwright() as tool:
         browser = tool.chromium.launch(executable_path=executable, args=FLAGS)
-        yield base, browser
+        yield browser
         browser.close()
+
+
+@contextlib.contextmanager
+def site_in_chromium(executable: str) -> Iterator[tuple[str, Any]]:
+    """The URL of the served site, and a browser; for as long as the block lasts."""
+    with serve.running(serve.Server()) as base, chromium(executable) as browser:
+        yield base, browser

@@ -54,10 +54,11 @@ def of_the_map() -> None:
                 exec(compile(source, "<chapter slam_in_five_minutes>", "exec"), names)
             if "def draw_state" in source:
                 break
-    pictures = [pixels(names["draw_state"](step)) for step in range(3, len(names["history"]), 4)]
-    colors = pictures[-1].quantize(32)
+    last = len(names["history"]) - 1  # comes first, and is what paper shows
+    pictures = [pixels(names["draw_state"](step)) for step in (last, *range(3, last, 4))]
+    colors = pictures[0].quantize(32)
     first, *others = (picture.quantize(palette=colors, dither=Image.Dither.NONE) for picture in pictures)
-    times = [120] * len(others) + [3000]  # [ms] of each; the last one stays
+    times = [3000] + [120] * len(others)  # [ms] of each
     film = io.BytesIO()
     first.save(film, "GIF", save_all=True, append_images=others, duration=times, loop=0, optimize=True)
     layout.write_whole(STATIC / "two_laps.gif", film.getvalue())

@@ -1,0 +1,141 @@
+"""Print the built book as one PDF: `make pdf`, after `make book`; needs Chromium.
+
+The pages of the site, one after the other, become one page whose links lead within it, and Chromium prints that, with
+bookmarks, in light colours. Sliders show their first, chosen and last frames; solutions and answers are unfolded; code
+that a page folds away, such as that of figures, is left out.
+"""
+
+import re
+import sys
+import time
+from pathlib import Path
+
+from bs4 import BeautifulSoup, Tag
+
+from book.tools import browser, layout
+
+PDF = "ekf-slam-book.pdf"
+GOES = (  # what only a screen needs
+    ".prev-next-footer, .headerlink, .copybtn, .toctree-wrapper, script, details.hide"
+)
+STYLE = """
+@page { size: A4; margin: 18mm 16mm 18mm 16mm; }
+html { font-size: 12.5px; }
+body { background: white; max-width: none; }
+main { max-width: 178mm; margin: 0 auto; }
+main > section.page { break-before: page; }
+h1, h2, h3 { break-after: avoid; }
+figure, tr, .cell_output, mjx-container[display] { break-inside: avoid; }
+pre { white-space: pre-wrap !important; font-size: 9px; line-height: 1.3; }
+"""
+UNFOLD = "details.sd-dropdown, details.toggle-details"
+
+
+def prefixed(page: Path, anchor: str) -> str:
+    """The name of an anchor of a page among those of all pages."""
+    return f"{page.stem}--{anchor}" if anchor else page.stem
+
+
+def joined(site: Path, pages: list[Path]) -> str:
+    """The pages of a built site as one HTML document in its folder, whose links lead within it."""
+    known = {(site / page).resolve() for page in pages}
+    first = BeautifulSoup((site / pages[-1]).read_text("utf-8"), "html.parser")
+    main = first.new_tag("main")
+    for page in pages:
+        file = (site / page).resolve()
+        article = BeautifulSoup(file.read_text("utf-8"), "html.parser").select_one("article.bd-article")
+        assert isinstance(article, Tag), f"{page} has no article"
+        for tag in article.select(GOES):
+            tag.decompose()
+        for tag in article.select(UNFOLD):
+            tag["open"] = ""
+        for sweep in article.select("figure.sweep"):
+            shown(sweep, first)
+        for tag in article.select("[id]"):
+            tag["id"] = prefixed(page, str(tag["id"]))
+        for tag in article.select("[href], [src]"):
+            name = "href" if tag.has_attr("href") else "src"
+            tag[name] = moved(str(tag[name]), file, page, site, known)
+        section = first.new_tag("section", attrs={"class": "page", "id": prefixed(page, "")})
+        section.extend(list(article.contents))
+        main.append(section)
+    assert first.body is not None
+    assert first.head is not None
+    first.body.clear()
+    first.body.append(main)
+    for tag in first.head.select("script:not([src*=mathjax]):not([id*=ax])"):
+        if "MathJax" not in tag.text:
+            tag.decompose()
+    for tag in first.head.select("[href], [src]"):
+        name = "href" if tag.has_attr("href") else "src"
+        tag[name] = moved(str(tag[name]), (site / pages[-1]).resolve(), pages[-1], site, known)
+    style = first.new_tag("style")
+    style.string = STYLE
+    first.head.append(style)
+    return str(first)
+
+
+def shown(sweep: Tag, page: BeautifulSoup) -> None:
+    """Of a slider's frames the first, the chosen and the last, each with its value and note below."""
+    frames, label = sweep.select("[data-frame]"), sweep.select_one("label")
+    label = label.extract() if label else None
+    for tag in sweep.select(".sweep-bar, .sweep-note"):
+        tag.decompose()
+    for i, frame in enumerate(frames):
+        if frame.has_attr("hidden") and 0 < i < len(frames) - 1:
+            frame.decompose()
+            continue
+        del frame["hidden"]
+        caption = page.new_tag("p", attrs={"class": "sweep-note"})
+        words = (label.text if label else "", ": ", frame["data-value"], ". ", frame.get("data-note", ""))
+        caption.string = "".join(map(str, words))
+        frame.append(caption)
+
+
+def moved(link: str, file: Path, page: Path, site: Path, known: set[Path]) -> str:
+    """A link of a page as it is in the joined document, which lies in the site's own folder."""
+    if re.match(r"[a-z]+:|//", link):
+        return link
+    path, _, anchor = link.partition("#")
+    target = (file.parent / path.partition("?")[0]).resolve() if path else file
+    if target in known:
+        return "#" + prefixed(target, anchor)
+    return target.relative_to(site.resolve()).as_posix() if target.is_relative_to(site.resolve()) else link
+
+
+def main() -> int:
+    """Write the PDF beside the site's other files; exit status 0 if it is there."""
+    start, executable = time.perf_counter(), browser.browser_path()
+    if executable is None:
+        print("no Chromium found; install one (apt-get install chromium) or set BOOK_BROWSER", file=sys.stderr)
+        return browser.SKIPPED
+    if not (layout.SITE / "index.html").is_file():
+        print("the site is not built yet: make book", file=sys.stderr)
+        return 1
+    pages = [page.relative_to(layout.ROOT).with_suffix(".html") for page in layout.pages()]
+    layout.write_whole(layout.SITE / "print.html", joined(layout.SITE, pages).encode())
+    with browser.chromium(executable) as chromium:
+        page = chromium.new_page(color_scheme="light")
+        page.set_default_timeout(1_800_000)
+        browser.load(page, (layout.SITE / "print.html").as_uri())
+        page.evaluate("() => { document.documentElement.dataset.theme = 'light'; return document.fonts.ready; }")
+        content = page.pdf(
+            prefer_css_page_size=True,
+            print_background=True,
+            outline=True,
+            tagged=True,
+            display_header_footer=True,
+            header_template="<span></span>",
+            footer_template='<div style="width: 100%; text-align: center; font-size: 8px" class="pageNumber"></div>',
+        )
+    (layout.SITE / "print.html").unlink()
+    layout.write_whole(layout.SITE / PDF, content)
+    landing = layout.SITE / "book" / "index.html"
+    link = f'<span id="pdf">, or <a href="../{PDF}">as a PDF</a></span>'
+    layout.write_whole(landing, re.sub(r'<span id="pdf">.*?</span>', link, landing.read_text("utf-8")).encode())
+    print(f"the PDF: {layout.SITE / PDF}  ({len(content) / 1e6:.1f} MB, {time.perf_counter() - start:.0f} s)")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
