@@ -76,7 +76,7 @@ report-experiments: environment  ## run the experiments that the report asks for
 other-filters: environment  ## run the comparison of filters of chapter other_filters, and store its figures (long)
 	@$(BIN)/python -m book.tools.other_filters
 
-rosetta: environment  ## write the tables of the Rosetta appendix from its CSV and the package
+rosetta: environment  ## write the tables of the page Rosetta from its CSV and the package
 	@$(BIN)/python -m book.tools.rosetta
 
 generate: environment  ## write slamlib/generated from the models

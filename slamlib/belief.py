@@ -97,7 +97,7 @@ class Belief:
         """Add a block: independent, or a function of the blocks `given` plus noise of this covariance (dof, dof).
 
         jacobians: of the new block w.r.t. each given block, (dof, dof of the given block). The new rows are then
-        sum G_i P_i and the new corner sum G_i P_ij G_j' + covariance (Report eq. 5.34-5.35, corrected: errata E18).
+        sum G_i P_i and the new corner sum G_i P_ij G_j' + covariance (Report eq. 5.34-5.35, corrected).
         Raises ShapeError, NonFiniteError, CovarianceError; UnitError where the mean is no point of the manifold.
         """
         manifold = as_manifold(manifold)
@@ -139,9 +139,9 @@ class Belief:
 
     @linalg.quiet_floats
     def predict(self, block: Block, mean: ArrayLike, F: ArrayLike, Q: ArrayLike) -> None:
-        """Predict a block: its mean becomes `mean`, its rows F P, its corner F P F' + Q (Report eq. 5.23 with E10).
+        """Predict a block: its mean becomes `mean`, its rows F P, its corner F P F' + Q (Report eq. 5.23, with Q).
 
-        mean (size of the manifold,), F (dof, dof) at the mean before the motion (E02), Q (dof, dof) semi-definite.
+        mean (size of the manifold,), F (dof, dof) at the mean before the motion, Q (dof, dof) semi-definite.
         """
         self._own([block])
         mean, n = checked_mean(block.manifold, mean, "predict"), block.dof
@@ -175,7 +175,7 @@ class Belief:
         """Update all blocks by several measurements in one batch; Jacobians and innovations at the present means.
 
         method: "batch" (one factorization), or "scalar": whitened by R and then one number after another, the
-        innovation updated along with the state (errata E16, E17). Both give the same result but for rounding; "scalar"
+        innovation updated along with the state. Both give the same result but for rounding; "scalar"
         needs R > 0, "batch" takes a semi-definite R (a number without noise) as long as H P H' + R is positive
         definite. One landmark after another is a loop over `update`, with Jacobians and innovations anew at the current
         means.

@@ -80,7 +80,7 @@ class Tracks:
         """Advance to a pair with `count` features, `pairs` (k, 2) of old and new rows; the mask (n,) of the old ones.
 
         The mask is the report's re-observation mask: the features of the pair before that were matched again in both
-        images of this one (5.2, C41).
+        images of this one (5.2).
         """
         seen = np.zeros(len(self.ids), dtype=bool)
         seen[pairs[:, 0]] = True

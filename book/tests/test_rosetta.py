@@ -1,9 +1,8 @@
-"""The appendix Rosetta says of every name of the toolbox where it lives, and what it says is true of the package."""
+"""The page Rosetta says of every name of the toolbox and the report where it lives; what it says is true."""
 
 import dataclasses
 import importlib.util
 import inspect
-import json
 import re
 from collections import Counter
 
@@ -22,7 +21,7 @@ from slamlib.tests.test_every_type import example
 IDENTITY = np.array([0.0, 0, 0, 1, 0, 0, 0])
 
 ROWS = rosetta.rows()
-KINDS = {"function", "field", "option", "type", "structure", "section"}
+KINDS = {"function", "field", "option", "type", "structure", "section", "idea"}
 TYPES = {ODOMETRY.name: ODOMETRY, CONSTANT_VELOCITY.name: CONSTANT_VELOCITY, **SENSORS, **POINTS, **LINES}
 OWN = {"stereo", "relativePosition", "rangeBearing"}  # sensors that the toolbox does not have
 
@@ -269,35 +268,6 @@ def test_what_is_not_there_is_not_found(path):
     assert not exists(path)
     with pytest.raises(LookupError, match=re.escape(path)):
         find(path)
-
-
-PARTS = ["slamlib.", *(f"slamlib.{p}." for p in ("geometry", "belief", "landmarks", "sensors", "motions", "drawing"))]
-
-
-def tables():
-    """(chapter, names of the toolbox, dotted names of slamlib) of each row of the chapters' own tables."""
-    for file in sorted((layout.BOOK / "chapters").glob("*.ipynb")):
-        cells = json.loads(file.read_text("utf-8"))["cells"]
-        words = "".join(next((c["source"] for c in cells if c["metadata"].get("part") == "rosetta"), []))
-        for left, right in re.findall(r"^\| *(`.*?) \| (.*)$", words, flags=re.M):
-            names = [re.split(r"[ (=]", span)[0] for span in re.findall(r"`([^`]+)`", left)]
-            paths = [span.split("(")[0] for span in re.findall(r"`([^`]+)`", right)]
-            yield file.name, names, [p for p in paths if any(exists(part + p) for part in PARTS)], right
-
-
-def test_the_chapters_do_not_contradict_the_table():
-    """A chapter's own table names one of the appendix's places, and none where the appendix says that none is."""
-    known, found, wrong = {r.name: r for r in ROWS}, 0, []
-    for file, names, paths, words in tables():
-        own = [known[n] for n in names if n in known]
-        ends = {part for row in own for place in row.places for part in place.split(".")}
-        found += bool(own)
-        if own and paths and not ends & {p.split(".")[-1] for p in paths}:
-            wrong.append(f"{file}: {', '.join(names)}: {words}; the appendix: {', '.join(r.target for r in own)}")
-        if re.match("not needed|no function|not there", words) and ends and not paths:
-            wrong.append(f"{file}: {', '.join(names)}: {words}; the appendix: {', '.join(r.target for r in own)}")
-    assert wrong == []
-    assert found > 30
 
 
 def test_the_shares_that_the_page_gives_for_the_toolbox_gate():

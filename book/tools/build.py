@@ -5,6 +5,7 @@ With a NAME, while a chapter is written: run it, compare it with what it stores,
 
 import argparse
 import csv
+import os
 import shutil
 import subprocess
 import sys
@@ -106,7 +107,8 @@ def redirect(site: Path) -> None:
     """A page for each address of an earlier edition (book/moved.csv), which leads to where the page is now."""
     with (layout.BOOK / "moved.csv").open(encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):
-            old, new = site / f"{row['old page']}.html", f"{Path(row['new page']).name}.html"
+            old = site / f"{row['old page']}.html"
+            new = os.path.relpath(site / f"{row['new page']}.html", old.parent)
             text = f'<!doctype html><meta charset="utf-8"><meta http-equiv="refresh" content="0; url={new}">'
             layout.write_whole(old, f'{text}<title>Moved</title><a href="{new}">This page has moved.</a>\n'.encode())
 

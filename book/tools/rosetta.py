@@ -1,7 +1,7 @@
-"""The appendix Rosetta: read its table, and write the page from it.
+"""The page Rosetta: read its table, and write the page from it.
 
-`python -m book.tools.rosetta` writes rosetta.md from rosetta.csv, both in book/appendices; the
-words above the tables stay.
+`python -m book.tools.rosetta` writes rosetta.md from rosetta.csv, both in book/sources; the words above
+the tables stay.
 """
 
 import csv
@@ -13,10 +13,10 @@ from book.tools import layout
 from slamlib.landmarks import LINES, POINTS
 from slamlib.sensors import SENSORS, Sensor
 
-TABLE = layout.BOOK / "appendices" / "rosetta.csv"
-PAGE = layout.BOOK / "appendices" / "rosetta.md"
+TABLE = layout.BOOK / "sources" / "rosetta.csv"
+PAGE = layout.BOOK / "sources" / "rosetta.md"
 MARK = "% The tables below are generated: edit rosetta.csv, then run python -m book.tools.rosetta\n"
-HEADER = ["group", "toolbox", "kind", "what it is", "slamlib"]
+HEADER = ["group", "there", "kind", "what it is", "slamlib"]
 NOT_YET, NOT_NEEDED = "not yet: ", "not needed: "
 PAIRS = (
     "Every sensor measures every point; lines are for sensors that project them. In the toolbox the omnidirectional "
@@ -27,7 +27,7 @@ CHAPTER = re.compile(r"chapter (\w+)")
 
 
 class Row(NamedTuple):
-    """One name of the toolbox, and where it lives: a dotted path, "chapter N", "not yet: path", "not needed: why"."""
+    """A name there, and where it lives: dotted paths, "chapter N", "not yet: path", "not needed: why"."""
 
     group: str
     name: str
@@ -54,8 +54,8 @@ def text() -> str:
     words = PAGE.read_text("utf-8").split(MARK)[0]
     tables = []
     for group, members in groupby(rows(), lambda row: row.group):
-        lines = [f"| `{row.name}` | {_plain(row.what)} | {_target(row)} |" for row in members]
-        head = ["", f"## {group}", "", "| toolbox | what it is | here |", "|---|---|---|"]
+        lines = [f"| {_name(row)} | {_plain(row.what)} | {_target(row)} |" for row in members]
+        head = ["", f"## {group}", "", "| there | what it is | here |", "|---|---|---|"]
         tables.append("\n".join([*head, *lines, ""]))
     types, *others = tables
     return "".join([words, MARK, types, pairs(), *others])
@@ -78,6 +78,11 @@ def _measured(sensor: Sensor) -> str:
     """How many numbers a sensor measures of a point, and how many it leaves to a prior."""
     open_ones = sensor.back_project.arguments[1 : len(sensor.back_project.arguments) - len(sensor.parameters)]
     return f"{sensor.size} + {sum(a.size for a in open_ones)}"
+
+
+def _name(row: Row) -> str:
+    """A name of a program as code; what has no name there, an equation or an idea, in words."""
+    return _plain(row.name) if row.kind == "idea" else f"`{row.name}`"
 
 
 def _plain(words: str) -> str:

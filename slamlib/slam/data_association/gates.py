@@ -34,7 +34,7 @@ def by_information(S: Array, count: int) -> Indices:
     """The `count` rows whose innovation covariance (n, d, d) has the largest determinant, largest first.
 
     A measurement lowers the entropy of the state by log(det S / det R) / 2: with one R for all, the most uncertain
-    prediction is the most informative. Davison (2005); the toolbox leaves R out (errata E57). Ties: the earlier row.
+    prediction is the most informative. Davison (2005); the toolbox leaves R out. Ties: the earlier row.
     """
     return np.argsort(-linalg.log_determinants(S), kind="stable")[:count]
 
@@ -47,5 +47,5 @@ SELECTIONS: dict[str, Callable[[Array, int], Indices]] = {
 
 @lru_cache
 def gate(probability: float, dof: int) -> float:
-    """The largest z' S^-1 z that passes: a true measurement of `dof` numbers passes with this probability (E59)."""
+    """The largest z' S^-1 z that passes: a true measurement of `dof` numbers passes with this probability."""
     return math.inf if probability == 1 else chi2_quantile(probability, dof)
