@@ -67,10 +67,10 @@ real-images: environment  ## fetch the real sequence of chapter monocular (75 MB
 visual-odometry: environment  ## run the longer films of chapter visual_odometry, and store their figures
 	@$(BIN)/python -m book.tools.visual_odometry
 
-stereo-slam: environment  ## run the longer films of chapter stereo_ekf_slam, and store their figures (long)
+stereo-slam: environment  ## run the longer films of chapter stereo_ekf_slam and the audit's runs, and store their figures (long)
 	@$(BIN)/python -m book.tools.stereo_slam
 
-report-experiments: environment  ## run the experiments that the report asks for, and store their figures (chapter 22)
+report-experiments: environment  ## run the experiments that the report asks for, and store their figures (page report_experiments)
 	@$(BIN)/python -m book.tools.report_experiments
 
 other-filters: environment  ## run the comparison of filters of chapter other_filters, and store its figures (long)

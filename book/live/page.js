@@ -147,14 +147,17 @@
     }
 
     /* A figure with its slider; each move asks Python for a frame, one at a time. */
-    slider({ key, label, last, start, steps, frame }) {
+    slider({ key, label, last, start, steps, names, frame }) {
       const id = `live-slider-${this.number}`;
-      const range = make("input", { type: "range", id, min: 0, max: last, step: 1 / steps, value: start, autocomplete: "off" });
-      const shown = make("output"), picture = make("div"), note = make("p", { className: "sweep-note" });
+      const range = names.length // a menu of them, in place of the slider
+        ? make("select", { id, autocomplete: "off" }, ...names.map((name, i) => make("option", { value: i, textContent: name })))
+        : make("input", { type: "range", id, min: 0, max: last, step: 1 / steps, autocomplete: "off" });
+      range.value = start;
+      const shown = make("output", { hidden: names.length > 0 }), picture = make("div"), note = make("p", { className: "sweep-note" });
       note.setAttribute("aria-live", "polite");
       const draw = ([value, svg, text]) => {
         shown.textContent = value;
-        range.setAttribute("aria-valuetext", value);
+        if (!names.length) range.setAttribute("aria-valuetext", value);
         picture.innerHTML = svg;
         note.textContent = text;
       };

@@ -81,6 +81,7 @@ class Runner:
                     "last": len(value.values) - 1,
                     "start": value.start,
                     "steps": value.steps,
+                    "names": value.names,
                     "frame": value.frame(value.start),
                 }
             )

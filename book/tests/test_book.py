@@ -109,7 +109,7 @@ def test_a_chapter_has_a_slider_and_describes_its_pictures(chapter):
 
 def test_every_notebook_is_a_page():
     assert {p.resolve() for p in layout.notebooks()} == {
-        p.resolve() for folder in ("chapters", "sources", "appendices") for p in (layout.BOOK / folder).glob("*.ipynb")
+        p.resolve() for p in [*layout.lessons(), *(layout.BOOK / "appendices").glob("*.ipynb")]
     }
 
 
@@ -185,6 +185,15 @@ def test_site_check_finds_each_kind_of_fault(tmp_path):
         "index.html: other.html#nowhere: no such anchor",
         "never_built.html: named in _toc.yml, but not built",
     ]
+
+
+def test_an_old_address_leads_to_the_new_page_and_no_page_is_replaced(tmp_path):
+    page = tmp_path / "book/chapters/stereo_ekf_slam.html"
+    page.parent.mkdir(parents=True)
+    page.write_text("the page")
+    build.redirect(tmp_path)
+    assert page.read_text() == "the page"
+    assert "url=gaussians.html" in (tmp_path / "book/chapters/01_gaussians.html").read_text()
 
 
 def test_a_page_of_the_toc_that_does_not_exist_stops_everything(tmp_path, monkeypatch):

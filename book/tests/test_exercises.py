@@ -10,22 +10,21 @@ import numpy as np
 import pytest
 from slambook.exercises import Rejected, check, exercise, load_all, properties
 
-import slamlib
 from book.tests.wrong_solutions import load
+from book.tools import layout
 from slamlib.errors import SlamlibError, UnknownNameError
 
-CHAPTERS = Path(slamlib.__file__).parent.parent / "book" / "chapters"
 KNOWN = load_all()
 WRONG = load()
 
 
-def solutions() -> list[tuple[str, str]]:
-    """Source of every published solution that is code: name of the chapter, and the cell."""
+def solutions() -> list[tuple[Path, str]]:
+    """Every published solution that is code: its notebook, and the source of the cell."""
     found = []
-    for notebook in sorted(CHAPTERS.glob("*.ipynb")):
+    for notebook in layout.lessons():
         for cell in json.loads(notebook.read_text("utf-8"))["cells"]:
             if "solution" in cell["metadata"].get("tags", []):
-                found.append((notebook.stem, "".join(cell["source"])))
+                found.append((notebook, "".join(cell["source"])))
     return found
 
 
@@ -37,11 +36,11 @@ def run(chapter: str, source: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("chapter", "source"), [pytest.param(c, s, id=f"{c}-{i}") for i, (c, s) in enumerate(solutions())]
+    ("notebook", "source"), [pytest.param(n, s, id=f"{n.stem}-{i}") for i, (n, s) in enumerate(solutions())]
 )
-def test_published_solutions_run_by_themselves(chapter, source, capsys, monkeypatch):
-    monkeypatch.chdir(CHAPTERS)
-    run(chapter, source)
+def test_published_solutions_run_by_themselves(notebook, source, capsys, monkeypatch):
+    monkeypatch.chdir(notebook.parent)
+    run(notebook.stem, source)
     checked = re.findall(r"""check\(\s*["'](\w+\.\d+)["']""", source)
     printed = capsys.readouterr().out
     assert [n for n in checked if f"Exercise {n} accepted" not in printed] == []
@@ -49,7 +48,7 @@ def test_published_solutions_run_by_themselves(chapter, source, capsys, monkeypa
 
 def test_every_exercise_has_a_solution_in_its_own_chapter_of_the_book():
     assert KNOWN, "no exercise is registered"
-    checks = [(chapter, n) for chapter, s in solutions() for n in re.findall(r"""check\(\s*["'](\w+\.\d+)["']""", s)]
+    checks = [(page.stem, n) for page, s in solutions() for n in re.findall(r"""check\(\s*["'](\w+\.\d+)["']""", s)]
     published = {n for chapter, n in checks if chapter == n.split(".")[0]}
     assert not sorted(set(KNOWN) - published), "registered, but no cell tagged `solution` checks it"
     assert not sorted(published - set(KNOWN)), "checked in a chapter, but not registered"

@@ -374,6 +374,8 @@ def test_a_widget_draws_between_the_frames():
         assert set(made._repr_mimebundle_()) == {"text/plain", view}
     finally:
         live(None)
+    menu = sweep(lambda name: plt.subplots()[0], "filter", ["EKF", "UKF"], alt=ALT).widget().children[0].children[0]
+    assert (menu.options, menu.value) == ((("EKF", 0), ("UKF", 1)), 1)
     bar, drawing = made.widget().children
     slider, value = bar.children
     assert (slider.description, slider.value, slider.max, value.value) == ("width [m]", 8, 16, "2")
@@ -398,6 +400,24 @@ def page():
         browser = tool.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
         yield browser.new_page(viewport={"width": 390, "height": 800})
         browser.close()
+
+
+def test_names_are_a_menu(page):
+    names = ["none", "<E01>", "E02"]
+    made = sweep(lambda name: (plt.subplots()[0], f"this is {name}"), "error", names, alt=ALT, start=1)
+    assert made.names == names
+    assert sweep(bell, "width [m]", [1.0, 2.0], alt=ALT).names == []
+    page.set_content(f"<html><body>{html_of(made)}</body></html>")
+    menu = page.get_by_label("error", exact=True)
+    assert menu.evaluate("e => e.tagName") == "SELECT"
+    assert menu.locator("option").all_inner_texts() == names
+    assert page.evaluate(SHOWN) == ["<E01>"]
+    menu.select_option("E02")
+    assert page.evaluate(SHOWN) == ["E02"]
+    menu.press("Home")
+    assert page.evaluate(SHOWN) == ["none"]
+    assert page.locator(".sweep-note").inner_text() == "this is none"
+    assert page.locator("output").is_hidden()
 
 
 @pytest.mark.parametrize("style", ["figures.css", None], ids=["book", "notebook"])

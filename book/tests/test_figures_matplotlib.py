@@ -15,6 +15,7 @@ from slambook.figures.replay import native_svg, replayed
 from book.live.standin import pyplot as stand_in
 from book.live.standin.axes import Axes
 from book.tests.test_figures_engine import vertices
+from book.tools import layout
 
 ROOT = Path(__file__).parents[2]
 ALT = "A figure that is drawn by two libraries."
@@ -211,7 +212,7 @@ def test_a_figure_that_is_shown_is_closed():
 
 def figure_cells():
     """The sources of the chapters' cells that draw."""
-    for file in sorted((ROOT / "book" / "chapters").glob("*.ipynb")):
+    for file in layout.lessons():
         for cell in json.loads(file.read_text("utf-8"))["cells"]:
             source = re.sub("^%.*$", "", "".join(cell["source"]), flags=re.MULTILINE)
             if cell["cell_type"] == "code" and "plt.subplots(" in source:

@@ -1,4 +1,4 @@
-"""The stored figures of chapter stereo_ekf_slam belong to the package as it is."""
+"""The stored figures of chapter stereo_ekf_slam and of the pages on the report belong to the package as it is."""
 
 import json
 
@@ -7,7 +7,7 @@ from slambook.report.findings import ran
 
 from book.tools import stereo_room, stereo_slam
 
-RENEW = "run `python -m book.tools.stereo_slam`, and the notebook of chapter stereo_ekf_slam"
+RENEW = "run `python -m book.tools.stereo_slam`, and the notebooks stereo_ekf_slam, report_audited, report_experiments"
 
 
 @pytest.fixture(scope="module")

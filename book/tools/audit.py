@@ -2,7 +2,7 @@
 
 For each: what the report states and where, what is right, the figures as computed now, those of the list, the limits,
 and a verdict: reproduced, corrected (the list was, and the remark says why), reading, or FAILED. The exit status is 1
-if one failed. --store writes the file that chapter stereo_ekf_slam draws its table from.
+if one failed. --store writes the file that page report_audited draws its table from.
 """
 
 import argparse

@@ -40,6 +40,11 @@ def notebooks() -> list[Path]:
     return [p for p in pages() if p.suffix == ".ipynb"]
 
 
+def lessons() -> list[Path]:
+    """The notebooks that teach: the chapters, and the pages on the source documents, with exercises as well."""
+    return sorted(p for folder in ("chapters", "sources") for p in (BOOK / folder).glob("*.ipynb"))
+
+
 def digest(files: Iterable[Path]) -> str:
     """Fingerprint of the files' names and contents."""
     total = hashlib.sha256()

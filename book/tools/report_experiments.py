@@ -1,4 +1,4 @@
-"""`make report-experiments`: run chapter stereo_ekf_slam's longer experiments on the report's filter, and store them.
+"""`make report-experiments`: run page report_experiments's longer experiments on the report's filter, and store them.
 
 What is remembered (5.4), correlations (9.3), FastSLAM beside EKF-SLAM (3.2), and the methods of an update (6). Times
 are kept apart, under "machine": they are those of the last run, and no test reads them. "light" is a small
@@ -20,7 +20,6 @@ from slambook.report.updates import naive, problem
 from benchmarks import mrpt
 from book.tools import layout, stored
 from book.tools.stored import plain
-from slamlib.evaluation.consistency import band
 from slamlib.experiments.progress import progress
 
 FILE = layout.BOOK / "chapters" / "data" / "report_experiments.json"
@@ -52,14 +51,11 @@ def rng() -> np.random.Generator:
 
 
 def remembered(**sizes: Any) -> Any:
-    """Variants of memory by name: errors, their standard deviations by the filter, and NEES over 6 at each step."""
+    """Variants of memory by name: errors and their standard deviations by the filter at each step, and NEES over 6."""
     return plain({
         found.name: {
             "position": found.position,
-            "rotation": found.rotation,
             "claimed": found.claimed,
-            "landmarks": found.landmarks.tolist(),
-            "nees": found.consistency.average / memory.DOF,
             "inside": round(found.consistency.inside, 3),
             "ratio": found.ratio,
         }
@@ -81,34 +77,22 @@ def contested(**sizes: Any) -> Any:
         found.name: {
             "position": found.position,
             "map_error": found.map_error,
-            "nees": found.nees.mean(0) / planar_runs.DOF,
             "inside": round(found.consistency.inside, 3),
             "typical": found.typical,
-            "effective": found.effective,
-            "ancestors": found.ancestors,
-            "drawn": round(found.drawn, 3),
         }
         for found in planar_runs.compare(rng(), **sizes)
     })  # fmt: skip
 
 
 def accurate(**sizes: Any) -> dict[str, Any]:
-    """The landmarks' error with one linearisation a picture, and with one for each landmark."""
-    found = {name: speed.accuracy(rng(), scene=name, **sizes) for name in ("gentle", "hard")}
-    return {
-        name: {
-            "batch": plain(f.batch.mean(), 5),
-            "again": plain(f.again.mean(), 5),
-            "gain": plain(f.gain, 3),
-            "ratios": plain([f.together_ratio, f.again_ratio]),
-        }
-        for name, f in found.items()
-    }
+    """By how much one linearisation for each landmark lowers their error, against one a picture."""
+    scenes = ("gentle", "hard")
+    return {name: {"gain": plain(speed.accuracy(rng(), scene=name, **sizes).gain, 3)} for name in scenes}
 
 
 def mapped(**sizes: Any) -> Any:
-    """Chapter frames_and_quaternions's run by every method, without times."""
-    return plain([{k: v for k, v in asdict(m).items() if k != "seconds"} for m in speed.mapping(rng(), **sizes)])
+    """The run of the report's chapter 6 by every method."""
+    return plain(list(map(asdict, speed.mapping(rng(), **sizes))))
 
 
 EXPERIMENTS: dict[str, Callable[..., Any]] = {
@@ -124,18 +108,15 @@ EXPERIMENTS: dict[str, Callable[..., Any]] = {
 
 
 def machine() -> dict[str, Any]:
-    """Times of the methods of an update, and of FastSLAM's steps."""
+    """Times of the methods of an update."""
     found: dict[str, Any] = {name: times(name, seen) for name, seen in SEEN.items()}
-    found["run of 92 landmarks"] = {m.method: plain(m.seconds, 3) for m in speed.mapping(rng())}
-    racers = planar_runs.compare(rng(), runs=2, steps=40, particles=FULL["fastslam"]["particles"])
-    found["FastSLAM"] = {racer.name: plain(racer.seconds, 3) for racer in racers}
     if mrpt.available():
         found["MRPT"] = elsewhere()
     return found
 
 
 def times(name: str, seen: int | None) -> dict[str, Any]:
-    """Times and multiplications by method over the sizes of the state, and at which size the fastest one changes.
+    """Times by method over the sizes of the state, and at which size the fastest one changes.
 
     seen: landmarks in a scan; None: all.
     """
@@ -143,7 +124,6 @@ def times(name: str, seen: int | None) -> dict[str, Any]:
     return {
         "sizes": [row.size for row in rows],
         "seconds": {way: [plain(row.seconds[way], 3) for row in rows] for way in rows[0].seconds},
-        "multiplications": {way: [row.multiplications[way] for row in rows] for way in rows[0].multiplications},
         "crossings": [round(n) for n in speed.crossing(rows, "number by number", "whole matrices")],
     }
 
@@ -179,12 +159,6 @@ def digest() -> str:
     return hashlib.sha256(json.dumps([SEED, FULL, LIGHT, LANDMARKS, SEEN]).encode()).hexdigest()[:12]
 
 
-def bands() -> dict[str, list[float]]:
-    """95 % bands of NEES over its degrees of freedom at a step, by experiment."""
-    dofs = {"memory": memory.DOF, "fastslam": planar_runs.DOF}
-    return {name: [round(v / dof, 4) for v in band(dof, FULL[name]["runs"])] for name, dof in dofs.items()}
-
-
 def kept(name: str, run: Callable[[], Any]) -> Any:
     """A finished part from its file, if it is there and belongs to the code as it is; otherwise it is run now."""
     file = FOLDER / f"{name}-{digest()}-{layout.digest(CODE)}.json"
@@ -203,7 +177,6 @@ PARTS: dict[str, Callable[[], Any]] = {
     "digest": digest,
     "seed": lambda: SEED,
     "sizes": lambda: FULL,
-    "bands": bands,
     **{name: partial(kept, name, run) for name, run in RUNS.items()},
 }
 

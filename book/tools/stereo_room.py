@@ -42,10 +42,7 @@ class Way:
 
 WAYS = {
     "twice": Way(Twice),
-    "constant-velocity": Way(MOTION_SOURCES["constant-velocity"]),
-    "covariance-intersection": Way(MOTION_SOURCES["covariance-intersection"]),
-    "split-features": Way(MOTION_SOURCES["split-features"]),
-    "correlated": Way(MOTION_SOURCES["correlated"]),
+    **{name: Way(source) for name, source in MOTION_SOURCES.items()},
     "in turns": Way(MOTION_SOURCES["correlated"], update_interval=10),
 }
 Film = tuple[Rig, list[tuple[Frame, Truth]]]

@@ -1,8 +1,9 @@
 """`python -m book.tools.stereo_slam`: store chapter stereo_ekf_slam's longer runs as one small file, part by part.
 
-The report's errors turned on together and repaired one after another, and the filter with wrong covariances
-(slambook.report); slamlib's own system in the rendered stereo room (book.tools.stereo_room), on KITTI's street
-(benchmarks.street), and by defaults on it and on a waved rig (benchmarks.stereo_sequences), where they are at hand.
+For the pages report_audited and report_experiments: the report's errors turned on together and repaired one after
+another, and the filter with wrong covariances (slambook.report). For the chapter: slamlib's own system in the rendered
+stereo room (book.tools.stereo_room), on KITTI's street (benchmarks.street), and by defaults on it and on a waved rig
+(benchmarks.stereo_sequences), where they are at hand.
 Times belong to a machine and are not stored. `--only NAME` makes one part again and keeps the others.
 """
 

@@ -1,66 +1,55 @@
-"""Checks of the chapter: stereo 6-D EKF-SLAM, finished."""
+"""Checks of the chapter: stereo EKF-SLAM on pictures."""
 
 import numpy as np
 
 from slambook.exercises import Candidate, Rng, exercise
-from slambook.exercises.properties import array_of, between, cases, covariance, differences, given, holds, parts, same
-from slamlib.geometry import euler
-from slamlib.manifolds import Array
-from slamlib.motions.euler_composition import compose
+from slambook.exercises.properties import cases, holds, parts, random_covariance, same
+
+VARIANCES = {"the claimed variance": (), "the true variance": ()}
 
 
-@exercise("stereo_ekf_slam.1", "the control's angles and the robot's", seed=221)
-def noise_rows(candidate: Candidate, rng: Rng) -> None:
-    """It is the derivative of slamlib's composition at rest; upright it is the identity."""
-    for i in cases(range(8)):
-        angles = rng.uniform(-1, 1, 3) * np.radians([180, 70, 180]) * (i > 0)
-        given(f"yaw, pitch, roll = {np.round(np.degrees(angles), 1)} degrees")
-        found = array_of(candidate(*map(float, angles)), (3, 3), "B")
-
-        def turned(control: Array, angles: Array = angles) -> Array:
-            new = compose(np.concatenate([np.zeros(3), angles]), np.concatenate([np.zeros(3), control]))[3:]
-            return np.asarray((new - angles + np.pi) % (2 * np.pi) - np.pi)
-
-        what = "a small control turns the angles by B times its own" if i else "upright, B is the identity"
-        same(found, differences(turned, np.zeros(3)), what, tolerance=1e-6)
-
-
-@exercise("stereo_ekf_slam.2", "the lost appendix", seed=222)
-def appendix(candidate: Candidate, rng: Rng) -> None:
-    """The value undoes the placing of a point; both Jacobians agree with differences of the reader's own value."""
-    shapes = {"z": (3,), "the derivative w.r.t. the pose": (3, 6), "the derivative w.r.t. the point": (3, 3)}
-    for _ in range(6):
-        pose = np.concatenate([rng.uniform(-3, 3, 3), rng.uniform(-1, 1, 3) * [3, 1.2, 3]])
-        point = rng.uniform(-5, 5, 3)
-        z, by_pose, by_point = parts(candidate(pose, point), shapes)
-        same(pose[:3] + euler.to_rotation(pose[:2:-1]) @ z, point, "the point is where the robot sees it")
-        both = np.concatenate([pose, point])
-        own = differences(lambda at: parts(candidate(at[:6], at[6:]), shapes)[0], both)
-        what = "the derivatives agree with differences of your own z"
-        same(np.column_stack([by_pose, by_point]), own, what, tolerance=1e-6)
+@exercise("stereo_ekf_slam.1", "an error that persists")
+def persistent(candidate: Candidate) -> None:
+    """Both variances are those of a filter that is run step by step, with the error beside it in the state."""
+    for n, p, r, b in cases(
+        [(1, 2.0, 1.0, 0.5), (7, 1.0, 0.3, 0.7), (150, 1e3, 0.1, 2.0)], "n, p, r, b = {}, {}, {}, {}"
+    ):
+        P, joint = p, np.diag([p, b])  # what the filter claims; true, of its error and of the persistent one
+        for _ in range(n):
+            K = P / (P + r + b)
+            step = np.array([[1 - K, K], [0, 1]])
+            P, joint = (1 - K) * P, step @ joint @ step.T + np.diag([K**2 * r, 0])
+        claimed, true = parts(candidate(n, p, r, b), VARIANCES)
+        same(claimed, P, "the claim is that of a Kalman filter after n updates")
+        same(true, joint[0, 0], "the true variance is that of the error which this filter makes")
 
 
-@exercise("stereo_ekf_slam.3", "innovations as a matrix", seed=223)
-def innovations(candidate: Candidate, rng: Rng) -> None:
-    """Its trace is the mean NIS; it is that of any other coordinates; it finds correlations that NIS does not."""
-    for n, m in cases(((1, 3), (5, 2), (40, 3)), "{} innovations of {} numbers"):
-        roots = rng.standard_normal((n, m, m)) + 2 * np.eye(m)
-        S, nu = roots @ roots.swapaxes(1, 2), rng.standard_normal((n, m))
-        found = covariance(candidate(nu, S), m, "the matrix")
-        nis = np.einsum("ni,nij,nj->n", nu, np.linalg.inv(S), nu).mean()
-        same(np.trace(found), nis, "its trace is the mean of NIS")
-        scale = rng.uniform(0.1, 10, m)
-        other = array_of(candidate(nu * scale, S * np.outer(scale, scale)), (m, m), "the matrix")
-        what = "its eigenvalues do not depend on the units"
-        same(np.linalg.eigvalsh(other), np.linalg.eigvalsh(found), what)
-    # Innovations of a known covariance, which the filter uses, or of which it uses the diagonal. Eigenvalues
-    # of a sample of four thousand are within 0.15 of 1 by far (their standard deviation is about 0.03).
-    R = np.array([[4, 1.8, 0], [1.8, 1, 0.1], [0, 0.1, 0.5]])
-    nu = rng.standard_normal((4000, 3)) @ np.linalg.cholesky(R).T
-    right, wrong = (
-        np.linalg.eigvalsh(array_of(candidate(nu, np.tile(C, (4000, 1, 1))), (3, 3), "the matrix"))
-        for C in (R, np.diag(np.diag(R)))
-    )
-    between(right, 0.85, 1.15, "it is the identity if the filter is right")
-    what = "it is not if the filter knows the variances alone"
-    holds(wrong.max() > 1.5 and wrong.min() < 0.5, what, f"found the eigenvalues {np.round(wrong, 2)}")
+@exercise("stereo_ekf_slam.2", "covariance intersection", seed=222)
+def intersection(candidate: Candidate, rng: Rng) -> None:
+    """Linear in the information, unbiased, one copy of one estimate, and a bound whatever the correlation is."""
+    for n, w in cases([(1, 0.5), (2, 0.2), (3, 0.7)], "{} numbers, weight {}"):
+        x, y, shift = rng.standard_normal((3, n))
+        joint = random_covariance(rng, 2 * n, 0.1)
+        A, B = joint[:n, :n], joint[n:, n:]
+        shapes = {"the mean": (n,), "the covariance": (n, n)}
+        mean, P = parts(candidate(x, A, y, B, w), shapes)
+        same(parts(candidate(x, A, x, A, w), shapes)[1], A, "two copies of one estimate are worth one")
+        information = w * np.linalg.inv(A) + (1 - w) * np.linalg.inv(B)
+        same(np.linalg.inv(P), information, "it has a share w of A's information, and 1 - w of B's")
+        same(candidate(x + shift, A, y + shift, B, w)[0], mean + shift, "the origin is free")
+        gains = [np.stack([candidate(e, A, 0 * e, B, w)[0] for e in np.eye(n)], 1)]
+        gains.append(np.stack([candidate(0 * e, A, e, B, w)[0] for e in np.eye(n)], 1))
+        true = np.hstack(gains) @ joint @ np.hstack(gains).T
+        least = np.linalg.eigvalsh(P - true)[0]
+        holds(least > -1e-9, "P bounds the true covariance", f"the least eigenvalue of the difference is {least:.3g}")
+
+
+@exercise("stereo_ekf_slam.3", "RANSAC selects only a number of all the matches")
+def selected(candidate: Candidate) -> None:
+    """Variances of an average with the weights that the filter gives to each match."""
+    for s, n in cases([(12, 12), (6, 12), (3, 40), (1, 2)], "{} of {} matches"):
+        K = n / (s + n)  # gain of the update: the prediction has the variance 1/s, the measurement 1/n
+        weights = K / n + (1 - K) / s * (np.arange(n) < s)
+        claimed, true = parts(candidate(s, n), VARIANCES)
+        same(claimed, (1 - K) / s, "the claim is that of independent averages")
+        same(true, weights @ weights, "the true variance is that of the sum of all matches, with their weights")

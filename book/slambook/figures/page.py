@@ -36,7 +36,7 @@ STEPS = 8  # places from one value to the next in a live slider
 _MOVE = (
     "(function(r){var f=r.closest('figure');f.querySelectorAll('[data-frame]').forEach(function(e)"
     "{e.hidden=e.dataset.frame!==r.value});var c=f.querySelectorAll('[data-frame=\"'+r.value+'\"]')[0];"
-    "r.setAttribute('aria-valuetext',c.dataset.value);f.querySelector('output').textContent=c.dataset.value;"
+    "if(r.type==='range')r.setAttribute('aria-valuetext',c.dataset.value);f.querySelector('output').textContent=c.dataset.value;"
     "f.querySelector('.sweep-note').textContent=c.dataset.note||''})(this)"
 )
 
@@ -66,9 +66,14 @@ class Sweep:
         return f"Sweep of {self.label} over {len(self.values)} values: {self.alt}"
 
     @property
+    def names(self) -> list[str]:
+        """What a menu offers in place of the slider: the values, unless they are numbers."""
+        return [] if all(map(_is_number, self.values)) else list(map(str, self.values))
+
+    @property
     def steps(self) -> int:
         """Places from one value to the next in a live slider: no more than there are whole numbers, for those."""
-        if not all(map(_is_number, self.values)):
+        if self.names:
             return 1
         if all(map(_is_whole, self.values)):
             return int(min(STEPS, max(1, np.abs(np.diff(np.array(self.values, dtype=np.int64))).max())))
@@ -128,12 +133,14 @@ class Sweep:
         frames = self.frames
         name = "sweep-" + hashlib.sha256(repr((self.label, frames, self.start)).encode()).hexdigest()[:8]
         value, _, note = frames[self.start]
-        value = html.escape(value)
-        bar = (  # autocomplete: a browser that restores a slider's value after a reload would leave the frame behind
-            f'<label for="{name}">{html.escape(self.label)}</label><input type="range" id="{name}" min="0"'
-            f' max="{len(frames) - 1}" step="1" value="{self.start}" autocomplete="off"'
-            f' aria-valuetext="{value}" oninput="{html.escape(_MOVE)}"><output for="{name}">{value}</output>'
-        )
+        value, last, start = html.escape(value), len(frames) - 1, self.start
+        named = [f"<option value={i}{' selected' * (i == start)}>{html.escape(n)}" for i, n in enumerate(self.names)]
+        # autocomplete: a browser that restores a slider's value after a reload would leave the frame behind
+        common = f'id="{name}" autocomplete="off" oninput="{html.escape(_MOVE)}"'
+        slider = f'<input type="range" {common} min="0" max="{last}" step="1" value="{start}" aria-valuetext="{value}">'
+        bar = f'<label for="{name}">{html.escape(self.label)}</label>'
+        bar += f"<select {common}>{''.join(named)}</select>" if named else slider
+        bar += f'<output for="{name}"{" hidden" * bool(named)}>{value}</output>'
         shown = ""
         for i, (number, svg, words) in enumerate(frames):
             said = f' data-note="{html.escape(words)}"' if words else ""

@@ -49,14 +49,13 @@ def live_slider(sweep: Any) -> Any:
         ipywidgets = import_module("ipywidgets")
     except ModuleNotFoundError as error:
         raise SlamlibError("a live slider needs ipywidgets: pip install ipywidgets") from error
-    slider = ipywidgets.IntSlider(
-        value=sweep.start * sweep.steps,
-        max=(len(sweep.values) - 1) * sweep.steps,
-        description=sweep.label,
-        readout=False,
-        style={"description_width": "initial"},
-        layout={"width": "90%"},
-    )
+    common = {"description": sweep.label, "style": {"description_width": "initial"}, "layout": {"width": "90%"}}
+    if sweep.names:
+        options = [(name, i) for i, name in enumerate(sweep.names)]
+        slider = ipywidgets.Dropdown(options=options, value=sweep.start, **common)
+    else:
+        last, start = (len(sweep.values) - 1) * sweep.steps, sweep.start * sweep.steps
+        slider = ipywidgets.IntSlider(value=start, max=last, readout=False, **common)
     shown, drawing = ipywidgets.Label(), ipywidgets.HTML()
 
     def move(_: Any = None) -> None:

@@ -13,24 +13,18 @@ from slamlib.belief import Belief
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
 
-SPACING = 4.0  # [m] between landmarks
-
 
 @dataclass(frozen=True, eq=False)
 class RepeatedObservations:
-    """The map's covariance after each of n updates from `first` on, when all L landmarks are known for the first time.
+    """The map's covariance after each of n scans of all L landmarks.
 
-    start: standard deviation of the robot's first position [m]; correlation (n, pairs): of two landmarks; absolute
-    (n, L): their standard deviations [m]; relative (n, L - 1): those of the positions relative to the first one [m];
-    beside (n,): correlation of the last two of these; bound: limit of `absolute` [m], if every scan shows all.
+    correlation (n, pairs): of two landmarks; absolute (n, L): their standard deviations [m]; relative (n, L - 1): those
+    of the positions relative to the first one [m]; bound: limit of `absolute` [m].
     """
 
-    start: float
-    first: int
     correlation: Array
     absolute: Array
     relative: Array
-    beside: Array
     bound: float
 
 
@@ -41,49 +35,34 @@ def repeated_observations(
     start: float = 0.5,
     motion: float = 0.1,
     noise: float = 0.2,
-    reach: float = np.inf,
 ) -> RepeatedObservations:
-    """Scans of a robot that goes to and fro, 1 m a step, along landmarks 4 m apart.
+    """Scans of a robot that goes to and fro, 1 m a step, along landmarks 4 m apart, all of which each scan shows.
 
-    start, motion (each step), noise (each measurement): standard deviations [m]; reach: the sensor's range [m].
+    start, motion (each step), noise (each measurement): standard deviations [m].
     """
-    if landmarks < 3 or observations < 1 or reach < SPACING:
-        raise SlamlibError("looking: three landmarks or more, one scan or more, and a reach of 4 m or more")
-    maps = [P for P in _maps(observations, landmarks, start, motion, noise, reach) if len(P) == landmarks]
-    if not maps:
-        raise SlamlibError(
-            f"looking: after {observations} scans not all {landmarks} landmarks were seen; take more scans"
-        )
-    P, first = np.array(maps), observations - len(maps)
+    if landmarks < 2 or observations < 1:
+        raise SlamlibError("repeated observations: two landmarks or more, and one scan or more")
+    P = np.array(list(_maps(observations, landmarks, start, motion, noise)))
     absolute = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))
     i, j = np.triu_indices(landmarks, 1)
     between = P[:, 1:, 1:] - P[:, 1:, :1] - P[:, :1, 1:] + P[:, :1, :1]  # of the positions relative to the first
     relative = np.sqrt(np.diagonal(between, axis1=-2, axis2=-1))
     with np.errstate(invalid="ignore"):
         correlation = (P / absolute[:, :, None] / absolute[:, None, :])[:, i, j]
-        beside = between[:, -1, -2] / relative[:, -1] / relative[:, -2]
-    bound = limit(start, motion, noise / np.sqrt(landmarks))
-    return RepeatedObservations(start, first, correlation, absolute, relative, beside, bound)
+    return RepeatedObservations(correlation, absolute, relative, limit(start, motion, noise / np.sqrt(landmarks)))
 
 
-def _maps(
-    observations: int, landmarks: int, start: float, motion: float, noise: float, reach: float
-) -> Iterator[Array]:
-    """The map's covariance after each update, of the landmarks seen so far."""
-    places, belief, known = SPACING * np.arange(landmarks), Belief(), 0
+def _maps(observations: int, landmarks: int, start: float, motion: float, noise: float) -> Iterator[Array]:
+    """The map's covariance after each scan. It does not depend on where the robot is."""
+    belief, R = Belief(), noise**2 * np.eye(landmarks)
     robot = belief.add(1, np.zeros(1), np.array([[start**2]]))
-    end = int(places[-1])
-    steps = np.arange(observations) % (2 * end)  # to the end and back, again and again, 1 m a step
-    for look, where in enumerate(np.minimum(steps, 2 * end - steps)):
-        if look:
-            belief.predict(robot, robot.mean, np.eye(1), np.array([[motion**2]]))
-        seen = np.flatnonzero(np.abs(places - where) <= reach)
-        if (m := int((seen < known).sum())) > 0:  # position minus that of the robot, which is row 0
-            H = np.concatenate([-np.ones((m, 1)), np.eye(m)], axis=1)
-            belief.update_rows(np.array([0, *(1 + seen[:m])]), H, np.zeros(m), noise**2 * np.eye(m))
-        for i in seen[seen >= known]:  # on the way out they are met in their order
-            belief.add(1, places[[i]], np.array([[noise**2]]), given=[robot], jacobians=[np.eye(1)])
-        known = max(known, seen[-1] + 1)
+    for _ in range(landmarks):  # the first scan
+        belief.add(1, np.zeros(1), R[:1, :1], given=[robot], jacobians=[np.eye(1)])
+    yield belief.matrix[1:, 1:].copy()
+    H = np.concatenate([-np.ones((landmarks, 1)), np.eye(landmarks)], axis=1)  # position minus that of the robot
+    for _ in range(observations - 1):
+        belief.predict(robot, robot.mean, np.eye(1), np.array([[motion**2]]))
+        belief.update_rows(np.arange(landmarks + 1), H, np.zeros(landmarks), R)
         yield belief.matrix[1:, 1:].copy()
 
 

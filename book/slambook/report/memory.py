@@ -86,13 +86,12 @@ WAYS = {
 class Remembered:
     """Results of one variant, at each of n steps (n,), over all runs.
 
-    position [m], rotation [degrees]: root mean square errors; claimed [m]: the filter's own standard deviation of the
+    position [m]: root mean square error; claimed [m]: the filter's own standard deviation of the
     position; landmarks: in the map; consistency: NEES of the pose, 6 degrees of freedom.
     """
 
     name: str
     position: Array
-    rotation: Array
     claimed: Array
     landmarks: Array
     consistency: Consistency
@@ -126,9 +125,8 @@ def compare(
         way = WAYS[name]
         make = partial(WindowFilter, window=way.window)
         outcome = monte_carlo(scene, *way.errors, runs=runs, seed=seed, again=way.again, make=make)
-        rotation, last = np.degrees(np.sqrt((outcome.turned**2).mean(0))), outcome.last
+        last = outcome.last
         assert isinstance(last, WindowFilter)
         sizes, nees = np.array(last.sizes[1:]), Consistency.of(outcome.nees, DOF)
-        error, claimed = outcome.position_error, outcome.claimed_deviation
-        found.append(Remembered(name, error, rotation, claimed, sizes, nees))
+        found.append(Remembered(name, outcome.position_error, outcome.claimed_deviation, sizes, nees))
     return found

@@ -27,8 +27,7 @@ class Contestant:
     position: root mean square error [m]; of_run (runs,): the same over a run's steps; map_error: mean distance [m] of
     the landmarks from the truth at the end; nees (runs, n) of the pose, 3 degrees of freedom, at most a million;
     effective (n,), ancestors (n,), averaged over the runs: number of particles that the weights are worth, and of how
-    many particles of that step the last ones descend; drawn: share of the steps before which particles were drawn
-    again; seconds: median CPU time of a step.
+    many particles of that step the last ones descend; seconds: median CPU time of a step.
     """
 
     particles: int
@@ -38,7 +37,6 @@ class Contestant:
     nees: Array
     effective: Array
     ancestors: Array
-    drawn: float
     seconds: float
 
     @property
@@ -110,12 +108,9 @@ def _step(filter: FastSlam | PlanarEkf, data: Data, k: int) -> tuple[Array, floa
     return error, found if 0 <= found < WORST else WORST, taken  # below zero: a covariance singular but for rounding
 
 
-def _memory(filters: list[FastSlam], steps: int) -> tuple[Array, Array, float]:
-    """Effective number, ancestors, and share of the steps with a new draw, averaged over filters."""
+def _memory(filters: list[FastSlam], steps: int) -> tuple[Array, Array]:
+    """Effective number and ancestors, averaged over filters."""
     if not filters:
-        return np.zeros(steps), np.zeros(steps), 0.0
-    drawn = [np.mean([(p != np.arange(len(p))).any() for p in f.parents]) for f in filters]
-    effective, ancestors = (
-        np.mean(rows, 0) for rows in zip(*((f.effective, f.ancestors()) for f in filters), strict=True)
-    )
-    return effective, ancestors, float(np.mean(drawn))
+        return np.zeros(steps), np.zeros(steps)
+    effective, ancestors = zip(*((f.effective, f.ancestors()) for f in filters), strict=True)
+    return np.mean(effective, 0), np.mean(ancestors, 0)

@@ -77,19 +77,16 @@ def crossing(rows: Sequence[Timing], one: str, other: str) -> list[float]:
 
 @dataclass
 class Measured(Memory):
-    """A filter that updates by one of the methods and records the time taken; one run at a time."""
+    """A filter that updates by one of the methods; one run at a time."""
 
     method: Callable[[Problem], Callable[[], State]] = updates.naive
-    seconds: list[float] = field(default_factory=list)
     observations: list[tuple[int, int]] = field(default_factory=list)  # landmarks in the map, and seen
 
     def update(self, seen: Array, names: list[int], R: Array) -> None:
         """As Memory.update, of a single run, and with independent numbers."""
         places = np.array([self.names.index(name) for name in names])
         run = self.method(updates.observe(self.x[0], self.P[0], places, seen[0], np.diagonal(R[0], axis1=-2, axis2=-1)))
-        began = time.process_time()
         x, P = run()
-        self.seconds.append(time.process_time() - began)
         self.observations.append((len(self.names), len(names)))
         self.x, self.P = x[None].copy(), P[None].copy()
 
@@ -97,14 +94,12 @@ class Measured(Memory):
 @dataclass(frozen=True)
 class Mapping:
     """A whole run by one method: landmarks in the map at the end, their mean distance from the truth [m], largest
-    difference of state or covariance from the first method's, median CPU time [s] of an update, and the number of
-    multiplications of all updates."""
+    difference of state or covariance from the first method's, and the number of multiplications of all updates."""
 
     method: str
     mapped: int
     error: float
     apart: float
-    seconds: float
     multiplications: int
 
 
@@ -131,7 +126,6 @@ def mapping(rng: np.random.Generator, steps: int = 60, methods: Sequence[str] = 
             len(last.names),
             float(np.linalg.norm(last.points[0] - scene.points[last.names], axis=-1).mean()),
             float(max(np.abs(last.x - first.x).max(), np.abs(last.P - first.P).max())),
-            statistics.median(last.seconds),
             sum(multiplications(L, m)[name] for L, m in last.observations),
         )
         for name, last in zip(methods, found, strict=True)
@@ -150,14 +144,11 @@ class Again(BatchUpdateFilter):
 
 @dataclass(frozen=True, eq=False)
 class Accuracy:
-    """Mean distance [m] of the landmarks from the truth in each run (runs,), and NEES of the pose over its 6 degrees
-    of freedom: once with one linearisation for all landmarks of a picture, once with a new one for each."""
+    """Mean distance [m] of the landmarks from the truth in each run (runs,): once with one linearisation for all
+    landmarks of a picture, once with a new one for each."""
 
-    scene: str
     batch: Array
     again: Array
-    together_ratio: float
-    again_ratio: float
 
     @property
     def gain(self) -> tuple[float, float]:
@@ -172,4 +163,4 @@ def accuracy(rng: np.random.Generator, runs: int = 20, scene: str = "gentle", st
     given = replace(given, controls=given.controls[:steps])
     outcomes = [monte_carlo(given, runs=runs, seed=seed, make=make) for make in (BatchUpdateFilter, Again)]
     errors = [np.linalg.norm(o.last.points - given.points[o.last.names], axis=-1).mean(-1) for o in outcomes]
-    return Accuracy(scene, *errors, *(o.ratio for o in outcomes))
+    return Accuracy(*errors)

@@ -65,7 +65,7 @@ def run_cell(page: Any, i: int) -> None:
 
 def drive(page: Any, figure: Any, i: int) -> None:
     """Move a live slider to both ends by keyboard: it answers, and draws something new."""
-    slider = figure.locator("input")
+    slider = figure.locator("input, select")
     for key in ("Home", "End"):
         before, started = figure.locator("svg").evaluate("e => e.outerHTML"), slider.input_value()
         slider.press(key)

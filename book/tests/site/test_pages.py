@@ -54,8 +54,8 @@ def test_a_page_shows_no_faults(name, view, page, site, outside):
     page.on("response", lambda r: faults.extend(wrong(r)) if r.url.startswith(site) else None)
     browser.load(page, f"{site}/{name}")
     faults += page.evaluate(FAULTS)
-    for slider in page.query_selector_all("figure.sweep input[type=range]"):
-        for key in ("Home", "End", "ArrowLeft"):
+    for slider in page.query_selector_all("figure.sweep :is(input[type=range], select)"):
+        for key in ("Home", "End", "ArrowUp"):
             slider.focus()
             slider.press(key)
             if not slider.evaluate(MOVED):

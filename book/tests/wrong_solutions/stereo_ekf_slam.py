@@ -5,104 +5,73 @@ import numpy as np
 from book.tests.wrong_solutions import wrong
 
 
-def _rates(yaw, pitch, roll):
-    (sp, sr), (cp, cr) = np.sin([pitch, roll]), np.cos([pitch, roll])
-    return np.array([[-sp, 0, 1], [cp * sr, cr, 0], [cp * cr, -sr, 0]])
+@wrong("stereo_ekf_slam.1", "adds the persistent error to the claim: the prior has its share of the estimate, too")
+def added(n, p, r, b):
+    claimed = 1 / (1 / p + n / (r + b))
+    return claimed, claimed + b
 
 
-@wrong("stereo_ekf_slam.1", "the identity, as the report prints (E08)")
-def identity(yaw, pitch, roll):
-    return np.eye(3)
+@wrong("stereo_ekf_slam.1", "the variance of the mean of the measurements: no prior")
+def without_a_prior(n, p, r, b):
+    return (r + b) / n, b + r / n
 
 
-@wrong("stereo_ekf_slam.1", "forgets that the control's own rates are ordered yaw, pitch, roll")
-def body_rates(yaw, pitch, roll):
-    return np.linalg.inv(_rates(yaw, pitch, roll))
+@wrong("stereo_ekf_slam.1", "the filter that takes only the new errors for noise")
+def another_filter(n, p, r, b):
+    claimed = 1 / (1 / p + n / r)
+    weight = n * claimed / r
+    return claimed, (1 - weight) ** 2 * p + weight**2 * (b + r / n)
 
 
-@wrong("stereo_ekf_slam.1", "body rates from angle rates, the other way round")
-def inverted(yaw, pitch, roll):
-    return _rates(0, 0, 0).T @ _rates(yaw, pitch, roll)
+@wrong("stereo_ekf_slam.1", "the persistent error averages out as the new ones do")
+def averaged_out(n, p, r, b):
+    claimed = 1 / (1 / p + n / (r + b))
+    return claimed, claimed
 
 
-@wrong("stereo_ekf_slam.1", "cosine of the pitch missing in the denominator")
-def without_cosine(yaw, pitch, roll):
-    sr, cr, sp = np.sin(roll), np.cos(roll), np.sin(pitch)
-    return np.array([[cr, sr, 0], [-sr, cr, 0], [cr * sp, sr * sp, 1]])
+def _fused(x, A, y, B, first, second):
+    A, B = first * np.linalg.inv(A), second * np.linalg.inv(B)
+    P = np.linalg.inv(A + B)
+    return P @ (A @ x + B @ y), P
 
 
-def _rotation(pose):
-    (cy, cp, cr), (sy, sp, sr) = np.cos(pose[3:]), np.sin(pose[3:])
-    Rz = np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
-    Ry = np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
-    Rx = np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
-    # the derivative of a turn is the turn by a quarter more, without the axis
-    Dz, Dy, Dx = (np.array(m) for m in (
-        [[-sy, -cy, 0], [cy, -sy, 0], [0, 0, 0]],
-        [[-sp, 0, cp], [0, 0, 0], [-cp, 0, -sp]],
-        [[0, 0, 0], [0, -sr, -cr], [0, cr, -sr]],
-    ))  # fmt: skip
-    return Rz @ Ry @ Rx, (Dz @ Ry @ Rx, Rz @ Dy @ Rx, Rz @ Ry @ Dx)
+@wrong("stereo_ekf_slam.2", "takes the two for independent")
+def independent(x, A, y, B, weight):
+    return _fused(x, A, y, B, 1, 1)
 
 
-def _observed(pose, point):
-    R, derivatives = _rotation(pose)
-    d = point - pose[:3]
-    return R.T @ d, np.column_stack([-R.T, *(D.T @ d for D in derivatives)]), R.T
+@wrong("stereo_ekf_slam.2", "doubles both covariances whatever the weight is")
+def doubled(x, A, y, B, weight):
+    return _fused(x, A, y, B, 0.5, 0.5)
 
 
-@wrong("stereo_ekf_slam.2", "-R instead of -R' for the position")
-def not_transposed(pose, point):
-    z, by_pose, by_point = _observed(pose, point)
-    return z, np.column_stack([-by_point.T, by_pose[:, 3:]]), by_point
+@wrong("stereo_ekf_slam.2", "averages estimates and covariances, and not information")
+def averaged(x, A, y, B, weight):
+    return weight * x + (1 - weight) * y, weight * A + (1 - weight) * B
 
 
-@wrong("stereo_ekf_slam.2", "F14 to F36 of (5.20), which are derivatives of R u and not of R' d")
-def of_the_motion(pose, point):
-    z, by_pose, by_point = _observed(pose, point)
-    _, derivatives = _rotation(pose)
-    d = point - pose[:3]
-    return z, np.column_stack([by_pose[:, :3], *(D @ d for D in derivatives)]), by_point
+@wrong("stereo_ekf_slam.2", "multiplies the covariances by the weights, in place of dividing")
+def multiplied(x, A, y, B, weight):
+    return _fused(x, A, y, B, 1 / weight, 1 / (1 - weight))
 
 
-@wrong("stereo_ekf_slam.2", "roll before yaw in the columns")
-def other_order(pose, point):
-    z, by_pose, by_point = _observed(pose, point)
-    return z, by_pose[:, [0, 1, 2, 5, 4, 3]], by_point
+@wrong("stereo_ekf_slam.3", "as the report argues: the selected matches are independent of the rest")
+def as_the_report_argues(s, n):
+    return 1 / (s + n), 1 / (s + n)
 
 
-@wrong("stereo_ekf_slam.2", "the derivative by the point is minus that by the position: the sign is lost")
-def same_sign(pose, point):
-    z, by_pose, by_point = _observed(pose, point)
-    return z, by_pose, -by_point
+@wrong("stereo_ekf_slam.3", "the matches are used twice, so the estimate is that of using them once")
+def used_once(s, n):
+    return 1 / (s + n), 1 / n
 
 
-@wrong("stereo_ekf_slam.3", "divides each number by its own standard deviation: sees variances alone")
-def by_deviations(nu, S):
-    w = nu / np.sqrt(np.diagonal(S, axis1=1, axis2=2))
-    return w.T @ w / len(nu)
+@wrong("stereo_ekf_slam.3", "both parts of the error, without their covariance")
+def without_the_covariance(s, n):
+    K = n / (s + n)
+    return 1 / (s + n), (1 - K) ** 2 / s + K**2 / n
 
 
-@wrong("stereo_ekf_slam.3", "does not divide by the number of innovations")
-def summed(nu, S):
-    w = np.linalg.solve(np.linalg.cholesky(S), nu[:, :, None])[:, :, 0]
-    return w.T @ w
-
-
-@wrong("stereo_ekf_slam.3", "the diagonal alone: as NIS, number by number")
-def diagonal(nu, S):
-    w = np.linalg.solve(np.linalg.cholesky(S), nu[:, :, None])[:, :, 0]
-    return np.diag((w**2).mean(0))
-
-
-@wrong("stereo_ekf_slam.3", "whitens twice, by S itself")
-def twice(nu, S):
-    w = np.linalg.solve(S, nu[:, :, None])[:, :, 0]
-    return w.T @ w / len(nu)
-
-
-@wrong("stereo_ekf_slam.3", "the covariance about the mean: a bias is not seen")
-def about_the_mean(nu, S):
-    w = np.linalg.solve(np.linalg.cholesky(S), nu[:, :, None])[:, :, 0]
-    away = w - w.mean(0)
-    return away.T @ away / len(nu)
+@wrong("stereo_ekf_slam.3", "the covariance of the two parts counted once")
+def covariance_once(s, n):
+    K = n / (s + n)
+    return 1 / (s + n), (1 - K) ** 2 / s + K**2 / n + K * (1 - K) / n
