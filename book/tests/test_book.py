@@ -41,14 +41,7 @@ def prose(notebook: Path) -> str:
     return "\n".join("".join(c["source"]) for c in cells(notebook) if c["cell_type"] == "markdown")
 
 
-@pytest.mark.parametrize(
-    "chapter",
-    [
-        pytest.param(c, marks=[pytest.mark.xfail(strict=True)] if c.stem == "stereo_ekf_slam" else [])  # not yet split
-        for c in CHAPTERS
-    ],
-    ids=lambda c: c.stem,
-)
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda c: c.stem)
 def test_a_chapter_speaks_to_its_reader_and_not_by_numbers_of_errors(chapter):
     assert NUMBERS.findall(prose(chapter)) == []
 
