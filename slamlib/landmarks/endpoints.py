@@ -1,4 +1,4 @@
-"""The two endpoints of a line landmark, kept outside the filter's state, and their update. Chapter lines.
+"""The two endpoints of a line landmark, kept outside the filter's state, and their update. Chapter segments.
 
 The filter estimates an infinite line. Its endpoints matter for drawing and for predicting its visibility, and every
 image shows others, because of occlusion and the image's border.

@@ -1,4 +1,4 @@
-"""The visible part of a segment: clipped to the image's border before it is projected. Chapter lines.
+"""The visible part of a segment: clipped to the image's border before it is projected. Chapter segments.
 
 A plane through the camera's centre bounds the half-space of the points h with a . h >= 0. Four of them, through the
 four sides of the image, bound all that a pin-hole camera sees, and exclude what lies behind it. Clipping before the

@@ -44,8 +44,8 @@ class Options(Plain):
         (init.idpPnt.nonObs*). With the toolbox's (0.01, 0.5), near infinity, the filter is overconfident at first.
     line_priors: by the name of a parametrization, prior means and standard deviations of the two numbers that a segment
         does not measure (init.plkLin.nonObs*); lines not listed take inverse_distance for both endpoints.
-    innovation: of lines: "ortDst" distances of the measured endpoints, "rhoThe" distance and angle, "angles" of their
-        rays with the plane of the line, for any camera (correct.lines.innType).
+    innovation: of lines, which pin-hole cameras alone observe: "ortDst" distances of the measured endpoints, "rhoThe"
+        distance and angle, "angles" of their rays with the plane of the line (correct.lines.innType).
     extend, extend_switch: how the endpoints of lines follow the measured ones (correct.lines.extPolicy, extSwitch).
     minimum_length: [px] of a segment (obs.lines.minLength). margin: share of the image's width in which no point is
         initialized, at every border.

@@ -1,0 +1,59 @@
+"""Wrong solutions of chapter segments."""
+
+import numpy as np
+
+from book.tests.wrong_solutions import wrong
+
+
+@wrong("segments.1", "the sign")
+def other_way(k1, height, length):
+    return k1 * height * length**2 / 4
+
+
+@wrong("segments.1", "the whole length for its half")
+def whole_length(k1, height, length):
+    return -k1 * height * length**2
+
+
+@wrong("segments.1", "the middle's own displacement")
+def displacement(k1, height, length):
+    return k1 * height**3
+
+
+@wrong("segments.2", "as they were")
+def unchanged(line, abscissas, pose):
+    return 1.0 * abscissas
+
+
+@wrong("segments.2", "v taken for a unit vector")
+def not_a_unit(line, abscissas, pose):
+    return abscissas - pose[:3] @ line[3:]
+
+
+@wrong("segments.2", "the other way round")
+def other_sign(line, abscissas, pose):
+    return abscissas + pose[:3] @ line[3:] / np.linalg.norm(line[3:])
+
+
+def _inside(point, intrinsics, image):
+    pixel = intrinsics[:2] + intrinsics[2:] * point[:2] / point[2]
+    return bool(point[2] > 0 and (pixel >= 0).all() and (pixel <= image).all())
+
+
+@wrong("segments.3", "as published: the endpoints, else the midpoint")
+def ends_or_middle(first, second, intrinsics, image):
+    return any(_inside(p, intrinsics, np.array(image)) for p in (first, second, (first + second) / 2))
+
+
+@wrong("segments.3", "only outside if both endpoints are outside of the same side")
+def no_side_says_no(first, second, intrinsics, image):
+    (u, v, fu, fv), (width, height) = intrinsics, image
+    A = np.array([[fu, 0, u], [-fu, 0, width - u], [0, fv, v], [0, -fv, height - v]])
+    return not ((A @ first < 0) & (A @ second < 0)).any()
+
+
+@wrong("segments.3", "projects first and clips the pixels")
+def divides_first(first, second, intrinsics, image):
+    ends = [intrinsics[:2] + intrinsics[2:] * p[:2] / p[2] for p in (first, second)]
+    points = ends[0] + np.linspace(0, 1, 2001)[:, None] * (ends[1] - ends[0])
+    return bool(((points >= 0) & (points <= image)).all(-1).any())
