@@ -41,8 +41,8 @@ def notebooks() -> list[Path]:
 
 
 def lessons() -> list[Path]:
-    """The notebooks that teach: the chapters, and the pages on the source documents, with exercises as well."""
-    return sorted(p for folder in ("chapters", "sources") for p in (BOOK / folder).glob("*.ipynb"))
+    """The notebooks that teach: the chapters, and the pages on the report's filter, which have exercises as well."""
+    return [*sorted((BOOK / "chapters").glob("*.ipynb")), *sorted((BOOK / "sources").glob("report_*.ipynb"))]
 
 
 def digest(files: Iterable[Path]) -> str:
