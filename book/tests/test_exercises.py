@@ -109,6 +109,11 @@ def test_what_is_wrong_is_reported(doubling, candidate, message):
         check(doubling, candidate)
 
 
+def test_a_small_negative_number_is_shown_as_more_than_a_sign():
+    with pytest.raises(Rejected, match=r"found \[-1\.e-06 +0\.e\+00\], the property asks for \[0\. 0\.\]"):
+        properties.same([-1e-6, 0.0], [0.0, 0.0], "nothing")
+
+
 def test_an_unknown_exercise_is_named_with_the_known_ones():
     with pytest.raises(UnknownNameError, match=r"unknown exercise 'slam_in_five_minutes\.99'"):
         check("slam_in_five_minutes.99", len)

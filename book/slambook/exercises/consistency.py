@@ -32,6 +32,8 @@ def average_nees(candidate: Candidate, rng: Rng) -> None:
     units = np.diag([1000.0, 1, 0.01])
     same(candidate(errors @ units, units @ covariances @ units), found, "metres or millimetres make no difference")
     same(candidate(errors, 4 * covariances), found / 4, "twice the claimed standard deviation, a quarter of the NEES")
+    alone = [candidate(errors[[i]], covariances[[i]]) for i in range(runs)]
+    same(np.mean(alone, axis=0), found, "all runs give the average of what each gives alone")
     one = (np.linalg.solve(np.linalg.cholesky(covariances[0, 0]), errors[0, 0]) ** 2).sum()
     same(candidate(errors[:1], covariances[:1])[0], one, "one run is e' P^-1 e")
 
@@ -86,3 +88,5 @@ def whiteness(candidate: Candidate, rng: Rng) -> None:
     once = value(coloured @ L.T, 1)
     same(value(turned @ L.T, 1), -once, "alternating signs give the negative value at lag 1")
     same(once, value(coloured, 1, np.eye(m)), "mixing the numbers, and S with them, changes nothing")
+    three = np.array([[2.0], [3.0], [5.0]])
+    same(value(three, 2, np.array([[4.0]])), 2.5, "of three innovations, one pair is two steps apart")

@@ -3,16 +3,7 @@
 import numpy as np
 
 from slambook.exercises import Candidate, Rng, exercise
-from slambook.exercises.properties import (
-    cases,
-    covariance,
-    holds,
-    least_squares,
-    number,
-    parts,
-    random_covariance,
-    same,
-)
+from slambook.exercises.properties import cases, holds, least_squares, number, parts, random_covariance, same
 from slamlib.manifolds import Array
 
 
@@ -38,21 +29,23 @@ def fuse(candidate: Candidate) -> None:
 
 @exercise("kalman_filter.2", "one number at a time", seed=22)
 def scalar_update(candidate: Candidate, rng: Rng) -> None:
-    """Information adds: against weighted least squares, for diagonal and for full R, in any order of the numbers."""
+    """Against weighted least squares, in any order; each number is compared with what those before it said."""
     for what in ("diagonal R", "full R"):
         n, m = 4, 3
         P, full, H = random_covariance(rng, n, 1.0), random_covariance(rng, m, 1.0), rng.standard_normal((m, n))
         R = full if what == "full R" else np.diag(rng.uniform(0.5, 2, m))
         x, z = rng.standard_normal(n), rng.standard_normal(m)
-        estimate = {"the state": (n,), "the covariance": (n, n)}
-        mean, found = parts(candidate(x, P, z, H, R), estimate)
+        estimate = {"the state": (n,), "the covariance": (n, n), "NIS of each number": (m,)}
+        mean, found, nis = parts(candidate(x, P, z, H, R), estimate)
         best, least = least_squares(x, P, [(H, z, R)])
         same(mean, best, f"the state is that of least squares, {what}")
-        covariance(found, n)
         same(found, least, f"information adds, {what}")
         order = rng.permutation(m)
-        again, _ = parts(candidate(x, P, z[order], H[order], R[np.ix_(order, order)]), estimate)
+        again, *_ = parts(candidate(x, P, z[order], H[order], R[np.ix_(order, order)]), estimate)
         same(again, mean, f"the order of the numbers does not matter, {what}")
+        nu, S = z - H @ x, H @ P @ H.T + R
+        whole = [nu[:k] @ np.linalg.solve(S[:k, :k], nu[:k]) for k in range(1, m + 1)]
+        same(np.cumsum(nis), whole, f"NIS of the first numbers adds up to that of their batch, {what}")
 
 
 @exercise("kalman_filter.3", "the gain of one cycle")

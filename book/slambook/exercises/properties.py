@@ -183,7 +183,8 @@ def same(found: Any, expected: Any, what: str, tolerance: float = 1e-9) -> None:
     scale = max(1.0, float(np.max(np.abs(expected), initial=0)))
     worst = float(np.max(np.abs(found - expected), initial=0)) / scale
     pairs = [(_shown(found, digits), _shown(expected, digits)) for digits in (4, 8, 12, 17)]
-    one, other = next((pair for pair in pairs if pair[0] != pair[1]), pairs[-1])  # with as many digits as differ
+    unsigned = ({text.replace("-0.", "0.").replace(" ", "") for text in pair} for pair in pairs)  # -0 is 0
+    one, other = next((p for p, texts in zip(pairs, unsigned, strict=True) if len(texts) > 1), pairs[-1])
     holds(worst <= tolerance, what, f"differs: found {one}, the property asks for {other}")
 
 

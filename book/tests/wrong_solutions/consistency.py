@@ -37,6 +37,12 @@ def over_time(errors, covariances):
     return np.full(errors.shape[1], (errors * solved).sum(-1)[0].mean())
 
 
+@wrong("consistency.2", "the covariance averaged over the runs: right on average, and of no run")
+def averaged_covariance(errors, covariances):
+    solved = np.linalg.solve(covariances.mean(0), errors[..., None])[..., 0]
+    return (errors * solved).sum(-1).mean(0)
+
+
 @wrong("consistency.2", "the covariance is not inverted, as in NaveGo 158")
 def not_inverted(errors, covariances):
     return (errors * (covariances @ errors[..., None])[..., 0]).sum(-1).mean(0)
@@ -109,3 +115,14 @@ def of_squares(innovations, S, lag):
 def not_per_number(innovations, S, lag):
     early, late = innovations[: len(innovations) - lag], innovations[lag:]
     return np.mean((early * np.linalg.solve(S, late.T).T).sum(1))
+
+
+@wrong("consistency.5", "divides by the number of innovations, not of pairs")
+def by_all(innovations, S, lag):
+    early, late = innovations[: len(innovations) - lag], innovations[lag:]
+    return (early * np.linalg.solve(S, late.T).T).sum() / innovations.size
+
+
+@wrong("consistency.5", "np.roll: the last innovations are paired with the first")
+def circular(innovations, S, lag):
+    return np.mean((innovations * np.linalg.solve(S, np.roll(innovations, -lag, axis=0).T).T).sum(1)) / len(S)

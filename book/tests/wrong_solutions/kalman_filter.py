@@ -33,28 +33,52 @@ def variance_of_a_sum(z1, v1, z2, v2):
 
 @wrong("kalman_filter.2", "the innovations of the prediction throughout (E16)")
 def stale(x, P, z, H, R):
-    innovations = z - H @ x
+    innovations, nis = z - H @ x, []
     for j, h in enumerate(H):
-        K = P @ h / (h @ P @ h + R[j, j])
+        S = h @ P @ h + R[j, j]
+        K = P @ h / S
         x, P = x + K * innovations[j], P - np.outer(K, h @ P)
-    return x, P
+        nis.append(innovations[j] ** 2 / S)
+    return x, P, np.array(nis)
 
 
 @wrong("kalman_filter.2", "the diagonal of R only (E17)")
 def diagonal_only(x, P, z, H, R):
+    nis = []
     for j, h in enumerate(H):
-        K = P @ h / (h @ P @ h + R[j, j])
-        x, P = x + K * (z[j] - h @ x), P - np.outer(K, h @ P)
-    return x, P
+        S, nu = h @ P @ h + R[j, j], z[j] - h @ x
+        x, P = x + P @ h / S * nu, P - np.outer(P @ h, P @ h) / S
+        nis.append(nu**2 / S)
+    return x, P, np.array(nis)
 
 
 @wrong("kalman_filter.2", "every gain from the predicted covariance")
 def stale_covariance(x, P, z, H, R):
-    new = P
+    new, nis = P, []
     for j, h in enumerate(H):
-        K = P @ h / (h @ P @ h + R[j, j])
-        x, new = x + K * (z[j] - h @ x), new - np.outer(K, h @ P)
-    return x, new
+        S, nu = h @ P @ h + R[j, j], z[j] - h @ x
+        x, new = x + P @ h / S * nu, new - np.outer(P @ h, P @ h) / S
+        nis.append(nu**2 / S)
+    return x, new, np.array(nis)
+
+
+def batch(x, P, z, H, R):
+    """All numbers at once: state, covariance, innovation and its covariance."""
+    nu, S = z - H @ x, H @ P @ H.T + R
+    K = np.linalg.solve(S, H @ P).T
+    return x + K @ nu, P - K @ H @ P, nu, S
+
+
+@wrong("kalman_filter.2", "the batch formula, with each number compared with the prediction")
+def not_one_by_one(x, P, z, H, R):
+    x, P, nu, S = batch(x, P, z, H, R)
+    return x, P, nu**2 / np.diag(S)
+
+
+@wrong("kalman_filter.2", "the batch formula, with the NIS of the whole shared out evenly")
+def shared_out(x, P, z, H, R):
+    x, P, nu, S = batch(x, P, z, H, R)
+    return x, P, np.full(len(z), nu @ np.linalg.solve(S, nu) / len(z))
 
 
 @wrong(
