@@ -28,7 +28,8 @@ def neighbours(candidate: Candidate, rng: Rng) -> None:
         d2 = np.einsum("nki,kij,nkj->nk", nu, np.linalg.inv(S), nu)
         found = np.asarray(candidate(nu, S, limit))
         holds(found.shape == (n,), "one landmark, or -1, for each measurement", f"its shape is {found.shape}")
-        wanted = dict(np.argwhere((d2 == d2.min(1)[:, None]) & (d2 == d2.min(0)) & (d2 < limit)).tolist())
+        rows, best = np.nonzero((d2 == d2.min(1)[:, None]) & (d2 == d2.min(0)) & (d2 < limit))
+        wanted = dict(zip(rows.tolist(), best.tolist(), strict=True))
         for i, landmark in enumerate(found.tolist()):
             holds(landmark == wanted.get(i, -1), "each the other's nearest, inside the gate, and no others",
                   f"measurement {i} is given landmark {landmark}, its d2 are {d2[i].round(2)}")  # fmt: skip
@@ -48,8 +49,7 @@ def added(candidate: Candidate, rng: Rng) -> None:
             terms = [candidate(nu, blocks, order[:k], order[k]) for k in range(n)]
             between(terms, 0, np.inf, "no match lowers the square")
             same(sum(terms), nu.ravel() @ np.linalg.solve(S, nu.ravel()), "in any order they add up to the whole")
-        own = nu[0] @ np.linalg.solve(blocks[0, :, 0], nu[0])
-        same(candidate(nu, blocks, [], 0), own, "alone it is its own square")
+        same(candidate(nu, blocks, [], 0), nu[0] @ np.linalg.solve(S[:m, :m], nu[0]), "alone it is its own square")
 
 
 @exercise("data_association.4", "a gate that keeps its promise", seed=254)
