@@ -1,4 +1,4 @@
-"""Outlier rejection: which of a frame's matches are accepted, before each is gated by itself. Chapter active_search.
+"""Outlier rejection: which of a frame's matches are accepted, before each is gated by itself. Chapter data_association.
 
 A method yields groups of predictions, one after another: the filter updates by a group before it asks for the next,
 so that a later group is chosen after the earlier update. A match that is not yielded is an outlier, as if the gate

@@ -1,4 +1,4 @@
-"""The largest jointly compatible set of innovations, by branch and bound (JCBB). Chapter active_search.
+"""The largest jointly compatible set of innovations, by branch and bound (JCBB). Chapter data_association.
 
 Neira and Tardos (2001) let a tree decide, one innovation after another, what it is paired with. Where each innovation
 has one candidate at most, the only choice is "in" or "out", and few are out: so this tree starts with all of them

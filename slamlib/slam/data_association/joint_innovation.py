@@ -1,4 +1,4 @@
-"""The joint innovation of one frame, with its full covariance. Chapter active_search."""
+"""The joint innovation of one frame, with its full covariance. Chapter data_association."""
 
 from collections import defaultdict
 from dataclasses import dataclass

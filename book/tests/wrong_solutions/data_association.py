@@ -1,0 +1,111 @@
+"""Wrong solutions of chapter data_association."""
+
+import numpy as np
+
+from book.tests.wrong_solutions import wrong
+from slamlib.kalman.chi_square import chi2_quantile
+
+UNIT = {1: 2.0, 2: np.pi, 3: 4 / 3 * np.pi}
+
+
+@wrong("data_association.1", "the determinant without its root")
+def whole_determinant(S, density, probability):
+    m = len(S)
+    return density * UNIT[m] * chi2_quantile(probability, m) ** (m / 2) * np.linalg.det(S)
+
+
+@wrong("data_association.1", "an area in every dimension")
+def always_an_area(S, density, probability):
+    return density * np.pi * chi2_quantile(probability, 2) * np.sqrt(np.linalg.det(S))
+
+
+@wrong("data_association.1", "three sigma, whatever the probability")
+def three_sigma(S, density, probability):
+    m = len(S)
+    return density * UNIT[m] * 3**m * np.sqrt(np.linalg.det(S))
+
+
+def _squares(nu, S):
+    return np.einsum("nki,kij,nkj->nk", nu, np.linalg.inv(S), nu)
+
+
+@wrong("data_association.2", "one landmark may be taken twice")
+def not_mutual(nu, S, limit):
+    d2 = _squares(nu, S)
+    return np.where(d2.min(1) < limit, d2.argmin(1), -1)
+
+
+@wrong("data_association.2", "the Euclidean distance")
+def euclidean(nu, S, limit):
+    return np.where((d := (nu**2).sum(2)).min(1) < limit, d.argmin(1), -1)
+
+
+@wrong("data_association.2", "without a gate")
+def no_gate(nu, S, limit):
+    d2 = _squares(nu, S)
+    best = d2.argmin(1)
+    return np.where(d2.argmin(0)[best] == np.arange(len(nu)), best, -1)
+
+
+@wrong("data_association.2", "a distance that is not squared, against the limit for its square")
+def not_squared(nu, S, limit):
+    d = np.sqrt(_squares(nu, S))
+    best = d.argmin(1)
+    return np.where((d.argmin(0)[best] == np.arange(len(nu))) & (d.min(1) < limit), best, -1)
+
+
+def _parts(nu, S, chosen, j):
+    n, m = nu.shape
+    rows = [m * i + k for i in chosen for k in range(m)]
+    own = [m * j + k for k in range(m)]
+    S = S.reshape(n * m, n * m)
+    gain = np.linalg.solve(S[np.ix_(rows, rows)], S[np.ix_(rows, own)]).T
+    return nu.ravel()[own], gain, nu.ravel()[rows], S[np.ix_(own, own)], S[np.ix_(rows, own)]
+
+
+@wrong("data_association.3", "its own square, whatever has been chosen")
+def alone(nu, S, chosen, j):
+    return nu[j] @ np.linalg.solve(S[j, :, j], nu[j])
+
+
+@wrong("data_association.3", "the innovation is updated, its covariance is not")
+def old_covariance(nu, S, chosen, j):
+    own, gain, before, part, _ = _parts(nu, S, chosen, j)
+    left = own - gain @ before
+    return left @ np.linalg.solve(part, left)
+
+
+@wrong("data_association.3", "the covariance is updated, the innovation is not")
+def old_innovation(nu, S, chosen, j):
+    own, gain, _, part, across = _parts(nu, S, chosen, j)
+    return own @ np.linalg.solve(part - gain @ across, own)
+
+
+def _wrapped(y, h):
+    nu = np.subtract(y, h)
+    nu[1] = (nu[1] + np.pi) % (2 * np.pi) - np.pi
+    return nu
+
+
+@wrong("data_association.4", "bearings are subtracted, and not wrapped (MRPT 909)")
+def not_wrapped(y, h, S, probability):
+    nu = np.subtract(y, h)
+    return nu @ np.linalg.solve(S, nu) < chi2_quantile(probability, 2)
+
+
+@wrong("data_association.4", "the quantile of the wrong tail (msckf_vio 124)")
+def wrong_tail(y, h, S, probability):
+    nu = _wrapped(y, h)
+    return nu @ np.linalg.solve(S, nu) < chi2_quantile(1 - probability, 2)
+
+
+@wrong("data_association.4", "the distance is not squared (autoware_core 1464)")
+def root(y, h, S, probability):
+    nu = _wrapped(y, h)
+    return np.sqrt(nu @ np.linalg.solve(S, nu)) < chi2_quantile(probability, 2)
+
+
+@wrong("data_association.4", "one degree of freedom")
+def one_number(y, h, S, probability):
+    nu = _wrapped(y, h)
+    return nu @ np.linalg.solve(S, nu) < chi2_quantile(probability, 1)
