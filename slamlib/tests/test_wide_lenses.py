@@ -1,9 +1,15 @@
 """The fisheye and Davison's lens: definitions, OpenCV's pixels, nasty points, inverses, bad input."""
 
+import json
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from slambook import rendering
 
+from slamlib.cli import main
 from slamlib.codegen import check
+from slamlib.data.setup import SensorSetup
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.observation.lines import image_line, undistort_segments
 from slamlib.sensors import davison, fisheye, omni, pinhole
@@ -175,3 +181,25 @@ def test_senseless_lenses_of_davison_are_refused():
     lens(0.28, image=(640, 480))
     with pytest.raises(SlamlibError, match=r"corner is at radius 1.32, and with the distortion 0.3 .* beyond 1.29"):
         lens(0.3, image=(640, 480))
+
+
+def test_pictures_of_a_fisheye_run_as_they_are(tmp_path, capsys):
+    """A film through a lens that sees 85 degrees off its axis in the corners, with two of Kalibr's files, one right."""
+    pytest.importorskip("cv2", reason="OpenCV reads the pictures")
+    pytest.importorskip("skimage", reason="its photographs hang in the room")
+    path, k = rendering.path("sideways"), (-0.02, 0.004, -0.001, 0.0002)
+    lens = {"intrinsics": (99.5, 74.5, 85.0, 85.0), "distortion": k}
+    camera = SensorSetup(type="fisheye", image=(200.0, 150.0), parameters=lens, std=(0.15,))
+    rig, room = replace(rendering.rig_along_path(path), sensors=(camera,)), rendering.default_room("photographs")
+    film = rendering.film(room, rig, path, frames=24, dt=1 / 15, rng=np.random.default_rng(1), samples=1)
+    folder, off = rendering.save_film(tmp_path / "film", film), {}
+    for model, coefficients in (("equidistant", list(k)), ("none", [])):
+        (tmp_path / f"{model}.yaml").write_text(
+            "cam0:\n  camera_model: pinhole\n  intrinsics: [85, 85, 99.5, 74.5]\n  resolution: [200, 150]\n"
+            f"  distortion_model: {model}\n  distortion_coeffs: {coefficients}\n"
+        )
+        words = ["--source", str(folder / "image_0"), "--calibration", str(tmp_path / f"{model}.yaml"), "--fps", "15"]
+        words += ["--seed", "0", "--reference", str(folder / "groundtruth_0.txt"), "--json"]
+        assert main(["run", "images", *words]) == 0
+        off[model] = json.loads(capsys.readouterr().out)["reference"]["relative_ate"]
+    assert off["equidistant"] < 0.02 < 0.04 < off["none"]
