@@ -23,7 +23,7 @@ IDENTITY = np.array([0.0, 0, 0, 1, 0, 0, 0])
 ROWS = rosetta.rows()
 KINDS = {"function", "field", "option", "type", "structure", "section", "idea"}
 TYPES = {ODOMETRY.name: ODOMETRY, CONSTANT_VELOCITY.name: CONSTANT_VELOCITY, **SENSORS, **POINTS, **LINES}
-OWN = {"stereo", "relativePosition", "rangeBearing"}  # sensors that the toolbox does not have
+OWN = {"stereo", "relativePosition", "rangeBearing", "fisheye", "davison"}  # sensors that the toolbox does not have
 
 FRAME = ["x", "t", "q", "R", "Rt", "Pi", "Pc"]
 QUICK_START = ["1, download", "2, install", "3, rename", "4, path", "5, run", "6, edit userData", "7, step by step"]

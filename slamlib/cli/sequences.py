@@ -53,8 +53,8 @@ camera.json of a pin-hole, in pixels:
     def options(self, what: Add, how: Add) -> None:
         """Add the arguments of one camera's images, and of the filter, with all motions of slamlib."""
         what("--source", metavar="PATH", help="a folder, a quoted glob, a video, or a data set's folder")
-        what("--calibration", metavar="FILE",
-            help="slamlib's, ROS's, OpenCV's, Kalibr's, EuRoC's, KITTI's, plain text; or fr1, fr2, fr3")  # fmt: skip
+        formats = "slamlib's, ROS's, OpenCV's, Kalibr's, EuRoC's, KITTI's, COLMAP's, plain text; or fr1, fr2, fr3"
+        what("--calibration", metavar="FILE", help=formats)
         what("--camera", type=at_least(0), default=0, metavar="N", help="number of the camera (default 0)")
         what("--undistort", action="store_true", help="remove the lens distortion from the images (OpenCV)")
         self._which(what)

@@ -14,7 +14,7 @@ import sympy
 
 import slamlib
 from slamlib.codegen.emit import module
-from slamlib.codegen.proof import random_point
+from slamlib.codegen.proof import random_arguments
 from slamlib.data.files import write_whole
 from slamlib.errors import entry
 from slamlib.model import FORMULA_PARTS, Model
@@ -117,7 +117,7 @@ def _problem(path: str, committed: str | None, one: str | None, two: str | None)
         return f"{path}: the definitions have changed; run `make generate`"
     rng = np.random.default_rng(1)
     for model in models()[path]:
-        arguments = [[float(x) for x in np.ravel(random_point(a, rng))] for a in model.arguments]
+        arguments = [[float(x) for x in np.ravel(a)] for a in random_arguments(model, rng)]
         for name in (n for n in vars(new) if n in (model.name, f"{model.name}_jac")):
             a, b = (np.array(getattr(m, name)(*arguments)) for m in (old, new))
             if a.shape != b.shape or (scaled_differences(a, b) > 1e-12).any():

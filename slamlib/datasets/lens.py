@@ -1,8 +1,8 @@
 """Lenses as calibration files describe them, of one camera or of a pair, and their models of distortion.
 
 slamlib's pin-hole has radial distortion only: the factor 1 + d1 r^2 + d2 r^4 + ... on points of the plane z = 1
-(chapter pinhole), which is OpenCV's k1, k2, k3 with its p1 = p2 = 0. In both, pixel (0, 0) is the centre of the
-upper left pixel.
+(chapter pinhole), which is OpenCV's k1, k2, k3 with its p1 = p2 = 0; its fisheye is OpenCV's. In all of them, pixel
+(0, 0) is the centre of the upper left pixel.
 """
 
 from dataclasses import dataclass, field
@@ -60,17 +60,17 @@ class Lens:
         return None if self.model != RADIAL or p1 or p2 or any(rest) else found
 
     def setup(self) -> dict[str, Any]:
-        """Plain data of a SensorSetup: a pin-hole. Raises SlamlibError for any other lens."""
-        radial = self.radial
-        if radial is None:
+        """Plain data of a SensorSetup: a pin-hole or a fisheye. Raises SlamlibError for any other lens."""
+        distortion = self.distortion if self.model == FISHEYE else self.radial
+        if distortion is None:
             raise SlamlibError(
                 f"this lens ({self.model}, coefficients {', '.join(f'{d:g}' for d in self.distortion)}) is no pin-hole "
                 "with radial distortion alone, as slamlib's pinHole is: remove it from the images with "
                 "--undistort, which makes them those of a pin-hole without distortion"
             )
-        parameters = {"intrinsics": self.intrinsics, "distortion": radial or (0.0,)}
+        parameters = {"intrinsics": self.intrinsics, "distortion": distortion or (0.0,)}
         size = {} if self.image is None else {"image": self.image}
-        return {"type": "pinHole", **size, "parameters": parameters}
+        return {"type": "fisheye" if self.model == FISHEYE else "pinHole", **size, "parameters": parameters}
 
     @property
     def matrix(self) -> Array:

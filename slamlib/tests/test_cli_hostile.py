@@ -11,10 +11,11 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from slamlib.cli import main
-from slamlib.datasets.calibrations import read_calibration
+from slamlib.datasets.calibrations import read_calibration, read_lens
 from slamlib.errors import SlamlibError
 from slamlib.experiments.presets import PRESETS, Preset, preset
 from slamlib.experiments.runs import Run
+from slamlib.tests.pictures import KALIBR
 
 BASE = {**json.loads(json.dumps(preset("points").to_dict())), "frames": 2}
 WRONG = st.one_of(
@@ -223,6 +224,30 @@ def test_calibrations_that_are_none(text, tmp_path):
     (tmp_path / "camera").write_text(text)
     with pytest.raises(SlamlibError, match="camera"):
         read_calibration(tmp_path / "camera")
+
+
+FILES = {
+    "ROS": ROS,
+    "camera_info": "height: 480\nwidth: 640\ndistortion_model: 'equidistant'\nD: [0.1, 0, 0, 0]\n"
+    "K: [500, 0, 320, 0, 501, 240, 0, 0, 1]\nR: [1]\n",
+    "Kalibr": KALIBR,
+    "COLMAP": "1 OPENCV_FISHEYE 640 480 500 501 320 240 0.1 0 0 0\n2 SIMPLE_RADIAL 640 480 500 320 240 0.1\n",
+}
+JUNK = st.sampled_from(
+    ["", "x", "-1", "nan", "1e999", "[", "]", ":", "\n", "\n- ", "# ", "0", "1 2", "\u00b2", "{", '"']
+)
+
+
+@settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@pytest.mark.parametrize("name", FILES)
+@given(place=st.floats(0, 1), length=st.integers(0, 6), junk=JUNK, camera=st.integers(0, 2))
+def test_a_changed_calibration_is_a_camera_or_refused(name, place, length, junk, camera, tmp_path):
+    text = FILES[name]
+    start = int(place * len(text))
+    (tmp_path / "camera").write_text(text[:start] + junk + text[start + length :], "utf-8")
+    for read in (read_calibration, read_lens):
+        with contextlib.suppress(SlamlibError):
+            read(tmp_path / "camera", camera)
 
 
 @pytest.mark.parametrize("name", PRESETS)

@@ -1,6 +1,7 @@
 """Calibration files of all kinds, as a sensor's plain data; lenses that must be undistorted; what does not fit."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -70,8 +71,11 @@ def test_euroc_and_kalibr(tmp_path):
     assert read_calibration(radial)["parameters"]["distortion"] == (-0.28340811, 0.07395907)
     chain = write(tmp_path, KALIBR, "camchain.yaml")
     assert read_lens(chain).model == "equidistant"
-    with pytest.raises(SlamlibError, match="--undistort"):
-        read_calibration(chain)
+    assert read_calibration(chain) == {
+        "type": "fisheye",
+        "image": (640, 480),
+        "parameters": {"intrinsics": (320.0, 240.0, 380.0, 381.0), "distortion": (-0.01, 0.02, -0.01, 0.003)},
+    }
     right = read_calibration(chain, 1)
     assert right["parameters"] == {"intrinsics": (321.0, 241.0, 390.0, 391.0), "distortion": (0.0,)}
     with pytest.raises(SlamlibError, match="no camera 2, but 0, 1"):
@@ -87,6 +91,103 @@ def test_kitti(tmp_path):
     assert read_lens(bare, 1) == read_lens(path, 1)
     with pytest.raises(SlamlibError, match="no camera 2, but 0, 1"):
         read_lens(path, 2)
+
+
+MESSAGE = """header:
+  seq: 0
+  frame_id: "camera"
+height: 480
+width: 640
+distortion_model: "plumb_bob"
+D: [-0.3, 0.1, 0.0, 0.0, 0.0]
+K: [500.5, 0.0, 320.0, 0.0, 501.0, 240.0, 0.0, 0.0, 1.0]
+R: [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
+P: [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]
+roi:
+  height: 0
+  width: 0
+"""
+
+
+def test_ros_messages(tmp_path):
+    expected = {
+        "type": "pinHole",
+        "image": (640.0, 480.0),
+        "parameters": {"intrinsics": (320.0, 240.0, 500.5, 501.0), "distortion": (-0.3, 0.1)},
+    }
+    assert read_calibration(write(tmp_path, MESSAGE)) == expected
+    second = re.sub(
+        r"^([DKRP]): \[(.*)\]", lambda m: "\n- ".join([m[1].lower() + ":", *m[2].split(", ")]), MESSAGE, flags=re.M
+    )
+    assert "\n- 500.5\n- 0.0\n" in second  # as ROS 2 prints it
+    assert read_calibration(write(tmp_path, second)) == expected
+    assert read_lens(write(tmp_path, MESSAGE.replace("D:", "X:"))).distortion == ()
+    wide = MESSAGE.replace("0.1, 0.0, 0.0, 0.0]", "0.1, 0.01, 0.0]")
+    for name in ("equidistant", "fisheye"):
+        found = read_calibration(write(tmp_path, wide.replace("plumb_bob", name)))
+        assert (found["type"], found["parameters"]["distortion"]) == ("fisheye", (-0.3, 0.1, 0.01, 0.0))
+    rational = MESSAGE.replace("plumb_bob", "rational_polynomial").replace(
+        "0.0, 0.0, 0.0]\nK", "0, 0, 0.2, {}, 0, 0]\nK"
+    )
+    assert read_calibration(write(tmp_path, rational.format(0)))["parameters"]["distortion"] == (-0.3, 0.1, 0.2)
+    with pytest.raises(SlamlibError, match="--undistort"):
+        read_calibration(write(tmp_path, rational.format(0.1)))
+    assert read_lens(write(tmp_path, rational.format(0.1))).distortion == (-0.3, 0.1, 0, 0, 0.2, 0.1, 0, 0)
+
+
+COLMAP = """# Camera list with one line of data per camera:
+#   CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]
+"""
+
+
+@pytest.mark.parametrize(
+    ("row", "kind", "focals", "distortion"),
+    [
+        ("SIMPLE_PINHOLE 640 480 500 320.5 240.5", "pinHole", (500, 500), (0.0,)),
+        ("PINHOLE 640 480 500 501 320.5 240.5", "pinHole", (500, 501), (0.0,)),
+        ("SIMPLE_RADIAL 640 480 500 320.5 240.5 -0.1", "pinHole", (500, 500), (-0.1,)),
+        ("RADIAL 640 480 500 320.5 240.5 -0.1 0.02", "pinHole", (500, 500), (-0.1, 0.02)),
+        ("OPENCV 640 480 500 501 320.5 240.5 -0.1 0.02 0 0", "pinHole", (500, 501), (-0.1, 0.02)),
+        ("FULL_OPENCV 640 480 500 501 320.5 240.5 -0.1 0.02 0 0 0.3 0 0 0", "pinHole", (500, 501), (-0.1, 0.02, 0.3)),
+        ("SIMPLE_RADIAL_FISHEYE 640 480 300 320.5 240.5 0.01", "fisheye", (300, 300), (0.01,)),
+        ("RADIAL_FISHEYE 640 480 300 320.5 240.5 0.01 0.02", "fisheye", (300, 300), (0.01, 0.02)),
+        ("OPENCV_FISHEYE 640 480 300 301 320.5 240.5 0.01 0.02 0 0.1", "fisheye", (300, 301), (0.01, 0.02, 0, 0.1)),
+    ],
+)
+def test_colmap(tmp_path, row, kind, focals, distortion):
+    parameters = {"intrinsics": (320, 240, *focals), "distortion": distortion}  # its pixels' centres are at halves
+    expected = {"type": kind, "image": (640, 480), "parameters": parameters}
+    assert read_calibration(write(tmp_path, f"{COLMAP}7 {row}\n")) == expected
+    two = write(tmp_path, f"{COLMAP}1 PINHOLE 64 48 50 50 32 24\n2 {row}\n")
+    assert read_calibration(two, 2) == expected
+    with pytest.raises(SlamlibError, match="no camera 0, but 1, 2"):
+        read_lens(two)
+
+
+def test_slamlibs_own_fisheye_can_be_undistorted_and_davisons_lens_need_not(tmp_path):
+    data = {"type": "fisheye", "parameters": {"intrinsics": [320, 240, 300, 300], "distortion": [-0.01, 0.02]}}
+    path = write(tmp_path, json.dumps(data), "fisheye.json")
+    assert read_lens(path) == Lens((320, 240, 300, 300), model="equidistant", distortion=(-0.01, 0.02, 0.0, 0.0))
+    for change in ({"type": "davison"}, {"parameters": {**data["parameters"], "distortion": [0, 0, 0, 0, 0.1]}}):
+        with pytest.raises(SlamlibError, match="fisheyes with up to four; leave --undistort out"):
+            read_lens(write(tmp_path, json.dumps(data | change), "other.json"))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        KALIBR,
+        "distortion_model: fisheye\nD: [-0.01, 0.02, -0.01, 0.003]\nK: [380, 0, 320, 0, 381, 240, 0, 0, 1]\n",
+        "1 OPENCV_FISHEYE 640 480 380 381 320.5 240.5 -0.01 0.02 -0.01 0.003\n",
+    ],
+    ids=["Kalibr", "ROS", "COLMAP"],
+)
+def test_fisheyes_of_calibration_files_are_opencvs(tmp_path, text):
+    camera = SensorSetup(**read_calibration(write(tmp_path, text))).calibration
+    points = np.random.default_rng(3).uniform([-1, -1, 0.1, 0], [1, 1, 1, 1], (100, 4))
+    matrix, k = np.array([[380.0, 0, 320], [0, 381, 240], [0, 0, 1]]), np.array([-0.01, 0.02, -0.01, 0.003])
+    there, _ = cv2.fisheye.projectPoints(points[:, None, :3], np.zeros(3), np.zeros(3), matrix, k)
+    np.testing.assert_allclose(camera.project(points), there[:, 0], atol=1e-9)
 
 
 @pytest.mark.parametrize("ending", ["yml", "xml", "json"])
@@ -156,7 +257,17 @@ def test_the_cameras_of_tum(tmp_path, monkeypatch):
         ("fx 0\nfy 500\ncx 320\ncy 240\n", "focal lengths above 0"),
         ("fx five\nfy 500\ncx 320\ncy 240\n", "incomplete: could not convert"),
         ("nan 500 320 240", "focal lengths above 0"),
-        (EUROC.replace("pinhole", "omni"), "'omni' is not known"),
+        (
+            EUROC.replace("pinhole", "omni"),
+            "'omni' is not known, pinhole is: calibrate .* pinhole-equi for a wide lens",
+        ),
+        (EUROC.replace("radial-tangential", "fov"), "unknown model of distortion 'fov'"),
+        ("1 FOV 640 480 500 500 320 240 0.9\n", "unknown camera model of COLMAP 'FOV'"),
+        ("1 PINHOLE 640 480 500 320 240\n", "PINHOLE has 4 parameters, got 3"),
+        ("1 PINHOLE 640 480\n", "PINHOLE has 4 parameters, got 0"),
+        ("1 PINHOLE 640 480 500 500 x 240\n", "incomplete: could not convert"),
+        ("distortion_model: plumb_bob\nD: []\nK: [500, 0]\n", r"nine numbers, got 2"),
+        ("distortion_model: plumb_bob\nD: []\nK: [0, 0, 0, 0, 0, 0, 0, 0, 0]\n", "focal lengths above 0"),
         (EUROC.replace("radial-tangential", "radial"), "unknown model of distortion 'radial'"),
         (EUROC.replace(", 248.375", ""), "incomplete"),
         ("P0: 1 2 3\n", "incomplete"),

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.datasets.pictures import TimedImage, opencv
+from slamlib.errors import SingularPointError
 from slamlib.geometry.pose import from_frame
 from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
@@ -19,6 +20,7 @@ LOOK_AHEAD = 150  # images in which the second view is looked for
 PARALLAX = 2.0  # degrees: least median angle between the rays of a point, once the rotation is removed
 MAX_ERROR = 0.5  # px: RANSAC's, of an epipolar line
 CORNERS, QUALITY, SPACING = 300, 0.01, 10  # of the tracks; their least share of the best corner's quality; [px]
+WIDEST = 70.0  # degrees off the optical axis: farther out a wide lens's points are not used
 CYCLE = 1.0  # px: a track followed back ends at most so far from where it began
 FEWEST, IN_FRONT = 40, 0.7  # tracks; the share of the inliers that must lie in front of both cameras
 STD, LANDMARKS, BORDER = 0.3, 25, 16  # of a guessed depth, as a share of it; most of them; [px] from the border
@@ -33,7 +35,8 @@ def two_view_target(pictures: Iterable[TimedImage], calibration: Calibration, ca
     cv2, images = opencv("for the two-view initialization"), (picture.image for picture in pictures)
     before = first = next(images)
     found = cv2.goodFeaturesToTrack(first, CORNERS, QUALITY, SPACING)
-    pixels = now = np.zeros((0, 2)) if found is None else found.reshape(-1, 2).astype(float)
+    pixels = np.zeros((0, 2)) if found is None else found.reshape(-1, 2).astype(float)
+    pixels = now = pixels[_depths(calibration, pixels) > np.cos(np.radians(WIDEST))]
     for _, image in zip(range(LOOK_AHEAD), images, strict=False):
         if len(pixels) < FEWEST:
             return None
@@ -46,6 +49,14 @@ def two_view_target(pictures: Iterable[TimedImage], calibration: Calibration, ca
             scaled = points[chosen] / np.nanmedian(points[:, 2])
             return Target(from_frame(camera, scaled), pixels[chosen], STD * np.linalg.norm(scaled, axis=1))
     return None
+
+
+def _depths(calibration: Calibration, pixels: Array) -> Array:
+    """Depths (n,) of the unit rays of pixels (n, 2), -1 where a wide lens's image has ended: one by one if it has."""
+    try:
+        return calibration.back_project_jac(pixels, np.ones((len(pixels), 1)))[0][:, 2]
+    except SingularPointError:
+        return np.concatenate([_depths(calibration, one[None]) for one in pixels]) if len(pixels) > 1 else -np.ones(1)
 
 
 def _tracked(cv2: Any, before: Array, image: Array, pixels: Array) -> tuple[Array, Mask]:

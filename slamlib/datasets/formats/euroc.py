@@ -42,8 +42,11 @@ def _read(path: Path, text: str) -> Cameras:
 
 
 def _lens(text: str) -> Lens:
-    if word_of(text, "camera_model", "pinhole") != "pinhole":
-        raise SlamlibError(f"the camera model {word_of(text, 'camera_model', '')!r} is not known, pinhole is")
+    if (kind := word_of(text, "camera_model", "pinhole")) != "pinhole":
+        raise SlamlibError(
+            f"the camera model {kind!r} is not known, pinhole is: calibrate with Kalibr's --models pinhole-radtan, or "
+            "pinhole-equi for a wide lens"
+        )
     au, av, u0, v0 = list_of(text, "intrinsics")
     coefficients = list_of(text, "distortion_coefficients", "distortion_coeffs")
     size = list_of(text, "resolution") or None
@@ -72,8 +75,8 @@ def list_of(text: str, *names: str) -> Numbers:
 
 
 def word_of(text: str, name: str, default: str) -> str:
-    """The word in "name: word"."""
-    found = re.search(rf"^\s*{name}:\s*([\w-]+)", text, re.M)
+    """The word in "name: word", or in quotes."""
+    found = re.search(rf"^\s*{name}:\s*[\"']?([\w-]+)", text, re.M)
     return found[1] if found else default
 
 

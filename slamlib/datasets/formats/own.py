@@ -11,11 +11,13 @@ import numpy as np
 from slamlib.data.plain import Range, read, read_fields
 from slamlib.data.setup import SensorSetup
 from slamlib.datasets.dataset import CalibrationReader, Cameras
-from slamlib.datasets.lens import Lens, Numbers, placed
+from slamlib.datasets.lens import FISHEYE, RADIAL, Lens, Numbers, placed
 from slamlib.errors import SlamlibError
 from slamlib.geometry.quaternion import rotation
 
 KEYS = {"parameters", "sensors", "intrinsics", "baseline"}
+# The model that OpenCV has for a type of camera, and the coefficients that it can undistort.
+UNDISTORTED = {"pinHole": (RADIAL, 3), "pinHoleDepth": (RADIAL, 3), "fisheye": (FISHEYE, 4)}
 Focal = Annotated[float, Range(gt=0, unit="px")]
 
 
@@ -55,18 +57,19 @@ class OwnCamera:
 
     @property
     def lens(self) -> Lens:
-        """The lens, if it is a pin-hole's, which OpenCV can undistort. Raises SlamlibError."""
+        """The lens, if it is one that OpenCV can undistort. Raises SlamlibError."""
         sensor = SensorSetup(**self.data)
-        radial = sensor.parameters.get("distortion", ())
-        if not {"intrinsics"} <= set(sensor.parameters) <= {"intrinsics", "distortion"} or len(radial) > 3:
+        model, known = UNDISTORTED.get(sensor.type, ("", 0))
+        coefficients = (*sensor.parameters.get("distortion", ()), *(0.0,) * known)
+        if any(coefficients[known:]) or not model:
             raise SlamlibError(
-                "OpenCV undistorts pin-holes with up to three coefficients; leave --undistort out, since slamlib works "
-                "on this camera's pictures as they are"
+                "OpenCV undistorts pin-holes with up to three coefficients, and fisheyes with up to four; leave "
+                "--undistort out, since slamlib works on this camera's pictures as they are"
             )
-        k1, k2, k3 = (*radial, 0.0, 0.0, 0.0)[:3]
+        k1, k2, *others = coefficients[:known]
+        distortion = (k1, k2, *others) if model == FISHEYE else (k1, k2, 0.0, 0.0, *others)
         transform = placed(sensor.extrinsics[:3], rotation(sensor.extrinsics[3:])) if self.of_rig else None
-        distortion = k1, k2, 0.0, 0.0, k3
-        return Lens(sensor.parameters["intrinsics"], self.data.get("image"), distortion=distortion, transform=transform)
+        return Lens(sensor.parameters["intrinsics"], self.data.get("image"), model, distortion, transform)
 
 
 def _data(text: str) -> dict[str, Any] | None:
