@@ -6,7 +6,7 @@ READY := $(VENV)/.ready
 export OPENBLAS_NUM_THREADS := 1
 export PYTHONDONTWRITEBYTECODE := 1
 
-.PHONY: help book pdf serve test test-all quick chapter environment assets parity experiments audit monocular real-images visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book pdf serve test test-all quick chapter environment assets parity experiments audit monocular starts real-images visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -60,6 +60,9 @@ audit: environment  ## compute every figure of the errata E01 to E30 of the repo
 
 monocular: environment  ## run the longer films of chapter monocular in the rendered room, and store their figures
 	@$(BIN)/python -m book.tools.monocular
+
+starts: environment  ## run the starts of one camera, and the kidnapped ones, on rendered films; store their figures (long)
+	@$(BIN)/python -m book.tools.starts
 
 real-images: environment  ## fetch the real sequence of chapter monocular (75 MB), run the filter on it, store its figures
 	@$(BIN)/python -m book.tools.real_images

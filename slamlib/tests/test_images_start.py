@@ -64,12 +64,17 @@ def test_without_parallax_there_are_no_two_views(started):
     assert two_view_target(iter(blank), rig.sensors[0].calibration, truth[0]) is None
 
 
-def test_a_kidnapped_camera_is_found_by_its_map_and_the_map_is_not_changed(started):
-    rig, frames, _ = started
+def filter_with_a_map(rig, frames):
     options = options_for(1.0, inverse_distance=(0.4, 0.4))
     slam = Slam(rig, options, front_ends=[ActiveSearch(rig.sensors[0].calibration, np.random.default_rng(1))])
-    for frame in frames[:30]:
+    for frame in frames:
         slam.step(frame)
+    return slam
+
+
+def test_a_kidnapped_camera_is_found_by_its_map_and_the_map_is_not_changed(started):
+    rig, frames, _ = started
+    slam = filter_with_a_map(rig, frames[:30])
     robot = slam.robots[0]
     expected, means = robot.pose.copy(), [landmark.block.mean.copy() for landmark in slam.landmarks]
     lost = robot.block.mean.copy()
@@ -87,3 +92,13 @@ def test_a_kidnapped_camera_is_found_by_its_map_and_the_map_is_not_changed(start
     blank = robot.block.mean.copy()
     assert not relocalize(slam, np.zeros_like(image))
     assert (robot.block.mean == blank).all()
+
+
+def test_a_map_whose_patches_are_all_found_in_one_spot_is_not_recognized(started, monkeypatch):
+    rig, frames, _ = started
+    slam = filter_with_a_map(rig, frames[:1])
+    rng = np.random.default_rng(1)
+    spots = 90 + 1.5 * rng.standard_normal((40, 2))
+    wall = np.column_stack([np.full(40, 3.0), rng.uniform(-1, 1, (40, 2))])
+    monkeypatch.setattr("slamlib.vision.relocalization._matches", lambda *_: zip(wall, spots, strict=True))
+    assert not relocalize(slam, np.asarray(frames[0].scans[0].image))  # seen from afar, they would be

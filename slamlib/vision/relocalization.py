@@ -19,7 +19,8 @@ from slamlib.vision.target import normalized, refined
 
 LOST = 4  # inliers: with no more of them, the next image is searched for the map
 MOST, VIEWS, SEEN = 80, 3, 3  # landmarks searched for; patches of each; times that it must have been an inlier
-SCORE, FEWEST, MAX_ERROR = 0.85, 8, 3.0  # of a match; inliers of a pose; [px]
+SCORE, MAX_ERROR = 0.85, 3.0  # of a match; [px]
+FEWEST, PLACE = 8, 16  # inliers of a pose, each in a square of its own; its side [px]: from afar all are in one
 POSITION_STD, ORIENTATION_STD = 0.02, 1.0  # of the pose found: a share of the points' median distance; degrees
 
 
@@ -42,7 +43,7 @@ def relocalize(slam: Slam, image: Image) -> bool:
         points[:, None], plane[:, None], np.eye(3), None, iterationsCount=2000, reprojectionError=limit,
         confidence=0.9999, flags=cv2.SOLVEPNP_EPNP,
     )  # fmt: skip
-    if not good or rows is None or len(rows) < FEWEST:
+    if not good or rows is None or len(np.unique(pixels[rows[:, 0]] // PLACE, axis=0)) < FEWEST:
         return False
     camera = refined(cv2, points[rows], plane[rows], turn, shift)
     mean, P = slam.rig.robots[0].state, slam.rig.robots[0].covariance

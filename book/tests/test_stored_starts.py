@@ -1,0 +1,39 @@
+"""Stored results of the starts of one camera: what the films are, and one of them run again."""
+
+import json
+
+import numpy as np
+import pytest
+
+pytest.importorskip("cv2", reason="OpenCV is not installed")
+pytest.importorskip("skimage", reason="scikit-image is not installed")
+
+from book.tools import starts
+
+KEPT = json.loads(starts.FILE.read_text("utf-8"))
+
+
+def test_the_file_has_a_row_per_film():
+    assert set(KEPT) == set(starts.PARTS)
+    assert (KEPT["frames"], KEPT["blind"]) == (starts.FRAMES, starts.BLIND)
+    assert {len(rows) for rows in KEPT.values() if isinstance(rows, list)} == {starts.FILMS}
+
+
+def test_the_two_view_start_is_right_as_often_as_promised():
+    for start in starts.STARTS:
+        assert sum(row["cosine"] > 0.9 for row in KEPT[start]) >= 0.95 * starts.FILMS
+    assert max(row["off"] / row["jump"] for row in KEPT["kidnapped"]) < 0.3
+
+
+@pytest.mark.parametrize(("start", "turned"), [("at rest", 0), ("turning", 14)])
+def test_the_camera_is_where_it_was_until_it_leaves(start, turned):
+    path = starts.walk(start, np.random.default_rng(1))
+    poses = starts.displacements(np.array([path.pose(t) for t in np.arange(0, starts.STILL[start], starts.DT)]))
+    assert np.linalg.norm(poses[:, :3], axis=1).max() < 1e-3  # metres
+    assert np.degrees(2 * np.arccos(poses[:, 3].min())) == pytest.approx(turned, abs=0.5)
+
+
+def test_a_film_comes_out_again():
+    film = 16  # the shortest run: no two views are found in it
+    found = starts.started("planar", film)
+    assert found == pytest.approx(KEPT["planar"][film - 1], abs=2e-3), "run `make starts` and notebook monocular"
