@@ -1,12 +1,14 @@
 """Smoothing: exact Jacobians, the Kalman filter's answer where all is linear, GTSAM's where it is not, consistency."""
 
+import sys
 from dataclasses import replace
 from functools import partial
 
 import numpy as np
 import pytest
-from slambook.smoothing import Smoother
+from slambook.smoothing import Smoother, least_squares
 from slambook.smoothing.factors import LOSSES
+from slambook.smoothing.least_squares import by_cholmod, by_superlu
 
 from slamlib.data.records import Features, RobotMeasurement, Scan
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
@@ -204,6 +206,38 @@ def test_no_step_ever_raises_the_cost_and_damping_finds_the_same_place():
     assert not first.minimum.converged
     assert first.costs[0] == found.costs[0]
     assert smoother.solve(steps=0).costs == found.costs[:1]
+
+
+def with_cholmod():
+    pytest.importorskip("sksparse", minversion="0.5", reason="pip install 'scikit-sparse>=0.5', to factor by CHOLMOD")
+
+
+@pytest.mark.parametrize("name", ["odometry", "lines of two points", "robots"])
+def test_cholmod_finds_what_scipy_finds(monkeypatch, name):
+    """After as many steps: which one is the last is a matter of rounding."""
+    with_cholmod()
+    smoother, *_ = recorded(replace(CASES[name](), frames=60))
+    with monkeypatch.context() as patched:
+        patched.setattr(least_squares, "by_superlu", None)
+        found = smoother.solve(steps=3)
+    monkeypatch.setitem(sys.modules, "sksparse.cholmod", None)  # as if it were not installed
+    other = smoother.solve(steps=3)
+    for ours, theirs in zip(found.minimum.values, other.minimum.values, strict=True):
+        np.testing.assert_allclose(ours, theirs, atol=1e-9)
+    ours, theirs = (smoothed.covariance(np.arange(60)) for smoothed in (found, other))
+    assert np.abs(ours - theirs).max() < 1e-9 * np.abs(theirs).max()
+
+
+@pytest.mark.parametrize("factored", [by_superlu, by_cholmod])
+def test_what_is_not_positive_definite_is_not_solved(factored):
+    if factored is by_cholmod:
+        with_cholmod()
+    sparse = pytest.importorskip("scipy.sparse")
+    H = np.array([[4.0, 2, 0], [2, 3, 1], [0, 1, 2]])
+    b = np.array([1.0, 2, 3])
+    np.testing.assert_allclose(H @ factored(sparse.csc_matrix(H))(b), b, atol=1e-14)
+    assert factored(sparse.csc_matrix(H - 2.5 * np.eye(3))) is None
+    assert factored(sparse.csc_matrix(H * np.array([[1, 1, 0], [1, 1, 0], [0, 0, 0]]))) is None
 
 
 def test_a_deleted_landmark_still_tells_where_the_robot_was():
