@@ -11,6 +11,7 @@ from slambook.smoothing import smoother as smoother_module
 from slambook.smoothing.factors import LOSSES
 from slambook.smoothing.least_squares import by_cholmod, by_superlu
 
+from book.tools.consistency import by_range_and_bearing
 from slamlib.data.records import Features, RobotMeasurement, Scan, World
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError
@@ -237,6 +238,17 @@ def test_where_the_robot_cannot_slip_aside_the_steps_come_from_a_wider_valley(mo
     stuck = smoother.solve()
     assert not stuck.minimum.converged
     assert stuck.costs[-1] > 3 * found.costs[-1]
+
+
+@pytest.mark.parametrize("seed", [2, 4])
+def test_what_was_measured_at_the_edge_of_the_view_is_used(seed):
+    """After a step its prediction may lie beyond the edge."""
+    p = by_range_and_bearing(replace(preset("points"), noise_in="truth", frames=150, seed=seed))
+    smoother, *_ = recorded(p)
+    found = smoother.solve()
+    assert found.minimum.converged
+    assert found.left_out == sum(not match.inlier for match in smoother._matches)
+    assert found.costs[-1] < 1.15 * found.dof
 
 
 def with_cholmod():

@@ -21,6 +21,7 @@ from slamlib.slam.entities import POSE, MountedSensor
 
 SLACK = 1e-3  # standard deviation where a control has no noise, relative to what its noise does there one step later
 HUBER, CAUCHY = 1.345, 2.385  # of a whitened residual: 95 % efficient without outliers (Zhang, IVC 15(1), 1997)
+OPEN = {"near": 0.0, "far": np.inf, "yaw": np.pi, "pitch": np.pi}  # [m, rad]; other limits are the models' own
 NOWHERE = Terms(np.inf, np.zeros((0, 1)), [])  # what cannot be
 Loss = Callable[[Array], tuple[Array, Array]]  # from squared whitened residuals to their costs and weights
 LOSSES: dict[str, Loss] = {
@@ -129,9 +130,9 @@ class Group:
 
     @property
     def calibration(self) -> Calibration:
-        """The sensor's, but for its limits of distance: what was measured was within them."""
+        """The sensor's, but for its limits of view: what was measured was within them, give or take its noise."""
         given = self.sensor.calibration
-        limits = {**given.limits, **{n: d for n, d in (("near", 0.0), ("far", np.inf)) if n in given.limits}}
+        limits = {name: OPEN.get(name, limit) for name, limit in given.limits.items()}
         return Calibration(given.sensor, given.noise, image=given.image, limits=limits, **given.given)
 
     def _arguments(self, values: Values) -> tuple[Array, Any, Array]:
