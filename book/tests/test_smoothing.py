@@ -1,20 +1,26 @@
 """Smoothing: exact Jacobians, the Kalman filter's answer where all is linear, GTSAM's where it is not, consistency."""
 
+import sys
 from dataclasses import replace
 from functools import partial
 
 import numpy as np
 import pytest
-from slambook.smoothing import Smoother
+from slambook.smoothing import Smoother, least_squares
+from slambook.smoothing import smoother as smoother_module
 from slambook.smoothing.factors import LOSSES
+from slambook.smoothing.least_squares import by_cholmod, by_superlu
 
-from slamlib.data.records import Features, RobotMeasurement, Scan
+from book.tools.consistency import by_range_and_bearing
+from slamlib.data.records import Features, RobotMeasurement, Scan, World
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
+from slamlib.simulation import simulate
+from slamlib.slam import Options, Slam
 from slamlib.tests.test_seams import gps
 
 pytest.importorskip("scipy.sparse")
@@ -202,8 +208,79 @@ def test_no_step_ever_raises_the_cost_and_damping_finds_the_same_place():
     assert (np.diff(found.costs) <= 0).all()
     first = smoother.solve(steps=1)
     assert not first.minimum.converged
-    assert first.costs[0] == found.costs[0]
+    assert first.costs[-1] > found.costs[-1]
     assert smoother.solve(steps=0).costs == found.costs[:1]
+
+
+def round_the_square():
+    """Two laps of a robot that cannot slip aside, with coarse measurements of eight landmarks."""
+    places = [[3, -2], [7, -2.2], [9.8, 1], [9.9, 5], [7, 9.2], [3, 9.3], [-0.8, 8], [-1.5, 4.5]]
+    robot = RobotSetup(control_std=(0.05, 0, 0, 0, 0, 1.0))
+    sensor = SensorSetup(type="rangeBearing", euler=(0, 0, 0), std=(0.3, *np.radians([3.0, 3.0])), limits={"far": 4.0})
+    way = np.zeros((160, 6))
+    way[:, [0, 5]] = [*[(0.4, 0.0)] * 15, *[(0.4, np.radians(18))] * 5] * 8
+    world = World({"points": Features(np.arange(8), np.column_stack([places, np.zeros(8)]))})
+    return Rig((robot,), (sensor,)), world, way
+
+
+@pytest.mark.parametrize("seed", [6, 9])
+def test_where_the_robot_cannot_slip_aside_the_steps_come_from_a_wider_valley(monkeypatch, seed):
+    rig, world, way = round_the_square()
+    slam = Slam(rig, Options(points="eucPnt", max_new_first=8, max_new=8, updates=8, gate=1))
+    smoother = Smoother(slam)
+    for frame, _ in simulate(rig, world, frames=160, dt=1.0, rng=np.random.default_rng(seed), controls=[way]):
+        slam.step(frame)
+        smoother.record(frame)
+    found = smoother.solve()
+    assert found.minimum.converged
+    assert found.costs[-1] < 1.2 * found.dof
+    monkeypatch.setattr(smoother_module, "LOOSE", (1.0,))
+    stuck = smoother.solve()
+    assert not stuck.minimum.converged
+    assert stuck.costs[-1] > 3 * found.costs[-1]
+
+
+@pytest.mark.parametrize("seed", [2, 4])
+def test_what_was_measured_at_the_edge_of_the_view_is_used(seed):
+    """After a step its prediction may lie beyond the edge."""
+    p = by_range_and_bearing(replace(preset("points"), noise_in="truth", frames=150, seed=seed))
+    smoother, *_ = recorded(p)
+    found = smoother.solve()
+    assert found.minimum.converged
+    assert found.left_out == sum(not match.inlier for match in smoother._matches)
+    assert found.costs[-1] < 1.15 * found.dof
+
+
+def with_cholmod():
+    pytest.importorskip("sksparse", minversion="0.5", reason="pip install 'scikit-sparse>=0.5', to factor by CHOLMOD")
+
+
+@pytest.mark.parametrize("name", ["odometry", "lines of two points", "robots"])
+def test_cholmod_finds_what_scipy_finds(monkeypatch, name):
+    """After as many steps: which one is the last is a matter of rounding."""
+    with_cholmod()
+    smoother, *_ = recorded(replace(CASES[name](), frames=60))
+    with monkeypatch.context() as patched:
+        patched.setattr(least_squares, "by_superlu", None)
+        found = smoother.solve(steps=3)
+    monkeypatch.setitem(sys.modules, "sksparse.cholmod", None)  # as if it were not installed
+    other = smoother.solve(steps=3)
+    for ours, theirs in zip(found.minimum.values, other.minimum.values, strict=True):
+        np.testing.assert_allclose(ours, theirs, atol=1e-9)
+    ours, theirs = (smoothed.covariance(np.arange(60)) for smoothed in (found, other))
+    assert np.abs(ours - theirs).max() < 1e-9 * np.abs(theirs).max()
+
+
+@pytest.mark.parametrize("factored", [by_superlu, by_cholmod])
+def test_what_is_not_positive_definite_is_not_solved(factored):
+    if factored is by_cholmod:
+        with_cholmod()
+    sparse = pytest.importorskip("scipy.sparse")
+    H = np.array([[4.0, 2, 0], [2, 3, 1], [0, 1, 2]])
+    b = np.array([1.0, 2, 3])
+    np.testing.assert_allclose(H @ factored(sparse.csc_matrix(H))(b), b, atol=1e-14)
+    assert factored(sparse.csc_matrix(H - 2.5 * np.eye(3))) is None
+    assert factored(sparse.csc_matrix(H * np.array([[1, 1, 0], [1, 1, 0], [0, 0, 0]]))) is None
 
 
 def test_a_deleted_landmark_still_tells_where_the_robot_was():

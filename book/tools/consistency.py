@@ -30,7 +30,7 @@ LARGE = ("two_robots", "omni", "stereo", "points_and_lines", "self_calibration")
 WITHOUT_ORACLE = ("hmgPnt", "ahmLin", "hmgLin", "idpLin", "points_and_lines")
 BIASED = "points_and_lines"  # in scale
 START = "start known to 5 degrees"
-ONE_CAMERA, BY_CONTROL = "idpPnt", "idpPnt, noise in the control"  # by all data at once, too
+ONE_CAMERA, BY_CONTROL, WHOLE = "idpPnt", "idpPnt, noise in the control", "eucPnt"  # by all data at once, too
 # Plücker lines whose prior is as wide as lines are near: 1 / distance, where the toolbox's second number has 1 / m.
 NARROW, PRIOR = ", narrow prior", ((0.1, 0.0), (0.25, 0.25))
 FIRST_FRAMES = 12  # of the first run, kept number by number
@@ -77,7 +77,7 @@ def filters(case: str, preset: Preset) -> tuple[str, ...]:
         return (*FILTERS, WITH_ANCHORS, *[ALL_DATA] * (case == ONE_CAMERA))
     if case in WITHOUT_ORACLE or any(sensor.estimated for sensor in preset.rig.sensors):
         return FILTERS[:2]
-    return (*FILTERS, ALL_DATA) if case in (ONE_CAMERA, BY_CONTROL) else FILTERS
+    return (*FILTERS, ALL_DATA) if case in (BY_CONTROL, WHOLE) else FILTERS
 
 
 def seeds(number: int, runs: int) -> list[int]:

@@ -3,7 +3,7 @@
 A motion's residual is the noise w itself, the one with which step(x, control + w) is the next state: its covariance is
 that of the control, and its Jacobians follow from those of the step (implicit functions). Where a control has fewer
 numbers than the state (constant velocity, a car), the other directions are held by SLACK; what has no noise at all is
-held by EXACT.
+held by EXACT. That valley is narrow and winding: where the steps get stuck in it, `loose` widens both.
 """
 
 from collections.abc import Callable, Sequence
@@ -21,6 +21,7 @@ from slamlib.slam.entities import POSE, MountedSensor
 
 SLACK = 1e-3  # standard deviation where a control has no noise, relative to what its noise does there one step later
 HUBER, CAUCHY = 1.345, 2.385  # of a whitened residual: 95 % efficient without outliers (Zhang, IVC 15(1), 1997)
+OPEN = {"near": 0.0, "far": np.inf, "yaw": np.pi, "pitch": np.pi}  # [m, rad]; other limits are the models' own
 NOWHERE = Terms(np.inf, np.zeros((0, 1)), [])  # what cannot be
 Loss = Callable[[Array], tuple[Array, Array]]  # from squared whitened residuals to their costs and weights
 LOSSES: dict[str, Loss] = {
@@ -33,10 +34,10 @@ LOSSES: dict[str, Loss] = {
 }
 
 
-def whitening(covariance: Array) -> Array:
-    """W (..., m, m) with W'W = covariance^-1; variances below EXACT^2 are raised to it."""
+def whitening(covariance: Array, exact: float = EXACT) -> Array:
+    """W (..., m, m) with W'W = covariance^-1; variances below exact^2 are raised to it."""
     values, vectors = np.linalg.eigh(covariance)
-    whitened: Array = (vectors / np.sqrt(np.maximum(values, EXACT**2))[..., None, :]).swapaxes(-1, -2)
+    whitened: Array = (vectors / np.sqrt(np.maximum(values, exact**2))[..., None, :]).swapaxes(-1, -2)
     return whitened
 
 
@@ -54,17 +55,23 @@ def prior(variable: Variable, mean: Array, covariance: Array) -> Factor:
     return terms
 
 
-def motion(variable: Variable, step: Any, controls: Sequence[tuple[Array, Array, float]], states: Array) -> Factor:
-    """The noise in each control (value, covariance, dt), between a robot's states; states: the initial ones."""
+def motion(
+    variable: Variable, step: Any, controls: Sequence[tuple[Array, Array, float]], states: Array, loose: float = 1.0
+) -> Factor:
+    """The noise in each control (value, covariance, dt), between a robot's states; states: the initial ones.
+
+    loose: factor of the standard deviations of what has no noise.
+    """
+    exact = loose * EXACT
     u, Q, dt = (np.array(column) for column in zip(*controls, strict=True))
     items, c = np.arange(len(dt)), u.shape[1]
     _, (F, G, _) = step.jac(states[:-1], u, dt)
-    root = np.linalg.inv(whitening(Q))
+    root = np.linalg.inv(whitening(Q, exact))
     U, moved, V = np.linalg.svd(G @ root)
-    root, works = root @ V.swapaxes(-1, -2), moved > EXACT  # the noise, in parts; does this one move the state?
+    root, works = root @ V.swapaxes(-1, -2), moved > exact  # the noise, in parts; does this one move the state?
     later = U[..., c:].swapaxes(-1, -2) @ F @ G @ root
-    slack = np.linalg.inv(whitening(SLACK**2 * later @ later.swapaxes(-1, -2)))
-    held = np.concatenate([EXACT * U[..., :c], U[..., c:] @ slack], axis=-1)
+    slack = np.linalg.inv(whitening((loose * SLACK) ** 2 * later @ later.swapaxes(-1, -2), exact))
+    held = np.concatenate([exact * U[..., :c], U[..., c:] @ slack], axis=-1)
 
     def terms(values: Values) -> Terms:
         x, after, w = values[variable.index][:-1], values[variable.index][1:], np.zeros_like(u)
@@ -123,9 +130,9 @@ class Group:
 
     @property
     def calibration(self) -> Calibration:
-        """The sensor's, but for its limits of distance: what was measured was within them."""
+        """The sensor's, but for its limits of view: what was measured was within them, give or take its noise."""
         given = self.sensor.calibration
-        limits = {**given.limits, **{n: d for n, d in (("near", 0.0), ("far", np.inf)) if n in given.limits}}
+        limits = {name: OPEN.get(name, limit) for name, limit in given.limits.items()}
         return Calibration(given.sensor, given.noise, image=given.image, limits=limits, **given.given)
 
     def _arguments(self, values: Values) -> tuple[Array, Any, Array]:

@@ -11,11 +11,14 @@ association and the initial values; models, Jacobians and noise are the filter's
 * A landmark that the filter deleted stays, begun at its last mean; initialized again, it is another one.
 * Left out are measurements that the sensor could not make at the initial values, landmarks that were measured too
   seldom to be placed, and, unless they are asked for, the matches that the filter's gate refused.
+* What has no noise (a wheel that cannot slip aside) is held by a tiny one. Where the steps do not converge, they are
+  taken again with a wider one first (LOOSE), as penalties are.
 * The estimate is the mode of all states together, not their mean. Where the steps of a robot are the only scale that
   one camera has, it is too small by the square of their relative noise: least squares with a noisy regressor.
 """
 
 from collections import Counter, defaultdict
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any, NamedTuple
@@ -29,6 +32,8 @@ from slamlib.errors import SlamlibError, entry
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.slam.entities import POSE, Landmark
+
+LOOSE = (1e4, 1e2, 1.0)  # factors of the standard deviation of what has none
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,6 +135,7 @@ class Smoother:
     def solve(self, *, loss: str = "squares", refused: bool = False, steps: int = 50) -> Smoothed:
         """The best estimate from all frames recorded so far; at most this many steps are tried.
 
+        If they do not converge, so many are tried with each of LOOSE.
         loss: of each measurement of a landmark: "squares", "huber" or "cauchy"; the last two are robust. refused: use
         the matches that the filter's gate refused, too. Raises SlamlibError.
         """
@@ -138,8 +144,14 @@ class Smoother:
             raise SlamlibError("solve: no frame has been recorded; call record(frame) after each slam.step(frame)")
         matches = self._usable([match for match in self._matches if match.inlier or refused])
         variables, values, places, groups = self._problem(matches)
-        factors = self._motions(variables, values) + [partial(group.terms, loss=LOSSES[loss]) for group in groups]
-        best = minimize(factors, variables, values, steps)
+        measured: list[Factor] = [partial(group.terms, loss=LOSSES[loss]) for group in groups]
+        best = minimize(self._motions(variables, values) + measured, variables, values, steps)
+        if not best.converged:
+            with suppress(SlamlibError):  # then the first attempt is all there is
+                for loose in LOOSE:
+                    found = minimize(self._motions(variables, values, loose) + measured, variables, values, steps)
+                    values = found.values
+                best = min(best, found, key=lambda minimum: minimum.costs[-1])
         extrinsics = np.array([sensor.given for sensor in self._slam.sensors])
         for i, value in zip(self._free, best.values[len(self._states) :], strict=False):
             extrinsics[i] = value[0]
@@ -148,11 +160,11 @@ class Smoother:
         left_out = len(self._matches) - len(matches)
         return Smoothed(tuple(best.values[: len(self._states)]), extrinsics, landmarks, left_out, best, present)
 
-    def _motions(self, variables: list[Variable], values: Values) -> list[Factor]:
+    def _motions(self, variables: list[Variable], values: Values, loose: float = 1.0) -> list[Factor]:
         """What is known of the robots without landmarks: the start, the motions, their measurements of themselves."""
         found = [prior(variable, *start) for variable, start in zip(variables, self._start, strict=False)]
         for variable, robot, controls in zip(variables, self._slam.robots, self._controls, strict=False):
-            found.append(motion(variable, robot.motion.step, controls, values[variable.index]))
+            found.append(motion(variable, robot.motion.step, controls, values[variable.index], loose))
         return found + [absolute(variables[i], model, rows) for (i, model), rows in self._absolute.items()]
 
     def _usable(self, matches: list[Recorded]) -> list[Recorded]:
