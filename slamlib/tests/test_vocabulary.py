@@ -72,6 +72,21 @@ def test_every_class_has_a_name_of_its_own() -> None:
     assert {name: where for name, where in homes.items() if len(where) > 1} == {}
 
 
+# Ordinary English for a difference from a mean, and for going round, is no private word.
+PLAIN = {"active_search": ["deviations"], "gaussians": ["deviations", "deviation"], "kalman_filter": ["deviations"]}
+PLAIN["monocular"] = ["on the way round", "its place"]
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "book/chapters").glob("*.ipynb")), ids=lambda path: path.stem)
+def test_no_replaced_phrase(path: Path) -> None:
+    """In the prose of a chapter, outside code."""
+    cells = json.loads(path.read_text("utf-8"))["cells"]
+    prose = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
+    prose = re.sub(r"(?s)```sh\n.*?```|`[^`\n]+`", "", prose)
+    found = {(row["term"], m[0]) for row in rows() if row["phrases"] for m in re.finditer(row["phrases"], prose)}
+    assert sorted(hit for hit in found if hit[1] not in PLAIN.get(path.stem, [])) == []
+
+
 def test_every_term_is_in_the_glossary() -> None:
     defined = re.findall(r"(?m)^(\S.*)\n  ", (ROOT / "book/appendices/glossary.md").read_text("utf-8"))
     assert len(defined) == len(set(defined))
