@@ -1,4 +1,4 @@
-"""Make chapter visual_odometry's measurements of a chessboard anew, from OpenCV's own sample pictures.
+"""Make the report's experiments' measurements of a chessboard anew, from OpenCV's own sample pictures.
 
 The pictures are left01.jpg, right01.jpg and so on of the samples that come with OpenCV (Apache 2.0); with Debian:
 `apt-get download opencv-doc && dpkg -x opencv-doc_*.deb .`, then usr/share/doc/opencv-doc/examples/data. The pairs of
