@@ -33,7 +33,7 @@ from slamlib.errors import SlamlibError
 
 STEPS = 8  # places from one value to the next in a live slider
 # The whole slider, without a script of its own: it works in a notebook, in the built page and in a saved copy of it.
-_MOVE = (
+MOVE = (
     "(function(r){var f=r.closest('figure');f.querySelectorAll('[data-frame]').forEach(function(e)"
     "{e.hidden=e.dataset.frame!==r.value});var c=f.querySelectorAll('[data-frame=\"'+r.value+'\"]')[0];"
     "if(r.type==='range')r.setAttribute('aria-valuetext',c.dataset.value);f.querySelector('output').textContent=c.dataset.value;"
@@ -136,7 +136,7 @@ class Sweep:
         value, last, start = html.escape(value), len(frames) - 1, self.start
         named = [f"<option value={i}{' selected' * (i == start)}>{html.escape(n)}" for i, n in enumerate(self.names)]
         # autocomplete: a browser that restores a slider's value after a reload would leave the frame behind
-        common = f'id="{name}" autocomplete="off" oninput="{html.escape(_MOVE)}"'
+        common = f'id="{name}" autocomplete="off" oninput="{html.escape(MOVE)}"'
         slider = f'<input type="range" {common} min="0" max="{last}" step="1" value="{start}" aria-valuetext="{value}">'
         bar = f'<label for="{name}">{html.escape(self.label)}</label>'
         bar += f"<select {common}>{''.join(named)}</select>" if named else slider
