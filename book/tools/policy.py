@@ -39,9 +39,10 @@ def of(file: Path, changed: float) -> str:
     """The policy of a file of the site; `changed`, its time of change, makes an old one useless."""
     if file.suffix != ".html":
         return WORKER if file.suffix == ".js" else SHUT
-    # A cell that the reader runs may show a player, which brings its script along, also where the page has none; and
-    # the search reads pages with sliders.
-    programs = {START, MOVE, files("slambook.scene").joinpath("player.js").read_text("utf-8")}
+    # A cell that the reader runs may show a player, which brings its script along, also where the page has none.
+    programs = {START, files("slambook.scene").joinpath("player.js").read_text("utf-8")}
+    if file.name == "search.html":  # reads the pages that it finds, with their sliders and the theme's button
+        programs |= {MOVE, "window.print()"}
     found = PROGRAM.findall(file.read_text("utf-8", errors="replace"))
     programs |= {script or html.unescape(handler) for script, handler in found}
     hashes = (base64.b64encode(hashlib.sha256(program.encode()).digest()).decode() for program in programs)
