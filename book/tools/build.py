@@ -4,8 +4,11 @@ With a NAME, while a chapter is written: run it, compare it with what it stores,
 """
 
 import argparse
+import base64
 import csv
+import hashlib
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -17,6 +20,9 @@ from book.tools import assets, layout, live, notebooks
 SOURCE = layout.BUILD / "source"
 ZIP, FOLDER = "ekf-slam-book.zip", "ekf-slam-book"
 STAMP = layout.SITE / ".built-from"
+# The theme has its icons twice, as a font and as half a megabyte of script, and loads two fonts that few pages need.
+ICONS = re.compile(r'<script src="[^"]*/fontawesome/[^>]*></script>|<link rel="preload"[^>]*/fa-[br][^>]*>')
+PICTURE = re.compile(r"data:image/png;base64,([A-Za-z0-9+/=]{10000,})")
 JUPYTER_BOOK = [str(Path(sys.executable).with_name("jupyter-book")), "build"]
 
 
@@ -98,9 +104,28 @@ def html() -> bool:
         return False
     shutil.rmtree(layout.SITE, ignore_errors=True)
     shutil.copytree(output / "html", layout.SITE, ignore=shutil.ignore_patterns(".buildinfo"))
+    lighten(layout.SITE)
     redirect(layout.SITE)
     pack(layout.SITE)
     return True
+
+
+def lighten(site: Path) -> None:
+    """Take out of the pages what they need not carry: icons that come twice, and large pictures, which become files
+    (one for each picture, however often it is shown)."""
+    for page in site.rglob("*.html"):
+        images = os.path.relpath(site / "_images", page.parent)
+
+        def filed(found: re.Match[str], images: str = images) -> str:
+            content = base64.b64decode(found[1])
+            name = f"{hashlib.sha256(content).hexdigest()[:16]}.png"
+            (site / "_images" / name).write_bytes(content)
+            return f"{images}/{name}"
+
+        text = page.read_text("utf-8")
+        page.write_text(PICTURE.sub(filed, ICONS.sub("", text)), "utf-8")
+    for scripts in site.glob("_static/vendor/fontawesome/*/js"):
+        shutil.rmtree(scripts)
 
 
 def redirect(site: Path) -> None:

@@ -7,6 +7,7 @@ import pytest
 
 from book.tools import assets, browser
 
+HEAVIEST = 1.5e6  # bytes on their way to a reader who has clicked on nothing yet
 VIEWS = {"light": ("light", 1280), "dark": ("dark", 1280), "phone": ("light", 390)}
 FAULTS = """() => {
   const faults = [];
@@ -52,8 +53,12 @@ def test_a_page_shows_no_faults(name, view, page, site, outside):
     page.on("console", lambda m: faults.append(f"console: {m.text}") if m.type == "error" else None)
     page.on("pageerror", lambda e: faults.append(f"script error: {e}"))
     page.on("response", lambda r: faults.extend(wrong(r)) if r.url.startswith(site) else None)
+    loaded: list[int] = []
+    page.on("response", lambda r: loaded.append(int(r.headers.get("content-length", 0))))
     browser.load(page, f"{site}/{name}")
     faults += page.evaluate(FAULTS)
+    if sum(loaded) > HEAVIEST:
+        faults.append(f"{sum(loaded) / 1e6:.2f} MB are loaded, of at most {HEAVIEST / 1e6:.1f}")
     for slider in page.query_selector_all("figure.sweep :is(input[type=range], select)"):
         for key in ("Home", "End", "ArrowUp"):
             slider.focus()
