@@ -447,3 +447,15 @@ def test_the_page_s_theme_decides_the_colours(page):
         seen.append(page.evaluate("() => getComputedStyle(document.querySelector('svg text')).fill"))
     expected = [tuple(int(p["text"][i : i + 2], 16) for i in (1, 3, 5)) for p in style_sheet()]
     assert seen == [f"rgb{value}" for value in expected]
+
+
+def test_a_figure_asks_for_the_width_that_its_smallest_letters_need():
+    def least(size):
+        fig, ax = plt.subplots()
+        ax.plot([0, 1], [0, 1])
+        ax.text(0.5, 0.5, "small", fontsize=size)
+        width = float(re.search(r'viewBox="0 0 ([\d.]+)', (svg := picture(fig, "A line that rises, and a word.").svg))[1])
+        return float(re.search(r"--least:(\d+)px", svg)[1]) / width
+
+    assert least(11) * 10.6 == pytest.approx(9, rel=0.01)  # those of the ticks
+    assert least(9) * 9 == pytest.approx(9, rel=0.01)

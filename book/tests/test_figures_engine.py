@@ -13,6 +13,7 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from slambook.figures import colors, paths
 from slambook.figures import figure as empty
+from slambook.figures.axis import SIZE
 from slambook.figures.images import colored, png
 from slambook.figures.legend import PLACES
 from slambook.figures.scales import SCALES, DataView, spread
@@ -372,7 +373,7 @@ def test_a_power_is_raised_and_its_sign_is_a_minus():
     (raised,) = powers[0]
     assert raised.text.startswith(MINUS)
     assert float(raised.get("dy")) < 0
-    assert "font-size:7px" in raised.get("style")
+    assert 0.5 * SIZE < float(re.search(r"font-size:([\d.]+)px", raised.get("style"))[1]) < 0.8 * SIZE
 
 
 def test_given_ticks_and_names_are_kept():

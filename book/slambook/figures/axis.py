@@ -12,7 +12,7 @@ from slambook.figures.words import width_of
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.manifolds import Array
 
-SIZE = 10.0  # of the ticks' labels, in points
+SIZE = 10.6  # of the ticks' labels, in points
 MOST = 7  # ticks, unless there is room for fewer only
 
 

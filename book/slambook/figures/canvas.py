@@ -6,13 +6,14 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
-from math import floor
+from math import floor, inf
 
 from slambook.figures.paths import Box, number
 from slambook.figures.words import SMALL, Lettering, runs
 
+READABLE = 9.0  # pixels: where the page has less room than letters of this size need (--least), the figure scrolls
 _ROOT = (
-    "width:100%;max-width:{width}px;height:auto;fill:none;stroke-linejoin:round;"
+    "width:100%;max-width:{width}px;height:auto;--least:{least}px;fill:none;stroke-linejoin:round;"
     "font-family:'DejaVu Sans',Verdana,sans-serif"
 )
 _FORBIDDEN = re.compile("[^\t\n -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # what XML cannot hold
@@ -26,6 +27,7 @@ class Canvas:
         self.width, self.height = width, height
         self._parts: list[str] = []
         self._clips = 0
+        self._smallest = inf  # size of its letters
 
     def element(self, tag: str, style: str = "", **attributes: str) -> None:
         """Any empty element."""
@@ -73,6 +75,7 @@ class Canvas:
             fitted = replace(look, size=max(floor(100 * shrink * look.size) / 100, 0.01))
             left, top, right, bottom = fitted.box(0, 0, words)
         x, y = min(max(x, -left), self.width - right), min(max(y, -top), self.height - bottom)
+        self._smallest = min(self._smallest, fitted.size)
         style = "" if bare and fitted == look else fitted.css()
         lines = words.split("\n")
         for i, line in enumerate(lines):
@@ -85,7 +88,9 @@ class Canvas:
         """The whole SVG element; alt describes it for those who cannot see it."""
         body = "".join(self._parts)
         own = hashlib.sha256((body + alt).encode("utf-8", "replace")).hexdigest()[:8]
-        style = _ROOT.format(width=round(self.width * 4 / 3))
+        widest = round(self.width * 4 / 3)
+        least = min(widest, round(READABLE * self.width / self._smallest))
+        style = _ROOT.format(width=widest, least=least)
         size = f"{number(self.width)} {number(self.height)}"
         return (
             f'<svg viewBox="0 0 {size}" role="img" aria-label="{html.escape(legal(alt))}" style="{style}">'

@@ -42,7 +42,7 @@ class Legend:
     ncols: int = 1
     bbox_to_anchor: tuple[float, float] | None = None
     title: str = ""
-    fontsize: float = 10.0
+    fontsize: float = 10.6
     frameon: bool = True
     markerscale: float = 1.0
     entries: list[tuple[Mark, str]] = field(default_factory=list)

@@ -89,7 +89,7 @@ def _legend(legend: Any, ax: Any, target: Axes) -> None:
         loc=CORNERS.get(loc, "center right") if isinstance(loc, int) else loc,
         ncols=legend._ncols,
         title=legend.get_title().get_text(),
-        fontsize=legend.get_texts()[0].get_fontsize() if entries else 10.0,
+        fontsize=legend.get_texts()[0].get_fontsize() if entries else 10.6,
         frameon=legend.get_frame_on(),
         **options,
     )
