@@ -454,8 +454,9 @@ def test_a_figure_asks_for_the_width_that_its_smallest_letters_need():
         fig, ax = plt.subplots()
         ax.plot([0, 1], [0, 1])
         ax.text(0.5, 0.5, "small", fontsize=size)
-        width = float(re.search(r'viewBox="0 0 ([\d.]+)', (svg := picture(fig, "A line that rises, and a word.").svg))[1])
-        return float(re.search(r"--least:(\d+)px", svg)[1]) / width
+        svg = picture(fig, "A line that rises, and a word.").svg
+        width, asked = (float(re.search(found, svg)[1]) for found in (r'viewBox="0 0 ([\d.]+)', r"--least:(\d+)px"))
+        return asked / width
 
     assert least(11) * 10.6 == pytest.approx(9, rel=0.01)  # those of the ticks
     assert least(9) * 9 == pytest.approx(9, rel=0.01)

@@ -17,8 +17,8 @@ FAULTS = """() => {
   const asked = document.querySelectorAll('.math').length, set = document.querySelectorAll('mjx-container').length;
   if (asked && !set) faults.push('no mathematics set');
   const size = t => parseFloat(getComputedStyle(t).fontSize) * Math.hypot(t.getScreenCTM().a, t.getScreenCTM().b);
-  const drawn = [...document.querySelectorAll(':is(.picture, .sweep) text')].filter(t => t.getBoundingClientRect().width);
-  const small = drawn.filter(t => size(t) < 8.9).map(t => t.textContent);
+  const letters = [...document.querySelectorAll(':is(.picture, .sweep) text')];
+  const small = letters.filter(t => t.getBoundingClientRect().width && size(t) < 8.9).map(t => t.textContent);
   if (small.length) faults.push('letters of a figure below 9 px: ' + small.slice(0, 5).join(', '));
   const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;
   if (wide > 1) faults.push('the page is ' + wide + ' px wider than the window');
