@@ -20,6 +20,12 @@ FAULTS = """() => {
   const letters = [...document.querySelectorAll(':is(.picture, .sweep) text')];
   const small = letters.filter(t => t.getBoundingClientRect().width && size(t) < 8.9).map(t => t.textContent);
   if (small.length) faults.push('letters of a figure below 9 px: ' + small.slice(0, 5).join(', '));
+  const box = e => e.getBoundingClientRect();
+  const covered = [...document.querySelectorAll('.bd-article .eqno')].filter(number => {
+    const shown = [...number.parentElement.querySelectorAll('mjx-container, mjx-math')].map(e => box(e).right);
+    return box(number).left < Math.min(...shown) - 1;
+  }).map(number => number.parentElement.id);
+  if (covered.length) faults.push('numbers on top of their equations: ' + covered.join(', '));
   const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;
   if (wide > 1) faults.push('the page is ' + wide + ' px wider than the window');
   return faults;
