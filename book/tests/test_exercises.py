@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from slambook.exercises import Rejected, check, exercise, load_all, properties
+from slambook.exercises import Rejected, check, exercise, kit, load_all
 
 from book.tests.wrong_solutions import load
 from book.tools import layout
@@ -74,10 +74,10 @@ def test_every_exercise_has_two_wrong_solutions():
 def doubling():
     @exercise("99.1", "twice a vector")
     def _check(candidate):
-        properties.same(candidate(np.array([1.0, 2])), [2, 4], "twice the vector")
+        kit.same(candidate(np.array([1.0, 2])), [2, 4], "twice the vector")
 
     yield "99.1"
-    properties.KNOWN.pop("99.1")
+    kit.KNOWN.pop("99.1")
 
 
 def test_a_right_solution_is_accepted_with_its_properties(doubling, capsys):
@@ -111,7 +111,7 @@ def test_what_is_wrong_is_reported(doubling, candidate, message):
 
 def test_a_small_negative_number_is_shown_as_more_than_a_sign():
     with pytest.raises(Rejected, match=r"found \[-1\.e-06 +0\.e\+00\], the property asks for \[0\. 0\.\]"):
-        properties.same([-1e-6, 0.0], [0.0, 0.0], "nothing")
+        kit.same([-1e-6, 0.0], [0.0, 0.0], "nothing")
 
 
 def test_an_unknown_exercise_is_named_with_the_known_ones():
@@ -127,9 +127,9 @@ def test_a_number_that_is_not_quoted_is_named_too():
 def test_what_held_before_the_rejection_is_printed(capsys):
     @exercise("99.2", "two properties")
     def _check(candidate):
-        properties.same(candidate(1.0), 2.0, "doubles one")
+        kit.same(candidate(1.0), 2.0, "doubles one")
         a, b = candidate(3.0)
-        properties.same(a, b, "never reached")
+        kit.same(a, b, "never reached")
 
     try:
         with pytest.raises(Rejected, match="cannot be used: TypeError: cannot unpack") as caught:
@@ -137,7 +137,7 @@ def test_what_held_before_the_rejection_is_printed(capsys):
         assert capsys.readouterr().out == "  so far: doubles one\n"
         assert isinstance(caught.value.__cause__, TypeError)
     finally:
-        properties.KNOWN.pop("99.2")
+        kit.KNOWN.pop("99.2")
 
 
 def test_a_number_is_given_once():
@@ -150,11 +150,11 @@ def test_a_number_is_given_once():
         with pytest.raises(SlamlibError, match=r"99\.3 is registered twice"):
             exercise("99.3", "second")(other)
     finally:
-        properties.KNOWN.pop("99.3")
+        kit.KNOWN.pop("99.3")
 
 
 def guarded(function):
-    return properties.Found(function).candidate
+    return kit.Found(function).candidate
 
 
 def test_arrays_inside_lists_and_named_arguments_are_guarded_too():
@@ -173,7 +173,7 @@ def test_a_reader_sees_the_message_and_the_own_line_only():
     shown = "\n".join(caught.value._render_traceback_())
     assert shown.startswith("Rejected: for the input ([1. 1.]) your function raised IndexError")
     assert "test_exercises.py" in shown
-    assert "properties.py" not in shown
+    assert "kit.py" not in shown
 
 
 TURN = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
@@ -182,14 +182,14 @@ TURN = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
 @pytest.mark.parametrize(
     ("judge", "good", "bad"),
     [
-        (lambda x: properties.same(x, [1.0, 2.0], "p"), [1.0, 2.0], [1.0, 2.0 + 1e-6]),
-        (lambda x: properties.covariance(x, 2, "p"), np.diag([1.0, 0.0]), np.array([[1.0, 0.1], [0.0, 1.0]])),
-        (lambda x: properties.covariance(x, 2, "p"), np.eye(2), np.array([[1.0, 2.0], [2.0, 1.0]])),
-        (lambda x: properties.rotation_matrix(x, "p"), TURN, np.diag([1.0, 1.0, -1.0])),
-        (lambda x: properties.rotation_matrix(x, "p"), TURN[:2, :2], 1.001 * TURN),
-        (lambda x: properties.between(x, 0.9, 1.1, "p"), 1.0, 1.2),
-        (lambda x: properties.between(x, 0.9, 1.1, "p"), 0.9, np.nan),
-        (lambda f: properties.same(properties.differences(f, [0.3]), [[np.cos(0.3)]], "p"), np.sin, np.cos),
+        (lambda x: kit.same(x, [1.0, 2.0], "p"), [1.0, 2.0], [1.0, 2.0 + 1e-6]),
+        (lambda x: kit.covariance(x, 2, "p"), np.diag([1.0, 0.0]), np.array([[1.0, 0.1], [0.0, 1.0]])),
+        (lambda x: kit.covariance(x, 2, "p"), np.eye(2), np.array([[1.0, 2.0], [2.0, 1.0]])),
+        (lambda x: kit.rotation_matrix(x, "p"), TURN, np.diag([1.0, 1.0, -1.0])),
+        (lambda x: kit.rotation_matrix(x, "p"), TURN[:2, :2], 1.001 * TURN),
+        (lambda x: kit.between(x, 0.9, 1.1, "p"), 1.0, 1.2),
+        (lambda x: kit.between(x, 0.9, 1.1, "p"), 0.9, np.nan),
+        (lambda f: kit.same(kit.differences(f, [0.3]), [[np.cos(0.3)]], "p"), np.sin, np.cos),
     ],
 )
 def test_each_property_accepts_what_has_it_and_rejects_what_lacks_it(judge, good, bad):
@@ -207,7 +207,7 @@ def test_the_batch_oracle_minimises_the_sum_of_squares():
         prior = (x - mean) @ np.linalg.solve(P, x - mean)
         return prior + sum((y - H @ x) @ np.linalg.solve(R, y - H @ x) for H, y, R in batch)
 
-    best, covariance = properties.least_squares(mean, P, batch)
+    best, covariance = kit.least_squares(mean, P, batch)
     steps = 0.01 * rng.standard_normal((20, 3))
     for d in steps:  # the cost is exactly quadratic, with the inverse of the covariance as its curvature
         assert cost(best + d) - cost(best) == pytest.approx(d @ np.linalg.solve(covariance, d), rel=1e-6)

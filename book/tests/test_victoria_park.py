@@ -10,7 +10,7 @@ from slambook import victoria_park
 from slambook.trees import drive
 
 from book.tools import layout
-from slamlib.codegen import check
+from slamlib.codegen import check_model
 from slamlib.data.records import Control, Features, Frame, Scan
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import compose, to_frame
@@ -78,7 +78,7 @@ def test_a_small_park_is_mapped_without_anybody_numbering_its_trees(tmp_path, se
 
 
 def test_the_car_drives_circles_about_its_rear_axle_and_the_laser_is_a_sensor():
-    check(drive)
+    check_model(drive)
     with pytest.raises(CheckError, match=r"one property[\s\S]* 2 of the 3 dimensions"):  # of a plane
         check_sensor(victoria_park.park_slam().sensors[0].calibration, silent=True)
     radius, wheel = 10.0, 0.76  # of the rear axle's middle [m]; the measured wheel runs inside of a turn to the left

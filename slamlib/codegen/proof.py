@@ -100,7 +100,7 @@ def _rational_unit(size: int, chance: random.Random) -> list[Any]:
     return [(1 - squared) / (1 + squared), *(2 * f / (1 + squared) for f in flat)]
 
 
-def check(
+def check_model(
     model: Model,
     *,
     sample: Sampler | None = None,

@@ -45,11 +45,7 @@ class EndpointExtension:
         if not self.extend:
             return old
         wider = np.stack(
-            [
-                np.minimum(old[..., 0], seen.abscissas[..., 0]),
-                np.maximum(old[..., 1], seen.abscissas[..., 1]),
-            ],
-            -1,
+            [np.minimum(old[..., 0], seen.abscissas[..., 0]), np.maximum(old[..., 1], seen.abscissas[..., 1])], -1
         )
         follow = np.where((np.asarray(spread) < self.switch)[..., None], wider, seen.abscissas)
         return np.where(np.asarray(seen.usable)[..., None], follow, old)

@@ -3,11 +3,29 @@
 import importlib
 import pkgutil
 from collections.abc import Iterator, Mapping
+from dataclasses import MISSING, fields
 from functools import cached_property
 from types import ModuleType
 from typing import Any
 
 from slamlib.errors import SlamlibError, entry
+from slamlib.manifolds import Manifold
+from slamlib.model import Formula, Model
+
+FORMULA = "jac", "a function under @model(...)"
+PARTS: Any = {Formula: FORMULA, Model: FORMULA, Manifold: ("dof", "a manifold, such as as_manifold(7)")}
+
+
+class Complete:
+    """A dataclass that describes a type, of a landmark, a sensor or a motion: no part of it may be missing."""
+
+    def __post_init__(self) -> None:
+        """Raise SlamlibError that names all parts which are missing, and what they should be."""
+        wanted = [f for f in fields(self) if f.default is MISSING]  # type: ignore[arg-type]
+        parts = [(getattr(self, f.name), f.name, *PARTS.get(f.type, ("__class__", "see its help"))) for f in wanted]
+        lacking = [f"\n  {name}: {what}" for v, name, call, what in parts if v is None or not hasattr(v, call)]
+        if lacking:
+            raise SlamlibError(f"{type(self).__name__} {self.name!r} is unfinished; it lacks{''.join(lacking)}")  # type: ignore[attr-defined]
 
 
 def modules_of(package: str) -> Iterator[ModuleType]:
@@ -32,6 +50,10 @@ class Registry(Mapping[str, Any]):
                     if found.setdefault(name, value) is not value:
                         raise SlamlibError(f"two {self.what}s are called {name!r}: give each a name of its own")
         return found
+
+    def add(self, value: Any) -> None:
+        """Add a value of one's own, which no file holds; one that has its name makes room."""
+        self._values[value.name] = value
 
     def __getitem__(self, name: str) -> Any:
         return entry(self.what, name, self._values)

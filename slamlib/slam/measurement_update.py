@@ -139,11 +139,7 @@ def unprojected(columns: Indices, H: Array) -> Array:
 
 
 def update_sequentially(
-    belief: Belief,
-    sensor: MountedSensor,
-    predictions: Predictions,
-    options: Options,
-    project: Projection = unprojected,
+    belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options, project: Projection = unprojected
 ) -> None:
     """Update by one landmark after another, each predicted anew at the current mean."""
     with belief.sequential_update() as sequence:

@@ -16,8 +16,10 @@ from slamlib.landmarks.idp_point import angles_of, direction
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import as_manifold
 from slamlib.model import AtMost, model
+from slamlib.motions import ODOMETRY
 from slamlib.observation import lines
 from slamlib.sensors import SENSORS, Calibration
+from slamlib.slam import Options
 from slamlib.testing import CheckError, check_landmark, check_pair, check_sensor, line_pairs
 from slamlib.testing.sensors import visible_points
 from slamlib.tests.line_chains import check_chains
@@ -363,3 +365,42 @@ def test_a_pair_that_does_not_exist_is_distinguished_from_a_wrong_one():
     assert check_pair(AHM, behind, silent=True)
     with pytest.raises(SlamlibError):
         check_pair(dataclasses.replace(AHM, from_frame=WrongJacobian(AHM.from_frame, "point")), behind, silent=True)
+
+
+REQUIRED = [
+    *((AHM, part) for part in ("name", "manifold", "to_frame", "from_frame", "to_point")),
+    *((LINES["ahmLin"], part) for part in ("name", "manifold", "to_frame", "from_frame", "point_at", "abscissas")),
+    *((CAMERA.sensor, part) for part in ("name", "project", "back_project", "parameters", "visible")),
+    *((ODOMETRY, part) for part in ("name", "manifold", "control", "step")),
+]
+
+
+@pytest.mark.parametrize(("kind", "part"), REQUIRED, ids=[f"{kind.name}.{part}" for kind, part in REQUIRED])
+def test_an_unfinished_type_names_the_part_that_it_lacks(kind, part):
+    with pytest.raises(SlamlibError, match=rf"is unfinished; it lacks\n  {part}: [^\n]+$"):
+        dataclasses.replace(kind, **{part: None})
+
+
+def test_an_unfinished_type_names_all_that_it_lacks_and_a_function_that_is_no_model():
+    def to_frame(pose, landmark):
+        """Lacks its decorator."""
+
+    with pytest.raises(SlamlibError) as caught:
+        PointLandmark("newPnt", 7, to_frame, AHM.from_frame, None)
+    assert str(caught.value).splitlines() == [
+        "PointLandmark 'newPnt' is unfinished; it lacks",
+        "  manifold: a manifold, such as as_manifold(7)",
+        "  to_frame: a function under @model(...)",
+        "  to_point: a function under @model(...)",
+    ]
+
+
+def test_a_type_without_a_file_is_added_by_its_name(monkeypatch):
+    monkeypatch.setattr(POINTS, "_values", dict(POINTS))
+    own = dataclasses.replace(AHM, name="ownPnt")
+    POINTS.add(own)
+    assert POINTS["ownPnt"] is own
+    assert Options(points="ownPnt").points == "ownPnt"
+    again = dataclasses.replace(own, moved=None)
+    POINTS.add(again)  # the cell that defines it was run once more
+    assert POINTS["ownPnt"] is again

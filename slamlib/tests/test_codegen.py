@@ -13,7 +13,7 @@ import sympy
 import slamlib
 from slamlib.analytic import arctan_ratio, arctan_ratio_slope, sin, sqrt, stumpff
 from slamlib.codegen import __main__ as command
-from slamlib.codegen import assert_same, check, derive, show
+from slamlib.codegen import assert_same, check_model, derive, show
 from slamlib.codegen.functions import ArctanRatio, ArctanRatioSlope, Stumpff, closed_form
 from slamlib.errors import ShapeError, UnknownNameError, WritingRuleError
 from slamlib.geometry import pose, quaternion
@@ -103,7 +103,7 @@ def test_lock_4_a_wrong_sign_in_the_generated_code_is_caught(monkeypatch):
     monkeypatch.setattr(code, "to_frame_jac", namespace["to_frame_jac"])
     try:
         with pytest.raises(AssertionError, match=r"to_frame: .* differs from its definition"):
-            check(pose.to_frame, silent=True)
+            check_model(pose.to_frame, silent=True)
     finally:
         pose.to_frame._kernel.cache_clear()
 
@@ -264,7 +264,7 @@ def test_check_accepts_every_model_of_the_package_or_says_where_it_is_defined():
     for models in command.models().values():
         for each in models:
             if each.name != "from_rotation":  # defined on rotation matrices only: tested with the geometry
-                check(each, silent=True)
+                check_model(each, silent=True)
                 count += 1
     assert count >= 20
 
@@ -286,4 +286,4 @@ def with_powers(x):
 
 
 def test_powers_in_a_denominator_keep_their_brackets():
-    check(with_powers, sample=lambda rng: [rng.uniform(0.5, 2, 2) * rng.choice([-1, 1], 2)], tolerance=1e-12)
+    check_model(with_powers, sample=lambda rng: [rng.uniform(0.5, 2, 2) * rng.choice([-1, 1], 2)], tolerance=1e-12)

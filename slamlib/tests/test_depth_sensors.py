@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from slamlib.codegen import check
+from slamlib.codegen import check_model
 from slamlib.errors import (
     CovarianceError,
     NonFiniteError,
@@ -59,7 +59,7 @@ def homogeneous(points, w=1.0):
 
 @pytest.mark.parametrize("model", MODELS, ids=lambda m: m.module.split(".")[-1] + "." + m.name)
 def test_value_and_jacobians_are_those_of_the_definition(model):
-    check(model, silent=True)
+    check_model(model, silent=True)
 
 
 @pytest.mark.parametrize("model", MODELS, ids=lambda m: m.module.split(".")[-1] + "." + m.name)

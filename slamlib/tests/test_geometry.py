@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from slamlib.codegen import check
+from slamlib.codegen import check_model
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, UnitError
 from slamlib.geometry import euler, polar, pose, quaternion
 from slamlib.geometry.pose import Pose
@@ -42,7 +42,7 @@ def scipy_rotation(q):
 
 @pytest.mark.parametrize("model", MODELS, ids=lambda m: m.name)
 def test_value_and_jacobians_are_those_of_the_definition(model):
-    check(model, sample=sample(model), silent=True)
+    check_model(model, sample=sample(model), silent=True)
 
 
 @pytest.mark.parametrize("model", MODELS, ids=lambda m: m.name)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy
 
-from slamlib.codegen import check
+from slamlib.codegen import check_model
 from slamlib.codegen.emit import factored, unified
 from slamlib.codegen.printer import Printer
 from slamlib.errors import ShapeError, SingularPointError
@@ -131,7 +131,7 @@ def test_a_model_for_fewer_coefficients_is_the_model_with_zeros(count):
     point, intrinsics = np.array([[0.3, -0.2, 1.5, 0.1], [-0.1, 0.4, 0.9, 1]]), np.array([320.0, 240, 500, 500])
     given = 0.02 / np.arange(1.0, 1 + count)
     short = project.shortened(4, 4, count)
-    check(short, points=3, silent=True)
+    check_model(short, points=3, silent=True)
     value, jacobians = short.jac(point, intrinsics, given)
     whole, expected = project.jac(point, intrinsics, np.pad(given, (0, 8 - count)))
     assert np.array_equal(value, whole)
@@ -174,7 +174,7 @@ def pushed(pose, sequence):
 
 def test_fewer_coefficients_beside_a_manifold():
     short = pushed.shortened(7, 1)
-    check(short, points=3, silent=True)
+    check_model(short, points=3, silent=True)
     at = np.array([0.1, 0.2, 0.3, 1, 0, 0, 0])
     assert short.storage_jac(at, np.ones(1))[1].sequence.shape == (7, 1)
     assert short.jac(at, np.ones(1))[1].sequence == pytest.approx(pushed.jac(at, np.eye(3)[0])[1].sequence[:, :1])

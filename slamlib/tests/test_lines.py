@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from slamlib.codegen import check
+from slamlib.codegen import check_model
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry import plucker
 from slamlib.geometry import pose as frames
@@ -55,7 +55,7 @@ def proportional(a, b):
 
 @pytest.mark.parametrize("model", MODELS, ids=name)
 def test_value_and_jacobians_are_those_of_the_definition(model):
-    check(model, silent=True)
+    check_model(model, silent=True)
 
 
 @pytest.mark.parametrize("model", MODELS, ids=name)

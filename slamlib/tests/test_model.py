@@ -8,7 +8,7 @@ import pytest
 
 import slamlib
 from slamlib.analytic import cos, sin
-from slamlib.codegen import check
+from slamlib.codegen import check_model
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError, UnitError
 from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import Pose
@@ -47,7 +47,7 @@ def test_a_model_of_the_reader_compiles_in_memory_and_is_right(rng):
     assert jacobian.robot == pytest.approx(by_hand, abs=1e-15)
     assert jacobian.control.shape == (3, 2)
     assert jacobian.dt.shape == (3,)
-    check(unicycle, silent=True)
+    check_model(unicycle, silent=True)
 
 
 def test_arguments_by_name_and_by_position_are_the_same(rng):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from slamlib.codegen import check
+from slamlib.codegen import check_model
 from slamlib.errors import UnknownNameError
 from slamlib.geometry import euler, pose, quaternion
 from slamlib.modeling.numerical import central_difference
@@ -20,7 +20,7 @@ def rng():
 
 @pytest.mark.parametrize("model", MODELS, ids=lambda m: m.module)
 def test_value_and_jacobians_are_those_of_the_definition(model):
-    check(model, silent=True)
+    check_model(model, silent=True)
 
 
 @pytest.mark.parametrize("model", MODELS, ids=lambda m: m.module)

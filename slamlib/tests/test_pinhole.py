@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import slamlib
-from slamlib.codegen import check
+from slamlib.codegen import check_model
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError, UnknownNameError
 from slamlib.sensors import Calibration, sensor
 from slamlib.sensors import pinhole as ph
@@ -44,13 +44,13 @@ def distortion(request):
 
 @pytest.mark.parametrize("model", [ph.distort, ph.pixel, ph.project, ph.project_line, ph.ray], ids=lambda m: m.name)
 def test_values_and_jacobians_are_those_of_the_definitions(model):
-    check(model, silent=True)
+    check_model(model, silent=True)
 
 
 @pytest.mark.parametrize(("x", "y"), [(0, 0), (1e-9, 0), (0, -1), (1, 0.8), (-1.0, 0.8), (3, 4), (1e3, 1)])
 @pytest.mark.parametrize(("z", "w"), [(1, 0), (-1, 0.1), (1e-3, 1), (7, 1)])
 def test_jacobians_at_the_centre_the_border_behind_and_at_infinity(x, y, z, w):
-    check(ph.project, sample=lambda _: [point(x, y, z, w), K, padded(MIXED)], points=1, silent=True)
+    check_model(ph.project, sample=lambda _: [point(x, y, z, w), K, padded(MIXED)], points=1, silent=True)
 
 
 def test_only_the_direction_counts(rng):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
-from slamlib.codegen import check
+from slamlib.codegen import check_model
 from slamlib.errors import ShapeError, SingularPointError, SlamlibError
 from slamlib.geometry import pose as frames
 from slamlib.geometry import quaternion
@@ -65,7 +65,7 @@ def test_the_folder_holds_the_five():
 
 @named
 def test_value_and_jacobians_are_those_of_the_definition(model):
-    check(model, silent=True)
+    check_model(model, silent=True)
 
 
 @named

@@ -8,7 +8,7 @@ import pytest
 from slambook import rendering
 
 from slamlib.cli import main
-from slamlib.codegen import check
+from slamlib.codegen import check_model
 from slamlib.data.setup import SensorSetup
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.observation.lines import image_line, undistort_segments
@@ -53,7 +53,7 @@ def nearby(model):
     ids=lambda m: f"{m.module}.{m.name}",
 )
 def test_value_and_jacobians_are_those_of_the_definition(model):
-    check(model, sample=nearby(model), silent=True)
+    check_model(model, sample=nearby(model), silent=True)
 
 
 def test_opencv_projects_and_undistorts_the_same(rng):

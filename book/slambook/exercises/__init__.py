@@ -12,7 +12,7 @@ import pkgutil
 from collections.abc import Callable
 from typing import Any
 
-from slambook.exercises.properties import KNOWN, Candidate, Found, Rejected, Rng, current, exercise
+from slambook.exercises.kit import KNOWN, Candidate, Found, Rejected, Rng, current, exercise
 from slamlib.errors import SlamlibError, entry
 
 __all__ = ["Candidate", "Rejected", "Rng", "check", "exercise", "load_all"]

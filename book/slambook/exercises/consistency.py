@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slambook.exercises.properties import Candidate, Rng, array_of, between, cases, exercise, given, holds, number, same
+from slambook.exercises.kit import Candidate, Rng, array_of, between, cases, exercise, given, holds, number, same
 from slamlib.evaluation.consistency import band
 from slamlib.manifolds import Array
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slambook.exercises.properties import Candidate, Rng, between, cases, exercise, holds, random_covariance, same
+from slambook.exercises.kit import Candidate, Rng, between, cases, exercise, holds, random_covariance, same
 from slamlib.kalman.chi_square import chi2_quantile
 
 

@@ -2,17 +2,7 @@
 
 import numpy as np
 
-from slambook.exercises.properties import (
-    Candidate,
-    Rng,
-    array_of,
-    cases,
-    covariance,
-    differences,
-    exercise,
-    given,
-    same,
-)
+from slambook.exercises.kit import Candidate, Rng, array_of, cases, covariance, differences, exercise, given, same
 from slamlib.manifolds import Array
 
 

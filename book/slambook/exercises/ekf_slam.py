@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slambook.exercises.properties import Candidate, Rng, array_of, cases, differences, exercise, given, holds, same
+from slambook.exercises.kit import Candidate, Rng, array_of, cases, differences, exercise, given, holds, same
 from slamlib.manifolds import Array
 
 

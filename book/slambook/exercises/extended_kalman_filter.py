@@ -2,17 +2,7 @@
 
 import numpy as np
 
-from slambook.exercises.properties import (
-    Candidate,
-    Rng,
-    array_of,
-    covariance,
-    differences,
-    exercise,
-    holds,
-    parts,
-    same,
-)
+from slambook.exercises.kit import Candidate, Rng, array_of, covariance, differences, exercise, holds, parts, same
 from slamlib.manifolds import Array
 
 ESTIMATE = {"the mean": (3,), "the covariance": (3, 3)}

@@ -4,17 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from slambook.exercises.properties import (
-    Candidate,
-    Rng,
-    array_of,
-    cases,
-    covariance,
-    differences,
-    exercise,
-    holds,
-    same,
-)
+from slambook.exercises.kit import Candidate, Rng, array_of, cases, covariance, differences, exercise, holds, same
 from slamlib.geometry.pose import Pose, from_frame, to_frame
 from slamlib.geometry.quaternion import UnitQuaternion, exponential, minus, product, rotation
 from slamlib.manifolds import Array

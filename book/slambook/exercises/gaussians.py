@@ -3,7 +3,7 @@
 import numpy as np
 
 from slambook.exercises import Candidate, Rejected, Rng, exercise
-from slambook.exercises.properties import between, covariance, holds, parts, random_covariance, same
+from slambook.exercises.kit import between, covariance, holds, parts, random_covariance, same
 
 
 @exercise("gaussians.2", "points of an ellipse", seed=12)

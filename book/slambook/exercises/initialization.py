@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slambook.exercises.properties import Candidate, Rng, cases, covariance, exercise, holds, least_squares, parts, same
+from slambook.exercises.kit import Candidate, Rng, cases, covariance, exercise, holds, least_squares, parts, same
 from slamlib.manifolds import Array
 
 UNKNOWN = 1e9  # the variance of what nothing is known of

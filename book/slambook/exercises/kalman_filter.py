@@ -3,7 +3,7 @@
 import numpy as np
 
 from slambook.exercises import Candidate, Rng, exercise
-from slambook.exercises.properties import cases, holds, least_squares, number, parts, random_covariance, same
+from slambook.exercises.kit import cases, holds, least_squares, number, parts, random_covariance, same
 from slamlib.manifolds import Array
 
 

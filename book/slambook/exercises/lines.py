@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slambook.exercises.properties import Candidate, Rng, array_of, cases, covariance, exercise, holds, parts, same
+from slambook.exercises.kit import Candidate, Rng, array_of, cases, covariance, exercise, holds, parts, same
 from slamlib.landmarks.apl_line import to_frame
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from slambook.exercises import Candidate, Rng, exercise
-from slambook.exercises.properties import array_of, cases, holds, least_squares, parts, rotation_matrix, same
+from slambook.exercises.kit import array_of, cases, holds, least_squares, parts, rotation_matrix, same
 from slamlib.geometry.quaternion import UnitQuaternion, exponential, rotation
 from slamlib.landmarks.ahm_point import to_frame
 from slamlib.manifolds import Array

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slambook.exercises.properties import Candidate, Rng, cases, covariance, differences, exercise, holds, parts, same
+from slambook.exercises.kit import Candidate, Rng, cases, covariance, differences, exercise, holds, parts, same
 from slamlib.data.records import World
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.geometry.pose import ORIGIN, Pose, compose

@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from slambook.exercises.properties import Candidate, Rng, array_of, between, cases, differences, exercise, holds, same
+from slambook.exercises.kit import Candidate, Rng, array_of, between, cases, differences, exercise, holds, same
 from slamlib.manifolds import Array
 
 

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slambook.exercises import Candidate, Rng, exercise
-from slambook.exercises.properties import array_of, cases, differences, given, holds, parts, same
+from slambook.exercises.kit import array_of, cases, differences, given, holds, parts, same
 from slamlib.manifolds import Array
 
 

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from slambook.exercises.properties import Candidate, Rng, array_of, cases, exercise, given, holds, number, same
+from slambook.exercises.kit import Candidate, Rng, array_of, cases, exercise, given, holds, number, same
 from slamlib.manifolds import Array
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slambook.exercises.properties import Candidate, Rng, array_of, cases, exercise, holds, same
+from slambook.exercises.kit import Candidate, Rng, array_of, cases, exercise, holds, same
 from slamlib.geometry import plucker
 from slamlib.landmarks.segments import frustum
 

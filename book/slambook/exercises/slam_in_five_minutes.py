@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slambook.exercises.properties import Candidate, Rng, cases, covariance, exercise, random_covariance, same
+from slambook.exercises.kit import Candidate, Rng, cases, covariance, exercise, random_covariance, same
 
 
 @exercise("slam_in_five_minutes.1", "one robot, two landmarks")

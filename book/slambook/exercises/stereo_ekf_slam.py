@@ -3,7 +3,7 @@
 import numpy as np
 
 from slambook.exercises import Candidate, Rng, exercise
-from slambook.exercises.properties import cases, holds, parts, random_covariance, same
+from slambook.exercises.kit import cases, holds, parts, random_covariance, same
 
 VARIANCES = {"the claimed variance": (), "the true variance": ()}
 

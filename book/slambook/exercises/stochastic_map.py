@@ -3,7 +3,7 @@
 import numpy as np
 
 from slambook.exercises import Candidate, Rng, exercise
-from slambook.exercises.properties import cases, covariance, holds, least_squares, random_covariance, same
+from slambook.exercises.kit import cases, covariance, holds, least_squares, random_covariance, same
 
 
 @exercise("stochastic_map.1", "a second measurement")

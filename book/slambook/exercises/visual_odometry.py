@@ -3,7 +3,7 @@
 import numpy as np
 
 from slambook.exercises import Candidate, Rejected, Rng, exercise
-from slambook.exercises.properties import array_of, cases, holds, parts, rotation_matrix, same
+from slambook.exercises.kit import array_of, cases, holds, parts, rotation_matrix, same
 from slamlib.geometry.pose import ORIGIN, to_frame
 from slamlib.geometry.quaternion import UnitQuaternion, rotation
 from slamlib.manifolds import Array

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slambook.exercises.properties import Candidate, Rejected, Rng, cases, differences, exercise, holds, parts, same
+from slambook.exercises.kit import Candidate, Rejected, Rng, cases, differences, exercise, holds, parts, same
 from slamlib.geometry.pose import ORIGIN
 from slamlib.landmarks import PointLandmark
 from slamlib.manifolds import Euclidean
