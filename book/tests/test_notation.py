@@ -1,13 +1,18 @@
 """The page of notation: each letter once, in use where it is said to be, and names of the package that are there."""
 
-import importlib
+import ast
 import json
 import re
+import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from book.tools import layout
+
+sys.path.append(str(layout.BOOK / "_ext"))
+import api_reference
 
 CHAPTERS = sorted((layout.BOOK / "chapters").glob("*.ipynb"))
 MATH = re.compile(r"\$\$(.+?)\$\$|(?<!\$)\$([^$\n]+?)\$(?!\$)|```\{math\}(.*?)```", re.DOTALL)
@@ -80,27 +85,28 @@ def test_a_second_meaning_is_of_a_letter_that_these_chapters_use(row):
     assert [name for name in chapters if not uses(name, letter)] == []
 
 
-def test_the_names_of_the_package_are_there():
-    found = [
-        name
-        for row in TABLES["Letters"] + TABLES["Signs"]
-        for name in re.findall(r"`([a-z]\w*(?:\.\w+)+)`", " ".join(row))
-    ]
-    assert len(found) > 40
-    for name in found:
-        assert exists("slamlib." + name), name
+def test_the_names_of_the_package_are_there_once():
+    rows = TABLES["Letters"] + TABLES["Signs"]
+    found = {name for row in rows for name in re.findall(r"`(\w+(?:\.\w+)*)`", " ".join(row[-2:]))}
+    known = set(names())
+    ours = [name for name in found if re.match("[A-Z][a-z]+[.A-Z][a-z]+", name) or re.match(r"[a-z_]+\.", name)]
+    toolbox = {name for row in TABLES["Letters"] for name in re.findall(r"`([^`]+)`", row[-1])}
+    ours = [name for name in ours if name not in toolbox]
+    assert len(ours) > 35
+    for name in ours:
+        assert sum(full.endswith(f".{name}") for full in known) == 1, name
 
 
-def exists(name: str) -> bool:
-    parts = name.split(".")
-    for count in range(len(parts), 0, -1):
-        try:
-            thing = importlib.import_module(".".join(parts[:count]))
-        except ModuleNotFoundError:
-            continue
-        for part in parts[count:]:
-            if not hasattr(thing, part):
-                return part in getattr(thing, "__annotations__", {}) and part == parts[-1]
-            thing = getattr(thing, part)
-        return True
-    return False
+def names() -> Iterator[str]:
+    """All that is public in slamlib, with its fields and methods, by full names."""
+    folders = [f.name for f in (layout.ROOT / "slamlib").iterdir() if (f / "__init__.py").is_file()]
+    for package in ["slamlib", *(f"slamlib.{name}" for name in folders if name not in ("tests", "generated"))]:
+        for module in api_reference.modules(package):
+            yield module.name
+            for name, node in module.public().items():
+                yield f"{module.name}.{name}"
+                for inner in getattr(node, "body", []):
+                    if isinstance(inner, ast.FunctionDef):
+                        yield f"{module.name}.{name}.{inner.name}"
+                    elif isinstance(inner, ast.AnnAssign):
+                        yield f"{module.name}.{name}.{ast.unparse(inner.target)}"
