@@ -42,8 +42,7 @@ def joined(site: Path, pages: list[Path]) -> str:
     first = BeautifulSoup((site / pages[-1]).read_text("utf-8"), "html.parser")
     main = first.new_tag("main")
     for page in pages:
-        file = (site / page).resolve()
-        article = BeautifulSoup(file.read_text("utf-8"), "html.parser").select_one("article.bd-article")
+        article = BeautifulSoup((site / page).read_text("utf-8"), "html.parser").select_one("article.bd-article")
         assert isinstance(article, Tag), f"{page} has no article"
         for tag in article.select(GOES):
             tag.decompose()
@@ -53,9 +52,7 @@ def joined(site: Path, pages: list[Path]) -> str:
             shown(sweep, first)
         for tag in article.select("[id]"):
             tag["id"] = prefixed(page, str(tag["id"]))
-        for tag in article.select("[href], [src]"):
-            name = "href" if tag.has_attr("href") else "src"
-            tag[name] = moved(str(tag[name]), file, page, site, known)
+        relink(article, page, site, known)
         section = first.new_tag("section", attrs={"class": "page", "id": prefixed(page, "")})
         section.extend(list(article.contents))
         main.append(section)
@@ -66,9 +63,7 @@ def joined(site: Path, pages: list[Path]) -> str:
     for tag in first.head.select("script:not([src*=mathjax]):not([id*=ax])"):
         if "MathJax" not in tag.text:
             tag.decompose()
-    for tag in first.head.select("[href], [src]"):
-        name = "href" if tag.has_attr("href") else "src"
-        tag[name] = moved(str(tag[name]), (site / pages[-1]).resolve(), pages[-1], site, known)
+    relink(first.head, pages[-1], site, known)
     style = first.new_tag("style")
     style.string = STYLE
     first.head.append(style)
@@ -92,8 +87,15 @@ def shown(sweep: Tag, page: BeautifulSoup) -> None:
         frame.append(caption)
 
 
-def moved(link: str, file: Path, page: Path, site: Path, known: set[Path]) -> str:
-    """A link of a page as it is in the joined document, which lies in the site's own folder."""
+def relink(part: Tag, page: Path, site: Path, known: set[Path]) -> None:
+    """All links of a part of a page as they are in the joined document, which lies in the site's own folder."""
+    for tag in part.select("[href], [src]"):
+        name = "href" if tag.has_attr("href") else "src"
+        tag[name] = moved(str(tag[name]), (site / page).resolve(), site, known)
+
+
+def moved(link: str, file: Path, site: Path, known: set[Path]) -> str:
+    """A link that stands in a file of the site as it is in the joined document; `known`: the files that it joins."""
     if re.match(r"[a-z]+:|//", link):
         return link
     path, _, anchor = link.partition("#")

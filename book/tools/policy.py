@@ -13,7 +13,6 @@ import re
 from importlib.resources import files
 from pathlib import Path
 
-from slambook.figures.page import MOVE
 from slambook.scene.player_page import START
 
 SHUT = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
@@ -41,9 +40,14 @@ def of(file: Path, changed: float) -> str:
         return WORKER if file.suffix == ".js" else SHUT
     # A cell that the reader runs may show a player, which brings its script along, also where the page has none.
     programs = {START, files("slambook.scene").joinpath("player.js").read_text("utf-8")}
-    if file.name == "search.html":  # reads the pages that it finds, with their sliders and the theme's button
-        programs |= {MOVE, "window.print()"}
-    found = PROGRAM.findall(file.read_text("utf-8", errors="replace"))
-    programs |= {script or html.unescape(handler) for script, handler in found}
+    programs |= {script or html.unescape(handler) for script, handler in _found(file)}
+    if file.name == "search.html":  # it reads the pages that it finds, with the handlers of their sliders and buttons
+        pages = (page for page in file.parent.rglob("*.html") if page.resolve().is_relative_to(file.parent.resolve()))
+        programs |= {html.unescape(handler) for page in pages for _, handler in _found(page) if handler}
     hashes = (base64.b64encode(hashlib.sha256(program.encode()).digest()).decode() for program in programs)
     return PAGE.format(hashes=" ".join(sorted(f"'sha256-{name}'" for name in hashes)))
+
+
+def _found(file: Path) -> list[tuple[str, str]]:
+    """The programs that stand in a page, each a script or a handler of an event."""
+    return PROGRAM.findall(file.read_text("utf-8", errors="replace"))
