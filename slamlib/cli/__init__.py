@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 
 from slamlib import __version__
-from slamlib.cli import compare, evaluate, listing, run, starting
+from slamlib.cli import compare, datasets, evaluate, listing, run, starting
 from slamlib.cli.runner import STOPPED, signals
 from slamlib.cli.sequences import ImagesCommand, PairsCommand
 from slamlib.errors import SlamlibError
 
 COMMANDS: dict[str, Any] = {
     "run": run, "run images": ImagesCommand(), "run stereo-images": PairsCommand(), "compare": compare,
-    "evaluate": evaluate, "list": listing, "preset": starting,
+    "evaluate": evaluate, "list": listing, "preset": starting, "datasets": datasets,
 }  # fmt: skip
 
 
