@@ -41,8 +41,6 @@ def test_the_room_is_within_the_promised_bounds():
     assert len(kept["sideways"]) == 5
     assert max(run["off"] for run in kept["sideways"]) < 2
     assert min(run["matched"] for run in kept["sideways"]) > 0.85
-    for robust in ("joint", "one-point-ransac"):
-        assert max(run["off"] for run in kept["wrong"][robust]) < 2
 
 
 def test_the_real_run_is_stored_with_its_settings():
