@@ -246,6 +246,25 @@ def peers(seconds: float) -> str:
     return "\n".join(lines)
 
 
+def anchors(seconds: float) -> str:
+    """Table 7: the covariance carried along the anchors of k of 85 points (3 + 4 numbers), beside an update by 20."""
+    update, times = correction_times(600, 20, seconds)[1], []
+    rng, P = np.random.default_rng(1), np.eye(600)
+    for k in (5, 20, 85):
+        start, follows = 600 - 7 * k, 1e-6 * rng.standard_normal((k, 4, 3))
+
+        def carry(k: int = k, start: int = start, follows: Any = follows) -> None:
+            own = P[start:].reshape(k, 7, 600)
+            rest = (own[:, 3:] + follows @ own[:, :3]).reshape(-1, 600)
+            by = np.lib.stride_tricks.as_strided(rest[:, start:], (4 * k, k, 7), (rest.strides[0], 7 * 8, 8))
+            by[..., 3:] += (by[..., :3].swapaxes(0, 1) @ follows.swapaxes(1, 2)).swapaxes(0, 1)
+            rows = start + 7 * np.arange(k)[:, None] + np.arange(3, 7)
+            P[rows.ravel()], P[:, rows.ravel()] = rest, rest.T
+
+        times.append(f"{k}: {quickest({'carry': carry}, seconds)['carry'] / update:.2f}")
+    return f"anchors carried, of so many points in 600 states, times an update by 20: {', '.join(times)}"
+
+
 def main() -> None:
     """Print the tables."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -257,7 +276,7 @@ def main() -> None:
     print(f"\n{scaling(options.seconds)}\n\n{errors(options.repeats)}\n\n{thousand()}\n", flush=True)
     for case in CASES[:1] + CASES[2:3] + CASES[4:5]:
         print(f"{case.preset} {'in sequence' if case.reproject else 'batch'}: {parts(case)}")
-    print(f"\n{peers(options.seconds)}")
+    print(f"\n{anchors(options.seconds)}\n\n{peers(options.seconds)}")
 
 
 if __name__ == "__main__":
