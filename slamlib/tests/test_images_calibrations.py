@@ -93,6 +93,13 @@ def test_kitti(tmp_path):
         read_lens(path, 2)
 
 
+def test_twelve_words_on_one_line_are_no_matrix(tmp_path):
+    """KITTI's bare rows are twelve numbers; a camera of slamlib's own may be twelve words."""
+    text = '{"parameters": {"intrinsics": [320, 240, 400, 410], "distortion": [0.1]}, "image": [640, 480] }'
+    assert len(text.split()) == 12
+    assert read_calibration(write(tmp_path, text))["parameters"]["intrinsics"] == (320, 240, 400, 410)
+
+
 MESSAGE = """header:
   seq: 0
   frame_id: "camera"

@@ -10,10 +10,14 @@ from slambook import rendering
 from slamlib.datasets.pictures import TimedImage
 from slamlib.geometry.pose import compose, relative
 from slamlib.geometry.quaternion import rotation
+from slamlib.sensors.omni import OMNI, powers
+from slamlib.sensors.pinhole import distort_radius
+from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Slam
 from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.relocalization import relocalize
 from slamlib.vision.run import options_for
+from slamlib.vision.target import focal_length
 from slamlib.vision.two_views import two_view_target
 
 DT = 1 / 30
@@ -54,6 +58,30 @@ def test_two_views_find_the_depths_up_to_one_scale(started):
     assert np.mean(np.abs(on_wall / scale - 1) < 0.02) >= 0.5  # the others are behind the window
     assert (target.std > 0).all()
     assert np.median((rays @ rotation(camera[3:]))[:, 2]) == pytest.approx(1, abs=0.3)  # in units of the median depth
+
+
+def as_omni(calibration):
+    """Nearly the same lens as an omniCam, whose intrinsics hold no focal length."""
+    u, v, focal, _ = calibration.given["intrinsics"]
+    angle = np.linspace(0, 0.8, 200)
+    radius = focal * distort_radius(np.tan(angle), calibration.given["distortion"])
+    lens = np.linalg.lstsq(angle[:, None] ** powers(8), radius, rcond=None)[0]
+    return Calibration(OMNI, calibration.noise, image=calibration.image, intrinsics=[u, v, 1, 0, 0], lens=lens)
+
+
+def test_a_focal_length_is_one_of_the_lens_not_of_its_third_number(started):
+    calibration = started[0].sensors[0].calibration
+    assert focal_length(calibration) == pytest.approx(calibration.given["intrinsics"][2], rel=1e-6)
+    assert focal_length(as_omni(calibration)) == pytest.approx(calibration.given["intrinsics"][2], rel=1e-3)
+
+
+def test_an_omnidirectional_camera_finds_the_same_two_views(started):
+    rig, frames, truth = started
+    camera = compose(truth[0], rig.sensors[0].extrinsics)
+    both = [rig.sensors[0].calibration, as_omni(rig.sensors[0].calibration)]
+    one, other = (two_view_target(iter(pictures(frames)), calibration, camera) for calibration in both)
+    np.testing.assert_array_equal(one.pixels, other.pixels)
+    np.testing.assert_allclose(one.points, other.points, rtol=0.1, atol=0.02)
 
 
 def test_without_parallax_there_are_no_two_views(started):

@@ -55,6 +55,17 @@ def test_wrong_matches_are_left_out():
     np.testing.assert_allclose(found.control.value, CONTROL, atol=1e-3)
 
 
+@pytest.mark.parametrize("shift", [-1.8, 1.8])
+def test_a_far_match_may_be_wrong_in_its_parallax(shift):
+    """An inlier of RANSAC, off by less than its limit: its best old disparity may be below zero, of no point."""
+    rng, aside = np.random.default_rng(5), np.array([0, 0.2, 0, 0, 0, 0])
+    points = np.concatenate([points_seen(rng, 40, MOUNT), points_seen(rng, 1, MOUNT) * [100, 1, 1]])
+    old, new = seen_from(points, ORIGIN, MOUNT), seen_from(points, moved(aside), MOUNT)
+    new[-1, 0] += shift
+    found = motion_between(calibration(), old, new, MOUNT)
+    np.testing.assert_allclose(found.control.value, aside, atol=2e-3)
+
+
 def test_too_few_matches_are_no_motion():
     rng = np.random.default_rng(4)
     old = seen_from(points_seen(rng, 7), ORIGIN)

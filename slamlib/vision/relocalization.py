@@ -15,7 +15,7 @@ from slamlib.manifolds import Array, Image
 from slamlib.slam.entities import Landmark
 from slamlib.slam.filter import Slam
 from slamlib.vision.appearance import Appearance
-from slamlib.vision.target import normalized, refined
+from slamlib.vision.target import focal_length, normalized, refined
 
 LOST = 4  # inliers: with no more of them, the next image is searched for the map
 MOST, VIEWS, SEEN = 80, 3, 3  # landmarks searched for; patches of each; times that it must have been an inlier
@@ -38,7 +38,7 @@ def relocalize(slam: Slam, image: Image) -> bool:
     if len(matches) < FEWEST:
         return False
     points, pixels = (np.array(column, dtype=float) for column in zip(*matches, strict=True))
-    plane, limit = normalized(sensor.calibration, pixels), MAX_ERROR / sensor.calibration.given["intrinsics"][2]
+    plane, limit = normalized(sensor.calibration, pixels), MAX_ERROR / focal_length(sensor.calibration)
     good, turn, shift, rows = cv2.solvePnPRansac(
         points[:, None], plane[:, None], np.eye(3), None, iterationsCount=2000, reprojectionError=limit,
         confidence=0.9999, flags=cv2.SOLVEPNP_EPNP,
@@ -57,8 +57,7 @@ def relocalize(slam: Slam, image: Image) -> bool:
 
 def _matches(cv2: Any, landmarks: list[Landmark], image: Image) -> Iterator[tuple[Array, Array]]:
     """Points (3,) of the map, and the pixels (2,) where one of their patches is found best."""
-    known = [landmark for landmark in landmarks if isinstance(landmark.signature, Appearance)]
-    reliable = [landmark for landmark in known if landmark.inliers >= SEEN]
+    reliable = [lm for lm in landmarks if isinstance(lm.signature, Appearance) and lm.inliers >= SEEN]
     for landmark in sorted(reliable, key=lambda one: -one.inliers)[:MOST]:
         *point, rho = landmark.kind.to_frame(ORIGIN, landmark.block.mean)
         score, pixel = max(_best(cv2, image, view) for view in landmark.signature.all[:VIEWS])

@@ -33,6 +33,12 @@ def normalized(calibration: Calibration, pixels: Array) -> Array:
     return np.ascontiguousarray(rays[:, :2] / rays[:, 2:3])
 
 
+def focal_length(calibration: Calibration) -> float:
+    """How many pixels are 1 in the plane at depth 1, near the optical axis; every lens has its own name for it."""
+    beside = calibration.project(np.array([[0, 0, 1, 0], [1e-4, 0, 1, 0], [0, 1e-4, 1, 0]]))
+    return float(np.linalg.norm(beside[1:] - beside[0], axis=1).mean() / 1e-4)
+
+
 def refined(cv2: Any, points: Array, plane: Array, turn: Array, shift: Array) -> Array:
     """Pose (7,) of the camera that fits normalized pixels of points best, from OpenCV's world-to-camera motion."""
     turn, shift = cv2.solvePnPRefineLM(points, plane, np.eye(3), None, turn, shift)

@@ -14,7 +14,7 @@ from slamlib.errors import SingularPointError
 from slamlib.geometry.pose import from_frame
 from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.target import Target, normalized
+from slamlib.vision.target import Target, focal_length
 
 LOOK_AHEAD = 150  # images in which the second view is looked for
 PARALLAX = 2.0  # degrees: least median angle between the rays of a point, once the rotation is removed
@@ -70,23 +70,18 @@ def _tracked(cv2: Any, before: Array, image: Array, pixels: Array) -> tuple[Arra
 
 def _triangulated(cv2: Any, calibration: Calibration, old: Array, new: Array) -> Array | None:
     """Points (n, 3) in the first camera's frame, nan for outliers; None without a unique, sure relative motion."""
-    a, b = (normalized(calibration, pixels) for pixels in (old, new))
-    limit = MAX_ERROR / calibration.given["intrinsics"][2]
+    rays, later = (calibration.back_project_jac(p, np.ones((len(p), 1)))[0][:, :3] for p in (old, new))
+    a, b = (np.ascontiguousarray(h[:, :2] / h[:, 2:]) for h in (rays, later))
+    limit = MAX_ERROR / focal_length(calibration)
     E, mask = cv2.findEssentialMat(a, b, np.eye(3), method=cv2.USAC_MAGSAC, prob=0.9999, threshold=limit)
     if E is None or E.shape != (3, 3):
         return None
     least = max(IN_FRONT * mask.sum(), 1)
     good, R, _, front, points = cv2.recoverPose(E, a, b, np.eye(3), distanceThresh=1e3, mask=mask)
-    rays, turned = _directions(a), _directions(b) @ R
-    parallax = np.degrees(np.arccos(np.clip((rays * turned).sum(1), -1, 1)))[front[:, 0] > 0]
+    parallax = np.degrees(np.arccos(np.clip((rays * (later @ R)).sum(1), -1, 1)))[front[:, 0] > 0]
     if good < least or np.median(parallax) < PARALLAX:
         return None
     return np.where(front[:, 0] > 0, points[:3] / points[3], np.nan).T
-
-
-def _directions(plane: Array) -> Array:
-    """Unit vectors (n, 3) to points (n, 2) of the plane at depth 1."""
-    return np.column_stack([plane, np.ones(len(plane))]) / np.sqrt(1 + (plane**2).sum(1, keepdims=True))
 
 
 def _spread(pixels: Array, usable: Mask, spacing: float) -> list[int]:

@@ -16,11 +16,11 @@ from slamlib.errors import SlamlibError
 
 FPS = 10.0
 _NAMED = re.compile(r"^P(?:_rect_0)?(\d):\s*([-+.\d].*)$", re.M)
+_MATRIX = re.compile(r"\s*(?:[-+.\de]+\s+){11}[-+.\de]+\s*", re.I)
 
 
 def _cameras(where: Path) -> dict[int, Path]:
-    folders = {n: where / f"image_{n}" for n in range(4)}
-    return {n: folder for n, folder in folders.items() if images_in(folder)}
+    return {n: where / f"image_{n}" for n in range(4) if images_in(where / f"image_{n}")}
 
 
 def _open(folder: Path, fps: float | None) -> ImageSource:
@@ -34,8 +34,8 @@ def _open(folder: Path, fps: float | None) -> ImageSource:
 
 
 def _fits(text: str) -> bool:
-    rows = [line.split() for line in text.splitlines() if line.strip()]
-    return _NAMED.search(text) is not None or (bool(rows) and all(len(row) == 12 for row in rows))
+    rows = [line for line in text.splitlines() if line.strip()]
+    return _NAMED.search(text) is not None or (bool(rows) and all(map(_MATRIX.fullmatch, rows)))
 
 
 def _read(path: Path, text: str) -> Cameras:

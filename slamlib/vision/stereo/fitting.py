@@ -72,6 +72,7 @@ def _minimum(calibration: Calibration, extrinsics: Array, old: Array, new: Array
         step = np.linalg.solve(information, (weighted @ e[..., None]).sum(0)[:, 0])
         rest = e - A @ step
         y = old + (R @ G.swapaxes(-1, -2) @ W @ rest[..., None])[..., 0]
+        y[:, 2] = np.maximum(y[:, 2], old[:, 2] / 10)  # a wrong match must not push its point beyond infinity
         pose = Pose.plus(pose, step)
         if np.abs(step).max() < 1e-8:
             break

@@ -73,8 +73,7 @@ def ransac_pose(calibration: Calibration, old: Array, new: Array) -> tuple[Array
         return None
     inliers = np.zeros(len(old), dtype=bool)
     inliers[rows[:, 0]] = True
-    points_to_new = np.concatenate([shift[:, 0], exponential(turn[:, 0])])
-    return inverse(points_to_new), inliers
+    return inverse(np.concatenate([shift[:, 0], exponential(turn[:, 0])])), inliers
 
 
 def as_control(found: Fit) -> Control:
