@@ -2,7 +2,7 @@
 
 import argparse
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import fields
 from typing import Any
 
@@ -17,16 +17,19 @@ from slamlib.landmarks import POINTS
 from slamlib.vision.results import doubts, summary, table
 from slamlib.vision.run import load
 from slamlib.vision.sequence_run import ImageStep, SequenceKind, SequenceRun
+from slamlib.vision.two_views import contradiction
 
 Add = Callable[..., Any]  # add_argument of a group
 JUDGED, ENOUGH = 30, 0.7  # frames, and the least share of inliers among the matches of a good run
 NO_MATCH = "no match in {}: prediction only; the run stops after {} such frames in a row (reported once)"
 NOTHING = "nothing was matched in any {}: are they blank, dark, without texture, or not of one sequence?"
+AGAINST = 60.0  # degrees: least angle between a path's motion and that of two views for a path that may be reversed
 REVERSED = (
-    "only {:.0%} of the matches are inliers: the path may be reversed (near points estimated as far, and the motion as "
-    "its opposite), or the calibration wrong. Start at another picture, or give more information: a target (--scale "
-    "FILE), another --velocity"
+    "the path may be reversed (near points estimated as far, and the motion as its opposite): from picture {1} to {2} "
+    "it goes {0:.0f} degrees off the way that these two tell. Start at another picture, or give more information: a "
+    "target (--scale FILE), another --velocity"
 )
+FEW = "only {:.0%} of the matches are inliers: the calibration may be wrong, or not of these pictures"
 
 
 class ImageCommand:
@@ -104,9 +107,8 @@ class ImageCommand:
         report(given, s, aligned_rows(rows))
         for doubt in doubts(s):
             print(f"slamlib: {doubt}", file=sys.stderr)
-        inliers = s["inlier_share"]
-        if not run.metric and s["frames"] >= JUDGED and inliers is not None and inliers < ENOUGH:
-            print(f"slamlib: {REVERSED.format(inliers)}", file=sys.stderr)
+        for doubt in [] if run.metric else _doubts(run, s["inlier_share"]):
+            print(f"slamlib: {doubt}", file=sys.stderr)
         return ended.status
 
     def _which(self, add: Add) -> None:
@@ -133,6 +135,15 @@ class ImageCommand:
         add("--option", action="append", default=[], metavar="NAME=VALUE", help=OPTION)
         add("--search", action="append", default=[], metavar="NAME=VALUE", help=f"setting of {of}: {names}")
         add("--patience", type=count, metavar="N", help=f"stop after N {self.kind.item}s without a match (default 30)")
+
+
+def _doubts(run: SequenceRun, inliers: float | None) -> Iterator[str]:
+    """What its own pictures say against a run whose scale is free, in sentences."""
+    if run.done >= JUDGED and inliers is not None and inliers < ENOUGH:
+        yield FEW.format(inliers)
+    found = contradiction(run.source, run.slam.sensors[0].calibration, np.array(run.path))
+    if found is not None and found[0] > AGAINST:
+        yield REVERSED.format(*found)
 
 
 def given_options(given: argparse.Namespace, what: str, *names: str) -> dict[str, Any]:

@@ -30,9 +30,11 @@ from slamlib.vision.sequence_run import SequenceRun
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.motion_source import MOTION_SOURCES
 from slamlib.vision.target import Target
-from slamlib.vision.two_views import two_view_target
+from slamlib.vision.two_views import turning_rate, two_view_target
 
 ALIASES = {"constant-velocity": "constVel"}
+FAST = 3.0  # standard deviations: a camera whose first pictures turn faster starts with one as large as that rate
+FAST_START = "slamlib: the camera turns by {:.0f} deg/s at the start: this is the std of its turning rate (--velocity)"
 
 
 class ImagesCommand(ImageCommand):
@@ -62,7 +64,7 @@ camera.json of a pin-hole, in pixels:
             help='"free": the unit of length is arbitrary; or a JSON file with "points" (n, 3) [m], n at least 4, '
                  'their "pixels" (n, 2) in the first image, and the "std" of the points [m]')  # fmt: skip
         how("--initialization", choices=("two-view", "priors"), default="two-view",
-            help="of a free scale: by two images with enough parallax (the default), or by priors")  # fmt: skip
+            help="by two images with enough parallax (the default), or by priors")  # fmt: skip
         how("--motion", default="constant-velocity", help="constant-velocity, or a name of `slamlib list motions`")
         self._impulses(how, "", "{:g} times the target's distance, if there is one, and {:g}")
         how("--noise", type=number, metavar="PX",
@@ -86,21 +88,26 @@ camera.json of a pin-hole, in pixels:
         if given.noise is not None:
             camera["std"] = (given.noise,)
         target = None if given.scale == "free" else Target.load(given.scale)
-        unit = 1.0 if target is None else target.distance(read(SensorSetup, camera, "camera").calibration)
-        rig = camera_rig(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=given.velocity)
+        setup = read(SensorSetup, camera, "camera")
+        calibration = setup.calibration
+        seen_from = setup.extrinsics if target is None else target.camera(calibration)
+        unit = 1.0 if target is None else target.distance(calibration)
         search = assignments(given.search, ActiveSearchSettings, "--search")
         settings = ActiveSearchSettings(**{"max_in_view": 60, **search})
         names = "lines", "updates", "outlier_rejection"
         said = given_options(given, "point landmark (for lines there is --lines)", *names)
         chosen = options_for(unit, 0 if target is None else len(target.points), **said)
-        front_end = make_front_end(chosen, rig.sensors[0].calibration, np.random.default_rng(given.seed), settings)
-        pictures = source.part(given.start, given.every, given.frames)
-        start = None
-        if target is None and given.initialization == "two-view":
-            with suppress(SlamlibError):  # of a picture that cannot be read the run tells when it is there
-                start = two_view_target(pictures, rig.sensors[0].calibration, rig.sensors[0].extrinsics)
-            if start is None:
-                print("slamlib: no two views with enough parallax: the run starts from priors", file=sys.stderr)
+        front_end = make_front_end(chosen, calibration, np.random.default_rng(given.seed), settings)
+        pictures, velocity, start = source.part(given.start, given.every, given.frames), given.velocity, None
+        with suppress(SlamlibError):  # of a picture that cannot be read the run tells when it is there
+            if velocity is None and (rate := turning_rate(pictures, calibration)) > FAST * IMAGES.velocity[1]:
+                velocity = IMAGES.velocity[0] * unit, rate
+                print(FAST_START.format(rate), file=sys.stderr)
+            if given.initialization == "two-view":
+                start = two_view_target(pictures, calibration, seen_from, target)
+        if given.initialization == "two-view" and start is None:
+            print("slamlib: no two views with enough parallax: the run starts from priors", file=sys.stderr)
+        rig = camera_rig(camera, unit=unit, motion=motion, impulse=given.impulse, velocity=velocity)
         run = image_run(pictures, rig, chosen, front_end, scale=target, start=start, patience=given.patience or 30)
         run.relocalizes = True
         return run

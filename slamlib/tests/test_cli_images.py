@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 
 import numpy as np
@@ -232,13 +233,33 @@ def test_a_cut_is_warned_of_once_and_stops_the_run(room, tmp_path, capsys):
     assert found(capsys)["frames"] == COUNT
 
 
-def test_a_run_that_may_be_reversed_is_named(room, capsys, monkeypatch):
+def test_a_run_against_which_its_own_pictures_speak_is_named(room, capsys, monkeypatch):
     assert main(words(room, "--frames", "8")) == 0
-    assert "reversed" not in capsys.readouterr().err
+    assert not any(word in capsys.readouterr().err for word in ("reversed", "calibration"))
     monkeypatch.setattr("slamlib.cli.images.JUDGED", 8)
     monkeypatch.setattr("slamlib.cli.images.ENOUGH", 1.01)
+    monkeypatch.setattr("slamlib.cli.images.contradiction", lambda source, calibration, path: (143.2, 0, len(path) - 1))
     assert main(words(room, "--frames", "8", "--json")) == 0
-    assert "the path may be reversed" in capsys.readouterr().err
+    told = capsys.readouterr().err
+    assert "the calibration may be wrong" in told
+    assert "may be reversed" in told
+    assert "from picture 0 to 7 it goes 143 degrees off" in told
+
+
+def test_a_camera_that_turns_fast_in_its_first_picture_is_not_lost(tmp_path, capsys):
+    times, start = np.linspace(0, 1, 11), np.array([0, 0, 1.3, 0, 0, 0])
+    path = rendering.CameraPath(times, start + np.outer(times, [0, 0.1, 0, 0, 0, 1.8]))
+    rig = rendering.rig_along_path(path)
+    film = rendering.film(rendering.default_room("drawn"), rig, path, frames=12, dt=DT, rng=np.random.default_rng(1))
+    (tmp_path / "left").mkdir()
+    for i, (frame, _) in enumerate(film):
+        cv2.imwrite(str(tmp_path / "left" / f"{i:02}.png"), frame.scans[0].image)
+    (tmp_path / "calibration.json").write_text(json.dumps(rig.to_dict()))
+    assert main(words(tmp_path, "--json")) == 0
+    told = capsys.readouterr()
+    rate = float(re.search(r"turns by (\d+) deg/s", told.err)[1])
+    assert rate == pytest.approx(np.degrees(1.8), rel=0.15)
+    assert json.loads(told.out)["tracked_least"] >= 10
 
 
 def test_undistortion(room, tmp_path, capsys):
@@ -384,3 +405,16 @@ def test_a_real_sequence(capsys):
     s = found(capsys)
     assert s["frames_without_match"] == 0
     assert s["matched_share"] > 0.7
+
+
+def test_the_scale_of_a_real_sequence_is_that_of_its_dots(tmp_path, capsys):
+    there = DATA / "mono_visp_cube"
+    if not there.is_dir():
+        pytest.skip("the excerpt mono_visp_cube is not at hand")
+    dots = next(line.split()[1:] for line in (there / "dots_px.txt").read_text().splitlines() if line[0] == "0")
+    rim = [(x, y, 0) for y in range(4) for x in range(4) if {x, y} & {0, 3}]
+    target = {"points": rim, "pixels": np.array(dots, float).reshape(-1, 2).tolist()}
+    (tmp_path / "dots.json").write_text(json.dumps(target))
+    files = ["--calibration", str(there / "calib.txt"), "--scale", str(tmp_path / "dots.json")]
+    assert main(["run", "images", "--source", str(there / "frames"), "--fps", "25", *files, "--json"]) == 0
+    assert found(capsys)["path_length"] == pytest.approx(21.48, rel=0.05)  # spacings, by structure from motion

@@ -8,7 +8,8 @@ pytest.importorskip("cv2")
 from slambook import rendering
 
 from slamlib.datasets.pictures import TimedImage
-from slamlib.geometry.pose import compose, relative
+from slamlib.datasets.sources import of_pictures
+from slamlib.geometry.pose import compose, relative, to_frame
 from slamlib.geometry.quaternion import rotation
 from slamlib.sensors.omni import OMNI, powers
 from slamlib.sensors.pinhole import distort_radius
@@ -17,8 +18,8 @@ from slamlib.slam import Slam
 from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.relocalization import relocalize
 from slamlib.vision.run import options_for
-from slamlib.vision.target import focal_length
-from slamlib.vision.two_views import two_view_target
+from slamlib.vision.target import Target, focal_length
+from slamlib.vision.two_views import contradiction, turning_rate, two_view_target
 
 DT = 1 / 30
 
@@ -90,6 +91,44 @@ def test_without_parallax_there_are_no_two_views(started):
     assert two_view_target(iter(still), rig.sensors[0].calibration, truth[0]) is None
     blank = [TimedImage("blank", 0.0, np.zeros_like(still[0].image))] * 3
     assert two_view_target(iter(blank), rig.sensors[0].calibration, truth[0]) is None
+
+
+def test_two_views_take_the_unit_of_a_target(started):
+    rig, frames, truth = started
+    sensor = rig.sensors[0]
+    camera = compose(truth[0], sensor.extrinsics)
+    on_wall = np.array([[3.0, y, z] for y in (1.1, 1.5, 1.9) for z in (1.0, 1.6)])
+    pixels = sensor.calibration.project(np.column_stack([to_frame(camera, on_wall), np.ones(6)]))
+    known = Target(on_wall, pixels, 0.001)
+    both = two_view_target(iter(pictures(frames)), sensor.calibration, camera, known)
+    assert (both.points[:6] == on_wall).all()
+    assert (both.pixels[:6] == pixels).all()
+    assert (both.std[:6] == 0.001).all()
+    assert len(both.points) >= 16
+    assert np.mean(np.abs(both.points[6:, 0] - 3.0) < 0.1) >= 0.5  # metres; the others are behind the window
+
+
+def test_two_views_speak_against_a_reversed_path_alone(started):
+    rig, frames, truth = started
+    sensor, source = rig.sensors[0], of_pictures(pictures(frames), DT)
+    path = np.array([compose(pose, sensor.extrinsics) for pose in truth])
+    angle, first, second = contradiction(source, sensor.calibration, path)
+    assert angle < 10
+    assert first == 0 < second < len(path)
+    mirrored = np.column_stack([2 * path[0, :3] - path[:, :3], path[:, 3:]])
+    assert contradiction(source, sensor.calibration, mirrored)[0] == pytest.approx(180 - angle, abs=1)
+    still = of_pictures([pictures(frames)[0]] * 5, DT)
+    assert contradiction(still, sensor.calibration, path[:5]) is None
+    assert contradiction(source, sensor.calibration, path[:1]) is None
+
+
+def test_without_points_no_turn_is_measured(started):
+    rig, frames, _ = started
+    first, second, *_ = pictures(frames)
+    blank = TimedImage("blank", second.time, np.zeros_like(first.image))
+    assert turning_rate([first, second], rig.sensors[0].calibration) > 1
+    for pair in ([first], [first, blank], [blank, first]):
+        assert turning_rate(pair, rig.sensors[0].calibration) == 0
 
 
 def filter_with_a_map(rig, frames):

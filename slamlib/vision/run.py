@@ -131,8 +131,8 @@ def image_run(
     patience: int = 30,
     rng: np.random.Generator | None = None,
 ) -> SequenceRun:
-    """A run on images. rig: one robot with one camera. scale: a known target, or None for a free scale; then
-    start: guessed points to start from (slamlib.vision.two_views), or None.
+    """A run on images. rig: one robot with one camera. scale: a known target, or None for a free scale.
+    start: points to start from, the target's first (slamlib.vision.two_views), or None: the target's alone.
 
     front_end: default ActiveSearch, which draws with `rng`, and also SegmentSearch if the options have lines.
     patience: frames without a match, after which the run stops. The impulses of the rig's motion are those between two
@@ -144,7 +144,7 @@ def image_run(
     own = front_end or make_front_end(options, rig.sensors[0].calibration, rng or np.random.default_rng(0))
     slam = Slam(rig, options, front_ends=[own])
     metric = scale is not None
-    return SequenceRun(source, slam, MotionSource(own), IMAGES, patience=patience, metric=metric, target=scale or start)
+    return SequenceRun(source, slam, MotionSource(own), IMAGES, patience=patience, metric=metric, target=start or scale)
 
 
 def open_stereo(

@@ -76,6 +76,11 @@ class Target:
             wanted = 'JSON with "points" (n, 3), "pixels" (n, 2) and perhaps "std"'
             raise SlamlibError(f"{path} is no target: {wanted} is expected ({type(error).__name__}: {error})") from None
 
+    def with_others(self, other: "Target") -> "Target":
+        """These points, then those of another target."""
+        points, pixels = np.concatenate([self.points, other.points]), np.concatenate([self.pixels, other.pixels])
+        return Target(points, pixels, np.concatenate([np.broadcast_to(t.std, len(t.points)) for t in (self, other)]))
+
     def camera(self, calibration: Calibration) -> Array:
         """Pose (7,) of the camera in the target's frame that fits the pixels best; raises SlamlibError.
 
