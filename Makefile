@@ -6,7 +6,7 @@ READY := $(VENV)/.ready
 export OPENBLAS_NUM_THREADS := 1
 export PYTHONDONTWRITEBYTECODE := 1
 
-.PHONY: help book pdf serve test test-all quick chapter environment assets parity experiments audit monocular starts real-images visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book pdf serve lab instructor test test-all quick chapter environment assets parity experiments audit monocular starts real-images visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -19,6 +19,18 @@ pdf: book  ## print the whole book as a PDF, linked from its landing page (needs
 
 serve: book  ## build the book and serve it on this machine only
 	@$(BIN)/python -m book.tools.serve
+
+lab: $(VENV)/.lab  ## open the chapters in JupyterLab, with the environment's kernel
+	@$(BIN)/jupyter lab book/chapters
+
+$(VENV)/.lab: $(READY)
+	@echo "adding JupyterLab to $(VENV) (once)"
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check $(LAB)
+	@$(BIN)/python -m pip check --quiet --disable-pip-version-check
+	@touch $@
+
+instructor: environment  ## pack the notebooks without their solutions, for those who teach
+	@$(BIN)/python -m book.tools.instructor
 
 test: environment  ## run every check of .ci/run, with a summary line each
 	@$(BIN)/python -m book.tools.ci
