@@ -2,11 +2,12 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+LAB := jupyterlab==4.6.6# leaves what is locked as it is; no check and no page needs it, so the lock does without
 READY := $(VENV)/.ready
 export OPENBLAS_NUM_THREADS := 1
 export PYTHONDONTWRITEBYTECODE := 1
 
-.PHONY: help book pdf serve test test-all quick chapter environment assets parity experiments audit monocular starts real-images visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book pdf serve lab instructor platforms test test-all quick chapter environment assets parity experiments audit monocular starts real-images visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -19,6 +20,18 @@ pdf: book  ## print the whole book as a PDF, linked from its landing page (needs
 
 serve: book  ## build the book and serve it on this machine only
 	@$(BIN)/python -m book.tools.serve
+
+lab: $(VENV)/.lab  ## open the chapters in JupyterLab, with the environment's kernel
+	@$(BIN)/jupyter lab book/chapters
+
+$(VENV)/.lab: $(READY)
+	@echo "adding JupyterLab to $(VENV) (once)"
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check $(LAB)
+	@$(BIN)/python -m pip check --quiet --disable-pip-version-check
+	@touch $@
+
+instructor: environment  ## pack the notebooks without their solutions, for those who teach
+	@$(BIN)/python -m book.tools.instructor
 
 test: environment  ## run every check of .ci/run, with a summary line each
 	@$(BIN)/python -m book.tools.ci
@@ -96,6 +109,9 @@ notebooks: environment  ## run every notebook in place and store its text output
 
 format: environment  ## format the Python code
 	@$(BIN)/ruff format && $(BIN)/ruff check --fix
+
+platforms: environment  ## does the lock install on Linux, macOS and Windows? (needs the network; minutes)
+	@$(BIN)/python -m book.tools.platforms
 
 lock: environment  ## make requirements.txt from requirements.in (needs uv)
 	uv pip compile requirements.in --universal --python-version 3.11 --generate-hashes --no-header \

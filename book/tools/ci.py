@@ -58,6 +58,7 @@ def stages(every: bool = False) -> list[Stage]:
         Stage("pytest", [*PYTHON, "pytest", "-q", "-rs", *parallel], r"(\d+) passed", "tests"),
         Stage("nbval", [*PYTHON, *notebooks.NBVAL, *parallel, *files], r"(\d+) passed", "cells as stored"),
         Stage("book", [*PYTHON, "book.tools.build"], r"running (\d+) notebooks", "notebooks in the book"),
+        Stage("platforms", [*PYTHON, "book.tools.platforms"], r"platforms: (\d+) of", "platforms for the lock", every),
         Stage("site", [*PYTHON, "book.tools.site"], r"site: (\d+) pages", "pages, links resolve"),
         Stage("browser", [*chromium, "-k", "test_pages and not axe", *pages], r"(\d+) passed", "views of pages"),
         Stage("axe", [*chromium, "-k", "test_pages and axe", *pages], r"(\d+) passed", "pages, nothing serious"),
@@ -119,7 +120,9 @@ def main(arguments: list[str] | None = None) -> int:
     """Run all stages, or those that are named, whatever happens to each."""
     names = ", ".join(stage.name for stage in stages())
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("stage", nargs="*", help=f"of {names} (default: all but core, which is a part of pytest)")
+    parser.add_argument(
+        "stage", nargs="*", help=f"of {names} (default: all but core, which is a part of pytest, and platforms)"
+    )
     parser.add_argument("--all", action="store_true", help="look at all pages and run their live cells, changed or not")
     options = parser.parse_args(arguments)
     known, wanted = stages(options.all), options.stage
