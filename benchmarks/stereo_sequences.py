@@ -4,12 +4,16 @@ A rig waved by hand that sees the same places again and again (EuRoC's MH_01 bef
 and a street that is passed once (KITTI). Their licences forbid shipping them. ATE: root mean square of the distances
 after the best rigid motion [m]; EuRoC's reference of the position is some 8 ms late against that of the orientation,
 which is why the ATE is given by the time shift that makes odometry's own least, too.
+
+With --numbers: odometry alone and the filter by the number of features that a cell of the grid may hold, and their
+speeds relative to the default's, in the same run.
 """
 
 import os
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy loads
 
+import argparse
 import tempfile
 import time
 from collections.abc import Iterator
@@ -32,6 +36,7 @@ from slamlib.vision.stereo import StereoSettings
 
 EUROC = DATA / "stereo_euroc_mh01_hand"
 LATE = 0.008  # s
+NUMBERS = (1, 2, 3, 5, 8, 12)  # features of a cell
 CAMERA = """%YAML:1.0
 sensor_type: camera
 T_BS:
@@ -90,10 +95,11 @@ def figures() -> dict[str, dict[str, dict[str, float]]]:
     return found
 
 
-def judged(sequence: Sequence, motion: str) -> dict[str, float]:
-    """A run by defaults: errors, how many landmarks (of odometry, features) a pair has inliers of, and its time."""
+def judged(sequence: Sequence, motion: str, **settings: Any) -> dict[str, float]:
+    """A run by defaults, but for these settings: errors, how many landmarks (of odometry, features) a pair has inliers
+    of, and its time."""
     source, camera, truth = sequence
-    run = stereo_run(source, camera, motion_source=motion, settings=StereoSettings())
+    run = stereo_run(source, camera, motion_source=motion, settings=StereoSettings(**settings))
     began = time.process_time()
     try:
         street.finished(motion, run)
@@ -118,6 +124,29 @@ def table(found: dict[str, dict[str, dict[str, float]]]) -> Iterator[str]:
             yield f"{motion:24} {errors} {row['inliers']:9.1f} {row['milliseconds']:9.0f}{lost}"
 
 
+def by_number(name: str) -> Iterator[str]:
+    """Printed lines on one sequence: accuracy and speed by the number of features of a cell."""
+    sequence, default = SEQUENCES[name][1](), StereoSettings().per_cell
+    yield f"{name:8} features of a cell " + "".join(f"{per_cell:>11}" for per_cell in NUMBERS)
+    for motion in ("odometry", "covariance-intersection"):
+        rows = {per_cell: judged(sequence, motion, per_cell=per_cell) for per_cell in NUMBERS}
+        usual = rows[default]["milliseconds"]
+        yield f"{motion:24} ATE " + "".join(f"{1e3 * row['ate']:8.1f} mm" for row in rows.values())
+        yield f"{'':21} inliers" + "".join(f"{row['inliers']:11.0f}" for row in rows.values())
+        yield f"{'':23} speed" + "".join(f"{usual / row['milliseconds']:11.2f}" for row in rows.values())
+
+
+def main() -> None:
+    """Print the table, or that of the numbers."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--numbers", choices=SEQUENCES, help="numbers of features, on this sequence")
+    given = parser.parse_args()
+    if not any(folder.is_dir() for folder, _ in SEQUENCES.values()):
+        print("set SLAMLIB_DATA")
+        return
+    for line in by_number(given.numbers) if given.numbers else table(figures()):
+        print(line, flush=True)
+
+
 if __name__ == "__main__":
-    for line in table(figures()) if any(folder.is_dir() for folder, _ in SEQUENCES.values()) else ["set SLAMLIB_DATA"]:
-        print(line)
+    main()

@@ -2,6 +2,7 @@
 
 import functools
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from slambook.rendering import renderer as module
 from slambook.rendering.rays import rays, tiles
 
 from benchmarks.judging import patches, strong_corners, zncc
-from slamlib.errors import SlamlibError
+from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.quaternion import rotation
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
@@ -204,3 +205,27 @@ def test_what_cannot_be_rendered_is_refused(room):
         rendering.TexturedQuad([0, 0, 0], [1, 0, 0], [0, 1, 0], flat(1), light=2)
     with pytest.raises(SlamlibError, match="camera"):
         rendering.render(room, CAMERAS["ideal"], np.zeros(3))
+
+
+def test_pixels_beyond_a_lens_s_reach_are_found_without_asking_for_each():
+    """A fold inside the image: of thousands of pixels without a ray, each was inverted alone, which seemed to hang."""
+    asked = []
+
+    def back_project(pixels, unmeasured, **given):
+        asked.append(len(pixels))
+        if not reached(pixels).all():
+            raise SingularPointError("no ray")
+        return np.tile([0, 0, 1, 0.0], (len(pixels), 1))
+
+    def reached(pixels):
+        """An ellipse: pixels need not be square."""
+        return np.hypot(*(pixels - [80, 60]).T * [[1], [0.97]]) < 45
+
+    lens = SimpleNamespace(
+        sensor=SimpleNamespace(back_project=back_project),
+        given={"intrinsics": np.array([80.0, 60.0, 100, 97])},
+        visible=lambda points: np.ones(len(points), dtype=bool),
+    )
+    pixels = np.stack(np.meshgrid(np.arange(160.0), np.arange(120.0)), axis=-1).reshape(-1, 2)
+    np.testing.assert_array_equal(rays(lens, pixels).any(1), reached(pixels))
+    assert len(asked) < 0.6 * (~reached(pixels)).sum()  # by halves alone, twice as many

@@ -9,6 +9,7 @@ from slamlib.manifolds import Array, Mask
 from slamlib.sensors.sensor import Calibration
 
 TILE = 16  # pixels across
+INWARDS = 0.95  # where no ray reaches this share of a distance from the centre, none reaches farther: lenses are round
 
 
 def rays(calibration: Calibration, pixels: Array) -> Array:
@@ -16,9 +17,10 @@ def rays(calibration: Calibration, pixels: Array) -> Array:
     found = np.zeros((len(pixels), 3))
     try:
         points = calibration.sensor.back_project(pixels, np.zeros(1), **calibration.given)
-    except SingularPointError:
-        if len(pixels) > 1:  # find the ones without a ray by halves
-            half = len(pixels) // 2
+    except SingularPointError:  # find the ones without a ray by halves, until none of a half has one
+        centre, half = calibration.given["intrinsics"][:2], len(pixels) // 2
+        nearest = pixels[np.linalg.norm(pixels - centre, axis=1).argmin()] - centre
+        if half and rays(calibration, centre + INWARDS * nearest[None]).any():
             return np.concatenate([rays(calibration, pixels[:half]), rays(calibration, pixels[half:])])
         return found
     seen = calibration.visible(points)
