@@ -1,12 +1,14 @@
 """One preset by filters that differ in the error whose covariance they keep, by the oracle, and by all data at once.
 
 The same data, the same seeds. FILTERS: two of the options' errors, and "oracle"; WITH_ANCHORS: "world", and along the
-anchors of landmarks, too; ALL_DATA: smoothing, with the data association and the start of the ordinary filter. Chapter
-observability.
+anchors of landmarks, too; ALL_DATA: smoothing, with the data association and the start of the ordinary filter. For
+estimated extrinsics: PRODUCTS, "world" with the noise of what a linearization leaves out; LATER, "world" with the first
+frames by the other sensors alone. Chapter observability.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 from unittest.mock import patch
 
 import numpy as np
@@ -14,32 +16,63 @@ import numpy as np
 from slambook.anchors import anchors_carried
 from slambook.oracle import Oracle
 from slambook.smoothing import Smoother
+from slamlib.data.records import Scan
 from slamlib.evaluation.consistency import band, nees_where_uncertain, share_inside
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
 from slamlib.kalman.chi_square import chi2_quantile
+from slamlib.kalman.linalg import principal_blocks
 from slamlib.manifolds import Array
+from slamlib.slam.entities import MountedSensor
 from slamlib.slam.transport import TRANSPORTS
 
 FILTERS, WITH_ANCHORS, ALL_DATA = ("local", "world", "oracle"), "anchors", "all data"
+PRODUCTS, LATER, ALONE = "products", "later", 20  # frames
 DOF = 6
+
+
+def with_products(slam: Any) -> Any:
+    """The family of points, with a product of errors, which a linearization leaves out, as noise in batch updates.
+
+    A direction in the sensor's frame has inverse distance times displacement in it: the product of their errors moves
+    it by H / (inverse distance). Where extrinsics are estimated both may be large; its variance is that of Gaussians.
+    """
+
+    class Products(type(slam.families["points"])):  # type: ignore[misc]
+        def batch_innovation(self, sensor: MountedSensor, expected: Any, measured: Array) -> Any:
+            found = super().batch_innovation(sensor, expected, measured)
+            if sensor.block is None or expected.landmarks[0].kind is self.exact:
+                return found
+            P, t = principal_blocks(slam.belief.matrix, expected.columns), slice(DOF, DOF + 3)
+            inverse_distances = np.array([landmark.block.mean[-1] for landmark in expected.landmarks])
+            by, both = found.H[..., t] / inverse_distances[:, None, None], P[:, t, -1:]
+            product = P[:, -1:, -1:] * P[:, t, t] + both @ both.swapaxes(1, 2)
+            return found._replace(R=found.R + by @ product @ by.swapaxes(1, 2))
+
+    return Products()
 
 
 def poses(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array]:
     """Of each robot in one run by this name: true poses (n, r, 7), estimated ones, their covariances (n, r, 6, 6)."""
     with patch.dict(TRANSPORTS, {WITH_ANCHORS: anchors_carried}):  # an option for this run alone
-        return _poses(preset, seed, name, name if name in TRANSPORTS else "local")
+        error = "local" if name in ("oracle", ALL_DATA) else "world" if name in (PRODUCTS, LATER) else name
+        return _poses(preset, seed, name, error)
 
 
 def _poses(preset: Preset, seed: int, name: str, error: str) -> tuple[Array, Array, Array]:
     preset = replace(preset, seed=seed, options=replace(preset.options, error=error))
     slam = preset.slam()
+    if name == PRODUCTS:
+        slam.families["points"] = with_products(slam)
     oracle = Oracle(slam, preset.world) if name == "oracle" else None
     smoother = Smoother(slam) if name == ALL_DATA else None
     true, estimates, covariances = [], [], []
     for frame, truth in preset.simulate():
         if oracle:
             oracle.truth = truth
+        if name == LATER and frame.number <= ALONE:
+            scans = [Scan() if sensor.block else scan for sensor, scan in zip(slam.sensors, frame.scans, strict=True)]
+            frame = replace(frame, scans=tuple(scans))
         slam.step(frame)
         if smoother:
             smoother.record(frame)

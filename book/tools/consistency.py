@@ -15,7 +15,7 @@ from typing import Any
 import joblib
 import numpy as np
 from slambook.anchors import ANCHORS
-from slambook.filters_compared import ALL_DATA, FILTERS, WITH_ANCHORS, Verdict, run, stacked
+from slambook.filters_compared import ALL_DATA, FILTERS, LATER, PRODUCTS, WITH_ANCHORS, Verdict, run, stacked
 
 from book.tools import layout
 from book.tools.experiments import digest, rounded, with_options
@@ -25,7 +25,8 @@ from slamlib.manifolds import Array
 
 FILE = layout.BOOK / "chapters" / "data" / "consistency.json"
 RUNS, SEEDS, ROUND = 100, (17, 18), 10
-LARGE = ("two_robots", "omni", "stereo", "points_and_lines", "self_calibration")
+CALIBRATED = "self_calibration"
+LARGE = ("two_robots", "omni", "stereo", "points_and_lines", CALIBRATED)
 # One truth of these is many states, and none of them belongs to the estimate.
 WITHOUT_ORACLE = ("hmgPnt", "ahmLin", "hmgLin", "idpLin", "points_and_lines")
 BIASED = "points_and_lines"  # in scale
@@ -33,6 +34,8 @@ START = "start known to 5 degrees"
 ONE_CAMERA, BY_CONTROL, WHOLE = "idpPnt", "idpPnt, noise in the control", "eucPnt"  # by all data at once, too
 # Plücker lines whose prior is as wide as lines are near: 1 / distance, where the toolbox's second number has 1 / m.
 NARROW, PRIOR = ", narrow prior", ((0.1, 0.0), (0.25, 0.25))
+# How well the second camera's pose is known at first, as shares of what the preset has; 0: exactly.
+LEARNED, SHARES = "extrinsics x ", (1.0, 0.5, 0.25, 0.0)
 FIRST_FRAMES = 12  # of the first run, kept number by number
 
 
@@ -56,10 +59,19 @@ def unsure_start(preset: Preset) -> Preset:
     return replace(preset, rig=replace(preset.rig, robots=(robot,)), frames=120)
 
 
+def known_to(preset: Preset, share: float) -> Preset:
+    """The estimated extrinsics are known to this share of their standard deviations; 60 frames."""
+    first, second = preset.rig.sensors
+    position, turn = (tuple(share * std for std in stds) for stds in (second.position_std, second.orientation_std))
+    second = replace(second, estimated=share > 0, position_std=position, orientation_std=turn)
+    return replace(preset, rig=replace(preset.rig, sensors=(first, second)), frames=60)
+
+
 def cases() -> dict[str, Preset]:
     """All presets by name."""
     base, house = (replace(with_options(f(), reproject=False), noise_in="truth") for f in (points, lines))
     euclidean = by_range_and_bearing(base)
+    large = {n: replace(with_options(PRESETS[n](), reproject=False), noise_in="truth") for n in LARGE}
     return {
         **{name: with_options(base, points=name) for name in sorted(POINTS) if name != "eucPnt"},
         "eucPnt": euclidean,
@@ -67,15 +79,20 @@ def cases() -> dict[str, Preset]:
         **{name + NARROW: with_options(house, lines=name, line_priors={name: PRIOR}) for name in ("aplLin", "plkLin")},
         START: unsure_start(euclidean),
         BY_CONTROL: replace(with_options(base, points=ONE_CAMERA), noise_in="control"),
-        **{n: replace(with_options(PRESETS[n](), reproject=False), noise_in="truth") for n in LARGE},
+        **large,
+        **{f"{LEARNED}{share:g}": known_to(large[CALIBRATED], share) for share in SHARES},
     }
 
 
-def filters(case: str, preset: Preset) -> tuple[str, ...]:
+def filters(case: str) -> tuple[str, ...]:
     """The filters that are compared. The oracle needs extrinsics that are given, and one true state a landmark."""
     if case in ANCHORS:
         return (*FILTERS, WITH_ANCHORS, *[ALL_DATA] * (case == ONE_CAMERA))
-    if case in WITHOUT_ORACLE or any(sensor.estimated for sensor in preset.rig.sensors):
+    if case.startswith(LEARNED):
+        return (FILTERS[1], *[ALL_DATA] * (case == f"{LEARNED}1"))
+    if case == CALIBRATED:
+        return (*FILTERS[:2], PRODUCTS, LATER)
+    if case in WITHOUT_ORACLE:
         return FILTERS[:2]
     return (*FILTERS, ALL_DATA) if case in (BY_CONTROL, WHOLE) else FILTERS
 
@@ -142,7 +159,7 @@ def main() -> None:
     chosen = {case: preset for case, preset in known.items() if case in (given.only or found)}
     for end in [*range(ROUND, given.runs, ROUND), given.runs]:
         for case, number in itertools.product(chosen, SEEDS):
-            for name in filters(case, chosen[case]):
+            for name in filters(case):
                 sets = found[case].setdefault(name, {})
                 before = sets.get(str(number))
                 missing = seeds(number, end)[before["runs"] if before else 0 :]
