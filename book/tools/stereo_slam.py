@@ -3,7 +3,7 @@
 For the pages report_audited and report_experiments: the report's errors turned on together and repaired one after
 another, and the filter with wrong covariances (slambook.report). For the chapter: slamlib's own system in the rendered
 stereo room (book.tools.stereo_room), on KITTI's street (benchmarks.street), and by defaults on it and on a waved rig
-(benchmarks.stereo_sequences), where they are at hand.
+(benchmarks.stereo_sequences), beside plain OpenCV (benchmarks.opencv_stereo), where they are at hand.
 Times belong to a machine and are not stored. `--only NAME` makes one part again and keeps the others.
 """
 
@@ -17,7 +17,7 @@ from slambook.report.runs import Outcome, monte_carlo
 from slambook.report.scenes import SCENES, Scene
 from slambook.report.switches import SWITCHES, Switch
 
-from benchmarks import stereo_sequences
+from benchmarks import opencv_stereo, stereo_sequences
 from benchmarks import street as bench
 from book.tools import layout, stereo_room, stored
 from slamlib.experiments.progress import progress
@@ -90,6 +90,7 @@ def _without_times(value: Any) -> Any:
 
 PARTS: dict[str, Callable[[], Any]] = {
     "light": stereo_room.light,
+    "opencv": lambda: stored.plain(_without_times(opencv_stereo.at_hand(["street"]))) or None,
     "repairs": repairs,
     "round": stereo_room.around,
     "sequences": sequences,
