@@ -9,6 +9,7 @@ pytest.importorskip("cv2", reason="OpenCV is not installed")
 pytest.importorskip("skimage", reason="scikit-image is not installed")
 
 from book.tools import starts
+from slamlib.cli.images import AGAINST
 
 KEPT = json.loads(starts.FILE.read_text("utf-8"))
 
@@ -23,6 +24,15 @@ def test_the_two_view_start_is_right_as_often_as_promised():
     for start in starts.STARTS:
         assert sum(row["cosine"] > 0.9 for row in KEPT[start]) >= 0.95 * starts.FILMS
     assert max(row["off"] / row["jump"] for row in KEPT["kidnapped"]) < 0.3
+
+
+def test_two_views_speak_against_wrong_paths_and_not_against_right_ones():
+    told = [row for rows in KEPT.values() if isinstance(rows, list) for row in rows if row.get("against") is not None]
+    wrong = [row["against"] for row in told if row["cosine"] < 0.9]
+    right = [row["against"] for row in told if row["cosine"] >= 0.9]
+    assert len(wrong) >= 10
+    assert np.mean(np.array(wrong) > AGAINST) >= 0.95
+    assert np.mean(np.array(right) > AGAINST) < 0.05
 
 
 @pytest.mark.parametrize(("start", "turned"), [("at rest", 0), ("turning", 14)])

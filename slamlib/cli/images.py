@@ -29,7 +29,7 @@ REVERSED = (
     "it goes {0:.0f} degrees off the way that these two tell. Start at another picture, or give more information: a "
     "target (--scale FILE), another --velocity"
 )
-FEW = "only {:.0%} of the matches are inliers: the calibration may be wrong, or not of these pictures"
+FEW = "only {:.0%} of the matches are inliers: the path is poorly known, or the calibration is of another camera"
 
 
 class ImageCommand:
