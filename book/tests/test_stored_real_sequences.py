@@ -45,8 +45,8 @@ def test_positions_are_kept_where_they_may_be_handed_on():
     assert shown == {"visp-cube", *real_sequences.SHIPPED}
     for name in shown:
         path, reference = (np.array(KEPT[name][key]) for key in ("path", "reference"))
-        off = np.linalg.norm(path - reference, axis=1)
-        assert off == pytest.approx(np.array(KEPT[name]["errors"]), abs=1e-3 * np.abs(reference).max())
+        apart = np.linalg.norm(path - reference, axis=1)
+        assert apart == pytest.approx(np.array(KEPT[name]["errors"]), abs=1e-3 * np.abs(reference).max())
     assert all(RECORDINGS[name].licence.startswith("CC BY 4.0") for name in real_sequences.SHIPPED)
 
 
@@ -69,19 +69,19 @@ def light(recording, count=150):
 
 
 @pytest.mark.parametrize(
-    ("name", "read", "off"),
+    ("name", "read", "largest"),
     [
         ("starry-night", recordings.starry_night, 0.15),
         ("lost-in-the-woods", recordings.woods, 0.1),
         ("mrclam-6", recordings.mrclam, 0.3),
     ],
 )
-def test_a_recording_is_read_so_that_a_filter_stays_near_its_truth(name, read, off):
+def test_a_recording_is_read_so_that_a_filter_stays_near_its_truth(name, read, largest):
     recording = light(read(found(name)))
     figures, (estimate,) = recording_runs.run(recording, meetings=True, smooth=False)
     assert figures["inliers"] > 0.8
     for robot in range(len(recording.starts)):
-        assert recording_runs.judged(recording, estimate, robot)["ate"] < off
+        assert recording_runs.judged(recording, estimate, robot)["ate"] < largest
 
 
 def test_the_beginning_of_a_street_comes_out_again(tmp_path):
