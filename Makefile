@@ -7,7 +7,7 @@ READY := $(VENV)/.ready
 export OPENBLAS_NUM_THREADS := 1
 export PYTHONDONTWRITEBYTECODE := 1
 
-.PHONY: help book pdf serve lab instructor platforms test test-all quick chapter environment assets parity experiments audit monocular starts real-images visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book pdf serve lab instructor platforms test test-all quick chapter environment assets parity experiments audit monocular starts real-images real-sequences visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -79,6 +79,9 @@ starts: environment  ## run the starts of one camera, and the kidnapped ones, on
 
 real-images: environment  ## fetch the real sequence of chapter monocular (75 MB), run the filter on it, store its figures
 	@$(BIN)/python -m book.tools.real_images
+
+real-sequences: environment  ## run the filter on every public recording below SLAMLIB_DATA, and store its figures (resumable)
+	@$(BIN)/python -m book.tools.real_sequences $(ARGS)
 
 visual-odometry: environment  ## run the longer films of chapter visual_odometry, and store their figures
 	@$(BIN)/python -m book.tools.visual_odometry

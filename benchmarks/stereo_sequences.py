@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from slambook.stereo_films import DATA
+from slambook.stereo_films import DATA, EUROC_CAMERAS
 
 from benchmarks import street
 from slamlib.datasets.dataset import ImageSource
@@ -37,32 +37,6 @@ from slamlib.vision.stereo import StereoSettings
 EUROC = DATA / "stereo_euroc_mh01_hand"
 LATE = 0.008  # s
 NUMBERS = (1, 2, 3, 5, 8, 12)  # features of a cell
-CAMERA = """%YAML:1.0
-sensor_type: camera
-T_BS:
-  cols: 4
-  rows: 4
-  data: [{}, 0, 0, 0, 1]
-resolution: [752, 480]
-camera_model: pinhole
-distortion_model: radial-tangential
-intrinsics: [{}]
-distortion_coefficients: [{}]
-"""
-CAMERAS = (  # pose in the body, row by row; intrinsics; distortion: of the data set's own files
-    CAMERA.format(
-        "0.0148655429818, -0.999880929698, 0.00414029679422, -0.0216401454975, 0.999557249008, 0.0149672133247, "
-        "0.025715529948, -0.064676986768, -0.0257744366974, 0.00375618835797, 0.999660727178, 0.00981073058949",
-        "458.654, 457.296, 367.215, 248.375",
-        "-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05",
-    ),
-    CAMERA.format(
-        "0.0125552670891, -0.999755099723, 0.0182237714554, -0.0198435579556, 0.999598781151, 0.0130119051815, "
-        "0.0251588363115, 0.0453689425024, -0.0253898008918, 0.0179005838253, 0.999517347078, 0.00786212447038",
-        "457.587, 456.134, 379.999, 255.238",
-        "-0.28368365, 0.07451284, -0.00010473, -3.5559070e-05",
-    ),
-)
 
 Sequence = tuple[ImageSource, dict[str, Any], Trajectory]
 
@@ -71,7 +45,7 @@ def waved() -> Sequence:
     """EuRoC's rig, waved by hand: the rectified pairs in memory, their camera, and the true path of the raw one."""
     with tempfile.TemporaryDirectory() as folder:
         files = [str(Path(folder) / f"cam{i}.yaml") for i in (0, 1)]
-        for file, text in zip(files, CAMERAS, strict=True):
+        for file, text in zip(files, EUROC_CAMERAS, strict=True):
             Path(file).write_text(text)
         left, right = (str(EUROC / f"cam{i}" / "*.jpg") for i in (0, 1))
         source, camera, _ = open_stereo(left=left, right=right, calibration=files, rectify=True, fps=20)

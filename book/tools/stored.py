@@ -20,7 +20,7 @@ def plain(value: Any, digits: int = 4) -> Any:
         return [plain(part, digits) for part in value]
     if isinstance(value, float | np.floating):
         return float(f"{value:.{digits}g}") if math.isfinite(value) else str(value)
-    return value
+    return int(value) if isinstance(value, np.integer) else value
 
 
 def main(file: Path, parts: Mapping[str, Callable[[], Any]], description: str | None) -> None:

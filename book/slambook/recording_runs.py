@@ -1,0 +1,131 @@
+"""Runs of recorded landmarks through the filter, and of all their data at once; errors and NEES against the truth."""
+
+import time
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from slambook.recordings import PLANE, Sightings
+from slambook.smoothing import Smoother
+from slamlib.evaluation.alignment import align
+from slamlib.evaluation.comparison import compared
+from slamlib.evaluation.consistency import band, nees, share_inside
+from slamlib.evaluation.trajectory import Trajectory, associate
+from slamlib.experiments.progress import progress
+from slamlib.geometry.pose import Pose, to_frame
+from slamlib.kalman.chi_square import chi2_quantile
+from slamlib.manifolds import Array, Indices
+from slamlib.slam import Slam
+from slamlib.vision.results import lasting, whitened
+
+GATE = chi2_quantile(0.99, 3)
+KNOWN = 40  # poses, evenly spread, whose covariances are taken of what was smoothed
+
+
+def meet(slam: Slam, observer: int, observed: int, measured: Array) -> bool:
+    """A robot has measured range and bearing of another: an update of two poses, if it passes the gate."""
+    one, two = (slam.robots[i] for i in (observer, observed))
+    calibration = slam.sensors[observer].calibration
+    there, J = to_frame.jac(slam.sensors[observer].camera, two.pose[:3])
+    expected, (H,) = calibration.sensor.project.jac(np.append(there, 1.0))
+    H = H[:, :3]
+    jacobians = [H @ J.pose, np.hstack([H @ J.point, np.zeros((3, 3))])]
+    innovation = calibration.sensor.manifold.minus(measured, expected)
+    S = slam.belief.innovation_covariance([one.block, two.block], jacobians, calibration.noise)
+    is_inlier = bool(innovation @ np.linalg.solve(S, innovation) < GATE)
+    if is_inlier:
+        slam.belief.update([one.block, two.block], jacobians, innovation, calibration.noise)
+    return is_inlier
+
+
+@dataclass(frozen=True, eq=False)
+class Estimate:
+    """times (n,) [s]; by robot its poses (n, 7), the frames (k,) whose covariances are known, and these (k, 6, 6).
+
+    points: means (3,) and covariances (3, 3) by number.
+    """
+
+    times: Array
+    poses: list[Array]
+    known: Indices
+    covariances: list[Array]
+    points: dict[int, tuple[Array, Array]]
+
+
+def run(recording: Sightings, meetings: bool = False, smooth: bool = True) -> tuple[dict[str, Any], list[Estimate]]:
+    """Figures of a run that do not depend on the truth, the filter's estimate, and that of all its data at once.
+
+    meetings: whether the robots' measurements of each other are used, which only the filter can.
+    """
+    slam = recording.slam()
+    smoother = Smoother(slam) if smooth else None
+    poses, covariances, matched, met, began = [], [], np.zeros(2, int), np.zeros(2, int), time.process_time()
+    now, product = dict[int, Array](), np.zeros(2)
+    for frame in progress(recording.frames, len(recording.frames), "frames"):
+        slam.step(frame)
+        if smoother:
+            smoother.record(frame)
+        before, now = now, whitened(slam)
+        product += [*lasting(now, before).values()]
+        matched += [sum(getattr(p, n) for own in slam.predictions for p in own) for n in ("matched", "inlier")]
+        for meeting in recording.meetings.get(frame.number, []) if meetings else ():
+            met += [1, meet(slam, *meeting)]
+        poses.append([robot.pose for robot in slam.robots])
+        covariances.append([slam.belief.covariance(robot.block)[:6, :6] for robot in slam.robots])
+    times = np.cumsum([frame.dt for frame in recording.frames])
+    figures = {"frames": len(times), "seconds": times[-1], "landmarks": len(slam.landmarks), "matched": int(matched[0])}
+    figures |= {"inliers": matched[1] / matched[0], "met": met.tolist()}
+    if product[1]:
+        figures["correlation"] = product[0] / product[1]  # of the first sensor's innovations, from frame to frame
+    figures["frames_per_second"] = len(times) / (time.process_time() - began)
+    points = {lm.id: (lm.block.mean[:3], slam.belief.covariance(lm.block)[:3, :3]) for lm in slam.landmarks}
+    found = [Estimate(times, _by_robot(poses), np.arange(len(times)), _by_robot(covariances), points)]
+    if smoother:
+        best, known = smoother.solve(), np.unique(np.linspace(0, len(times) - 1, KNOWN).astype(int))
+        own = [best.covariance(known, robot) for robot in range(len(slam.robots))]
+        points = {number: best.point(number) for number in best.landmarks}
+        found.append(Estimate(times, _by_robot(best.poses), known, own, points))
+    return figures, found
+
+
+def _by_robot(rows: Any) -> list[Array]:
+    return list(np.swapaxes(np.array(rows), 0, 1))
+
+
+def judged(recording: Sightings, found: Estimate, robot: int = 0, frames: Any = slice(None)) -> dict[str, Any]:
+    """Errors of a robot's poses, of these frames alone; NEES of what is free, after the first second."""
+    truth, poses, dof = recording.truths[robot], found.poses[robot], len(recording.free)
+    rows = np.arange(len(poses))[frames]
+    errors = compared(Trajectory(found.times, poses)[rows], truth, 0.0, True)[0]
+    known = Trajectory(found.times[found.known], poses[found.known], found.covariances[robot])
+    known = known[np.isin(found.known, rows)]
+    i, j = associate(known, truth, 0.02)
+    late = known.times[i] > 1
+    e = Pose.minus(truth.poses[j], known.poses[i])[late][:, recording.free]
+    P = np.asarray(known.covariances)[i][late][:, recording.free][:, :, recording.free]
+    values, limits = nees(e, P), band(dof)
+    return {
+        "poses": errors["poses"], "length": errors["path_length"], "ate": errors["ate"],
+        "rpe": [errors["rpe"][name]["rmse"] for name in ("position", "orientation")],
+        "orientation": errors["orientation_rms"],
+        "nees": {"dof": dof, "count": len(values), "mean": values.mean(), "median": np.median(values),
+                 "inside": share_inside(values, limits)},
+    }  # fmt: skip
+
+
+def judged_map(recording: Sightings, found: Estimate) -> dict[str, Any]:
+    """Errors [m] of the points that the truth has: as they stand, and after a rigid motion; their NEES."""
+    ids = sorted(set(found.points) & set(recording.points))
+    size = 2 if recording.free == PLANE else 3
+    mean, P = (np.array([found.points[i][part] for i in ids]) for part in (0, 1))
+    true = np.array([recording.points[i] for i in ids])
+    off = align(mean, true, scale=False)(mean) - true
+    values = nees((true - mean)[:, :size], P[:, :size, :size])
+    return {"points": len(ids), "of": len(recording.points), "rms": rms(true - mean), "aligned": rms(off),
+            "nees": {"dof": size, "mean": values.mean(), "median": np.median(values)}}  # fmt: skip
+
+
+def rms(errors: Array) -> float:
+    """Root mean square of the lengths of errors (n, 3)."""
+    return float(np.sqrt((errors**2).sum(-1).mean()))

@@ -1,0 +1,171 @@
+"""Stored figures of real recordings: complete, within bounds, and, where a recording is at hand, true again."""
+
+import json
+import os
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from slambook import recording_runs, recordings
+
+from book.tools import real_sequences
+from slamlib.datasets.public import RECORDINGS, VARIABLE
+from slamlib.geometry.pose import Pose, compose
+from slamlib.geometry.quaternion import exponential
+
+KEPT = json.loads(real_sequences.FILE.read_text("utf-8"))
+RENEW = "run `make real-sequences ARGS='--only {}'` and the notebooks many and your_own_data"
+DATA = Path(os.environ.get(VARIABLE) or "no-data")
+
+
+def found(name):
+    folders = RECORDINGS[name].found(DATA)
+    if not folders:
+        pytest.skip(f"{name} is not at hand")
+    return folders[0]
+
+
+def test_every_recording_that_can_be_run_is_stored():
+    assert set(KEPT) == set(real_sequences.RUNS)
+
+
+@pytest.mark.parametrize("name", [name for name in KEPT if "matched" in KEPT[name] and "of" in KEPT[name]])
+def test_a_run_on_pictures_went_to_the_end_or_says_why_it_stopped(name):
+    row = KEPT[name]
+    assert (row["frames"] == row["of"]) == (not row["stopped"])
+    assert len(row["times"]) == len(row["errors"])
+    assert 0 < row["matched"] <= 1
+    rms = np.sqrt(np.mean(np.square(row["errors"])))
+    assert rms == pytest.approx(row["ate"], rel=0.1)  # of the poses that are kept, and of all
+
+
+def test_positions_are_kept_where_they_may_be_handed_on():
+    shown = {name for name, row in KEPT.items() if "reference" in row}
+    assert shown == {"visp-cube", *real_sequences.SHIPPED}
+    for name in shown:
+        path, reference = (np.array(KEPT[name][key]) for key in ("path", "reference"))
+        apart = np.linalg.norm(path - reference, axis=1)
+        assert apart == pytest.approx(np.array(KEPT[name]["errors"]), abs=1e-3 * np.abs(reference).max())
+    assert all(RECORDINGS[name].licence.startswith("CC BY 4.0") for name in real_sequences.SHIPPED)
+
+
+def test_five_robots_are_nearer_together_than_alone():
+    robots = [robot["cases"] for robot in KEPT["mrclam-6"]["robots"]]
+    assert len(robots) == 5
+    assert all(cases["meetings"]["ate"] < 0.7 * cases["alone"]["ate"] for cases in robots)
+    assert KEPT["mrclam-6"]["met"][1] > 0.98 * KEPT["mrclam-6"]["met"][0]
+
+
+def test_what_the_stars_say_of_the_filter():
+    row = KEPT["starry-night"]
+    assert row["nees"]["inside"] < 0.1 < 0.7 < min(row[key]["nees"]["inside"] for key in ("smoothing", "world"))
+    assert abs(row["correlation"]) < 0.1 < 0.5 < KEPT["lost-in-the-woods"]["correlation"]
+
+
+def light(recording, count=150):
+    """The first frames alone."""
+    return replace(recording, frames=recording.frames[:count])
+
+
+@pytest.mark.parametrize(
+    ("name", "read", "largest"),
+    [
+        ("starry-night", recordings.starry_night, 0.15),
+        ("lost-in-the-woods", recordings.woods, 0.1),
+        ("mrclam-6", recordings.mrclam, 0.3),
+    ],
+)
+def test_a_recording_is_read_so_that_a_filter_stays_near_its_truth(name, read, largest):
+    recording = light(read(found(name)))
+    figures, (estimate,) = recording_runs.run(recording, meetings=True, smooth=False)
+    assert figures["inliers"] > 0.8
+    for robot in range(len(recording.starts)):
+        assert recording_runs.judged(recording, estimate, robot)["ate"] < largest
+
+
+def test_the_beginning_of_a_street_comes_out_again(tmp_path):
+    folder = found("kitti-odometry")
+    run, reference = real_sequences.kitti(folder, tmp_path)
+    run.source = run.source.part(0, 1, 5)
+    for _ in run:
+        pass
+    assert len(run.path) == 5
+    assert np.linalg.norm(run.trajectory().positions[-1] - run.trajectory().positions[0]) == pytest.approx(
+        np.linalg.norm(reference.positions[4] - reference.positions[0]), rel=0.03
+    )
+
+
+def test_what_wheels_say_between_two_instants_is_the_motion_of_their_arc():
+    times = np.arange(0, 3, 0.01)
+    speed, turn = 0.2, 0.5
+    a, b = (
+        control.value
+        for control in recordings.driven(
+            np.column_stack([times, 0 * times + speed, 0 * times + turn]), np.array([0.1, 1.1, 2.6])
+        )
+    )
+    for control, span in ((a, 1.0), (b, 1.5)):
+        ends = compose(np.array([0.0, 0, 0, 1, 0, 0, 0]), np.concatenate([control[:3], exponential(control[3:])]))
+        radius = speed / turn
+        there = [radius * np.sin(turn * span), radius * (1 - np.cos(turn * span)), 0]
+        assert ends[:3] == pytest.approx(there, abs=1e-3)
+        assert control[5] == pytest.approx(turn * span)
+
+
+def two_robots():
+    """Two robots that stand, the second of which is known badly, and what the first measures of it."""
+    far = np.array([3.0, 1, 0, 1, 0, 0, 0])
+    sensor = recordings.scanner(0.1, 0.01), recordings.planar(0.0, 0.0, 0.0)
+    recording = recordings.Sightings([], [np.array([0.0, 0, 0, 1, 0, 0, 0]), far], [sensor] * 2, [])
+    slam = recording.slam()
+    for robot in slam.robots:
+        slam.belief.predict(robot.block, robot.block.mean, np.eye(6), np.diag([0.04, 0.04, 0, 0, 0, 1e-4]))
+    return slam, recordings.level(np.hypot(3.1, 1.0), np.arctan2(1.0, 3.1))[0]
+
+
+def test_a_meeting_moves_both_robots_and_ties_them():
+    slam, measured = two_robots()
+    before = [robot.pose for robot in slam.robots]
+    assert recording_runs.meet(slam, 0, 1, measured)
+    after = [robot.pose for robot in slam.robots]
+    assert after[1][0] > before[1][0]
+    assert after[0][0] < before[0][0]
+    assert np.abs(slam.belief.covariance(*(robot.block for robot in slam.robots))).max() > 1e-3
+    assert not recording_runs.meet(slam, 0, 1, measured + np.array([3.0, 0, 0]))  # beyond the gate: nothing changes
+    assert Pose.minus(slam.robots[1].pose, after[1]) == pytest.approx(np.zeros(6))
+
+
+def test_what_is_not_here_is_skipped_with_a_line(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv(VARIABLE, str(tmp_path))
+    monkeypatch.setattr("sys.argv", ["real_sequences"])
+    assert real_sequences.main() == 0
+    assert capsys.readouterr().err.count("not here; `slamlib datasets") == len(real_sequences.RUNS)
+    monkeypatch.delenv(VARIABLE)
+    assert real_sequences.main() == 2
+    assert "set SLAMLIB_DATA" in capsys.readouterr().err
+
+
+def test_each_run_is_stored_at_once_and_not_made_again(tmp_path, monkeypatch, capsys):
+    for name in ("starry-night", "lost-in-the-woods"):
+        for place, file in RECORDINGS[name].places.items():
+            (tmp_path / place).mkdir(exist_ok=True)
+            (tmp_path / place / file).touch()
+    monkeypatch.setenv(VARIABLE, str(tmp_path))
+    monkeypatch.setattr(real_sequences, "FILE", tmp_path / "kept.json")
+    done = []
+
+    def ran(folder, name):
+        if name == "lost-in-the-woods" and not done[1:]:
+            done.append(name)
+            raise KeyboardInterrupt
+        done.append(name)
+        return {"frames": 1}
+
+    monkeypatch.setattr(real_sequences, "RUNS", {"starry-night": ran, "lost-in-the-woods": ran})
+    monkeypatch.setattr("sys.argv", ["real_sequences"])
+    with pytest.raises(KeyboardInterrupt):
+        real_sequences.main()
+    assert real_sequences.main() == 0
+    assert done == ["starry-night", "lost-in-the-woods", "lost-in-the-woods"]
+    assert json.loads((tmp_path / "kept.json").read_text()) == {name: {"frames": 1} for name in set(done)}
