@@ -12,6 +12,9 @@ The tracks say nothing about the loop: a point that was lost has a new number wh
 of places would say is taken from the truth: tracks of the last pairs that, triangulated by the true poses, are each
 other's nearest and within NEAR of one of the first. "No loop" is without these. Landmarks not seen for WINDOW pairs are
 deleted, but for those of the first pairs.
+
+Found: the filter is four times as far off as its odometry and a hundred times too sure of it, since these tracks slide;
+its gate then refuses the loop's matches, also for smoothing, which uses what the filter has accepted.
 """
 
 import os
