@@ -61,7 +61,7 @@ def stopped(words, calls, capsys):
         assert status == 128 + number
         assert "Traceback" not in told
         if "resume with: slamlib " in told:
-            words = told.rpartition("resume with: slamlib ")[2].split()
+            words = told.rpartition("resume with: slamlib ")[2].splitlines()[0].split()
     assert main(words) == 0
     return STOPS, words
 

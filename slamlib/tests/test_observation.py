@@ -282,11 +282,12 @@ def test_a_new_file_is_found_and_two_of_one_name_are_refused(tmp_path, monkeypat
     package.mkdir()
     (package / "__init__.py").write_text("")
     source = "from slamlib.landmarks.ahm_point import *\nfrom slamlib.landmarks.parametrization import PointLandmark\n"
-    (package / "mine.py").write_text(source + "MINE = PointLandmark('my_Pnt', None, to_frame, from_frame, to_point)\n")
+    made = "PointLandmark('my_Pnt', AHM_POINT.manifold, to_frame, from_frame, to_point)\n"
+    (package / "mine.py").write_text(f"{source}MINE = {made}")
     monkeypatch.syspath_prepend(tmp_path)
     found = Registry("own_points", PointLandmark, "point")
     assert sorted(found) == ["ahmPnt", "my_Pnt"]  # ahmPnt is imported there: the same value, not another one
-    (package / "other.py").write_text(source + "OWN = PointLandmark('my_Pnt', None, to_frame, from_frame, to_point)\n")
+    (package / "other.py").write_text(f"{source}OWN = {made}")
     again = Registry("own_points", PointLandmark, "point")
     monkeypatch.delitem(sys.modules, "own_points.mine")
     with pytest.raises(SlamlibError, match="two points are called 'my_Pnt'"):
