@@ -9,7 +9,7 @@
   };
   const KIND = Object.fromEntries(Object.entries(WORDS).flatMap(([kind, words]) => words.split(" ").map((w) => [w, kind])));
   const TOKEN = new RegExp([
-    /(?<c1>#[^\n]*)/, /(?<s1>[rbfRBF]{0,2}(?:"""[\s\S]*?(?:"""|$)|'''[\s\S]*?(?:'''|$)|"(?:\\.|[^"\\\n])*"?|'(?:\\.|[^'\\\n])*'?))/,
+    /(?<c1>#[^\n]*)/, /(?<s1>[rbfRBF]{0,2}(?:"""[\s\S]*?(?:"""|(?![\s\S]))|'''[\s\S]*?(?:'''|(?![\s\S]))|"(?:\\.|[^"\\\n])*"?|'(?:\\.|[^'\\\n])*'?))/,
     /(?<nd>^[ \t]*@[\w.]+)/, /(?<mi>\b(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][+-]?\d+)?j?\b\.?)/, /(?<word>[^\W\d]\w*)/, /(?<o>[-+*/%@&|^~<>=!]+)/,
   ].map((r) => r.source).join("|"), "gmu");
   const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;");
