@@ -154,16 +154,9 @@ def landmarks(read: Callable[[Path], recordings.Sightings], smooth: bool = True)
         recording = read(folder)
         row, found = recording_runs.run(recording, smooth=smooth)
         for key, estimate in zip(("filter", "smoothing"), found, strict=False):
-            judged = {
-                **recording_runs.judged(recording, estimate),
-                "map": recording_runs.judged_map(recording, estimate),
-            }
-            row |= judged if key == "filter" else {key: judged}
+            row |= judged(recording, estimate) if key == "filter" else {key: judged(recording, estimate)}
         _, (estimate,) = recording_runs.run(invariant(recording), smooth=False)
-        row["world"] = {
-            **recording_runs.judged(recording, estimate),
-            "map": recording_runs.judged_map(recording, estimate),
-        }
+        row["world"] = judged(recording, estimate)
         return row
 
     return run_it
