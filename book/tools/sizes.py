@@ -25,7 +25,7 @@ LIMITS = {  # what no change may exceed; one that lowers a figure lowers its lim
     "slamlib, written by hand": 17814,
     "its core": 11327,
     "generated": 12959,
-    ALL: 35820,
+    ALL: 35813,
     LONG: 0,
     "units": 23,
     "layers": 12,
