@@ -16,7 +16,7 @@ import numpy as np
 
 from book.tools import layout
 from slamlib.data.setup import Rig, SensorSetup
-from slamlib.evaluation.consistency import band, share_inside
+from slamlib.evaluation.consistency import band, rmse, share_inside
 from slamlib.experiments.monte_carlo import Experiment, monte_carlo
 from slamlib.experiments.presets import PRESETS, Preset, lines, points
 from slamlib.landmarks import LINES, POINTS
@@ -117,8 +117,8 @@ def summary(preset: Preset, found: Experiment) -> dict[str, Any]:
         "inside": [round(share_inside(average[:, i], limits), 3) for i in range(robots)],
         "inside_first_half": [round(share_inside(average[:half, i], limits), 3) for i in range(robots)],
         "run_means": [rounded(np.quantile(found.nees[:, :, i].mean(1), (0.05, 0.5, 0.95)), 1) for i in range(robots)],
-        "error": [rounded(_rms(found.errors[:, EVERY - 1 :: EVERY, i]), 5) for i in range(robots)],
-        "sigma": [rounded(_rms(found.sigmas[:, EVERY - 1 :: EVERY, i]), 5) for i in range(robots)],
+        "error": [rounded(rmse(found.errors[:, EVERY - 1 :: EVERY, i, None], 0), 5) for i in range(robots)],
+        "sigma": [rounded(rmse(found.sigmas[:, EVERY - 1 :: EVERY, i, None], 0), 5) for i in range(robots)],
         "map_error": round(float(np.nanmedian(found.map_error)), 5),
         "landmarks": round(float(found.landmarks.mean()), 2),
         "deleted": round(float(found.deleted.mean()), 2),
@@ -129,10 +129,6 @@ def summary(preset: Preset, found: Experiment) -> dict[str, Any]:
 def rounded(values: Any, digits: int) -> list[float]:
     """Plain numbers for the file."""
     return [round(float(v), digits) for v in values]
-
-
-def _rms(values: Any) -> Any:
-    return np.sqrt((values**2).mean(0))
 
 
 def run(names: list[str], runs: int = RUNS, jobs: int = 1) -> dict[str, Any]:

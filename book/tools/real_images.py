@@ -23,6 +23,7 @@ from book.tools import assets, layout
 from book.tools.assets import AssetError
 from slamlib.datasets.opening import open_sequence
 from slamlib.evaluation.alignment import AlignedTrajectory, align_trajectory
+from slamlib.evaluation.consistency import rmse
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.experiments.progress import progress
 from slamlib.vision.active_search import ActiveSearch
@@ -40,12 +41,7 @@ COUNT, FPS = 80, 25.0
 OPENCV = "opencv-python-headless"
 
 SEEDS, FEW, NOISE, IMPULSE = tuple(range(1, 21)), tuple(range(1, 6)), 0.1, (0.3, 10.0)  # [px]; [unit/s], [deg/s]
-SAID: dict[str, Any] = {
-    "updates": 25,
-    "max_new": 3,
-    "inverse_distance": (1.0, 0.5),
-    "outlier_rejection": "joint",
-}  # of the filter's options
+SAID: dict[str, Any] = {"updates": 25, "max_new": 3, "inverse_distance": (1.0, 0.5), "outlier_rejection": "joint"}
 LIGHT = 20  # frames that a test runs again
 # Variants by their names in the chapter's table, with a few seeds each.
 CHANGES: dict[str, dict[str, Any]] = {
@@ -127,14 +123,17 @@ def compared(path: Trajectory, name: str = "structure from motion") -> AlignedTr
     return align_trajectory(path, reference[np.arange(len(path))], rotation_from="orientations")
 
 
+def merit(aligned: AlignedTrajectory) -> list[float]:
+    """Errors that remain, rms: [% of the path], and [degrees]."""
+    return [round(100 * aligned.relative_ate, 2), round(float(np.degrees(rmse(aligned.orientation[:, None]))), 2)]
+
+
 def figures(result: ImageResult) -> dict[str, Any]:
     """Figures of merit of one run, rounded. `error`: by the reference's name, rms [% of the path], and [degrees]."""
     s = summary(result)
     both = {name: compared(result.trajectory, name) for name in REFERENCES}
     return {
-        "off": {
-            name: [round(100 * a.relative_ate, 2), round(_rms_degrees(a.orientation), 2)] for name, a in both.items()
-        },
+        "off": {name: merit(a) for name, a in both.items()},
         "scale": round(both["structure from motion"].similarity.scale, 2),
         "tracked_mean": round(s["tracked_mean"], 1),
         "tracked_least": s["tracked_least"],
@@ -143,10 +142,6 @@ def figures(result: ImageResult) -> dict[str, Any]:
         "nis_per_dof": round(s["nis_per_dof"], 2),
         "landmarks": s["landmarks"],
     }
-
-
-def _rms_degrees(angle: Any) -> float:
-    return float(np.degrees(np.sqrt((angle**2).mean())))
 
 
 def told(result: ImageResult) -> dict[str, Any]:
@@ -187,7 +182,7 @@ def measured(images: Path) -> dict[str, Any]:
         "noise": NOISE,
         "impulse": list(IMPULSE),
         "options": options_for(1.0, **SAID).to_dict(),
-        "references agree to": [round(100 * apart.relative_ate, 2), round(_rms_degrees(apart.orientation), 2)],
+        "references agree to": merit(apart),
         "light": np.round(light, 4).tolist(),
         "first": told(first.result()),
         "runs": found,
@@ -196,9 +191,7 @@ def measured(images: Path) -> dict[str, Any]:
 
 def main() -> int:
     """Fetch, run, store; exit status 0 if all went well."""
-    parser = argparse.ArgumentParser(
-        description="Fetch the real sequence of chapter monocular, and run the filter on it."
-    )
+    parser = argparse.ArgumentParser(description="Fetch chapter monocular's real sequence, and run the filter on it.")
     parser.add_argument("--images", type=Path, help="a folder that holds the 80 images already")
     parser.add_argument("--only-fetch", action="store_true", help="do not run the filter")
     given = parser.parse_args()

@@ -13,6 +13,7 @@ from slambook.report.filter import BatchUpdateFilter, Memory
 from slambook.report.memory import ring
 from slambook.report.runs import DOF, Outcome, monte_carlo
 from slambook.report.scenes import Scene
+from slamlib.evaluation.consistency import rmse
 from slamlib.manifolds import Array
 
 
@@ -109,11 +110,6 @@ def table(found: Compared) -> list[CorrelationRow]:
         i, j = first[chosen], second[chosen]
         rho, difference, z = found.claimed[i, j], (found.measured - found.claimed)[i, j], found.z[i, j]
         sampling = (1 - rho**2) / np.sqrt(found.runs)  # of a correlation over so many runs, to first order
-        numbers = rms(rho), rms(difference), rms(sampling), rms(z), float(np.abs(rho).max())
+        numbers = [float(rmse(x[:, None])) for x in (rho, difference, sampling, z)] + [float(np.abs(rho).max())]
         rows.append(CorrelationRow(what, len(i), *numbers))
     return rows
-
-
-def rms(values: Array) -> float:
-    """Root mean square."""
-    return float(np.sqrt((values**2).mean()))
