@@ -5,7 +5,7 @@
 
 const base = new URL("./", self.location.href).href;
 const post = (message) => self.postMessage(message);
-let runner, running = 0;
+let runner, fetchPictures, running = 0;
 
 class Unreachable extends Error {}
 
@@ -46,6 +46,37 @@ function fetchedNow(name, size) {
   if (request.status !== 200 || request.response.byteLength !== size) throw new Unreachable(`${name} cannot be fetched`);
   post({ fetching: null });
   return new Uint8Array(request.response);
+}
+
+/* Pictures come when a cell names their folder. This Python cannot read JPEG, but the browser can: so each file is
+   replaced by its grey values (PGM), and what reads those is imported as OpenCV. */
+function picturesFor(python, manifest, packages) {
+  const wanted = new Set(Object.keys(manifest.files).filter((name) => name.startsWith("pictures/")));
+  const get = (name) => fetched(name, manifest.files[name].bytes, () => {});
+  return async (code) => {
+    for (const archive of wanted) {
+      const folder = archive.replace(".zip", "");
+      if (!code.includes(folder)) continue;
+      post({ fetching: { name: archive, bytes: manifest.files[archive].bytes } });
+      const [packed, reader] = await Promise.all([archive, "opencv.py"].map(get));
+      python.unpackArchive(packed, "zip", { extractDir: "." });
+      const found = python.runPython(`import pathlib; [str(f) for f in pathlib.Path("${folder}").rglob("*.jpg")]`);
+      for (const name of found.toJs()) python.FS.writeFile(name, await grey(python.FS.readFile(name)));
+      python.FS.writeFile(packages + "/cv2.py", reader);
+      python.runPython("import importlib; importlib.invalidate_caches()");
+      wanted.delete(archive);
+      post({ fetching: null });
+    }
+  };
+}
+
+/* A grey picture's file as PGM: red, green, and blue are the same. */
+async function grey(file) {
+  const bitmap = await createImageBitmap(new Blob([file]), { colorSpaceConversion: "none" });
+  const { width, height } = bitmap, canvas = new OffscreenCanvas(width, height).getContext("2d");
+  canvas.drawImage(bitmap, 0, 0);
+  const pixels = canvas.getImageData(0, 0, width, height).data.filter((_, i) => i % 4 === 0);
+  return new Uint8Array(await new Blob([`P5 ${width} ${height} 255\n`, pixels]).arrayBuffer());
 }
 
 async function unzipped(bytes) {
@@ -93,6 +124,7 @@ async function start() {
   const fetchNow = (name) => python.toPy(fetchedNow(name, size(name)));
   runner = python.pyimport("book_runner").Runner(send, fetchNow, later);
   python.runPython("import numpy, slamlib");
+  fetchPictures = picturesFor(python, manifest, packages);
   post({ ready: { seconds: (performance.now() - began) / 1000, bytes: total } });
 }
 
@@ -101,15 +133,13 @@ const started = start().catch((error) => {
   throw error;
 });
 
-self.onmessage = async ({ data }) => {
-  try {
-    await started;
-  } catch (error) {
-    return; // the page has been told
-  }
+async function answer(data) {
   try {
     if (data.run !== undefined) {
       running = data.run;
+      await fetchPictures(data.code).catch((error) => {
+        post({ shown: running, kind: "stderr", text: `The pictures are not here: ${error.message}\n` });
+      });
       const began = performance.now();
       const ok = runner.run(data.code, data.cell, data.limit);
       post({ done: data.run, ok, milliseconds: performance.now() - began });
@@ -120,4 +150,11 @@ self.onmessage = async ({ data }) => {
     if (data.frame !== undefined && error.type) post({ frame: data.frame, failed: String(error.message) });
     else post({ fatal: "Python stopped: " + String(error.message || error).split("\n").slice(-3).join(" ") });
   }
+}
+
+/* One message after the other; none if Python did not start, which the page has been told. */
+let last = started;
+self.onmessage = ({ data }) => {
+  last = last.then(() => answer(data));
+  last.catch(() => {});
 };

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from book.live import opencv
 from slamlib.errors import SlamlibError
 
 ROOT = Path(__file__).parents[2]
@@ -357,6 +358,54 @@ def tools(monkeypatch):
     from book.tools import assets, build, layout, live
 
     return {"assets": assets, "build": build, "layout": layout, "live": live, "parity": parity}
+
+
+def test_the_pages_opencv_undistorts_as_opencv_does():
+    cv2 = pytest.importorskip("cv2", reason="OpenCV is not installed")
+    rng = np.random.default_rng(4)
+    matrix, turn = np.array([[260, 0, 158], [0, 258, 121], [0, 0, 1.0]]), np.linalg.qr(rng.standard_normal((3, 3)))[0]
+    turn = np.eye(3) + 0.02 * (turn - turn.T)  # nearly a rotation
+    for distortion in (rng.uniform(-0.05, 0.05, 8), [0.2624, -0.9531, -0.0054, 0.0026, 1.1633, 0, 0, 0]):
+        given = matrix, np.array(distortion), turn, matrix, (320, 240), cv2.CV_32FC1
+        maps, expected = opencv.initUndistortRectifyMap(*given), cv2.initUndistortRectifyMap(*given)
+        assert np.abs(np.subtract(maps, expected)).max() < 1e-3
+        image = rng.integers(0, 256, (240, 320)).astype(np.uint8)
+        ours, theirs = (module.remap(image, *expected, module.INTER_LINEAR).astype(int) for module in (opencv, cv2))
+        inside = (expected[0] > 0) & (expected[0] < 319) & (expected[1] > 0) & (expected[1] < 239)
+        assert 0.8 < inside.mean() < 1  # so that the border is tried, too
+        assert np.abs(ours - theirs).max() <= 1
+        assert (ours != theirs).mean() < 1e-3
+    assert opencv.CV_32FC1 == cv2.CV_32FC1
+    assert opencv.IMREAD_UNCHANGED == cv2.IMREAD_UNCHANGED
+
+
+def test_the_pages_opencv_reads_plain_grey_and_says_what_it_has_not():
+    image = np.arange(6, dtype=np.uint8).reshape(2, 3) + 10  # 10 is the end of a line, too
+    data = np.frombuffer(b"P5 3 2 255\n" + image.tobytes(), np.uint8)
+    assert np.array_equal(opencv.imdecode(data, opencv.IMREAD_UNCHANGED), image)
+    assert opencv.imdecode(np.frombuffer(b"\xff\xd8\xff", np.uint8), opencv.IMREAD_UNCHANGED) is None
+    with pytest.raises(SlamlibError, match=r"no cv2\.ORB_create: download the notebook"):
+        opencv.ORB_create()
+    assert not hasattr(opencv, "matchTemplate")
+
+
+def test_a_cells_pictures_are_one_archive_with_whose_they_are(tools, tmp_path):
+    live = tools["live"]
+    built = live.layout.BUILD / "live"
+    if not any(built.glob("*/complete")):
+        pytest.skip("nothing is packed for the page: run `make book`")
+    site = tmp_path / "live"
+    live.build(site)
+    listed = json.loads((site / "manifest.json").read_text("utf-8"))
+    archives = [name for name in listed["files"] if name.startswith("pictures/")]
+    for archive in archives:
+        with zipfile.ZipFile(site / archive) as packed:
+            names = packed.namelist()
+            for name in names:
+                assert packed.read(name) == (ROOT / "book" / "chapters" / name).read_bytes()
+        assert f"{archive.removesuffix('.zip')}/ATTRIBUTION.txt" in names
+        assert archive not in (*listed["first"], *listed["data"])  # fetched when a cell asks for it
+    assert archives == ["pictures/tum_fr1_xyz.zip"]
 
 
 def test_an_archive_with_another_checksum_is_refused_and_not_kept(tools, monkeypatch, tmp_path):

@@ -15,7 +15,7 @@ from book.tools import assets, layout, wheel
 
 PAGE = layout.BOOK / "live"  # what we wrote ourselves: the worker, the page's script, the style
 NUMPY_VERSION = "1.25.2"
-PACKED = {".zip", ".whl", ".bin", ".woff", ".woff2", ".png"}  # what does not become smaller
+PACKED = {".zip", ".whl", ".bin", ".woff", ".woff2", ".png", ".jpg"}  # what does not become smaller
 FIRST = ("pyodide.asm.js.bin", "pyodide.asm.wasm.bin", "python_stdlib.zip", "numpy.zip")
 # What a page has no use for: tests, headers, servers, sockets, consoles, other languages' tools.
 NOT_NUMPY = re.compile(
@@ -51,6 +51,9 @@ def build(target: Path) -> None:
     shutil.rmtree(target / "standin")
     layout.write_whole(target / "standin.zip", zipped(stand_in))
     shutil.copytree(layout.BOOK / "chapters" / "data", target / "data")
+    for folder in (layout.BOOK / "chapters" / "pictures").iterdir():
+        shown = {f.relative_to(folder.parents[1]).as_posix(): f.read_bytes() for f in folder.rglob("*.*")}
+        layout.write_whole(target / "pictures" / f"{folder.name}.zip", zipped(shown))
     made = wheel.build(target)
     files = {
         f.relative_to(target).as_posix(): {"bytes": f.stat().st_size}

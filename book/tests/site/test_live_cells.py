@@ -1,14 +1,18 @@
 """Every live cell prints in the page's own Python what it prints in the notebook; and the two Pythons agree."""
 
+import base64
+import contextlib
+import io
 import json
 import re
 from typing import Any
 
+import numpy as np
 import pytest
 
 from book.tests.site import parity
 from book.tests.site.live_page import PATIENCE, SAID, live_cells, live_pages, open_page, panel, stored_text
-from book.tools import notebooks
+from book.tools import layout, notebooks
 
 RUN = "(i) => { const cell = Live.page.cells[i]; return [cell.element.dataset.ran, cell.ok]; }"
 UNFOLD = """(cell) => { for (let e = cell; e; e = e.parentElement) {
@@ -19,6 +23,19 @@ COMPUTE = """async (code) => { let out = ''; let errors = '';
   const done = await Live.page.python.run('cell parity', code, (kind, text) => {
     if (kind === 'stdout') out += text; else errors += text; }, 1e8);
   return done.ok ? out : 'failed: ' + errors; }"""
+
+DECODERS = 2  # grey levels between two decoders of JPEG: each may round as it likes; Chromium's and OpenCV's are one
+DESK = """import base64, json
+import numpy as np
+from slamlib.datasets.opening import open_sequence
+from slamlib.datasets.sources import open_source
+from slamlib.vision.run import camera_rig, image_run
+DESK = "pictures/tum_fr1_xyz"
+source, camera = open_sequence(DESK, DESK + "/camera.txt", undistort=True)
+run = image_run(source.part(count=20), camera_rig(camera), rng=np.random.default_rng(1))
+both = {"decoded": open_source(DESK), "undistorted": source}
+told = {n: base64.b64encode(np.stack([p.image for p in s]).tobytes()).decode() for n, s in both.items()}
+print(json.dumps(told | {"path": [run.path[-1][:3] for _ in run]}))"""
 
 # What a reader sees of a figure at a glance: its shape, words, colours, and how many things are drawn.
 DRAWN = """(e) => {
@@ -74,6 +91,20 @@ def drive(page: Any, figure: Any, i: int) -> None:
             continue  # it stands at that end already
         page.wait_for_function(FOLLOWED, arg=[i, place])
         assert figure.locator("svg").evaluate("e => e.outerHTML") != before, f"live slider {i + 1}, key {key}"
+
+
+def test_real_pictures_are_decoded_by_the_browser_as_by_opencv_and_give_the_same_path(context, site, outside):
+    page = open_page(context, site, layout.BOOK / "chapters" / "monocular.ipynb", [])
+    answer = page.evaluate(COMPUTE, DESK)
+    assert not answer.startswith("failed"), answer
+    there, here = io.StringIO(), json.loads(answer)
+    with contextlib.chdir(layout.BOOK / "chapters"), contextlib.redirect_stdout(there):
+        exec(DESK, {})
+    ours = json.loads(there.getvalue())
+    for name, grey_levels in (("decoded", DECODERS), ("undistorted", DECODERS + 1)):
+        grey = [np.frombuffer(base64.b64decode(part[name]), np.uint8).astype(int) for part in (here, ours)]
+        assert np.abs(grey[0] - grey[1]).max() <= grey_levels
+    assert here["path"] == pytest.approx(np.array(ours["path"]), abs=2e-3 * np.abs(ours["path"]).max())
 
 
 def test_the_two_pythons_agree_number_by_number(context, site, outside, request):
