@@ -1,6 +1,7 @@
 """Runs of recorded landmarks through the filter, and of all their data at once; errors and NEES against the truth."""
 
 import time
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -8,16 +9,19 @@ import numpy as np
 
 from slambook.recordings import PLANE, Sightings
 from slambook.smoothing import Smoother
+from slamlib.data.records import Frame
+from slamlib.errors import SlamlibError
 from slamlib.evaluation.alignment import align
 from slamlib.evaluation.comparison import compared
-from slamlib.evaluation.consistency import band, nees, share_inside
+from slamlib.evaluation.consistency import band, nees, rmse, share_inside
 from slamlib.evaluation.trajectory import Trajectory, associate
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import Pose, to_frame
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array, Indices
-from slamlib.slam import Slam
+from slamlib.slam import Report, Slam
 from slamlib.vision.results import lasting, whitened
+from slamlib.vision.sequence_run import SequenceRun
 
 GATE = chi2_quantile(0.99, 3)
 KNOWN = 40  # poses, evenly spread, whose covariances are taken of what was smoothed
@@ -53,12 +57,14 @@ class Estimate:
     points: dict[int, tuple[Array, Array]]
 
 
-def run(recording: Sightings, meetings: bool = False, smooth: bool = True) -> tuple[dict[str, Any], list[Estimate]]:
+def run(
+    recording: Sightings, meetings: bool = False, smooth: bool = True, **said: Any
+) -> tuple[dict[str, Any], list[Estimate]]:
     """Figures of a run that do not depend on the truth, the filter's estimate, and that of all its data at once.
 
-    meetings: whether the robots' measurements of each other are used, which only the filter can.
+    meetings: whether the robots' measurements of each other are used, which only the filter can. said: options.
     """
-    slam = recording.slam()
+    slam = recording.slam(**said)
     smoother = Smoother(slam) if smooth else None
     poses, covariances, matched, met, began = [], [], np.zeros(2, int), np.zeros(2, int), time.process_time()
     now, product = dict[int, Array](), np.zeros(2)
@@ -80,17 +86,27 @@ def run(recording: Sightings, meetings: bool = False, smooth: bool = True) -> tu
         figures["correlation"] = product[0] / product[1]  # of the first sensor's innovations, from frame to frame
     figures["frames_per_second"] = len(times) / (time.process_time() - began)
     points = {lm.id: (lm.block.mean[:3], slam.belief.covariance(lm.block)[:3, :3]) for lm in slam.landmarks}
-    found = [Estimate(times, _by_robot(poses), np.arange(len(times)), _by_robot(covariances), points)]
+    own, known = ([*np.swapaxes(rows, 0, 1)] for rows in (poses, covariances))
+    found = [Estimate(times, own, np.arange(len(times)), known, points)]
     if smoother:
-        best, known = smoother.solve(), np.unique(np.linspace(0, len(times) - 1, KNOWN).astype(int))
-        own = [best.covariance(known, robot) for robot in range(len(slam.robots))]
-        points = {number: best.point(number) for number in best.landmarks}
-        found.append(Estimate(times, _by_robot(best.poses), known, own, points))
+        best, at = smoother.solve(), np.unique(np.linspace(0, len(times) - 1, KNOWN).astype(int))
+        own, known = [*best.poses.swapaxes(0, 1)], [best.covariance(at, robot) for robot in range(len(slam.robots))]
+        found.append(Estimate(times, own, at, known, {number: best.point(number) for number in best.landmarks}))
     return figures, found
 
 
-def _by_robot(rows: Any) -> list[Array]:
-    return list(np.swapaxes(np.array(rows), 0, 1))
+def listening(run: SequenceRun) -> Smoother:
+    """A smoother that hears each step of a run, up to the first gap between its pictures."""
+    smoother, step = Smoother(run.slam), run.slam.step
+
+    def heard(frame: Frame, **how: bool) -> Report:
+        report = step(frame, **how)
+        with suppress(SlamlibError):
+            smoother.record(frame)
+        return report
+
+    run.slam.step = heard  # type: ignore[method-assign]
+    return smoother
 
 
 def judged(recording: Sightings, found: Estimate, robot: int = 0, frames: Any = slice(None)) -> dict[str, Any]:
@@ -122,10 +138,5 @@ def judged_map(recording: Sightings, found: Estimate) -> dict[str, Any]:
     true = np.array([recording.points[i] for i in ids])
     off = align(mean, true, scale=False)(mean) - true
     values = nees((true - mean)[:, :size], P[:, :size, :size])
-    return {"points": len(ids), "of": len(recording.points), "rms": rms(true - mean), "aligned": rms(off),
+    return {"points": len(ids), "of": len(recording.points), "rms": rmse(true - mean), "aligned": rmse(off),
             "nees": {"dof": size, "mean": values.mean(), "median": np.median(values)}}  # fmt: skip
-
-
-def rms(errors: Array) -> float:
-    """Root mean square of the lengths of errors (n, 3)."""
-    return float(np.sqrt((errors**2).sum(-1).mean()))

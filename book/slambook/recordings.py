@@ -5,7 +5,7 @@ says where they are offered. Each robot starts at its true pose, exactly known.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -50,14 +50,14 @@ class Sightings:
     free: tuple[int, ...] = PLANE
     options: Options = OPTIONS
 
-    def slam(self) -> Slam:
-        """The filter before the first frame."""
+    def slam(self, **said: Any) -> Slam:
+        """The filter before the first frame; said: options that are others than the recording's."""
         robots = tuple(
             RobotSetup(str(i), position=tuple(start[:3]), euler=tuple(np.degrees(euler.from_quaternion(start[3:]))))
             for i, start in enumerate(self.starts)
         )
         setups = tuple(SensorSetup(str(i), robot=i, type="rangeBearing") for i in range(len(robots)))
-        slam = Slam(Rig(robots, setups), self.options)
+        slam = Slam(Rig(robots, setups), replace(self.options, **said))
         for mounted, (calibration, extrinsics) in zip(slam.sensors, self.sensors, strict=True):
             mounted.calibration, mounted.given = calibration, extrinsics
         return slam

@@ -57,6 +57,24 @@ def test_five_robots_are_nearer_together_than_alone():
     assert KEPT["mrclam-6"]["met"][1] > 0.98 * KEPT["mrclam-6"]["met"][0]
 
 
+def test_smoothing_is_the_yardstick_of_the_runs_on_pictures_and_of_the_woods():
+    films = [row for row in KEPT.values() if "of" in row]
+    assert len(films) == 5
+    for row in films:
+        assert row["frames_per_second"] > 1
+        assert 0.5 * row["ate"] < row["smoothing"]["ate"] < 1.5 * row["ate"]
+        assert row["smoothing"]["converged"] == row["metric"]  # one camera's world shrinks on and on
+    assert KEPT["lost-in-the-woods"]["smoothing"]["nees"]["inside"] < 0.2  # the model is wrong, not the filter
+
+
+def test_tracks_that_slide_mislead_the_filter_and_not_all_data_at_once():
+    paths = KEPT["kitti-07-tracks"]["paths"]
+    for loop in ("no loop", "loop"):
+        one, best = paths[f"filter, {loop}"], paths[f"smoothing, {loop}"]
+        assert one["ate"] > 3 * best["ate"]
+        assert one["inside"] == 0 < 0.8 < best["inside"]
+
+
 def test_what_the_stars_say_of_the_filter():
     row = KEPT["starry-night"]
     assert row["nees"]["inside"] < 0.1 < 0.7 < min(row[key]["nees"]["inside"] for key in ("smoothing", "world"))

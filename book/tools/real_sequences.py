@@ -1,7 +1,7 @@
 """`make real-sequences`: the filter on every public recording that is below SLAMLIB_DATA, by defaults; figures stored.
 
 `slamlib datasets` lists the recordings. Pictures are run as `slamlib run images` and `slamlib run stereo-images` do it;
-numbered landmarks by slambook.recordings, beside all their data at once. One run each: a recording is there once. What
+numbered landmarks by slambook.recordings; all beside their data at once. One run each: a recording is there once. What
 is not here is skipped, and keeps the figures that are stored; what is stored is not run again, unless --only names it.
 Positions are stored where the recording's licence allows it, or where they are our own.
 """
@@ -12,7 +12,6 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +19,7 @@ import numpy as np
 from slambook import recording_runs, recordings
 from slambook.stereo_films import EUROC_CAMERAS
 
+from benchmarks import street_tracks
 from book.tools import layout, real_images
 from book.tools.stored import plain
 from slamlib.cli import COMMANDS, parser
@@ -113,7 +113,7 @@ def pictures(open_it: Callable[[Path, Path], Opened]) -> Callable[[Path, str], R
     def run_it(folder: Path, name: str) -> Row:
         with tempfile.TemporaryDirectory() as made:
             run, reference = open_it(folder, Path(made))
-            stopped, began = "", time.process_time()
+            smoother, stopped, began = recording_runs.listening(run), "", time.process_time()
             try:
                 for _ in progress(run, len(run), name):
                     pass
@@ -122,6 +122,7 @@ def pictures(open_it: Callable[[Path, Path], Opened]) -> Callable[[Path, str], R
             spent = time.process_time() - began
             s, path = summary(run.result()), run.trajectory()
         errors = compared(path, reference, run.source.interval, run.metric)[0]
+        smooth = smoother.solve()
         nees = errors["nees"] and {key: errors["nees"][key] for key in ("dof", "median", "inside")}
         row = {
             "frames": s["frames"], "of": len(run.source), "stopped": stopped, "metric": run.metric,
@@ -131,6 +132,10 @@ def pictures(open_it: Callable[[Path, Path], Opened]) -> Callable[[Path, str], R
             "matched": s["matched_share"], "inliers": s["inlier_share"],
             "frames_per_second": s["frames"] / spent,
         }  # fmt: skip
+        if len(smooth.poses) == len(path):
+            known = Trajectory(path.times, smooth.poses[:, 0]).sensor_trajectory(run.slam.sensors[0].extrinsics)
+            best = compared(known.sensor_trajectory(run.source.original), reference, run.source.interval, run.metric)[0]
+            row["smoothing"] = {"ate": best["ate"], "converged": smooth.minimum.converged}
         i, j = associate(path, reference, max(0.02, 0.5 * run.source.interval))
         laid = align_trajectory(path[i], reference[j], scale=not run.metric)
         thin = np.unique(np.linspace(0, len(i) - 1, POINTS).astype(int))
@@ -147,24 +152,18 @@ def judged(recording: recordings.Sightings, estimate: recording_runs.Estimate) -
     return recording_runs.judged(recording, estimate) | {"map": recording_runs.judged_map(recording, estimate)}
 
 
-def landmarks(read: Callable[[Path], recordings.Sightings], smooth: bool = True) -> Callable[[Path, str], Row]:
-    """What runs a recording of numbered landmarks, perhaps all its data at once too, and judges the estimates."""
+def landmarks(read: Callable[[Path], recordings.Sightings]) -> Callable[[Path, str], Row]:
+    """What runs a recording of numbered landmarks, and all its data at once, and judges the estimates."""
 
     def run_it(folder: Path, name: str) -> Row:
         recording = read(folder)
-        row, found = recording_runs.run(recording, smooth=smooth)
-        for key, estimate in zip(("filter", "smoothing"), found, strict=False):
-            row |= judged(recording, estimate) if key == "filter" else {key: judged(recording, estimate)}
-        _, (estimate,) = recording_runs.run(invariant(recording), smooth=False)
+        row, (own, best) = recording_runs.run(recording)
+        row |= judged(recording, own) | {"smoothing": judged(recording, best)}
+        _, (estimate,) = recording_runs.run(recording, smooth=False, error="world")
         row["world"] = judged(recording, estimate)
         return row
 
     return run_it
-
-
-def invariant(recording: recordings.Sightings) -> recordings.Sightings:
-    """The same recording, for the right-invariant filter."""
-    return replace(recording, options=replace(recording.options, error="world"))
 
 
 def robots(folder: Path, name: str) -> Row:
@@ -178,7 +177,7 @@ def robots(folder: Path, name: str) -> Row:
         figures, both = recording_runs.run(own)
         cases = {key: recording_runs.judged(own, one) for key, one in zip(smooth, both, strict=True)}
         maps = {key: recording_runs.judged_map(own, one) for key, one in zip(smooth, both, strict=True)}
-        _, (world,) = recording_runs.run(invariant(own), smooth=False)
+        _, (world,) = recording_runs.run(own, smooth=False, error="world")
         cases["world"] = recording_runs.judged(own, world)
         same = np.isin(np.round(together["one map"][1][0].times, 6), np.round(both[0].times, 6))
         cases |= {key: recording_runs.judged(whole, one, i, same) for key, (_, (one,)) in together.items()}
@@ -197,8 +196,9 @@ RUNS: dict[str, Callable[[Path, str], Row]] = {
     "euroc-mh01": pictures(euroc),
     "kitti-odometry": pictures(kitti),
     "starry-night": landmarks(recordings.starry_night),
-    "lost-in-the-woods": landmarks(recordings.woods, smooth=False),  # 12608 poses
+    "lost-in-the-woods": landmarks(recordings.woods),
     "mrclam-6": robots,
+    "kitti-07-tracks": lambda folder, name: street_tracks.figures(),
 }
 
 

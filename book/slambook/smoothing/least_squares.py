@@ -194,7 +194,7 @@ def minimize(factors: Sequence[Factor], variables: list[Variable], values: Value
             step = solve(now.g)
             trial = [v.moved(value, step) for v, value in zip(variables, values, strict=True)]
             following = NormalEquations.of(factors, variables, trial)
-            converged = damping < DAMPING[0] and now.g @ step < CONVERGED
+            converged = bool(damping < DAMPING[0] and now.g @ step < CONVERGED)
         if following is not None and following.cost <= now.cost:
             values, now, damping = trial, following, damping / 10 if damping > DAMPING[0] else 0.0
             costs.append(now.cost)
