@@ -144,6 +144,18 @@ def a_lost_connection(context: Any, base: str, file: Path) -> bool:
     return "connection was lost while fetching numpy.zip" in said and again
 
 
+def lost_pictures(context: Any, base: str, file: Path) -> bool:
+    """Pictures that break off are named, the cell runs all the same, and the next run fetches them."""
+    look = "import pathlib\nprint(len(list(pathlib.Path('pictures/tum_fr1_xyz').rglob('*.jpg'))))"
+    page = open_page(context, base, file, [])
+    context.route("**/pictures/*.zip", lambda route: route.abort())
+    said = run_one(page, look)
+    context.unroute("**/pictures/*.zip")
+    again = run_one(page, look).strip()
+    page.close()
+    return "The pictures are not here: the connection was lost" in said and said.strip()[-1] == "0" and again == "100"
+
+
 def under_a_prefix(chromium: Any, file: Path) -> bool:
     """The site works below any path of a host, not only at its root."""
     with serve.running(serve.Server(folder=layout.BUILD)) as base:
@@ -219,7 +231,7 @@ def test_a_browser_that_lacks_something_says_so(lacking, context, site, first):
     assert without(context, site, first, *HANDICAPS[lacking])
 
 
-@pytest.mark.parametrize("action", [without_storage, a_lost_connection], ids=lambda f: f.__name__)
+@pytest.mark.parametrize("action", [without_storage, a_lost_connection, lost_pictures], ids=lambda f: f.__name__)
 def test_what_happens_to_readers(action, context, site, first):
     assert action(context, site, first)
 
