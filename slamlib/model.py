@@ -26,8 +26,8 @@ from slamlib.modeling import fingerprint, in_memory
 from slamlib.modeling.kernel import Kernel
 
 _defining: ContextVar[bool] = ContextVar("_defining", default=False)
-# what a model does with its arguments when another model's definition calls it
-calling: ContextVar[Callable[..., list[Array]]] = ContextVar("calling", default=lambda model, arguments: arguments)
+# what it is to call a model, with its arguments, inside another model's definition
+calling: ContextVar[Callable[..., Array]] = ContextVar("calling", default=lambda model, given: model.definition(*given))
 FORMULA_PARTS = ("geometry", "landmarks", "motions", "observation", "sensors")
 
 
@@ -158,7 +158,7 @@ class Model(Formula):
         """
         arguments = self._bind(args, kwargs)
         if _defining.get() or "O" in [a.dtype.char for a in arguments]:
-            return self.definition(*calling.get()(self, arguments))
+            return calling.get()(self, arguments)
         return self._evaluate("", arguments)[0]
 
     def jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Any]:

@@ -4,6 +4,7 @@ A Jacobian is cut where its argument and its value are put together of parts. Ea
 products, at several random places at once, and what is found is tested at others.
 """
 
+import contextlib
 import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -31,7 +32,7 @@ SPLITS = {  # by the manifold, by the module of a landmark, or by the name of an
     "idp_line": r"a3 \alpha_12 \rho_11 \alpha_22 \rho_21",
     "line": "n3 v3",
     "rays": "r_13 r_23",
-    "control": r"d3 \varrho3",
+    "control": r"u_t3 u_\theta3",
     "point": "h3 w1",
     "first": "p3 c1",
     "second": "q3 d1",
@@ -46,8 +47,8 @@ def parts(model: Model, name: str, size: int, manifold: Any) -> list[Part]:
     """What `size` numbers of an argument, or of the value, are; one part where nothing is known of them."""
     own = model.module.rsplit(".", 1)[-1]
     landmark = name == "landmark" or (name == "value" and model.name in ("from_frame", "constrain"))
-    keys = [str(manifold), own if landmark else "", name if name != "value" else "point" if size == 4 else "line"]
-    for key in keys:
+    last = name if name != "value" else "point" if size == 4 else "line"
+    for key in (str(manifold), own if landmark else "", last):
         found = [(text[:-1], int(text[-1])) for text in SPLITS.get(key, "").split()]
         if sum(count for _, count in found) == size and own not in ("quaternion", "euler", "euler_composition"):
             return found
@@ -63,6 +64,7 @@ class Place:
     vectors: dict[str, Array]
     turns: dict[str, Array]
     numbers: dict[str, float]
+    given: dict[str, Array]
 
     @classmethod
     def random(cls, model: Model, rng: np.random.Generator) -> "Place":
@@ -73,8 +75,8 @@ class Place:
         }
         value, jacobians = model.jac(**given)
         size = np.shape(jacobians[0])[0] if np.ndim(value) == 1 else np.size(value)
-        manifold = model.result.manifold if model.result is not None else None
-        place = cls(jacobians, parts(model, "value", size, manifold), {}, {"": np.eye(3)}, {"": 1.0})
+        rows = parts(model, "value", size, model.result and model.result.manifold)
+        place = cls(jacobians, rows, {}, {"": np.eye(3)}, {"": 1.0}, given)
         poses = [a.name for a in model.arguments if str(a.manifold) == "pose"]
         for a in model.arguments:
             mark = f"_{1 + poses.index(a.name)}" if a.name in poses and len(poses) > 1 else ""
@@ -95,12 +97,12 @@ class Place:
             one = array[start : start + count + turn]
             start += count + turn
             if turn:
-                self.turn("R" + letter[1:] + mark, rotation(one / np.linalg.norm(one)))
+                self.turn("C" + letter[1:] + mark, rotation(one / np.linalg.norm(one)))
             elif count == 3:
                 self.vectors[letter + mark] = one
             elif count == 1:
                 self.numbers[letter + mark] = float(one[0])
-            if letter == r"\varrho" and not stored:
+            if letter == r"u_\theta" and not stored:
                 self.rotated(one)
 
     def turn(self, name: str, matrix: Array) -> None:
@@ -108,11 +110,11 @@ class Place:
         self.turns |= {name: matrix, name + r"^\top": matrix.T}
 
     def rotated(self, vector: Array) -> None:
-        """E, the rotation by a vector, and its right Jacobian J_r."""
+        """C_u, the rotation by a vector, and its right Jacobian J_r."""
         step = 1e-6 * np.eye(3)
         there = exponential(vector)
         columns = [(minus(exponential(vector + s), there) - minus(exponential(vector - s), there)) / 2e-6 for s in step]
-        self.turn("E", rotation(there))
+        self.turn("C_u", rotation(there))
         self.turns["J_r"] = np.array(columns).T
 
     def matrices(self, shape: tuple[int, int]) -> dict[str, Array]:
@@ -123,8 +125,7 @@ class Place:
             for (a, A), (v, x) in itertools.product(self.turns.items(), self.vectors.items()):
                 found[rf"{a} [{v}]_\times"] = A @ cross(x)
                 found |= {rf"[{v}]_\times {a}": cross(x) @ A} if a else {}
-                both = ((u, cross(x) @ A @ cross(y)) for u, y in self.vectors.items())
-                found |= {rf"[{v}]_\times {a} [{u}]_\times": matrix for u, matrix in both}
+                found |= {rf"[{v}]_\times {a} [{u}]_\times": cross(x) @ A @ cross(y) for u, y in self.vectors.items()}
             found |= {
                 rf"{v} {u}^\top": np.outer(x, y) for v, x in self.vectors.items() for u, y in self.vectors.items()
             }
@@ -215,36 +216,35 @@ def search(blocks: list[Array], places: list[Place]) -> Sum | None:
     return min(found, key=lambda one: len(str(one)), default=None)
 
 
-def block_form(model: Model, name: str) -> list[list[Sum | None]]:
-    """The blocks of the Jacobian with respect to an argument; None for those that have no short form.
-
-    Raises SlamlibError where the model is defined at too few random places.
-    """
+def places_of(model: Model) -> list[Place]:
+    """Random places, those of the search first; raises SlamlibError where the model is defined at too few."""
     places: list[Place] = []
     rng = np.random.default_rng(len(model.name))
     for _ in range(20 * (PLACES + TESTS)):
-        try:
+        with contextlib.suppress(SlamlibError):
             places.append(Place.random(model, rng))
-        except SlamlibError:
-            continue
         if len(places) == PLACES + TESTS:
-            break
-    else:
-        raise SlamlibError(f"{model.module}.{model.name} is not defined at random places")
-    index = model.parameters.index(name)
-    argument, size = model.arguments[index], int(np.prod(model.arguments[index].tangent))
-    numbers = [np.reshape(place.jacobians[index], (-1, size)) for place in places]
-    found, top = [], 0
-    for _, height in places[0].rows:
-        line, left = [], 0
-        for _, width in parts(model, name, size, argument.manifold):
-            blocks = [one[top : top + height, left : left + width] for one in numbers]
-            form = search(blocks[:PLACES], places[:PLACES])
-            tests = zip(blocks[PLACES:], places[PLACES:], strict=True)
-            if form and not all(np.allclose(form.at(p, b.shape), b, rtol=0, atol=100 * ROUNDING) for b, p in tests):
-                form = None
-            line.append(form)
-            left += width
-        found.append(line)
-        top += height
-    return found
+            return places
+    raise SlamlibError(f"{model.module}.{model.name} is not defined at random places")
+
+
+def block_form(model: Model, name: str) -> list[list[Sum | None]]:
+    """The blocks of the Jacobian with respect to an argument; None for those that have no short form."""
+    places, index = places_of(model), model.parameters.index(name)
+    columns = parts(model, name, int(np.prod(model.arguments[index].tangent)), model.arguments[index].manifold)
+    numbers = [np.reshape(place.jacobians[index], (-1, sum(c for _, c in columns))) for place in places]
+    return forms(numbers, places[0].rows, columns, places)
+
+
+def forms(numbers: list[Array], rows: list[Part], columns: list[Part], places: list[Place]) -> list[list[Sum | None]]:
+    """The blocks of a matrix, known at each place; None for those that have no short form."""
+
+    def form(top: int, left: int, height: int, width: int) -> Sum | None:
+        blocks = [one[top : top + height, left : left + width] for one in numbers]
+        found = search(blocks[:PLACES], places[:PLACES])
+        tests = zip(blocks[PLACES:], places[PLACES:], strict=True)
+        close = found and all(np.allclose(found.at(p, b.shape), b, rtol=0, atol=100 * ROUNDING) for b, p in tests)
+        return found if close else None
+
+    tops, lefts = ([(sum(c for _, c in cut[:i]), n) for i, (_, n) in enumerate(cut)] for cut in (rows, columns))
+    return [[form(top, left, height, width) for left, width in lefts] for top, height in tops]

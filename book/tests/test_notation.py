@@ -110,3 +110,30 @@ def names() -> Iterator[str]:
                         yield f"{module.name}.{name}.{inner.name}"
                     elif isinstance(inner, ast.AnnAssign):
                         yield f"{module.name}.{name}.{ast.unparse(inner.target)}"
+
+
+WORDS = {  # words that name one letter where they stand right before it, as in "gain $K$"
+    "rotation": r"C \delta",
+    "gain": "K",
+    "innovation": r"\nu",
+    "measurement": "z y s",
+    "control": "u",
+    "noise": "R Q v w",
+    "covariance": r"P Q R U S E N \Omega X A B c",
+    "orientation": "q C",
+    "quaternion": "q",
+}
+EXCEPTIONS = 75  # chapters in the table of second meanings: a limit that no change may exceed
+
+
+def test_second_meanings_grow_no_more():
+    assert sum(row[3].count("{doc}") for row in TABLES["Second meanings"]) <= EXCEPTIONS
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda path: path.stem)
+def test_a_word_that_names_a_letter_stands_before_no_other(chapter):
+    cells = json.loads(chapter.read_text("utf-8"))["cells"]
+    text = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
+    listed = {row[0].strip("$") for row in TABLES["Letters"]}
+    pairs = re.findall(rf"\b({'|'.join(WORDS)}) (?:matrix )?\$(\\?[A-Za-z]+)(?:_\w|_\{{[^}}]*\}}|')?\$", text)
+    assert [(w, x) for w, x in pairs if x in listed and x not in WORDS[w].split()] == []

@@ -56,9 +56,10 @@ class Stages:
     def __init__(self, taken: set[str]) -> None:
         self.taken, self.symbols = taken, {}  # type: ignore[var-annotated]
 
-    def __call__(self, model: Model, arguments: list[Symbols]) -> list[Symbols]:
-        """The arguments of a call with a symbol in place of each entry that is not polynomial."""
-        return [self._staged(a, v) if v.dtype == object else v for a, v in zip(model.arguments, arguments, strict=True)]
+    def __call__(self, model: Model, arguments: list[Symbols]) -> Symbols:
+        """The value of a call with a symbol in place of each entry of an argument that is not polynomial."""
+        pairs = zip(model.arguments, arguments, strict=True)
+        return model.definition(*(self._staged(a, v) if v.dtype == object else v for a, v in pairs))
 
     def _staged(self, argument: Argument, value: Symbols) -> Symbols:
         pairs = zip(symbols_for(argument).ravel(), value.ravel(), strict=True)
@@ -97,13 +98,12 @@ def trace(model: Model, *, staged: bool = False) -> Trace:
     finally:
         if token:
             calling.reset(token)
-    inner = {symbol: expression for expression, symbol in stages.symbols.items()}
     result = model.result
     if result is not None and result.shape != value.shape:
         raise SlamlibError(
             f"{model.name} declares returns={result.manifold!r} of shape {result.shape} but returns shape {value.shape}"
         )
-    return Trace(model, symbols, value, inner)
+    return Trace(model, symbols, value, {symbol: expression for expression, symbol in stages.symbols.items()})
 
 
 def _jacobian(value: sympy.Matrix, stages: dict[Any, Any], symbols: list[Any]) -> sympy.Matrix:
