@@ -1,5 +1,6 @@
 """The chapters have all their parts, and the tools that build and check the book notice when something is wrong."""
 
+import base64
 import json
 import os
 import re
@@ -143,6 +144,27 @@ def test_running_a_notebook_stores_its_text(tmp_path, monkeypatch):
     before = file.read_text()
     assert notebooks.main(["run", str(file)]) == 0
     assert file.read_text() == before
+
+
+def test_a_picture_is_written_once_however_often_it_is_shown(tmp_path, monkeypatch):
+    content, write, written = bytes(7600), Path.write_bytes, []
+    shown = f'<img src="data:image/png;base64,{base64.b64encode(content).decode()}">'
+    (tmp_path / "_images").mkdir()
+    for page in ("one.html", "two.html"):
+        (tmp_path / page).write_text(2 * shown)
+    monkeypatch.setattr(Path, "write_bytes", lambda path, data: written.append(path) or write(path, data))
+    build.lighten(tmp_path)
+    assert [path.read_bytes() for path in written] == [content]
+    for page in ("one.html", "two.html"):
+        assert (tmp_path / page).read_text() == 2 * f'<img src="_images/{written[0].name}">'
+
+
+def test_each_work_of_the_bibliography_is_cited():
+    bibliography = (layout.BOOK / "references.bib").read_text("utf-8")
+    pages = [file for end in ("md", "ipynb") for file in layout.BOOK.rglob(f"*.{end}")]
+    cited = re.findall(r"\{cite(?::\w+)?\}`([^`]+)`", "".join(page.read_text("utf-8") for page in pages))
+    keys = {key.strip() for keys in cited for key in keys.split(",")}
+    assert set(re.findall(r"^@\w+\{([^,]+),", bibliography, re.MULTILINE)) == keys
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import pytest
 from slambook import recording_runs, recordings
 
 from book.tools import real_sequences
-from slamlib.datasets.public import RECORDINGS, VARIABLE
+from slamlib.datasets.public import VARIABLE, public_recordings
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import exponential
 
@@ -20,7 +20,7 @@ DATA = Path(os.environ.get(VARIABLE) or "no-data")
 
 
 def found(name):
-    folders = RECORDINGS[name].found(DATA)
+    folders = public_recordings()[name].found(DATA)
     if not folders:
         pytest.skip(f"{name} is not at hand")
     return folders[0]
@@ -47,7 +47,7 @@ def test_positions_are_kept_where_they_may_be_handed_on():
         path, reference = (np.array(KEPT[name][key]) for key in ("path", "reference"))
         apart = np.linalg.norm(path - reference, axis=1)
         assert apart == pytest.approx(np.array(KEPT[name]["errors"]), abs=1e-3 * np.abs(reference).max())
-    assert all(RECORDINGS[name].licence.startswith("CC BY 4.0") for name in real_sequences.SHIPPED)
+    assert all(public_recordings()[name].licence.startswith("CC BY 4.0") for name in real_sequences.SHIPPED)
 
 
 def test_five_robots_are_nearer_together_than_alone():
@@ -166,7 +166,7 @@ def test_what_is_not_here_is_skipped_with_a_line(tmp_path, monkeypatch, capsys):
 
 def test_each_run_is_stored_at_once_and_not_made_again(tmp_path, monkeypatch, capsys):
     for name in ("starry-night", "lost-in-the-woods"):
-        for place, file in RECORDINGS[name].places.items():
+        for place, file in public_recordings()[name].places.items():
             (tmp_path / place).mkdir(exist_ok=True)
             (tmp_path / place / file).touch()
     monkeypatch.setenv(VARIABLE, str(tmp_path))

@@ -118,9 +118,10 @@ def lighten(site: Path) -> None:
 
         def filed(found: re.Match[str], images: str = images) -> str:
             content = base64.b64decode(found[1])
-            name = f"{hashlib.sha256(content).hexdigest()[:16]}.png"
-            (site / "_images" / name).write_bytes(content)
-            return f"{images}/{name}"
+            file = site / "_images" / f"{hashlib.sha256(content).hexdigest()[:16]}.png"
+            if not file.is_file():
+                file.write_bytes(content)
+            return f"{images}/{file.name}"
 
         text = page.read_text("utf-8")
         page.write_text(PICTURE.sub(filed, ICONS.sub("", text)), "utf-8")

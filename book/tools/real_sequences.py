@@ -24,7 +24,7 @@ from book.tools import layout, real_images
 from book.tools.stored import plain
 from slamlib.cli import COMMANDS, parser
 from slamlib.datasets.calibrations import read_lens
-from slamlib.datasets.public import RECORDINGS, VARIABLE, data_folder
+from slamlib.datasets.public import VARIABLE, data_folder, public_recordings
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.comparison import compared
@@ -205,7 +205,7 @@ RUNS: dict[str, Callable[[Path, str], Row]] = {
 def found(root: Path | None) -> Iterator[tuple[str, str, Path]]:
     """Recording, name of the row, and folder; a recording of several folders, as KITTI's, has a row of each."""
     for name in RUNS:
-        folders = RECORDINGS[name].found(root)
+        folders = public_recordings()[name].found(root)
         if not folders:
             print(f"{name}: not here; `slamlib datasets {name}` says where it is offered", file=sys.stderr)
         for folder in folders:

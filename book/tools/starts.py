@@ -27,7 +27,7 @@ from slamlib.vision.results import summary
 from slamlib.vision.run import IMAGES, camera_rig, image_run, make_front_end
 from slamlib.vision.sequence_run import SequenceRun
 from slamlib.vision.tracking_loss import TrackingLostError
-from slamlib.vision.two_views import contradiction, two_view_target
+from slamlib.vision.two_views import direction_error, two_view_target
 
 FILE = layout.BOOK / "chapters" / "data" / "starts.json"
 FILMS, FRAMES, DT = 20, 150, 1 / 30  # of each kind; of a film; [s] between two
@@ -128,8 +128,8 @@ def started(start: str, seed: int, priors: str | None = None) -> dict[str, Any]:
     row = {"cosine": round(cosine, 3), "inliers": round(summary(run.result())["inlier_share"] or 0.0, 3)}
     if priors is None:
         return row | {"views": bool(run.target), "lost": not ended}
-    told = contradiction(run.source, run.slam.sensors[0].calibration, np.array(run.path))
-    return row | {"against": told and round(told[0], 1), "lost": not ended}
+    told = direction_error(run.source, run.slam.sensors[0].calibration, np.array(run.path))
+    return row | {"direction_error": told and round(told[0], 1), "lost": not ended}
 
 
 def kidnapped(seed: int) -> dict[str, Any]:

@@ -4,7 +4,7 @@ import argparse
 
 from slamlib.cli import arguments as shared
 from slamlib.cli import runner
-from slamlib.datasets.public import RECORDINGS, VARIABLE, data_folder
+from slamlib.datasets.public import VARIABLE, data_folder, public_recordings
 from slamlib.errors import entry
 
 EXAMPLES = f"""examples:
@@ -27,7 +27,7 @@ def execute(given: argparse.Namespace) -> int:
     """Print the list."""
     runner.check_files(given)
     root = data_folder(given.folder)
-    chosen = {name: entry("recording", name, RECORDINGS) for name in given.names or RECORDINGS}
+    chosen = {name: entry("recording", name, public_recordings()) for name in given.names or public_recordings()}
     found, text = {}, []
     for name, recording in chosen.items():
         here, put = recording.found(root), next(iter(recording.places))

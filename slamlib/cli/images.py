@@ -14,16 +14,16 @@ from slamlib.errors import SlamlibError, entry
 from slamlib.evaluation.comparison import compared
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
 from slamlib.landmarks import POINTS
-from slamlib.vision.results import doubts, summary, table
+from slamlib.vision.results import summary, summary_warnings, table
 from slamlib.vision.run import load
 from slamlib.vision.sequence_run import ImageStep, SequenceKind, SequenceRun
-from slamlib.vision.two_views import contradiction
+from slamlib.vision.two_views import direction_error
 
 Add = Callable[..., Any]  # add_argument of a group
 JUDGED, ENOUGH = 30, 0.7  # frames, and the least share of inliers among the matches of a good run
 NO_MATCH = "no match in {}: prediction only; the run stops after {} such frames in a row (reported once)"
 NOTHING = "nothing was matched in any {}: are they blank, dark, without texture, or not of one sequence?"
-AGAINST = 60.0  # degrees: least angle between a path's motion and that of two views for a path that may be reversed
+MAX_DIRECTION_ERROR = 60.0  # degrees, between the motions by a path and by two views: above, it may be reversed
 REVERSED = (
     "the path may be reversed (near points estimated as far, and the motion as its opposite): from picture {1} to {2} "
     "it goes {0:.0f} degrees off the way that these two tell. Start at another picture, or give more information: a "
@@ -105,10 +105,8 @@ class ImageCommand:
             print(f"slamlib: {NOTHING.format(self.kind.item)}", file=sys.stderr)
         rows = [("source", f"{s['source']} ({s['layout']})"), *table(s)]
         report(given, s, aligned_rows(rows))
-        for doubt in doubts(s):
-            print(f"slamlib: {doubt}", file=sys.stderr)
-        for doubt in [] if run.metric else _doubts(run, s["inlier_share"]):
-            print(f"slamlib: {doubt}", file=sys.stderr)
+        for warning in [*summary_warnings(s), *([] if run.metric else _image_warnings(run, s["inlier_share"]))]:
+            print(f"slamlib: {warning}", file=sys.stderr)
         return ended.status
 
     def _which(self, add: Add) -> None:
@@ -137,12 +135,12 @@ class ImageCommand:
         add("--patience", type=count, metavar="N", help=f"stop after N {self.kind.item}s without a match (default 30)")
 
 
-def _doubts(run: SequenceRun, inliers: float | None) -> Iterator[str]:
-    """What its own pictures say against a run whose scale is free, in sentences."""
+def _image_warnings(run: SequenceRun, inliers: float | None) -> Iterator[str]:
+    """What the images of a run with free scale say of it: warnings, in sentences."""
     if run.done >= JUDGED and inliers is not None and inliers < ENOUGH:
         yield FEW.format(inliers)
-    found = contradiction(run.source, run.slam.sensors[0].calibration, np.array(run.path))
-    if found is not None and found[0] > AGAINST:
+    found = direction_error(run.source, run.slam.sensors[0].calibration, np.array(run.path))
+    if found is not None and found[0] > MAX_DIRECTION_ERROR:
         yield REVERSED.format(*found)
 
 

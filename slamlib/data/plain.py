@@ -94,7 +94,7 @@ class Plain:
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain data for JSON or TOML; fields that are None are left out."""
-        return written(self)
+        return {f.name: written(v) for f in fields(self) if (v := getattr(self, f.name)) is not None}  # type: ignore[arg-type]
 
     @classmethod
     def from_dict(cls, data: dict[str, Any]) -> Self:
@@ -111,7 +111,7 @@ def written(value: Any) -> Any:
         text = base64.b64encode(zlib.compress(value.tobytes(), 1)).decode()
         return {"dtype": value.dtype.str, "shape": value.shape, "zlib": text}
     if is_dataclass(value):
-        return {f.name: written(v) for f in fields(value) if (v := getattr(value, f.name)) is not None}
+        return value.to_dict() if isinstance(value, Plain) else Plain.to_dict(value)  # type: ignore[arg-type]
     if isinstance(value, dict):
         return {name: written(v) for name, v in value.items()}
     return tuple(map(written, value)) if isinstance(value, list | tuple) else value

@@ -8,11 +8,11 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from slamlib.data.plain import Count, Finite, Length, OneOf, Plain, Positive, Range, check, written
+from slamlib.data.plain import Count, Finite, Length, OneOf, Plain, Positive, Range, check
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.euler import to_quaternion
 from slamlib.manifolds import Array, finite
-from slamlib.motions import Motion, motion
+from slamlib.motions import MOTIONS, Motion, motion
 from slamlib.sensors import SENSORS, sensor
 from slamlib.sensors.sensor import Calibration
 
@@ -162,9 +162,13 @@ class Rig(Plain):
                 raise SlamlibError(f"{s.name} sits on robot {s.robot}; robots are counted 0 to {len(self.robots) - 1}")
 
     def to_dict(self) -> dict[str, Any]:
-        """Return plain data for JSON or TOML; fields that are None are left out."""
+        """Plain data for JSON or TOML, with motions by their names. Raises SlamlibError if these do not find them."""
+        for robot in self.robots:
+            if MOTIONS.get(name := robot.model.name) is not robot.model:
+                why = f"{robot.name}: plain data has a motion by its name, and {name!r} is another one, or none"
+                raise SlamlibError(f"{why}; give it a name of its own, and write slamlib.motions.MOTIONS.add(motion)")
         named = (replace(robot, motion=robot.model.name) for robot in self.robots)
-        return written(replace(self, robots=tuple(named)))
+        return Plain.to_dict(replace(self, robots=tuple(named)))
 
 
 def pose_of(position: Numbers, euler: Numbers, name: str) -> Array:

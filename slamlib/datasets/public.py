@@ -4,6 +4,7 @@ import os
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from slamlib.errors import SlamlibError
@@ -35,10 +36,11 @@ class PublicRecording:
         return [folder for folder, file in held if (folder / file).is_file()]
 
 
-RECORDINGS = {
-    name: PublicRecording(**row)
-    for name, row in tomllib.loads(Path(__file__).with_suffix(".toml").read_text("utf-8")).items()
-}
+@cache
+def public_recordings() -> dict[str, PublicRecording]:
+    """All public recordings, by name."""
+    rows = tomllib.loads(Path(__file__).with_suffix(".toml").read_text("utf-8"))
+    return {name: PublicRecording(**row) for name, row in rows.items()}
 
 
 def data_folder(given: str | None = None) -> Path | None:

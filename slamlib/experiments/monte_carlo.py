@@ -8,8 +8,9 @@ experiment continues. Parallel runs use joblib: to outgrow one machine, make the
 
 import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
+from itertools import repeat
 from pathlib import Path
 from typing import Any
 
@@ -64,29 +65,28 @@ def monte_carlo(
     """
     if runs < 1:
         raise SlamlibError(f"monte_carlo: at least one run, got {runs}")
-    keep = None if folder is None else Path(folder)
-    if keep:
-        keep.mkdir(parents=True, exist_ok=True)
-    rows = list(progress(_each(preset, runs, seed, jobs, keep), runs, f"{preset.name}, {runs} runs"))
+    own = [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(seed).spawn(runs)]
+    paths: list[Path | None] = [None] * runs
+    if folder is not None:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        plain = json.dumps(replace(preset, seed=0).to_dict(), sort_keys=True)
+        digest = hashlib.sha256(plain.encode()).hexdigest()[:12]
+        paths = [Path(folder) / f"{preset.name}-{digest}-{s}.npz" for s in own]
+    rows = list(progress(_each(preset, own, paths, jobs), runs, f"{preset.name}, {runs} runs"))
     return Experiment(preset, **{name: np.array([row[name] for row in rows]) for name in NAMES})
 
 
-def _each(preset: Preset, runs: int, seed: int, jobs: int | None, folder: Path | None) -> Iterator[dict[str, Any]]:
-    """Yield the rows of all runs, in their order, as they finish."""
-    seeds = [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(seed).spawn(runs)]
+def _each(preset: Preset, own: list[int], paths: Sequence[Path | None], jobs: int | None) -> Iterator[dict[str, Any]]:
+    """The rows of all runs, in their order, as they finish."""
     if jobs == 1:
-        yield from (run_once(preset, s, folder) for s in seeds)
-        return
+        return map(run_once, repeat(preset), own, paths)
     joblib = optional("joblib", "for several runs at once (jobs=1 does without)", "experiments")
-    rows = joblib.Parallel(n_jobs=jobs, return_as="generator")
-    yield from rows(joblib.delayed(run_once)(preset, s, folder) for s in seeds)
+    rows: Any = joblib.Parallel(n_jobs=jobs, return_as="generator")
+    return rows(map(joblib.delayed(run_once), repeat(preset), own, paths))
 
 
-def run_once(preset: Preset, seed: int, folder: Path | None = None) -> dict[str, Any]:
+def run_once(preset: Preset, seed: int, path: Path | None = None) -> dict[str, Any]:
     """One run's row, each number by its name in Experiment, from its file if there is one."""
-    plain = json.dumps(replace(preset, seed=0).to_dict(), sort_keys=True)
-    digest = hashlib.sha256(plain.encode()).hexdigest()[:12]
-    path = None if folder is None else folder / f"{preset.name}-{digest}-{seed}.npz"
     if path and path.is_file():
         return read_archive(path, FORMAT, 1)[1]
     result = Run(preset, seed).finish()

@@ -5,11 +5,11 @@ from typing import Any
 
 from slamlib.manifolds import Manifold
 from slamlib.model import Model
-from slamlib.modeling.registry import Complete
+from slamlib.modeling.registry import TypeDescription
 
 
 @dataclass(frozen=True)
-class PointLandmark(Complete):
+class PointLandmark(TypeDescription):
     """A parametrization of points: name, manifold of the state, and its models.
 
     to_frame(pose, landmark): homogeneous point (h, w) (4,) in the frame `pose`; the Euclidean point is h / w, and w = 0
@@ -27,7 +27,7 @@ class PointLandmark(Complete):
 
 
 @dataclass(frozen=True)
-class LineLandmark(Complete):
+class LineLandmark(TypeDescription):
     """A parametrization of lines: name, manifold of the state, its models, and the endpoints' initial abscissas.
 
     to_frame(pose, landmark): Pluecker coordinates (n, v) (6,) in the frame `pose`. from_frame(pose, rays, prior): the

@@ -12,17 +12,23 @@ from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Manifold
 from slamlib.model import Formula, Model
 
-FORMULA = "jac", "a function under @model(...)"
-PARTS: Any = {Formula: FORMULA, Model: FORMULA, Manifold: ("dof", "a manifold, such as as_manifold(7)")}
+ANY = "__class__", "see its help"
+PARTS: Any = {  # by type or name: what it must have, and what it should be
+    **dict.fromkeys((Formula, Model, Model | None), ("jac", "a function under @model(...)")),
+    Manifold: ("dof", "a manifold, such as as_manifold(7)"),
+    "moved": ("jac_where", "a function under @model(motion=Pose, ...), or Parts(...)"),
+    "check": ("__call__", "a function; see its help"),
+    **dict.fromkeys(("limits", "angles"), ("__iter__", "a tuple; see its help")),
+}
 
 
-class Complete:
-    """A dataclass that describes a type, of a landmark, a sensor or a motion: no part of it may be missing."""
+class TypeDescription:
+    """A dataclass that describes a type, of a landmark, a sensor or a motion: no part of it may be missing or wrong."""
 
     def __post_init__(self) -> None:
-        """Raise SlamlibError that names all parts which are missing, and what they should be."""
-        wanted = [f for f in fields(self) if f.default is MISSING]  # type: ignore[arg-type]
-        parts = [(getattr(self, f.name), f.name, *PARTS.get(f.type, ("__class__", "see its help"))) for f in wanted]
+        """Raise SlamlibError that names all parts which are missing or wrong, and what they should be."""
+        asked = [f for f in fields(self) if f.default is MISSING or getattr(self, f.name) is not None]  # type: ignore[arg-type]
+        parts = [(getattr(self, f.name), f.name, *(PARTS.get(f.name) or PARTS.get(f.type, ANY))) for f in asked]
         lacking = [f"\n  {name}: {what}" for v, name, call, what in parts if v is None or not hasattr(v, call)]
         if lacking:
             raise SlamlibError(f"{type(self).__name__} {self.name!r} is unfinished; it lacks{''.join(lacking)}")  # type: ignore[attr-defined]

@@ -6,11 +6,11 @@ from typing import Any
 from slamlib.geometry.pose import compose
 from slamlib.manifolds import Manifold
 from slamlib.model import Model
-from slamlib.modeling.registry import Complete
+from slamlib.modeling.registry import TypeDescription
 
 
 @dataclass(frozen=True)
-class Motion(Complete):
+class Motion(TypeDescription):
     """A motion: name, manifold of the robot's state, size of the control, and the model step(state, control, dt).
 
     moved(motion, state): the state after a rigid motion (7,) of the world; the default is that of a pose.

@@ -12,11 +12,11 @@ from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.kalman.linalg import covariance
 from slamlib.manifolds import Array, Manifold, Mask, as_manifold, finite, numbers, read_only_copy
 from slamlib.model import Formula, Model
-from slamlib.modeling.registry import Complete
+from slamlib.modeling.registry import TypeDescription
 
 
 @dataclass(frozen=True)
-class Sensor(Complete):
+class Sensor(TypeDescription):
     """A type of sensor: name, models, the names of its parameters in the models' order, and its rules.
 
     project(point, **parameters): measurement (m,) of a homogeneous point (4,) in the sensor's frame (axes right, down,

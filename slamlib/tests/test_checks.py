@@ -381,6 +381,25 @@ def test_an_unfinished_type_names_the_part_that_it_lacks(kind, part):
         dataclasses.replace(kind, **{part: None})
 
 
+OPTIONAL = [
+    (AHM, "moved", "a function under @model(motion=Pose, ...), or Parts(...)"),
+    (LINES["plkLin"], "constrain", "a function under @model(...)"),
+    (CAMERA.sensor, "check", "a function; see its help"),
+    (CAMERA.sensor, "project_line", "a function under @model(...)"),
+    (CAMERA.sensor, "limits", "a tuple; see its help"),
+    (ODOMETRY, "moved", "a function under @model(motion=Pose, ...), or Parts(...)"),
+    (ODOMETRY, "angles", "a tuple; see its help"),
+]
+
+
+@pytest.mark.parametrize(("kind", "part", "what"), OPTIONAL, ids=[f"{kind.name}.{part}" for kind, part, _ in OPTIONAL])
+def test_an_optional_part_of_a_type_may_not_be_something_else(kind, part, what):
+    with pytest.raises(SlamlibError) as caught:
+        dataclasses.replace(kind, **{part: 7})
+    name = type(kind).__name__
+    assert str(caught.value) == f"{name} {kind.name!r} is unfinished; it lacks\n  {part}: {what}"
+
+
 def test_an_unfinished_type_names_all_that_it_lacks_and_a_function_that_is_no_model():
     def to_frame(pose, landmark):
         """Lacks its decorator."""

@@ -1,11 +1,13 @@
 """`slamlib datasets`: what is listed, what is found, and what is said where nothing is."""
 
 import json
+import runpy
 
 import pytest
 
 from slamlib.cli import main
-from slamlib.datasets.public import RECORDINGS, VARIABLE
+from slamlib.datasets import public
+from slamlib.datasets.public import VARIABLE, public_recordings
 
 ADDRESSES = ("http://", "https://")
 
@@ -22,13 +24,20 @@ def listed(capsys, *words):
 
 def test_each_recording_says_where_it_is_offered_and_under_which_licence(capsys):
     found = listed(capsys)
-    assert set(found) == set(RECORDINGS)
+    assert set(found) == set(public_recordings())
     for row in found.values():
         assert row["address"].startswith(ADDRESSES)
         assert row["licence"]
         assert row["what"]
         assert row["folder"] == next(iter(row["places"]))
         assert row["found"] == []
+
+
+def test_no_file_is_read_before_a_recording_is_asked_for(monkeypatch):
+    monkeypatch.setattr("tomllib.loads", lambda text: {})
+    assert runpy.run_path(public.__file__)["public_recordings"]() == {}
+    monkeypatch.setattr("tomllib.loads", None)
+    assert callable(runpy.run_path(public.__file__)["public_recordings"])
 
 
 def test_what_is_there_is_found_by_its_file_not_by_its_folder_alone(capsys, tmp_path, monkeypatch):

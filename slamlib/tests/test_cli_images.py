@@ -238,7 +238,9 @@ def test_a_run_against_which_its_own_pictures_speak_is_named(room, capsys, monke
     assert not any(word in capsys.readouterr().err for word in ("reversed", "calibration"))
     monkeypatch.setattr("slamlib.cli.images.JUDGED", 8)
     monkeypatch.setattr("slamlib.cli.images.ENOUGH", 1.01)
-    monkeypatch.setattr("slamlib.cli.images.contradiction", lambda source, calibration, path: (143.2, 0, len(path) - 1))
+    monkeypatch.setattr(
+        "slamlib.cli.images.direction_error", lambda source, calibration, path: (143.2, 0, len(path) - 1)
+    )
     assert main(words(room, "--frames", "8", "--json")) == 0
     told = capsys.readouterr().err
     assert "or the calibration is of another camera" in told

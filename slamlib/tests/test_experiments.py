@@ -1,5 +1,6 @@
 """Many runs: independent of the number of workers, resumable, and consistent where they should be."""
 
+import json
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +10,8 @@ from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band
 from slamlib.experiments.monte_carlo import NAMES, monte_carlo
-from slamlib.experiments.presets import preset
+from slamlib.experiments.presets import Preset, preset
+from slamlib.motions import MOTIONS, ODOMETRY
 
 SHORT = replace(preset("points"), frames=8)
 SAME = [name for name in NAMES if name != "seconds"]
@@ -93,3 +95,17 @@ def test_small_noise_is_consistent_throughout():
     options = replace(p.options, reproject=False, inverse_distance=(0.2, 0.2))
     found = monte_carlo(replace(p, rig=Rig((robot,), (camera,)), options=options, frames=100), 20).consistency()
     assert ((found.average > RARELY[0]) & (found.average < RARELY[1])).all(), found
+
+
+def test_a_motion_of_ones_own_may_be_a_value_and_in_a_folder_must_be_known_by_its_name(tmp_path, monkeypatch):
+    monkeypatch.setattr(MOTIONS, "_values", dict(MOTIONS))
+    own = replace(ODOMETRY, name="own")
+    given = replace(SHORT, rig=replace(SHORT.rig, robots=(replace(SHORT.rig.robots[0], motion=own),)))
+    assert equal(monte_carlo(given, 2, seed=4), monte_carlo(SHORT, 2, seed=4))
+    for wrong in (own, replace(ODOMETRY, angles=())):
+        unknown = replace(given, rig=replace(given.rig, robots=(replace(given.rig.robots[0], motion=wrong),)))
+        with pytest.raises(SlamlibError, match=f"'{wrong.name}' is another one.*MOTIONS.add"):
+            monte_carlo(unknown, 2, folder=tmp_path)
+    MOTIONS.add(own)
+    assert equal(monte_carlo(given, 2, seed=4, folder=tmp_path), monte_carlo(given, 2, seed=4))
+    assert Preset.from_dict(json.loads(json.dumps(given.to_dict()))).slam().robots[0].motion is own

@@ -14,7 +14,7 @@ from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import compose, to_frame
 from slamlib.geometry.quaternion import exponential
-from slamlib.vision.results import COLUMNS, PARTS, doubts, lasting, summary, table
+from slamlib.vision.results import COLUMNS, PARTS, lasting, summary, summary_warnings, table
 from slamlib.vision.run import IMAGES, camera_rig, image_run, load, options_for
 from slamlib.vision.sequence_run import TrackingLostError
 from slamlib.vision.target import Target
@@ -134,7 +134,7 @@ def test_a_run_of_all_pictures():
     assert abs(s["innovation_correlation"]) < 4 * s["innovation_correlation_std"]  # the noise of the data is white
     assert s["innovation_correlation_std"] < 0.1
     assert s["near_mean"] is None
-    assert doubts(s) == []
+    assert summary_warnings(s) == []
     assert "ideal" not in "".join(value for _, value in table(s))
     with pytest.raises(AttributeError):
         _ = result.nothing
@@ -157,8 +157,8 @@ def test_errors_that_last_are_told_from_the_innovations():
 
 def test_a_run_doubts_itself_in_words():
     said = {"innovation_correlation": 0.6, "innovation_correlation_std": 0.03, "near_mean": 3.4}
-    assert [text.split()[1] for text in doubts(said)] == ["innovations", "3.4"]
-    assert doubts({**said, "innovation_correlation_std": 0.2, "near_mean": None}) == []  # by chance
+    assert [text.split()[1] for text in summary_warnings(said)] == ["innovations", "3.4"]
+    assert summary_warnings({**said, "innovation_correlation_std": 0.2, "near_mean": None}) == []  # by chance
 
 
 def test_going_on_is_the_same_as_not_stopping(tmp_path):

@@ -19,7 +19,7 @@ from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.relocalization import relocalize
 from slamlib.vision.run import options_for
 from slamlib.vision.target import Target, focal_length
-from slamlib.vision.two_views import contradiction, turning_rate, two_view_target
+from slamlib.vision.two_views import direction_error, turning_rate, two_view_target
 
 DT = 1 / 30
 
@@ -112,14 +112,14 @@ def test_two_views_speak_against_a_reversed_path_alone(started):
     rig, frames, truth = started
     sensor, source = rig.sensors[0], of_pictures(pictures(frames), DT)
     path = np.array([compose(pose, sensor.extrinsics) for pose in truth])
-    angle, first, second = contradiction(source, sensor.calibration, path)
+    angle, first, second = direction_error(source, sensor.calibration, path)
     assert angle < 10
     assert first == 0 < second < len(path)
     mirrored = np.column_stack([2 * path[0, :3] - path[:, :3], path[:, 3:]])
-    assert contradiction(source, sensor.calibration, mirrored)[0] == pytest.approx(180 - angle, abs=1)
+    assert direction_error(source, sensor.calibration, mirrored)[0] == pytest.approx(180 - angle, abs=1)
     still = of_pictures([pictures(frames)[0]] * 5, DT)
-    assert contradiction(still, sensor.calibration, path[:5]) is None
-    assert contradiction(source, sensor.calibration, path[:1]) is None
+    assert direction_error(still, sensor.calibration, path[:5]) is None
+    assert direction_error(source, sensor.calibration, path[:1]) is None
 
 
 def test_without_points_no_turn_is_measured(started):

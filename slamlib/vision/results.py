@@ -17,7 +17,7 @@ COLUMNS = (
     *PARTS,
 )
 NEAR = 40.0  # baselines: nearer points tell how long a step was, the others where it turned (Mur-Artal, Tardos 2017)
-LASTING, FEW_NEAR = 0.3, 6.0  # the largest correlation of innovations, the least near points, of a run without doubts
+LASTING, FEW_NEAR = 0.3, 6.0  # the largest correlation of innovations, the least near points, of a run without warnings
 Whitened = dict[int, Array]  # innovations in units of their standard deviations, uncorrelated; by landmark
 
 
@@ -113,8 +113,8 @@ def summary(result: ImageResult) -> dict[str, Any]:
     }
 
 
-def doubts(s: dict[str, Any]) -> list[str]:
-    """What a summary says against its own covariances, in sentences; no reference is needed."""
+def summary_warnings(s: dict[str, Any]) -> list[str]:
+    """Warnings that a summary gives by its own covariances, in sentences; no reference is needed."""
     found, lasts, near = [], s["innovation_correlation"], s["near_mean"]
     if lasts is not None and lasts > max(LASTING, 4 * s["innovation_correlation_std"]):
         found.append(

@@ -73,7 +73,7 @@ def two_view_target(
     return guessed if known is None else known.with_others(guessed)
 
 
-def contradiction(source: ImageSource, calibration: Calibration, path: Array) -> tuple[float, int, int] | None:
+def direction_error(source: ImageSource, calibration: Calibration, path: Array) -> tuple[float, int, int] | None:
     """Angle [deg] from the motion between two images to that of a path of cameras (n, 7), and the images' numbers.
 
     The images are the first with enough parallax; None if there are none. Raises SlamlibError without OpenCV.
