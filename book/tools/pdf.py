@@ -1,10 +1,11 @@
 """Print the built book as one PDF: `make pdf`, after `make book`; needs Chromium.
 
 The pages of the site, one after the other, become one page whose links lead within it, and Chromium prints that, with
-bookmarks, in light colours. Sliders show their first, chosen and last frames; solutions and answers are unfolded; code
-that a page folds away, such as that of figures, is left out.
+bookmarks, in light colours. Sliders show their first, chosen and last frames; solutions and the quiz's answers stand at
+the end of their chapter; code that a page folds away, such as that of figures, is left out.
 """
 
+import copy
 import re
 import sys
 import time
@@ -19,16 +20,25 @@ GOES = (  # what only a screen needs
     ".prev-next-footer, .headerlink, .copybtn, .toctree-wrapper, script, details.hide"
 )
 STYLE = """
-@page { size: A4; margin: 18mm 16mm 18mm 16mm; }
+@page { size: A4; margin: 16mm 16mm 18mm 16mm; }
 html { font-size: 12.5px; }
 body { background: white; max-width: none; }
 main { max-width: 178mm; margin: 0 auto; }
 main > section.page { break-before: page; }
-h1, h2, h3 { break-after: avoid; }
-figure, tr, .cell_output, mjx-container[display] { break-inside: avoid; }
-pre { white-space: pre-wrap !important; font-size: 9px; line-height: 1.3; }
+/* Of a heading that wraps, the bookmark keeps the space only if the page does. */
+h1, h2, h3, h4 { break-after: avoid; white-space: break-spaces; }
+p, li, pre { orphans: 3; widows: 3; }
+tr, dt, mjx-container[display], img, svg, .sweep [data-frame] { break-inside: avoid; }
+dt { break-after: avoid; }
+/* Letters of figures are as large as the text's, and what a figure does not need is not left empty. */
+.picture svg, .sweep svg { zoom: 0.75; min-width: 0; }
+.sweep { display: flex; flex-wrap: wrap; justify-content: center; gap: 0.5rem; }
+.sweep [data-frame] { flex: 0 1 calc(50% - 0.5rem); }
+.sweep [data-frame].wide { flex-basis: 100%; }
+pre { white-space: pre-wrap !important; font-size: 9.5px !important; line-height: 1.3; }
 """
-UNFOLD = "details.sd-dropdown, details.toggle-details"
+WIDE = 620  # pixels of a figure that needs the page's whole width
+ANSWERS = "div.solution, #quiz details, #quiz .dropdown"
 
 
 def prefixed(page: Path, anchor: str) -> str:
@@ -39,17 +49,21 @@ def prefixed(page: Path, anchor: str) -> str:
 def joined(site: Path, pages: list[Path]) -> str:
     """The pages of a built site as one HTML document in its folder, whose links lead within it."""
     known = {(site / page).resolve() for page in pages}
-    first = BeautifulSoup((site / pages[-1]).read_text("utf-8"), "html.parser")
-    main = first.new_tag("main")
+    first = BeautifulSoup((site / pages[0]).read_text("utf-8"), "html.parser")
+    main, formulas = first.new_tag("main"), None
     for page in pages:
-        article = BeautifulSoup((site / page).read_text("utf-8"), "html.parser").select_one("article.bd-article")
+        whole = BeautifulSoup((site / page).read_text("utf-8"), "html.parser")
+        article = whole.select_one("article.bd-article")
         assert isinstance(article, Tag), f"{page} has no article"
+        if not formulas and (formulas := mathjax(whole)):  # only pages with formulas have it
+            relink(formulas[-1].parent, page, site, known)
         for tag in article.select(GOES):
             tag.decompose()
-        for tag in article.select(UNFOLD):
+        for tag in article.select("details"):
             tag["open"] = ""
         for sweep in article.select("figure.sweep"):
             shown(sweep, first)
+        answered(article, first)
         for tag in article.select("[id]"):
             tag["id"] = prefixed(page, str(tag["id"]))
         relink(article, page, site, known)
@@ -60,14 +74,40 @@ def joined(site: Path, pages: list[Path]) -> str:
     assert first.head is not None
     first.body.clear()
     first.body.append(main)
-    for tag in first.head.select("script:not([src*=mathjax]):not([id*=ax])"):
-        if "MathJax" not in tag.text:
-            tag.decompose()
-    relink(first.head, pages[-1], site, known)
+    for tag in first.head.select("script"):
+        tag.decompose()
+    relink(first.head, pages[0], site, known)
+    first.head.extend(formulas or [])
+    if first.title and first.title.string:
+        first.title.string = first.title.string.partition(" — ")[0]
     style = first.new_tag("style")
     style.string = STYLE
     first.head.append(style)
     return str(first)
+
+
+def mathjax(page: BeautifulSoup) -> list[Tag]:
+    """The scripts of a page's head that set its formulas; [] on a page without any."""
+    return [tag for tag in page.select("head script") if "mathjax" in f"{tag.get('src', '')} {tag.text}".lower()]
+
+
+def answered(article: Tag, page: BeautifulSoup) -> None:
+    """Solutions of exercises and answers to the quiz move to a section at the chapter's end; the questions stay."""
+    answers = article.select(ANSWERS)
+    if not answers:
+        return
+    section, heading = page.new_tag("section", attrs={"id": "solutions"}), page.new_tag("h2")
+    heading.string = "Solutions"
+    section.append(heading)
+    for answer in answers:
+        if answer.find_parent(id="quiz"):
+            question = answer.select_one(".sd-summary-text, summary, .admonition-title")
+            assert question is not None, "an answer of the quiz without its question"
+            asked = page.new_tag("p")
+            asked.extend(copy.copy(part) for part in question.contents)
+            answer.insert_before(asked)
+        section.append(answer.extract())
+    (article.select_one("section") or article).append(section)
 
 
 def shown(sweep: Tag, page: BeautifulSoup) -> None:
@@ -81,6 +121,8 @@ def shown(sweep: Tag, page: BeautifulSoup) -> None:
             frame.decompose()
             continue
         del frame["hidden"]
+        if any(float(width) > WIDE for width in re.findall(r"max-width:(\d+)px", str(frame.select_one("svg")))):
+            frame["class"] = "wide"
         caption = page.new_tag("p", attrs={"class": "sweep-note"})
         words = (label.text if label else "", ": ", frame["data-value"], ". ", frame.get("data-note", ""))
         caption.string = "".join(map(str, words))
@@ -92,6 +134,8 @@ def relink(part: Tag, page: Path, site: Path, known: set[Path]) -> None:
     for tag in part.select("[href], [src]"):
         name = "href" if tag.has_attr("href") else "src"
         tag[name] = moved(str(tag[name]), (site / page).resolve(), site, known)
+        if tag.name == "a" and not re.match(r"#|[a-z]+:|//", str(tag["href"])):
+            del tag["href"]  # a file beside the page, such as a download: it does not come with the PDF
 
 
 def moved(link: str, file: Path, site: Path, known: set[Path]) -> str:
