@@ -31,6 +31,14 @@ PRODUCTS, LATER, ALONE = "products", "later", 20  # frames
 DOF = 6
 
 
+def known_to(preset: Preset, share: float) -> Preset:
+    """The second sensor's estimated extrinsics are known to this share of their standard deviations; 0: exactly."""
+    first, second = preset.rig.sensors
+    position, turn = (tuple(share * std for std in stds) for stds in (second.position_std, second.orientation_std))
+    second = replace(second, estimated=share > 0, position_std=position, orientation_std=turn)
+    return replace(preset, rig=replace(preset.rig, sensors=(first, second)))
+
+
 def with_products(slam: Any) -> Any:
     """The family of points, with a product of errors, which a linearization leaves out, as noise in batch updates.
 
@@ -54,36 +62,43 @@ def with_products(slam: Any) -> Any:
 
 def poses(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array]:
     """Of each robot in one run by this name: true poses (n, r, 7), estimated ones, their covariances (n, r, 6, 6)."""
+    true, estimates, covariances, smoother = _filtered(preset, seed, name)
+    return (true, *_smoothed(smoother, len(true))) if smoother else (true, estimates, covariances)
+
+
+def _filtered(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array, Smoother | None]:
+    """Poses as the filter has them, and the smoother that listened to it, for ALL_DATA."""
     with patch.dict(TRANSPORTS, {WITH_ANCHORS: anchors_carried}):  # an option for this run alone
         error = "local" if name in ("oracle", ALL_DATA) else "world" if name in (PRODUCTS, LATER) else name
-        return _poses(preset, seed, name, error)
+        preset = replace(preset, seed=seed, options=replace(preset.options, error=error))
+        slam = preset.slam()
+        if name == PRODUCTS:
+            slam.families["points"] = with_products(slam)
+        oracle = Oracle(slam, preset.world) if name == "oracle" else None
+        smoother = Smoother(slam) if name == ALL_DATA else None
+        true, estimates, covariances = [], [], []
+        for frame, truth in preset.simulate():
+            if oracle:
+                oracle.truth = truth
+            if name == LATER and frame.number <= ALONE:
+                scans = [
+                    Scan() if sensor.block else scan for sensor, scan in zip(slam.sensors, frame.scans, strict=True)
+                ]
+                frame = replace(frame, scans=tuple(scans))
+            slam.step(frame)
+            if smoother:
+                smoother.record(frame)
+            true.append([state[:7] for state in truth.robots])
+            estimates.append([robot.pose for robot in slam.robots])
+            covariances.append([slam.belief.covariance(robot.block)[:DOF, :DOF] for robot in slam.robots])
+    return np.array(true), np.array(estimates), np.array(covariances), smoother
 
 
-def _poses(preset: Preset, seed: int, name: str, error: str) -> tuple[Array, Array, Array]:
-    preset = replace(preset, seed=seed, options=replace(preset.options, error=error))
-    slam = preset.slam()
-    if name == PRODUCTS:
-        slam.families["points"] = with_products(slam)
-    oracle = Oracle(slam, preset.world) if name == "oracle" else None
-    smoother = Smoother(slam) if name == ALL_DATA else None
-    true, estimates, covariances = [], [], []
-    for frame, truth in preset.simulate():
-        if oracle:
-            oracle.truth = truth
-        if name == LATER and frame.number <= ALONE:
-            scans = [Scan() if sensor.block else scan for sensor, scan in zip(slam.sensors, frame.scans, strict=True)]
-            frame = replace(frame, scans=tuple(scans))
-        slam.step(frame)
-        if smoother:
-            smoother.record(frame)
-        true.append([state[:7] for state in truth.robots])
-        estimates.append([robot.pose for robot in slam.robots])
-        covariances.append([slam.belief.covariance(robot.block)[:DOF, :DOF] for robot in slam.robots])
-    if not smoother:
-        return np.array(true), np.array(estimates), np.array(covariances)
-    found, frames = smoother.solve(), np.arange(len(true))
-    marginals = [found.covariance(frames, robot) for robot in range(len(slam.robots))]
-    return np.array(true), found.poses, np.stack(marginals, axis=1)
+def _smoothed(smoother: Smoother, frames: int) -> tuple[Array, Array]:
+    """Poses (n, r, 7) and their covariances (n, r, 6, 6)."""
+    found = smoother.solve()
+    robots = range(found.poses.shape[1])
+    return found.poses, np.stack([found.covariance(np.arange(frames), robot) for robot in robots], axis=1)
 
 
 def run(preset: Preset, seed: int, name: str) -> dict[str, Array]:
@@ -93,7 +108,17 @@ def run(preset: Preset, seed: int, name: str) -> dict[str, Array]:
     away from the start, and its sigma [m], above zero if the scale is too small; rest (n,): NEES of the five other
     directions. position (n,): distance of the estimate from the truth [m].
     """
-    true, x, P = poses(preset, seed, name)
+    return _judged(preset, *poses(preset, seed, name))
+
+
+def beside(preset: Preset, seed: int) -> tuple[dict[str, Array], dict[str, Array]]:
+    """One run by the ordinary filter, and by all its data at once: what `run` says of each."""
+    true, x, P, smoother = _filtered(preset, seed, ALL_DATA)
+    assert smoother
+    return _judged(preset, true, x, P), _judged(preset, true, *_smoothed(smoother, len(true)))
+
+
+def _judged(preset: Preset, true: Array, x: Array, P: Array) -> dict[str, Array]:
     errors = Pose.minus(true, x)
     nees = [[nees_where_uncertain(e, C) for e, C in zip(*step, strict=True)] for step in zip(errors, P, strict=True)]
     errors, P, arm = errors[:, 0], P[:, 0], true[:, 0, :3] - preset.rig.robots[0].state[:3]

@@ -15,10 +15,10 @@ from typing import Any
 import joblib
 import numpy as np
 from slambook.anchors import ANCHORS
-from slambook.filters_compared import ALL_DATA, FILTERS, LATER, PRODUCTS, WITH_ANCHORS, Verdict, run, stacked
+from slambook.filters_compared import ALL_DATA, FILTERS, LATER, PRODUCTS, WITH_ANCHORS, Verdict, known_to, run, stacked
 
 from book.tools import layout
-from book.tools.experiments import digest, rounded, with_options
+from book.tools.experiments import digest, rounded, seeds, with_options
 from slamlib.experiments.presets import PRESETS, Preset, lines, points
 from slamlib.landmarks import LINES, POINTS
 from slamlib.manifolds import Array
@@ -59,14 +59,6 @@ def unsure_start(preset: Preset) -> Preset:
     return replace(preset, rig=replace(preset.rig, robots=(robot,)), frames=120)
 
 
-def known_to(preset: Preset, share: float) -> Preset:
-    """The estimated extrinsics are known to this share of their standard deviations; 60 frames."""
-    first, second = preset.rig.sensors
-    position, turn = (tuple(share * std for std in stds) for stds in (second.position_std, second.orientation_std))
-    second = replace(second, estimated=share > 0, position_std=position, orientation_std=turn)
-    return replace(preset, rig=replace(preset.rig, sensors=(first, second)), frames=60)
-
-
 def cases() -> dict[str, Preset]:
     """All presets by name."""
     base, house = (replace(with_options(f(), reproject=False), noise_in="truth") for f in (points, lines))
@@ -80,7 +72,7 @@ def cases() -> dict[str, Preset]:
         START: unsure_start(euclidean),
         BY_CONTROL: replace(with_options(base, points=ONE_CAMERA), noise_in="control"),
         **large,
-        **{f"{LEARNED}{share:g}": known_to(large[CALIBRATED], share) for share in SHARES},
+        **{f"{LEARNED}{share:g}": replace(known_to(large[CALIBRATED], share), frames=60) for share in SHARES},
     }
 
 
@@ -95,11 +87,6 @@ def filters(case: str) -> tuple[str, ...]:
     if case in WITHOUT_ORACLE:
         return FILTERS[:2]
     return (*FILTERS, ALL_DATA) if case in (BY_CONTROL, WHOLE) else FILTERS
-
-
-def seeds(number: int, runs: int) -> list[int]:
-    """The seeds of one set; more runs begin with the same ones."""
-    return [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(number).spawn(runs)]
 
 
 def kept(case: str, rows: Sequence[dict[str, Array]], before: dict[str, Any] | None) -> dict[str, Any]:

@@ -4,6 +4,9 @@ Every case is run RUNS times with the seeds of one experiment; finished runs are
 interrupted one goes on where it was. The file holds what figures and tables of the chapter need, rounded, the digest of
 each preset, and the first numbers of all, by which a test sees that the file belongs to the package as it is.
 Times are not stored: they belong to a machine.
+
+Presets (AT_ONCE) are smoothed, too, in two sets of seeds, each run beside the filter's; the first set begins with the
+seeds of the averages. Cases that are as the file has them are kept, and further runs are joined to those that it has.
 """
 
 import argparse
@@ -12,7 +15,9 @@ import json
 from dataclasses import replace
 from typing import Any
 
+import joblib
 import numpy as np
+from slambook.filters_compared import beside
 
 from book.tools import layout
 from slamlib.data.setup import Rig, SensorSetup
@@ -26,6 +31,7 @@ FOLDER = layout.BUILD / "experiments"
 RUNS, SEED, DOF = 100, 17, 6
 FIRST_RUNS, FIRST_FRAMES = 2, 12  # of each case, kept number by number
 BEGINNING, SHORT = 400, 200  # frames of the presets, and of comparisons of one change at a time
+AT_ONCE, SETS, SMOOTHED, FIRST_SMOOTHED = "preset ", (17, 18), 20, 40  # cases; seeds; runs; frames of a short one
 EVERY = 20  # frames between two stored errors
 TOOLBOX = {"inverse_distance": (0.01, 0.5)}  # mean and standard deviation [1/m] in the toolbox's userDataPnt
 
@@ -141,17 +147,60 @@ def run(names: list[str], runs: int = RUNS, jobs: int = 1) -> dict[str, Any]:
     return found
 
 
+def seeds(seed: int, runs: int) -> list[int]:
+    """The seeds of `monte_carlo`'s runs; more runs begin with the same ones."""
+    return [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(seed).spawn(runs)]
+
+
+def smoothed(preset: Preset, seed: int) -> list[list[float]]:
+    """One run by the filter, and by all data at once: NEES, mean of steps and robots; position, rms and at last [m]."""
+    judged = beside(preset, seed)
+    rows = [(of["nees"].mean(), np.sqrt((of["position"] ** 2).mean()), of["position"][-1]) for of in judged]
+    return [rounded(row, 5) for row in rows]
+
+
+def at_once(preset: Preset, before: dict[str, Any], number: int, runs: int, jobs: int = 1) -> dict[str, Any]:
+    """The runs of one set of seeds, joined to those before, and of its first seed a run of a few frames."""
+    own, rows = seeds(number, runs), before.get("runs", [])
+    rows = rows + joblib.Parallel(n_jobs=jobs)(joblib.delayed(smoothed)(preset, seed) for seed in own[len(rows) :])
+    return {"runs": rows, "first": smoothed(replace(preset, frames=FIRST_SMOOTHED), own[0])}
+
+
+def kept(known: dict[str, Preset], fresh: bool) -> dict[str, Any]:
+    """The cases that the file has as they are now; none if it is begun anew."""
+    found = {} if fresh or not FILE.is_file() else json.loads(FILE.read_text("utf-8"))["cases"]
+    return {name: found[name] for name, case in known.items() if found.get(name, {}).get("digest") == digest(case)}
+
+
+def write(found: dict[str, Any]) -> None:
+    """The file, a line for each case."""
+    head = {"runs": RUNS, "seed": SEED, "sets": SETS, "dof": DOF, "band": rounded(band(DOF, RUNS), 4), "every": EVERY}
+    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(found[name])}" for name in cases() if name in found)
+    layout.write_whole(FILE, (json.dumps(head)[:-1] + ', "cases": {\n' + rows + "\n}}\n").encode())
+
+
 def main() -> None:
-    """Run everything, and write the file when all of it is done."""
-    parser = argparse.ArgumentParser(description="Run the Monte Carlo experiments of chapter toolbox_tour.")
+    """Make the runs that the file has not yet."""
+    known = cases()
+    parser = argparse.ArgumentParser(description="Run the Monte Carlo experiments of chapter toolbox_tour; resumable.")
+    parser.add_argument("--runs", type=int, default=SMOOTHED, help=f"smoothed, of each set (default {SMOOTHED})")
     parser.add_argument("--jobs", type=int, default=2, help="runs at once (default 2)")
+    parser.add_argument("--only", nargs="+", choices=list(known), help="of these cases", metavar="CASE")
+    parser.add_argument("--fresh", action="store_true", help="forget what the file has: the filter has changed")
     given = parser.parse_args()
-    found = run(list(cases()), jobs=given.jobs)
-    head = {"runs": RUNS, "seed": SEED, "dof": DOF, "band": rounded(band(DOF, RUNS), 4), "every": EVERY}
-    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(case)}" for name, case in found.items())
-    text = json.dumps(head)[:-1] + ', "cases": {\n' + rows + "\n}}\n"
-    layout.write_whole(FILE, text.encode())
-    print(f"wrote {FILE.relative_to(layout.ROOT)}: {len(found)} cases of {RUNS} runs, {len(text) / 1024:.0f} kB")
+    found = kept(known, given.fresh)
+    for name in given.only or known:
+        if name not in found:
+            found |= run([name], jobs=given.jobs)
+            write(found)
+        sets = found[name].setdefault("at once", {}) if name.startswith(AT_ONCE) else {}
+        for number in SETS if name.startswith(AT_ONCE) else ():
+            before = sets.get(str(number), {})
+            if len(before.get("runs", [])) < given.runs:
+                sets[str(number)] = at_once(known[name], before, number, given.runs, given.jobs)
+                write(found)
+                print(name, number, np.mean(sets[str(number)]["runs"], axis=0).round(4).tolist(), flush=True)
+    print(f"{FILE.relative_to(layout.ROOT)}: {len(found)} cases of {RUNS} runs")
 
 
 if __name__ == "__main__":
