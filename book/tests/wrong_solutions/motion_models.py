@@ -111,6 +111,6 @@ def arc(state, control, dt):
     return np.concatenate([from_frame(state, moved), plus(state[3:], np.array([zero, zero, 2 * half]))])
 
 
-wrong("motion_models.6", "drives straight ahead, then turns")(Motion("unicycle", Pose, 2, ahead_then_turn, (1,)))
-wrong("motion_models.6", "moves along the world's axes")(Motion("unicycle", Pose, 2, in_the_world, (1,)))
-wrong("motion_models.6", "takes the yaw rate of a setup for radians")(Motion("unicycle", Pose, 2, arc, ()))
+wrong("motion_models.6", "drives straight ahead, then turns")(Motion("unicycle", Pose, 2, ahead_then_turn, angles=(1,)))
+wrong("motion_models.6", "moves along the world's axes")(Motion("unicycle", Pose, 2, in_the_world, angles=(1,)))
+wrong("motion_models.6", "takes the yaw rate of a setup for radians")(Motion("unicycle", Pose, 2, arc, angles=()))
