@@ -5,7 +5,7 @@ each frame before the filter's step, and of each landmark in that landmark's own
 sensor's position as its anchor. Bailey, Nieto, Guivant, Stevens and Nebot (2006) judge filters by it in the plane.
 
 It is no limit for anything else. With noise in the truth its Jacobians contain that noise. And where the truth of a
-landmark is many states (a homogeneous point, a line by two of its points), the estimate settles at another of them.
+landmark is many states, among which the estimate slides (a line by two of its points), it settles at another of them.
 """
 
 from collections.abc import Callable, Iterable

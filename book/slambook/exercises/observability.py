@@ -83,7 +83,8 @@ def _drive(x: Array, start: Array, moves: Array) -> Array:
 def expected_scale(candidate: Candidate, rng: Rng) -> None:
     """The limit of least squares, simulated; exact reports give the scale; units do not matter."""
     for count in cases((1, 3, 8), "{} displacements"):
-        scale, d, sigma = float(rng.uniform(0.5, 2)), rng.uniform(0.5, 1.5, count), float(rng.uniform(0.2, 0.6))
+        scale, sigma = float(rng.uniform(0.5, 2)), float(rng.uniform(0.4, 0.6))
+        d = np.geomspace(2, 0.2, count) * rng.choice([-1, 1], count)  # unlike: the mean square is no square of a mean
         found = float(array_of(candidate(scale, d, sigma), (), "the scale"))
         same(candidate(scale, d, 0.0), scale, "exact reports: the scale itself")
         same(candidate(scale, 1000 * d, 1000 * sigma), found, "metres or millimetres make no difference")

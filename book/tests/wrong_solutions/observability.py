@@ -74,3 +74,13 @@ def once(scale, displacements, sigma):
 def too_large(scale, displacements, sigma):
     total = (displacements**2).sum()
     return scale * (total + len(displacements) * sigma**2) / total
+
+
+@wrong("observability.3", "squares the mean distance instead of taking the mean square")
+def squared_mean_distance(scale, displacements, sigma):
+    return scale / (1 + sigma**2 / np.mean(np.abs(displacements)) ** 2)
+
+
+@wrong("observability.3", "squares the mean displacement")
+def squared_mean(scale, displacements, sigma):
+    return scale / (1 + sigma**2 / np.mean(displacements) ** 2)
