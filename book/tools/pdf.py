@@ -56,7 +56,9 @@ def joined(site: Path, pages: list[Path]) -> str:
         article = whole.select_one("article.bd-article")
         assert isinstance(article, Tag), f"{page} has no article"
         if not formulas and (formulas := mathjax(whole)):  # only pages with formulas have it
-            relink(formulas[-1].parent, page, site, known)
+            head = formulas[-1].parent
+            assert head is not None
+            relink(head, page, site, known)
         for tag in article.select(GOES):
             tag.decompose()
         for tag in article.select("details"):
