@@ -40,6 +40,24 @@ def test_the_first_numbers_come_out_again(stored, name):
     np.testing.assert_allclose(found, first, rtol=1e-5, atol=1e-3, err_msg=RENEW)
 
 
+def test_all_data_at_once_stand_beside_the_filter_in_two_sets_of_seeds(stored):
+    assert stored["sets"] == list(experiments.SETS)
+    for name, case in stored["cases"].items():
+        asked = {str(number) for number in experiments.SETS} if name.startswith(experiments.AT_ONCE) else set()
+        assert set(case.get("at once", {})) == asked, RENEW
+        shapes = {np.shape(rows["runs"]) for rows in case.get("at once", {}).values()}
+        assert shapes <= {(runs, 2, 3) for runs in range(10, 1000)}, RENEW
+        assert len(shapes) == bool(asked), RENEW
+
+
+@pytest.mark.parametrize("name", [n for n in experiments.cases() if n.startswith(experiments.AT_ONCE)])
+def test_a_short_run_comes_out_again_by_the_filter_and_by_all_data_at_once(stored, name):
+    preset = replace(experiments.cases()[name], frames=experiments.FIRST_SMOOTHED)
+    for number, rows in stored["cases"][name]["at once"].items():
+        found = experiments.smoothed(preset, experiments.seeds(int(number), 1)[0])
+        np.testing.assert_allclose(found, rows["first"], rtol=1e-3, atol=1e-4, err_msg=RENEW)
+
+
 def test_averages_and_shares_agree(stored):
     low, high = stored["band"]
     for case in stored["cases"].values():
