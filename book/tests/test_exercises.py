@@ -140,6 +140,32 @@ def test_what_held_before_the_rejection_is_printed(capsys):
         kit.KNOWN.pop("99.2")
 
 
+def test_a_property_that_fails_for_a_later_case_is_not_said_to_hold(capsys):
+    @exercise("99.4", "a property of every case")
+    def _check(candidate):
+        for x in kit.cases((1.0, 2.0), "x = {}"):
+            kit.holds(candidate(x) > 0, "it is positive")
+            kit.holds(candidate(x) < 1.5, "it is small")
+
+    try:
+        with pytest.raises(Rejected, match=r"it is small, for x = 2\.0"):
+            check("99.4", lambda x: x)
+        assert capsys.readouterr().out == "  so far: it is positive\n"
+    finally:
+        kit.KNOWN.pop("99.4")
+
+
+@pytest.mark.parametrize("pair", [(1.0, 2.0), [1.0, 2.0], np.array([1.0, 2.0])])
+def test_a_pair_may_be_a_tuple_a_list_or_an_array(pair):
+    assert kit.parts(pair, {"the mean": (), "the variance": ()}) == [1.0, 2.0]
+
+
+@pytest.mark.parametrize("other", [1.0, np.array(1.0), (1.0, 2.0, 3.0), np.ones(3)])
+def test_what_is_no_pair_is_told_so(other):
+    with pytest.raises(Rejected, match=r"return the pair \(the mean, the variance\), but returned"):
+        kit.parts(other, {"the mean": (), "the variance": ()})
+
+
 def test_a_number_is_given_once():
     def other(candidate):
         pass

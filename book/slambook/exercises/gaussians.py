@@ -41,13 +41,16 @@ def conditional(candidate: Candidate, rng: Rng) -> None:
 
 @exercise("gaussians.4", "a gate that keeps the good ones", seed=14)
 def accepts(candidate: Candidate, rng: Rng) -> None:
-    """The share of good innovations that pass, in one, two and three dimensions, for two probabilities."""
+    """The share of deviations that pass, in one, two and three dimensions; and that none passes but the nearest."""
     for m in (1, 2, 3):
         S = random_covariance(rng, m, 0.1)
         L = np.linalg.cholesky(S)
-        innovations = rng.standard_normal((3000, m)) @ L.T
+        white = rng.standard_normal((3000, m))
+        distances = (white**2).sum(1)
         for probability in (0.5, 0.95):
-            share = np.mean([bool(candidate(z, S, probability)) for z in innovations])
-            what = f"keeps the right share of good innovations with {m} degree(s) of freedom"
-            between(share, probability - 0.04, probability + 0.04, what)
+            passed = np.array([bool(candidate(e, S, probability)) for e in white @ L.T])
+            what = f"keeps the right share with {m} degree(s) of freedom"
+            between(passed.mean(), probability - 0.04, probability + 0.04, what)
+            nearest = distances[passed].max() < distances[~passed].min()
+            holds(nearest, "keeps the nearest by Mahalanobis distance", "refused one that is nearer than one it kept")
         holds(not candidate(100 * L[:, 0], S, 0.999), "refuses what is a hundred sigmas away", "accepted it")

@@ -158,9 +158,15 @@ def number(value: Any, what: str) -> float:
 
 
 def parts(value: Any, shapes: Mapping[str, tuple[int, ...] | None]) -> list[Any]:
-    """The things that a candidate should return together, each an array of its shape, or anything; or Rejected."""
+    """The things that a candidate should return together, each an array of its shape, or anything; or Rejected.
+
+    A tuple, a list and an array are as good.
+    """
+    value = [*value] if isinstance(value, np.ndarray) and value.ndim else value
     if not isinstance(value, tuple | list) or len(value) != len(shapes):
-        raise Rejected(f"your function should return {' and '.join(shapes)}, but returned {type(value).__name__}")
+        group = {2: "pair", 3: "triple"}.get(len(shapes), "tuple")
+        found = f"{len(value)} things" if isinstance(value, tuple | list) else type(value).__name__
+        raise Rejected(f"your function should return the {group} ({', '.join(shapes)}), but returned {found}")
     return [v if s is None else array_of(v, s, what) for v, (what, s) in zip(value, shapes.items(), strict=True)]
 
 
@@ -171,6 +177,7 @@ def holds(condition: Any, what: str, otherwise: str = "it is not so") -> None:
     """Note a property, or reject with the reason."""
     found = current.get()
     if not condition:
+        found.lines = [line for line in found.lines if line != what]  # it held for earlier cases, not for all
         raise Rejected(f"{what}{', for ' if found.case else ''}{found.case}: {otherwise}")
     if what not in found.lines:
         found.lines.append(what)

@@ -7,6 +7,7 @@ from slamlib.kalman.chi_square import chi2_quantile
 
 ANGLE = np.linspace(0, 2 * np.pi, 100)
 CIRCLE = np.array([np.cos(ANGLE), np.sin(ANGLE)])
+COIN = np.random.default_rng(4)
 
 
 @wrong("gaussians.2", "eigenvalues instead of their square roots: variances drawn as lengths")
@@ -45,6 +46,17 @@ def wrong_tail(z, S, probability):
 @wrong("gaussians.4", "the same threshold for every dimension")
 def fixed_dof(z, S, probability):
     return z @ np.linalg.solve(S, z) <= chi2_quantile(probability, 2)
+
+
+@wrong("gaussians.4", "the right share by chance: a coin, and no distance but the absurd ones")
+def coin(e, S, probability):
+    return COIN.random() < probability and e @ np.linalg.solve(S, e) < 1e3
+
+
+@wrong("gaussians.4", "the distance of the first whitened component alone")
+def first_component(e, S, probability):
+    white = np.linalg.solve(np.linalg.cholesky(S), e)
+    return abs(white[0]) < np.sqrt(chi2_quantile(probability, 1)) and white @ white < 5000
 
 
 @wrong("gaussians.4", "S is taken for its inverse")
