@@ -58,7 +58,7 @@ def crossing(line, ray):
 
 @model(line=6, eye=3)
 def constrain(line, eye):
-    """The nearest line with n . v = 0 and the same image from the point `eye`. Eq. (li-constrain)."""
+    """The line with n . v = 0 that has the same image from the point `eye`. Eq. (li-constrain)."""
     seen = line[:3] - np.cross(eye, line[3:])
     v = line[3:] - seen * (seen @ line[3:]) / (seen @ seen)
     return np.concatenate([seen + np.cross(eye, v), v])

@@ -21,6 +21,11 @@ def of_one(n, share):
     return 1.96**2 * 2 * n / share**2
 
 
+@wrong("consistency.1", "two standard deviations in place of 1.96")
+def two_sigma(n, share):
+    return 2**2 * 2 / (n * share**2)
+
+
 @wrong("consistency.1", "the band's whole width, not its half")
 def whole_width(n, share):
     return 1.96**2 * 2 / (n * (share / 2) ** 2)

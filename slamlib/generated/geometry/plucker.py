@@ -9,7 +9,7 @@ DIGESTS = {
     "to_frame": "a8daa40c5afb0888",
     "point_at": "262eae0dfe8cbea5",
     "crossing": "7b956690ca73acbe",
-    "constrain": "25dcd8d32ce62901",
+    "constrain": "bd01e6c1c6416836",
     "from_rays": "ded7e2a8cacffb48",
 }
 SHAPES = {
