@@ -6,8 +6,7 @@ from bs4 import BeautifulSoup
 
 from book.tools import pdf
 
-FIRST = """<html><head><title>A — A</title>
-<link href="style.css"><script src="only_a_screen.js"></script></head>
+FIRST = """<html><head><link href="style.css"><script src="only_a_screen.js"></script></head>
 <body><article class="bd-article"><h1 id="top">A
 <a class="headerlink" href="#top">#</a></h1><a href="second.html#there">there</a> <a href="#top">up</a>
 <a href="https://example.org/x">out</a> <img src="plot.svg">
@@ -15,14 +14,16 @@ FIRST = """<html><head><title>A — A</title>
 <details class="sd-dropdown"><p>aside</p></details>
 <details class="hide"><pre>code</pre></details></article></body></html>
 """
-SECOND = """<html><head><script src="mathjax/tex.js"></script></head>
+SECOND = """<html><head><title>B — A</title><script src="mathjax/tex.js"></script></head>
 <body><article class="bd-article"><h1 id="top">B</h1><p id="there">
 <a href="first.html">back</a></p><figure class="sweep"><div class="sweep-bar"><label>angle</label></div>
 <div data-frame="0" data-value="1" hidden>one</div><div data-frame="1" data-value="2" hidden>two</div>
 <div data-frame="2" data-value="3" data-note="noted">three</div><div data-frame="3" data-value="4" hidden>four</div>
 <p class="sweep-note">noted</p></figure>
-<section id="chapter"><div class="solution"><p>solved</p></div><section id="quiz"><details><summary>Why
-<span class="math">x</span>?</summary><p>because</p></details></section><p>history</p></section></article></body></html>
+<section id="chapter"><div class="solution"><p>solved</p></div>
+<section id="quiz"><details><summary><span class="sd-summary-text">Why
+<span class="math">x</span>?</span></summary><p>because</p></details></section><p>history</p></section>
+</article></body></html>
 """
 
 

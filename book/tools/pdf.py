@@ -16,28 +16,9 @@ from bs4 import BeautifulSoup, Tag
 from book.tools import browser, layout
 
 PDF = "ekf-slam-book.pdf"
-GOES = (  # what only a screen needs
-    ".prev-next-footer, .headerlink, .copybtn, .toctree-wrapper, script, details.hide"
-)
-STYLE = """
-@page { size: A4; margin: 16mm 16mm 18mm 16mm; }
-html { font-size: 12.5px; }
-body { background: white; max-width: none; }
-main { max-width: 178mm; margin: 0 auto; }
-main > section.page { break-before: page; }
-/* Of a heading that wraps, the bookmark keeps the space only if the page does. */
-h1, h2, h3, h4 { break-after: avoid; white-space: break-spaces; }
-p, li, pre { orphans: 3; widows: 3; }
-tr, dt, mjx-container[display], img, svg, .sweep [data-frame] { break-inside: avoid; }
-dt { break-after: avoid; }
-/* Letters of figures are as large as the text's, and what a figure does not need is not left empty. */
-.picture svg, .sweep svg { zoom: 0.75; min-width: 0; }
-.sweep { display: flex; flex-wrap: wrap; justify-content: center; gap: 0.5rem; }
-.sweep [data-frame] { flex: 0 1 calc(50% - 0.5rem); }
-.sweep [data-frame].wide { flex-basis: 100%; }
-pre { white-space: pre-wrap !important; font-size: 9.5px !important; line-height: 1.3; }
-"""
-WIDE = 620  # pixels of a figure that needs the page's whole width
+GOES = ".prev-next-footer, .headerlink, .copybtn, .toctree-wrapper, script, details.hide"  # what only a screen needs
+STYLE = layout.BOOK / "_static" / "print.css"
+WIDE = r"max-width:([6-9]\d\d|\d{4})px"  # a figure that needs the page's whole width
 ANSWERS = "div.solution, #quiz details, #quiz .dropdown"
 
 
@@ -49,16 +30,14 @@ def prefixed(page: Path, anchor: str) -> str:
 def joined(site: Path, pages: list[Path]) -> str:
     """The pages of a built site as one HTML document in its folder, whose links lead within it."""
     known = {(site / page).resolve() for page in pages}
-    first = BeautifulSoup((site / pages[0]).read_text("utf-8"), "html.parser")
-    main, formulas = first.new_tag("main"), None
-    for page in pages:
-        whole = BeautifulSoup((site / page).read_text("utf-8"), "html.parser")
+    wholes = {page: BeautifulSoup((site / page).read_text("utf-8"), "html.parser") for page in pages}
+    # The head that all share is that of a page with formulas: only there is the script that sets them.
+    where = next((page for page in pages if wholes[page].select("script[src*=mathjax]")), pages[0])
+    first = wholes[where]
+    main = first.new_tag("main")
+    for page, whole in wholes.items():
         article = whole.select_one("article.bd-article")
         assert isinstance(article, Tag), f"{page} has no article"
-        if not formulas and (formulas := mathjax(whole)):  # only pages with formulas have it
-            head = formulas[-1].parent
-            assert head is not None
-            relink(head, page, site, known)
         for tag in article.select(GOES):
             tag.decompose()
         for tag in article.select("details"):
@@ -72,50 +51,36 @@ def joined(site: Path, pages: list[Path]) -> str:
         section = first.new_tag("section", attrs={"class": "page", "id": prefixed(page, "")})
         section.extend(list(article.contents))
         main.append(section)
-    assert first.body is not None
-    assert first.head is not None
-    first.body.clear()
-    first.body.append(main)
-    for tag in first.head.select("script"):
-        tag.decompose()
-    relink(first.head, pages[0], site, known)
-    first.head.extend(formulas or [])
-    if first.title and first.title.string:
-        first.title.string = first.title.string.partition(" — ")[0]
-    style = first.new_tag("style")
-    style.string = STYLE
-    first.head.append(style)
+    head, body = first.select("head")[0], first.select("body")[0]
+    body.clear()
+    body.append(main)
+    for tag in head.select("script:not([src*=mathjax])"):
+        if "MathJax" not in tag.text:
+            tag.decompose()
+    relink(head, where, site, known)
+    for title in head.select("title"):
+        title.string = title.text.rpartition(" — ")[2]
+    head.append(first.new_tag("style", string=STYLE.read_text("utf-8")))
     return str(first)
-
-
-def mathjax(page: BeautifulSoup) -> list[Tag]:
-    """The scripts of a page's head that set its formulas; [] on a page without any."""
-    return [tag for tag in page.select("head script") if "mathjax" in f"{tag.get('src', '')} {tag.text}".lower()]
 
 
 def answered(article: Tag, page: BeautifulSoup) -> None:
     """Solutions of exercises and answers to the quiz move to a section at the chapter's end; the questions stay."""
-    answers = article.select(ANSWERS)
-    if not answers:
-        return
-    section, heading = page.new_tag("section", attrs={"id": "solutions"}), page.new_tag("h2")
-    heading.string = "Solutions"
-    section.append(heading)
+    answers, end = article.select(ANSWERS), page.new_tag("section", attrs={"id": "solutions"})
     for answer in answers:
         if answer.find_parent(id="quiz"):
-            question = answer.select_one(".sd-summary-text, summary, .admonition-title")
-            assert question is not None, "an answer of the quiz without its question"
-            asked = page.new_tag("p")
-            asked.extend(copy.copy(part) for part in question.contents)
-            answer.insert_before(asked)
-        section.append(answer.extract())
-    (article.select_one("section") or article).append(section)
+            question = copy.copy(answer.select(".sd-summary-text, .admonition-title")[0])
+            question.name, question["class"] = "p", "question"
+            answer.insert_before(question)
+        end.append(answer.extract())
+    if answers:
+        end.insert(0, page.new_tag("h2", string="Solutions"))
+        (article.select_one("section") or article).append(end)
 
 
 def shown(sweep: Tag, page: BeautifulSoup) -> None:
     """Of a slider's frames the first, the chosen and the last, each with its value and note below."""
-    frames, label = sweep.select("[data-frame]"), sweep.select_one("label")
-    label = label.extract() if label else None
+    frames, label = sweep.select("[data-frame]"), "".join(tag.text for tag in sweep.select("label"))
     for tag in sweep.select(".sweep-bar, .sweep-note"):
         tag.decompose()
     for i, frame in enumerate(frames):
@@ -123,12 +88,9 @@ def shown(sweep: Tag, page: BeautifulSoup) -> None:
             frame.decompose()
             continue
         del frame["hidden"]
-        if any(float(width) > WIDE for width in re.findall(r"max-width:(\d+)px", str(frame.select_one("svg")))):
-            frame["class"] = "wide"
-        caption = page.new_tag("p", attrs={"class": "sweep-note"})
-        words = (label.text if label else "", ": ", frame["data-value"], ". ", frame.get("data-note", ""))
-        caption.string = "".join(map(str, words))
-        frame.append(caption)
+        frame["class"] = "wide" if re.search(WIDE, str(frame)) else "narrow"
+        words = f"{label}: {frame['data-value']}. {frame.get('data-note', '')}"
+        frame.append(page.new_tag("p", attrs={"class": "sweep-note"}, string=words))
 
 
 def relink(part: Tag, page: Path, site: Path, known: set[Path]) -> None:
@@ -167,15 +129,7 @@ def main() -> int:
         page.set_default_timeout(1_800_000)
         browser.load(page, (layout.SITE / "print.html").as_uri())
         page.evaluate("() => { document.documentElement.dataset.theme = 'light'; return document.fonts.ready; }")
-        content = page.pdf(
-            prefer_css_page_size=True,
-            print_background=True,
-            outline=True,
-            tagged=True,
-            display_header_footer=True,
-            header_template="<span></span>",
-            footer_template='<div style="width: 100%; text-align: center; font-size: 8px" class="pageNumber"></div>',
-        )
+        content = page.pdf(prefer_css_page_size=True, print_background=True, outline=True, tagged=True)
     (layout.SITE / "print.html").unlink()
     layout.write_whole(layout.SITE / PDF, content)
     landing = layout.SITE / "book" / "index.html"
