@@ -22,7 +22,7 @@ from slambook.filters_compared import beside
 from book.tools import layout
 from slamlib.data.setup import Rig, SensorSetup
 from slamlib.evaluation.consistency import band, rmse, share_inside
-from slamlib.experiments.monte_carlo import Experiment, monte_carlo
+from slamlib.experiments.monte_carlo import Experiment, monte_carlo, seeds
 from slamlib.experiments.presets import PRESETS, Preset, lines, points
 from slamlib.landmarks import LINES, POINTS
 
@@ -147,15 +147,10 @@ def run(names: list[str], runs: int = RUNS, jobs: int = 1) -> dict[str, Any]:
     return found
 
 
-def seeds(seed: int, runs: int) -> list[int]:
-    """The seeds of `monte_carlo`'s runs; more runs begin with the same ones."""
-    return [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(seed).spawn(runs)]
-
-
 def smoothed(preset: Preset, seed: int) -> list[list[float]]:
     """One run by the filter, and by all data at once: NEES, mean of steps and robots; position, rms and at last [m]."""
     judged = beside(preset, seed)
-    rows = [(of["nees"].mean(), np.sqrt((of["position"] ** 2).mean()), of["position"][-1]) for of in judged]
+    rows = [(of["nees"].mean(), rmse(of["position"][:, None]), of["position"][-1]) for of in judged]
     return [rounded(row, 5) for row in rows]
 
 
@@ -193,8 +188,10 @@ def main() -> None:
         if name not in found:
             found |= run([name], jobs=given.jobs)
             write(found)
-        sets = found[name].setdefault("at once", {}) if name.startswith(AT_ONCE) else {}
-        for number in SETS if name.startswith(AT_ONCE) else ():
+        if not name.startswith(AT_ONCE):
+            continue
+        sets = found[name].setdefault("at once", {})
+        for number in SETS:
             before = sets.get(str(number), {})
             if len(before.get("runs", [])) < given.runs:
                 sets[str(number)] = at_once(known[name], before, number, given.runs, given.jobs)

@@ -8,7 +8,6 @@ experiment continues. Parallel runs use joblib: to outgrow one machine, make the
 
 import hashlib
 import json
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from itertools import repeat
 from pathlib import Path
@@ -65,24 +64,25 @@ def monte_carlo(
     """
     if runs < 1:
         raise SlamlibError(f"monte_carlo: at least one run, got {runs}")
-    own = [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(seed).spawn(runs)]
+    own = seeds(seed, runs)
     paths: list[Path | None] = [None] * runs
     if folder is not None:
         Path(folder).mkdir(parents=True, exist_ok=True)
-        plain = json.dumps(replace(preset, seed=0).to_dict(), sort_keys=True)
-        digest = hashlib.sha256(plain.encode()).hexdigest()[:12]
-        paths = [Path(folder) / f"{preset.name}-{digest}-{s}.npz" for s in own]
-    rows = list(progress(_each(preset, own, paths, jobs), runs, f"{preset.name}, {runs} runs"))
+        plain = json.dumps(replace(preset, seed=0).to_dict(), sort_keys=True).encode()
+        start = f"{preset.name}-{hashlib.sha256(plain).hexdigest()[:12]}"
+        paths = [Path(folder) / f"{start}-{s}.npz" for s in own]
+    found: Any = map(run_once, repeat(preset), own, paths)
+    if jobs != 1:
+        joblib = optional("joblib", "for several runs at once (jobs=1 does without)", "experiments")
+        parallel = joblib.Parallel(n_jobs=jobs, return_as="generator")
+        found = parallel(map(joblib.delayed(run_once), repeat(preset), own, paths))
+    rows = list(progress(found, runs, f"{preset.name}, {runs} runs"))
     return Experiment(preset, **{name: np.array([row[name] for row in rows]) for name in NAMES})
 
 
-def _each(preset: Preset, own: list[int], paths: Sequence[Path | None], jobs: int | None) -> Iterator[dict[str, Any]]:
-    """The rows of all runs, in their order, as they finish."""
-    if jobs == 1:
-        return map(run_once, repeat(preset), own, paths)
-    joblib = optional("joblib", "for several runs at once (jobs=1 does without)", "experiments")
-    rows: Any = joblib.Parallel(n_jobs=jobs, return_as="generator")
-    return rows(map(joblib.delayed(run_once), repeat(preset), own, paths))
+def seeds(seed: int, runs: int) -> list[int]:
+    """The seeds of so many independent runs; more runs begin with the same ones."""
+    return [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(seed).spawn(runs)]
 
 
 def run_once(preset: Preset, seed: int, path: Path | None = None) -> dict[str, Any]:
