@@ -5,7 +5,6 @@ those that it has: an interrupted experiment goes on where it was, and a longer 
 Noise is in the truth: the odometry that the filter is told is what was commanded. One batch update a frame.
 """
 
-import argparse
 import itertools
 import json
 from collections.abc import Sequence
@@ -18,7 +17,7 @@ from slambook.anchors import ANCHORS
 from slambook.filters_compared import ALL_DATA, FILTERS, LATER, PRODUCTS, WITH_ANCHORS, Verdict, known_to, run, stacked
 
 from book.tools import layout
-from book.tools.experiments import digest, rounded, with_options
+from book.tools.experiments import asked, digest, kept, rounded, with_options
 from slamlib.experiments.monte_carlo import seeds
 from slamlib.experiments.presets import PRESETS, Preset, lines, points
 from slamlib.landmarks import LINES, POINTS
@@ -90,7 +89,7 @@ def filters(case: str) -> tuple[str, ...]:
     return (*FILTERS, ALL_DATA) if case in (BY_CONTROL, WHOLE) else FILTERS
 
 
-def kept(case: str, rows: Sequence[dict[str, Array]], before: dict[str, Any] | None) -> dict[str, Any]:
+def joined(case: str, rows: Sequence[dict[str, Array]], before: dict[str, Any] | None) -> dict[str, Any]:
     """What the file keeps of the runs of one filter, joined to what it kept before.
 
     Numbers of a table; own: mean NEES of each run; position: its root mean square error [m], unless runs before it were
@@ -119,15 +118,6 @@ def kept(case: str, rows: Sequence[dict[str, Array]], before: dict[str, Any] | N
     return {"runs": len(verdict.own), **numbers, **columns, "average": average, "first": first}
 
 
-def stored(known: dict[str, Preset], fresh: bool = False) -> dict[str, dict[str, Any]]:
-    """The known cases as the file has them, where they still are what they were; none if it is begun anew."""
-    found = {} if fresh or not FILE.is_file() else json.loads(FILE.read_text("utf-8"))["cases"]
-    now = {name: digest(preset) for name, preset in known.items()}
-    return {
-        name: found[name] if found.get(name, {}).get("digest") == key else {"digest": key} for name, key in now.items()
-    }
-
-
 def write(found: dict[str, dict[str, Any]]) -> None:
     """The file, a line for each case."""
     text = ",\n".join(f"{json.dumps(name)}: {json.dumps(case, separators=(',', ':'))}" for name, case in found.items())
@@ -137,13 +127,9 @@ def write(found: dict[str, dict[str, Any]]) -> None:
 def main() -> None:
     """Make the runs that the file has not yet, ROUND of each filter at a time, and join them to it."""
     known = cases()
-    parser = argparse.ArgumentParser(description="Run the experiments of chapter observability; resumable.")
-    parser.add_argument("--runs", type=int, default=RUNS, help=f"of each case and set of seeds (default {RUNS})")
-    parser.add_argument("--jobs", type=int, default=2, help="runs at once (default 2)")
-    parser.add_argument("--only", nargs="+", choices=list(known), help="of these cases", metavar="CASE")
-    parser.add_argument("--fresh", action="store_true", help="forget what the file has: the filter has changed")
-    given = parser.parse_args()
-    parallel, found = joblib.Parallel(n_jobs=given.jobs), stored(known, given.fresh)
+    given = asked("Run the experiments of chapter observability; resumable.", known, RUNS)
+    parallel, found = joblib.Parallel(n_jobs=given.jobs), {name: {"digest": digest(known[name])} for name in known}
+    found |= kept(known, given.fresh, FILE)
     chosen = {case: preset for case, preset in known.items() if case in (given.only or found)}
     for end in [*range(ROUND, given.runs, ROUND), given.runs]:
         for case, number in itertools.product(chosen, SEEDS):
@@ -153,7 +139,7 @@ def main() -> None:
                 missing = seeds(number, end)[before["runs"] if before else 0 :]
                 if missing:
                     rows = parallel(joblib.delayed(run)(chosen[case], seed, name) for seed in missing)
-                    sets[str(number)] = said = kept(case, rows, before)
+                    sets[str(number)] = said = joined(case, rows, before)
                     write(found)
                     print(case, name, number, {k: said[k] for k in ("runs", "mean", "error", "inside")}, flush=True)
     print(f"{FILE.relative_to(layout.ROOT)}: {len(found)} cases")

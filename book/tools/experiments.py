@@ -5,14 +5,15 @@ interrupted one goes on where it was. The file holds what figures and tables of 
 each preset, and the first numbers of all, by which a test sees that the file belongs to the package as it is.
 Times are not stored: they belong to a machine.
 
-Presets (AT_ONCE) are smoothed, too, in two sets of seeds, each run beside the filter's; the first set begins with the
-seeds of the averages. Cases that are as the file has them are kept, and further runs are joined to those that it has.
+Presets and cases of theory (AT_ONCE) are smoothed, too, in two sets of seeds, each run beside the filter's; the first
+set begins with the seeds of the averages. Cases that are as the file has them are kept, and further runs are joined.
 """
 
 import argparse
 import hashlib
 import json
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import joblib
@@ -31,7 +32,7 @@ FOLDER = layout.BUILD / "experiments"
 RUNS, SEED, DOF = 100, 17, 6
 FIRST_RUNS, FIRST_FRAMES = 2, 12  # of each case, kept number by number
 BEGINNING, SHORT = 400, 200  # frames of the presets, and of comparisons of one change at a time
-AT_ONCE, SETS, SMOOTHED, FIRST_SMOOTHED = "preset ", (17, 18), 20, 40  # cases; seeds; runs; frames of a short one
+AT_ONCE, SETS, SMOOTHED, FIRST_SMOOTHED = ("preset ", "theory "), (17, 18), 20, 40  # cases; seeds; runs; first frames
 EVERY = 20  # frames between two stored errors
 TOOLBOX = {"inverse_distance": (0.01, 0.5)}  # mean and standard deviation [1/m] in the toolbox's userDataPnt
 
@@ -59,7 +60,7 @@ def with_depth(preset: Preset) -> Preset:
 def linear() -> Preset:
     """The robot knows its heading and measures the relative positions of points: the models are linear."""
     preset = with_options(points(), points="eucPnt", reproject=False)
-    robot = replace(preset.rig.robots[0], control_std=(0.005,) * 3 + (1e-6,) * 3)
+    robot = replace(preset.rig.robots[0], control_std=(0.005,) * 3 + (1e-4,) * 3)  # degrees; above smoothing's EXACT
     sensor = SensorSetup(type="relativePosition", std=(0.05,), image=None, parameters={}, limits={"far": 4.0})
     return replace(preset, rig=Rig((robot,), (sensor,)))
 
@@ -161,9 +162,19 @@ def at_once(preset: Preset, before: dict[str, Any], number: int, runs: int, jobs
     return {"runs": rows, "first": smoothed(replace(preset, frames=FIRST_SMOOTHED), own[0])}
 
 
-def kept(known: dict[str, Preset], fresh: bool) -> dict[str, Any]:
+def asked(description: str, known: dict[str, Preset], runs: int) -> argparse.Namespace:
+    """What the command's words ask for; runs: how many if they do not say it."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--runs", type=int, default=runs, help=f"beside each other, of each set (default {runs})")
+    parser.add_argument("--jobs", type=int, default=2, help="runs at once (default 2)")
+    parser.add_argument("--only", nargs="+", choices=list(known), help="of these cases", metavar="CASE")
+    parser.add_argument("--fresh", action="store_true", help="forget what the file has: the filter has changed")
+    return parser.parse_args()
+
+
+def kept(known: dict[str, Preset], fresh: bool, file: Path = FILE) -> dict[str, Any]:
     """The cases that the file has as they are now; none if it is begun anew."""
-    found = {} if fresh or not FILE.is_file() else json.loads(FILE.read_text("utf-8"))["cases"]
+    found = {} if fresh or not file.is_file() else json.loads(file.read_text("utf-8"))["cases"]
     return {name: found[name] for name, case in known.items() if found.get(name, {}).get("digest") == digest(case)}
 
 
@@ -177,12 +188,7 @@ def write(found: dict[str, Any]) -> None:
 def main() -> None:
     """Make the runs that the file has not yet."""
     known = cases()
-    parser = argparse.ArgumentParser(description="Run the Monte Carlo experiments of chapter toolbox_tour; resumable.")
-    parser.add_argument("--runs", type=int, default=SMOOTHED, help=f"smoothed, of each set (default {SMOOTHED})")
-    parser.add_argument("--jobs", type=int, default=2, help="runs at once (default 2)")
-    parser.add_argument("--only", nargs="+", choices=list(known), help="of these cases", metavar="CASE")
-    parser.add_argument("--fresh", action="store_true", help="forget what the file has: the filter has changed")
-    given = parser.parse_args()
+    given = asked("Run the Monte Carlo experiments of chapter toolbox_tour; resumable.", known, SMOOTHED)
     found = kept(known, given.fresh)
     for name in given.only or known:
         if name not in found:
