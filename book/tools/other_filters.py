@@ -1,9 +1,10 @@
 """`make other-filters`: run chapter other_filters's comparison of FastSLAM 1.0 and 2.0 with EKF-SLAM, and store it.
 
-Three scanners, each with two sets of seeds. "first" has each filter's first runs one by one; the chapter makes them
-again, and a test does. A filter's time is a ratio to the EKF's, of the last run, and nothing is compared with it.
+Three scanners, each with two sets of seeds; beside the filters all data at once, by the chapter's functions. "first"
+has the first runs one by one, which chapter and test make again. Times are ratios to the EKF's, compared with nothing.
 """
 
+import json
 from collections.abc import Callable
 from functools import partial
 from typing import Any
@@ -11,6 +12,7 @@ from typing import Any
 import numpy as np
 from slambook.report.fastslam import FastSlam, FastSlam2
 from slambook.report.planar import SCANNERS
+from slambook.report.planar_ekf import PlanarEkf
 from slambook.report.planar_runs import Contestant, compare
 
 from book.tools import layout, stored
@@ -23,6 +25,7 @@ FILTERS: dict[str, tuple[type[FastSlam], tuple[int, ...]]] = {
     "FastSLAM 2.0": (FastSlam2, (10, 100)),
 }
 LOST = 3.0  # times as far off as the EKF in its median run
+CELLS = "25-002", "25-004", "25-023", "25-061"  # of the chapter: what puts all data together, and judges it
 
 
 def contestants(scene: str, seed: int, runs: int) -> dict[str, Contestant]:
@@ -31,7 +34,19 @@ def contestants(scene: str, seed: int, runs: int) -> dict[str, Contestant]:
     for name, (kind, particles) in FILTERS.items():
         for c in compare(np.random.default_rng(seed), runs, particles=particles, kind=kind, **SCANNERS[scene]):
             found[f"{name}, {c.name}" if c.particles else c.name] = c
-    return found
+    return {**found, "all data": at_once(scene, seed, runs)}
+
+
+def at_once(scene: str, seed: int, runs: int) -> Contestant:
+    """All data of the same runs at once, begun at the EKF's answer."""
+    chapter = json.loads((layout.BOOK / "chapters" / "other_filters.ipynb").read_text("utf-8"))
+    own: dict[str, Any] = {"__name__": "__main__"}
+    for cell in chapter["cells"]:
+        if cell["id"] in CELLS:
+            exec("".join(cell["source"]), own)
+    square, nees, of_map, _ = own["contest"](scene, seed, runs, {"tangents": PlanarEkf})["all data"]
+    none, off = np.zeros(square.shape[1]), float(np.sqrt(of_map).mean())
+    return Contestant(0, np.sqrt(square.mean(0)), np.sqrt(square.mean(1)), off, nees, none, none, np.nan)
 
 
 def summary(scene: str, runs: int = RUNS) -> Any:
