@@ -20,6 +20,7 @@ PARTS = [
     *("exercises", "quiz", "history"),
 ]
 NUMBERS = re.compile(r"\b[EC]\d{2}\b|\bA\d{3}\b|\b[Ee]rrat(?:a|um)\b")  # of the errors, the gaps, the seeds
+FENCE = re.compile(r"(`{3,}|:{3,})(.*)")
 LINK = re.compile(r"\{ref\}`[^`<]*<((?:manuals|report)-[\w-]+)>`")
 
 
@@ -57,6 +58,54 @@ def test_a_chapter_ends_its_history_with_its_headings_in_part_six(chapter):
     assert targets == list(known) != []
     for target, page in known.items():
         assert re.search(rf"\({target}\)=\n## {{doc}}`[^`<]+ <\.\./chapters/{chapter.stem}>`\n", page)
+
+
+def unclosed(text: str) -> list[str]:
+    """What MyST would leave in the page of a Markdown cell: fences and formulas that do not close or share a line."""
+    fences: list[tuple[str, str]] = []  # marks, and what follows them: {name} of a directive, or a language of code
+    found, formula = [], False
+    for number, line in enumerate(map(str.strip, text.splitlines()), start=1):
+        fence, (marks, name) = FENCE.fullmatch(line), fences[-1] if fences else ("", "{")
+        if formula and line != "$$":
+            found += [f"line {number}: within a formula"] if fence or "$$" in line else []
+        elif fence and not fence[2] and marks and fence[1].startswith(marks):
+            fences.pop()
+        elif not name.startswith("{"):
+            continue
+        elif fence:
+            found += [f"line {number}: as long as the one around it"] if marks and fence[1].startswith(marks) else []
+            fences.append((fence[1], fence[2]))
+        elif line == "$$":
+            formula = not formula
+        elif "$$" in line and not re.fullmatch(r"\$\$[^$]+\$\$", line):
+            found.append(f"line {number}: beside text")
+    return found + [f"{marks}{name} is not closed" for marks, name in [*fences, *[("$$", "")] * formula]]
+
+
+@pytest.mark.parametrize(
+    ("text", "faults"),
+    [
+        ("$$\nx\n$$\n\n```{solution-start} a\n:class: dropdown\n```\n$$x$$\n:::{note}\n```\n$$ y\n```\n:::", 0),
+        ("::::{note}\n:::{tip}\na\n:::\n::::", 0),
+        ("so\n\n$$\nx\n```\n\nThe weight", 2),
+        ("$$\nx\n\nThe weight", 1),
+        ("that is $$x$$ too", 1),
+        ("$$x\ny$$", 2),
+        ("```{math}\nx\n\nThe weight", 1),
+        ("The weight\n```", 1),
+        (":::{note}\n:::{tip}\na\n:::\n:::", 1),
+    ],
+)
+def test_a_fault_of_markdown_is_found(text, faults):
+    assert len(unclosed(text)) == faults
+
+
+def test_no_formula_and_no_fence_is_left_open_in_the_text():
+    for page in layout.pages():
+        markdown = [c for c in cells(page) if c["cell_type"] == "markdown"] if page.suffix == ".ipynb" else []
+        texts = {c["id"]: "".join(c["source"]) for c in markdown} or {"": page.read_text("utf-8")}
+        for name, text in texts.items():
+            assert unclosed(text) == [], f"{page.name} {name}"
 
 
 def test_every_number_of_an_error_is_explained_in_the_list():

@@ -31,12 +31,10 @@ def choice(candidate: Candidate, rng: Rng) -> None:
     sets = (3, 5, 2, 0.0), (6, 6, 2, 3.0), (3, 4, 1, 5.0), (4, 5, 3, 2.0), (1, 3, 2, 1.0)
     for count, n, m, shared in cases(sets, "{} of {} candidates of {} numbers"):
         A = rng.standard_normal((n * m, n * m)) + shared * rng.standard_normal((n * m, 1)) * np.ones(n * m)
-        S = A @ A.T + 0.1 * np.eye(n * m)
         if n > 4:  # the first candidate is made large, and the second a copy of it with noise of its own
-            T = np.eye(n * m)
-            T[:m, :m] *= 4
-            T[m : 2 * m] = T[:m]
-            S = T @ S @ T.T + 0.1 * np.eye(n * m)
+            A[:m] *= 4
+            A[m : 2 * m] = A[:m]
+        S = A @ A.T + 0.1 * np.eye(n * m)
         chosen = [int(i) for i in array_of(candidate(S, m, count), (count,), "the choice")]
         holds(len(set(chosen)) == count, "nobody is chosen twice", f"found {chosen}")
         holds(all(0 <= i < n for i in chosen), "candidates are counted from 0", f"found {chosen}")
@@ -45,6 +43,8 @@ def choice(candidate: Candidate, rng: Rng) -> None:
             what = "each choice is the best of the rest, given those before"
             behind = max(gains) - _logdet(S, m, chosen[: k + 1])
             holds(behind < 1e-6, what, f"choice {k + 1} of {chosen} is {behind:.3g} nats behind")
+    equals = array_of(candidate(np.eye(10), 2, 3), (3,), "the choice").tolist()
+    holds(equals == [0, 1, 2], "of equally good ones the earlier is taken", f"found {equals} of five that are equal")
 
 
 def _logdet(S: Array, m: int, chosen: list[int]) -> float:

@@ -56,11 +56,11 @@ def closes(candidate: Candidate, rng: Rng) -> None:
 
 def _agreeing(old: Array, left: Array, right: Array, new: Array) -> None:
     """Let half of the cycles that could close do so; and put a trap behind the last entries, which -1 would read."""
+    right[old[np.flatnonzero((old >= 0) & (left < 0))[:1]]] = 0
     for i in range(0, len(old), 2):
         if min(old[i], left[i]) >= 0 and right[old[i]] >= 0:
             new[left[i]] = right[old[i]]
-    if (old < 0).any() and (left >= 0).any():
-        right[-1] = new[-1] = 0
+    right[-1] = new[-1] = 0
 
 
 @exercise("visual_odometry.3", "from PnP's answer to the robot's control", seed=213)

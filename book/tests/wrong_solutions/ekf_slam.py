@@ -64,6 +64,19 @@ def last_only(S, m, count):
     return chosen
 
 
+@wrong("ekf_slam.2", "of two that are equally good, takes the later")
+def the_later(S, m, count):
+    S, chosen = S.copy(), []
+    for _ in range(count):
+        value = np.linalg.det(_blocks(S, m))
+        value[chosen] = -np.inf
+        best = len(value) - 1 - int(np.argmax(value[::-1]))
+        chosen.append(best)
+        at = slice(best * m, best * m + m)
+        S = S - S[:, at] @ np.linalg.solve(S[at, at], S[at])
+    return chosen
+
+
 @wrong("ekf_slam.3", "turns the landmarks about the origin and leaves the robot where it is")
 def robot_stays(x):
     N = _right(x)

@@ -38,6 +38,22 @@ def square_of_it(d1, d2):
     return 1 / t if t > 0 else np.inf
 
 
+@wrong("pinhole.1", "passes over a double root, where the slope only touches zero")
+def without_double_roots(d1, d2):
+    inside = 9 * d1**2 - 20 * d2
+    t = (-3 * d1 + np.sqrt(inside)) / 2 if inside > 0 else -1
+    return 1 / np.sqrt(t) if t > 0 else np.inf
+
+
+@wrong("pinhole.1", "the quadratic formula in the squared radius, which cancels where d2 is tiny")
+def cancelling(d1, d2):
+    inside = 9 * d1**2 - 20 * d2
+    if d2 == 0:
+        return 1 / np.sqrt(-3 * d1) if d1 < 0 else np.inf
+    roots = (-3 * d1 + np.array([-1, 1]) * np.sqrt(max(inside, 0))) / (10 * d2)
+    return np.sqrt(roots[roots > 0].min()) if inside >= 0 and (roots > 0).any() else np.inf
+
+
 # -- 8.2 ---------------------------------------------------------------------------------------------------------------
 
 
@@ -107,12 +123,23 @@ def newton(distorted, d):
     return distorted * (r / goal if goal > 0 else 1) if found else np.full(2, np.nan)
 
 
+@wrong("pinhole.3", "Newton's method alone, and nan where the fold does not reach so far")
+def newton_and_fold(distorted, d):
+    goal = np.hypot(*distorted)
+    fold = _first_top(d)
+    return np.full(2, np.nan) if np.isfinite(fold) and _rho(fold, d) < goal else newton(distorted, d)
+
+
+def _first_top(d):
+    roots = np.roots([1, *((2 * i + 1) * c for i, c in enumerate(d, start=1))])
+    tops = roots.real[(np.abs(roots.imag) < 1e-7) & (roots.real > 1e-12)]
+    return 1 / np.sqrt(tops.max()) if tops.size else np.inf
+
+
 @wrong("pinhole.3", "the nearest that there is, instead of nan")
 def nearest(distorted, d):
     goal = np.hypot(*distorted)
-    roots = np.roots([1, *((2 * i + 1) * c for i, c in enumerate(d, start=1))])
-    tops = roots.real[(np.abs(roots.imag) < 1e-7) & (roots.real > 1e-12)]
-    low, high = 0.0, 1 / np.sqrt(tops.max()) if tops.size else 1e3
+    low, high = 0.0, min(_first_top(d), 1e3)
     for _ in range(200):
         middle = (low + high) / 2
         low, high = (middle, high) if _rho(middle, d) < goal else (low, middle)

@@ -45,6 +45,13 @@ def nowhere(old, left, right, new):
     return i[right[old[i]] == new[left[i]]]
 
 
+@wrong("visual_odometry.2", "asks whether the old pair is matched, and not whether the left pictures are")
+def left_not_asked(old, left, right, new):
+    i = np.flatnonzero(old >= 0)
+    one, other = right[old[i]], new[left[i]]
+    return i[(one == other) & (one >= 0)]
+
+
 @wrong("visual_odometry.2", "asks only that all four matches are there")
 def all_there(old, left, right, new):
     i = np.flatnonzero((old >= 0) & (left >= 0))
