@@ -150,6 +150,17 @@ def test_a_chapter_has_a_slider_and_describes_its_pictures(chapter):
             assert "alt=" in "".join(cell["source"])
 
 
+@pytest.mark.parametrize("page", layout.notebooks(), ids=lambda c: c.stem)
+def test_listings_fit_a_page_of_1280_pixels(page):
+    """The letters that fit beside the columns for contents are counted by book/_static/book.css, and by a browser in
+    book/tests/site/test_pages.py; a solution stands in a frame of its own. What is folded away may be wider."""
+    for cell in cells(page):
+        tags = cell["metadata"].get("tags", [])
+        if cell["cell_type"] == "code" and "hide-input" not in tags:
+            most = 108 if "solution" in tags else 120
+            assert [line for line in "".join(cell["source"]).splitlines() if len(line) > most] == []
+
+
 def test_every_notebook_is_a_page():
     assert {p.resolve() for p in layout.notebooks()} == {
         p.resolve() for folder in ("chapters", "sources", "appendices") for p in (layout.BOOK / folder).glob("*.ipynb")

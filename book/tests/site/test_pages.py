@@ -26,6 +26,10 @@ FAULTS = """() => {
     return box(number).left < Math.min(...shown) - 1;
   }).map(number => number.parentElement.id);
   if (covered.length) faults.push('numbers on top of their equations: ' + covered.join(', '));
+  const listings = [...document.querySelectorAll('.bd-article :is(.highlight pre, .live-editor)')];
+  const long = innerWidth < 1280 ? [] : listings.filter(e => e.scrollWidth > e.clientWidth + 1
+    && !e.closest('details.hide, .cell_output'));
+  if (long.length) faults.push('listings that scroll: ' + long.map(e => e.textContent.slice(0, 40)).join(', '));
   const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;
   if (wide > 1) faults.push('the page is ' + wide + ' px wider than the window');
   return faults;
