@@ -7,7 +7,7 @@ READY := $(VENV)/.ready
 export OPENBLAS_NUM_THREADS := 1
 export PYTHONDONTWRITEBYTECODE := 1
 
-.PHONY: help book pdf serve lab instructor platforms test test-all quick chapter environment assets parity experiments audit monocular starts real-images real-sequences visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book pdf serve lab instructor platforms test test-all quick chapter environment assets parity experiments audit monocular starts measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -76,6 +76,9 @@ monocular: environment  ## run the longer films of chapter monocular in the rend
 
 starts: environment  ## run the starts of one camera, and the kidnapped ones, on rendered films; store their figures (long)
 	@$(BIN)/python -m book.tools.starts
+
+measurement-errors: environment  ## find what errors of a measurement are made of, on rendered films; store figures (long; resumable)
+	@$(BIN)/python -m book.tools.measurement_errors
 
 real-images: environment  ## fetch the real sequence of chapter monocular (75 MB), run the filter on it, store its figures
 	@$(BIN)/python -m book.tools.real_images
