@@ -78,7 +78,6 @@ def innovation(candidate: Candidate, rng: Rng) -> None:
         far = array_of(candidate(np.array([9.5, z[1]]), np.array([0.5, e[1]])), (2,), "the innovation")
         same(far[0], 9.0, "a range is not wrapped")
         wide = array_of(candidate(np.array([1.0, e[1] + rng.uniform(-9, 9)]), e), (2,), "the innovation")
-        within = bool(abs(wide[1]) <= np.pi + 1e-12)
-        holds(within, "the bearing's part lies between -pi and pi", f"found {wide[1]:.4g}")
+        holds(abs(wide[1]) <= np.pi + 1e-12, "the bearing's part lies between -pi and pi", f"found {wide[1]:.4g}")
         turned = rng.uniform(2, 3)
         same(candidate(np.array([1, turned]), np.zeros(2))[1], turned, "a large turn keeps its size and its sign")

@@ -34,7 +34,9 @@ def slerp(candidate: Candidate, rng: Rng) -> None:
             steps = [np.linalg.norm(minus(b, a)) for a, b in pairwise(path)]
             same(steps, np.full(8, np.mean(steps)), "constant speed")
             holds(sum(steps) <= np.pi + 1e-9, "the short way round", f"turned by {np.degrees(sum(steps)):.0f} degrees")
-    quarter = exponential(np.array([0.0, 0, np.pi / 2]))
+    none, quarter = np.eye(4)[0], exponential(np.array([0.0, 0, np.pi / 2]))
+    still = array_of(candidate(none, none, 0.5), (4,), "what lies between two that are the same")
+    same(abs(still), none, "stays where both orientations are the same")
     same(rotation(candidate(quarter, product(quarter, quarter), 0.5))[0, 0], -np.sqrt(0.5), "halfway is halfway")
 
 

@@ -38,6 +38,7 @@ def propagate(candidate: Candidate, rng: Rng) -> None:
     for _ in range(3):
         F, root = rng.standard_normal((3, 3)), rng.standard_normal((3, 3))
         Q = np.diag(rng.uniform(0.1, 1, 3))
+        same(candidate(F, np.zeros((3, 3)), Q), Q, "without an error before, Q is all there is")
         samples = rng.standard_normal((20000, 3)) @ root.T @ F.T + rng.standard_normal((20000, 3)) @ np.sqrt(Q)
         found = covariance(candidate(F, root @ root.T, Q), 3)
         scale = np.abs(found).max()

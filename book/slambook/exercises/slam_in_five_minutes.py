@@ -29,7 +29,7 @@ def add_landmark(candidate: Candidate, rng: Rng) -> None:
         T[n:, :3], T[n:, n:] = G_r, G_z  # (old errors, measurement's error) -> (old errors, landmark's error)
         joint[:n, :n], joint[n:, n:] = P, R
         same(found[:n, :n], P, "the old state is as it was")
-        same(found[n:, n:], (T @ joint @ T.T)[n:, n:], "the landmark inherits the robot's error")
+        same(found[n:, n:], (T @ joint @ T.T)[n:, n:], "the landmark has the robot's error and the measurement's")
         same(found, T @ joint @ T.T, "and is correlated with all that the robot is correlated with")
 
 

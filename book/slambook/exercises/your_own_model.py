@@ -28,7 +28,7 @@ def distance_point(candidate: Candidate) -> None:
     if not isinstance(kind, PointLandmark):
         raise Rejected(f"your function should return a PointLandmark, but returned {type(kind).__name__}")
     seven = isinstance(kind.manifold, Euclidean) and kind.manifold.size == 7
-    holds(seven, "the landmark has seven numbers", f"its space is {kind.manifold!r}: give as_space(7)")
+    holds(seven, "the landmark has seven numbers", f"its space is {kind.manifold!r}: give as_manifold(7)")
     try:
         check_landmark(kind, silent=True)
     except CheckError as error:

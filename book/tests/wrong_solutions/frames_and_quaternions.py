@@ -49,6 +49,14 @@ def in_world_axes(q0, q1, u):
     return product(exponential(u * minus(q1, q0)), q0)
 
 
+@wrong("frames_and_quaternions.3", "the textbook's quotient of sines: 0 / 0 where the orientations are the same")
+def zero_by_zero(q0, q1, u):
+    q1 = q1 * np.sign(q0 @ q1)
+    angle = np.arccos(min(q0 @ q1, 1.0))
+    with np.errstate(invalid="ignore"):
+        return (np.sin((1 - u) * angle) * q0 + np.sin(u * angle) * q1) / np.sin(angle)
+
+
 @wrong("frames_and_quaternions.4", "the error's factor one half is forgotten")
 def without_the_half(share, distance):
     return share

@@ -56,6 +56,11 @@ def one_side(F, P, Q):
     return (half + half.T) / 2 + Q
 
 
+@wrong("motion_models.3", "standard deviations for the variances of Q")
+def roots(F, P, Q):
+    return F @ P @ F.T + np.sqrt(Q)
+
+
 @wrong("motion_models.5", "counts the turn of a step as if it came before the step's move")
 def turn_first(length, sigma, steps):
     k = np.arange(1, steps + 1)

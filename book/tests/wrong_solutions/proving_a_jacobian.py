@@ -88,6 +88,23 @@ def first_point(f, jacobian, points):
     return absolute_or_relative(jacobian(points[0]), numerical(f, points[0]))
 
 
+@wrong("proving_a_jacobian.5", "keeps the table of the last point only")
+def last_point(f, jacobian, points):
+    return absolute_or_relative(jacobian(points[-1]), numerical(f, points[-1]))
+
+
+@wrong("proving_a_jacobian.5", "a tolerance of 1e-4 instead of a millionth")
+def tolerant(f, jacobian, points):
+    pairs = [(jacobian(x), numerical(f, x)) for x in points]
+    return np.any([np.abs(J - D) > 1e-4 * np.maximum(np.abs(J), np.abs(D)) for J, D in pairs], axis=0)
+
+
+@wrong("proving_a_jacobian.5", "any difference at all: half a millionth is not let pass")
+def exact(f, jacobian, points):
+    pairs = [(jacobian(x), numerical(f, x)) for x in points]
+    return np.any([np.abs(J - D) > 1e-9 * np.maximum(np.abs(J), np.abs(D)) for J, D in pairs], axis=0)
+
+
 @wrong("proving_a_jacobian.5", "an entry counts as wrong only if it is wrong everywhere")
 def everywhere(f, jacobian, points):
     return np.all([absolute_or_relative(jacobian(x), numerical(f, x)) for x in points], axis=0)

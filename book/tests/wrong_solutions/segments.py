@@ -57,3 +57,28 @@ def divides_first(first, second, intrinsics, image):
     ends = [intrinsics[:2] + intrinsics[2:] * p[:2] / p[2] for p in (first, second)]
     points = ends[0] + np.linspace(0, 1, 2001)[:, None] * (ends[1] - ends[0])
     return bool(((points >= 0) & (points <= image)).all(-1).any())
+
+
+@wrong("segments.3", "fifty samples of the segment: a short part in view falls between two of them")
+def samples(first, second, intrinsics, image):
+    points = first + np.linspace(0, 1, 50)[:, None] * (second - first)
+    return any(_inside(p, intrinsics, np.array(image)) for p in points)
+
+
+@wrong("segments.3", "clips at a depth of ten centimetres, and what is nearer is lost")
+def near_plane(first, second, intrinsics, image):
+    least = 0.1
+    if max(first[2], second[2]) < least:
+        return False
+    (u, v, fu, fv), (width, height) = intrinsics, image
+    planes = [[fu, 0, u], [-fu, 0, width - u], [0, fv, v], [0, -fv, height - v], [0, 0, 1]]
+    enter, leave = 0.0, 1.0
+    for plane, offset in zip(np.array(planes), (0, 0, 0, 0, least), strict=True):
+        start, end = plane @ first - offset, plane @ second - offset
+        if start < 0 and end < 0:
+            return False
+        if start < 0:
+            enter = max(enter, start / (start - end))
+        elif end < 0:
+            leave = min(leave, start / (start - end))
+    return enter <= leave
