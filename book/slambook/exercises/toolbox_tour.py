@@ -26,12 +26,11 @@ def unseen(candidate: Candidate, rng: Rng) -> None:
     sizes = (2, 7, 3), (3, 5, 0), (1, 6, 6), (8, 9, 1)
     for count, n, hidden in cases(sizes, "{} measurements of {} numbers, {} unobserved"):
         basis = np.linalg.qr(rng.standard_normal((n, n)))[0]
-        seen = basis[:, hidden:]
-        predictions = np.array([rng.standard_normal((2, n - hidden)) @ seen.T for _ in range(count)])
+        predictions = np.array([rng.standard_normal((2, n - hidden)) @ basis[:, hidden:].T for _ in range(count)])
         found = array_of(candidate(predictions), (n, hidden), "the directions")
         same(found.T @ found, np.eye(hidden), "the directions are orthonormal")
         same(predictions @ found, np.zeros((count, 2, hidden)), "no measurement observes them")
-    predictions = np.array([[[1.0, 0, 0]], [[0, 1000.0, 0]]])
+    predictions = 1e-12 * np.array([[[1.0, 0, 0]], [[0, 1000.0, 0]]])
     found = array_of(candidate(predictions), (3, 1), "what two scalar measurements leave unobserved")
     same(np.abs(found[:, 0]), [0, 0, 1], "each measurement is used, whatever its scale")
 
@@ -43,12 +42,13 @@ def streams(candidate: Candidate) -> None:
     def numbers(seed: int, runs: int) -> Array:
         return np.array([generator.standard_normal(3) for generator in candidate(seed, runs)])
 
-    first = numbers(7, 6)
+    first, long = numbers(7, 6), numbers(7, 1200)
     holds(len(first) == 6, "one generator for each run", f"there are {len(first)}")
     same(numbers(7, 6), first, "the same seed gives the same runs")
-    holds(len(np.unique(first)) == first.size, "all runs are different", "some numbers come twice")
-    same(numbers(7, 9)[:6], first, "a longer experiment begins with the runs of the shorter one")
-    for seed in (6, 8, 13):
-        together = np.concatenate([first, numbers(seed, 6)])
+    holds(len({id(generator) for generator in candidate(7, 6)}) == 6, "each has a generator of its own")
+    holds(len(np.unique(long)) == long.size, "all runs are different", "some numbers come twice")
+    same(long[:6], first, "a longer experiment begins with the runs of the shorter one")
+    for seed in (6, 8):
+        together = np.concatenate([long, numbers(seed, 1200)])
         shared = len(np.unique(together)) < together.size
         holds(not shared, "experiments with other seeds have other runs", f"some run of seed {seed} is one of seed 7")

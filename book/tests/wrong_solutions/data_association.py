@@ -109,3 +109,18 @@ def root(y, h, S, probability):
 def one_number(y, h, S, probability):
     nu = _wrapped(y, h)
     return nu @ np.linalg.solve(S, nu) < chi2_quantile(probability, 1)
+
+
+@wrong("data_association.4", "a gate on the range alone")
+def range_alone(y, h, S, probability):
+    return (y[0] - h[0]) ** 2 / S[0, 0] < chi2_quantile(probability, 1)
+
+
+@wrong("data_association.4", "a gate without the correlation")
+def variances_alone(y, h, S, probability):
+    return (_wrapped(y, h) ** 2 / np.diag(S)).sum() < chi2_quantile(probability, 2)
+
+
+@wrong("data_association.4", "a coin that falls right with the stated probability")
+def coin(y, h, S, probability):
+    return 1e6 * y[0] % 1 < probability

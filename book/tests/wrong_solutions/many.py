@@ -114,3 +114,19 @@ def half_and_half(own, told):
 @wrong("many.4", "listens to the better one only")
 def better_one(own, told):
     return (1.0, own) if np.trace(own) < np.trace(told) else (0.0, told)
+
+
+def _smallest(own, told, size):
+    A, B = np.linalg.inv(own), np.linalg.inv(told)
+    w = min(np.linspace(0, 1, 1001), key=lambda v: size(np.linalg.inv(v * A + (1 - v) * B)))
+    return w, np.linalg.inv(w * A + (1 - w) * B)
+
+
+@wrong("many.4", "the smallest determinant instead of the smallest trace")
+def smallest_determinant(own, told):
+    return _smallest(own, told, np.linalg.det)
+
+
+@wrong("many.4", "the smallest of the largest eigenvalues")
+def smallest_axis(own, told):
+    return _smallest(own, told, lambda P: np.linalg.eigvalsh(P)[-1])

@@ -43,6 +43,12 @@ def coarse(predictions):
     return V[int((s > 0.01 * s[0]).sum()) :].T
 
 
+@wrong("toolbox_tour.2", "a threshold that does not follow the unit")
+def absolute(predictions):
+    _, s, V = np.linalg.svd(np.vstack(predictions))
+    return V[int((s > 1e-9).sum()) :].T
+
+
 def _null(H):
     _, s, V = np.linalg.svd(H)
     return V[int((s > 1e-9 * max(s[0], 1e-300)).sum()) :].T
@@ -71,3 +77,18 @@ def fresh(seed, runs):
 @wrong("toolbox_tour.3", "the streams depend on how many there are")
 def by_count(seed, runs):
     return [np.random.default_rng([seed, runs, i]) for i in range(runs)]
+
+
+@wrong("toolbox_tour.3", "one generator, many times")
+def one_generator(seed, runs):
+    return [np.random.default_rng(seed)] * runs
+
+
+@wrong("toolbox_tour.3", "a thousand numbers for each experiment, which a long one exceeds")
+def thousands(seed, runs):
+    return [np.random.default_rng(1000 * seed + i) for i in range(runs)]
+
+
+@wrong("toolbox_tour.3", "seeds drawn from few numbers, some of them twice")
+def drawn(seed, runs):
+    return [np.random.default_rng(s) for s in np.random.default_rng(seed).integers(1000, size=runs)]
