@@ -157,11 +157,13 @@ def moved_by(motion_source: StereoMotionSource, rig: Rig, options: Options, pose
     return slam
 
 
-def advance(slam: Slam, motion_source: StereoMotionSource, frame: Frame, dt: float) -> None:
-    """One pair, the control first."""
+def advance(slam: Slam, motion_source: StereoMotionSource, frame: Frame, dt: float) -> Frame:
+    """One pair, the control first; returns the frame with it."""
     image = frame.scans[0].image
     assert image is not None
-    slam.step(replace(frame, dt=dt, controls=(motion_source.control(image, frame.dt, slam),)))
+    frame = replace(frame, dt=dt, controls=(motion_source.control(image, frame.dt, slam),))
+    slam.step(frame)
+    return frame
 
 
 def step(slam: Slam, motion_source: Any, frame: Frame, dt: float, spent: dict[str, float]) -> None:

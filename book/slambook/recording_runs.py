@@ -1,7 +1,6 @@
 """Runs of recorded landmarks through the filter, and of all their data at once; errors and NEES against the truth."""
 
 import time
-from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,8 +8,6 @@ import numpy as np
 
 from slambook.recordings import PLANE, Sightings
 from slambook.smoothing import Smoother
-from slamlib.data.records import Frame
-from slamlib.errors import SlamlibError
 from slamlib.evaluation.alignment import align
 from slamlib.evaluation.comparison import compared
 from slamlib.evaluation.consistency import band, nees, rmse, share_inside
@@ -19,9 +16,8 @@ from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import Pose, to_frame
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array, Indices
-from slamlib.slam import Report, Slam
+from slamlib.slam import Slam
 from slamlib.vision.results import lasting, whitened
-from slamlib.vision.sequence_run import SequenceRun
 
 GATE = chi2_quantile(0.99, 3)
 KNOWN = 40  # poses, evenly spread, whose covariances are taken of what was smoothed
@@ -93,20 +89,6 @@ def run(
         own, known = [*best.poses.swapaxes(0, 1)], [best.covariance(at, robot) for robot in range(len(slam.robots))]
         found.append(Estimate(times, own, at, known, {number: best.point(number) for number in best.landmarks}))
     return figures, found
-
-
-def listening(run: SequenceRun) -> Smoother:
-    """A smoother that hears each step of a run, up to the first gap between its pictures."""
-    smoother, step = Smoother(run.slam), run.slam.step
-
-    def heard(frame: Frame, **how: bool) -> Report:
-        report = step(frame, **how)
-        with suppress(SlamlibError):
-            smoother.record(frame)
-        return report
-
-    run.slam.step = heard  # type: ignore[method-assign]
-    return smoother
 
 
 def judged(recording: Sightings, found: Estimate, robot: int = 0, frames: Any = slice(None)) -> dict[str, Any]:

@@ -128,8 +128,8 @@ def main() -> None:
     """Make the runs that the file has not yet, ROUND of each filter at a time, and join them to it."""
     known = cases()
     given = asked("Run the experiments of chapter observability; resumable.", known, RUNS)
-    parallel, found = joblib.Parallel(n_jobs=given.jobs), {name: {"digest": digest(known[name])} for name in known}
-    found |= kept(known, given.fresh, FILE)
+    parallel, ready = joblib.Parallel(n_jobs=given.jobs), kept(known, given.fresh, FILE)
+    found = {name: ready.get(name, {"digest": digest(case)}) for name, case in known.items()}
     chosen = {case: preset for case, preset in known.items() if case in (given.only or found)}
     for end in [*range(ROUND, given.runs, ROUND), given.runs]:
         for case, number in itertools.product(chosen, SEEDS):

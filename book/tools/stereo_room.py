@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 from slambook import rendering, stereo_films
+from slambook.smoothing import Smoother
 from slambook.stereo_films import stereo_film
 
 from benchmarks.stereo_filter import advance, moved_by
@@ -34,16 +35,21 @@ class Twice(SplitFeatures):
 
 @dataclass(frozen=True)
 class Way:
-    """Where the motion comes from, and in one of how many frames a landmark is measured: its errors come last."""
+    """Where the motion comes from, and in one of how many frames a landmark is measured: its errors come last.
+
+    at_once: the poses are those of all data at once, not the filter's.
+    """
 
     motion_source: Any
     update_interval: int = 1
+    at_once: bool = False
 
 
 WAYS = {
     "twice": Way(Twice),
     **{name: Way(source) for name, source in MOTION_SOURCES.items()},
     "in turns": Way(MOTION_SOURCES["correlated"], update_interval=10),
+    "all data": Way(MOTION_SOURCES["split-features"], at_once=True),
 }
 Film = tuple[Rig, list[tuple[Frame, Truth]]]
 
@@ -93,18 +99,20 @@ def run(film: Film, chosen: Way, options: Options = OPTIONS) -> Run:
     settings = StereoSettings(update_interval=chosen.update_interval, max_in_view=30)
     motion_source: StereoMotionSource = chosen.motion_source(sensor.calibration, sensor.extrinsics, settings)
     slam = moved_by(motion_source, rig, options, pairs[0][1].robots[0][:7])
+    smoother = Smoother(slam)
     for i, (frame, truth) in enumerate(pairs):
-        advance(slam, motion_source, frame, frame.dt if i else 0.0)
-        real, pose = truth.robots[0][:7], slam.robots[0].pose
-        error = Pose.minus(real, pose)
+        smoother.record(advance(slam, motion_source, frame, frame.dt if i else 0.0))
         inliers = [prediction for prediction in slam.predictions[0] if prediction.inlier]
         nis += [prediction.nis for prediction in inliers]
         old.append(sum(prediction.landmark.first_seen < slam.number - OLD for prediction in inliers))
-        if i:
-            P = slam.belief.covariance(slam.robots[0].block)[:6, :6]
-            rows.append((error, float(nees(error, P)), real[:3].copy(), pose[:3].copy()))
-    errors, squares, true, found = (np.array(column) for column in zip(*rows, strict=True))
-    return Run(errors, squares, true, found, float(np.mean(nis)) / 3, len(slam.landmarks), old)
+        robot = slam.robots[0]
+        rows.append((truth.robots[0][:7], robot.pose, slam.belief.covariance(robot.block)[:6, :6]))
+    true, found, P = (np.array(column)[1:] for column in zip(*rows, strict=True))
+    if chosen.at_once:
+        best = smoother.solve()
+        found, P = best.poses[1:, 0], best.covariance(np.arange(1, len(pairs)))
+    errors = Pose.minus(true, found)
+    return Run(errors, nees(errors, P), true[:, :3], found[:, :3], float(np.mean(nis)) / 3, len(slam.landmarks), old)
 
 
 def odometry(film: Film) -> dict[str, float]:

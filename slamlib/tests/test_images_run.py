@@ -115,7 +115,7 @@ def test_a_run_of_all_pictures():
     steps = list(run)
     assert len(run) == 0
     assert list(run) == []
-    assert [s.number for s in steps] == list(range(1, COUNT + 1))
+    assert [s.frame.number for s in steps] == list(range(1, COUNT + 1))
     assert steps[3].picture.name == "3.png"
     assert set(steps[5].row) == set(COLUMNS)
     found = error(run)
@@ -217,7 +217,7 @@ def test_missing_pictures_pass_as_dark_ones_do():
     seen = []
     for run in (dark, missing):
         step = next(step for step in run if step.picture.name == "23.png")
-        assert (step.number, run.slam.time) == (24 if run is dark else 16, pytest.approx(23 * DT))
+        assert (step.frame.number, run.slam.time) == (24 if run is dark else 16, pytest.approx(23 * DT))
         seen.append({prediction.landmark.signature: prediction for prediction in run.slam.predictions[0]})
     assert len(seen[0]) > 10
     assert seen[0].keys() == seen[1].keys()
@@ -243,7 +243,7 @@ def test_a_long_tracking_loss_ends_the_run_and_the_result_is_kept(tmp_path):
 def test_after_a_cut_new_landmarks_do_not_hide_that_the_old_ones_are_gone():
     run = started(patience=8)
     for step in run:
-        if step.number == 12:  # another place, where nothing known is in view
+        if step.frame.number == 12:  # another place, where nothing known is in view
             run.slam.front_ends[0].points = run.slam.front_ends[0].points * [1, 1, 1] + [0, 0, 50]
             run.slam.front_ends[0].points[40:] = world()[40:]
             known = {lm.signature for lm in run.slam.landmarks}

@@ -52,9 +52,9 @@ class SequenceKind:
 
 @dataclass(frozen=True, eq=False)
 class ImageStep:
-    """One processed image: the filter's report, and the run's row of numbers by name."""
+    """One processed image: the frame as the filter took it, its report, and the run's row of numbers by name."""
 
-    number: int
+    frame: Frame
     picture: TimedImage
     report: Report
     row: dict[str, float]
@@ -141,7 +141,7 @@ class SequenceRun:
         elapsed = picture.time - self.history[-1][TIME] if self.history else 0.0
         self.is_intact = False
         began, clocks = time.perf_counter(), self._seconds_spent()
-        report = self._process(frame, elapsed)
+        frame, report = self._process(frame, elapsed)
         inside = {name: after - clocks[name] for name, after in self._seconds_spent().items()}
         spent = time.perf_counter() - began
         before, self.innovations = self.innovations, whitened(self.slam)
@@ -158,7 +158,7 @@ class SequenceRun:
         self.tracking_loss.update(frame.number, births, len(self.slam.landmarks))
         self.picture = picture
         self.is_intact = True
-        return ImageStep(frame.number, picture, report, row)
+        return ImageStep(frame, picture, report, row)
 
     def _frame(self, picture: TimedImage) -> Frame:
         """A frame of the image, with a control of zeros. Raises SlamlibError for a wrong size, with no side effects."""
@@ -175,8 +175,8 @@ class SequenceRun:
         """Whether there is a measurement already: the first landmarks are initialized from the known start."""
         return any(row[LANDMARKS] for row in self.history) if self.has_map else bool(self.history)
 
-    def _process(self, frame: Frame, elapsed: float) -> Report:
-        """One frame of the filter; in an empty map as many landmarks are initialized as in a first frame."""
+    def _process(self, frame: Frame, elapsed: float) -> tuple[Frame, Report]:
+        """The frame as the filter took it, and its report; an empty map gets as many landmarks as a first frame."""
         control = self.motion.control(frame.scans[0].image, elapsed, self.slam)
         told = control is not None and self._can_move()
         is_lost = self.relocalizes and self._can_move() and self.history[-1][INLIERS] <= LOST
@@ -187,7 +187,7 @@ class SequenceRun:
         is_target = self.target is not None and not self.history
         if self.target is not None and is_target:  # its pixels are used by this update: it is not searched for again
             self.target.put(self.slam, frame.scans[0])
-        return self.slam.step(frame, update=not is_target, first=not self.slam.landmarks)
+        return frame, self.slam.step(frame, update=not is_target, first=not self.slam.landmarks)
 
     def _predict_missing(self, frame: Frame) -> Frame:
         """Predict over images missing before a frame, one interval at a time; return the frame of the last interval.
