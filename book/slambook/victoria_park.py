@@ -162,7 +162,7 @@ def draw(ax: Any, result: dict[str, Any]) -> None:
     for x, y, *P in result["trees"]:
         draw_ellipse(ax, np.array([x, y]), np.array([P[:2], P[1:]]), color=colors.green, lw=0.7)
     ax.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
-    ax.legend(fontsize=8)
+    ax.legend()
 
 
 TABLE = """\
