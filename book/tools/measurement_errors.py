@@ -4,13 +4,13 @@ A hand carries one camera past a wall, half of the films in a drawn room and hal
 switched on alone: in the pictures, in the lens that the filter believes in, or in the search. The point that a
 landmark's first pixel shows is known, and so is its true pixel in every later picture: stored are statistics of the
 differences, a row per film and run. The filter runs as `slamlib run images` does, from the true pose and points that
-are known to 0.1 % of their distance, so NEES needs no alignment. Resumable: delete a film's line to run it again.
+are known to 0.1 % of their distance, so NEES needs no alignment. Resumable: what is stored is run again with --only.
 """
 
-import json
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -18,9 +18,8 @@ from slambook import rendering
 from slambook.rendering.effects import NO_EFFECTS, Chip, Effects
 from slambook.rendering.film import LENS
 
-from book.tools import layout
+from book.tools import layout, stored
 from book.tools.starts import DT, walk
-from book.tools.stored import plain
 from slamlib.datasets.pictures import TimedImage
 from slamlib.datasets.sources import of_pictures
 from slamlib.evaluation.comparison import pose_error
@@ -202,14 +201,14 @@ def filtered(film: Film, cause: Cause) -> dict[str, Any]:
     run = image_run(pictures, rig, options_for(unit), search, start=target)
     for step in run:
         for p in run.slam.predictions[0]:
-            if p.inlier and p.measured is not None and p.predicted_patch is not None:
+            if p.inlier and p.predicted_patch is not None:
                 claim = claimed(step.picture.image, p.predicted_patch, p.measured)
                 rows.append((p.landmark.id, search.k, p.measured - search.true_pixel(p.landmark), claim))
         search.k = run.done
     numbers, at, errors, claims = map(np.array, zip(*rows, strict=True))
     numbers, at, errors = (x[np.isfinite(errors[:, 0])] for x in (numbers, at, errors))
     true = [compose(origin, relative(film.poses[0], pose)) for pose in film.poses]
-    judged = map(pose_error, true, map(np.array, run.path), map(np.array, run.covariances))
+    judged = map(pose_error, true, np.array(run.path), np.array(run.covariances))
     off, _, nees = map(np.array, zip(*judged, strict=True))
     found = summary(run.result())
     return {
@@ -227,24 +226,20 @@ def filtered(film: Film, cause: Cause) -> dict[str, Any]:
     }
 
 
-def measured(seed: int) -> list[list[Any]]:
+def measured(seed: int) -> Any:
     """A film's numbers of each run."""
     film, rows = Film(seed), dict[str, dict[str, Any]]()
     for name, cause in RUNS.items():
         std = rows[name.partition(": ")[0]][cause.std] if isinstance(cause.std, str) else cause.std
         rows[name] = filtered(film, replace(cause, std=std))
-    return [list(row.values()) for row in rows.values()]
+    return stored.plain([list(row.values()) for row in rows.values()], 3)
 
 
-def main() -> None:
-    """Run what is not stored, and store each film at once."""
-    kept = {"runs": list(RUNS), **(json.loads(FILE.read_text("utf-8")) if FILE.is_file() else {})}
-    for name in (name for name in ("light", *map(str, range(1, FILMS + 1))) if name not in kept):
-        found = filtered(Film(1, LIGHT), RUNS[AGAIN]) if name == "light" else measured(int(name))
-        kept[name] = plain(found, 3)
-        text = ",\n".join(f"{json.dumps(key)}: {json.dumps(value)}" for key, value in kept.items())
-        layout.write_whole(FILE, f"{{{text}}}\n".encode())
-
+PARTS: dict[str, Callable[[], Any]] = {
+    "runs": lambda: list(RUNS),
+    "light": lambda: stored.plain(filtered(Film(1, LIGHT), RUNS[AGAIN]), 3),
+    **{str(seed): partial(measured, seed) for seed in range(1, FILMS + 1)},
+}
 
 if __name__ == "__main__":
-    main()
+    stored.main(FILE, PARTS, __doc__, resumable=True)

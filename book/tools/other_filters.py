@@ -41,9 +41,7 @@ def at_once(scene: str, seed: int, runs: int) -> Contestant:
     """All data of the same runs at once, begun at the EKF's answer."""
     chapter = json.loads((layout.BOOK / "chapters" / "other_filters.ipynb").read_text("utf-8"))
     own: dict[str, Any] = {"__name__": "__main__"}
-    for cell in chapter["cells"]:
-        if cell["id"] in CELLS:
-            exec("".join(cell["source"]), own)
+    exec("\n".join("".join(cell["source"]) for cell in chapter["cells"] if cell["id"] in CELLS), own)
     square, nees, of_map, _ = own["contest"](scene, seed, runs, {"tangents": PlanarEkf})["all data"]
     none, off = np.zeros(square.shape[1]), float(np.sqrt(of_map).mean())
     return Contestant(0, np.sqrt(square.mean(0)), np.sqrt(square.mean(1)), off, nees, none, none, np.nan)

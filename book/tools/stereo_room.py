@@ -35,10 +35,8 @@ class Twice(SplitFeatures):
 
 @dataclass(frozen=True)
 class Way:
-    """Where the motion comes from, and in one of how many frames a landmark is measured: its errors come last.
-
-    at_once: the poses are those of all data at once, not the filter's.
-    """
+    """Where the motion comes from, and in one of how many frames a landmark is measured: its errors come last; at_once:
+    the poses are those of all data at once, not the filter's."""
 
     motion_source: Any
     update_interval: int = 1
@@ -99,16 +97,18 @@ def run(film: Film, chosen: Way, options: Options = OPTIONS) -> Run:
     settings = StereoSettings(update_interval=chosen.update_interval, max_in_view=30)
     motion_source: StereoMotionSource = chosen.motion_source(sensor.calibration, sensor.extrinsics, settings)
     slam = moved_by(motion_source, rig, options, pairs[0][1].robots[0][:7])
-    smoother = Smoother(slam)
+    smoother = Smoother(slam) if chosen.at_once else None
     for i, (frame, truth) in enumerate(pairs):
-        smoother.record(advance(slam, motion_source, frame, frame.dt if i else 0.0))
+        frame = advance(slam, motion_source, frame, frame.dt if i else 0.0)
+        if smoother is not None:
+            smoother.record(frame)
         inliers = [prediction for prediction in slam.predictions[0] if prediction.inlier]
         nis += [prediction.nis for prediction in inliers]
         old.append(sum(prediction.landmark.first_seen < slam.number - OLD for prediction in inliers))
         robot = slam.robots[0]
         rows.append((truth.robots[0][:7], robot.pose, slam.belief.covariance(robot.block)[:6, :6]))
     true, found, P = (np.array(column)[1:] for column in zip(*rows, strict=True))
-    if chosen.at_once:
+    if smoother is not None:
         best = smoother.solve()
         found, P = best.poses[1:, 0], best.covariance(np.arange(1, len(pairs)))
     errors = Pose.minus(true, found)
