@@ -9,7 +9,6 @@ frames by the other sensors alone. Chapter observability.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
-from unittest.mock import patch
 
 import numpy as np
 
@@ -68,7 +67,8 @@ def poses(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array]:
 
 def _filtered(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array, Smoother | None]:
     """Poses as the filter has them, and the smoother that listened to it, for ALL_DATA."""
-    with patch.dict(TRANSPORTS, {WITH_ANCHORS: anchors_carried}):  # an option for this run alone
+    TRANSPORTS[WITH_ANCHORS] = anchors_carried  # an option for this run alone
+    try:
         error = "local" if name in ("oracle", ALL_DATA) else "world" if name in (PRODUCTS, LATER) else name
         preset = replace(preset, seed=seed, options=replace(preset.options, error=error))
         slam = preset.slam()
@@ -81,16 +81,16 @@ def _filtered(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array
             if oracle:
                 oracle.truth = truth
             if name == LATER and frame.number <= ALONE:
-                scans = [
-                    Scan() if sensor.block else scan for sensor, scan in zip(slam.sensors, frame.scans, strict=True)
-                ]
-                frame = replace(frame, scans=tuple(scans))
+                pairs = zip(slam.sensors, frame.scans, strict=True)
+                frame = replace(frame, scans=tuple(Scan() if sensor.block else scan for sensor, scan in pairs))
             slam.step(frame)
             if smoother:
                 smoother.record(frame)
             true.append([state[:7] for state in truth.robots])
             estimates.append([robot.pose for robot in slam.robots])
             covariances.append([slam.belief.covariance(robot.block)[:DOF, :DOF] for robot in slam.robots])
+    finally:
+        del TRANSPORTS[WITH_ANCHORS]
     return np.array(true), np.array(estimates), np.array(covariances), smoother
 
 
