@@ -36,7 +36,7 @@ from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.comparison import compared, parts
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.experiments.progress import progress
-from slamlib.geometry.pose import Pose, relative
+from slamlib.geometry.pose import relative
 from slamlib.geometry.quaternion import exponential, logarithm
 from slamlib.manifolds import Array
 from slamlib.vision.results import summary
@@ -170,9 +170,7 @@ def turning(truth: Trajectory) -> list[float]:
 def nees(path: Trajectory, shifted: Trajectory, truth: Trajectory, interval: float) -> list[float]:
     """Medians of NEES, 6 dof: by the path's covariances; with those of the reference; with its camera turned as in 3;
     and with the disparities' offset considered. shifted: the path with all disparities larger by its deviation."""
-    assert path.covariances is not None
-    away = Pose.minus(shifted.poses, path.poses)
-    considered = Trajectory(path.times, path.poses, path.covariances + away[:, :, None] * away[:, None, :])
+    considered = path.considering(shifted)
     turned = truth.sensor_trajectory(constant_turn(path, truth[INTERPOLATED:]))
     known = ((path, truth), (path, turned), (considered, turned))
     judged = [(path, truth, (0.0, 0.0)), *((p, there, REFERENCE) for p, there in known)]

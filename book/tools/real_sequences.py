@@ -1,9 +1,8 @@
 """`make real-sequences`: the filter on every public recording that is below SLAMLIB_DATA, by defaults; figures stored.
 
-`slamlib datasets` lists the recordings. Pictures are run as `slamlib run images` and `slamlib run stereo-images` do it;
-numbered landmarks by slambook.recordings; all beside their data at once. One run each: a recording is there once. What
-is not here is skipped, and keeps the figures that are stored; what is stored is not run again, unless --only names it.
-Positions are stored where the recording's licence allows it, or where they are our own.
+`slamlib datasets` lists the recordings. Pictures are run as `slamlib run images` and `slamlib run stereo-images` do it,
+numbered landmarks by slambook.recordings; all beside their data at once. What is not here is skipped; what is stored
+is not run again, unless --only names it. Positions are stored where the licence allows it, or where they are our own.
 """
 
 import argparse
@@ -11,6 +10,7 @@ import json
 import sys
 import tempfile
 import time
+from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
@@ -33,6 +33,7 @@ from slamlib.evaluation.comparison import compared
 from slamlib.evaluation.trajectory import Trajectory, associate, read_trajectory
 from slamlib.experiments.progress import progress
 from slamlib.geometry import quaternion
+from slamlib.vision.considered import Errors, single_errors
 from slamlib.vision.results import summary
 from slamlib.vision.sequence_run import SequenceRun
 
@@ -40,14 +41,15 @@ FILE = layout.BOOK / "chapters" / "data" / "real_sequences.json"
 SHIPPED = ("tum-fr1-xyz", "tum-fr1-rpy")  # whose positions may be handed on (CC BY 4.0)
 POINTS = 160  # of a path, as it is stored
 HALF = "258.65 258.25 159.05 127.4 0.2624 -0.9531 -0.0054 0.0026 1.1633"  # fr1's lens, for pictures that were halved
+PAIRS = "run stereo-images", "--source"
 Opened = tuple[SequenceRun, Trajectory]
 Row = dict[str, Any]
 
 
-def opened(*words: str) -> SequenceRun:
-    """The run that these words of the command `slamlib` would start."""
+def opened(*words: str, errors: Errors | None = None) -> SequenceRun:
+    """The run that these words of the command `slamlib` would start, with these errors in its calibration."""
     given = parser().parse_args([*words])
-    run: SequenceRun = COMMANDS[given.command].new_run(given)
+    run: SequenceRun = COMMANDS[given.command].new_run(given, errors)
     return run
 
 
@@ -56,8 +58,7 @@ def listed(folder: Path, listing: str, columns: dict[int, Path], unit: float, se
     for column, target in columns.items():
         rows = [row.split() for row in (folder / listing).read_text().splitlines() if row[0] != "#"]
         target.parent.mkdir(parents=True, exist_ok=True)
-        text = "".join(f"{float(row[0]) * unit:.9f}{separator}{folder / row[column]}\n" for row in rows)
-        target.write_text(text)
+        target.write_text("".join(f"{float(row[0]) * unit:.9f}{separator}{folder / row[column]}\n" for row in rows))
 
 
 def tum(folder: Path, made: Path) -> Opened:
@@ -69,8 +70,8 @@ def tum(folder: Path, made: Path) -> Opened:
             calibration = str(made / "half.txt")
             Path(calibration).write_text(HALF)
     source = folder if (folder / "rgb.txt").is_file() else made
-    run = opened("run images", "--source", str(source), "--calibration", calibration, "--undistort")
-    return run, read_trajectory(folder / "groundtruth.txt")
+    words = "run images", "--source", str(source), "--calibration", calibration, "--undistort"
+    return opened(*words), read_trajectory(folder / "groundtruth.txt")
 
 
 def cube(folder: Path, made: Path) -> Opened:
@@ -81,36 +82,35 @@ def cube(folder: Path, made: Path) -> Opened:
     return run, Trajectory(np.array(run.source.times), reference.poses)
 
 
-def euroc(folder: Path, made: Path) -> Opened:
+def euroc(folder: Path, made: Path, errors: Errors | None = None) -> Opened:
     """EuRoC, or an excerpt."""
     if (folder / "mav0").is_dir():
         truth = read_trajectory(folder / "mav0" / "state_groundtruth_estimate0" / "data.csv")
         T = np.array(read_lens(folder / "mav0" / "cam0" / "sensor.yaml").transform).reshape(4, 4)[:3]
         turn = quaternion.from_rotation(T[:, :3], quaternion.best_pivot(T[:, :3]))
-        return opened("run stereo-images", "--source", str(folder)), truth.sensor_trajectory(np.append(T[:, 3], turn))
+        return opened(*PAIRS, str(folder), errors=errors), truth.sensor_trajectory(np.append(T[:, 3], turn))
     listed(folder, "frames.txt", {i + 1: made / "mav0" / f"cam{i}" / "data.csv" for i in (0, 1)}, 1e9, ",")
     for i, camera in enumerate(EUROC_CAMERAS):
         (made / "mav0" / f"cam{i}" / "data").mkdir()
         (made / "mav0" / f"cam{i}" / "sensor.yaml").write_text(camera)
-    return opened("run stereo-images", "--source", str(made)), read_trajectory(folder / "groundtruth.txt")
+    return opened(*PAIRS, str(made), errors=errors), read_trajectory(folder / "groundtruth.txt")
 
 
-def kitti(folder: Path, made: Path) -> Opened:
+def kitti(folder: Path, made: Path, errors: Errors | None = None) -> Opened:
     """A sequence of KITTI's odometry benchmark, or an excerpt."""
     if not (folder / "image_l").is_dir():
-        run = opened("run stereo-images", "--source", str(folder))
-        poses = folder.parents[1] / "poses" / f"{folder.name}.txt"
-        return run, read_trajectory(poses, np.array(run.source.times))
+        run = opened(*PAIRS, str(folder), errors=errors)
+        return run, read_trajectory(folder.parents[1] / "poses" / f"{folder.name}.txt", np.array(run.source.times))
     for i, side in enumerate("lr"):
         (made / f"image_{i}").symlink_to(folder / f"image_{side}")
     rows = (folder / "calib.txt").read_text().splitlines()
     (made / "calib.txt").write_text("".join(f"P{i}: {row}\n" for i, row in enumerate(rows)))
-    run = opened("run stereo-images", "--source", str(made))
+    run = opened(*PAIRS, str(made), errors=errors)
     return run, read_trajectory(folder / "poses.txt", np.array(run.source.times))
 
 
-def pictures(open_it: Callable[[Path, Path], Opened]) -> Callable[[Path, str], Row]:
-    """What runs a sequence of pictures, and judges it."""
+def pictures(open_it: Callable[..., Opened], stds: Errors | None = None, *noise: float) -> Callable[[Path, str], Row]:
+    """What runs a sequence of pictures, and judges it. stds: of the calibration; noise: of the reference [m, deg]."""
 
     def run_it(folder: Path, name: str) -> Row:
         with tempfile.TemporaryDirectory() as made:
@@ -126,15 +126,24 @@ def pictures(open_it: Callable[[Path, Path], Opened]) -> Callable[[Path, str], R
             s, path = summary(run.result()), run.trajectory()
         errors = compared(path, reference, run.source.interval, run.metric)[0]
         smooth = smoother.solve()
-        nees = errors["nees"] and {key: errors["nees"][key] for key in ("dof", "median", "inside")}
         row = {
             "frames": s["frames"], "of": len(run.source), "stopped": stopped, "metric": run.metric,
             "seconds": s["seconds"], "length": errors["path_length"], "ate": errors["ate"],
             "rpe": [errors["rpe"][key]["rmse"] for key in ("position", "orientation")],
-            "orientation": errors["orientation_rms"], "nees": nees, "landmarks": s["landmarks"],
+            "orientation": errors["orientation_rms"], "landmarks": s["landmarks"],
+            "nees": errors["nees"] and {key: errors["nees"][key] for key in ("dof", "median", "inside")},
             "matched": s["matched_share"], "inliers": s["inlier_share"],
             "frames_per_second": s["frames"] / spent,
         }  # fmt: skip
+        if noise:
+            known, row["std"] = {"reference": path}, {**(stds or {}), "reference": noise}
+            for label, error in single_errors(stds or {}, run).items():
+                with tempfile.TemporaryDirectory() as made:
+                    other, _ = open_it(folder, Path(made), error)
+                    deque(progress(other, len(other), f"{name}, {label}"), maxlen=0)
+                known["considered"] = known.get("considered", path).considering(other.trajectory())
+            for key, one in known.items():
+                row["nees"][key] = compared(one, reference, run.source.interval, run.metric, noise)[0]["nees"]["median"]
         if len(smooth.poses) == len(path):
             known = Trajectory(path.times, smooth.poses[:, 0]).sensor_trajectory(run.slam.sensors[0].extrinsics)
             best = compared(known.sensor_trajectory(run.source.original), reference, run.source.interval, run.metric)[0]
@@ -193,11 +202,11 @@ def robots(folder: Path, name: str) -> Row:
 
 
 RUNS: dict[str, Callable[[Path, str], Row]] = {
-    "tum-fr1-xyz": pictures(tum),
-    "tum-fr1-rpy": pictures(tum),
+    "tum-fr1-xyz": pictures(tum, {}, 0.01, 0.5),
+    "tum-fr1-rpy": pictures(tum, {}, 0.01, 0.5),
     "visp-cube": pictures(cube),
-    "euroc-mh01": pictures(euroc),
-    "kitti-odometry": pictures(kitti),
+    "euroc-mh01": pictures(euroc, {"intrinsics": (1, 1, 1.4, 1.4), "offset": (0.1,)}, 0.002, 0.1),
+    "kitti-odometry": pictures(kitti, {"intrinsics": (1, 1, 2.1, 2.1), "offset": (0.1,)}, 0.02, 0.1),
     "starry-night": landmarks(recordings.starry_night),
     "lost-in-the-woods": landmarks(recordings.woods),
     "mrclam-6": robots,

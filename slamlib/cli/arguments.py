@@ -126,6 +126,17 @@ def assignments(texts: list[str], kind: type = Options, flag: str = "--option") 
     return read_fields(kind, dict(_assignment(text, flag) for text in texts), flag.strip("-"))
 
 
+def numbers_by_name(texts: list[str], flag: str) -> dict[str, tuple[float, ...]]:
+    """Numbers from zero on by name, from texts "NAME=NUMBER[,NUMBER...]". Raises SlamlibError."""
+    found = {}
+    for name, value in (_assignment(text, flag) for text in texts):
+        many = value if isinstance(value, list) else [value]
+        if not all(isinstance(one, int | float) and 0 <= one < inf for one in many):
+            raise SlamlibError(f"{flag} takes NAME=NUMBER, or several from zero on with commas, got {name}={value}")
+        found[name] = tuple(map(float, many))
+    return found
+
+
 def _assignment(text: str, flag: str) -> tuple[str, Any]:
     """The name and the value of NAME=VALUE; the value is JSON, a word, or numbers separated by commas."""
     name, equals, value = text.partition("=")

@@ -3,17 +3,22 @@
 import argparse
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import redirect_stderr
 from dataclasses import fields
+from io import StringIO
+from itertools import islice
 from typing import Any
 
 import numpy as np
 
-from slamlib.cli.arguments import OPTION, aligned_rows, assignments, at_least, count, number, outputs, reference_std
+from slamlib.cli import arguments as shared
 from slamlib.cli.runner import EXIT_ERROR, Job, RunEnd, check_files, check_resumed, execute, export, report
 from slamlib.errors import SlamlibError, entry
-from slamlib.evaluation.comparison import compared
+from slamlib.evaluation.comparison import compared, sigmas_at_end
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
+from slamlib.experiments.progress import progress
 from slamlib.landmarks import POINTS
+from slamlib.vision.considered import Errors, single_errors
 from slamlib.vision.results import summary, summary_warnings, table
 from slamlib.vision.run import load
 from slamlib.vision.sequence_run import ImageStep, SequenceKind, SequenceRun
@@ -35,14 +40,14 @@ FEW = "only {:.0%} of the matches are inliers: the path is poorly known, or the 
 class ImageCommand:
     """A command that runs on images of one kind; a subclass's docstring starts with its help text.
 
-    options(what, how): add the arguments of the input, and of the filter, each to its group. new_run(given): the run
-    specified by the arguments.
+    options(what, how): add the arguments of the input, and of the filter, each to its group. new_run(given, errors):
+    the run specified by the arguments, with its calibration's parameters larger by the errors, if there are any.
     """
 
     kind: SequenceKind
     EXAMPLES: str
     options: Callable[[Add, Add], None]
-    new_run: Callable[[argparse.Namespace], SequenceRun]
+    new_run: Callable[..., SequenceRun]
 
     def arguments(self, parser: argparse.ArgumentParser) -> None:
         """Add the arguments of the command."""
@@ -52,8 +57,12 @@ class ImageCommand:
         add("--trajectory", metavar="FILE", help="write the camera's trajectory in TUM format, for evo; beside it its "
             "covariances, which `slamlib evaluate` reads too, in a file that ends in .cov")  # fmt: skip
         add("--reference", metavar="FILE", help="compare with a trajectory of this camera (TUM, EuRoC or KITTI format)")
-        reference_std(add)
-        outputs(add)
+        shared.reference_std(add)
+        add("--calibration-std", action="append", default=[], metavar="NAME=STD",
+            help="std of a parameter of the calibration, one number or one for each of its own, such as "
+                 "intrinsics=1,1,2,2; of pairs also offset, of the disparities [px]: the run is repeated with each of "
+                 "them, and what they do to the path is in its covariances")  # fmt: skip
+        shared.outputs(add)
         parser.set_defaults(check=lambda given: check_resumed(given, parser))
 
     def execute(self, given: argparse.Namespace) -> int:
@@ -69,6 +78,7 @@ class ImageCommand:
             run = self.new_run(given)
         if not run.has_map and (given.video or given.live or given.map):
             raise SlamlibError("--video, --live and --map need the filter's map: with --odometry-only there is none")
+        errors = single_errors(shared.numbers_by_name(given.calibration_std, "--calibration-std"), run)
         source, warned = run.source, False
         reference = read_trajectory(given.reference, np.array(source.times)) if given.reference else None
 
@@ -83,20 +93,38 @@ class ImageCommand:
             run, source.where.rpartition("/")[2], f"run {kind.name}", f"slamlib-{kind.name}.npz",
             lambda step: (run.snapshot(), None), kind.item, fps, each=warn,
         )  # fmt: skip
-        return self._report(run, given, execute(job, given), reference)
+        return self._report(run, given, execute(job, given), reference, errors)
 
-    def _report(self, run: SequenceRun, given: argparse.Namespace, ended: RunEnd, reference: Trajectory | None) -> int:
+    def _report(
+        self,
+        run: SequenceRun,
+        given: argparse.Namespace,
+        ended: RunEnd,
+        reference: Trajectory | None,
+        errors: dict[str, Errors],
+    ) -> int:
         """Write the trajectory, print the result; return the exit status."""
-        path = run.trajectory()
+        s: dict[str, Any] = {"source": run.source.where, "layout": run.source.layout, **summary(run.result())}
+        s |= {"metric": run.metric, "stopped": ended.why, "reference": None, "calibration": None}
+        path = claimed = run.trajectory()
+        try:
+            if errors and not ended.why:
+                for label, error in errors.items():
+                    path = path.considering(self._again(given, run.done, label, error))
+                s["calibration"] = {"errors": errors, "without": sigmas_at_end(claimed), "with": sigmas_at_end(path)}
+        except (SlamlibError, KeyboardInterrupt) as error:  # the run is valid without
+            path, ended.status = claimed, EXIT_ERROR
+            print(f"slamlib: the calibration is taken for exact: {error or 'interrupted'}", file=sys.stderr)
         if given.trajectory:
             write_tum(given.trajectory, path)
         export(given, "map", run.snapshot)
-        s: dict[str, Any] = {"source": run.source.where, "layout": run.source.layout, **summary(run.result())}
-        s |= {"metric": run.metric, "stopped": ended.why, "reference": None}
         try:
             if reference is not None:
                 s["reference"], series = compared(path, reference, run.source.interval, run.metric, given.reference_std)
                 export(given, "plot", lambda: {"camera": series})
+                if s["calibration"] and s["reference"]["nees"]:
+                    without, _ = compared(claimed, reference, run.source.interval, run.metric, given.reference_std)
+                    s["calibration"]["without"]["nees"] = without["nees"]["median"]
         except SlamlibError as error:  # the run is valid without the reference
             ended.status = EXIT_ERROR
             print(f"slamlib: {given.reference}: {error}", file=sys.stderr)
@@ -104,18 +132,26 @@ class ImageCommand:
             ended.status = EXIT_ERROR
             print(f"slamlib: {NOTHING.format(self.kind.item)}", file=sys.stderr)
         rows = [("source", f"{s['source']} ({s['layout']})"), *table(s)]
-        report(given, s, aligned_rows(rows))
+        report(given, s, shared.aligned_rows(rows))
         for warning in [*summary_warnings(s), *([] if run.metric else _image_warnings(run, s["inlier_share"]))]:
             print(f"slamlib: {warning}", file=sys.stderr)
         return ended.status
 
+    def _again(self, given: argparse.Namespace, done: int, label: str, errors: Errors) -> Trajectory:
+        """The path of the run with errors in its calibration; what the first one has said is not said again."""
+        with redirect_stderr(StringIO()):
+            run = self.new_run(given, errors)
+        for _ in progress(islice(run, done), done, f"{label} one std off"):
+            pass
+        return run.trajectory()
+
     def _which(self, add: Add) -> None:
         """Add the arguments that select images."""
         of = f"{self.kind.item}s"
-        add("--fps", type=number, help=f"{of} per second, if no file gives their times (default 30)")
-        add("--frames", type=count, metavar="N", help=f"number of {of}")
-        add("--start", type=at_least(0), default=0, metavar="N", help="number of the first one (default 0)")
-        add("--every", type=count, default=1, metavar="N", help="use every N-th only (default 1)")
+        add("--fps", type=shared.number, help=f"{of} per second, if no file gives their times (default 30)")
+        add("--frames", type=shared.count, metavar="N", help=f"number of {of}")
+        add("--start", type=shared.at_least(0), default=0, metavar="N", help="number of the first one (default 0)")
+        add("--every", type=shared.count, default=1, metavar="N", help="use every N-th only (default 1)")
 
     def _impulses(self, add: Add, before: str, default: str) -> None:
         """Add the arguments of the constant-velocity motion."""
@@ -123,16 +159,21 @@ class ImageCommand:
             ("impulse", self.kind.impulse, f"changes of velocity from one {self.kind.item} to the next"),
             ("velocity", self.kind.velocity, "velocities at the start, whose mean is zero"),
         ):
-            add(f"--{name}", nargs=2, type=number, metavar=("M/S", "DEG/S"),
+            add(f"--{name}", nargs=2, type=shared.number, metavar=("M/S", "DEG/S"),
                 help=f"{before}std of {what} (default {default.format(*own)})")  # fmt: skip
 
     def _search(self, add: Add, settings: Any, of: str) -> None:
         """Add the arguments of the filter's options, and of the search for features."""
         names, points = ", ".join(f.name for f in fields(settings)), self.kind.options.points
         add("--landmark", default=points, help=f"parametrization of points (default {points})")
-        add("--option", action="append", default=[], metavar="NAME=VALUE", help=OPTION)
+        add("--option", action="append", default=[], metavar="NAME=VALUE", help=shared.OPTION)
         add("--search", action="append", default=[], metavar="NAME=VALUE", help=f"setting of {of}: {names}")
-        add("--patience", type=count, metavar="N", help=f"stop after N {self.kind.item}s without a match (default 30)")
+        add(
+            "--patience",
+            type=shared.count,
+            metavar="N",
+            help=f"stop after N {self.kind.item}s without a match (default 30)",
+        )
 
 
 def _image_warnings(run: SequenceRun, inliers: float | None) -> Iterator[str]:
@@ -148,4 +189,4 @@ def given_options(given: argparse.Namespace, what: str, *names: str) -> dict[str
     """The filter's options given on the command line. Raises SlamlibError, which calls the parametrization `what`."""
     entry(what, given.landmark, POINTS)
     named = {"points": given.landmark, **{name: getattr(given, name) for name in names}}
-    return {**{name: value for name, value in named.items() if value is not None}, **assignments(given.option)}
+    return {**{name: value for name, value in named.items() if value is not None}, **shared.assignments(given.option)}

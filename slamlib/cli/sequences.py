@@ -16,6 +16,7 @@ from slamlib.errors import SlamlibError, entry
 from slamlib.motions import MOTIONS
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.vision.active_search import ActiveSearchSettings
+from slamlib.vision.considered import OFFSET, Errors, erroneous
 from slamlib.vision.run import (
     IMAGES,
     PAIRS,
@@ -78,7 +79,7 @@ camera.json of a pin-hole, in pixels:
         self._search(how, ActiveSearchSettings, "active search")
         how("--seed", type=int, default=1, metavar="N", help="seed of the search for new landmarks (default 1)")
 
-    def new_run(self, given: argparse.Namespace) -> SequenceRun:
+    def new_run(self, given: argparse.Namespace, errors: Errors | None = None) -> SequenceRun:
         """A run with free scale, or with that of a target."""
         if not given.source or not given.calibration:
             raise SlamlibError("--source and --calibration are needed, or --resume PATH; see slamlib run images --help")
@@ -88,6 +89,7 @@ camera.json of a pin-hole, in pixels:
         if given.noise is not None:
             camera["std"] = (given.noise,)
         target = None if given.scale == "free" else Target.load(given.scale)
+        camera = erroneous(camera, errors or {})
         setup = read(SensorSetup, camera, "camera")
         calibration = setup.calibration
         seen_from = setup.extrinsics if target is None else target.camera(calibration)
@@ -156,7 +158,7 @@ pair.json of a rectified pair, in pixels and metres:
             how(f"--{name}", type=count, metavar="N", help=text)
         self._search(how, StereoSettings, "features")
 
-    def new_run(self, given: argparse.Namespace) -> SequenceRun:
+    def new_run(self, given: argparse.Namespace, errors: Errors | None = None) -> SequenceRun:
         """A run of the filter, or of visual odometry alone."""
         if not given.source and not (given.left and given.right):
             see = "see slamlib run stereo-images --help"
@@ -176,8 +178,9 @@ pair.json of a rectified pair, in pixels and metres:
             if len(given.noise) not in (1, 3) or not min(given.noise) > 0:
                 raise SlamlibError(f"--noise takes one number above 0, or three (u, v, disparity), got {given.noise}")
             camera = {**camera, "std": tuple(given.noise * (3 // len(given.noise))), "noise": None}
+        wrong = replace(settings, offset=settings.offset + sum((errors or {}).get(OFFSET, ())))
         return stereo_run(
-            source.part(given.start, given.every, given.frames), camera, options,
-            motion_source="odometry" if given.odometry_only else given.motion, settings=settings,
+            source.part(given.start, given.every, given.frames), erroneous(camera, errors or {}), options,
+            motion_source="odometry" if given.odometry_only else given.motion, settings=wrong,
             impulse=given.impulse, velocity=given.velocity, patience=given.patience or 30,
         )  # fmt: skip

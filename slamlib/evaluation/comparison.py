@@ -27,9 +27,9 @@ def compared(
     """Errors of the trajectory against a reference of the same moving frame; a free scale is aligned.
 
     interval [s]: between two poses; metric: whether the scale is known; noise: the reference's own standard deviations,
-    position and orientation. Lengths in the reference's unit, angles in degrees. NEES needs a known scale and a path
-    with covariances. Second the errors of each pose, arrays (n,) by name, for a plot: after the alignment, or by the
-    first poses alone where NEES is known. Raises SlamlibError.
+    position and orientation. Lengths in the reference's unit, angles in degrees. NEES needs a path with covariances; a
+    free scale is then that of the best alignment, too. Second the errors of each pose, arrays (n,) by name, for a plot:
+    after the alignment, or by the first poses alone where NEES is known. Raises SlamlibError.
     """
     i, j = associate(path, reference, max(0.02, 0.5 * interval))
     estimate, other = path[i], reference[j]
@@ -37,8 +37,8 @@ def compared(
     orientation = np.degrees(found.orientation)
     turned = statistics(orientation)
     series = {"times": other.times, "position": found.position, "orientation": orientation}
-    uncertain = metric and estimate.covariances is not None
-    series |= _nees(estimate, other, noise) if uncertain else {}
+    uncertain = estimate.covariances is not None
+    series |= _nees(found.estimate, other, noise) if uncertain else {}
     steps = _motion_errors(found.estimate, other, slice(None, -1), slice(1, None))
     summary = {
         "poses": len(estimate),
@@ -106,6 +106,13 @@ def magnitudes(errors: Array, sigmas: Array) -> dict[str, Array]:
         "orientation": np.degrees(np.linalg.norm(errors[..., 3:], axis=-1)),
         "orientation_sigma": np.degrees(np.linalg.norm(sigmas[..., 3:], axis=-1)),
     }
+
+
+def sigmas_at_end(path: Trajectory) -> dict[str, float]:
+    """Lengths of the standard deviations at the end of a path with covariances: position, orientation [degrees]."""
+    sigmas = np.sqrt(np.asarray(path.covariances)[-1].diagonal())
+    found = magnitudes(np.zeros(6), sigmas)
+    return {name: float(value) for name, value in found.items() if name.endswith("sigma")}
 
 
 def _consistency(series: dict[str, Array]) -> dict[str, Any] | None:

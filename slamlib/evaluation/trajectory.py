@@ -11,7 +11,7 @@ import numpy as np
 
 from slamlib.data.files import write_whole
 from slamlib.errors import ShapeError, SlamlibError
-from slamlib.geometry.pose import compose
+from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import best_pivot, from_rotation
 from slamlib.manifolds import Array, Indices, finite, read_only_copy
 
@@ -69,6 +69,14 @@ class Trajectory:
         """Other poses (n, 7) at the same times, with their Jacobians ((n,) 6, 6) w.r.t. the present ones."""
         known = None if self.covariances is None else J @ self.covariances @ J.swapaxes(-1, -2)
         return Trajectory(self.times, poses, known)
+
+    def considering(self, other: "Trajectory") -> "Trajectory":
+        """The same poses; the difference to `other`, of a parameter one standard deviation off, joins the covariances.
+
+        P + d d', d = other - self: eq. (se-considered), for a path with covariances, and poses at the same times.
+        """
+        d = Pose.minus(other.poses, self.poses)
+        return Trajectory(self.times, self.poses, np.asarray(self.covariances) + d[:, :, None] * d[:, None, :])
 
     def sensor_trajectory(self, extrinsics: Array) -> "Trajectory":
         """The trajectory of a sensor at `extrinsics` (7,) in the moving frame, such as a robot's camera."""

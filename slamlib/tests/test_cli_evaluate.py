@@ -100,6 +100,21 @@ def test_absolute_and_relative_errors_are_those_of_evo(capsys):
     assert found["rpe"]["orientation"]["mean"] == pytest.approx(turned.mean(), rel=1e-6)
 
 
+def test_nees_of_one_camera_is_that_of_the_path_in_the_unit_of_the_reference(capsys):
+    there, rng = truth(), np.random.default_rng(4)
+    shift, P = 0.02 * rng.standard_normal((COUNT, 3)), np.tile(np.diag([4e-4] * 3 + [1e-4] * 3), (COUNT, 1, 1))
+    moved = np.concatenate([there.positions + shift, there.poses[:, 3:]], axis=1)
+    write_tum("metric.txt", Trajectory(there.times, moved, P))
+    J = np.diag([0.25] * 3 + [1.0] * 3)
+    write_tum("small.txt", Trajectory(there.times, moved * np.repeat([0.25, 1.0], [3, 4]), J @ P @ J))
+    write_tum("truth.txt", there)
+    metric = printed(["evaluate", "metric.txt", "truth.txt", "--json"], capsys)["nees"]
+    small = printed(["evaluate", "small.txt", "truth.txt", "--scale", "--json"], capsys)["nees"]
+    assert 1 < metric["median"] < 6
+    for name in ("median", "last"):
+        assert small[name] == pytest.approx(metric[name], rel=0.05)  # its scale is fitted
+
+
 def test_a_path_of_one_camera_needs_its_scale_aligned(capsys):
     there = truth()
     small = np.concatenate([0.25 * there.positions, there.poses[:, 3:]], axis=1)
@@ -108,7 +123,7 @@ def test_a_path_of_one_camera_needs_its_scale_aligned(capsys):
     assert printed(["evaluate", "path.txt", "truth.txt", "--json"], capsys)["ate"] > 1
     found = printed(["evaluate", "path.txt", "truth.txt", "--scale", "--json"], capsys)
     assert (found["scale"], found["ate"]) == (pytest.approx(4), pytest.approx(0, abs=1e-9))
-    assert found["nees"] is None  # of a path without a scale
+    assert found["nees"]["last"] == pytest.approx(0, abs=1e-9)
     assert main(["evaluate", "path.txt", "truth.txt", "--plot", "errors.svg"]) == 0
     text = capsys.readouterr().out
     assert "NEES, 6 dof" in text

@@ -394,3 +394,60 @@ def test_the_street(capsys):
     assert s["frames_without_match"] == 0
     assert s["reference"]["poses"] == 12
     assert s["reference"]["relative_ate"] < 0.02
+
+
+def considered(room, capsys, *more):
+    """The summary of six pairs, with a calibration that has errors."""
+    assert main(words(room, "--json", "--frames", "6", "--odometry-only", *more)) == 0
+    return found(capsys)
+
+
+def test_an_error_of_the_baseline_is_one_of_every_length(room, tmp_path, capsys):
+    out, share = tmp_path / "path.txt", 0.05
+    s = considered(room, capsys, "--calibration-std", f"baseline={share * BASELINE}", "--trajectory", str(out))
+    path, told = read_trajectory(out), s["calibration"]
+    moved = np.linalg.norm(path.positions[-1] - path.positions[0])
+    claimed, known = told["without"]["position_sigma"], told["with"]["position_sigma"]
+    assert np.sqrt(known**2 - claimed**2) == pytest.approx(share * moved, rel=0.05)
+    assert told["with"]["orientation_sigma"] == pytest.approx(told["without"]["orientation_sigma"], rel=0.05)
+    assert np.sqrt(path.covariances[-1].diagonal()[:3] @ np.ones(3)) == pytest.approx(known)
+
+
+def test_a_considered_calibration_is_judged_with_and_without(room, tmp_path, capsys):
+    truth = str(room / "groundtruth_0.txt")
+    wrong = ["--calibration-std", "intrinsics=0,0,3,3", "--calibration-std", "offset=0.3", "--reference", truth]
+    s = considered(room, capsys, *wrong)
+    assert list(s["calibration"]["errors"]) == ["intrinsics[2]", "intrinsics[3]", "offset[0]"]
+    assert s["reference"]["nees"]["median"] < s["calibration"]["without"]["nees"]
+    plain_run = considered(room, capsys, "--reference", truth)
+    assert plain_run["calibration"] is None
+    assert plain_run["reference"]["nees"]["median"] == s["calibration"]["without"]["nees"]
+    assert main(words(room, "--frames", "6", "--odometry-only", *wrong)) == 0
+    assert "calibration considered " in (shown := capsys.readouterr().out)
+    assert "; without its errors " in shown
+
+
+@pytest.mark.parametrize(
+    ("said", "why"),
+    [
+        ("focal=1", "parameter of this calibration"),
+        ("intrinsics=1,2", "4 numbers"),
+        ("offset=-1", "from zero on"),
+        ("offset=much", "from zero on"),
+        ("offset", "NAME=VALUE"),
+    ],
+)
+def test_calibration_errors_that_cannot_be_considered_are_refused_before_the_run(room, said, why, capsys):
+    assert main(words(room, "--calibration-std", said)) == 2
+    assert why in capsys.readouterr().err
+
+
+def test_a_run_that_is_lost_with_a_wrong_calibration_keeps_what_is_known(room, capsys):
+    assert (
+        main(words(room, "--json", "--frames", "6", "--patience", "2", "--calibration-std", "intrinsics=0,0,1e9,0"))
+        == 2
+    )
+    out = capsys.readouterr()
+    assert "the calibration is taken for exact" in out.err
+    assert json.loads(out.out)["frames"] == 6
+    assert json.loads(out.out)["calibration"] is None

@@ -18,6 +18,7 @@ COLUMNS = (
 )
 NEAR = 40.0  # baselines: nearer points tell how long a step was, the others where it turned (Mur-Artal, Tardos 2017)
 LASTING, FEW_NEAR = 0.3, 6.0  # the largest correlation of innovations, the least near points, of a run without warnings
+OVERCONFIDENT = 10.0  # the largest median NEES, per degree of freedom, of a run without a warning
 Whitened = dict[int, Array]  # innovations in units of their standard deviations, uncorrelated; by landmark
 
 
@@ -114,7 +115,7 @@ def summary(result: ImageResult) -> dict[str, Any]:
 
 
 def summary_warnings(s: dict[str, Any]) -> list[str]:
-    """Warnings that a summary gives by its own covariances, in sentences; no reference is needed."""
+    """Warnings that a summary gives, in sentences: by its own covariances, and by its "reference", if there is one."""
     found, lasts, near = [], s["innovation_correlation"], s["near_mean"]
     if lasts is not None and lasts > max(LASTING, 4 * s["innovation_correlation_std"]):
         found.append(
@@ -124,6 +125,12 @@ def summary_warnings(s: dict[str, Any]) -> list[str]:
     if near is not None and near < FEW_NEAR:
         few = f"only {near:.1f} points per frame are nearer than {NEAR:g} baselines"
         found.append(f"{few}: how far each step went is hardly measured")
+    known = (s.get("reference") or {}).get("nees")
+    if known and known["median"] > OVERCONFIDENT * known["dof"]:
+        times = (known["median"] / known["dof"]) ** 0.5
+        found.append(
+            f"errors are about {times:.0f} times as large as the covariances claim: NEES {known['median']:.3g}"
+        )
     return found
 
 
@@ -149,6 +156,18 @@ def table(s: dict[str, Any]) -> list[tuple[str, str]]:
         ("landmarks", f"{s['landmarks']} in the map, {s['initialized']} initialized, {s['deleted']} deleted"),
         ("state", f"{s['state']} degrees of freedom"),
         ("path", f"{s['path_length']:.3f} {unit} long"),
+        *_calibration(s.get("calibration"), unit),
         ("milliseconds per frame", f"{sum(s['milliseconds'].values()):.1f}: {parts} (medians)"),
     ]
     return rows + comparison.rows(s["reference"]) if s.get("reference") else rows
+
+
+def _calibration(found: dict[str, Any] | None, unit: str) -> list[tuple[str, str]]:
+    """The row of a calibration whose errors are considered, if they are."""
+    if found is None:
+        return []
+    ends = [
+        f"{found[key]['position_sigma']:.3g} {unit}, {found[key]['orientation_sigma']:.2g} degrees"
+        for key in ("with", "without")
+    ]
+    return [("calibration considered", "sigma at the end {}; without its errors {}".format(*ends))]

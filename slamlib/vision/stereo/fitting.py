@@ -43,13 +43,16 @@ class Fit:
 def fit(calibration: Calibration, extrinsics: Array, old: Array, new: Array, start: Array, inliers: Mask) -> Fit | None:
     """Maximum-likelihood pose for measurements (n, 3) [px] with the calibration's noise in both pairs, from `start`.
 
-    Twice: with the given inliers, and with those that pass the first result's gate. None if too few.
+    Twice: with the given inliers, and with those that pass the first result's gate. None if too few, or ill placed.
     """
     pose, keep = start, inliers
     for _ in range(2):
         if keep.sum() < 3:
             return None
-        pose, covariance = _minimum(calibration, extrinsics, old[keep], new[keep], pose)
+        try:
+            pose, covariance = _minimum(calibration, extrinsics, old[keep], new[keep], pose)
+        except np.linalg.LinAlgError:  # points at one spot, or beyond infinity, determine no pose
+            return None
         e, _, _, S = _linear(calibration, extrinsics, old, new, pose, old)
         squares = (e * np.linalg.solve(S, e[..., None])[..., 0]).sum(-1)
         chosen, keep = keep, keep & (squares < gate(GATE_PROBABILITY, 3))
