@@ -1,6 +1,6 @@
 """Points observed by a camera on a robot, with all Jacobians: a batch beside one point after another.
 
-An anchored homogeneous point (seven numbers) is seen by a pin-hole camera with distortion that is mounted on a robot:
+An anchored homogeneous point (seven numbers) is seen by a pin-hole camera with distortion that a robot carries:
 pixel, and Jacobians w.r.t. the robot (six), extrinsics (six), point (seven), intrinsics (four) and distortion.
 Times are CPU times of one run with one BLAS thread, the least of many; "scaled" they are those of a machine that takes
 0.36 ms for the bare product W'W by which the covariance of 600 states is updated when 20 points are seen.
@@ -65,9 +65,9 @@ def by_hand(calibration: Calibration, robot: Any, extrinsics: Any, landmark: Any
     by_turn = J @ skew(h)
     in_robot = r.T @ world  # the turn of the robot moves the camera too
     by_robot = np.hstack([by_t, J @ m.T @ skew(in_robot) + by_t @ -r @ skew(extrinsics[:3])])
-    by_mount = np.hstack([by_t @ r, by_turn])
+    by_extrinsics = np.hstack([by_t @ r, by_turn])
     by_landmark = np.hstack([-by_t, J @ R.T, (J @ R.T @ (landmark[:3] - t))[:, None]])
-    return np.array([u0 + au * f * p, v0 + av * f * q]), by_robot, by_mount, by_landmark
+    return np.array([u0 + au * f * p, v0 + av * f * q]), by_robot, by_extrinsics, by_landmark
 
 
 def skew(v: Any) -> Any:

@@ -15,7 +15,7 @@ import numpy as np
 
 from slamlib.geometry.pose import ORIGIN
 from slamlib.manifolds import Array, Indices
-from slamlib.slam.entities import MountedSensor
+from slamlib.slam.entities import RigSensor
 from slamlib.slam.measurement_update import KIND, Projection, group_by_kind, unprojected
 from slamlib.slam.transport import unobservable
 
@@ -34,7 +34,7 @@ def shifts(kind: Any, states: Array) -> Array:
     return np.concatenate([np.broadcast_to(np.eye(anchor), (len(states), anchor, anchor)), follows], axis=1)
 
 
-def with_anchors(slam: Any, sensor: MountedSensor) -> tuple[Array, Indices]:
+def with_anchors(slam: Any, sensor: RigSensor) -> tuple[Array, Indices]:
     """N (size, 6 + r) of the world and of all anchors, and rows (6 + r,) that tell its columns apart."""
     columns, rows = [unobservable(slam, sensor)], [sensor.columns]
     for group in group_by_kind(slam.landmarks, KIND):
@@ -49,7 +49,7 @@ def with_anchors(slam: Any, sensor: MountedSensor) -> tuple[Array, Indices]:
 
 
 @contextmanager
-def anchors_carried(slam: Any, sensor: MountedSensor) -> Iterator[Projection]:
+def anchors_carried(slam: Any, sensor: RigSensor) -> Iterator[Projection]:
     """As `slamlib.slam.transport.carried`, with the anchors' columns of N beside those of the world."""
     before, rows = with_anchors(slam, sensor)
     motion = np.linalg.inv(before[rows])

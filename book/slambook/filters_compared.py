@@ -22,7 +22,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.kalman.linalg import principal_blocks
 from slamlib.manifolds import Array
-from slamlib.slam.entities import MountedSensor
+from slamlib.slam.entities import RigSensor
 from slamlib.slam.transport import TRANSPORTS
 
 FILTERS, WITH_ANCHORS, ALL_DATA = ("local", "world", "oracle"), "anchors", "all data"
@@ -46,7 +46,7 @@ def with_products(slam: Any) -> Any:
     """
 
     class Products(type(slam.families["points"])):  # type: ignore[misc]
-        def batch_innovation(self, sensor: MountedSensor, expected: Any, measured: Array) -> Any:
+        def batch_innovation(self, sensor: RigSensor, expected: Any, measured: Array) -> Any:
             found = super().batch_innovation(sensor, expected, measured)
             if sensor.block is None or expected.landmarks[0].kind is self.exact:
                 return found

@@ -20,7 +20,7 @@ from slamlib.geometry.pose import ORIGIN, compose, inverse
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array
 from slamlib.slam import Slam
-from slamlib.slam.entities import POSE, MountedSensor, Robot
+from slamlib.slam.entities import POSE, RigSensor, Robot
 from slamlib.slam.linearization import FirstEstimates
 from slamlib.slam.transport import generator
 
@@ -56,7 +56,7 @@ class Oracle(FirstEstimates):
     def _true(self, robot: Robot) -> Array:
         return cast(Truth, self.truth).robots[self._slam.robots.index(robot)]
 
-    def initialized(self, sensor: MountedSensor, kind: Any, mean: Array, noise: Array, feature: Array) -> Array:
+    def initialized(self, sensor: RigSensor, kind: Any, mean: Array, noise: Array, feature: Array) -> Array:
         """The Jacobian (dof, 6) w.r.t. the robot's pose at the truth; the true landmark is kept for `added`.
 
         It is that of equivariance, J N(robot) = N(landmark). feature: of the world, which the landmark is.
@@ -122,7 +122,7 @@ def _at_truth(family: Any, oracle: Oracle, world: World) -> Any:
     known = dict(zip(features.ids.tolist(), features.values, strict=True))
 
     class AtTruth(type(family)):  # type: ignore[misc]
-        def initialize(self, sensor: MountedSensor, kind: Any, value: Array, options: Any) -> Any:
+        def initialize(self, sensor: RigSensor, kind: Any, value: Array, options: Any) -> Any:
             mean, noise, _ = super().initialize(sensor, kind, value, options)
             scan = cast(Scan, oracle._slam.scans[oracle._slam.sensors.index(sensor)])
             measured = scan.features[self.name]

@@ -58,8 +58,8 @@ class Sightings:
         )
         setups = tuple(SensorSetup(str(i), robot=i, type="rangeBearing") for i in range(len(robots)))
         slam = Slam(Rig(robots, setups), replace(self.options, **said))
-        for mounted, (calibration, extrinsics) in zip(slam.sensors, self.sensors, strict=True):
-            mounted.calibration, mounted.given = calibration, extrinsics
+        for rig_sensor, (calibration, extrinsics) in zip(slam.sensors, self.sensors, strict=True):
+            rig_sensor.calibration, rig_sensor.given = calibration, extrinsics
         return slam
 
 

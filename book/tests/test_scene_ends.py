@@ -54,9 +54,9 @@ def from_world(pose, h):
 
 def propagated(slam, sensor, landmark, step=1e-6):
     """H P H' (2, 2, 2) with central differences along every direction of robot, extrinsics and line."""
-    parts = {"robot": sensor.robot.block, "mount": sensor.block, "line": landmark.block}
+    parts = {"robot": sensor.robot.block, "extrinsics": sensor.block, "line": landmark.block}
     parts = {name: block for name, block in parts.items() if block is not None}
-    means = {"robot": sensor.robot.block.mean, "mount": sensor.extrinsics, "line": landmark.block.mean}
+    means = {"robot": sensor.robot.block.mean, "extrinsics": sensor.extrinsics, "line": landmark.block.mean}
     used = {name: 6 if name != "line" else block.dof for name, block in parts.items()}  # of a robot's state, its pose
     rows = np.concatenate([np.arange(block.start, block.start + used[name]) for name, block in parts.items()])
     columns = []
@@ -66,7 +66,7 @@ def propagated(slam, sensor, landmark, step=1e-6):
             for sign in (1, -1):
                 moved = dict(means)
                 moved[name] = block.manifold.plus(means[name], sign * step * np.eye(block.dof)[i])
-                endpoints.append(projected(sensor, moved["robot"][:7], moved["mount"], landmark, moved["line"]))
+                endpoints.append(projected(sensor, moved["robot"][:7], moved["extrinsics"], landmark, moved["line"]))
             columns.append((endpoints[0] - endpoints[1]) / (2 * step))
     H = np.moveaxis(np.array(columns), 0, -1)
     P = slam.belief.matrix[np.ix_(rows, rows)]

@@ -68,11 +68,11 @@ def test_camera_and_odometry_as_gtsam_has_them():
     initial.insert(len(frames), pose3(smoother._states[0][-1]))
     camera = slam.sensors[0]
     u0, v0, au, av = camera.calibration.given["intrinsics"]
-    K, mount = gtsam.Cal3_S2(au, av, 0, u0, v0), pose3(camera.extrinsics)
+    K, extrinsics = gtsam.Cal3_S2(au, av, 0, u0, v0), pose3(camera.extrinsics)
     pixels = gtsam.noiseModel.Gaussian.Covariance(camera.calibration.noise)
     for m in matches:
         key = gtsam.symbol("l", m.landmark.id)
-        graph.add(gtsam.GenericProjectionFactorCal3_S2(m.measured, pixels, m.item, key, K, mount))
+        graph.add(gtsam.GenericProjectionFactorCal3_S2(m.measured, pixels, m.item, key, K, extrinsics))
     for number in found.landmarks:
         initial.insert(gtsam.symbol("l", number), found.point(number)[0] + 0.01)
     best = optimized(graph, initial)

@@ -67,6 +67,27 @@ def test_smoothing_is_the_yardstick_of_the_runs_on_pictures_and_of_the_woods():
     assert KEPT["lost-in-the-woods"]["smoothing"]["nees"]["inside"] < 0.2  # the model is wrong, not the filter
 
 
+def test_a_judge_with_errors_and_a_calibration_with_errors_explain_most_of_nees():
+    judged = {name: row["nees"] for name, row in KEPT.items() if "std" in row}
+    assert len(judged) == 4
+    for name, nees in judged.items():
+        known = nees.get("considered", nees["reference"])
+        assert known <= nees["reference"] < nees["median"]
+        assert (known < 10 * nees["dof"]) == (name != "tum-fr1-rpy")  # which started from priors, and turns only
+    assert {name for name, nees in judged.items() if "considered" in nees} == {"euroc-mh01", "kitti-odometry"}
+
+
+def test_an_error_of_the_calibration_can_be_put_into_a_run(tmp_path):
+    folder = found("kitti-odometry")
+    (tmp_path / "plain").mkdir()
+    (tmp_path / "wrong").mkdir()
+    run, _ = real_sequences.kitti(folder, tmp_path / "plain")
+    wrong, _ = real_sequences.kitti(folder, tmp_path / "wrong", {"intrinsics": (0, 0, 2.0, 0), "offset": (0.1,)})
+    given, more = (r.slam.sensors[0].calibration.given["intrinsics"] for r in (run, wrong))
+    assert more - given == pytest.approx([0, 0, 2.0, 0])
+    assert wrong.slam.front_ends[0].settings.offset - run.slam.front_ends[0].settings.offset == pytest.approx(0.1)
+
+
 def test_tracks_that_slide_mislead_the_filter_and_not_all_data_at_once():
     paths = KEPT["kitti-07-tracks"]["paths"]
     for loop in ("no loop", "loop"):

@@ -136,13 +136,13 @@ def pictures(open_it: Callable[..., Opened], stds: Errors | None = None, *noise:
             "frames_per_second": s["frames"] / spent,
         }  # fmt: skip
         if noise:
-            known, row["std"] = {"reference": path}, {**(stds or {}), "reference": noise}
-            for label, error in single_errors(stds or {}, run).items():
+            paths, row["std"] = {"reference": path}, {**(stds or {}), "reference": noise}
+            for label, single in single_errors(stds or {}, run).items():
                 with tempfile.TemporaryDirectory() as made:
-                    other, _ = open_it(folder, Path(made), error)
+                    other, _ = open_it(folder, Path(made), single)
                     deque(progress(other, len(other), f"{name}, {label}"), maxlen=0)
-                known["considered"] = known.get("considered", path).considering(other.trajectory())
-            for key, one in known.items():
+                paths["considered"] = paths.get("considered", path).considering(other.trajectory())
+            for key, one in paths.items():
                 row["nees"][key] = compared(one, reference, run.source.interval, run.metric, noise)[0]["nees"]["median"]
         if len(smooth.poses) == len(path):
             known = Trajectory(path.times, smooth.poses[:, 0]).sensor_trajectory(run.slam.sensors[0].extrinsics)

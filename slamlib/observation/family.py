@@ -21,7 +21,7 @@ from slamlib.sensors.sensor import Calibration
 
 if TYPE_CHECKING:  # the filter is above this folder; only the type checker imports it
     from slamlib.belief import Belief
-    from slamlib.slam.entities import Landmark, MountedSensor
+    from slamlib.slam.entities import Landmark, RigSensor
     from slamlib.slam.linearization import Linearization
     from slamlib.slam.options import Options
 
@@ -67,7 +67,7 @@ class Viewpoint(NamedTuple):
     the rows `columns` of the joint covariance.
     """
 
-    sensor: MountedSensor
+    sensor: RigSensor
     pose: Array
     linearization_pose: Array
     jacobian: Array
@@ -80,7 +80,7 @@ class Viewpoint(NamedTuple):
         return np.array([self.linearization.at(landmark.block) for landmark in landmarks])
 
 
-def viewpoint(sensor: MountedSensor, robot: Array | None = None) -> Viewpoint:
+def viewpoint(sensor: RigSensor, robot: Array | None = None) -> Viewpoint:
     """The sensor's viewpoint from its robot's pose and its extrinsics; robot (7,): another pose of its robot."""
     linearization, pose = sensor.linearization, sensor.robot.pose if robot is None else robot
     is_estimated = sensor.block is not None
@@ -109,7 +109,7 @@ def state_rows(landmarks: list[Landmark]) -> Indices:
     return starts[:, None] + np.arange(landmarks[0].block.dof)
 
 
-def state_columns(sensor: MountedSensor, landmarks: list[Landmark]) -> Indices:
+def state_columns(sensor: RigSensor, landmarks: list[Landmark]) -> Indices:
     """Rows (n, k) of the joint covariance on which each landmark's measurement depends; landmarks of one kind."""
     shared, own = sensor.columns, state_rows(landmarks)
     columns = np.empty((len(own), len(shared) + own.shape[1]), dtype=int)
@@ -158,11 +158,11 @@ class Family(ABC):
         """Numbers in a measurement of one landmark."""
         return calibration.sensor.size
 
-    def supports(self, sensor: MountedSensor) -> bool:
+    def supports(self, sensor: RigSensor) -> bool:
         """Whether a sensor, which has `calibration`, measures landmarks of this family: here, every sensor."""
         return True
 
-    def usable(self, sensor: MountedSensor, values: Array, options: Options) -> Mask:
+    def usable(self, sensor: RigSensor, values: Array, options: Options) -> Mask:
         """Mask (n,) of the measurements (n, m) by which a landmark may be initialized."""
         return np.ones(len(values), dtype=bool)
 
@@ -172,7 +172,7 @@ class Family(ABC):
         measurement, or what `residual` takes; the mask of those in view; and the Jacobians w.r.t. the pose (n, q, 6)
         and the landmark (n, q, dof), as `jacobians.camera` and `jacobians.landmark`."""
 
-    def residual(self, sensor: MountedSensor, inner: Array, by: Array, measured: Array, options: Any) -> Innovation:
+    def residual(self, sensor: RigSensor, inner: Array, by: Array, measured: Array, options: Any) -> Innovation:
         """Innovation, measured minus predicted: of one measurement (m,) or many (n, m), from `observe`'s results, with
         its Jacobian `by` w.r.t. the rows of the covariance."""
         z, noise = sensor.calibration.sensor.manifold.minus(measured, inner), sensor.calibration.noise
@@ -191,7 +191,7 @@ class Family(ABC):
         by = columns_jacobian(view, J.camera.take(seen, axis=0), J.landmark.take(seen, axis=0))
         return PredictedBatch(looked, value, value, by, state_columns(view.sensor, looked), options)
 
-    def batch_innovation(self, sensor: MountedSensor, expected: PredictedBatch, measured: Array) -> Innovation:
+    def batch_innovation(self, sensor: RigSensor, expected: PredictedBatch, measured: Array) -> Innovation:
         """Innovations of measurements (n, m) of predicted landmarks."""
         return self.residual(sensor, expected.innovation_input, expected.jacobian, measured, expected.options)
 
@@ -212,7 +212,7 @@ class Family(ABC):
 
     @abstractmethod
     def initialize(
-        self, sensor: MountedSensor, kind: Any, value: Array, options: Options
+        self, sensor: RigSensor, kind: Any, value: Array, options: Options
     ) -> tuple[Array, Array, list[Array]]:
         """Mean (size,), own noise (dof, dof) and Jacobians (dof, 6) w.r.t. robot and extrinsics of a new landmark."""
 
@@ -221,7 +221,7 @@ class Family(ABC):
         return np.array(kind.abscissas, dtype=float) if hasattr(kind, "abscissas") else None
 
     def after_update(  # noqa: B027 - most families have nothing to do here, nor in `check`
-        self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options
+        self, belief: Belief, sensor: RigSensor, landmarks: list[Landmark], measured: Array, options: Options
     ) -> None:
         """Treat landmarks of one kind after a measurement update: here, do nothing."""
 

@@ -25,7 +25,7 @@ from slamlib.sensors.sensor import Calibration
 
 if TYPE_CHECKING:
     from slamlib.belief import Belief
-    from slamlib.slam.entities import Landmark, MountedSensor
+    from slamlib.slam.entities import Landmark, RigSensor
     from slamlib.slam.options import Options
 
 PLACEHOLDER_POINT = np.array([0.25, 0.5, 1, 1])  # for points that cannot be measured: so their rows are finite
@@ -161,7 +161,7 @@ class PointFamily(Family):
     parametrizations = POINTS
     exact = EUC_POINT
 
-    def usable(self, sensor: MountedSensor, values: Array, options: Options) -> Mask:
+    def usable(self, sensor: RigSensor, values: Array, options: Options) -> Mask:
         """Mask (n,) of the measurements (n, m) that may initialize a landmark: not too near the image's border."""
         image = sensor.calibration.image
         return sensor.calibration.inside(values, 0.0 if image is None else options.margin * image[0])
@@ -179,7 +179,7 @@ class PointFamily(Family):
         return np.where(seen, calibration.project(np.where(seen, in_frame, PLACEHOLDER_POINT)), np.nan)
 
     def initialize(
-        self, sensor: MountedSensor, kind: PointLandmark, value: Array, options: Options
+        self, sensor: RigSensor, kind: PointLandmark, value: Array, options: Options
     ) -> tuple[Array, Array, list[Array]]:
         """Mean, own noise and Jacobians w.r.t. robot and extrinsics of a new point. Chapter initialization."""
         mean, std = options.inverse_distance
@@ -192,7 +192,7 @@ class PointFamily(Family):
         return x, own, [J.robot, J.extrinsics]
 
     def after_update(
-        self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options
+        self, belief: Belief, sensor: RigSensor, landmarks: list[Landmark], measured: Array, options: Options
     ) -> None:
         """After a measurement update: convert points that are known well enough to Euclidean ones. Chapter points."""
         kind = landmarks[0].kind

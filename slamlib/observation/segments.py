@@ -27,7 +27,7 @@ from slamlib.sensors.sensor import Calibration
 
 if TYPE_CHECKING:
     from slamlib.belief import Belief
-    from slamlib.slam.entities import Landmark, MountedSensor
+    from slamlib.slam.entities import Landmark, RigSensor
     from slamlib.slam.options import Options
 
 CONVERGED_RATIO = 0.1  # of a segment's length: the largest standard deviation of an endpoint of a converged line
@@ -46,11 +46,11 @@ class LineFamily(Family):
         """A segment is two pixels."""
         return 4
 
-    def supports(self, sensor: MountedSensor) -> bool:
+    def supports(self, sensor: RigSensor) -> bool:
         """Lines need a camera that maps them to straight lines, and has an image."""
         return sensor.calibration.sensor.project_line is not None and sensor.calibration.image is not None
 
-    def usable(self, sensor: MountedSensor, values: Array, options: Options) -> Mask:
+    def usable(self, sensor: RigSensor, values: Array, options: Options) -> Mask:
         """Mask (n,) of the segments (n, 4) that may initialize a landmark: long enough."""
         return segments.length(values) >= options.minimum_length
 
@@ -78,13 +78,13 @@ class LineFamily(Family):
         visible: Any = np.True_ if line.ndim == 1 else np.ones(line.shape[:-1], dtype=bool)
         return line, visible, named({"camera": J.pose, "landmark": J.landmark})
 
-    def residual(self, sensor: MountedSensor, inner: Array, by: Array, measured: Array, options: Any) -> Innovation:
+    def residual(self, sensor: RigSensor, inner: Array, by: Array, measured: Array, options: Any) -> Innovation:
         """Residuals (n, 2) of measured segments (n, 4) from lines (n, 6) in the sensor's frame; options.innovation."""
         z, by_line, by_segment = RESIDUALS[options.innovation](sensor.calibration, inner, measured)
         return Innovation(z, -by_line @ by, by_segment @ _noise(sensor) @ by_segment.swapaxes(-1, -2))
 
     def initialize(
-        self, sensor: MountedSensor, kind: LineLandmark, value: Array, options: Options
+        self, sensor: RigSensor, kind: LineLandmark, value: Array, options: Options
     ) -> tuple[Array, Array, list[Array]]:
         """Mean, own noise and Jacobians w.r.t. robot and extrinsics of a new line. Chapter initialization."""
         means, stds = (np.array(numbers) for numbers in options.line_prior(kind.name))
@@ -93,7 +93,7 @@ class LineFamily(Family):
         return x, own, [J.robot, J.extrinsics]
 
     def after_update(
-        self, belief: Belief, sensor: MountedSensor, landmarks: list[Landmark], measured: Array, options: Options
+        self, belief: Belief, sensor: RigSensor, landmarks: list[Landmark], measured: Array, options: Options
     ) -> None:
         """After an update: enforce the line constraint, let the endpoints follow the measured ones. Chapter lines."""
         kind = landmarks[0].kind
@@ -162,7 +162,7 @@ class LineFamily(Family):
 LINE_FAMILY = LineFamily()
 
 
-def _noise(sensor: MountedSensor) -> Array:
+def _noise(sensor: RigSensor) -> Array:
     """Noise (4, 4) of a segment: of two pixels."""
     noise = np.zeros((4, 4))
     noise[:2, :2] = noise[2:, 2:] = sensor.calibration.noise[:2, :2]

@@ -33,7 +33,7 @@ class Robot:
 
 
 @dataclass(eq=False)
-class MountedSensor:
+class RigSensor:
     """A sensor on a robot; its extrinsics are given, or a block of the map that is estimated.
 
     linearization: the linearization points of its measurements; None: the present means.

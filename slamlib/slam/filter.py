@@ -18,7 +18,7 @@ from slamlib.observation import FAMILIES, Family
 from slamlib.slam import checkpoint, transport
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.front_end import FrontEnd, FrontEndInput, KnownAssociation
-from slamlib.slam.entities import Landmark, MountedSensor, Robot
+from slamlib.slam.entities import Landmark, RigSensor, Robot
 from slamlib.slam.linearization import FirstEstimates, Linearization
 from slamlib.slam.map_management import Report, is_bad, out_of_window, prune_candidate
 from slamlib.slam.measurement_update import (
@@ -48,7 +48,7 @@ class Slam:
         self.belief = Belief()
         self.robots = [Robot(r.name, r.model, self.belief.add(r.model.manifold, r.state, r.covariance), r.noise)
                        for r in rig.robots]  # fmt: skip
-        self.sensors = [self._mounted(s) for s in rig.sensors]
+        self.sensors = [self._rig_sensor(s) for s in rig.sensors]
         self.front_ends: list[FrontEnd] = list(front_ends or [KnownAssociation()] * len(self.sensors))
         if len(self.front_ends) != len(self.sensors):
             raise SlamlibError(f"Slam: {len(self.sensors)} sensors need as many front ends, got {len(self.front_ends)}")
@@ -74,9 +74,9 @@ class Slam:
             self.linearization = FirstEstimates() if options.error == "first-estimates" else None
         self._options = options
 
-    def _mounted(self, setup: Any) -> MountedSensor:
+    def _rig_sensor(self, setup: Any) -> RigSensor:
         block = self.belief.add(Pose, setup.extrinsics, setup.covariance) if setup.estimated else None
-        return MountedSensor(setup.name, self.robots[setup.robot], setup.calibration, setup.extrinsics, block)
+        return RigSensor(setup.name, self.robots[setup.robot], setup.calibration, setup.extrinsics, block)
 
     @property
     def linearization(self) -> Linearization | None:

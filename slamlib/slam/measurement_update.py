@@ -17,7 +17,7 @@ from slamlib.manifolds import Array, Euclidean, Indices
 from slamlib.observation.family import Family, Innovation, PredictedBatch, viewpoint
 from slamlib.slam.data_association.front_end import FrontEnd, FrontEndInput
 from slamlib.slam.data_association.gates import SELECTIONS, gate, innovation_covariances, mahalanobis_squared
-from slamlib.slam.entities import POSE, Landmark, MountedSensor, Robot
+from slamlib.slam.entities import POSE, Landmark, RigSensor, Robot
 
 if TYPE_CHECKING:
     from slamlib.slam.linearization import Linearization
@@ -75,7 +75,7 @@ Predictions = list[PredictedMeasurement]
 
 def predict_measurements(
     belief: Belief,
-    sensor: MountedSensor,
+    sensor: RigSensor,
     families: Mapping[str, Family],
     landmarks: list[Landmark],
     options: Options,
@@ -105,9 +105,9 @@ def predict_measurements(
 
 def predict_from_pose(slam: Any, motion: Array, sensor: int = 0) -> Predictions:
     """Predict a sensor's measurements after its robot moved by a pose (7,) in its frame; the filter is unchanged."""
-    mounted = slam.sensors[sensor]
-    robot = compose(mounted.robot.pose, motion)
-    return predict_measurements(slam.belief, mounted, slam.families, slam.landmarks, slam.options, robot)
+    rig_sensor = slam.sensors[sensor]
+    robot = compose(rig_sensor.robot.pose, motion)
+    return predict_measurements(slam.belief, rig_sensor, slam.families, slam.landmarks, slam.options, robot)
 
 
 def select_and_match(inputs: FrontEndInput, front_end: FrontEnd, options: Options) -> Predictions:
@@ -139,7 +139,7 @@ def unprojected(columns: Indices, H: Array) -> Array:
 
 
 def update_sequentially(
-    belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options, project: Projection = unprojected
+    belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options, project: Projection = unprojected
 ) -> None:
     """Update by one landmark after another, each predicted anew at the current mean."""
     with belief.sequential_update() as sequence:
@@ -152,7 +152,7 @@ def update_sequentially(
                 prediction.apply_gate(sequence.update(columns, H, found.z, found.R, limit).nis, limit)
 
 
-def innovations(sensor: MountedSensor, group: Predictions) -> tuple[PredictedBatch, Innovation]:
+def innovations(sensor: RigSensor, group: Predictions) -> tuple[PredictedBatch, Innovation]:
     """Predicted measurements of matched landmarks of one kind, and their innovations."""
     expected = group[0].batch.take([prediction.row for prediction in group])
     measured = np.array([prediction.measured for prediction in group])
@@ -165,7 +165,7 @@ def innovation_squares(belief: Belief, expected: PredictedBatch, found: Innovati
     return mahalanobis_squared(found.z, S).tolist()
 
 
-def update_in_batch(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> None:
+def update_in_batch(belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options) -> None:
     """Update by all measurements in one batch, linearized at the predicted mean."""
     parts = []
     for group in group_by_kind(predictions):
@@ -193,7 +193,7 @@ def _stacked(parts: list[tuple[Indices, Array, Array, Array]]) -> tuple[Indices,
     return touched, H, z, R
 
 
-def after_update(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> None:
+def after_update(belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options) -> None:
     """Let each family treat its updated landmarks: convert points, constrain lines, move endpoints."""
     for group in group_by_kind(prediction for prediction in predictions if prediction.inlier):
         landmarks = [prediction.landmark for prediction in group]

@@ -9,7 +9,7 @@ from slamlib.data.snapshots import MapView, MeasurementView, RobotView, SensorVi
 from slamlib.manifolds import Array
 from slamlib.observation.family import columns_jacobian, state_columns, viewpoint
 from slamlib.observation.segments import project_endpoints
-from slamlib.slam.entities import POSE, Landmark, MountedSensor
+from slamlib.slam.entities import POSE, Landmark, RigSensor
 from slamlib.slam.measurement_update import KIND, group_by_kind
 
 COLUMNS = {"chosen": bool, "matched": bool, "inlier": bool, "nis": float}
@@ -27,7 +27,7 @@ def snapshot_of(slam: Any) -> Snapshot:
     return Snapshot(slam.number, slam.time, robots, sensors, landmarks, slam.belief.size)
 
 
-def _sensor_view(slam: Any, i: int, sensor: MountedSensor) -> SensorView:
+def _sensor_view(slam: Any, i: int, sensor: RigSensor) -> SensorView:
     covariance = np.zeros((POSE, POSE)) if sensor.block is None else slam.belief.covariance(sensor.block)
     predictions = {
         f.name: _measurement_view(slam, i, f.name, f.size(sensor.calibration)) for f in slam.families.values()
@@ -59,7 +59,7 @@ def _measurement_view(slam: Any, i: int, family: str, size: int) -> MeasurementV
     )
 
 
-def endpoints_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
+def endpoints_in_image(belief: Belief, sensor: RigSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
     """The two endpoints of lines in the image (n, 2, 2) [px] and their covariances (n, 2, 2, 2), as estimated now.
 
     The covariance is H P H' of robot, extrinsics and line together, for endpoints fixed on the line (in the manual
@@ -74,7 +74,7 @@ def endpoints_in_image(belief: Belief, sensor: MountedSensor, landmarks: list[La
     return endpoints, endpoint_covariances
 
 
-def _of_one_kind(belief: Belief, sensor: MountedSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
+def _of_one_kind(belief: Belief, sensor: RigSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
     view, abscissas = viewpoint(sensor), np.array([landmark.abscissas for landmark in landmarks])
     ahead, pixel, parts = project_endpoints(sensor.calibration, view.pose, landmarks, abscissas)
     by_point, by_pose, by_place, by_line = parts

@@ -17,7 +17,7 @@ from slamlib.geometry.pose import ORIGIN, compose
 from slamlib.kalman.state import Block, places
 from slamlib.manifolds import Array, Euclidean, Indices, read_only
 from slamlib.observation.family import landmark_means, state_rows
-from slamlib.slam.entities import POSE, MountedSensor
+from slamlib.slam.entities import POSE, RigSensor
 from slamlib.slam.measurement_update import KIND, Projection, group_by_kind, unprojected
 
 
@@ -69,7 +69,7 @@ def _places(group: list[Any]) -> Indices | None:
     return places([landmark.block for landmark in group]) if type(group[0].block.manifold) is Euclidean else None
 
 
-def trade(size: int, sensor: MountedSensor, extrinsics: Block) -> Array:
+def trade(size: int, sensor: RigSensor, extrinsics: Block) -> Array:
     """N (size, 6) of the motions of robot and extrinsics against each other, which leave the sensor where it is."""
     N = np.zeros((size, 6))
     N[sensor.robot.block.start + np.arange(POSE)] = compose.jac(sensor.robot.pose, ORIGIN)[1].inner
@@ -77,14 +77,14 @@ def trade(size: int, sensor: MountedSensor, extrinsics: Block) -> Array:
     return N
 
 
-def unobservable(slam: Any, sensor: MountedSensor) -> Array:
+def unobservable(slam: Any, sensor: RigSensor) -> Array:
     """What this sensor's measurements cannot tell (size, 6), or (size, 12) where its extrinsics are estimated."""
     N, extrinsics = generators(slam), sensor.block
     return N if extrinsics is None else np.concatenate([N, trade(len(N), sensor, extrinsics)], axis=1)
 
 
 @contextmanager
-def carried(slam: Any, sensor: MountedSensor) -> Iterator[Projection]:
+def carried(slam: Any, sensor: RigSensor) -> Iterator[Projection]:
     """Within the block one update moves the means, and the covariance follows them: T P T', T N(before) = N(after).
 
     T = I + (N(after) - N(before)) L, where L reads the motion of the world from the errors of the sensor's robot and
@@ -111,13 +111,13 @@ def carried(slam: Any, sensor: MountedSensor) -> Iterator[Projection]:
         slam.belief.transport = None
 
 
-def kept(slam: Any, sensor: MountedSensor) -> AbstractContextManager[Projection]:
+def kept(slam: Any, sensor: RigSensor) -> AbstractContextManager[Projection]:
     """The covariance stays as the update leaves it."""
     return nullcontext(unprojected)
 
 
 # What happens to the covariance around an update, by the error whose covariance it is.
-TRANSPORTS: dict[str, Callable[[Any, MountedSensor], AbstractContextManager[Projection]]] = {
+TRANSPORTS: dict[str, Callable[[Any, RigSensor], AbstractContextManager[Projection]]] = {
     "local": kept,
     "first-estimates": kept,
     "world": carried,

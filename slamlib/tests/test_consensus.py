@@ -53,10 +53,10 @@ def before_a_correction(p, sensor=0, rate=0.0):
     for frame in frames[:-1]:
         slam.step(frame)
     slam._predict(slam.robots[0], frames[-1].controls[0], frames[-1].dt)
-    mounted = slam.sensors[sensor]
-    predictions = predict_measurements(slam.belief, mounted, slam.families, slam.landmarks, slam.options)
-    inputs = FrontEndInput(frames[-1].scans[sensor], mounted, predictions)
-    return slam, mounted, select_and_match(inputs, Wrong(rate, np.random.default_rng(0)), p.options)
+    rig_sensor = slam.sensors[sensor]
+    predictions = predict_measurements(slam.belief, rig_sensor, slam.families, slam.landmarks, slam.options)
+    inputs = FrontEndInput(frames[-1].scans[sensor], rig_sensor, predictions)
+    return slam, rig_sensor, select_and_match(inputs, Wrong(rate, np.random.default_rng(0)), p.options)
 
 
 @pytest.fixture(scope="module")

@@ -17,7 +17,7 @@ from slamlib.observation.points import observe, observe_from
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.gates import mahalanobis_squared
-from slamlib.slam.entities import MountedSensor, Robot
+from slamlib.slam.entities import RigSensor, Robot
 from slamlib.tests.beliefs import random_covariance
 
 PLACEHOLDER_POINT = np.array(
@@ -36,19 +36,19 @@ def camera(**changes):
     return Calibration(PINHOLE, np.eye(2), image=(640, 480), **given)
 
 
-def mounted(rng, *, estimated):
+def rig_sensor(rng, *, estimated):
     """A camera on a robot, in a belief."""
     belief, odometry = Belief(), motion("odometry")
     near = np.array([0.0, 0, 0, 1, 0, 0, 0])
     robot = Robot("robot", odometry, belief.add(Pose, Pose.plus(near, 0.1 * rng.standard_normal(6)), np.eye(6)), None)
     extrinsics = Pose.plus(near, 0.1 * rng.standard_normal(6))
     block = belief.add(Pose, extrinsics, np.eye(6)) if estimated else None
-    return belief, MountedSensor("camera", robot, camera(), extrinsics, block)
+    return belief, RigSensor("camera", robot, camera(), extrinsics, block)
 
 
 @pytest.mark.parametrize("estimated", [False, True])
 def test_the_viewpoint_a_sensor_follows_every_change(rng, estimated):
-    belief, sensor = mounted(rng, estimated=estimated)
+    belief, sensor = rig_sensor(rng, estimated=estimated)
     blocks = sensor.blocks
     for _ in range(3):
         for block in blocks:
@@ -72,7 +72,7 @@ def test_the_viewpoint_a_sensor_follows_every_change(rng, estimated):
 @pytest.mark.parametrize("estimated", [False, True])
 @pytest.mark.parametrize("lead", [(), (2,), (30,)])
 def test_jacobians_wrt_the_sensor_pose_are_those_wrt_robot_and_extrinsics(rng, estimated, lead):
-    _, sensor = mounted(rng, estimated=estimated)
+    _, sensor = rig_sensor(rng, estimated=estimated)
     points = PLACEHOLDER_POINT + 0.01 * rng.standard_normal((*lead, 7))
     whole = observe(AHM_POINT, sensor.calibration, sensor.robot.pose, sensor.extrinsics, points)
     place = viewpoint(sensor)

@@ -158,11 +158,11 @@ def test_flat_patches_stay_where_they_were():
 def test_disparities_in_the_room_are_right(film):
     rig, frames, made = film
     frame, truth = frames[0]
-    mounted = rig.sensors[0]
-    seen = StereoFeatureExtractor(mounted.calibration).extract(frame.scans[0].image)
-    camera = compose(truth.robots[0][:7], mounted.extrinsics)
+    rig_sensor = rig.sensors[0]
+    seen = StereoFeatureExtractor(rig_sensor.calibration).extract(frame.scans[0].image)
+    camera = compose(truth.robots[0][:7], rig_sensor.extrinsics)
     points = made.truth_of(truth, seen.values[:, :2])
-    expected = mounted.calibration.project(EUC_POINT.to_frame(camera, points))
+    expected = rig_sensor.calibration.project(EUC_POINT.to_frame(camera, points))
     error = seen.values[:, 2] - expected[:, 2]
     assert len(seen) > 80
     assert np.median(np.abs(error)) < 0.1  # px

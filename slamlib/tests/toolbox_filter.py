@@ -18,7 +18,7 @@ from slamlib.observation.points import PointFamily
 from slamlib.observation.segments import LineFamily
 from slamlib.slam import Slam
 from slamlib.slam.data_association.front_end import FrontEndInput
-from slamlib.slam.entities import MountedSensor
+from slamlib.slam.entities import RigSensor
 from slamlib.slam.measurement_update import after_update, predict_measurements, select_and_match, update_sequentially
 
 SWITCHES = {
@@ -36,7 +36,7 @@ def by_determinant(E, count):
 
 
 @dataclass(eq=False)
-class SevenSensor(MountedSensor):
+class SevenSensor(RigSensor):
     """A sensor whose robot's pose has seven rows in the covariance."""
 
     @property

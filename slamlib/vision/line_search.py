@@ -24,7 +24,7 @@ from slamlib.vision.front_end import ImageFrontEnd
 
 SAME = 1.0  # [px]: two fits closer than this are of the same edge
 TWINS = 1.5  # [px]: two landmarks whose edges are closer than this are the same
-NUDGE = 1e-3  # [px]: step of the numerical derivative of the innovation w.r.t. an endpoint
+DIFFERENCE_STEP = 1e-3  # [px]: step of the numerical derivative of the innovation w.r.t. an endpoint
 FLANK = 2.0  # [px]: lines closer than this are of the same edge
 
 
@@ -157,10 +157,10 @@ def across_covariances(predictions: list[Any], sensor: Any) -> Array:
         own, ideal = [predictions[i].row for i in rows], undistort_segments(sensor.calibration, expected.value)[0]
         right = axes(ideal[own])[1]
         none = np.zeros_like(right)
-        moved = [ideal[own] + NUDGE * np.concatenate(m, axis=-1) for m in ((right, none), (none, right))]
+        moved = [ideal[own] + DIFFERENCE_STEP * np.concatenate(m, axis=-1) for m in ((right, none), (none, right))]
         measured = distort_segments(sensor.calibration, np.concatenate(moved))
         z = predictions[rows[0]].family.batch_innovation(sensor, expected.take(own + own), measured).z
-        inverse = np.linalg.inv(z.reshape(2, len(own), 2).transpose(1, 2, 0) / NUDGE)
+        inverse = np.linalg.inv(z.reshape(2, len(own), 2).transpose(1, 2, 0) / DIFFERENCE_STEP)
         found[rows] = inverse @ np.array([predictions[i].S for i in rows]) @ inverse.swapaxes(-1, -2)
     return found
 

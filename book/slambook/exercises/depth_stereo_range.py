@@ -30,7 +30,7 @@ def innovation(candidate: Candidate, rng: Rng) -> None:
     """The short way round, for any number of turns; range and pitch are left alone; batches."""
     turn = 2 * np.pi * np.array([0, 1, 0])
     for _ in cases(range(10)):
-        expected, step = rng.uniform(-3, 3, 3), rng.uniform(-3, 3, 3) * [4, 1, 1]
+        expected, step = rng.uniform(-3, 3, 3), rng.uniform(-3, 3, 3) * [4, 1, 2]
         turns = rng.integers(-3, 4)
         given(f"{turns} turns apart")
         found = array_of(candidate(expected + step + turns * turn, expected), (3,), "the innovation")

@@ -40,8 +40,8 @@ def slerp(candidate: Candidate, rng: Rng) -> None:
     same(rotation(candidate(quarter, product(quarter, quarter), 0.5))[0, 0], -np.sqrt(0.5), "halfway is halfway")
 
 
-@exercise("frames_and_quaternions.4", "the nudge that is still small", seed=64)
-def safe_nudge(candidate: Candidate, rng: Rng) -> None:
+@exercise("frames_and_quaternions.4", "the perturbation that is still small", seed=64)
+def safe_perturbation(candidate: Candidate, rng: Rng) -> None:
     """At the candidate's angle the book's own Jacobian is wrong by the share asked for."""
     asked = ((share, distance) for share in (0.001, 0.01, 0.05, 0.1) for distance in (0.5, 10.0, 300.0))
     for share, distance in cases(asked, "a share of {} and a point at {} m"):
@@ -60,18 +60,18 @@ def safe_nudge(candidate: Candidate, rng: Rng) -> None:
 
 @exercise("frames_and_quaternions.5", "a covariance from another convention", seed=65)
 def to_own_axes(candidate: Candidate, rng: Rng) -> None:
-    """Against differences of the other convention's nudge, measured with this book's minus."""
+    """Against differences of the other convention's perturbation, measured with this book's minus."""
     for _ in range(4):
         pose, root = Pose.random(rng), rng.standard_normal((6, 6))
         P = root @ root.T
         found = covariance(candidate(pose, P), 6)
 
-        def nudged(step: Array, pose: Array = pose) -> Array:
+        def perturbed(step: Array, pose: Array = pose) -> Array:
             """The step as a tangent vector, taken in the world's axes."""
             moved = np.concatenate([pose[:3] + step[:3], product(exponential(step[3:]), pose[3:])])
             return np.asarray(Pose.minus(moved, pose))
 
-        J = differences(nudged, np.zeros(6))
+        J = differences(perturbed, np.zeros(6))
         expected = J @ P @ J.T
         for rows, columns, name in ((0, 0, "position"), (0, 3, "position and rotation"), (3, 3, "rotation")):
             block = slice(rows, rows + 3), slice(columns, columns + 3)

@@ -18,17 +18,17 @@ def two_jacobians(candidate: Candidate, rng: Rng) -> None:
         p, t, q = rng.uniform(-3, 3, 3), rng.uniform(-1, 1, 3), rng.uniform(1, 5, 3)
         robot, camera, R, S = np.concatenate([p, r]), np.concatenate([t, s]), rotation(r), rotation(s)
         shapes = {"the derivative w.r.t. the robot": (3, 6), "the derivative w.r.t. the extrinsics": (3, 6)}
-        by_robot, by_mount = parts(candidate(R, t, S, q), shapes)
+        by_robot, by_extrinsics = parts(candidate(R, t, S, q), shapes)
         inside = from_frame(camera, q)
         moved = differences(lambda f, camera=camera, at=inside: to_frame(Pose.plus(camera, f), at), np.zeros(6))
-        same(by_mount, moved, "the derivative w.r.t. the extrinsics", tolerance=1e-6)
+        same(by_extrinsics, moved, "the derivative w.r.t. the extrinsics", tolerance=1e-6)
         world = from_frame(robot, inside)
         moved = differences(lambda e, robot=robot, at=world: to_frame(Pose.plus(robot, e), at), np.zeros(6))
         same(by_robot, rotation(s).T @ moved, "the derivative w.r.t. the robot", tolerance=1e-6)
         tau, alpha = rng.standard_normal((2, 3))
         own, other = np.concatenate([-R @ tau, -alpha]), np.concatenate([tau + np.cross(alpha, t), S.T @ alpha])
         what = "opposite changes of robot and extrinsics leave the camera, and the point in it, unchanged"
-        same(by_robot @ own + by_mount @ other, np.zeros(3), what)
+        same(by_robot @ own + by_extrinsics @ other, np.zeros(3), what)
 
 
 def _motion(moved: ArrayLike, turned: ArrayLike) -> Array:

@@ -64,6 +64,7 @@ def wrong_entries(candidate: Candidate, rng: Rng) -> None:
         "two in a million too small": lambda J, x: (1 - 2e-6) * J,
         "a factor x forgotten": lambda J, x: J / x[2],
         "a factor that is right where x is positive": lambda J, x: J * np.sign(x[2]),
+        "two in a million, where x is negative": lambda J, x: (1 + 2e-6 * (x[2] < 0)) * J,
         "a number where zero belongs": lambda J, x: J + 1e-3,
     }
     for name, damage in damages.items():

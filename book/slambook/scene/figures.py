@@ -22,7 +22,7 @@ from slamlib.manifolds import Array
 
 SHELL = 0.7  # width of the outlines of uncertainty, in that of the lines of their role
 WIDE = 320  # pixels: the widest image that a figure holds, if nobody asks for another
-KEY: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0, 1), "ncols": 4, "fontsize": 9}
+KEY: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0, 1), "ncols": 2, "fontsize": 9}
 CLIPPED: Mapping[str, Any] = {"clip_on": True}
 CLOSER = 0.5  # how near the view that follows a robot is, in the distance from which all is seen
 

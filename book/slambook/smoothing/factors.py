@@ -17,7 +17,7 @@ from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array, Euclidean, Indices, Mask
 from slamlib.motions import ODOMETRY
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.entities import POSE, MountedSensor
+from slamlib.slam.entities import POSE, RigSensor
 
 SLACK = 1e-3  # standard deviation where a control has no noise, relative to what its noise does there one step later
 HUBER, CAUCHY = 1.345, 2.385  # of a whitened residual: 95 % efficient without outliers (Zhang, IVC 15(1), 1997)
@@ -117,7 +117,7 @@ class Group:
     numbers (n,): where they stand in the list of all measurements.
     """
 
-    sensor: MountedSensor
+    sensor: RigSensor
     family: Any
     options: Any
     robot: Variable

@@ -52,6 +52,12 @@ def all_three(measured, expected):
     return z - 2 * np.pi * np.round(z / (2 * np.pi))
 
 
+@wrong("depth_stereo_range.2", "wraps the pitch too")
+def both_angles(measured, expected):
+    z = np.asarray(measured) - expected
+    return z - 2 * np.pi * np.round(z / (2 * np.pi)) * [0, 1, 1]
+
+
 @wrong("depth_stereo_range.2", "wraps to [0, 2 pi)")
 def positive(measured, expected):
     z = np.array(measured) - expected

@@ -17,17 +17,17 @@ def _two(p, q, s, v, both, before=None):
     )
 
 
-@wrong("initialization.1", "the landmarks share the robot, and the mount is forgotten between them")
-def no_shared_mount(p, q, s, v):
+@wrong("initialization.1", "the landmarks share the robot, and the extrinsics are forgotten between them")
+def no_shared_extrinsics(p, q, s, v):
     return _two(p, q, s, v, 0.0, p)
 
 
-@wrong("initialization.1", "a mount of which nobody speaks: constant, so it cannot be an error")
+@wrong("initialization.1", "extrinsics of which nobody speaks: constant, so they cannot be an error")
 def mount_known(p, q, s, v):
     return np.diag([0.0, s, 0, 0]) + _two(p, q, 0.0, v, 0.0)
 
 
-@wrong("initialization.1", "the mount is a new error in each picture")
+@wrong("initialization.1", "the extrinsics are a new error in each picture")
 def new_mount_each_time(p, q, s, v):
     return _two(p, q, s, v, s, p + s)
 

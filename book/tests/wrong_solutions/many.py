@@ -16,13 +16,13 @@ def no_lever(R, t, S, q):
     return robot, np.hstack([-S.T, _cross(q)])
 
 
-@wrong("many.1", "takes the mount's displacement in the camera's axes")
+@wrong("many.1", "takes the extrinsics' displacement in the camera's axes")
 def in_camera_axes(R, t, S, q):
     robot = np.hstack([-(R @ S).T, S.T @ _cross(t + S @ q)])
     return robot, np.hstack([-np.eye(3), _cross(q)])
 
 
-@wrong("many.1", "the mount turns about the robot's axes, not its own")
+@wrong("many.1", "the extrinsics turn about the robot's axes, not their own")
 def outer_turn(R, t, S, q):
     robot = np.hstack([-(R @ S).T, S.T @ _cross(t + S @ q)])
     return robot, np.hstack([-S.T, S.T @ _cross(S @ q)])

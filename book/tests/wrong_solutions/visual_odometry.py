@@ -78,11 +78,11 @@ def half_inverted(R, t, extrinsics):
 
 
 @wrong("visual_odometry.3", "forgets that the camera is not the robot")
-def without_mount(R, t, extrinsics):
+def without_extrinsics(R, t, extrinsics):
     return -R.T @ t, R.T
 
 
-@wrong("visual_odometry.3", "turns the mount's axes but forgets its lever arm")
+@wrong("visual_odometry.3", "turns the extrinsics' axes but forgets their lever arm")
 def without_lever(R, t, extrinsics):
     M = rotation(extrinsics[3:])
     return -M @ R.T @ t, M @ R.T @ M.T

@@ -20,14 +20,14 @@ from slamlib.observation.family import viewpoint
 from slamlib.slam.data_association.gates import gate, mahalanobis_squared
 from slamlib.slam.data_association.jcbb import jcbb
 from slamlib.slam.data_association.joint_innovation import JointInnovation, hypothesis_innovations, joint_innovation
-from slamlib.slam.entities import MountedSensor
+from slamlib.slam.entities import RigSensor
 from slamlib.slam.measurement_update import Predictions, group_by_kind, innovation_squares, innovations
 
 if TYPE_CHECKING:
     from slamlib.slam.options import Options
 
 Groups = Iterator[Predictions]
-OutlierRejection = Callable[[Belief, MountedSensor, Predictions, "Options"], Groups]
+OutlierRejection = Callable[[Belief, RigSensor, Predictions, "Options"], Groups]
 
 # Standard deviations of the measurement noise: a match within this of a hypothesis's prediction supports it. Low on
 # purpose (Civera et al. 2010): 86 % of the true matches of two numbers without other errors, and few wrong ones.
@@ -36,12 +36,12 @@ LOW_INNOVATION = 2.0
 MIN_SUPPORT = 3
 
 
-def individual(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> Groups:
+def individual(belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options) -> Groups:
     """All of them, in one group: the gate judges each alone."""
     yield predictions
 
 
-def joint_compatibility(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> Groups:
+def joint_compatibility(belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options) -> Groups:
     """The largest jointly compatible set: z' S^-1 z of the whole set passes the gate for all its degrees of freedom.
 
     Neira and Tardos (2001). What fails its own gate is rejected before. The nis of a rejected match is what it would
@@ -67,7 +67,7 @@ def _jointly_compatible(found: JointInnovation, candidates: Mask, options: Optio
     return keep
 
 
-def one_point_ransac(belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options) -> Groups:
+def one_point_ransac(belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options) -> Groups:
     """First those that agree with the update by one of them; then, of the others, those that pass the gate.
 
     Civera, Grasa, Davison and Montiel (2010): a filter has a prior, so that a single match makes a hypothesis. Each of
@@ -89,7 +89,7 @@ def one_point_ransac(belief: Belief, sensor: MountedSensor, predictions: Predict
     yield from _rescue_high_innovation(belief, sensor, _selected(predictions, ~support), options)
 
 
-def _largest_support(sensor: MountedSensor, predictions: Predictions, found: JointInnovation, candidates: Mask) -> Mask:
+def _largest_support(sensor: RigSensor, predictions: Predictions, found: JointInnovation, candidates: Mask) -> Mask:
     """Mask of the candidates that agree with the best hypothesis."""
     hypothetical = hypothesis_innovations(sensor, predictions, found)
     squares = mahalanobis_squared(hypothetical, np.broadcast_to(found.R, (len(predictions), *found.R.shape)))
@@ -100,9 +100,7 @@ def _largest_support(sensor: MountedSensor, predictions: Predictions, found: Joi
     return agree[np.lexsort((misfit, -agree.sum(1)))[0]]
 
 
-def _rescue_high_innovation(
-    belief: Belief, sensor: MountedSensor, predictions: Predictions, options: Options
-) -> Groups:
+def _rescue_high_innovation(belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options) -> Groups:
     """Those that pass the gate at the belief's present means, with the predictions made there."""
     inside: Predictions = []
     shown = {prediction.landmark: prediction for prediction in predictions}

@@ -12,7 +12,7 @@ from slamlib.data.records import Features, Scan
 from slamlib.manifolds import Array, Mask
 
 if TYPE_CHECKING:
-    from slamlib.slam.entities import MountedSensor
+    from slamlib.slam.entities import RigSensor
     from slamlib.slam.measurement_update import PredictedMeasurement
 
 NONE = Features.none(0)
@@ -28,7 +28,7 @@ class FrontEndInput:
     """
 
     scan: Scan
-    sensor: MountedSensor
+    sensor: RigSensor
     predictions: list[PredictedMeasurement]
 
 

@@ -9,7 +9,7 @@ from slamlib.belief import Belief
 from slamlib.geometry.pose import Pose, compose
 from slamlib.manifolds import Array, Indices
 from slamlib.observation.family import PredictedBatch, landmark_means
-from slamlib.slam.entities import POSE, MountedSensor
+from slamlib.slam.entities import POSE, RigSensor
 from slamlib.slam.measurement_update import Predictions, group_by_kind, innovations
 
 
@@ -30,7 +30,7 @@ class JointInnovation:
     touched: Indices
 
 
-def joint_innovation(belief: Belief, sensor: MountedSensor, predictions: Predictions) -> JointInnovation:
+def joint_innovation(belief: Belief, sensor: RigSensor, predictions: Predictions) -> JointInnovation:
     """Joint innovation of all predictions, as they were predicted, and S = H P H' + R with all cross-correlations."""
     n, d = len(predictions), max(len(prediction.S) for prediction in predictions)
     touched = np.unique(np.concatenate([prediction.batch.columns[prediction.row] for prediction in predictions]))
@@ -51,7 +51,7 @@ def joint_innovation(belief: Belief, sensor: MountedSensor, predictions: Predict
     return JointInnovation(z, S, R, dof, gain.reshape(-1, n, d), touched)
 
 
-def hypothesis_innovations(sensor: MountedSensor, predictions: Predictions, joint: JointInnovation) -> Array:
+def hypothesis_innovations(sensor: RigSensor, predictions: Predictions, joint: JointInnovation) -> Array:
     """Innovations (n, n, d) of all predictions (second axis) at the mean updated by one of them alone (first axis).
 
     Mean + P H_i' S_ii^-1 z_i for the poses and the landmarks; the belief is not changed. Not linearized: each
@@ -79,7 +79,7 @@ def hypothesis_innovations(sensor: MountedSensor, predictions: Predictions, join
     return z
 
 
-def _innovations(sensor: MountedSensor, predictions: Predictions, in_frame: Array) -> Array:
+def _innovations(sensor: RigSensor, predictions: Predictions, in_frame: Array) -> Array:
     """Innovations (h, n, d) of predictions of one family, for landmarks in_frame (h, n, q) of the sensor."""
     family = predictions[0].family
     inner = family.innovation_input(sensor.calibration, in_frame)
