@@ -53,8 +53,8 @@ def matching(candidate: Candidate, rng: Rng) -> None:
         moved = np.linalg.lstsq(gradient.T / 2, differences.T, rcond=None)[0]
         squared = (moved * (np.linalg.pinv(C) @ moved)).sum(0).mean()
         between(squared, *band(2, 4000, 0.9999), "displacements have this covariance, noise in both images")
-        for axis, name in enumerate(("u", "v")):
-            ratio = (moved[axis] ** 2).mean() / max(C[axis, axis], 1e-300)
+        for name, way in (("u", [1, 0]), ("v", [0, 1]), ("u - v", [1, -1])):  # the last tells the correlation
+            ratio = ((way @ moved) ** 2).mean() / max(way @ C @ way, 1e-300)
             between(ratio, *band(1, 4000, 0.9999), f"that of {name}, too")
         same(candidate(patch + 40, noise), C, "a brighter patch is found as well")
         same(4 * np.asarray(candidate(2 * patch, noise)), C, "twice the contrast, a quarter of the variance")
@@ -117,7 +117,7 @@ def correlation(candidate: Candidate, rng: Rng) -> None:
         J = 0.6 * I + rng.normal(30, 25, shape)
         z = score(I, J)
         same(score(J, I), z, "it does not matter which patch comes first")
-        same(score(1.7 * I + 12, 0.4 * J - 3), z, "gain and bias change nothing")
+        same(score(1.7e-6 * I + 12e-6, 0.4e-6 * J - 3e-6), z, "gain and bias change nothing")
         same(score(-I, J), -z, "a negative is worth the opposite")
         same(score(I, 3 * I + 5), 1.0, "equal up to gain and bias is worth 1")
         rest = J.ravel() - np.polyval(np.polyfit(I.ravel(), J.ravel(), 1), I.ravel())

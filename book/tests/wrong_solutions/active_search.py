@@ -77,6 +77,11 @@ def too_steep(patch, noise):
     return 2 * noise**2 * np.linalg.inv(4 * _tensor(patch))
 
 
+@wrong("active_search.2", "the right variances, without their correlation")
+def uncorrelated(patch, noise):
+    return 2 * noise**2 * np.diag(np.diag(np.linalg.inv(_tensor(patch))))
+
+
 @wrong("active_search.2", "only the diagonal")
 def upright_error(patch, noise):
     return 2 * noise**2 * np.diag(1 / np.diag(_tensor(patch)))
@@ -105,6 +110,13 @@ def place(R, t, n, d, K1, K2):
 @wrong("active_search.3", "leaves the plane out: the homography of a turn")
 def turn_only(R, t, n, d, K1, K2):
     return K2 @ R @ np.linalg.inv(K1)
+
+
+@wrong("active_search.4", "flat below a fixed length, as if brightness came in grey levels only")
+def fixed_floor(first, second):
+    a, b = (np.asarray(patch, float) - np.mean(patch, dtype=float) for patch in (first, second))
+    length = np.sqrt((a * a).sum() * (b * b).sum())
+    return float(np.clip((a * b).sum() / length, -1, 1)) if length > 1e-3 else 0.0
 
 
 @wrong("active_search.4", "0/0 is taken for 1, as OpenCV's matchTemplate does (issue 5688)")
