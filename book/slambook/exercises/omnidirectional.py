@@ -35,7 +35,7 @@ def angle_of(candidate: Candidate) -> None:
     """There and back for lenses that bend inwards, outwards, and stop growing; up to the fold."""
     lenses = {
         "an equidistant lens": [300.0, 0, 0],
-        "a lens that bends inwards": [300.0, -30, 0],
+        "a lens that bends inwards": [300.0, -1000, 0],
         "a lens that bends outwards": [300.0, 60, 5],
         "a lens with two places where it could stop": [447.0, -70, 4],
         "a lens that bends outwards, then inwards": [300.0, 60, -20],

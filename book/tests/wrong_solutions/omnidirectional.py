@@ -37,6 +37,15 @@ def newton(radius, b):
     return angle
 
 
+@wrong("omnidirectional.2", "Newton's method alone, from half a radian")
+def newton_from_half(radius, b):
+    angle = 0.5
+    for _ in range(50):
+        slope = b[0] + 3 * b[1] * angle**2 + 5 * b[2] * angle**4
+        angle -= (b[0] * angle + b[1] * angle**3 + b[2] * angle**5 - radius) / slope
+    return angle
+
+
 @wrong("omnidirectional.2", "one step of the series instead of the root")
 def series(radius, b):
     a = radius / b[0]
