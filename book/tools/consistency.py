@@ -31,7 +31,7 @@ LARGE = ("two_robots", "omni", "stereo", "points_and_lines", CALIBRATED)
 WITHOUT_ORACLE = ("hmgPnt", "ahmLin", "hmgLin", "idpLin", "points_and_lines")
 BIASED = "points_and_lines"  # in scale
 START = "start known to 5 degrees"
-ONE_CAMERA, BY_CONTROL, WHOLE = "idpPnt", "idpPnt, noise in the control", "eucPnt"  # by all data at once, too
+ONE_CAMERA, BY_CONTROL = "idpPnt", "idpPnt, noise in the control"
 # Plücker lines whose prior is as wide as lines are near: 1 / distance, where the toolbox's second number has 1 / m.
 NARROW, PRIOR = ", narrow prior", ((0.1, 0.0), (0.25, 0.25))
 # How well the second camera's pose is known at first, as shares of what the preset has; 0: exactly.
@@ -78,15 +78,13 @@ def cases() -> dict[str, Preset]:
 
 def filters(case: str) -> tuple[str, ...]:
     """The filters that are compared. The oracle needs extrinsics that are given, and one true state a landmark."""
-    if case in ANCHORS:
-        return (*FILTERS, WITH_ANCHORS, *[ALL_DATA] * (case == ONE_CAMERA))
     if case.startswith(LEARNED):
         return (FILTERS[1], *[ALL_DATA] * (case == f"{LEARNED}1"))
     if case == CALIBRATED:
         return (*FILTERS[:2], PRODUCTS, LATER)
-    if case in WITHOUT_ORACLE:
-        return FILTERS[:2]
-    return (*FILTERS, ALL_DATA) if case in (BY_CONTROL, WHOLE) else FILTERS
+    oracle = FILTERS[2:] if case not in WITHOUT_ORACLE else ()
+    at_once = case not in LARGE and not case.endswith(NARROW)  # of the large ones chapter toolbox_tour has them
+    return (*FILTERS[:2], *oracle, *[WITH_ANCHORS] * (case in ANCHORS), *[ALL_DATA] * at_once)
 
 
 def joined(case: str, rows: Sequence[dict[str, Array]], before: dict[str, Any] | None) -> dict[str, Any]:
