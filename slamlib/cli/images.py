@@ -18,7 +18,7 @@ from slamlib.evaluation.comparison import compared, sigmas_at_end
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
 from slamlib.experiments.progress import progress
 from slamlib.landmarks import POINTS
-from slamlib.vision.considered import Errors, single_errors
+from slamlib.vision.considered import Errors, Singles, single_errors
 from slamlib.vision.results import summary, summary_warnings, table
 from slamlib.vision.run import load
 from slamlib.vision.sequence_run import ImageStep, SequenceKind, SequenceRun
@@ -96,21 +96,18 @@ class ImageCommand:
         return self._report(run, given, execute(job, given), reference, errors)
 
     def _report(
-        self,
-        run: SequenceRun,
-        given: argparse.Namespace,
-        ended: RunEnd,
-        reference: Trajectory | None,
-        errors: dict[str, Errors],
+        self, run: SequenceRun, given: argparse.Namespace, ended: RunEnd, reference: Trajectory | None, errors: Singles
     ) -> int:
         """Write the trajectory, print the result; return the exit status."""
         s: dict[str, Any] = {"source": run.source.where, "layout": run.source.layout, **summary(run.result())}
         s |= {"metric": run.metric, "stopped": ended.why, "reference": None, "calibration": None}
         path = claimed = run.trajectory()
         try:
-            if errors and not ended.why:
-                for label, error in errors.items():
-                    path = path.considering(self._again(given, run.done, label, error))
+            if errors and ended.why:
+                raise SlamlibError("the run did not come to its end")
+            for label, error in errors.items():
+                path = path.considering(self._again(given, run.done, label, error))
+            if errors:
                 s["calibration"] = {"errors": errors, "without": sigmas_at_end(claimed), "with": sigmas_at_end(path)}
         except (SlamlibError, KeyboardInterrupt) as error:  # the run is valid without
             path, ended.status = claimed, EXIT_ERROR
@@ -168,12 +165,8 @@ class ImageCommand:
         add("--landmark", default=points, help=f"parametrization of points (default {points})")
         add("--option", action="append", default=[], metavar="NAME=VALUE", help=shared.OPTION)
         add("--search", action="append", default=[], metavar="NAME=VALUE", help=f"setting of {of}: {names}")
-        add(
-            "--patience",
-            type=shared.count,
-            metavar="N",
-            help=f"stop after N {self.kind.item}s without a match (default 30)",
-        )
+        lost = f"stop after N {self.kind.item}s without a match (default 30)"
+        add("--patience", type=shared.count, metavar="N", help=lost)
 
 
 def _image_warnings(run: SequenceRun, inliers: float | None) -> Iterator[str]:

@@ -124,6 +124,7 @@ class PairsCommand(ImageCommand):
   slamlib run stereo-images --source MH_01_easy --frames 200 --video film.mp4
   slamlib run stereo-images --left "left/*.png" --right "right/*.png" --calibration pair.json --fps 10
   slamlib run stereo-images --source sequences/04 --odometry-only
+  slamlib run stereo-images --source sequences/04 --calibration-std intrinsics=1,1,2,2 --calibration-std offset=0.1
 
 pair.json of a rectified pair, in pixels and metres:
   {"intrinsics": [601.9, 183.1, 707.1, 707.1], "baseline": 0.537}

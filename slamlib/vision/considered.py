@@ -14,9 +14,10 @@ from slamlib.vision.sequence_run import SequenceRun
 
 OFFSET = "offset"  # of the disparities: a setting of the stereo front end
 Errors = dict[str, tuple[float, ...]]  # of a calibration's parameters, by name
+Singles = dict[str, Errors]  # by a label, one number alone
 
 
-def single_errors(stds: Errors, run: SequenceRun) -> dict[str, Errors]:
+def single_errors(stds: Errors, run: SequenceRun) -> Singles:
     """The standard deviation of each number alone, by a label.
 
     stds: by a parameter of the run's calibration, one for all of its numbers or one for each; OFFSET [px] too, of

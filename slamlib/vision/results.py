@@ -170,4 +170,5 @@ def _calibration(found: dict[str, Any] | None, unit: str) -> list[tuple[str, str
         f"{found[key]['position_sigma']:.3g} {unit}, {found[key]['orientation_sigma']:.2g} degrees"
         for key in ("with", "without")
     ]
-    return [("calibration considered", "sigma at the end {}; without its errors {}".format(*ends))]
+    nees = f", and NEES {found['without']['nees']:.3g} (median)" if "nees" in found["without"] else ""
+    return [("calibration considered", "sigma at the end {}; without its errors {}".format(*ends) + nees)]
