@@ -44,7 +44,7 @@ def roll_pitch_of(matrix, yaw):
 
 
 def from_rotation(matrix):
-    """Angles (..., 3) of rotation matrices (..., 3, 3); at pitch 90 degrees yaw is 0, roll takes both rotations."""
+    """Angles (..., 3) of matrices (..., 3, 3); at pitch 90 degrees yaw is 0 (of -0 or rounding, any), roll the rest."""
     yaw = yaw_of(matrix)
     return np.concatenate([roll_pitch_of(matrix, yaw), np.asarray(yaw)[..., None]], axis=-1)
 

@@ -143,6 +143,9 @@ def test_a_vertical_nose_is_rebuilt_from_its_angles(pitch, rng):
         assert euler.to_rotation(euler.from_rotation(matrix)) == pytest.approx(matrix, abs=1e-14)
     exact = np.array([[0.0, 1, 0], [0, 0, -1], [-1, 0, 0]])
     assert euler.from_rotation(exact)[2] == 0
+    minus_zero = exact * [[-1.0, 1, 1], [1, 1, 1], [1, 1, 1]]
+    assert euler.from_rotation(minus_zero)[2] == np.pi  # and roll turns back
+    assert euler.to_rotation(euler.from_rotation(minus_zero)) == pytest.approx(exact, abs=1e-15)
     with pytest.raises(SingularPointError):
         euler.from_rotation_jac(exact)
 

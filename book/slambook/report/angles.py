@@ -32,7 +32,7 @@ def added(angles: Array, turn: Array, extract: Extraction) -> Array:
 
 
 def extracted(matrix: Array) -> Array:
-    """Yaw, pitch, roll of rotation matrices; at a pitch of 90 degrees yaw is 0 and roll takes both turns."""
+    """Yaw, pitch, roll of rotation matrices; at pitch 90 degrees yaw is 0 (of -0 or rounding, any), roll the rest."""
     return euler.from_rotation(matrix)[..., ::-1]
 
 
