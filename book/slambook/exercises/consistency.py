@@ -69,7 +69,7 @@ def _directions(rng: Rng, count: int, n: int) -> Array:
 def whiteness(candidate: Candidate, rng: Rng) -> None:
     """One at lag zero, none elsewhere for white innovations, the known value for coloured ones, in any units."""
     T, m, a = 6000, 2, 0.8
-    L = np.array([[2.0, 0.0], [1.5, 0.5]])
+    L = np.array([[2.0, 1.0], [1.5, 0.5]])  # full: the first number by itself mixes both
     S, white = L @ L.T, rng.standard_normal((T, m))
     coloured = np.zeros((T, m))
     for k in range(1, T):
@@ -79,9 +79,8 @@ def whiteness(candidate: Candidate, rng: Rng) -> None:
         return number(candidate(innovations, S, lag), "the whiteness")
 
     for lag in cases((0, 1, 3), "lag {}"):
-        wanted = float(lag == 0)
-        what = "white innovations: 1 at lag 0, about 0 elsewhere"
-        between(value(white @ L.T, lag), wanted - 0.06, wanted + 0.06, what)
+        mean = float(lag == 0)
+        between(value(white @ L.T, lag), mean - 0.06, mean + 0.06, "white innovations: 1 at lag 0, about 0 elsewhere")
         between(value(coloured @ L.T, lag), a**lag - 0.1, a**lag + 0.1, "a first-order memory a shows as a^lag")
     turned = coloured * np.where(np.arange(T) % 2, 1, -1)[:, None]
     once = value(coloured @ L.T, 1)

@@ -24,6 +24,7 @@ def fuse(candidate: Candidate) -> None:
         same(1 / variance, 1 / v1 + 1 / v2, "information adds")
         same(fused(z1 + 100, v1, z2 + 100, v2), (mean + 100, variance), "the zero of the scale is free")
         same(fused(z1, v1, z2, 0.0), (z2, 0.0), "a perfect thermometer determines the estimate")
+        same(fused(z1, 0.0, z2, v2), (z1, 0.0), "a perfect thermometer determines the estimate")
         same(fused(z1, v1, z2, 1e14), (z1, v1), "a useless one changes nothing")
 
 

@@ -131,3 +131,15 @@ def by_all(innovations, S, lag):
 @wrong("consistency.5", "np.roll: the last innovations are paired with the first")
 def circular(innovations, S, lag):
     return np.mean((innovations * np.linalg.solve(S, np.roll(innovations, -lag, axis=0).T).T).sum(1)) / len(S)
+
+
+@wrong("consistency.5", "the first number only")
+def first_number(innovations, S, lag):
+    first = innovations[:, 0]
+    return np.mean(first[: len(first) - lag] * first[lag:]) / S[0, 0]
+
+
+@wrong("consistency.5", "the last whitened number only")
+def last_white(innovations, S, lag):
+    last = np.linalg.solve(np.linalg.cholesky(S), innovations.T)[-1]
+    return np.mean(last[: len(last) - lag] * last[lag:])

@@ -31,6 +31,13 @@ def variance_of_a_sum(z1, v1, z2, v2):
     return (v2 * z1 + v1 * z2) / (v1 + v2), v1 + v2
 
 
+@wrong("kalman_filter.1", "a variance of zero means no reading, in the first thermometer only")
+def first_of_zero(z1, v1, z2, v2):
+    if v1 == 0:
+        return z2, v2
+    return (v2 * z1 + v1 * z2) / (v1 + v2), v1 * v2 / (v1 + v2)
+
+
 @wrong("kalman_filter.2", "the innovations of the prediction throughout (E16)")
 def stale(x, P, z, H, R):
     innovations, nis = z - H @ x, []
