@@ -29,3 +29,11 @@ def test_the_last_repairs_come_out_again(stored):
 def test_the_beginning_of_a_run_in_the_room_comes_out_again(stored):
     pytest.importorskip("cv2")
     assert stereo_room.light() == pytest.approx(stored["light"], rel=0.05, abs=0.02), RENEW
+
+
+def test_a_landmark_in_every_pair_closes_the_loop_by_the_right_invariant_error_alone(stored):
+    closed = dict.fromkeys(("local", "world"), 0)
+    for row in stored["turns"]:
+        if row["interval"] == 1:
+            closed[row["error"]] += row["old"] > 0
+    assert closed == {"local": 1, "world": 20}

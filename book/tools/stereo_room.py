@@ -1,6 +1,7 @@
 """slamlib's stereo system in the rendered room, for chapter stereo_ekf_slam: sources of the motion, and loops."""
 
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,7 @@ from slamlib.vision.stereo.motion_source import SplitFeatures, StereoMotionSourc
 STD = (0.06, 0.055, 0.05)  # px, of u, v and d: generous, NIS per number of the films is 0.15 to 0.34
 SEEDS, FRAMES, LIGHT = (1, 2, 3), 150, 10
 ROUND, ROUND_SEEDS, EVERY, WINDOW = 900, (1, 2), 15, 60  # frames
-TURN_SEEDS, INTERVALS = range(1, 11), (1, 10)
+TURN_SEEDS, INTERVALS, MOTIONS = range(1, 11), (1, 10), ("constant-velocity", "covariance-intersection")
 OLD = 400  # frames: a landmark initialized so long ago and seen now closes the loop
 OPTIONS = Options(points="eucPnt", updates=60, max_new_first=30, max_new=5, reproject=False)
 
@@ -176,14 +177,13 @@ def around() -> dict[str, Any]:
 
 
 def turns() -> list[dict[str, Any]]:
-    """Once round the room by two sources of the motion, each landmark in every pair or in one of ten."""
+    """Once round the room by two sources of the motion, landmarks in each pair or in one of ten, by two errors."""
     found = []
-    for seed in progress(TURN_SEEDS, len(TURN_SEEDS), "two by two"):
+    for seed in progress(TURN_SEEDS, len(TURN_SEEDS), "two by two, twice"):
         pairs = film("round", ROUND, seed)
-        for motion in ("constant-velocity", "covariance-intersection"):
-            for interval in INTERVALS:
-                made = run(pairs, Way(MOTION_SOURCES[motion], interval))
-                found.append({"motion": motion, "interval": interval, **turned(made)})
+        for error, motion, interval in product(("local", "world"), MOTIONS, INTERVALS):
+            made = run(pairs, Way(MOTION_SOURCES[motion], interval), replace(OPTIONS, error=error))
+            found.append({"error": error, "motion": motion, "interval": interval, **turned(made)})
     return found
 
 
