@@ -58,19 +58,18 @@ def rows_after(candidate: Candidate, rng: Rng) -> None:
 
 @exercise("stochastic_map.4", "deleting correlations consistently", seed=144)
 def decouple(candidate: Candidate, rng: Rng) -> None:
-    """Block diagonal, never claims more than P in any direction, and no more careful than one factor must be."""
+    """The groups' own blocks times one factor for every P: the least that never claims more than P in any direction."""
     for sizes in cases(([2, 3], [1, 1, 1], [3, 2, 2, 1], [4]), "groups of {}"):
-        n, groups = sum(sizes), len(sizes)
-        label = np.repeat(np.arange(groups), sizes)
-        outside = label[:, None] != label
+        n, label = sum(sizes), np.repeat(np.arange(len(sizes)), sizes)
+        apart = label[:, None] != label
         place = np.arange(n) - np.searchsorted(label, label)  # in its group
         common = 1.0 * (place[:, None] == np.arange(max(sizes)))  # the groups' errors are the same, number by number
         for P in (random_covariance(rng, n), common @ common.T + 1e-9 * np.eye(n), np.diag(rng.uniform(1, 2, n))):
             D = covariance(candidate(P, list(sizes)), n, "the result")
-            holds(np.abs(D[outside]).max(initial=0) == 0, "nothing connects the groups")
-            least = float(np.linalg.eigvalsh(D - P)[0])
+            holds(np.abs(D[apart]).max(initial=0) == 0, "nothing connects the groups")
+            least, factor = float(np.linalg.eigvalsh(D - P)[0]), float(np.trace(D) / np.trace(P))
             what = "in no direction does it claim more than P"
             holds(least > -1e-6 * np.abs(P).max(), what, f"P exceeds it by {-least:.3g}")
-            share = float(np.sum(np.diag(P) / np.diag(D)) / n)
-            what = "it is no more conservative than unknown correlations require"
-            holds(share > 1 / groups - 1e-6, what, f"variances grow by a factor {1 / share:.3g}")
+            same(D, factor * np.where(apart, 0, P), "the groups keep their own blocks, all multiplied by one factor")
+            what = "the factor is what unknown correlations require, no more, and no less for this P"
+            holds(abs(factor - len(sizes)) < 1e-6, what, f"variances grow by a factor {factor:.3g}")

@@ -34,32 +34,26 @@ def no_cross(p, q, v):
 
 @wrong("stochastic_map.2", "rewrites the corner and leaves out what it shares with the others")
 def corner_only(P, start, J):
-    k, m = J.shape
-    rest = np.delete(np.arange(len(P)), np.s_[start : start + m])
-    order = np.argsort(np.concatenate([rest, np.full(k, start)]), kind="stable")
-    D = np.zeros((len(rest) + k,) * 2)
-    D[: len(rest), : len(rest)] = P[np.ix_(rest, rest)]
-    D[len(rest) :, len(rest) :] = J @ P[start : start + m, start : start + m] @ J.T
-    return D[np.ix_(order, order)]
+    at, gap = np.s_[start : start + J.shape[1]], [start] * len(J)
+    D = np.insert(np.insert(np.delete(np.delete(P, at, 0), at, 1), gap, 0, 0), gap, 0, 1)
+    D[start : start + len(J), start : start + len(J)] = J @ P[at, at] @ J.T
+    return D
 
 
 @wrong("stochastic_map.2", "puts the rewritten block at the end")
 def at_the_end(P, start, J):
-    T = np.delete(np.eye(len(P)), np.s_[start : start + J.shape[1]], axis=0)
-    row = np.zeros((len(J), len(P)))
-    row[:, start : start + J.shape[1]] = J
-    T = np.vstack([T, row])
+    identity, at = np.eye(len(P)), np.s_[start : start + J.shape[1]]
+    T = np.vstack([np.delete(identity, at, axis=0), J @ identity[at]])
     return T @ P @ T.T
 
 
 @wrong("stochastic_map.2", "J once only, on the rows and on the columns but not twice in the corner")
 def corner_once(P, start, J):
-    k, m = J.shape
-    T = np.insert(np.delete(np.eye(len(P)), np.s_[start : start + m], 0), start, np.zeros((k, len(P))), 0)
-    T[start : start + k, start : start + m] = J
+    (k, m), identity, at = J.shape, np.eye(len(P)), np.s_[start : start + J.shape[1]]
+    T = np.insert(np.delete(identity, at, 0), [start] * k, J @ identity[at], 0)
     D = T @ P @ T.T
     if k == m:
-        D[start : start + k, start : start + k] = P[start : start + m, start : start + m]
+        D[at, at] = P[at, at]
     return D
 
 
@@ -109,6 +103,13 @@ def by_rows(P, sizes):
     return _blocks(P, sizes, len(P))
 
 
-@wrong("stochastic_map.4", "a large number is surely safe")
-def surely(P, sizes):
-    return _blocks(P, sizes, 100)
+@wrong("stochastic_map.4", "the smallest factor for this P, not for every one")
+def for_this_one(P, sizes):
+    D = _blocks(P, sizes, 1)
+    return D * np.linalg.eigvals(np.linalg.solve(D, P)).real.max()
+
+
+@wrong("stochastic_map.4", "adds to each variance the sizes of its covariances with the other groups")
+def row_sums(P, sizes):
+    D = _blocks(P, sizes, 1)
+    return D + np.diag(np.abs(P - D).sum(1))
