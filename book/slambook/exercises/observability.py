@@ -53,15 +53,15 @@ def observability_matrix(candidate: Candidate, rng: Rng) -> None:
         marks = rng.uniform(4, 8, (m, 2)) * rng.choice([-1, 1], (m, 2))
         fixed = np.tile(marks, (steps, 1, 1))
         stacked = array_of(candidate(poses, poses, fixed), (2 * m * steps, size), "the matrix")
-        drive = partial(_drive, start=poses[0], moves=np.diff(poses, axis=0))
-        wanted = differences(drive, np.append(poses[0], marks))
+        wanted = differences(partial(_drive, start=poses[0], moves=np.diff(poses, axis=0)), np.append(poses[0], marks))
         same(stacked, wanted, "at the points of one trajectory it is the derivative of all measurements", 1e-6)
-        away = 0.2 * rng.standard_normal((2, *poses.shape))
+        first, updated = poses + 0.2 * rng.standard_normal((2, *poses.shape))
         changing = fixed + 0.2 * rng.standard_normal(fixed.shape)
         for name, points, missing in (
-            ("first estimates: three directions remain unobservable", (poses + away[0], poses + away[0], fixed), 3),
-            ("changing estimates: one direction less", (poses, poses + away[1], changing), 2),
-            ("first estimates in H but not in F: one direction less, too", (poses, poses + away[1], fixed), 2),
+            ("first estimates: three directions unobservable", (first, np.r_[first[:-1], updated[-1:]], fixed), 3),
+            ("changing estimates: one direction less", (poses, updated, changing), 2),
+            ("changing estimates of the landmarks alone: one direction less, too", (poses, poses, changing), 2),
+            ("first estimates in H but not in F: one direction less, too", (poses, updated, fixed), 2),
         ):
             values = np.linalg.svd(array_of(candidate(*points), stacked.shape, "the matrix"))[1]
             rank = int((values > 1e-9 * values[0]).sum())

@@ -59,6 +59,23 @@ def always_first_estimates(predicted, updated, landmarks):
     return _matrix(predicted, predicted, landmarks, lambda F, product: F @ product)
 
 
+@wrong("observability.2", "takes F between the updated poses")
+def between_updated(predicted, updated, landmarks):
+    departures = updated[:-1] + (predicted - updated)[1:]
+    return _matrix(predicted, departures, landmarks, lambda F, product: F @ product)
+
+
+@wrong("observability.2", "takes H at the updated poses")
+def at_updated(predicted, updated, landmarks):
+    departures = updated[:-1] + (updated - predicted)[1:]
+    return _matrix(updated, departures, landmarks, lambda F, product: F @ product)
+
+
+@wrong("observability.2", "takes all H at the first estimates of the landmarks, whatever the filter did")
+def first_landmarks(predicted, updated, landmarks):
+    return _matrix(predicted, updated, 0 * landmarks + landmarks[0], lambda F, product: F @ product)
+
+
 @wrong("observability.3", "claims that least squares is not biased")
 def unbiased(scale, displacements, sigma):
     return scale
