@@ -56,7 +56,7 @@ def gated(candidate: Candidate, rng: Rng) -> None:
     """The share of right measurements inside, ahead and behind; and that the nearer ones are inside."""
     for probability, bearing in cases(((0.9, 0.0), (0.99, 3.1), (0.5, -3.12)), "probability {}, bearing {}"):
         S, h = random_covariance(rng, 2) * np.array([[0.02, 6e-3], [6e-3, 2e-3]]), np.array([4.0, bearing])
-        noise = rng.standard_normal((3000, 2)) @ np.linalg.cholesky(S).T
+        noise = np.vstack([rng.standard_normal((3000, 2)) @ np.linalg.cholesky(S).T, [0, np.pi]])  # the last: opposite
         y = h + noise
         y[:, 1] = (y[:, 1] + np.pi) % (2 * np.pi) - np.pi
         passed = np.array([bool(candidate(one, h, S, probability)) for one in y])

@@ -6,7 +6,7 @@ import numpy as np
 
 from slambook.exercises.kit import Candidate, Rng, array_of, cases, covariance, differences, exercise, holds, same
 from slamlib.geometry.pose import Pose, from_frame, to_frame
-from slamlib.geometry.quaternion import UnitQuaternion, exponential, minus, product, rotation
+from slamlib.geometry.quaternion import UnitQuaternion, exponential, logarithm, minus, product, rotation
 from slamlib.manifolds import Array
 
 
@@ -24,20 +24,20 @@ def to_frame_jacobian(candidate: Candidate, rng: Rng) -> None:
 @exercise("frames_and_quaternions.3", "interpolation that takes the short way", seed=63)
 def slerp(candidate: Candidate, rng: Rng) -> None:
     """Ends, unit length, constant speed, and never more than half a turn in all."""
-    for _ in range(8):
-        q0, q1 = UnitQuaternion.random(rng), UnitQuaternion.random(rng)
-        for end in (q1, -q1):
+    for size in 4 * (3.0, 0.2):  # the second of each pair: close together, where some interpolate linearly
+        q0, step = UnitQuaternion.random(rng), size * rng.standard_normal(3)
+        for end in (UnitQuaternion.plus(q0, step), -UnitQuaternion.plus(q0, step)):
             path = [array_of(candidate(q0, end, u), (4,), "the interpolated quaternion") for u in np.linspace(0, 1, 9)]
             same([p @ p for p in path], np.ones(9), "unit length all the way")
             same(rotation(path[0]), rotation(q0), "starts at the first orientation")
-            same(rotation(path[-1]), rotation(q1), "ends at the second orientation")
+            same(rotation(path[-1]), rotation(end), "ends at the second orientation")
             steps = [np.linalg.norm(minus(b, a)) for a, b in pairwise(path)]
             same(steps, np.full(8, np.mean(steps)), "constant speed")
             holds(sum(steps) <= np.pi + 1e-9, "the short way round", f"turned by {np.degrees(sum(steps)):.0f} degrees")
-    none, quarter = np.eye(4)[0], exponential(np.array([0.0, 0, np.pi / 2]))
-    still = array_of(candidate(none, none, 0.5), (4,), "what lies between two that are the same")
-    same(abs(still), none, "stays where both orientations are the same")
-    same(rotation(candidate(quarter, product(quarter, quarter), 0.5))[0, 0], -np.sqrt(0.5), "halfway is halfway")
+    for angle, sign in ((0, 1), (0, -1), (0.05, 1), (np.pi / 2, -1)):
+        middle = array_of(candidate(np.eye(4)[0], sign * exponential(angle * np.eye(3)[2]), 0.5), (4,), "the middle")
+        same(middle @ middle, 1, "unit length all the way")
+        same(logarithm(middle), [0, 0, angle / 2], "halfway is halfway" if angle else "stays where both are the same")
 
 
 @exercise("frames_and_quaternions.4", "the perturbation that is still small", seed=64)

@@ -10,8 +10,7 @@ UNIT = {1: 2.0, 2: np.pi, 3: 4 / 3 * np.pi}
 
 @wrong("data_association.1", "the determinant without its root")
 def whole_determinant(S, density, probability):
-    m = len(S)
-    return density * UNIT[m] * chi2_quantile(probability, m) ** (m / 2) * np.linalg.det(S)
+    return density * UNIT[len(S)] * chi2_quantile(probability, len(S)) ** (len(S) / 2) * np.linalg.det(S)
 
 
 @wrong("data_association.1", "an area in every dimension")
@@ -21,8 +20,7 @@ def always_an_area(S, density, probability):
 
 @wrong("data_association.1", "three sigma, whatever the probability")
 def three_sigma(S, density, probability):
-    m = len(S)
-    return density * UNIT[m] * 3**m * np.sqrt(np.linalg.det(S))
+    return density * UNIT[len(S)] * np.sqrt(np.linalg.det(9 * S))
 
 
 def _squares(nu, S):
@@ -40,18 +38,16 @@ def euclidean(nu, S, limit):
     return np.where((d := (nu**2).sum(2)).min(1) < limit, d.argmin(1), -1)
 
 
-@wrong("data_association.2", "without a gate")
-def no_gate(nu, S, limit):
-    d2 = _squares(nu, S)
-    best = d2.argmin(1)
-    return np.where(d2.argmin(0)[best] == np.arange(len(nu)), best, -1)
-
-
 @wrong("data_association.2", "a distance that is not squared, against the limit for its square")
 def not_squared(nu, S, limit):
     d = np.sqrt(_squares(nu, S))
     best = d.argmin(1)
     return np.where((d.argmin(0)[best] == np.arange(len(nu))) & (d.min(1) < limit), best, -1)
+
+
+@wrong("data_association.2", "without a gate")
+def no_gate(nu, S, limit):
+    return not_squared(nu, S, np.inf)
 
 
 def _parts(nu, S, chosen, j):
@@ -71,8 +67,7 @@ def alone(nu, S, chosen, j):
 @wrong("data_association.3", "the innovation is updated, its covariance is not")
 def old_covariance(nu, S, chosen, j):
     own, gain, before, part, _ = _parts(nu, S, chosen, j)
-    left = own - gain @ before
-    return left @ np.linalg.solve(part, left)
+    return (own - gain @ before) @ np.linalg.solve(part, own - gain @ before)
 
 
 @wrong("data_association.3", "the covariance is updated, the innovation is not")
@@ -91,6 +86,11 @@ def _wrapped(y, h):
 def not_wrapped(y, h, S, probability):
     nu = np.subtract(y, h)
     return nu @ np.linalg.solve(S, nu) < chi2_quantile(probability, 2)
+
+
+@wrong("data_association.4", "bearings are wrapped as the directions of lines are, so that the opposite one passes")
+def wrapped_by_half(y, h, S, probability):
+    return not_wrapped([y[0], h[1] + (y[1] - h[1] + np.pi / 2) % np.pi - np.pi / 2], h, S, probability)
 
 
 @wrong("data_association.4", "the quantile of the wrong tail (msckf_vio 124)")

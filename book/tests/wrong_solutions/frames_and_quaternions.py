@@ -3,6 +3,7 @@
 import numpy as np
 
 from book.tests.wrong_solutions import wrong
+from slamlib.geometry.pose import to_frame
 from slamlib.geometry.quaternion import conjugate, exponential, minus, plus, product, rotation
 
 
@@ -12,30 +13,24 @@ def _cross(a):
 
 @wrong("frames_and_quaternions.2", "the sign of the rotation part: turning the frame is taken for turning the point")
 def sign(pose, point):
-    R = rotation(pose[3:])
-    return np.hstack([-R.T, -_cross(R.T @ (point - pose[:3]))])
+    return np.hstack([-rotation(pose[3:]).T, -_cross(to_frame(pose, point))])
 
 
 @wrong("frames_and_quaternions.2", "the rotation vector is taken in world axes")
 def world_axes(pose, point):
-    R = rotation(pose[3:])
-    return np.hstack([-R.T, R.T @ _cross(point - pose[:3])])
+    return rotation(pose[3:]).T @ np.hstack([-np.eye(3), _cross(point - pose[:3])])
 
 
 @wrong("frames_and_quaternions.2", "R instead of its transpose")
 def transposed(pose, point):
-    R = rotation(pose[3:])
-    return np.hstack([-R, _cross(R.T @ (point - pose[:3]))])
-
-
-def _long_log(q):
-    norm = np.sqrt(q[1:] @ q[1:])
-    return 2 * np.arctan2(norm, q[0]) / norm * q[1:]
+    return np.hstack([-rotation(pose[3:]), _cross(to_frame(pose, point))])
 
 
 @wrong("frames_and_quaternions.3", "the four-quadrant arctangent goes the long way when w < 0")
 def long_way(q0, q1, u):
-    return plus(q0, u * _long_log(product(conjugate(q0), q1)))
+    w, *vec = product(conjugate(q0), q1)
+    norm = np.linalg.norm(vec)
+    return plus(q0, u * 2 * np.arctan2(norm, w) / norm * np.array(vec))
 
 
 @wrong("frames_and_quaternions.3", "linear interpolation of the numbers, then normalised: not at constant speed")
@@ -57,30 +52,33 @@ def zero_by_zero(q0, q1, u):
         return (np.sin((1 - u) * angle) * q0 + np.sin(u * angle) * q1) / np.sin(angle)
 
 
-@wrong("frames_and_quaternions.4", "the error's factor one half is forgotten")
-def without_the_half(share, distance):
-    return share
+@wrong("frames_and_quaternions.3", "linear where the two are close: not at constant speed")
+def chord_if_close(q0, q1, u):
+    return chord(q0, q1, u) if abs(q0 @ q1) > 0.95 else zero_by_zero(q0, q1, u)
 
 
-@wrong("frames_and_quaternions.4", "the error of second order is taken as a share of the distance, not of the motion")
-def share_of_distance(share, distance):
-    return np.sqrt(2 * share)
+@wrong("frames_and_quaternions.3", "linear where the two are close, and not normalised")
+def not_unit_if_close(q0, q1, u):
+    return (1 - u) * q0 + u * q1 * np.sign(q0 @ q1) if abs(q0 @ q1) > 0.9995 else zero_by_zero(q0, q1, u)
 
 
-@wrong("frames_and_quaternions.4", "a far point moves more, so it is taken to allow less")
-def less_for_far_points(share, distance):
-    return 2 * share / distance
+@wrong("frames_and_quaternions.3", "0 / 0 where the orientations are the same, but not the quaternions")
+def zero_by_zero_at_the_opposite(q0, q1, u):
+    return q0.copy() if q0 @ q1 > 0.999999 else zero_by_zero(q0, q1, u)
 
 
-@wrong("frames_and_quaternions.4", "in degrees")
-def in_degrees(share, distance):
-    return np.degrees(2 * share)
+for why, angle in {
+    "the error's factor one half is forgotten": lambda share, distance: share,
+    "the error is taken as a share of the distance, not of the motion": lambda share, distance: np.sqrt(2 * share),
+    "a far point moves more, so it is taken to allow less": lambda share, distance: 2 * share / distance,
+    "in degrees": lambda share, distance: np.degrees(2 * share),
+}.items():
+    wrong("frames_and_quaternions.4", why)(angle)
 
 
 @wrong("frames_and_quaternions.5", "R instead of its transpose")
 def into_the_world(pose, P):
-    T = np.eye(6)
-    T[3:, 3:] = rotation(pose[3:])
+    T = np.block([[np.eye(3), np.zeros((3, 3))], [np.zeros((3, 3)), rotation(pose[3:])]])
     return T @ P @ T.T
 
 
