@@ -87,19 +87,13 @@ def _iterated(x0, P, z, R, h, jacobian, prior=True, shift=1):
     return x
 
 
-@wrong("extended_kalman_filter.2", "restarts each iteration from the last state, and so forgets the prior")
-def forgets_prior(*given):
-    return _iterated(*given, prior=False, shift=0)
-
-
-@wrong("extended_kalman_filter.2", "leaves out the term H (x0 - x)")
-def without_shift(*given):
-    return _iterated(*given, shift=0)
-
-
-@wrong("extended_kalman_filter.2", "of P only the variances")
-def variances(x0, P, *given):
-    return _iterated(x0, np.diag(np.diag(P)), *given)
+wrong("extended_kalman_filter.2", "leaves out the term H (x0 - x)")(lambda *given: _iterated(*given, shift=0))
+wrong("extended_kalman_filter.2", "restarts each iteration from the last state, and so forgets the prior")(
+    lambda *given: _iterated(*given, prior=False, shift=0)
+)
+wrong("extended_kalman_filter.2", "of P only the variances")(
+    lambda x0, P, *given: _iterated(x0, np.diag(np.diag(P)), *given)
+)
 
 
 def _moved(x, u):
@@ -116,27 +110,19 @@ def _predicted(x, P, u, Q, F_at, G_at):
     return _moved(x, u), F @ P @ F.T + G @ Q @ G.T
 
 
-@wrong("extended_kalman_filter.3", "Jacobian after the motion (E02), as in PythonRobotics before its pull request 305")
-def after_the_motion(x, P, u, Q):
-    return _predicted(x, P, u, Q, _moved(x, u), x)
-
-
-@wrong("extended_kalman_filter.3", "the control's Jacobian after the motion")
-def control_after_the_motion(x, P, u, Q):
-    return _predicted(x, P, u, Q, x, _moved(x, u))
-
-
 @wrong("extended_kalman_filter.3", "adds the control's covariance without its Jacobian")
 def noise_in_the_wrong_frame(x, P, u, Q):
     F, _ = _jacobians(x, u)
     return _moved(x, u), F @ P @ F.T + np.diag([Q[0, 0], Q[0, 0], Q[1, 1]])
 
 
-@wrong("extended_kalman_filter.3", "of P only the variances")
-def variances_of_pose(x, P, u, Q):
-    return _predicted(x, np.diag(np.diag(P)), u, Q, x, x)
-
-
-@wrong("extended_kalman_filter.3", "forgets the control's noise")
-def without_noise(x, P, u, Q):
-    return _predicted(x, P, u, 0 * Q, x, x)
+wrong("extended_kalman_filter.3", "Jacobian after the motion (E02), as in PythonRobotics before its pull request 305")(
+    lambda x, P, u, Q: _predicted(x, P, u, Q, _moved(x, u), x)
+)
+wrong("extended_kalman_filter.3", "the control's Jacobian after the motion")(
+    lambda x, P, u, Q: _predicted(x, P, u, Q, x, _moved(x, u))
+)
+wrong("extended_kalman_filter.3", "of P only the variances")(
+    lambda x, P, u, Q: _predicted(x, np.diag(np.diag(P)), u, Q, x, x)
+)
+wrong("extended_kalman_filter.3", "forgets the control's noise")(lambda x, P, u, Q: _predicted(x, P, u, 0 * Q, x, x))
