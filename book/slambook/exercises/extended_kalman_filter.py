@@ -36,7 +36,7 @@ def map_estimate(candidate: Candidate, rng: Rng) -> None:
     def jacobian(x: Array) -> Array:
         return np.stack([(x - place) / np.hypot(*(x - place)), x[::-1]])
 
-    P, R = np.diag([0.5, 0.3]) ** 2, np.diag([0.05, 0.1]) ** 2
+    P, R = np.array([[0.25, 0.1], [0.1, 0.09]]), np.array([[0.0025, 0.003], [0.003, 0.01]])
     for _ in range(5):
         x0 = 0.3 * rng.standard_normal(2)
         z = h(x0 + 0.4 * rng.standard_normal(2))
@@ -52,7 +52,7 @@ def map_estimate(candidate: Candidate, rng: Rng) -> None:
 @exercise("extended_kalman_filter.3", "predicting a driving robot", seed=33)
 def predict(candidate: Candidate, rng: Rng) -> None:
     """The covariance moves with the derivative of the candidate's own mean, at the old state."""
-    P, Q = np.diag([0.2, 0.1, 0.3]) ** 2, np.diag([0.05, 0.1]) ** 2
+    P, Q = (root @ root.T for root in (0.2 * rng.standard_normal((3, 3)), 0.1 * rng.standard_normal((2, 2))))
     for _ in range(5):
         x, u = rng.standard_normal(3), np.array([0.5, 0.7]) + rng.standard_normal(2)
         mean, found = parts(candidate(x, P, u, Q), ESTIMATE)

@@ -15,7 +15,7 @@ from slamlib.simulation import simulate
 @exercise("motion_models.2", "driving an arc", seed=72)
 def arc(candidate: Candidate, rng: Rng) -> None:
     """Mean against fine integration, covariance against differences of the candidate's own mean; smooth at zero."""
-    P, U = np.diag([0.2, 0.1, 0.05]), np.diag([0.03, 0.02])
+    P, U = np.array([[0.2, 0.05, 0.02], [0.05, 0.1, 0.03], [0.02, 0.03, 0.05]]), np.array([[0.03, 0.01], [0.01, 0.02]])
     for turn in cases((0.0, 1e-9, 1e-4, 0.3, -1.2, 3.0), "a turn of {} rad"):
         x, u = rng.standard_normal(3), np.array([1.5, turn])
         mean, found = parts(candidate(x, P, u, U), {"the mean": (3,), "the covariance": (3, 3)})
@@ -36,10 +36,10 @@ def propagate(candidate: Candidate, rng: Rng) -> None:
     sideways = covariance(candidate(F, np.diag([0, 0, 0.01]), np.zeros((3, 3))), 3)[1, 1]
     holds(sideways > 0.03, "an uncertain heading makes the position uncertain sideways", f"found {sideways:.4g} m^2")
     for _ in range(3):
-        F, root = rng.standard_normal((3, 3)), rng.standard_normal((3, 3))
-        Q = np.diag(rng.uniform(0.1, 1, 3))
+        F, root, noise = rng.standard_normal((3, 3)), rng.standard_normal((3, 3)), rng.uniform(0.1, 1, (3, 3))
+        Q = noise @ noise.T
         same(candidate(F, np.zeros((3, 3)), Q), Q, "without an error before, Q is all there is")
-        samples = rng.standard_normal((20000, 3)) @ root.T @ F.T + rng.standard_normal((20000, 3)) @ np.sqrt(Q)
+        samples = rng.standard_normal((20000, 3)) @ root.T @ F.T + rng.standard_normal((20000, 3)) @ noise.T
         found = covariance(candidate(F, root @ root.T, Q), 3)
         scale = np.abs(found).max()
         same(found / scale, np.cov(samples.T) / scale, "agrees with the spread of 20000 samples", tolerance=0.06)
@@ -68,15 +68,15 @@ def unicycle(candidate: Candidate, rng: Rng) -> None:
     holds(isinstance(candidate, Motion), "is a Motion", f"got {type(candidate).__name__}")
     holds(candidate.control == 2, "its control has two numbers", f"it says {candidate.control}")
     holds(candidate.angles == (1,), "the second number of the control is an angle", f"it says {candidate.angles}")
-    for yaw_rate in cases((0.0, 1e-9, 0.4, -2.0), "speed 1.5 m/s, yaw rate {:g} rad/s, for 0.5 s"):
-        state, control, dt = Pose.random(rng), np.array([1.5, yaw_rate]), 0.5
+    for yaw_rate, dt in cases(((0.0, 0.5), (1e-9, 1), (0.4, 0.5), (-2.0, 0.3)), "1.5 m/s, {:g} rad/s, for {:g} s"):
+        state, control = Pose.random(rng), np.array([1.5, yaw_rate])
         moved, J = candidate.step.jac(state, control, dt)
         turns = yaw_rate * dt * (np.arange(20000) + 0.5) / 20000
         along = 1.5 * dt * np.array([np.cos(turns).mean(), np.sin(turns).mean(), 0])
         there = compose(state, np.concatenate([along, exponential(np.array([0, 0, yaw_rate * dt]))]))
         same(moved[:3], there[:3], "ends where fine steps along the arc end", tolerance=1e-8)
         same(rotation(moved[3:]), rotation(there[3:]), "turns about its own vertical axis", tolerance=1e-12)
-        by = differences(lambda u, x=state, to=moved: Pose.minus(candidate.step(x, u, 0.5), to), control)
+        by = differences(lambda u, x=state, t=dt, to=moved: Pose.minus(candidate.step(x, u, t), to), control)
         same(J.control, by, "the Jacobian by the control", tolerance=1e-5)
     rig = Rig((RobotSetup(motion=candidate, control=(1.0, 90.0)),), (SensorSetup(),))
     end = list(simulate(rig, World(), frames=40, dt=0.1, rng=rng))[-1][1].robots[0][:3]

@@ -79,22 +79,21 @@ def one_step(x0, P, z, R, h, jacobian):
     return x0 + P @ H.T @ np.linalg.solve(H @ P @ H.T + R, z - h(x0))
 
 
-@wrong("extended_kalman_filter.2", "restarts each iteration from the last state, and so forgets the prior")
-def forgets_prior(x0, P, z, R, h, jacobian):
+def _iterated(x0, P, z, R, h, jacobian, prior=True, shift=1):
     x = x0
     for _ in range(20):
         H = jacobian(x)
-        x = x + P @ H.T @ np.linalg.solve(H @ P @ H.T + R, z - h(x))
+        x = (x0 if prior else x) + P @ H.T @ np.linalg.solve(H @ P @ H.T + R, z - h(x) - shift * H @ (x0 - x))
     return x
 
 
-@wrong("extended_kalman_filter.2", "leaves out the term H (x0 - x)")
-def without_shift(x0, P, z, R, h, jacobian):
-    x = x0
-    for _ in range(20):
-        H = jacobian(x)
-        x = x0 + P @ H.T @ np.linalg.solve(H @ P @ H.T + R, z - h(x))
-    return x
+wrong("extended_kalman_filter.2", "leaves out the term H (x0 - x)")(lambda *given: _iterated(*given, shift=0))
+wrong("extended_kalman_filter.2", "restarts each iteration from the last state, and so forgets the prior")(
+    lambda *given: _iterated(*given, prior=False, shift=0)
+)
+wrong("extended_kalman_filter.2", "of P only the variances")(
+    lambda x0, P, *given: _iterated(x0, np.diag(np.diag(P)), *given)
+)
 
 
 def _moved(x, u):
@@ -106,11 +105,9 @@ def _jacobians(x, u):
     return np.array([[1, 0, -u[0] * s], [0, 1, u[0] * c], [0, 0, 1]]), np.array([[c, 0], [s, 0], [0, 1]])
 
 
-@wrong("extended_kalman_filter.3", "Jacobians after the motion (E02), as in PythonRobotics before its pull request 305")
-def after_the_motion(x, P, u, Q):
-    x = _moved(x, u)
-    F, G = _jacobians(x, u)
-    return x, F @ P @ F.T + G @ Q @ G.T
+def _predicted(x, P, u, Q, F_at, G_at):
+    F, G = _jacobians(F_at, u)[0], _jacobians(G_at, u)[1]
+    return _moved(x, u), F @ P @ F.T + G @ Q @ G.T
 
 
 @wrong("extended_kalman_filter.3", "adds the control's covariance without its Jacobian")
@@ -119,7 +116,13 @@ def noise_in_the_wrong_frame(x, P, u, Q):
     return _moved(x, u), F @ P @ F.T + np.diag([Q[0, 0], Q[0, 0], Q[1, 1]])
 
 
-@wrong("extended_kalman_filter.3", "forgets the control's noise")
-def without_noise(x, P, u, Q):
-    F, _ = _jacobians(x, u)
-    return _moved(x, u), F @ P @ F.T
+wrong("extended_kalman_filter.3", "Jacobian after the motion (E02), as in PythonRobotics before its pull request 305")(
+    lambda x, P, u, Q: _predicted(x, P, u, Q, _moved(x, u), x)
+)
+wrong("extended_kalman_filter.3", "the control's Jacobian after the motion")(
+    lambda x, P, u, Q: _predicted(x, P, u, Q, x, _moved(x, u))
+)
+wrong("extended_kalman_filter.3", "of P only the variances")(
+    lambda x, P, u, Q: _predicted(x, np.diag(np.diag(P)), u, Q, x, x)
+)
+wrong("extended_kalman_filter.3", "forgets the control's noise")(lambda x, P, u, Q: _predicted(x, P, u, 0 * Q, x, x))

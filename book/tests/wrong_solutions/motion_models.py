@@ -1,5 +1,7 @@
 """Wrong solutions of chapter motion_models."""
 
+import functools
+
 import numpy as np
 
 from book.tests.wrong_solutions import wrong
@@ -17,48 +19,33 @@ def _propagate(f, x, P, u, U):
     return f(x, u), F @ P @ F.T + G @ U @ G.T
 
 
-@wrong("motion_models.2", "drives straight ahead, then turns")
-def turn_last(x, P, u, U):
-    return _propagate(lambda x, u: x + np.array([u[0] * np.cos(x[2]), u[0] * np.sin(x[2]), u[1]]), x, P, u, U)
+def _ahead(x, length, direction, turn):
+    return x + np.array([length * np.cos(direction), length * np.sin(direction), turn])
 
 
-@wrong("motion_models.2", "takes the arc's length for the chord's")
-def chord(x, P, u, U):
-    middle = lambda x, u: x[2] + u[1] / 2  # noqa: E731
-    return _propagate(
-        lambda x, u: x + np.array([u[0] * np.cos(middle(x, u)), u[0] * np.sin(middle(x, u)), u[1]]), x, P, u, U
-    )
+def _arc(x, u):
+    return _ahead(x, np.sinc(u[1] / 2 / np.pi) * u[0], x[2] + u[1] / 2, u[1])
 
 
-@wrong("motion_models.2", "forgets the noise of the control")
-def without_noise(x, P, u, U):
-    def f(x, u):
-        s = np.sinc(u[1] / 2 / np.pi) * u[0]
-        return x + np.array([s * np.cos(x[2] + u[1] / 2), s * np.sin(x[2] + u[1] / 2), u[1]])
-
-    mean, _ = _propagate(f, x, P, u, U)
-    return mean, _propagate(f, x, P, u, np.zeros((2, 2)))[1]
-
-
-@wrong("motion_models.3", "the transposed Jacobian, as published")
-def transposed(F, P, Q):
-    return F.T @ P @ F + Q
-
-
-@wrong("motion_models.3", "forgets Q")
-def without_q(F, P, Q):
-    return F @ P @ F.T
+wrong("motion_models.2", "drives straight ahead, then turns")(
+    functools.partial(_propagate, lambda x, u: _ahead(x, u[0], x[2], u[1]))
+)
+wrong("motion_models.2", "takes the arc's length for the chord's")(
+    functools.partial(_propagate, lambda x, u: _ahead(x, u[0], x[2] + u[1] / 2, u[1]))
+)
+wrong("motion_models.2", "forgets the noise of the control")(lambda x, P, u, U: _propagate(_arc, x, P, u, 0 * U))
+wrong("motion_models.2", "of P only the variances")(lambda x, P, *uU: _propagate(_arc, x, np.diag(np.diag(P)), *uU))
+wrong("motion_models.2", "of U only the variances")(lambda x, P, u, U: _propagate(_arc, x, P, u, np.diag(np.diag(U))))
+wrong("motion_models.3", "the transposed Jacobian, as published")(lambda F, P, Q: F.T @ P @ F + Q)
+wrong("motion_models.3", "forgets Q")(lambda F, P, Q: F @ P @ F.T)
+wrong("motion_models.3", "of Q only the variances")(lambda F, P, Q: F @ P @ F.T + np.diag(np.diag(Q)))
+wrong("motion_models.3", "standard deviations for the variances of Q")(lambda F, P, Q: F @ P @ F.T + np.sqrt(Q))
 
 
 @wrong("motion_models.3", "multiplies on one side only")
 def one_side(F, P, Q):
     half = F @ P
     return (half + half.T) / 2 + Q
-
-
-@wrong("motion_models.3", "standard deviations for the variances of Q")
-def roots(F, P, Q):
-    return F @ P @ F.T + np.sqrt(Q)
 
 
 @wrong("motion_models.5", "counts the turn of a step as if it came before the step's move")
@@ -108,6 +95,15 @@ def in_the_world(state, control, dt):
 
 
 @model(state=Pose, control=2, dt=(), returns=Pose)
+def half_a_second(state, control, dt):
+    """The arc's chord for half a second, however long the step is."""
+    zero, half = 0 * dt, control[1] * dt / 2
+    chord = control[0] * stumpff(1, half * half) / 2
+    moved = np.array([chord * cos(half), chord * sin(half), zero])
+    return np.concatenate([from_frame(state, moved), plus(state[3:], np.array([zero, zero, 2 * half]))])
+
+
+@model(state=Pose, control=2, dt=(), returns=Pose)
 def arc(state, control, dt):
     """Right."""
     zero, half = 0 * dt, control[1] * dt / 2
@@ -119,3 +115,4 @@ def arc(state, control, dt):
 wrong("motion_models.6", "drives straight ahead, then turns")(Motion("unicycle", Pose, 2, ahead_then_turn, angles=(1,)))
 wrong("motion_models.6", "moves along the world's axes")(Motion("unicycle", Pose, 2, in_the_world, angles=(1,)))
 wrong("motion_models.6", "takes the yaw rate of a setup for radians")(Motion("unicycle", Pose, 2, arc, angles=()))
+wrong("motion_models.6", "moves as far in any time")(Motion("unicycle", Pose, 2, half_a_second, angles=(1,)))
