@@ -83,7 +83,7 @@ def rotation(q):
 def from_rotation(matrix, pivot):
     """Unit quaternion of a rotation matrix, for any pivot with pivot @ q > 0. Eq. (fq-from)."""
     (a, b, c), (d, e, f), (g, h, i) = matrix
-    outer = np.array([  # 4 q q', linear in the matrix
+    outer = np.array([  # 4 q q', of first degree in the matrix
         [1 + a + e + i, h - f, c - g, d - b],
         [h - f, 1 + a - e - i, b + d, c + g],
         [c - g, b + d, 1 - a + e - i, f + h],

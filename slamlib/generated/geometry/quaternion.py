@@ -13,7 +13,7 @@ DIGESTS = {
     "plus": "3bedf4199a97775b",
     "minus": "75a7213ae9a66a2f",
     "rotation": "615144ffd557d53c",
-    "from_rotation": "bffdeaba3d0815ed",
+    "from_rotation": "12065197006a240d",
 }
 SHAPES = {
     "left_matrix": (4, 4),
