@@ -88,8 +88,8 @@ def root(function, goal, x, low, high):
         excess = value - goal
         low, high = np.where(excess < 0, x, low), np.where(excess > 0, x, high)
         newton = x - excess / np.where(slope > 0, slope, 1)
-        inside = (slope > 0) & (newton >= low) & (newton <= high)
-        before, x = x, np.where(inside, newton, (low + high) / 2)
+        short = (slope > 0) & (np.abs(newton - x) <= (high - low) / 2)
+        before, x = x, np.where(short, newton, (low + high) / 2)
         if (np.abs(x - before) <= 1e-15 * x).all():
             break
     return x

@@ -49,7 +49,7 @@ def pinhole(candidate: Candidate, rng: Rng) -> None:
             ideal, distorted = point[:2] / point[2], (pixel - k[:2]) / k[2:]
             r = np.hypot(*ideal)
             same(distorted[0] * ideal[1], distorted[1] * ideal[0], "distortion moves along the radius", tolerance=1e-12)
-            same(np.hypot(*distorted), r * _factor(r, d), "the distorted radius is r + d1 r^3 + d2 r^5 + ...")
+            same(distorted @ ideal / r, r * _factor(r, d), "the distorted radius is r + d1 r^3 + d2 r^5 + ...")
             own = differences(lambda p, seen=seen: seen(p)[0], point)
             same(J, own, "the Jacobian is that of the pixel", tolerance=1e-6)
 

@@ -90,6 +90,11 @@ def scaled_first(point, k, d):
     return pixel, J @ np.array([[k[2] / point[2], 0, 0], [0, k[3] / point[2], 0], [0, 0, 0]])
 
 
+@wrong("pinhole.2", "the upside-down image behind the hole")
+def upside_down(point, k, d):
+    return _chain(point, np.array([*k[:2], *-k[2:]]), d)
+
+
 # -- 8.3 ---------------------------------------------------------------------------------------------------------------
 
 
