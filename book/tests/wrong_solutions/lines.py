@@ -69,10 +69,10 @@ def as_a_point(intrinsics, n):
     return np.array([[fu, 0, u], [0, fv, v], [0, 0, 1]]) @ n
 
 
-@wrong("lines.3", "forgets the centre of the image")
-def without_the_centre(intrinsics, n):
+@wrong("lines.3", "the centre is that of an image of 640 by 480 pixels")
+def centre_of_the_image(intrinsics, n):
     _, _, fu, fv = intrinsics
-    return np.array([fv * n[0], fu * n[1], fu * fv * n[2]])
+    return np.array([fv * n[0], fu * n[1], fu * fv * n[2] - 320 * fv * n[0] - 240 * fu * n[1]])
 
 
 @wrong("lines.3", "K_L for a unit focal length")
