@@ -123,7 +123,7 @@ def pixel_noise(left: float, right: float) -> Array:
     """R (3, 3) of (u_l, v_l, u_l - u_r) [px^2], for independent u_l, v_l and u_r with these standard deviations [px].
 
     For both pixels detected independently: u and disparity are correlated then. For a disparity measured by aligning
-    the left patch in the right image they are not, and R is diagonal.
+    the left patch in the right image R is taken as diagonal.
     """
     J = np.array([[1.0, 0, 0], [0, 1, 0], [1, 0, -1]])
     return J @ np.diag([left**2, left**2, right**2]) @ J.T

@@ -11,8 +11,8 @@ from slamlib.manifolds import Array, Image, Mask
 @exercise("active_search.1", "where to look", seed=191)
 def where(candidate: Candidate, rng: Rng) -> None:
     """The share of true measurements inside over many draws, and the nearest pixels before the others."""
-    for probability, thickness in cases(((0.5, 3.0), (0.9, 3.0), (0.99, 3.0), (0.95, 0.3)), "probability {}"):
-        turn, centre, R = rng.uniform(0.4, 1.1), np.array([58.3, 43.8]), np.diag([6.0, 4.0])
+    for probability, thickness in cases(((0.45, 3.0), (0.87, 3.0), (0.98, 3.0), (0.96, 0.3)), "probability {}"):
+        turn, centre, R = rng.uniform(0.4, 1.1), np.array([58.3, 43.8]), np.array([[6.0, 3.0], [3.0, 4.0]])
         axes = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
         E = axes @ np.diag([9.0, thickness]) ** 2 @ axes.T
         mask = _mask(candidate, centre, E, R, probability, (120, 90))
@@ -117,7 +117,7 @@ def correlation(candidate: Candidate, rng: Rng) -> None:
         J = 0.6 * I + rng.normal(30, 25, shape)
         z = score(I, J)
         same(score(J, I), z, "it does not matter which patch comes first")
-        same(score(1.7e-6 * I + 12e-6, 0.4e-6 * J - 3e-6), z, "gain and bias change nothing")
+        same(score(1.7e-12 * I + 12e-12, 0.4e-12 * J - 3e-12), z, "gain and bias change nothing")
         same(score(-I, J), -z, "a negative is worth the opposite")
         same(score(I, 3 * I + 5), 1.0, "equal up to gain and bias is worth 1")
         rest = J.ravel() - np.polyval(np.polyfit(I.ravel(), J.ravel(), 1), I.ravel())

@@ -7,8 +7,7 @@ from slamlib.kalman.chi_square import chi2_quantile
 
 
 def _squared(centre, S, size):
-    v, u = np.indices((size[1], size[0]))
-    z = np.stack([u, v], axis=-1) - centre
+    z = np.indices((size[1], size[0]))[::-1].transpose(1, 2, 0) - centre
     return (z * (z @ np.linalg.inv(S))).sum(-1)
 
 
@@ -30,8 +29,7 @@ def three_sigma(centre, E, R, probability, size):
 @wrong("active_search.1", "a rectangle, as in the manual")
 def rectangle(centre, E, R, probability, size):
     half = np.sqrt(chi2_quantile(probability, 2) * np.diag(E + R))
-    v, u = np.indices((size[1], size[0]))
-    return (np.abs(u - centre[0]) <= half[0]) & (np.abs(v - centre[1]) <= half[1])
+    return (np.abs(np.indices((size[1], size[0]))[::-1].transpose(1, 2, 0) - centre) <= half).all(-1)
 
 
 @wrong("active_search.1", "forgets the correlation of u and v")
@@ -39,10 +37,14 @@ def upright(centre, E, R, probability, size):
     return _squared(centre, np.diag(np.diag(E + R)), size) <= chi2_quantile(probability, 2)
 
 
+@wrong("active_search.1", "forgets the correlation of the noise in u and v")
+def upright_noise(centre, E, R, probability, size):
+    return _squared(centre, E + np.diag(np.diag(R)), size) <= chi2_quantile(probability, 2)
+
+
 @wrong("active_search.1", "takes rows for u and columns for v")
 def transposed(centre, E, R, probability, size):
-    u, v = np.indices((size[1], size[0]))
-    z = np.stack([u, v], axis=-1) - centre
+    z = np.indices((size[1], size[0])).transpose(1, 2, 0) - centre
     return (z * (z @ np.linalg.inv(E + R))).sum(-1) <= chi2_quantile(probability, 2)
 
 
@@ -116,7 +118,7 @@ def turn_only(R, t, n, d, K1, K2):
 def fixed_floor(first, second):
     a, b = (np.asarray(patch, float) - np.mean(patch, dtype=float) for patch in (first, second))
     length = np.sqrt((a * a).sum() * (b * b).sum())
-    return float(np.clip((a * b).sum() / length, -1, 1)) if length > 1e-3 else 0.0
+    return float(np.clip((a * b).sum() / length, -1, 1)) if length > 1e-10 else 0.0
 
 
 @wrong("active_search.4", "0/0 is taken for 1, as OpenCV's matchTemplate does (issue 5688)")
@@ -134,9 +136,7 @@ def overflow(I, J):  # noqa: E741
     return up / np.sqrt(below) if below > 1e-6 * n**4 else 0.0
 
 
-@wrong(
-    "active_search.4", "sums in single precision: their difference is rounding, and may even be negative (OpenCV 21786)"
-)
+@wrong("active_search.4", "sums in single precision: their difference is rounding, even negative (OpenCV 21786)")
 def single(I, J):  # noqa: E741
     a, b, n = np.asarray(I, np.float32), np.asarray(J, np.float32), np.float32(I.size)
     up = n * (a * b).sum() - a.sum() * b.sum()
