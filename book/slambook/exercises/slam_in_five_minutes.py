@@ -22,7 +22,7 @@ def two_landmarks(candidate: Candidate) -> None:
 def add_landmark(candidate: Candidate, rng: Rng) -> None:
     """Against the transformation of all errors at once: old ones, and the measurement's."""
     for n in (3, 5, 7):
-        P, R = random_covariance(rng, n), np.diag([0.3, 0.2])
+        P, R = random_covariance(rng, n), random_covariance(rng, 2)
         G_r, G_z = rng.standard_normal((2, 3)), rng.standard_normal((2, 2))
         found = covariance(candidate(P, G_r, G_z, R), n + 2, "the new covariance")
         T, joint = np.eye(n + 2), np.zeros((n + 2, n + 2))
@@ -37,7 +37,7 @@ def add_landmark(candidate: Candidate, rng: Rng) -> None:
 def predict(candidate: Candidate, rng: Rng) -> None:
     """The joint covariance is that of the moved errors, and a rigid motion keeps what is known relatively."""
     for n in (3, 5, 7):
-        P, F, Q = random_covariance(rng, n), rng.standard_normal((3, 3)), np.diag([0.1, 0.2, 0.05])
+        P, F, Q = random_covariance(rng, n), rng.standard_normal((3, 3)), random_covariance(rng, 3)
         found = covariance(candidate(P, F, Q), n)
         T = np.eye(n)
         T[:3, :3] = F
