@@ -35,7 +35,7 @@ def moved_abscissas(candidate: Candidate, rng: Rng) -> None:
 @exercise("segments.3", "which segments are in view", seed=126)
 def is_visible(candidate: Candidate, rng: Rng) -> None:
     """A thousand points of the segment say whether some part is in the image; close calls are left out."""
-    k, image, share = np.array([320.0, 240, 300, 400]), (640, 480), np.linspace(0, 1, 1001)[:, None]
+    k, image, share = np.array([250.0, 290, 300, 400]), (640, 480), np.linspace(0, 1, 1001)[:, None]
     hard = np.array([[[-200, 0, 1], [200, 0, 1]], [[-1, 0, 0.05], [1, 0, 0.05]]])  # a short part in view; very near
     for first, second in cases([*3 * rng.standard_normal((400, 2, 3)), *hard], "the segment {}"):
         points = (1 - share) * first + share * second

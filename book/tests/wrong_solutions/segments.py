@@ -3,6 +3,7 @@
 import numpy as np
 
 from book.tests.wrong_solutions import wrong
+from slamlib.landmarks.segments import frustum
 
 
 @wrong("segments.1", "the sign")
@@ -47,8 +48,7 @@ def ends_or_middle(first, second, intrinsics, image):
 
 @wrong("segments.3", "only outside if both endpoints are outside of the same side")
 def no_side_says_no(first, second, intrinsics, image):
-    (u, v, fu, fv), (width, height) = intrinsics, image
-    A = np.array([[fu, 0, u], [-fu, 0, width - u], [0, fv, v], [0, -fv, height - v]])
+    A = frustum(intrinsics, image)
     return not ((A @ first < 0) & (A @ second < 0)).any()
 
 
@@ -66,19 +66,15 @@ def samples(first, second, intrinsics, image):
 
 
 @wrong("segments.3", "clips at a depth of ten centimetres, and what is nearer is lost")
-def near_plane(first, second, intrinsics, image):
-    least = 0.1
-    if max(first[2], second[2]) < least:
-        return False
-    (u, v, fu, fv), (width, height) = intrinsics, image
-    planes = [[fu, 0, u], [-fu, 0, width - u], [0, fv, v], [0, -fv, height - v], [0, 0, 1]]
-    enter, leave = 0.0, 1.0
-    for plane, offset in zip(np.array(planes), (0, 0, 0, 0, least), strict=True):
-        start, end = plane @ first - offset, plane @ second - offset
-        if start < 0 and end < 0:
-            return False
-        if start < 0:
-            enter = max(enter, start / (start - end))
-        elif end < 0:
-            leave = min(leave, start / (start - end))
-    return enter <= leave
+def near_plane(first, second, intrinsics, image, least=0.1):
+    planes, offsets = np.array([*frustum(intrinsics, image), [0, 0, 1]]), np.array([0, 0, 0, 0, least])
+    start, end = planes @ first - offsets, planes @ second - offsets
+    with np.errstate(all="ignore"):
+        at = start / (start - end)
+    enter, leave = at[start < 0].max(initial=0), at[(start >= 0) & (end < 0)].min(initial=1)
+    return bool(enter <= leave and not ((start < 0) & (end < 0)).any())
+
+
+@wrong("segments.3", "takes the middle of the image for the principal point")
+def middle(first, second, intrinsics, image):
+    return near_plane(first, second, [*np.array(image) / 2, *intrinsics[2:]], image, least=0)
