@@ -24,15 +24,15 @@ def shifted_line(candidate: Candidate, rng: Rng) -> None:
 def unseen(candidate: Candidate, rng: Rng) -> None:
     """An orthonormal basis of all directions that every measurement maps to zero, and of no other."""
     sizes = (2, 7, 3), (3, 5, 0), (1, 6, 6), (8, 9, 1)
-    for count, n, hidden in cases(sizes, "{} measurements of {} numbers, {} unobserved"):
+    for count, n, hidden in cases(sizes, "{} measurements at a state of {} numbers, {} unobserved"):
         basis = np.linalg.qr(rng.standard_normal((n, n)))[0]
         predictions = np.array([rng.standard_normal((2, n - hidden)) @ basis[:, hidden:].T for _ in range(count)])
         found = array_of(candidate(predictions), (n, hidden), "the directions")
         same(found.T @ found, np.eye(hidden), "the directions are orthonormal")
         same(predictions @ found, np.zeros((count, 2, hidden)), "no measurement observes them")
-    predictions = 1e-12 * np.array([[[1.0, 0, 0]], [[0, 1000.0, 0]]])
-    found = array_of(candidate(predictions), (3, 1), "what two scalar measurements leave unobserved")
-    same(np.abs(found[:, 0]), [0, 0, 1], "each measurement is used, whatever its scale")
+    predictions = 1e-12 * np.array([[[1.0, 0, 0]], [[0, 1e6, 0]], [[0, 0, 1e-5]]])  # the last: 1e-11 of the largest
+    found = array_of(candidate(predictions), (3, 1), "what three scalar measurements leave unobserved")
+    same(np.abs(found[:, 0]), [0, 0, 1], "the threshold is relative to the largest measurement")
 
 
 @exercise("toolbox_tour.3", "a stream for every run")

@@ -34,9 +34,9 @@ def sign(R, t, S, q):
     return -robot, -np.hstack([-S.T, extrinsics[:, 3:]])
 
 
-def _null(rows):
+def _null(rows, least=1e-9, relative=False):
     values, vectors = np.linalg.svd(rows)[1:]
-    return vectors[np.sum(values > 1e-9) :].T
+    return vectors[np.sum(values > least * (values[0] if relative else 1.0)) :].T
 
 
 def _rows(motions, sign=1.0, coupled=True):
@@ -48,25 +48,12 @@ def _rows(motions, sign=1.0, coupled=True):
     return np.concatenate(parts)
 
 
-@wrong("many.2", "rotation and translation are looked at separately")
-def uncoupled(motions):
-    return _null(_rows(motions, coupled=False))
-
-
-@wrong("many.2", "the sign of the coupling is wrong")
-def wrong_sign(motions):
-    return _null(_rows(motions, sign=-1.0))
-
-
-@wrong("many.2", "the first step is as good as all")
-def only_first(motions):
-    return _null(_rows(motions[:1]))
-
-
-@wrong("many.2", "one step hides what the other hides: adds the directions up")
-def any_step(motions):
-    rows = sum(_rows([U]) for U in motions)
-    return _null(rows)
+wrong("many.2", "rotation and translation are looked at separately")(lambda U: _null(_rows(U, coupled=False)))
+wrong("many.2", "the sign of the coupling is wrong")(lambda U: _null(_rows(U, sign=-1.0)))
+wrong("many.2", "the first step is as good as all")(lambda U: _null(_rows(U[:1])))
+wrong("many.2", "one step hides what the other hides: adds them up")(lambda U: _null(sum(_rows([step]) for step in U)))
+wrong("many.2", "a threshold for which a wide circle is straight")(lambda U: _null(_rows(U), 1e-3))
+wrong("many.2", "a threshold relative to what rounding leaves")(lambda U: _null(_rows(U), relative=True))
 
 
 @wrong("many.3", "takes the file's matrices for poses, as in okvis 38")
@@ -122,11 +109,9 @@ def _smallest(own, told, size):
     return w, np.linalg.inv(w * A + (1 - w) * B)
 
 
-@wrong("many.4", "the smallest determinant instead of the smallest trace")
-def smallest_determinant(own, told):
-    return _smallest(own, told, np.linalg.det)
-
-
-@wrong("many.4", "the smallest of the largest eigenvalues")
-def smallest_axis(own, told):
-    return _smallest(own, told, lambda P: np.linalg.eigvalsh(P)[-1])
+for size, why in (
+    (np.sum, "the sum of all entries for the trace"),
+    (np.linalg.det, "the smallest determinant instead of the smallest trace"),
+    (lambda P: np.linalg.eigvalsh(P)[-1], "the smallest of the largest eigenvalues"),
+):
+    wrong("many.4", why)(lambda own, told, size=size: _smallest(own, told, size))

@@ -21,14 +21,25 @@ def in_place(line, c):
     return line
 
 
-@wrong("toolbox_tour.2", "looks at the first look alone")
-def first_alone(predictions):
-    return _null(predictions[0])
+def _null(H, least=1e-9):
+    _, s, V = np.linalg.svd(H)
+    return V[int((s > least * max(s[0], 1e-300)).sum()) :].T
 
 
-@wrong("toolbox_tour.2", "adds the Jacobians up, so that their rows hide each other")
-def added(predictions):
-    return _null(predictions.sum(0))
+wrong("toolbox_tour.2", "looks at the first look alone")(lambda predictions: _null(predictions[0]))
+wrong("toolbox_tour.2", "adds the Jacobians up, so that their rows hide each other")(lambda all_: _null(all_.sum(0)))
+wrong("toolbox_tour.2", "a threshold for which a small look is none")(lambda all_: _null(np.vstack(all_), 1e-4))
+wrong("toolbox_tour.2", "zero is only what rounding leaves")(lambda all_: _null(np.vstack(all_), 1e-15))
+wrong("toolbox_tour.2", "every measurement in a unit of its own")(
+    lambda all_: _null(np.vstack([H / max(np.linalg.norm(H), 1e-300) for H in all_]))
+)
+
+
+@wrong("toolbox_tour.2", "a threshold for the square of the singular values")
+def squared(predictions):
+    H = np.vstack(predictions)
+    values, V = np.linalg.eigh(H.T @ H)
+    return V[:, values <= 1e-9 * values[-1]]
 
 
 @wrong("toolbox_tour.2", "returns what is seen")
@@ -37,21 +48,10 @@ def row_space(predictions):
     return V[: int((s > 1e-9 * max(s[0], 1e-300)).sum())].T
 
 
-@wrong("toolbox_tour.2", "a threshold for which a small look is none")
-def coarse(predictions):
-    _, s, V = np.linalg.svd(np.vstack(predictions))
-    return V[int((s > 0.01 * s[0]).sum()) :].T
-
-
 @wrong("toolbox_tour.2", "a threshold that does not follow the unit")
 def absolute(predictions):
     _, s, V = np.linalg.svd(np.vstack(predictions))
     return V[int((s > 1e-9).sum()) :].T
-
-
-def _null(H):
-    _, s, V = np.linalg.svd(H)
-    return V[int((s > 1e-9 * max(s[0], 1e-300)).sum()) :].T
 
 
 @wrong("toolbox_tour.3", "every run has the experiment's seed")
