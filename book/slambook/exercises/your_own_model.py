@@ -23,10 +23,11 @@ def angle_prior(candidate: Candidate) -> None:
 
 @exercise("your_own_model.2", "a point held by its distance")
 def distance_point(candidate: Candidate) -> None:
-    """The package's own checks of a landmark; and that the seventh number is what was asked for."""
+    """The package's own checks of a landmark; and that its name and its numbers are those asked for."""
     kind = candidate()
-    if not isinstance(kind, PointLandmark):
-        raise Rejected(f"your function should return a PointLandmark, but returned {type(kind).__name__}")
+    if not isinstance(kind, PointLandmark) or kind.name != "dstPnt":
+        found = getattr(kind, "name", type(kind).__name__)
+        raise Rejected(f"your function should return a PointLandmark named dstPnt, but returned {found}")
     seven = isinstance(kind.manifold, Euclidean) and kind.manifold.size == 7
     holds(seven, "the landmark has seven numbers", f"its space is {kind.manifold!r}: give as_manifold(7)")
     try:
@@ -34,8 +35,8 @@ def distance_point(candidate: Candidate) -> None:
     except CheckError as error:
         raise Rejected(str(error)) from None
     holds(True, "the package's checks of a point landmark")
-    landmark = kind.from_frame(ORIGIN, np.array([0.6, 0, 0.8, 0.25]))
-    same(landmark[6], 4.0, "the seventh number is the distance in metres")  # of a point 4 m away
+    landmark = kind.from_frame(np.array([1.0, 2, 3, *ORIGIN[3:]]), np.array([1.2, 0, 1.6, 0.5]))  # 4 m away
+    same(landmark, [1, 2, 3, 0.6, 0, 0.8, 4], "anchor, unit direction and distance, in this order")
 
 
 @exercise("your_own_model.3", "closing speed", seed=133)

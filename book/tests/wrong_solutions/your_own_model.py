@@ -1,12 +1,14 @@
 """Wrong solutions of chapter your_own_model."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from book.tests.wrong_solutions import wrong
 from slamlib.analytic import sqrt
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
-from slamlib.landmarks import PointLandmark
+from slamlib.landmarks import POINTS, PointLandmark
 from slamlib.manifolds import as_manifold
 from slamlib.model import model
 
@@ -66,30 +68,10 @@ def with_depth(pose, point):
     return np.array([*pose[:3], *(rotation(pose[3:]) @ point[:3] / length), point[2] / point[3]])
 
 
-@model(pose=Pose, point=4)
-def from_frame_inverse(pose, point):
-    """Keeps the inverse distance."""
-    length = sqrt(point[:3] @ point[:3])
-    return np.array([*pose[:3], *(rotation(pose[3:]) @ point[:3] / length), point[3] / length])
-
-
-@model(pose=Pose, landmark=7)
-def to_frame_inverse(pose, landmark):
-    """The anchored homogeneous point of chapter points."""
-    offset = landmark[3:6] + landmark[6] * (landmark[:3] - pose[:3])
-    return np.array([*(rotation(pose[3:]).T @ offset), landmark[6]])
-
-
 @model(landmark=7)
 def to_point(landmark):
     """Right."""
     return landmark[:3] + landmark[6] * landmark[3:6]
-
-
-@model(landmark=7)
-def to_point_inverse(landmark):
-    """Of the inverse distance."""
-    return landmark[:3] + landmark[3:6] / landmark[6]
 
 
 def _point(*models):
@@ -111,9 +93,25 @@ def mixed():
     return _point(as_inverse, from_frame, to_point)
 
 
+@model(pose=Pose, point=4)
+def unscaled_direction(pose, point):
+    """The direction keeps the length of h: right for unit rays alone."""
+    return np.array([*pose[:3], *rotation(pose[3:]) @ point[:3], 1 / point[3]])
+
+
+@wrong("your_own_model.2", "takes 1 / w for the distance, right if h is a unit ray")
+def unscaled_ray():
+    return _point(to_frame, unscaled_direction, to_point)
+
+
+@wrong("your_own_model.2", "has another name")
+def misnamed():
+    return replace(_point(to_frame, from_frame, to_point), name="newPnt")
+
+
 @wrong("your_own_model.2", "is the anchored homogeneous point: it holds the inverse distance")
 def inverse():
-    return _point(to_frame_inverse, from_frame_inverse, to_point_inverse)
+    return replace(POINTS["ahmPnt"], name="dstPnt")
 
 
 @wrong("your_own_model.3", "the speed of the robot, whatever the direction, as published")
