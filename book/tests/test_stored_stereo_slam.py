@@ -37,3 +37,12 @@ def test_a_landmark_in_every_pair_closes_the_loop_by_the_right_invariant_error_a
         if row["interval"] == 1:
             closed[row["error"]] += row["old"] > 0
     assert closed == {"local": 1, "world": 20}
+
+
+def test_all_data_at_once_are_nearer_on_the_way_in_every_film(stored):
+    rms = {
+        by: [r["rms"] for r in stored["turns"] if (r["error"], r["interval"]) == (by, 10)]
+        for by in ("world", "all data")
+    }
+    assert len(rms["world"]) == len(rms["all data"]) == 20
+    assert all(ours < filters for ours, filters in zip(rms["all data"], rms["world"], strict=True))

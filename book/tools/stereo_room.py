@@ -24,6 +24,7 @@ STD = (0.06, 0.055, 0.05)  # px, of u, v and d: generous, NIS per number of the 
 SEEDS, FRAMES, LIGHT = (1, 2, 3), 150, 10
 ROUND, ROUND_SEEDS, EVERY, WINDOW = 900, (1, 2), 15, 60  # frames
 TURN_SEEDS, INTERVALS, MOTIONS = range(1, 11), (1, 10), ("constant-velocity", "covariance-intersection")
+ESTIMATES = [("local", "local", INTERVALS), ("world", "world", INTERVALS), ("all data", "world", (10,))]  # name, error
 OLD = 400  # frames: a landmark initialized so long ago and seen now closes the loop
 OPTIONS = Options(points="eucPnt", updates=60, max_new_first=30, max_new=5, reproject=False)
 
@@ -141,8 +142,7 @@ def ways() -> dict[str, Any]:
     limits = band(6, len(SEEDS))
     for name, all_runs in squares.items():
         average = np.mean(all_runs, axis=0)
-        half = len(average) // 2
-        shares = [round(share_inside(part, limits), 3) for part in (average[:half], average[half:])]
+        shares = [round(share_inside(part, limits), 3) for part in np.split(average, [len(average) // 2])]
         found[name] |= {"nees": np.round(average / 6, 3).tolist(), "inside": shares}
     return found
 
@@ -165,25 +165,26 @@ def around() -> dict[str, Any]:
         pairs = film("round", ROUND, seed)
         for kind, (name, options) in runs.items():
             made = run(pairs, WAYS[name], options)
-            places = {"place": made.found, "true": made.true}
             found[kind].append({
                 **made.row,
                 "old": made.old[stored],
                 "nees": np.round(made.nees[stored] / 6, 2).tolist(),
                 "quarters": [round(float(q.mean()) / 6, 2) for q in np.array_split(made.nees, 4)],
-                **{what: np.round(values[stored], 5).tolist() for what, values in places.items()},
+                **{n: np.round(x[stored], 5).tolist() for n, x in (("place", made.found), ("true", made.true))},
             })  # fmt: skip
     return found
 
 
 def turns() -> list[dict[str, Any]]:
-    """Once round the room by two sources of the motion, landmarks in each pair or in one of ten, by two errors."""
+    """Once round the room by two sources of the motion, landmarks in each pair or in one of ten, by three estimates."""
     found = []
     for seed in progress(TURN_SEEDS, len(TURN_SEEDS), "two by two, twice"):
         pairs = film("round", ROUND, seed)
-        for error, motion, interval in product(("local", "world"), MOTIONS, INTERVALS):
-            made = run(pairs, Way(MOTION_SOURCES[motion], interval), replace(OPTIONS, error=error))
-            found.append({"error": error, "motion": motion, "interval": interval, **turned(made)})
+        for by, error, intervals in ESTIMATES:
+            for motion, interval in product(MOTIONS, intervals):
+                way = Way(MOTION_SOURCES[motion], interval, at_once=by == "all data")
+                made = run(pairs, way, replace(OPTIONS, error=error))
+                found.append({"error": by, "motion": motion, "interval": interval, **turned(made)})
     return found
 
 

@@ -79,7 +79,7 @@ PAIRS = SequenceKind(
     )
     * 2,
     _pair_source,
-    Options(points="eucPnt", updates=100, max_new_first=100, max_new=30, margin=0.0),
+    Options(points="eucPnt", updates=100, max_new_first=100, max_new=30, margin=0.0, error="world"),
     impulse=(0.3, 2.0),  # of a car
     velocity=(15.0, 10.0),
     noise=(0.2, 0.2, 0.2),
