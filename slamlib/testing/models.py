@@ -62,15 +62,15 @@ def derivatives(case: Case, model: Any, place: Place, value: Array, jacobians: A
     """The value is the definition's, if there is one, and each Jacobian the numerical derivative, where that is finite.
 
     chain: with steps as large as the argument, and beside the Jacobian's largest entry also where that is below one, as
-    is a derivative w.r.t. a pixel.
+    is a derivative w.r.t. a pixel. A complex step rounds as the value does: beyond 1e6 its tolerance grows with it.
     """
-    written = hasattr(model, "definition")
+    written, largest = hasattr(model, "definition"), float(np.abs(value).max(initial=0))
     with np.errstate(all="ignore"):
         if written and np.isfinite(expected := model.definition(*place)).all():
             case.compare(VALUE, value, expected)
         for index, argument in enumerate(model.arguments):
             if written:
-                numerical, what, tolerance = complex_step(model, place, index), JACOBIAN, 1e-9
+                numerical, what, tolerance = complex_step(model, place, index), JACOBIAN, max(1e-9, 1e-15 * largest)
             else:
                 step = 1e-6 * (max(1.0, float(np.abs(place[index]).max())) if chain else 1.0)
                 numerical, what, tolerance = central_difference(model, place, index, step), DIFFERENCE, 1e-5
