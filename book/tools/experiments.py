@@ -107,8 +107,8 @@ def switches(base: Preset) -> dict[str, Preset]:
 
 
 def digest(preset: Preset) -> str:
-    """Fingerprint of a preset to twelve digits: the last digits of fitted values depend on the machine."""
-    said = json.loads(json.dumps(preset.to_dict()), parse_float=lambda number: f"{float(number):.12g}")
+    """Fingerprint of a preset to seven digits: from the tenth on, fitted values depend on the machine."""
+    said = json.loads(json.dumps(preset.to_dict()), parse_float=lambda number: f"{float(number):.7g}")
     return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()[:12]
 
 
