@@ -24,7 +24,6 @@ STD = (0.06, 0.055, 0.05)  # px, of u, v and d: generous, NIS per number of the 
 SEEDS, FRAMES, LIGHT = (1, 2, 3), 150, 10
 ROUND, ROUND_SEEDS, EVERY, WINDOW = 900, (1, 2), 15, 60  # frames
 TURN_SEEDS, INTERVALS, MOTIONS = range(1, 11), (1, 10), ("constant-velocity", "covariance-intersection")
-ESTIMATES = [("local", "local", INTERVALS), ("world", "world", INTERVALS), ("all data", "world", (10,))]  # name, error
 OLD = 400  # frames: a landmark initialized so long ago and seen now closes the loop
 OPTIONS = Options(points="eucPnt", updates=60, max_new_first=30, max_new=5, reproject=False)
 
@@ -37,20 +36,18 @@ class Twice(SplitFeatures):
 
 @dataclass(frozen=True)
 class Way:
-    """Where the motion comes from, and in one of how many frames a landmark is measured: its errors come last; at_once:
-    the poses are those of all data at once, not the filter's."""
+    """Where the motion comes from, and in one of how many frames a landmark is measured: its errors come last."""
 
     motion_source: Any
     update_interval: int = 1
-    at_once: bool = False
 
 
 WAYS = {
     "twice": Way(Twice),
     **{name: Way(source) for name, source in MOTION_SOURCES.items()},
     "in turns": Way(MOTION_SOURCES["correlated"], update_interval=10),
-    "all data": Way(MOTION_SOURCES["split-features"], at_once=True),
 }
+AT_ONCE = "split-features"  # the way past the wall whose data are taken all at once, too
 Film = tuple[Rig, list[tuple[Frame, Truth]]]
 
 
@@ -91,15 +88,15 @@ class Run:
         }
 
 
-def run(film: Film, chosen: Way, options: Options = OPTIONS) -> Run:
-    """One run through a film; the filter starts at the pose of the first pair."""
+def run(film: Film, chosen: Way, options: Options = OPTIONS, at_once: bool = False) -> list[Run]:
+    """A run through a film, from the pose of the first pair: by the filter, and, at_once, by all its data, too."""
     (rig, pairs), rows, nis, old = film, [], list[float](), []
     rig = chosen.motion_source.inflated(rig)
     sensor = rig.sensors[0]
     settings = StereoSettings(update_interval=chosen.update_interval, max_in_view=30)
     motion_source: StereoMotionSource = chosen.motion_source(sensor.calibration, sensor.extrinsics, settings)
     slam = moved_by(motion_source, rig, options, pairs[0][1].robots[0][:7])
-    smoother = Smoother(slam) if chosen.at_once else None
+    smoother = Smoother(slam) if at_once else None
     for i, (frame, truth) in enumerate(pairs):
         frame = advance(slam, motion_source, frame, frame.dt if i else 0.0)
         if smoother is not None:
@@ -109,12 +106,15 @@ def run(film: Film, chosen: Way, options: Options = OPTIONS) -> Run:
         old.append(sum(prediction.landmark.first_seen < slam.number - OLD for prediction in inliers))
         robot = slam.robots[0]
         rows.append((truth.robots[0][:7], robot.pose, slam.belief.covariance(robot.block)[:6, :6]))
-    true, found, P = (np.array(column)[1:] for column in zip(*rows, strict=True))
+    true, *estimate = (np.array(column)[1:] for column in zip(*rows, strict=True))
+    estimates, fit, size = [estimate], float(np.mean(nis)) / 3, len(slam.landmarks)
     if smoother is not None:
         best = smoother.solve()
-        found, P = best.poses[1:, 0], best.covariance(np.arange(1, len(pairs)))
-    errors = Pose.minus(true, found)
-    return Run(errors, nees(errors, P), true[:, :3], found[:, :3], float(np.mean(nis)) / 3, len(slam.landmarks), old)
+        estimates.append([best.poses[1:, 0], best.covariance(np.arange(1, len(pairs)))])
+    return [
+        Run(errors := Pose.minus(true, found), nees(errors, P), true[:, :3], found[:, :3], fit, size, old)
+        for found, P in estimates
+    ]
 
 
 def odometry(film: Film) -> dict[str, float]:
@@ -131,14 +131,14 @@ def odometry(film: Film) -> dict[str, float]:
 def ways() -> dict[str, Any]:
     """Past the wall, with each way of using the matches, and with odometry alone."""
     found: dict[str, Any] = {"frames": FRAMES, "seeds": len(SEEDS), "odometry": []}
-    squares: dict[str, list[Array]] = {name: [] for name in WAYS}
+    squares = dict[str, list[Array]]()
     for seed in progress(SEEDS, len(SEEDS), "past the wall"):
         pairs = film("sideways", FRAMES, seed)
         found["odometry"].append(odometry(pairs))
-        for name in WAYS:
-            made = run(pairs, WAYS[name])
-            found.setdefault(name, {"runs": []})["runs"].append(made.row)
-            squares[name].append(made.nees)
+        for way in WAYS:
+            for name, made in zip((way, "all data"), run(pairs, WAYS[way], at_once=way == AT_ONCE), strict=False):
+                found.setdefault(name, {"runs": []})["runs"].append(made.row)
+                squares.setdefault(name, []).append(made.nees)
     limits = band(6, len(SEEDS))
     for name, all_runs in squares.items():
         average = np.mean(all_runs, axis=0)
@@ -149,7 +149,7 @@ def ways() -> dict[str, Any]:
 
 def light() -> dict[str, float]:
     """The start of one run, which a test runs again."""
-    return run(film("sideways", LIGHT, SEEDS[0]), WAYS["in turns"]).row
+    return run(film("sideways", LIGHT, SEEDS[0]), WAYS["in turns"])[0].row
 
 
 def around() -> dict[str, Any]:
@@ -164,7 +164,7 @@ def around() -> dict[str, Any]:
     for seed in progress(ROUND_SEEDS, len(ROUND_SEEDS), "round the room"):
         pairs = film("round", ROUND, seed)
         for kind, (name, options) in runs.items():
-            made = run(pairs, WAYS[name], options)
+            (made,) = run(pairs, WAYS[name], options)
             found[kind].append({
                 **made.row,
                 "old": made.old[stored],
@@ -180,11 +180,11 @@ def turns() -> list[dict[str, Any]]:
     found = []
     for seed in progress(TURN_SEEDS, len(TURN_SEEDS), "two by two, twice"):
         pairs = film("round", ROUND, seed)
-        for by, error, intervals in ESTIMATES:
-            for motion, interval in product(MOTIONS, intervals):
-                way = Way(MOTION_SOURCES[motion], interval, at_once=by == "all data")
-                made = run(pairs, way, replace(OPTIONS, error=error))
-                found.append({"error": by, "motion": motion, "interval": interval, **turned(made)})
+        for error, motion, interval in product(("local", "world"), MOTIONS, INTERVALS):
+            way, at_once = Way(MOTION_SOURCES[motion], interval), error == "world" and interval > 1
+            made = run(pairs, way, replace(OPTIONS, error=error), at_once)
+            for by, one in zip((error, "all data"), made, strict=False):
+                found.append({"error": by, "motion": motion, "interval": interval, **turned(one)})
     return found
 
 
