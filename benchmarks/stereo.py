@@ -1,8 +1,8 @@
 """The stereo front end: features and matches, plain visual odometry, and the filter, with truth beside them.
 
 Rooms are rendered, 320 x 240 pixels, with a baseline of 12 cm. The street is an excerpt of KITTI's, where it is at hand
-(its licence forbids shipping it); the filter on it is in benchmarks/street.py. Errors are of the last position, as
-shares of the path. Times are the processor's.
+(it is not shipped: its licence is for non-commercial use); the filter on it is in benchmarks/street.py. Errors are of
+the last position, as shares of the path. Times are the processor's.
 """
 
 import os

@@ -1,7 +1,7 @@
 """Each source of a stereo filter's motion against visual odometry alone, by defaults, on real sequences at hand.
 
 A rig waved by hand that sees the same places again and again (EuRoC's MH_01 before it flies: Burri and others, 2016)
-and a street that is passed once (KITTI). Their licences forbid shipping them. ATE: root mean square of the distances
+and a street that is passed once (KITTI). Neither is shipped. ATE: root mean square of the distances
 after the best rigid motion [m]; EuRoC's reference of the position is some 8 ms late against that of the orientation,
 which is why the ATE is given by the time shift that makes odometry's own least, too.
 

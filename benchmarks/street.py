@@ -1,8 +1,9 @@
 """EKF-SLAM on KITTI's street against visual odometry alone, in the same run, by KITTI's measure.
 
-The street is an excerpt of 51 rectified pairs, almost straight, 59.9 m, where it is at hand (its licence forbids
-shipping it). Errors are means over all parts of 5, 10, ..., 40 m: of the translation, in per cent of the part's length,
-and of the rotation, in degrees a metre. ATE: root mean square of the distances after the best rigid motion [m].
+The street is an excerpt of 51 rectified pairs, almost straight, 59.9 m, where it is at hand (it is not shipped: its
+licence is for non-commercial use). Errors are means over all parts of 5, 10, ..., 40 m: of the translation, in per cent
+of the part's length, and of the rotation, in degrees a metre. ATE: root mean square of the distances after the best
+rigid motion [m].
 
 1. The calibration. A disparity that is wrong by a constant makes all steps too long or too short. Without the truth,
    the pictures show it by how well matches agree with their motion: z' S^-1 z by its degrees of freedom, and how many
