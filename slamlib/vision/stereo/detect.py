@@ -26,8 +26,8 @@ WINDOW = 5  # px, of the structure tensor, whose smaller eigenvalue is the stren
 class StereoSettings:
     """Settings of the stereo front end; lengths in pixels.
 
-    cells, per_cell: of a grid (across, down), and most features per cell, the strongest (odometry alone, one street:
-    2 to 12 are as accurate, at 1.4 to 0.6 of the default's speed). min_strength: least strength of a feature. detector:
+    cells, per_cell: of a grid (across, down), and most features per cell, the strongest (2, 5 and 12: the filter's ATE
+    155, 173, 184 mm on a street, 6.3, 4.6, 4.7 mm with a waved rig). min_strength: least strength of a feature. detector:
     a name of DETECTORS. border: of the image, without features. rows: largest difference of the rows of a match.
     disparity: least and largest one. offset: added to each disparity, column of the right principal point minus that of
     the left one (Middlebury's doffs). distance: largest Hamming distance of two descriptors of 256 bits. ratio: the
