@@ -128,7 +128,7 @@ def main() -> int:
         page = chromium.new_page(color_scheme="light")
         page.set_default_timeout(1_800_000)
         browser.load(page, (layout.SITE / "print.html").as_uri())
-        page.evaluate("() => { document.documentElement.dataset.theme = 'light'; return document.fonts.ready; }")
+        page.evaluate(STYLE.with_suffix(".js").read_text("utf-8"))
         content = page.pdf(prefer_css_page_size=True, print_background=True, outline=True, tagged=True)
     (layout.SITE / "print.html").unlink()
     layout.write_whole(layout.SITE / PDF, content)
