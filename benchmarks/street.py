@@ -29,6 +29,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from slambook.smoothing import Smoother
 from slambook.stereo_films import KITTI
 
 from slamlib.datasets.dataset import ImageSource
@@ -67,7 +68,8 @@ REFERENCE = (0.02, 0.1)  # [m], [degrees]: resolution of its sensor (Geiger and 
 HEAD = (
     f"{'':16} translation (5 to 40 m)     rotation         ATE   orient.   matches (least) NIS/dof  searched    ms/pair"
 )
-ALONE = "odometry alone"
+ALONE, ALL_DATA = "odometry alone", "all data at once"
+AT_ONCE = "split-features"  # the way whose measurements are taken all at once, too
 
 
 def street() -> tuple[ImageSource, dict[str, Any], Trajectory]:
@@ -79,9 +81,8 @@ def street() -> tuple[ImageSource, dict[str, Any], Trajectory]:
     return of_pictures(pairs, source.interval), camera, truth
 
 
-def errors(run: SequenceRun, truth: Trajectory) -> dict[str, float]:
-    """Of a run that has been done: shares, degrees a metre, metres, degrees."""
-    path = run.trajectory()
+def errors(path: Trajectory, truth: Trajectory) -> dict[str, float]:
+    """Of a path: shares, degrees a metre, metres, degrees."""
     found, whole = parts(path, truth), align_trajectory(path, truth, scale=False)
     assert found is not None
     return {
@@ -104,7 +105,7 @@ def offsets(source: ImageSource, camera: dict[str, Any], truth: Trajectory) -> I
             "fit": float(r.nis.sum() / r.nis_dof.sum()),
             "matches": int(r.inliers.sum()),
             "length": float(r.trajectory.distances[-1] / truth.distances[-1]),
-            **errors(run, truth),
+            **errors(run.trajectory(), truth),
         }
 
 
@@ -132,7 +133,7 @@ def done(name: str, run: SequenceRun, truth: Trajectory) -> dict[str, float]:
     s = summary(run.result())
     told = {"matches": s["tracked_mean"], "tracked_least": s["tracked_least"], "fit": s["nis_per_dof"]}
     predictions = float(run.result().inliers.sum() / s["initialized"]) if s["initialized"] else 0.0
-    return {**errors(run, truth), **told, "looks": predictions, "milliseconds": 1e3 * spent}
+    return {**errors(run.trajectory(), truth), **told, "looks": predictions, "milliseconds": 1e3 * spent}
 
 
 def figures(offset: float = CHOSEN, names: list[str] | None = None) -> dict[str, Any]:
@@ -143,16 +144,29 @@ def figures(offset: float = CHOSEN, names: list[str] | None = None) -> dict[str,
     for key, value in (("plain", 0.0), ("corrected", offset)):
         all_of_them = list(runs(source, camera, value, names or list(WAYS)))
         found[key] = {name: done(name, run, truth) for name, run in all_of_them}
-    turns = {name: constant_turn(run.trajectory(), truth) for name, run in all_of_them}
+        smooth = at_once(source, camera, value)
+        found[key][ALL_DATA] = errors(smooth, truth)
+    known = {name: run.trajectory() for name, run in all_of_them} | {ALL_DATA: smooth}
+    turns = {name: constant_turn(path, truth) for name, path in known.items()}
     found["turns"] = {name: float(np.degrees(2 * np.linalg.norm(turn[4:]))) for name, turn in turns.items()}
     for key, of in (("turned", lambda name: ALONE), ("turned_each", lambda name: name)):
-        found[key] = {name: errors(run, truth.sensor_trajectory(turns[of(name)])) for name, run in all_of_them}
+        found[key] = {name: errors(path, truth.sensor_trajectory(turns[of(name)])) for name, path in known.items()}
     found["turning"] = turning(truth)
     later = source.part(INTERPOLATED)
     both = [dict(runs(later, camera, o, names or list(WAYS))) for o in (0.0, offset)]
     paths = [{name: finished(name, run).trajectory() for name, run in part.items()} for part in both]
     found["nees"] = {name: nees(path, paths[1][name], truth, source.interval) for name, path in paths[0].items()}
     return found
+
+
+def at_once(source: ImageSource, camera: dict[str, Any], offset: float) -> Trajectory:
+    """The path of AT_ONCE by all of its measurements at once, without covariances."""
+    run = dict(runs(source, camera, offset, [AT_ONCE]))[AT_ONCE]
+    smoother = Smoother(run.slam)
+    for step in progress(run, len(run), ALL_DATA):
+        smoother.record(step.frame)
+    poses, extrinsics = smoother.solve().poses[:, 0], run.slam.sensors[0].extrinsics
+    return Trajectory(run.trajectory().times, poses).sensor_trajectory(extrinsics).sensor_trajectory(source.original)
 
 
 def finished(name: str, run: SequenceRun) -> SequenceRun:

@@ -147,31 +147,31 @@ def ways() -> dict[str, Any]:
     return found
 
 
-def light() -> dict[str, float]:
-    """The start of one run, which a test runs again."""
-    return run(film("sideways", LIGHT, SEEDS[0]), WAYS["in turns"])[0].row
+def light() -> list[dict[str, float]]:
+    """The start of one run, by the filter and by all data at once, which a test runs again."""
+    return [made.row for made in run(film("sideways", LIGHT, SEEDS[0]), WAYS["in turns"], at_once=True)]
 
 
 def around() -> dict[str, Any]:
-    """Once round the room: with all landmarks kept, with a window, and with all matches in every frame."""
+    """Once round: all landmarks kept, and its data at once; with a window; with all matches in every frame."""
     runs = {
         "full": ("in turns", OPTIONS),
         "windowed": ("in turns", replace(OPTIONS, window=WINDOW)),
         "every frame": ("constant-velocity", OPTIONS),
     }
-    found: dict[str, Any] = {"frames": ROUND, "window": WINDOW, **{name: [] for name in runs}}
+    found: dict[str, Any] = {"frames": ROUND, "window": WINDOW, **{name: [] for name in [*runs, "all data"]}}
     stored = slice(0, None, EVERY)
     for seed in progress(ROUND_SEEDS, len(ROUND_SEEDS), "round the room"):
         pairs = film("round", ROUND, seed)
         for kind, (name, options) in runs.items():
-            (made,) = run(pairs, WAYS[name], options)
-            found[kind].append({
-                **made.row,
-                "old": made.old[stored],
-                "nees": np.round(made.nees[stored] / 6, 2).tolist(),
-                "quarters": [round(float(q.mean()) / 6, 2) for q in np.array_split(made.nees, 4)],
-                **{n: np.round(x[stored], 5).tolist() for n, x in (("place", made.found), ("true", made.true))},
-            })  # fmt: skip
+            for by, made in zip((kind, "all data"), run(pairs, WAYS[name], options, kind == "full"), strict=False):
+                found[by].append({
+                    **made.row,
+                    "old": made.old[stored],
+                    "nees": np.round(made.nees[stored] / 6, 2).tolist(),
+                    "quarters": [round(float(q.mean()) / 6, 2) for q in np.array_split(made.nees, 4)],
+                    **{n: np.round(x[stored], 5).tolist() for n, x in (("place", made.found), ("true", made.true))},
+                })  # fmt: skip
     return found
 
 
