@@ -24,8 +24,8 @@ from slambook.exercises import check
 
 
 def average_nees(errors, covariances):
-    squared = (errors @ np.linalg.inv(covariances[0, 0])) * errors
-    return squared.sum(-1).mean(0)
+    inverse = np.linalg.inv(covariances[0, 0])
+    return ((errors @ inverse) * errors).sum(-1).mean(0)
 
 
 check("consistency.2", average_nees)"""
@@ -63,9 +63,9 @@ def pixels(fig: Any) -> Image.Image:
 
 
 def of_the_exercise(executable: str) -> None:
-    """Exercise consistency.2 with a wrong solution, and what the check says of it."""
+    """Exercise consistency.2 with a wrong solution, and what the check says of it; narrow, to be read on a phone."""
     with browser.site_in_chromium(executable) as (base, chromium):
-        page = chromium.new_page(viewport={"width": 820, "height": 1000})
+        page = chromium.new_page(viewport={"width": 450, "height": 1000}, device_scale_factor=2)
         page.goto(f"{base}/book/chapters/consistency.html")
         page.wait_for_function("() => window.Live && Live.page")
         cell = page.locator("div.cell.tag_exercise", has_text="average_nees")

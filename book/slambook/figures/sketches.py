@@ -51,6 +51,6 @@ def draw_frame(ax: Any, pose: Array, *, size: float = 1.0, label: str = "", **st
     axes = size * np.array([[np.cos(heading), -np.sin(heading)], [np.sin(heading), np.cos(heading)]])
     for (dx, dy), color, letter in zip(axes.T, (colors.red, colors.green), "xy", strict=True):
         ax.plot([x, x + dx], [y, y + dy], color=color, **style)
-        ax.text(x + 1.15 * dx, y + 1.15 * dy, letter, color=color, ha="center", va="center")
+        ax.text(x + 1.3 * dx, y + 1.3 * dy, letter, color=color, ha="center", va="center")
     if label:
         ax.text(*(np.array([x, y]) - 0.25 * axes.sum(-1)), label, ha="center", va="center")
