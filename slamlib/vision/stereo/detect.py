@@ -26,14 +26,14 @@ WINDOW = 5  # px, of the structure tensor, whose smaller eigenvalue is the stren
 class StereoSettings:
     """Settings of the stereo front end; lengths in pixels.
 
-    cells, per_cell: of a grid (across, down), and most features per cell, the strongest (2, 5 and 12: the filter's ATE
-    155, 173, 184 mm on a street, 6.3, 4.6, 4.7 mm with a waved rig). min_strength: least strength of a feature. detector:
-    a name of DETECTORS. border: of the image, without features. rows: largest difference of the rows of a match.
-    disparity: least and largest one. offset: added to each disparity, column of the right principal point minus that of
-    the left one (Middlebury's doffs). distance: largest Hamming distance of two descriptors of 256 bits. ratio: the
-    best one is below this share of the second best. patch: side of the patches that measurements are refined with, odd;
-    0 does not refine. score: their least correlation. shift: largest displacement by the refinement. region: half the
-    side of the squares in which an odometry with a prediction searches for its matches.
+    cells, per_cell: of a grid (across, down), and most features per cell, the strongest (2, 5, 12: ATE 155, 173, 184 mm
+    on a street, 6.3, 4.6, 4.7 mm with a waved rig). min_strength: least strength of a feature. detector: a name of
+    DETECTORS. border: of the image, without features. rows: largest difference of the rows of a match. disparity: least
+    and largest one. offset: added to each disparity, column of the right principal point minus that of the left one
+    (Middlebury's doffs). distance: largest Hamming distance of two descriptors of 256 bits. ratio: the best one is
+    below this share of the second best. patch: side of the patches that measurements are refined with, odd; 0 does not
+    refine. score: their least correlation. shift: largest displacement by the refinement. region: half the side of the
+    squares in which an odometry with a prediction searches for its matches.
 
     Of the front end alone. probability: that a region contains the true measurement, if the filter is consistent.
     min_separation: from one landmark to the next in the image. max_in_view: with so many in view, none is initialized.
