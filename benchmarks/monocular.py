@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 from slambook import rendering
+from slambook.smoothing import Smoother
 
 from slamlib.data.records import Frame
 from slamlib.evaluation.alignment import align_trajectory
@@ -50,10 +51,12 @@ class WithWrongMatches(ActiveSearch):
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """One run: relative error and scale of its path; per frame (n,): searched, matched, NIS and its dof; seconds."""
+    """One run: relative error and scale of its path, error by all data at once; per frame (n,): searched, matched, NIS
+    and its dof; seconds."""
 
     relative_ate: float
     scale: float
+    at_once: float
     searched: Array
     matched: Mask
     nis: Array
@@ -72,13 +75,24 @@ def frames_of(texture: str, path: str, frames: int, seed: int) -> tuple[Any, lis
     return rig, [frame for frame, _ in steps], np.array([truth.robots[0][:7] for _, truth in steps])
 
 
-def run(rig: Any, frames: list[Frame], truth: Array, seed: int, options: Options, kind: type[ActiveSearch]) -> Outcome:
-    """One run of the filter over frames that are there."""
+def run(
+    rig: Any,
+    frames: list[Frame],
+    truth: Array,
+    seed: int,
+    options: Options,
+    kind: type[ActiveSearch],
+    smooth: bool = False,
+) -> Outcome:
+    """One run of the filter over frames that are there; and, smooth, all its data at once."""
     front_end = kind(rig.sensors[0].calibration, np.random.default_rng([seed, 1]))
     slam, rows, poses = Slam(rig, options, front_ends=[front_end]), [], []
+    smoother = Smoother(slam) if smooth else None
     began = time.perf_counter()
     for frame in frames:
         slam.step(frame)
+        if smoother is not None:
+            smoother.record(frame)
         predictions = slam.predictions[0]
         inliers = [prediction for prediction in predictions if prediction.inlier]
         counts = (
@@ -89,10 +103,14 @@ def run(rig: Any, frames: list[Frame], truth: Array, seed: int, options: Options
         poses.append(slam.robots[0].pose.copy())
     spent = time.perf_counter() - began
     times = DT * np.arange(len(frames), dtype=float)
-    found = align_trajectory(Trajectory(times, np.array(poses)), Trajectory(times, truth))
+    reference = Trajectory(times, truth)
+    found = align_trajectory(Trajectory(times, np.array(poses)), reference)
+    at_once = np.nan
+    if smoother is not None:
+        at_once = align_trajectory(Trajectory(times, smoother.solve().poses[:, 0]), reference).relative_ate
     searched, matched, nis, dof = np.array(rows, dtype=float).T
     seconds = {"all": spent, **front_end.seconds}
-    return Outcome(found.relative_ate, found.similarity.scale, searched, matched, nis, dof, seconds)
+    return Outcome(found.relative_ate, found.similarity.scale, at_once, searched, matched, nis, dof, seconds)
 
 
 def inside(outcomes: list[Outcome]) -> float:
