@@ -41,6 +41,15 @@ def test_the_room_is_within_the_promised_bounds():
     assert len(kept["sideways"]) == 5
     assert max(run["off"] for run in kept["sideways"]) < 2
     assert min(run["matched"] for run in kept["sideways"]) > 0.85
+    assert all(run["at once"] < run["off"] for run in kept["sideways"])
+
+
+def test_all_data_at_once_repair_the_way_round_where_the_loop_has_closed():
+    closed = {run["old"][-1] >= 10: [] for run in stored(monocular.FILE)["round"]}
+    for run in stored(monocular.FILE)["round"]:
+        closed[run["old"][-1] >= 10].append(run["at once"]["off"] / run["off"])
+    assert len(closed[True]) == 2 and max(closed[True]) < 0.25
+    assert len(closed[False]) == 3 and min(closed[False]) > 0.8
 
 
 def test_the_real_run_is_stored_with_its_settings():
