@@ -45,11 +45,11 @@ def test_the_room_is_within_the_promised_bounds():
 
 
 def test_all_data_at_once_repair_the_way_round_where_the_loop_has_closed():
-    closed = {run["old"][-1] >= 10: [] for run in stored(monocular.FILE)["round"]}
+    left = {True: list[float](), False: list[float]()}
     for run in stored(monocular.FILE)["round"]:
-        closed[run["old"][-1] >= 10].append(run["at once"]["off"] / run["off"])
-    assert len(closed[True]) == 2 and max(closed[True]) < 0.25
-    assert len(closed[False]) == 3 and min(closed[False]) > 0.8
+        left[run["old"][-1] >= 10].append(run["at once"]["off"] / run["off"])
+    assert max(left[True]) < 0.25
+    assert min(left[False]) > 0.8
 
 
 def test_the_real_run_is_stored_with_its_settings():
