@@ -16,7 +16,7 @@ from slamlib.simulation import simulate
 def arc(candidate: Candidate, rng: Rng) -> None:
     """Mean against fine integration, covariance against differences of the candidate's own mean; smooth at zero."""
     P, U = np.array([[0.2, 0.05, 0.02], [0.05, 0.1, 0.03], [0.02, 0.03, 0.05]]), np.array([[0.03, 0.01], [0.01, 0.02]])
-    for turn in cases((0.0, 1e-9, 1e-4, 0.3, -1.2, 3.0), "a turn of {} rad"):
+    for turn in cases((0.0, 1e-9, 7e-5, 0.3, -1.2, 3.0), "a turn of {} rad"):
         x, u = rng.standard_normal(3), np.array([1.5, turn])
         mean, found = parts(candidate(x, P, u, U), {"the mean": (3,), "the covariance": (3, 3)})
         headings = x[2] + turn * (np.arange(20000) + 0.5) / 20000
