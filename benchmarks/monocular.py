@@ -82,12 +82,12 @@ def run(
     seed: int,
     options: Options,
     kind: type[ActiveSearch],
-    smooth: bool = False,
+    at_once: bool = False,
 ) -> Outcome:
-    """One run of the filter over frames that are there; and, smooth, all its data at once."""
+    """One run of the filter over frames that are there; and, at_once, by all its data, too."""
     front_end = kind(rig.sensors[0].calibration, np.random.default_rng([seed, 1]))
     slam, rows, poses = Slam(rig, options, front_ends=[front_end]), [], []
-    smoother = Smoother(slam) if smooth else None
+    smoother = Smoother(slam) if at_once else None
     began = time.perf_counter()
     for frame in frames:
         slam.step(frame)
@@ -105,12 +105,12 @@ def run(
     times = DT * np.arange(len(frames), dtype=float)
     reference = Trajectory(times, truth)
     found = align_trajectory(Trajectory(times, np.array(poses)), reference)
-    at_once = np.nan
+    best = np.nan
     if smoother is not None:
-        at_once = align_trajectory(Trajectory(times, smoother.solve().poses[:, 0]), reference).relative_ate
+        best = align_trajectory(Trajectory(times, smoother.solve().poses[:, 0]), reference).relative_ate
     searched, matched, nis, dof = np.array(rows, dtype=float).T
     seconds = {"all": spent, **front_end.seconds}
-    return Outcome(found.relative_ate, found.similarity.scale, at_once, searched, matched, nis, dof, seconds)
+    return Outcome(found.relative_ate, found.similarity.scale, best, searched, matched, nis, dof, seconds)
 
 
 def inside(outcomes: list[Outcome]) -> float:

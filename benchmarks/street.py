@@ -125,10 +125,10 @@ def runs(
         yield name, stereo_run(source, camera, options, motion_source=name, settings=settings, impulse=impulse)
 
 
-def done(name: str, run: SequenceRun, truth: Trajectory) -> dict[str, float]:
+def done(name: str, run: SequenceRun, truth: Trajectory, smoother: Smoother | None = None) -> dict[str, float]:
     """Run one variant and return its figures."""
     began = time.process_time()
-    finished(name, run)
+    finished(name, run, smoother)
     spent = (time.process_time() - began) / len(run.history)
     s = summary(run.result())
     told = {"matches": s["tracked_mean"], "tracked_least": s["tracked_least"], "fit": s["nis_per_dof"]}
@@ -142,11 +142,13 @@ def figures(offset: float = CHOSEN, names: list[str] | None = None) -> dict[str,
     found: dict[str, Any] = {"pairs": len(source), "path": float(truth.distances[-1]), "offset": offset}
     found["offsets"] = list(offsets(source, camera, truth))
     for key, value in (("plain", 0.0), ("corrected", offset)):
-        all_of_them = list(runs(source, camera, value, names or list(WAYS)))
-        found[key] = {name: done(name, run, truth) for name, run in all_of_them}
-        smooth = at_once(source, camera, value)
-        found[key][ALL_DATA] = errors(smooth, truth)
-    known = {name: run.trajectory() for name, run in all_of_them} | {ALL_DATA: smooth}
+        all_of_them = dict(runs(source, camera, value, names or list(WAYS)))
+        smoothers = {name: Smoother(run.slam) for name, run in all_of_them.items() if name == AT_ONCE}
+        found[key] = {name: done(name, run, truth, smoothers.get(name)) for name, run in all_of_them.items()}
+        known = {name: run.trajectory() for name, run in all_of_them.items()}
+        for name, smoother in smoothers.items():
+            known[ALL_DATA] = at_once(all_of_them[name], smoother)
+            found[key][ALL_DATA] = errors(known[ALL_DATA], truth)
     turns = {name: constant_turn(path, truth) for name, path in known.items()}
     found["turns"] = {name: float(np.degrees(2 * np.linalg.norm(turn[4:]))) for name, turn in turns.items()}
     for key, of in (("turned", lambda name: ALONE), ("turned_each", lambda name: name)):
@@ -159,19 +161,18 @@ def figures(offset: float = CHOSEN, names: list[str] | None = None) -> dict[str,
     return found
 
 
-def at_once(source: ImageSource, camera: dict[str, Any], offset: float) -> Trajectory:
-    """The path of AT_ONCE by all of its measurements at once, without covariances."""
-    run = dict(runs(source, camera, offset, [AT_ONCE]))[AT_ONCE]
-    smoother = Smoother(run.slam)
-    for step in progress(run, len(run), ALL_DATA):
-        smoother.record(step.frame)
+def at_once(run: SequenceRun, smoother: Smoother) -> Trajectory:
+    """The path of a run that has been done, by all the measurements that its smoother heard, without covariances."""
     poses, extrinsics = smoother.solve().poses[:, 0], run.slam.sensors[0].extrinsics
-    return Trajectory(run.trajectory().times, poses).sensor_trajectory(extrinsics).sensor_trajectory(source.original)
+    path = Trajectory(run.trajectory().times, poses).sensor_trajectory(extrinsics)
+    return path.sensor_trajectory(run.source.original)
 
 
-def finished(name: str, run: SequenceRun) -> SequenceRun:
-    """The run, done."""
-    list(progress(run, len(run), name))
+def finished(name: str, run: SequenceRun, smoother: Smoother | None = None) -> SequenceRun:
+    """The run, done; a smoother, made before its first pair, hears it."""
+    for step in progress(run, len(run), name):
+        if smoother is not None:
+            smoother.record(step.frame)
     return run
 
 

@@ -4,6 +4,7 @@ import json
 
 import pytest
 from slambook.report.findings import ran
+from slambook.smoothing import Smoother
 
 from benchmarks import street
 from book.tools import stereo_room, stereo_slam
@@ -66,5 +67,8 @@ def test_on_the_street_all_data_at_once_are_as_good_as_the_filter(stored):
 @pytest.mark.skipif(not street.KITTI.is_dir(), reason="KITTI's street is not at hand")
 def test_the_streets_row_of_all_data_at_once_comes_out_again(stored):
     source, camera, truth = street.street()
-    found = street.errors(street.at_once(source, camera, 0.0), truth)
+    run = dict(street.runs(source, camera, 0.0, [street.AT_ONCE]))[street.AT_ONCE]
+    smoother = Smoother(run.slam)
+    street.finished(street.AT_ONCE, run, smoother)
+    found = street.errors(street.at_once(run, smoother), truth)
     assert found == pytest.approx(stored["street"]["plain"][street.ALL_DATA], rel=0.01), RENEW
