@@ -1,8 +1,8 @@
-"""An oracle: the filter with Jacobians at the truth. It is the limit for what moving linearization points do.
+"""An oracle: Jacobians w.r.t. the state at the truth. It is the limit for what moving linearization points do.
 
-Its Jacobians have one null space N, that of the true state, so it gains no false information. It needs the truth of
-each frame before the filter's step, and of each landmark in that landmark's own parametrization: the one with the true
-sensor's position as its anchor. Bailey, Nieto, Guivant, Stevens and Nebot (2006) judge filters by it in the plane.
+They have one null space N, that of the true state, so the filter gains no false information; Jacobians w.r.t. the noise
+of a new landmark are at the estimate. It needs the truth of each frame before the filter's step, and of each landmark
+in its own parametrization, with the true sensor's position as its anchor. Bailey et al. (2006) judge filters by it.
 
 It is no limit for anything else. With noise in the truth its Jacobians contain that noise. And where the truth of a
 landmark is many states, among which the estimate slides (a line by two of its points), it settles at another of them.

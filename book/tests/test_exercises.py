@@ -61,6 +61,23 @@ def test_wrong_solutions_are_rejected_for_a_reason(number, candidate):
     assert caught.value.__cause__ is None, "rejected only because it crashed: that is not a plausible wrong solution"
 
 
+@pytest.mark.parametrize("least", [1e-2, 1e-3, 1e-4, 1e-5, 1e-6])
+def test_a_right_arc_may_branch_at_any_small_turn(least):
+    def predict(x, P, u, U):
+        (length, turn), half = u, u[1] / 2
+        chord = 1.0 if abs(turn) < least else np.sin(half) / half
+        slope = 0.0 if abs(turn) < least else (np.cos(half) - chord) / turn
+        ahead = np.array([np.cos(x[2] + half), np.sin(x[2] + half)])
+        left = np.array([-ahead[1], ahead[0]])
+        F, G = np.eye(3), np.zeros((3, 2))
+        F[:2, 2] = length * chord * left
+        G[:2] = np.stack([chord * ahead, length * (slope * ahead + chord * left / 2)], -1)
+        G[2, 1] = 1
+        return x + np.append(length * chord * ahead, turn), F @ P @ F.T + G @ U @ G.T
+
+    check("motion_models.2", predict)
+
+
 def test_every_exercise_has_two_wrong_solutions():
     count = Counter(number for number, _, _ in WRONG)
     assert not [n for n in KNOWN if count[n] < 2]

@@ -97,15 +97,14 @@ class Case:
         """Check a condition; `how` describes the failure."""
         return self.hold(what) if condition else self.fail(what, how, argument)
 
-    def compare(self, what: str, found: Any, wanted: Any, argument: str = "", tolerance: float = 1e-9) -> bool:
+    def compare(self, what: str, found: Any, wanted: Any, argument: str = "", tolerance: Any = 1e-9) -> bool:
         """Check that two arrays agree, to `tolerance` of the largest wanted entry, absolutely if that is below one."""
         found, wanted = np.asarray(found), np.asarray(wanted)
         if found.shape != wanted.shape:
             return self.fail(what, f"has shape {found.shape}, should have {wanted.shape}", argument)
         errors = scaled_differences(found, wanted)
-        worst = float(errors.max(initial=0))
-        if worst <= tolerance:
+        if (errors <= tolerance).all():
             return self.hold(what)
-        entry = np.unravel_index(int(np.argmax(errors)), errors.shape)
+        entry = np.unravel_index(int(np.argmax(errors / tolerance)), errors.shape)
         at = f"entry {[int(i) for i in entry]} is" if entry else "is"
-        return self.fail(what, f"{at} {found[entry]:.6g}, should be {wanted[entry]:.6g}", argument, worst)
+        return self.fail(what, f"{at} {found[entry]:.6g}, should be {wanted[entry]:.6g}", argument, errors.max())

@@ -62,21 +62,22 @@ def derivatives(case: Case, model: Any, place: Place, value: Array, jacobians: A
     """The value is the definition's, if there is one, and each Jacobian the numerical derivative, where that is finite.
 
     chain: with steps as large as the argument, and beside the Jacobian's largest entry also where that is below one, as
-    is a derivative w.r.t. a pixel. A complex step rounds as the value does: beyond 1e6 its tolerance grows with it.
+    is a derivative w.r.t. a pixel. A complex step rounds as the value does: beyond 1e6 a row's tolerance grows with it.
     """
-    written, largest = hasattr(model, "definition"), float(np.abs(value).max(initial=0))
+    written, own = hasattr(model, "definition"), np.fmax(1e-9, 1e-15 * np.abs(value))
     with np.errstate(all="ignore"):
         if written and np.isfinite(expected := model.definition(*place)).all():
             case.compare(VALUE, value, expected)
         for index, argument in enumerate(model.arguments):
             if written:
-                numerical, what, tolerance = complex_step(model, place, index), JACOBIAN, max(1e-9, 1e-15 * largest)
+                numerical, what = complex_step(model, place, index), JACOBIAN
+                limit = own.reshape(-1, *[1] * (numerical.ndim - 1)) if own.shape == numerical.shape[:1] else own.max()
             else:
                 step = 1e-6 * (max(1.0, float(np.abs(place[index]).max())) if chain else 1.0)
-                numerical, what, tolerance = central_difference(model, place, index, step), DIFFERENCE, 1e-5
+                numerical, what, limit = central_difference(model, place, index, step), DIFFERENCE, 1e-5
             if np.isfinite(numerical).all():
                 size = s if chain and (s := np.abs(numerical).max()) > 1e-9 else 1.0
-                case.compare(what, getattr(jacobians, argument.name) / size, numerical / size, argument.name, tolerance)
+                case.compare(what, getattr(jacobians, argument.name) / size, numerical / size, argument.name, limit)
 
 
 def _batch(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> None:

@@ -21,6 +21,8 @@ from slamlib.observation import lines
 from slamlib.sensors import SENSORS, Calibration
 from slamlib.slam import Options
 from slamlib.testing import CheckError, check_landmark, check_pair, check_sensor, line_pairs
+from slamlib.testing.judge import Judge
+from slamlib.testing.models import JACOBIAN, derivatives
 from slamlib.testing.sensors import visible_points
 from slamlib.tests.line_chains import check_chains
 from slamlib.tests.test_every_type import example
@@ -107,6 +109,20 @@ def distance_to_point(landmark):
 def test_a_right_derivative_passes_although_a_large_value_rounds(capsys):
     check_landmark(PointLandmark("dstPnt", as_manifold(7), distance_to_frame, distance_from_frame, distance_to_point))
     assert "holds" in capsys.readouterr().out
+
+
+@model(x=1)
+def far_and_near(x):
+    """A large number and a small one."""
+    return np.array([x[0] + 10**9, x[0]])
+
+
+@pytest.mark.parametrize(("off", "right"), [([0, 0], True), ([1e-7, 0], True), ([0, 1e-7], False), ([1e-5, 0], False)])
+def test_a_large_number_of_a_value_hides_no_error_beside_it(off, right):
+    judge, place = Judge("far"), [np.array([0.5])]
+    value, jacobians = far_and_near.jac(*place)
+    derivatives(judge.at("far"), far_and_near, place, value, jacobians._replace(x=jacobians.x + np.array([off]).T))
+    assert judge.lacks(JACOBIAN) is not right
 
 
 def test_exponential_and_logarithm_are_proved_and_differentiated():

@@ -16,16 +16,16 @@ def where(candidate: Candidate, rng: Rng) -> None:
         axes = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
         E = axes @ np.diag([9.0, thickness]) ** 2 @ axes.T
         mask = _mask(candidate, centre, E, R, probability, (120, 90))
-        truth = centre + rng.standard_normal((20000, 2)) @ np.linalg.cholesky(E).T
-        seen = np.rint(truth + rng.standard_normal((20000, 2)) @ np.linalg.cholesky(R).T).astype(int)
+        seen = np.rint(centre + rng.standard_normal((20000, 2)) @ np.linalg.cholesky(E + R).T).astype(int)
         share = np.mean(mask[seen[:, 1], seen[:, 0]])
         margin = 4 * np.sqrt(probability * (1 - probability) / 20000) + 0.005  # draws, and pixels cut by the border
         between(share, probability - margin, probability + margin, "it holds the stated share of measurements")
-        v, u = np.indices(mask.shape)
-        z = np.stack([u, v], axis=-1) - centre
+        z = np.moveaxis(np.indices(mask.shape)[::-1], 0, -1) - centre
         distance = (z * (z @ np.linalg.inv(E + R))).sum(-1)
-        nearer = distance[mask].max(initial=0) <= distance[~mask].min(initial=np.inf) + 1e-9
-        holds(nearer, "no pixel is left out that is more probable than one inside")
+        last, next_ = distance[mask].max(initial=0), distance[~mask].min(initial=np.inf)
+        holds(last <= next_ + 1e-9, "no pixel is left out that is more probable than one inside")
+        held = np.exp(-last / 2) + 1e-9 >= 1 - probability >= np.exp(-next_ / 2) - 1e-9
+        holds(held, "its pixels are those of the stated probability, not one more or less", "its size is not exact")
     cut = _mask(candidate, np.array([2.0, 1.0]), np.diag([30.0, 8.0]), np.eye(2), 0.9, (40, 30))
     holds(cut[0, 0] and not cut[:, -1].any(), "at the border the region is cut off", "it is moved or wrapped")
     none = _mask(candidate, np.array([-50.0, 10.0]), np.diag([30.0, 8.0]), np.eye(2), 0.9, (40, 30))

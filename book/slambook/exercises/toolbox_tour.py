@@ -42,7 +42,7 @@ def streams(candidate: Candidate) -> None:
     def numbers(seed: int, runs: int) -> Array:
         return np.array([generator.standard_normal(3) for generator in candidate(seed, runs)])
 
-    first, long = numbers(7, 6), numbers(7, 1200)
+    first, long = numbers(7, 6), numbers(7, 10000)
     holds(len(first) == 6, "one generator for each run", f"there are {len(first)}")
     same(numbers(7, 6), first, "the same seed gives the same runs")
     holds(len({id(generator) for generator in candidate(7, 6)}) == 6, "each has a generator of its own")

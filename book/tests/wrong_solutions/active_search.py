@@ -26,6 +26,17 @@ def three_sigma(centre, E, R, probability, size):
     return _squared(centre, E + R, size) <= 9
 
 
+@wrong("active_search.1", "a margin of one per cent")
+def slightly_larger(centre, E, R, probability, size):
+    return _squared(centre, E + R, size) <= 1.01 * chi2_quantile(probability, 2)
+
+
+@wrong("active_search.1", "draws a thousand measurements, and takes the quantile of their distances")
+def sampled(centre, E, R, probability, size):
+    drawn = np.random.default_rng(1).chisquare(2, 1000)
+    return _squared(centre, E + R, size) <= np.quantile(drawn, probability)
+
+
 @wrong("active_search.1", "a rectangle, as in the manual")
 def rectangle(centre, E, R, probability, size):
     half = np.sqrt(chi2_quantile(probability, 2) * np.diag(E + R))

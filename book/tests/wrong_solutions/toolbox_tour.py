@@ -89,6 +89,11 @@ def thousands(seed, runs):
     return [np.random.default_rng(1000 * seed + i) for i in range(runs)]
 
 
+@wrong("toolbox_tour.3", "five thousand numbers for each experiment")
+def five_thousands(seed, runs):
+    return [np.random.default_rng(5000 * seed + i) for i in range(runs)]
+
+
 @wrong("toolbox_tour.3", "seeds drawn from few numbers, some of them twice")
 def drawn(seed, runs):
     return [np.random.default_rng(s) for s in np.random.default_rng(seed).integers(1000, size=runs)]

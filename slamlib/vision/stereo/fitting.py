@@ -32,7 +32,7 @@ def triangulate(calibration: Calibration, values: Array, extrinsics: Array = ORI
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """The robot's new pose (7,) in its old frame, covariance (6, 6), mask (n,) of the inliers, and sum of z' S^-1 z."""
+    """The robot's new pose (7,) in its old frame, covariance (6, 6), mask (n,) of the inliers, and sum of e' S^-1 e."""
 
     pose: Array
     covariance: Array

@@ -23,7 +23,7 @@ INLIER_THRESHOLD = 2.0  # px, largest reprojection error of an inlier of a sampl
 
 @dataclass(frozen=True, eq=False)
 class RelativeMotion:
-    """From the old pair to the new one. inliers (n,): mask of the matches; nis_per_dof: the mean of z' S^-1 z per
+    """From the old pair to the new one. inliers (n,): mask of the matches; nis_per_dof: the mean of e' S^-1 e per
     degree of freedom, 1 if the noise of the calibration is that of the measurements."""
 
     control: Control
