@@ -18,6 +18,7 @@ from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
 from slamlib.slam import Slam
 from slamlib.vision.active_search import ActiveSearch
+from slamlib.vision.relocalization import close_loop
 
 FILE = layout.BOOK / "chapters" / "data" / "monocular.json"
 SEEDS, FRAMES = (1, 2, 3, 4, 5), 300
@@ -54,6 +55,7 @@ def around(seed: int) -> dict[str, Any]:
     for frame, truth in film:
         slam.step(frame)
         smoother.record(frame)
+        close_loop(slam, np.asarray(frame.scans[0].image))
         poses.append(slam.robots[0].pose.copy())
         true.append(truth.robots[0][:7])
         old.append(sum(k.inlier and k.landmark.first_seen < frame.number - OLD for k in slam.predictions[0]))

@@ -1,6 +1,8 @@
-"""Relocalization: a lost camera's pose from the patches of its own map, found anywhere in an image.
+"""Relocalization and loop closure: a camera's pose from the patches of its own map, found anywhere in an image.
 
-It starts an ordinary step, with a covariance so wide that active search may use this image again. Chapter monocular.
+A lost camera starts an ordinary step with it, and a covariance so wide that active search may use this image again.
+Landmarks long unseen and found elsewhere than predicted close a loop: they tell how far the filter has drifted since,
+which its covariance did not. Chapter monocular.
 """
 
 from collections.abc import Iterator
@@ -10,10 +12,11 @@ import numpy as np
 
 from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
-from slamlib.geometry.pose import ORIGIN, compose, inverse
+from slamlib.geometry.pose import ORIGIN, Pose, compose, inverse
 from slamlib.manifolds import Array, Image
-from slamlib.slam.entities import Landmark
+from slamlib.slam.entities import POSE, Landmark
 from slamlib.slam.filter import Slam
+from slamlib.slam.transport import generators
 from slamlib.vision.appearance import Appearance
 from slamlib.vision.target import focal_length, normalized, refined
 
@@ -21,6 +24,7 @@ LOST = 4  # inliers: with no more of them, the next image is searched for the ma
 MOST, VIEWS, SEEN = 80, 3, 3  # landmarks searched for; patches of each; times that it must have been an inlier
 SCORE, MAX_ERROR = 0.85, 3.0  # of a match; [px]
 FEWEST, PLACE = 8, 16  # inliers of a pose, each in a square of its own; its side [px]: from afar all are in one
+UNSEEN = 100  # frames after which a landmark in view and not found may tell of a drift
 POSITION_STD, ORIENTATION_STD = 0.02, 1.0  # of the pose found: a share of the points' median distance; degrees
 
 
@@ -29,30 +33,62 @@ def relocalize(slam: Slam, image: Image) -> bool:
 
     Needs points with patches, and OpenCV: without either nothing is found, and nothing is changed.
     """
+    found = _camera(slam, slam.landmarks, image)
+    if found is None:
+        return False
+    camera, distance = found
+    mean, P = slam.rig.robots[0].state, slam.rig.robots[0].covariance
+    mean[:7] = compose(camera, inverse(slam.sensors[0].extrinsics))
+    stds = np.repeat([POSITION_STD * distance, np.radians(ORIENTATION_STD)], 3)
+    P[:POSE, :POSE] = np.diag(stds**2)
+    slam.belief.predict(slam.robots[0].block, mean, np.zeros_like(P), P)  # F = 0: nothing of the old pose is left
+    return True
+
+
+def close_loop(slam: Slam, image: Image) -> bool:
+    """Whether landmarks long unseen were found, after a step on this image: then the covariance knows of the drift.
+
+    Added is a random walk of the world's motion about the robot, since they vanished: so large that it explains the
+    pose found. A landmark took part in it until it was seen last. The next image's search finds them, or does not.
+    """
+    shown, number = {prediction.landmark for prediction in slam.predictions[0]}, slam.number
+    old = [lm for lm in slam.landmarks if lm in shown and number - lm.last_seen > UNSEEN]
+    found = _camera(slam, old, image)
+    if found is None:
+        return False
+    belief, robot, share = slam.belief, slam.robots[0], np.ones(slam.belief.size)
+    drift = Pose.minus(compose(found[0], inverse(slam.sensors[0].extrinsics)), robot.pose)
+    since = np.median([landmark.last_seen for landmark in old])
+    for landmark in slam.landmarks:
+        share[landmark.block.slice] = np.clip((landmark.last_seen - since) / (number - since), 0, 1)
+    N = generators(slam)
+    N = N @ np.linalg.inv(N[robot.block.start + np.arange(POSE)])
+    variance = np.repeat((drift.reshape(2, 3) ** 2).mean(axis=1), 3)
+    P = belief.matrix + np.minimum(share[:, None], share) * ((N * variance) @ N.T)
+    belief.overwrite(dict(enumerate(belief.blocks)), dict(enumerate(block.mean for block in belief.blocks)), P)
+    return True
+
+
+def _camera(slam: Slam, landmarks: list[Landmark], image: Image) -> tuple[Array, float] | None:
+    """The camera's pose (7,) by these landmarks, and the median distance of those found; None: no pose."""
     try:
         cv2 = opencv("to relocalize")
     except SlamlibError:
-        return False
-    sensor, robot = slam.sensors[0], slam.robots[0]
-    matches = list(_matches(cv2, slam.landmarks, np.asarray(image, np.float32)))
+        return None
+    calibration, enough = slam.sensors[0].calibration, len(landmarks) >= FEWEST
+    matches = list(_matches(cv2, landmarks, np.asarray(image, np.float32))) if enough else []
     if len(matches) < FEWEST:
-        return False
+        return None
     points, pixels = (np.array(column, dtype=float) for column in zip(*matches, strict=True))
-    plane, limit = normalized(sensor.calibration, pixels), MAX_ERROR / focal_length(sensor.calibration)
+    plane, limit = normalized(calibration, pixels), MAX_ERROR / focal_length(calibration)
     good, turn, shift, rows = cv2.solvePnPRansac(
         points[:, None], plane[:, None], np.eye(3), None, iterationsCount=2000, reprojectionError=limit,
         confidence=0.9999, flags=cv2.SOLVEPNP_EPNP,
     )  # fmt: skip
     if not good or rows is None or len(np.unique(pixels[rows[:, 0]] // PLACE, axis=0)) < FEWEST:
-        return False
+        return None
     camera = refined(cv2, points[rows], plane[rows], turn, shift)
-    mean, P = slam.rig.robots[0].state, slam.rig.robots[0].covariance
-    mean[:7] = compose(camera, inverse(sensor.extrinsics))
-    distance = float(np.median(np.linalg.norm(points - camera[:3], axis=1)))
-    stds = np.repeat([POSITION_STD * distance, np.radians(ORIENTATION_STD)], 3)
-    P[:6, :6] = np.diag(stds**2)
-    slam.belief.predict(robot.block, mean, np.zeros_like(P), P)  # F = 0: nothing of the old pose is left
-    return True
+    return camera, float(np.median(np.linalg.norm(points - camera[:3], axis=1)))
 
 
 def _matches(cv2: Any, landmarks: list[Landmark], image: Image) -> Iterator[tuple[Array, Array]]:
