@@ -2,10 +2,11 @@
 
 A lost camera starts an ordinary step with it, and a covariance so wide that active search may use this image again.
 Landmarks long unseen and found elsewhere than predicted close a loop: they tell how far the filter has drifted since,
-which its covariance did not. Chapter monocular.
+which its covariance did not know. Chapter monocular.
 """
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from slamlib.geometry.pose import ORIGIN, Pose, compose, inverse
 from slamlib.manifolds import Array, Image
 from slamlib.slam.entities import POSE, Landmark
 from slamlib.slam.filter import Slam
+from slamlib.slam.measurement_update import predict_measurements
 from slamlib.slam.transport import generators
 from slamlib.vision.appearance import Appearance
 from slamlib.vision.target import focal_length, normalized, refined
@@ -24,7 +26,7 @@ LOST = 4  # inliers: with no more of them, the next image is searched for the ma
 MOST, VIEWS, SEEN = 80, 3, 3  # landmarks searched for; patches of each; times that it must have been an inlier
 SCORE, MAX_ERROR = 0.85, 3.0  # of a match; [px]
 FEWEST, PLACE = 8, 16  # inliers of a pose, each in a square of its own; its side [px]: from afar all are in one
-UNSEEN = 100  # frames after which a landmark in view and not found may tell of a drift
+UNSEEN, EVERY = 100, 10  # frames after which a landmark in view may tell of a drift; and from one search to the next
 POSITION_STD, ORIENTATION_STD = 0.02, 1.0  # of the pose found: a share of the points' median distance; degrees
 
 
@@ -36,41 +38,50 @@ def relocalize(slam: Slam, image: Image) -> bool:
     found = _camera(slam, slam.landmarks, image)
     if found is None:
         return False
-    camera, distance = found
+    camera, stds = found
     mean, P = slam.rig.robots[0].state, slam.rig.robots[0].covariance
     mean[:7] = compose(camera, inverse(slam.sensors[0].extrinsics))
-    stds = np.repeat([POSITION_STD * distance, np.radians(ORIENTATION_STD)], 3)
     P[:POSE, :POSE] = np.diag(stds**2)
     slam.belief.predict(slam.robots[0].block, mean, np.zeros_like(P), P)  # F = 0: nothing of the old pose is left
     return True
 
 
 def close_loop(slam: Slam, image: Image) -> bool:
-    """Whether landmarks long unseen were found, after a step on this image: then the covariance knows of the drift.
+    """Whether landmarks long unseen were found elsewhere, after a step: then the covariance knows of the drift.
 
     Added is a random walk of the world's motion about the robot, since they vanished: so large that it explains the
     pose found. A landmark took part in it until it was seen last. The next image's search finds them, or does not.
     """
-    shown, number = {prediction.landmark for prediction in slam.predictions[0]}, slam.number
-    old = [lm for lm in slam.landmarks if lm in shown and number - lm.last_seen > UNSEEN]
-    found = _camera(slam, old, image)
+    sensor, belief, number = slam.sensors[0], slam.belief, slam.number
+    old = [] if number % EVERY else [lm for lm in slam.landmarks if number - lm.last_seen > UNSEEN]
+    predict = partial(predict_measurements, belief, sensor, slam.families, old, slam.options)
+    shown = {prediction.landmark: prediction.value for prediction in predict()}
+    found = _camera(slam, list(shown), image)
     if found is None:
         return False
-    belief, robot, share = slam.belief, slam.robots[0], np.ones(slam.belief.size)
-    drift = Pose.minus(compose(found[0], inverse(slam.sensors[0].extrinsics)), robot.pose)
-    since = np.median([landmark.last_seen for landmark in old])
+    camera, stds = found
+    robot = compose(camera, inverse(sensor.extrinsics))
+    moved = [np.linalg.norm(p.value - shown[p.landmark]) for p in predict(robot) if p.landmark in shown]
+    if not moved or np.median(moved) < MAX_ERROR:
+        return False
+    since, share = np.median([landmark.last_seen for landmark in shown]), np.ones(belief.size)
     for landmark in slam.landmarks:
         share[landmark.block.slice] = np.clip((landmark.last_seen - since) / (number - since), 0, 1)
     N = generators(slam)
-    N = N @ np.linalg.inv(N[robot.block.start + np.arange(POSE)])
-    variance = np.repeat((drift.reshape(2, 3) ** 2).mean(axis=1), 3)
-    P = belief.matrix + np.minimum(share[:, None], share) * ((N * variance) @ N.T)
-    belief.overwrite(dict(enumerate(belief.blocks)), dict(enumerate(block.mean for block in belief.blocks)), P)
+    N = N @ np.linalg.inv(N[sensor.robot.block.start + np.arange(POSE)])
+    drift = Pose.minus(robot, sensor.robot.pose)
+    walk = np.repeat((drift.reshape(2, 3) ** 2).mean(axis=1), 3)
+    gain = walk / (walk + stds**2)
+    P = belief.matrix + np.minimum(share[:, None], share) * ((N * walk) @ N.T)
+    P -= np.outer(share, share) * ((N * walk * gain) @ N.T)
+    step = share * (N @ (gain * drift))
+    means = [block.manifold.plus(block.mean, step[block.slice]) for block in belief.blocks]
+    belief.overwrite(dict(enumerate(belief.blocks)), dict(enumerate(means)), P)
     return True
 
 
-def _camera(slam: Slam, landmarks: list[Landmark], image: Image) -> tuple[Array, float] | None:
-    """The camera's pose (7,) by these landmarks, and the median distance of those found; None: no pose."""
+def _camera(slam: Slam, landmarks: list[Landmark], image: Image) -> tuple[Array, Array] | None:
+    """The camera's pose (7,) by these landmarks, and its standard deviations (6,); None: not found."""
     try:
         cv2 = opencv("to relocalize")
     except SlamlibError:
@@ -88,7 +99,8 @@ def _camera(slam: Slam, landmarks: list[Landmark], image: Image) -> tuple[Array,
     if not good or rows is None or len(np.unique(pixels[rows[:, 0]] // PLACE, axis=0)) < FEWEST:
         return None
     camera = refined(cv2, points[rows], plane[rows], turn, shift)
-    return camera, float(np.median(np.linalg.norm(points - camera[:3], axis=1)))
+    distance = float(np.median(np.linalg.norm(points - camera[:3], axis=1)))
+    return camera, np.repeat([POSITION_STD * distance, np.radians(ORIENTATION_STD)], 3)
 
 
 def _matches(cv2: Any, landmarks: list[Landmark], image: Image) -> Iterator[tuple[Array, Array]]:
