@@ -1,8 +1,7 @@
 """Relocalization and loop closure: a camera's pose from the patches of its own map, found anywhere in an image.
 
-A lost camera starts an ordinary step with it, and a covariance so wide that active search may use this image again.
-Landmarks long unseen and found elsewhere than predicted close a loop: they tell how far the filter has drifted since,
-which its covariance did not know. Chapter monocular.
+A lost camera starts an ordinary step with it, so uncertain that active search may use this image again. Where landmarks
+long unseen are found elsewhere than predicted, it closes a loop. Chapter monocular.
 """
 
 from collections.abc import Iterator
@@ -35,32 +34,30 @@ def relocalize(slam: Slam, image: Image) -> bool:
 
     Needs points with patches, and OpenCV: without either nothing is found, and nothing is changed.
     """
-    found = _camera(slam, slam.landmarks, image)
+    found = _robot(slam, slam.landmarks, image)
     if found is None:
         return False
-    camera, stds = found
     mean, P = slam.rig.robots[0].state, slam.rig.robots[0].covariance
-    mean[:7] = compose(camera, inverse(slam.sensors[0].extrinsics))
+    mean[:7], stds = found
     P[:POSE, :POSE] = np.diag(stds**2)
     slam.belief.predict(slam.robots[0].block, mean, np.zeros_like(P), P)  # F = 0: nothing of the old pose is left
     return True
 
 
 def close_loop(slam: Slam, image: Image) -> bool:
-    """Whether landmarks long unseen were found elsewhere, after a step: then the covariance knows of the drift.
+    """Whether landmarks long unseen were found elsewhere than predicted, after a step: then the drift is estimated.
 
-    Added is a random walk of the world's motion about the robot, since they vanished: so large that it explains the
-    pose found. A landmark took part in it until it was seen last. The next image's search finds them, or does not.
+    It is a random walk of the world's motion about the robot since they vanished, so large that it explains the pose
+    found, which measures it; each landmark took part in it until it was seen last. The next search finds them, or not.
     """
     sensor, belief, number = slam.sensors[0], slam.belief, slam.number
     old = [] if number % EVERY else [lm for lm in slam.landmarks if number - lm.last_seen > UNSEEN]
     predict = partial(predict_measurements, belief, sensor, slam.families, old, slam.options)
     shown = {prediction.landmark: prediction.value for prediction in predict()}
-    found = _camera(slam, list(shown), image)
+    found = _robot(slam, list(shown), image)
     if found is None:
         return False
-    camera, stds = found
-    robot = compose(camera, inverse(sensor.extrinsics))
+    robot, stds = found
     moved = [np.linalg.norm(p.value - shown[p.landmark]) for p in predict(robot) if p.landmark in shown]
     if not moved or np.median(moved) < MAX_ERROR:
         return False
@@ -72,26 +69,24 @@ def close_loop(slam: Slam, image: Image) -> bool:
     drift = Pose.minus(robot, sensor.robot.pose)
     walk = np.repeat((drift.reshape(2, 3) ** 2).mean(axis=1), 3)
     gain = walk / (walk + stds**2)
-    P = belief.matrix + np.minimum(share[:, None], share) * ((N * walk) @ N.T)
-    P -= np.outer(share, share) * ((N * walk * gain) @ N.T)
-    step = share * (N @ (gain * drift))
+    told = np.outer(share, share) * (N * walk * gain @ N.T)
+    P, step = belief.matrix + np.minimum(share[:, None], share) * (N * walk @ N.T) - told, share * (N @ (gain * drift))
     means = [block.manifold.plus(block.mean, step[block.slice]) for block in belief.blocks]
     belief.overwrite(dict(enumerate(belief.blocks)), dict(enumerate(means)), P)
     return True
 
 
-def _camera(slam: Slam, landmarks: list[Landmark], image: Image) -> tuple[Array, Array] | None:
-    """The camera's pose (7,) by these landmarks, and its standard deviations (6,); None: not found."""
+def _robot(slam: Slam, landmarks: list[Landmark], image: Image) -> tuple[Array, Array] | None:
+    """The robot's pose (7,) by these landmarks, and its standard deviations (6,); None: not found."""
     try:
         cv2 = opencv("to relocalize")
     except SlamlibError:
         return None
-    calibration, enough = slam.sensors[0].calibration, len(landmarks) >= FEWEST
-    matches = list(_matches(cv2, landmarks, np.asarray(image, np.float32))) if enough else []
+    sensor, matches = slam.sensors[0], list(_matches(cv2, landmarks, np.asarray(image, np.float32)))
     if len(matches) < FEWEST:
         return None
     points, pixels = (np.array(column, dtype=float) for column in zip(*matches, strict=True))
-    plane, limit = normalized(calibration, pixels), MAX_ERROR / focal_length(calibration)
+    plane, limit = normalized(sensor.calibration, pixels), MAX_ERROR / focal_length(sensor.calibration)
     good, turn, shift, rows = cv2.solvePnPRansac(
         points[:, None], plane[:, None], np.eye(3), None, iterationsCount=2000, reprojectionError=limit,
         confidence=0.9999, flags=cv2.SOLVEPNP_EPNP,
@@ -100,7 +95,8 @@ def _camera(slam: Slam, landmarks: list[Landmark], image: Image) -> tuple[Array,
         return None
     camera = refined(cv2, points[rows], plane[rows], turn, shift)
     distance = float(np.median(np.linalg.norm(points - camera[:3], axis=1)))
-    return camera, np.repeat([POSITION_STD * distance, np.radians(ORIENTATION_STD)], 3)
+    stds = np.repeat([POSITION_STD * distance, np.radians(ORIENTATION_STD)], 3)
+    return compose(camera, inverse(sensor.extrinsics)), stds
 
 
 def _matches(cv2: Any, landmarks: list[Landmark], image: Image) -> Iterator[tuple[Array, Array]]:
