@@ -18,6 +18,7 @@ from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
 from slamlib.slam import Slam
 from slamlib.vision.active_search import ActiveSearch
+from slamlib.vision.relocalization import close_loop
 
 FILE = layout.BOOK / "chapters" / "data" / "monocular.json"
 SEEDS, FRAMES = (1, 2, 3, 4, 5), 300
@@ -42,8 +43,11 @@ def row(outcome: bench.Outcome) -> dict[str, float]:
     }
 
 
-def around(seed: int) -> dict[str, Any]:
-    """Once round the room, and half a second more: each eighth position, by filter and all data; what was seen."""
+def around(seed: int, closes: bool = False) -> dict[str, Any]:
+    """Once round the room, and half a second more: each eighth position, by filter and all data; what was seen.
+
+    closes: the loop by appearance, too.
+    """
     way = rendering.path("round")
     rig = rendering.rig_along_path(way, std=(0.1,), control_std=(0.03,) * 3 + (1.2,) * 3)
     rng = np.random.default_rng(seed)
@@ -54,6 +58,8 @@ def around(seed: int) -> dict[str, Any]:
     for frame, truth in film:
         slam.step(frame)
         smoother.record(frame)
+        if closes:
+            close_loop(slam, np.asarray(frame.scans[0].image))
         poses.append(slam.robots[0].pose.copy())
         true.append(truth.robots[0][:7])
         old.append(sum(k.inlier and k.landmark.first_seen < frame.number - OLD for k in slam.predictions[0]))
@@ -70,6 +76,7 @@ PARTS = {
     "light": lambda: [row(sideways(seed, LIGHT)) for seed in SEEDS[:1]],
     "sideways": lambda: [row(sideways(seed)) for seed in progress(SEEDS, len(SEEDS), "past the wall")],
     "round": lambda: [around(seed) for seed in progress(SEEDS, len(SEEDS), "round the room")],
+    "closed": lambda: [around(seed, closes=True) for seed in progress(SEEDS, len(SEEDS), "by appearance")],
 }
 
 if __name__ == "__main__":

@@ -15,8 +15,9 @@ from slamlib.sensors.omni import OMNI, powers
 from slamlib.sensors.pinhole import distort_radius
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Slam
+from slamlib.slam.measurement_update import predict_measurements
 from slamlib.vision.active_search import ActiveSearch
-from slamlib.vision.relocalization import relocalize
+from slamlib.vision.relocalization import close_loop, relocalize
 from slamlib.vision.run import options_for
 from slamlib.vision.target import Target, focal_length
 from slamlib.vision.two_views import direction_error, turning_rate, two_view_target
@@ -169,3 +170,33 @@ def test_a_map_whose_patches_are_all_found_in_one_spot_is_not_recognized(started
     wall = np.column_stack([np.full(40, 3.0), rng.uniform(-1, 1, (40, 2))])
     monkeypatch.setattr("slamlib.vision.relocalization._matches", lambda *_: zip(wall, spots, strict=True))
     assert not relocalize(slam, np.asarray(frames[0].scans[0].image))  # seen from afar, they would be
+
+
+def test_landmarks_long_unseen_close_a_loop_where_appearance_finds_them(started):
+    rig, frames, _ = started
+    slam = filter_with_a_map(rig, frames[:29])
+    robot, (recent, *old) = slam.robots[0], slam.landmarks
+    drifted = robot.block.mean.copy()
+    drifted[:7] = compose(robot.pose, np.array([0.05, 0.12, 0, np.cos(0.02), 0, 0, np.sin(0.02)]))
+    slam.belief.predict(robot.block, drifted, np.eye(12), np.zeros((12, 12)))
+    slam.step(frames[29])
+    assert not close_loop(slam, frames[29].scans[0].image)  # they have been seen of late
+    for landmark in old:
+        landmark.last_seen -= 200
+    assert sum(p.inlier and p.landmark in old for p in slam.predictions[0]) < 3  # searched for where they are not
+
+    def spread():
+        """Determinants of the innovations' covariances [px^4], by landmark."""
+        shown = predict_measurements(slam.belief, slam.sensors[0], slam.families, slam.landmarks, slam.options)
+        return {p.landmark: np.linalg.det(p.S) for p in shown}
+
+    recent.last_seen = slam.number
+    before = spread()
+    assert close_loop(slam, frames[29].scans[0].image)
+    after = spread()
+    assert after[recent] == pytest.approx(before[recent], rel=0.2)  # it drifted with the robot, to first order
+    assert np.median([after[lm] / before[lm] for lm in after if lm in old]) > 10
+    for frame in frames[30:33]:  # the first of them is still their search backoff
+        slam.step(frame)
+    assert sum(p.inlier and p.landmark in old for p in slam.predictions[0]) >= 5
+    assert np.linalg.norm(robot.pose[:3] - drifted[:3]) > 0.1

@@ -1,19 +1,23 @@
-"""Relocalization: a lost camera's pose from the patches of its own map, found anywhere in an image.
+"""Relocalization and loop closure: a camera's pose from the patches of its own map, found anywhere in an image.
 
-It starts an ordinary step, with a covariance so wide that active search may use this image again. Chapter monocular.
+A lost camera starts an ordinary step with it, so uncertain that active search may use this image again. Where landmarks
+long unseen are found elsewhere than predicted, it closes a loop. Chapter monocular.
 """
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
-from slamlib.geometry.pose import ORIGIN, compose, inverse
+from slamlib.geometry.pose import ORIGIN, Pose, compose, inverse
 from slamlib.manifolds import Array, Image
-from slamlib.slam.entities import Landmark
+from slamlib.slam.entities import POSE, Landmark
 from slamlib.slam.filter import Slam
+from slamlib.slam.measurement_update import predict_measurements
+from slamlib.slam.transport import generators
 from slamlib.vision.appearance import Appearance
 from slamlib.vision.target import focal_length, normalized, refined
 
@@ -21,6 +25,7 @@ LOST = 4  # inliers: with no more of them, the next image is searched for the ma
 MOST, VIEWS, SEEN = 80, 3, 3  # landmarks searched for; patches of each; times that it must have been an inlier
 SCORE, MAX_ERROR = 0.85, 3.0  # of a match; [px]
 FEWEST, PLACE = 8, 16  # inliers of a pose, each in a square of its own; its side [px]: from afar all are in one
+UNSEEN, EVERY = 100, 10  # frames after which a landmark in view may tell of a drift; and from one search to the next
 POSITION_STD, ORIENTATION_STD = 0.02, 1.0  # of the pose found: a share of the points' median distance; degrees
 
 
@@ -29,14 +34,57 @@ def relocalize(slam: Slam, image: Image) -> bool:
 
     Needs points with patches, and OpenCV: without either nothing is found, and nothing is changed.
     """
+    found = _robot(slam, slam.landmarks, image)
+    if found is None:
+        return False
+    mean, P = slam.rig.robots[0].state, slam.rig.robots[0].covariance
+    mean[:7], stds = found
+    P[:POSE, :POSE] = np.diag(stds**2)
+    slam.belief.predict(slam.robots[0].block, mean, np.zeros_like(P), P)  # F = 0: nothing of the old pose is left
+    return True
+
+
+def close_loop(slam: Slam, image: Image) -> bool:
+    """Whether landmarks long unseen were found elsewhere than predicted, after a step: then the drift is estimated.
+
+    It is a random walk of the world's motion about the robot since they vanished, so large that it explains the pose
+    found, which measures it; each landmark took part in it until it was seen last. The next search finds them, or not.
+    """
+    sensor, belief, number = slam.sensors[0], slam.belief, slam.number
+    old = [] if number % EVERY else [lm for lm in slam.landmarks if number - lm.last_seen > UNSEEN]
+    predict = partial(predict_measurements, belief, sensor, slam.families, old, slam.options)
+    shown = {prediction.landmark: prediction.value for prediction in predict()}
+    found = _robot(slam, list(shown), image)
+    if found is None:
+        return False
+    robot, stds = found
+    moved = [np.linalg.norm(p.value - shown[p.landmark]) for p in predict(robot) if p.landmark in shown]
+    if not moved or np.median(moved) < MAX_ERROR:
+        return False
+    since, share = np.median([landmark.last_seen for landmark in shown]), np.ones(belief.size)
+    for landmark in slam.landmarks:
+        share[landmark.block.slice] = np.clip((landmark.last_seen - since) / (number - since), 0, 1)
+    N = generators(slam)
+    N = N @ np.linalg.inv(N[sensor.robot.block.start + np.arange(POSE)])
+    drift = Pose.minus(robot, sensor.robot.pose)
+    walk = np.repeat((drift.reshape(2, 3) ** 2).mean(axis=1), 3)
+    gain = walk / (walk + stds**2)
+    told = np.outer(share, share) * (N * walk * gain @ N.T)
+    P, step = belief.matrix + np.minimum(share[:, None], share) * (N * walk @ N.T) - told, share * (N @ (gain * drift))
+    means = [block.manifold.plus(block.mean, step[block.slice]) for block in belief.blocks]
+    belief.overwrite(dict(enumerate(belief.blocks)), dict(enumerate(means)), P)
+    return True
+
+
+def _robot(slam: Slam, landmarks: list[Landmark], image: Image) -> tuple[Array, Array] | None:
+    """The robot's pose (7,) by these landmarks, and its standard deviations (6,); None: not found."""
     try:
         cv2 = opencv("to relocalize")
     except SlamlibError:
-        return False
-    sensor, robot = slam.sensors[0], slam.robots[0]
-    matches = list(_matches(cv2, slam.landmarks, np.asarray(image, np.float32)))
+        return None
+    sensor, matches = slam.sensors[0], list(_matches(cv2, landmarks, np.asarray(image, np.float32)))
     if len(matches) < FEWEST:
-        return False
+        return None
     points, pixels = (np.array(column, dtype=float) for column in zip(*matches, strict=True))
     plane, limit = normalized(sensor.calibration, pixels), MAX_ERROR / focal_length(sensor.calibration)
     good, turn, shift, rows = cv2.solvePnPRansac(
@@ -44,15 +92,11 @@ def relocalize(slam: Slam, image: Image) -> bool:
         confidence=0.9999, flags=cv2.SOLVEPNP_EPNP,
     )  # fmt: skip
     if not good or rows is None or len(np.unique(pixels[rows[:, 0]] // PLACE, axis=0)) < FEWEST:
-        return False
+        return None
     camera = refined(cv2, points[rows], plane[rows], turn, shift)
-    mean, P = slam.rig.robots[0].state, slam.rig.robots[0].covariance
-    mean[:7] = compose(camera, inverse(sensor.extrinsics))
     distance = float(np.median(np.linalg.norm(points - camera[:3], axis=1)))
     stds = np.repeat([POSITION_STD * distance, np.radians(ORIENTATION_STD)], 3)
-    P[:6, :6] = np.diag(stds**2)
-    slam.belief.predict(robot.block, mean, np.zeros_like(P), P)  # F = 0: nothing of the old pose is left
-    return True
+    return compose(camera, inverse(sensor.extrinsics)), stds
 
 
 def _matches(cv2: Any, landmarks: list[Landmark], image: Image) -> Iterator[tuple[Array, Array]]:

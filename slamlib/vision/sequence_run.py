@@ -22,7 +22,7 @@ from slamlib.evaluation.trajectory import Trajectory
 from slamlib.observation.family import viewpoint
 from slamlib.slam import Options, Report, Slam
 from slamlib.vision.front_end import MotionSource
-from slamlib.vision.relocalization import LOST, relocalize
+from slamlib.vision.relocalization import LOST, close_loop, relocalize
 from slamlib.vision.results import COLUMNS, ImageResult, counts, lasting, whitened
 from slamlib.vision.target import Target
 from slamlib.vision.tracking_loss import TrackingLoss, TrackingLostError
@@ -83,8 +83,8 @@ class SequenceRun:
     ) -> None:
         """slam: with the motion source's front end. patience: frames without a match, after which the run stops.
 
-        metric: whether the scale is known. relocalizes: whether a lost camera is sought. target: seen in the first
-        image. The others: of a saved run, whose last image must be the source's still. Raises SlamlibError.
+        metric: whether the scale is known. relocalizes: whether a lost camera is sought, and loops closed. target: seen
+        in the first image. The others: of a saved run, whose last image must be the source's. Raises SlamlibError.
         """
         self.source, self.slam, self.motion, self.kind = source, slam, motion, kind
         self.patience, self.metric, self.relocalizes, self.target = patience, metric, relocalizes, target
@@ -96,10 +96,9 @@ class SequenceRun:
         if last is not None:
             self.picture = next(iter(source.part(self.done - 1)))
             if (found := _identity(self.picture)) != last:
-                pixels = " with other pixels" * (found[0] == last[0])
                 raise SlamlibError(
                     f"the {kind.item}s in {source.where} have changed since the run was saved: the last one that it "
-                    f"used was {last[0]}, and its place has {found[0]} now{pixels}"
+                    f"used was {last[0]}; its place has {found[0]} now{' with other pixels' * (found[0] == last[0])}"
                 )
 
     def __len__(self) -> int:
@@ -146,8 +145,7 @@ class SequenceRun:
         spent = time.perf_counter() - began
         before, self.innovations = self.innovations, whitened(self.slam)
         row = {"time": picture.time, **counts(self.slam, report), **lasting(self.innovations, before)}
-        row |= {**self.motion.counts(self.slam), "reading": reading, **inside}
-        row["filter"] = spent - sum(inside.values())
+        row |= {**self.motion.counts(self.slam), "reading": reading, **inside, "filter": spent - sum(inside.values())}
         self.history.append([row[name] for name in self.columns])
         camera = self.slam.sensors[0]
         J, rows = viewpoint(camera).jacobian, camera.columns
@@ -180,14 +178,18 @@ class SequenceRun:
         control = self.motion.control(frame.scans[0].image, elapsed, self.slam)
         told = control is not None and self._can_move()
         is_lost = self.relocalizes and self._can_move() and self.history[-1][INLIERS] <= LOST
-        if is_lost and relocalize(self.slam, np.asarray(frame.scans[0].image)):
+        image = np.asarray(frame.scans[0].image)
+        if is_lost and relocalize(self.slam, image):
             frame = replace(frame, dt=0.0)  # its pose is that of this image: there is nothing to predict
         else:
             frame = replace(frame, controls=(control,)) if told else self._predict_missing(frame)
         is_target = self.target is not None and not self.history
         if self.target is not None and is_target:  # its pixels are used by this update: it is not searched for again
             self.target.put(self.slam, frame.scans[0])
-        return frame, self.slam.step(frame, update=not is_target, first=not self.slam.landmarks)
+        report = self.slam.step(frame, update=not is_target, first=not self.slam.landmarks)
+        if self.relocalizes:
+            close_loop(self.slam, image)
+        return frame, report
 
     def _predict_missing(self, frame: Frame) -> Frame:
         """Predict over images missing before a frame, one interval at a time; return the frame of the last interval.
