@@ -52,6 +52,15 @@ def test_all_data_at_once_repair_the_way_round_where_the_loop_has_closed():
     assert min(left[False]) > 0.8
 
 
+def test_appearance_closes_every_loop():
+    pairs = stored(monocular.FILE)["closed"]
+    assert len(pairs) == len(monocular.CLOSED)
+    assert sum(without["old"] >= 8 for without, _ in pairs) <= 3
+    assert all(found["old"] >= 8 and found["end"] < 0.05 for _, found in pairs)
+    changed = [(without["at once"], found["at once"]) for without, found in pairs if without != found]
+    assert sum(after < before / 2 for before, after in changed) >= len(changed) - 1
+
+
 def test_the_real_run_is_stored_with_its_settings():
     kept = stored(real_images.FILE)
     assert kept["options"] == json.loads(json.dumps(options_for(1.0, **real_images.SAID).to_dict()))

@@ -47,8 +47,9 @@ def relocalize(slam: Slam, image: Image) -> bool:
 def close_loop(slam: Slam, image: Image) -> bool:
     """Whether landmarks long unseen were found elsewhere than predicted, after a step: then the drift is estimated.
 
-    It is a random walk of the world's motion about the robot since they vanished, so large that it explains the pose
-    found, which measures it; each landmark took part in it until it was seen last. The next search finds them, or not.
+    It is a random walk of the whole world's motion since they vanished, as large as what the pose found says of it, and
+    each landmark took part in it until it was seen last: eq. (mn-loop). The next search finds them, or not. Raises
+    SlamlibError for a parametrization, or a motion, without the model moved.
     """
     sensor, belief, number = slam.sensors[0], slam.belief, slam.number
     old = [] if number % EVERY else [lm for lm in slam.landmarks if number - lm.last_seen > UNSEEN]
@@ -66,13 +67,13 @@ def close_loop(slam: Slam, image: Image) -> bool:
         share[landmark.block.slice] = np.clip((landmark.last_seen - since) / (number - since), 0, 1)
     N = generators(slam)
     N = N @ np.linalg.inv(N[sensor.robot.block.start + np.arange(POSE)])
-    drift = Pose.minus(robot, sensor.robot.pose)
-    walk = np.repeat((drift.reshape(2, 3) ** 2).mean(axis=1), 3)
-    gain = walk / (walk + stds**2)
-    told = np.outer(share, share) * (N * walk * gain @ N.T)
-    P, step = belief.matrix + np.minimum(share[:, None], share) * (N * walk @ N.T) - told, share * (N @ (gain * drift))
+    z = Pose.minus(robot, sensor.robot.pose)
+    Q = np.repeat((z.reshape(2, 3) ** 2).mean(axis=1), 3)  # and K: diagonals
+    K = Q / (Q + stds**2)
+    step, walk, told = share * (N @ (K * z)), N * np.sqrt(Q), N * np.sqrt(K * Q)
+    shared = np.minimum(share[:, None], share) * (walk @ walk.T) - np.outer(share, share) * (told @ told.T)
     means = [block.manifold.plus(block.mean, step[block.slice]) for block in belief.blocks]
-    belief.overwrite(dict(enumerate(belief.blocks)), dict(enumerate(means)), P)
+    belief.overwrite(dict(enumerate(belief.blocks)), dict(enumerate(means)), belief.matrix + shared)
     return True
 
 
