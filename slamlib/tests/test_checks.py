@@ -117,11 +117,13 @@ def far_and_near(x):
     return np.array([x[0] + 10**9, x[0]])
 
 
-@pytest.mark.parametrize(("off", "right"), [([0, 0], True), ([1e-7, 0], True), ([0, 1e-7], False), ([1e-5, 0], False)])
-def test_a_large_number_of_a_value_hides_no_error_beside_it(off, right):
+@pytest.mark.parametrize(
+    ("wrong", "right"), [([0, 0], True), ([1e-7, 0], True), ([0, 1e-7], False), ([1e-5, 0], False)]
+)
+def test_a_large_number_of_a_value_hides_no_error_beside_it(wrong, right):
     judge, place = Judge("far"), [np.array([0.5])]
     value, jacobians = far_and_near.jac(*place)
-    derivatives(judge.at("far"), far_and_near, place, value, jacobians._replace(x=jacobians.x + np.array([off]).T))
+    derivatives(judge.at("far"), far_and_near, place, value, jacobians._replace(x=jacobians.x + np.array([wrong]).T))
     assert judge.lacks(JACOBIAN) is not right
 
 
