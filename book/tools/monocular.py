@@ -5,6 +5,7 @@ once round the room, with the paths themselves. benchmarks/monocular.py prints t
 belong to a machine and are not stored, and with a fifth of all matches wrong.
 """
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -44,11 +45,9 @@ def row(outcome: bench.Outcome) -> dict[str, float]:
     }
 
 
+@cache
 def around(seed: int, closes: bool = False) -> dict[str, Any]:
-    """Once round the room, and half a second more: each eighth position, by filter and all data; what was seen.
-
-    closes: the loop by appearance, too.
-    """
+    """Once round the room, and half a second more: each eighth position, by filter and all data; closes: loops, too."""
     way = rendering.path("round")
     rig = rendering.rig_along_path(way, std=(0.1,), control_std=(0.03,) * 3 + (1.2,) * 3)
     rng = np.random.default_rng(seed)

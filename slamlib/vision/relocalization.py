@@ -34,8 +34,7 @@ def relocalize(slam: Slam, image: Image) -> bool:
 
     Needs points with patches, and OpenCV: without either nothing is found, and nothing is changed.
     """
-    found = _robot(slam, slam.landmarks, image)
-    if found is None:
+    if (found := _robot(slam, slam.landmarks, image)) is None:
         return False
     mean, P = slam.rig.robots[0].state, slam.rig.robots[0].covariance
     mean[:7], stds = found
@@ -52,11 +51,12 @@ def close_loop(slam: Slam, image: Image) -> bool:
     SlamlibError for a parametrization, or a motion, without the model moved.
     """
     sensor, belief, number = slam.sensors[0], slam.belief, slam.number
-    old = [] if number % EVERY else [lm for lm in slam.landmarks if number - lm.last_seen > UNSEEN]
+    if number % EVERY:
+        return False
+    old = [landmark for landmark in slam.landmarks if number - landmark.last_seen > UNSEEN]
     predict = partial(predict_measurements, belief, sensor, slam.families, old, slam.options)
     shown = {prediction.landmark: prediction.value for prediction in predict()}
-    found = _robot(slam, list(shown), image)
-    if found is None:
+    if (found := _robot(slam, list(shown), image)) is None:
         return False
     robot, stds = found
     moved = [np.linalg.norm(p.value - shown[p.landmark]) for p in predict(robot) if p.landmark in shown]

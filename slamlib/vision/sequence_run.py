@@ -96,9 +96,10 @@ class SequenceRun:
         if last is not None:
             self.picture = next(iter(source.part(self.done - 1)))
             if (found := _identity(self.picture)) != last:
+                pixels = " with other pixels" * (found[0] == last[0])
                 raise SlamlibError(
                     f"the {kind.item}s in {source.where} have changed since the run was saved: the last one that it "
-                    f"used was {last[0]}; its place has {found[0]} now{' with other pixels' * (found[0] == last[0])}"
+                    f"used was {last[0]}, and its place has {found[0]} now{pixels}"
                 )
 
     def __len__(self) -> int:
@@ -175,10 +176,9 @@ class SequenceRun:
 
     def _process(self, frame: Frame, elapsed: float) -> tuple[Frame, Report]:
         """The frame as the filter took it, and its report; an empty map gets as many landmarks as a first frame."""
-        control = self.motion.control(frame.scans[0].image, elapsed, self.slam)
+        control = self.motion.control(image := frame.scans[0].image, elapsed, self.slam)
         told = control is not None and self._can_move()
         is_lost = self.relocalizes and self._can_move() and self.history[-1][INLIERS] <= LOST
-        image = np.asarray(frame.scans[0].image)
         if is_lost and relocalize(self.slam, image):
             frame = replace(frame, dt=0.0)  # its pose is that of this image: there is nothing to predict
         else:
