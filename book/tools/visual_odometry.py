@@ -1,7 +1,7 @@
 """`python -m book.tools.visual_odometry`: store chapter visual_odometry's longer runs as one file. Needs OpenCV.
 
 Variants of the features in the rendered room and, where it is at hand, on an excerpt of KITTI's street (its licence
-forbids shipping it; without it the stored figures stay). Once round the room with plain odometry, and what it would
+forbids shipping it; without it the stored figures stay). Half way round the room with plain odometry, and what it would
 cost to keep every point that was seen.
 """
 
@@ -87,7 +87,7 @@ def measured(calibration: Calibration, images: list[Array], truth: Trajectory, o
 
 
 def around(seed: int, frames: int = ROUND) -> dict[str, Any]:
-    """Once round the room by plain odometry: every eighth position error and its standard deviation [m]."""
+    """Half way round the room by plain odometry: every eighth position error and its standard deviation [m]."""
     rig, film, made = stereo_film(frames, "round", seed, STD)
     sensor = rig.sensors[0]
     truth = np.array([t.robots[0][:7] for _, t in film])

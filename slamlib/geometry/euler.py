@@ -50,7 +50,7 @@ def from_rotation(matrix):
 
 
 def from_rotation_jac(matrix):
-    """Angles and their Jacobian (..., 3, 3, 3) w.r.t. the matrix; raises SingularPointError at pitch 90 degrees."""
+    """Angles and their Jacobian (..., 3, 3, 3) w.r.t. the matrix; SingularPointError where x is exactly vertical."""
     yaw, by_matrix = yaw_of.jac(matrix)
     rest, partial = roll_pitch_of.jac(matrix, yaw)
     total = partial.matrix + partial.yaw[..., None, None] * by_matrix.matrix[..., None, :, :]
@@ -66,7 +66,7 @@ def from_quaternion(q):
 def from_quaternion_jac(q):
     """Angles and their Jacobian (..., 3, 3) w.r.t. an orientation error: a rotation vector in the frame's axes.
 
-    Raises SingularPointError where pitch is 90 degrees. Chapter frames_and_quaternions, eq. (fq-euler-jac).
+    Raises SingularPointError where the x axis is exactly vertical. Chapter frames_and_quaternions, eq. (fq-euler-jac).
     """
     matrix, by_q = rotation.jac(q)
     angles, by_matrix = from_rotation_jac(matrix)
