@@ -312,7 +312,7 @@ def test_each_stage_counts_what_its_command_really_prints():
         "types": "Success: no issues found in 55 source files",
         "generated": "generated code: 25 models in 9 files, 0 out of date",
         "tangled": "tangled cells: 7 in the book, 7 formula modules, 0 problems",
-        "sizes": "sizes: 9 figures, 0 over their limit",
+        "sizes": "sizes: 9 figures",
         "stored": "notebooks: 11 in the book, 0 not in the stored form",
         "core": "90 passed in 20.0s",
         "pytest": "320 passed, 2 skipped in 60.0s",
@@ -326,8 +326,8 @@ def test_each_stage_counts_what_its_command_really_prints():
     }
     assert [s.name for s in ci.stages()] == list(printed)
     for stage in ci.stages():
-        assert ci.judge(stage, 0, printed[stage.name], 1.0).status == "ok"
-        assert ci.judge(stage, 1, printed[stage.name], 1.0).status == "FAILED"
+        assert ci.judge(stage, 0, printed[stage.name])[0] == "ok"
+        assert ci.judge(stage, 1, printed[stage.name])[0] == "FAILED"
 
 
 @pytest.mark.parametrize(
@@ -336,7 +336,7 @@ def test_each_stage_counts_what_its_command_really_prints():
 )
 def test_a_stage_that_ran_nothing_has_failed(text):
     for stage in ci.stages():
-        assert ci.judge(stage, 0, text, 1.0).status == "NOTHING"
+        assert ci.judge(stage, 0, text) == ("NOTHING", 0)
 
 
 def test_the_summary_fails_for_one_failed_stage_and_for_none(capsys):
@@ -347,3 +347,22 @@ def test_the_summary_fails_for_one_failed_stage_and_for_none(capsys):
     assert ci.summary([good, bad]) == 1
     assert ci.summary([good, ci.Result(stage, "skipped", 0, 1.0)]) == 0
     assert ci.summary([]) == 1
+
+
+def test_after_a_stage_that_failed_the_others_are_left_out_unless_they_are_wanted(monkeypatch, capsys):
+    def quick(name, code):
+        return ci.Stage(name, [sys.executable, "-c", f"print('1 thing'); raise SystemExit({code})"], r"(\d+) thing", "")
+
+    monkeypatch.setattr(ci, "stages", lambda every=False: [quick("good", 0), quick("bad", 1), quick("last", 0)])
+    assert ci.main([]) == 1
+    said = capsys.readouterr().out
+    assert re.search(r"(?m)^bad +FAILED", said)
+    assert re.search(r"(?m)^last +left out$", said)
+    assert ci.main(["--keep-going"]) == 1
+    assert re.search(r"(?m)^last +ok", capsys.readouterr().out)
+
+
+def test_a_stage_says_how_long_processors_worked():
+    code = "import time\nwhile time.process_time() < 0.3: pass\nprint('1 thing')"
+    stage = ci.Stage("busy", [sys.executable, "-c", code], r"(\d+) thing", "things")
+    assert ci.run(stage).processor >= 0.3

@@ -389,25 +389,6 @@ def test_the_pages_opencv_reads_plain_grey_and_says_what_it_has_not():
     assert not hasattr(opencv, "matchTemplate")
 
 
-def test_a_cells_pictures_are_one_archive_with_whose_they_are(tools, tmp_path):
-    live = tools["live"]
-    built = live.layout.BUILD / "live"
-    if not any(built.glob("*/complete")):
-        pytest.skip("nothing is packed for the page: run `make book`")
-    site = tmp_path / "live"
-    live.build(site)
-    listed = json.loads((site / "manifest.json").read_text("utf-8"))
-    archives = [name for name in listed["files"] if name.startswith("pictures/")]
-    for archive in archives:
-        with zipfile.ZipFile(site / archive) as packed:
-            names = packed.namelist()
-            for name in names:
-                assert packed.read(name) == (ROOT / "book" / "chapters" / name).read_bytes()
-        assert f"{archive.removesuffix('.zip')}/ATTRIBUTION.txt" in names
-        assert archive not in (*listed["first"], *listed["data"])  # fetched when a cell asks for it
-    assert archives == ["pictures/tum_fr1_xyz.zip"]
-
-
 def test_an_archive_with_another_checksum_is_refused_and_not_kept(tools, monkeypatch, tmp_path):
     assets = tools["assets"]
     monkeypatch.setattr(assets, "ASSETS", tmp_path)

@@ -31,7 +31,7 @@ def load(page: Any, url: str) -> None:
     """Go to a page, and wait until all of it is there and MathJax has set its formulas; a page may lead to another."""
     page.goto(url, wait_until="load")
     page.wait_for_function(ARRIVED)
-    page.evaluate("() => window.MathJax && MathJax.startup ? MathJax.startup.promise : null")
+    page.wait_for_function("() => !window.MathJax?.startup || MathJax.startup.promise.then(() => true)")
 
 
 @contextlib.contextmanager

@@ -1,5 +1,11 @@
 """Build the book: run every notebook (or take it from the cache), then let Sphinx make HTML with warnings as errors.
 
+Sphinx always begins with an empty folder. What it takes over from a build before is not what it would make anew: the
+search index loses the glossary and all other index entries of pages that are not written again
+(`sphinx.search.IndexBuilder.load`), links into pages that were added, moved or removed stay as they were, and what our
+extensions and their tables would do differently is not seen at all. So a build is whole, or, where nothing that it is
+made from has changed, it is left as it is.
+
 With a NAME, while a chapter is written: run it, compare it with what it stores, and build its page by itself.
 """
 
@@ -45,16 +51,23 @@ def book() -> int:
     except (notebooks.BrokenNotebook, assets.AssetError, RuntimeError) as error:
         print(error, file=sys.stderr)
         return 1
-    state = layout.digest(f for f in SOURCE.rglob("*") if f.is_file())
+    state = made_from()
     if STAMP.is_file() and STAMP.read_text() == state:
         print("nothing has changed since the last build", flush=True)
-    elif not html():
+    elif not html(SOURCE, layout.SITE):
         return 1
     STAMP.write_text(state)
     minutes, seconds = divmod(time.perf_counter() - start, 60)
     print(f"the book: {layout.SITE / 'index.html'}  ({minutes:.0f} min {seconds:.0f} s)")
     print(f"          {(layout.SITE / 'index.html').as_uri()}  (or: make serve)")
     return 0
+
+
+def made_from() -> str:
+    """Fingerprint of all that the site is made from: what is staged for Sphinx, what builds it, and with what."""
+    staged = (file for file in SOURCE.rglob("*") if file.is_file())
+    tools = [*(layout.BOOK / "tools").glob("*.py"), *(layout.BOOK / "offline").iterdir()]
+    return f"{layout.digest(staged)} {layout.digest([*tools, *layout.package_files()])} {sys.version}"
 
 
 def stage(executed: dict[Path, tuple[Path, bool]]) -> None:
@@ -84,29 +97,32 @@ def chapter(file: Path) -> int:
     name = file.relative_to(layout.ROOT).with_suffix("")
     (SOURCE / "_toc.yml").write_text(f"format: jb-book\nroot: {name.as_posix()}\n", "utf-8")
     print("building the page", flush=True)
-    target = layout.BUILD / "chapter"
-    if subprocess.run([*JUPYTER_BOOK, "-qq", str(SOURCE), "--path-output", str(target)]).returncode:
+    output = sphinx(SOURCE, layout.BUILD / "chapter", ["-qq"])
+    if output is None:
         return 1
-    print(f"the page: {(target / '_build' / 'html' / f'{name}.html').as_uri()}")
+    print(f"the page: {(output / f'{name}.html').as_uri()}")
     return compared
 
 
-def html() -> bool:
-    """Run Jupyter Book; after a failure the next build starts afresh, since Sphinx repeats no warning."""
+def sphinx(source: Path, work: Path, options: list[str]) -> Path | None:
+    """The folder of the pages that Jupyter Book makes of a source tree, in a new folder `work`; None if it fails."""
+    shutil.rmtree(work, ignore_errors=True)
+    run = subprocess.run([*JUPYTER_BOOK, *options, str(source), "--path-output", str(work)])
+    return None if run.returncode else work / "_build" / "html"
+
+
+def html(source: Path, site: Path) -> bool:
+    """Make the site of a source tree, in place of the one that is there, which stays if the build fails."""
     print("building the pages", flush=True)
-    strict = ["-W", "-n", "--keep-going", "-q"]
-    run = subprocess.run([*JUPYTER_BOOK, *strict, str(SOURCE), "--path-output", str(layout.BUILD / "sphinx")])
-    output = layout.BUILD / "sphinx" / "_build"
-    if run.returncode:
-        shutil.rmtree(output, ignore_errors=True)
-        STAMP.unlink(missing_ok=True)
+    output = sphinx(source, site.with_name("sphinx"), ["-W", "-n", "--keep-going", "-q"])
+    if output is None:
         print("the build failed: see the messages above", file=sys.stderr)
         return False
-    shutil.rmtree(layout.SITE, ignore_errors=True)
-    shutil.copytree(output / "html", layout.SITE, ignore=shutil.ignore_patterns(".buildinfo"))
-    lighten(layout.SITE)
-    redirect(layout.SITE)
-    pack(layout.SITE)
+    shutil.rmtree(site, ignore_errors=True)
+    shutil.copytree(output, site, ignore=shutil.ignore_patterns(".buildinfo"))
+    lighten(site)
+    redirect(site)
+    pack(site)
     return True
 
 

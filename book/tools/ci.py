@@ -1,7 +1,11 @@
-"""Run every check, one after the other, and report at the end how each went; a stage that runs nothing has failed."""
+"""Run every check, quick ones first, and report at the end how each went; a stage that runs nothing has failed.
+
+After a stage that failed the others are left out (`--keep-going` runs them): what they would say can wait.
+"""
 
 import argparse
 import re
+import resource
 import subprocess
 import sys
 import time
@@ -12,7 +16,8 @@ from book.tools import layout, notebooks
 from book.tools.browser import SKIPPED
 
 PYTHON = [sys.executable, "-m"]
-LIVE_MINUTES = "10"  # after which no further page is tried live in `make test`; `make test-all` tries them all
+FAILURES = ("FAILED", "NOTHING")
+LIVE_MINUTES = "2"  # after which no further page is tried live in `make test`; `make test-all` tries them all
 
 
 @dataclass(frozen=True)
@@ -34,9 +39,11 @@ class Result:
     status: str
     number: int
     seconds: float
+    processor: float = 0.0
 
     def __str__(self) -> str:
-        return f"{self.stage.name:<10} {self.status:<8} {self.number:>5} {self.stage.unit:<28} {self.seconds:6.1f} s"
+        counted = f"{self.stage.name:<10} {self.status:<8} {self.number:>5} {self.stage.unit:<28}"
+        return f"{counted} {self.seconds:6.0f} s {self.processor / 60:6.1f} CPU min"
 
 
 def stages(every: bool = False) -> list[Stage]:
@@ -52,7 +59,7 @@ def stages(every: bool = False) -> list[Stage]:
         Stage("types", [*PYTHON, "mypy", *typed], r"in (\d+) source files", "files"),
         Stage("generated", [*PYTHON, "slamlib.codegen", "--check"], r"generated code: (\d+) models", "models, current"),
         Stage("tangled", [*PYTHON, "book.tools.tangle", "--check"], r"tangled cells: (\d+)", "cells, as in slamlib"),
-        Stage("sizes", [*PYTHON, "book.tools.sizes"], r"sizes: (\d+) figures", "figures, within their limits"),
+        Stage("sizes", [*PYTHON, "book.tools.sizes"], r"sizes: (\d+) figures", "figures, printed"),
         Stage("stored", [*PYTHON, "book.tools.notebooks", "check"], r"notebooks: (\d+)", "notebooks, text only"),
         Stage("core", [*PYTHON, "pytest", "-q", "-m", "core", *parallel], r"(\d+) passed", "tests of the core", False),
         Stage("pytest", [*PYTHON, "pytest", "-q", "-rs", *parallel], r"(\d+) passed", "tests"),
@@ -74,7 +81,7 @@ def stages(every: bool = False) -> list[Stage]:
 def run(stage: Stage) -> Result:
     """Run one stage with its output shown, and judge it."""
     print(f"\n=== {stage.name}: {' '.join(stage.command[2:])}", flush=True)
-    start = time.perf_counter()
+    start, worked = time.perf_counter(), _processor()
     text = []
     with subprocess.Popen(
         stage.command,
@@ -88,47 +95,62 @@ def run(stage: Stage) -> Result:
         for line in process.stdout:
             print(line, end="", flush=True)
             text.append(line)
-    return judge(stage, process.returncode, "".join(text), time.perf_counter() - start)
+    status, number = judge(stage, process.returncode, "".join(text))
+    return Result(stage, status, number, time.perf_counter() - start, _processor() - worked)
 
 
-def judge(stage: Stage, code: int, text: str, seconds: float) -> Result:
-    """Passed only if the command succeeded and counted something."""
+def _processor() -> float:
+    """Seconds of processor time that the ended children have used, with all that they waited for."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def judge(stage: Stage, code: int, text: str) -> tuple[str, int]:
+    """What became of a stage, and how much it counted: passed only if it succeeded and counted something."""
     found = re.findall(stage.count, text)
     number = sum(int(n) if n.isdigit() else 1 for n in found)
     if code == SKIPPED:
-        return Result(stage, "skipped", number, seconds)
+        return "skipped", number
     if code == 0 and not number:
-        return Result(stage, "NOTHING", 0, seconds)
-    return Result(stage, "ok" if code == 0 else "FAILED", number, seconds)
+        return "NOTHING", 0
+    return "ok" if code == 0 else "FAILED", number
 
 
-def summary(results: Iterable[Result]) -> int:
+def summary(results: list[Result], left_out: Iterable[Stage] = ()) -> int:
     """Print a line for each stage and the totals; exit status 0 if none failed or ran nothing."""
-    results = list(results)
     print("\n=== summary")
     for result in results:
         print(result)
-    failed = [r for r in results if r.status in ("FAILED", "NOTHING")]
+    for stage in left_out:
+        print(f"{stage.name:<10} left out")
+    failed = [r for r in results if r.status in FAILURES]
     skipped = [r for r in results if r.status == "skipped"]
     if skipped:
         print("skipped: a browser is needed for the last stages: apt-get install chromium, or set BOOK_BROWSER")
+    seconds, processor = (sum(getattr(r, name) for r in results) / 60 for name in ("seconds", "processor"))
+    print(f"{seconds:.0f} minutes, {processor:.0f} CPU minutes")
     print(f"stages: {len(results) - len(failed) - len(skipped)} passed, {len(failed)} failed, {len(skipped)} skipped")
     return 1 if failed or not results else 0
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run all stages, or those that are named, whatever happens to each."""
+    """Run all stages, or those that are named, up to the first that fails."""
     names = ", ".join(stage.name for stage in stages())
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument(
         "stage", nargs="*", help=f"of {names} (default: all but core, which is a part of pytest, and platforms)"
     )
     parser.add_argument("--all", action="store_true", help="look at all pages and run their live cells, changed or not")
+    parser.add_argument("--keep-going", action="store_true", help="run the other stages after one that failed, too")
     options = parser.parse_args(arguments)
     known, wanted = stages(options.all), options.stage
     for name in set(wanted) - {stage.name for stage in known}:
         parser.error(f"no stage is called {name}: there are {names}")
-    return summary([run(stage) for stage in known if (stage.name in wanted if wanted else stage.always)])
+    chosen = [stage for stage in known if (stage.name in wanted if wanted else stage.always)]
+    results: list[Result] = []
+    while len(results) < len(chosen) and (options.keep_going or not any(r.status in FAILURES for r in results)):
+        results.append(run(chosen[len(results)]))
+    return summary(results, chosen[len(results) :])
 
 
 if __name__ == "__main__":

@@ -60,11 +60,11 @@ def write_whole(file: Path, content: bytes) -> None:
 
 
 def package_files() -> list[Path]:
-    """What the result of a notebook depends on besides the notebook: slamlib, the lock, the data of the book."""
-    packages = (ROOT / "slamlib", BOOK / "slambook")
-    code = [f for top in packages for e in ("py", "js") for f in top.rglob(f"*.{e}") if "tests" not in f.parts]
-    data = [f for f in BOOK.rglob("data/*") if f.is_file()]
-    return [*code, *data, ROOT / "requirements.txt", BOOK / "tools" / "notebooks.py"]
+    """What the result of a notebook depends on besides the notebook: the packages, the lock, the data of the book."""
+    tops = (ROOT / "slamlib", BOOK / "slambook", ROOT / "benchmarks", BOOK / "chapters", BOOK / "sources")
+    found = [f for top in tops for f in top.rglob("*") if f.is_file() and f.suffix not in (".ipynb", ".md", ".pyc")]
+    ours = [f for f in found if not {"tests", ".ipynb_checkpoints"} & set(f.relative_to(ROOT).parts)]
+    return [*ours, ROOT / "requirements.txt", BOOK / "tools" / "notebooks.py"]
 
 
 def _names(node: Any) -> list[str]:

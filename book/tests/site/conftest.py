@@ -10,9 +10,10 @@ import time
 from collections.abc import Iterator
 from typing import Any
 
+import playwright.sync_api
 import pytest
 
-from book.tests.site.live_page import PATIENCE, address, live_pages, most_urgent_first, shown_pages
+from book.tests.site.live_page import SHOWN, address, live_pages, most_urgent_first, shown_pages
 from book.tools import browser, layout, serve
 
 ADDED = ("index.html", "genindex.html", "search.html")  # by Sphinx
@@ -77,9 +78,19 @@ def in_time(start_time: float, request: Any) -> None:
 
 @pytest.fixture
 def context(context: Any) -> Any:
-    """The browser's context, with time for a page on a machine that has other things to do."""
-    context.set_default_timeout(PATIENCE)
+    """The browser's context, which waits no longer than a page may take for what it shows by itself."""
+    context.set_default_timeout(SHOWN)
     return context
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item: Any) -> Iterator[None]:
+    """What did not come in time is named with the pages that were open."""
+    try:
+        return (yield)
+    except playwright.sync_api.TimeoutError as error:
+        opened = [page.url for context in item.funcargs["browser"].contexts for page in context.pages]
+        raise AssertionError(f"{', '.join(opened)}: missing: {error.message}") from error
 
 
 @pytest.fixture

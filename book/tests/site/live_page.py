@@ -13,7 +13,8 @@ SAID = """(i) => [...Live.page.cells[i].output.querySelectorAll('[data-kind]')]
 ALWAYS = ("slam_in_five_minutes", "proving_a_jacobian", "ekf_slam", "active_search")  # one of each kind of page
 BEHIND = ("slamlib/", "book/slambook/", "book/live/", "book/tools/", "book/tests/site/", "requirements.txt")
 LOOKS = ("book/slambook/figures/", "book/slambook/scene/", "book/live/", "book/_", "book/tests/site/", "_config.yml")
-PATIENCE = 240_000  # milliseconds for a cell, on a machine that runs a second page and does other things too
+SHOWN = 30_000  # milliseconds for what a page shows by itself, or at a click
+PATIENCE = 240_000  # milliseconds for what the page's Python does: to start it, or to run a cell
 
 
 def live_cells(file: Path) -> list[Any]:

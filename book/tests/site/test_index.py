@@ -1,6 +1,8 @@
-"""What the site's own search, its index, and the inventory for other people's documentation have in them."""
+"""What the site's own search, its index, the inventory for other people's documentation, and its archives have in them."""
 
+import json
 import re
+import zipfile
 
 import pytest
 from sphinx.util.inventory import InventoryFile
@@ -30,3 +32,17 @@ def test_the_search_finds_a_term_where_it_is_explained(context, site, word):
     page = context.new_page()
     browser.load(page, f"{site}/search.html?q={word.replace(' ', '+')}")
     page.wait_for_selector("#search-results li a[href*='appendices/glossary.html#term']")
+
+
+def test_a_cells_pictures_are_one_archive_with_whose_they_are():
+    live = layout.SITE / "_static" / "live"
+    listed = json.loads((live / "manifest.json").read_text("utf-8"))
+    archives = [name for name in listed["files"] if name.startswith("pictures/")]
+    for archive in archives:
+        with zipfile.ZipFile(live / archive) as packed:
+            names = packed.namelist()
+            for name in names:
+                assert packed.read(name) == (layout.BOOK / "chapters" / name).read_bytes()
+        assert f"{archive.removesuffix('.zip')}/ATTRIBUTION.txt" in names
+        assert archive not in (*listed["first"], *listed["data"])  # fetched when a cell asks for it
+    assert archives == ["pictures/tum_fr1_xyz.zip"]

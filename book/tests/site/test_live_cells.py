@@ -19,10 +19,11 @@ UNFOLD = """(cell) => { for (let e = cell; e; e = e.parentElement) {
   if (e.tagName === 'DETAILS') e.open = true;
   if (e.classList.contains('toggle-hidden')) e.querySelector('.toggle-button').click(); } }"""
 FOLLOWED = "([i, v]) => document.querySelectorAll('figure.sweep.live')[i].dataset.position === v"
-COMPUTE = """async (code) => { let out = ''; let errors = '';
-  const done = await Live.page.python.run('cell parity', code, (kind, text) => {
-    if (kind === 'stdout') out += text; else errors += text; }, 1e8);
-  return done.ok ? out : 'failed: ' + errors; }"""
+COMPUTE = """async ([code, patience]) => { let out = ''; let errors = '';
+  const late = new Promise((give) => setTimeout(give, patience, { ok: false }));
+  const done = await Promise.race([late, Live.page.python.run('cell parity', code, (kind, text) => {
+    if (kind === 'stdout') out += text; else errors += text; }, 1e8)]);
+  return done.ok ? out : 'failed: ' + (errors || `no answer in ${patience / 1000} s`); }"""
 
 DECODERS = 2  # grey levels between two decoders of JPEG: each may round as it likes; Chromium's and OpenCV's are one
 DESK = """import base64, json
@@ -89,13 +90,13 @@ def drive(page: Any, figure: Any, i: int) -> None:
         place = slider.input_value()
         if place == started:
             continue  # it stands at that end already
-        page.wait_for_function(FOLLOWED, arg=[i, place])
+        page.wait_for_function(FOLLOWED, arg=[i, place], timeout=PATIENCE)
         assert figure.locator("svg").evaluate("e => e.outerHTML") != before, f"live slider {i + 1}, key {key}"
 
 
 def test_real_pictures_are_decoded_by_the_browser_as_by_opencv_and_give_the_same_path(context, site, outside):
     page = open_page(context, site, layout.BOOK / "chapters" / "monocular.ipynb", [])
-    answer = page.evaluate(COMPUTE, DESK)
+    answer = page.evaluate(COMPUTE, [DESK, PATIENCE])
     assert not answer.startswith("failed"), answer
     there, here = io.StringIO(), json.loads(answer)
     with contextlib.chdir(layout.BOOK / "chapters"), contextlib.redirect_stdout(there):
@@ -109,7 +110,7 @@ def test_real_pictures_are_decoded_by_the_browser_as_by_opencv_and_give_the_same
 
 def test_the_two_pythons_agree_number_by_number(context, site, outside, request):
     page = open_page(context, site, live_pages()[0], [])
-    answer = page.evaluate(COMPUTE, parity.PROGRAM.read_text("utf-8"))
+    answer = page.evaluate(COMPUTE, [parity.PROGRAM.read_text("utf-8"), PATIENCE])
     assert not answer.startswith("failed"), answer
     rows, faults = parity.compare(parity.here(), json.loads(answer))
     assert faults == []

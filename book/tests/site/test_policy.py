@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from book.tests.site.live_page import PATIENCE, address, live_pages, open_page, run_one
+from book.tests.site.live_page import address, live_pages, open_page, run_one
 from book.tools import browser, layout
 
 REFUSED = """async (url) => {
@@ -118,7 +118,7 @@ def test_a_player_plays_in_the_page_and_where_a_cell_made_it(context, site, faul
     for page in (played, made):
         figure = page.locator("figure.player").first
         before = figure.locator("[data-player=frame]").input_value()
-        figure.locator("[data-player=back]").click(timeout=PATIENCE)
+        figure.locator("[data-player=back]").click()
         assert int(figure.locator("[data-player=frame]").input_value()) == int(before) - 1
     assert faults == []
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from book.tests.site.live_page import PATIENCE, address, answers, live_pages, open_page, run_one, write
+from book.tests.site.live_page import PATIENCE, SHOWN, address, answers, live_pages, open_page, run_one, write
 from book.tools import build, layout, serve
 
 
@@ -199,7 +199,7 @@ def opened_as_a_file(chromium: Any, file: Path) -> bool:
 def on_a_phone(chromium: Any, base: str, file: Path) -> bool:
     """With the panel open and a result shown, nothing is wider than a phone, and every button can be touched."""
     context = chromium.new_context(viewport={"width": 390, "height": 800}, has_touch=True, color_scheme="dark")
-    context.set_default_timeout(PATIENCE)
+    context.set_default_timeout(SHOWN)
     page = context.new_page()
     page.goto(f"{base}/{address(file)}")
     page.wait_for_function("() => window.Live && Live.page")
