@@ -1,4 +1,4 @@
-"""What the site's own search, its index, the inventory for other people's documentation, and its archives have in them."""
+"""What is in the site's own search, its index, the inventory for other documentation, and its archives."""
 
 import json
 import re
