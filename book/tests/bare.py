@@ -11,6 +11,7 @@ import tomllib
 import venv
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache
 from importlib.metadata import Distribution, distribution
 from pathlib import Path
 
@@ -23,6 +24,7 @@ QUIET = ["--quiet", "--disable-pip-version-check", "--no-deps", "--no-index", "-
 FOREIGN = ("PYTHONPATH", "PYTHONHOME", "VIRTUAL_ENV", "COVERAGE_PROCESS_START", "SLAMLIB_DATA")
 
 
+@cache
 def extras() -> dict[str, list[Requirement]]:
     """The extras of pyproject.toml, with what each asks for; an extra made of others asks for what they do."""
     project = tomllib.loads((layout.ROOT / "pyproject.toml").read_text("utf-8"))["project"]
