@@ -57,8 +57,9 @@ def distributions(requirements: Iterable[Requirement]) -> dict[str, Distribution
 
 def link(folder: Path, requirements: Iterable[Requirement]) -> Path:
     """Link the installed packages, and nothing else, into a folder that Python can import from."""
+    found = distributions(requirements)
     folder.mkdir(parents=True, exist_ok=True)
-    for one in distributions(requirements).values():
+    for one in found.values():
         for top in {file.parts[0] for file in one.files or []} - {"..", "__pycache__"}:
             if not (folder / top).is_symlink():  # a namespace that two packages share is linked once
                 (folder / top).symlink_to(Path(str(one.locate_file(top))).resolve())

@@ -262,6 +262,16 @@ def test_the_table_of_extras_is_that_of_the_package():
 runs = pytest.mark.skipif(os.name == "nt", reason="the pages' commands are a POSIX shell's; on Windows use WSL")
 
 
+@pytest.mark.parametrize(
+    ("named", "packages"),
+    [((), "numpy"), (("experiments",), "numpy joblib"), (("images",), "numpy scipy cv2"), (("fast",), "numpy scipy")],
+)
+def test_an_environment_has_what_is_named_and_nothing_else(named, packages, bare):
+    look = "print(*(n for n in 'numpy scipy sympy joblib cv2 matplotlib IPython pytest'.split() if find_spec(n)))"
+    end = bare.run(bare.python, "-c", f"from importlib.util import find_spec; {look}", extras_named=named)
+    assert end.stdout.split() == packages.split(), end.stderr
+
+
 @pytest.fixture(scope="module")
 def own(tmp_path_factory):
     """What a reader brings: a film of one camera and of two, calibrations, and a path with its reference."""
