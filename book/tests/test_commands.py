@@ -7,6 +7,7 @@ told, is told to it here; pictures and paths of the reader's own are a few rende
 JupyterLab, and commands inside a sentence) the arguments are checked.
 """
 
+import ast
 import importlib.util
 import json
 import os
@@ -134,7 +135,7 @@ def inline(page: Path) -> list[Command]:
 BLOCKS = [block for page in PAGES for block in blocks(page)]
 FIRST = {command: block for block in reversed(BLOCKS) for command in block.run}  # each once, if it stands on two pages
 SHELL = [(b, own) for b in BLOCKS if (own := [command for command in b.run if FIRST[command] is b])]
-PYTHON = [block for block in BLOCKS if block.kind == "python" and not block.why]
+PYTHON = {ast.unparse(ast.parse(b.text)): b for b in BLOCKS if b.kind == "python" and not b.why}  # each once, again
 ALL = {c.text: c for block in BLOCKS if block.kind == "sh" for c in block.commands}
 ALL |= {c.text: c for page in PAGES for c in inline(page) if c.text not in ALL}
 NEEDY = {(cli._joined(c.words[1:])[0], c.extras): c for _, own in SHELL for c in own if c.extras}
@@ -345,7 +346,7 @@ def test_without_its_extra_a_command_stops_and_says_which(command, bare, desk):
 
 
 @runs
-@pytest.mark.parametrize("block", PYTHON, ids=str)
+@pytest.mark.parametrize("block", PYTHON.values(), ids=str)
 def test_snippets_run_with_just_what_they_name(block, bare, tmp_path):
     given = [text for name, text in OF_THE_READER.items() if re.search(rf"\b{name}\)", block.text)]
     file = tmp_path / "snippet.py"
