@@ -2,13 +2,9 @@
 
 import os
 import re
-import subprocess
-import sys
-import venv
 import zipfile
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from book.tools import layout, wheel
@@ -18,31 +14,9 @@ OWN = {".git", ".venv", "_build", "__pycache__"}  # folders of the checkout that
 SAY = "import matplotlib, slambook, slamlib; print(matplotlib.__file__, slambook.__file__, slamlib.__file__)"
 
 
-@pytest.fixture(scope="module")
-def built(tmp_path_factory):
-    pytest.importorskip("setuptools", reason="the wheel is built with setuptools")
-    return wheel.build(tmp_path_factory.mktemp("wheel"))
-
-
-@pytest.fixture(scope="module")
-def bare(built, tmp_path_factory):
-    """A new environment's Python and its folder of packages: the wheel, and NumPy beside it."""
-    folder = tmp_path_factory.mktemp("bare")
-    venv.create(folder, symlinks=os.name != "nt")
-    python = next(f for f in (folder / "bin" / "python", folder / "Scripts" / "python.exe") if f.exists())
-    quiet = ["--quiet", "--disable-pip-version-check", "--no-deps", "--no-index", "--no-compile"]
-    subprocess.run([sys.executable, "-m", "pip", "--python", str(python), "install", *quiet, str(built)], check=True)
-    packages = next(folder.rglob("site-packages"))
-    for found in Path(np.__file__).parents[1].glob("numpy*"):
-        (packages / found.name).symlink_to(found)
-    return python, packages
-
-
-def said(bare, *command):
-    """What a command of the bare environment prints; it runs where no checkout is."""
-    python, packages = bare
-    clean = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "COVERAGE_PROCESS_START")}
-    run = subprocess.run([python, *command], capture_output=True, text=True, cwd=packages.parent, env=clean)
+def said(bare, *command, **more):
+    """What a command of the bare environment prints."""
+    run = bare.run(bare.python, *command, **more)
     assert run.returncode == 0, run.stderr
     return run.stdout
 
@@ -73,19 +47,13 @@ def test_a_preset_runs_on_numpy_alone(bare):
 
 
 def test_with_the_extra_a_film_is_drawn(bare):
-    pytest.importorskip("matplotlib", reason="films are drawn by matplotlib (extra `draw`)")
+    matplotlib = pytest.importorskip("matplotlib", reason="films are drawn by matplotlib (extra `draw`)")
     pytest.importorskip("PIL.Image", reason="GIF files are written by Pillow")
-    packages = bare[1]
-    extra = packages / "extra.pth"  # the packages of this environment, behind those of the bare one; no paths of it
-    extra.write_text(str(Path(np.__file__).parents[1]))
-    try:
-        said(bare, "-m", "slamlib", "run", "points", "--frames", "3", "--video", "film.gif")
-        assert (packages.parent / "film.gif").read_bytes().startswith(b"GIF8")
-        real, *installed = said(bare, "-c", SAY).split()
-        assert Path(real).parent.parent == Path(np.__file__).parents[1]
-        assert all(Path(file).is_relative_to(packages) for file in installed)
-    finally:
-        extra.unlink()
+    said(bare, "-m", "slamlib", "run", "points", "--frames", "3", "--video", "film.gif", extras_named=["draw"])
+    assert (bare.packages.parent / "film.gif").read_bytes().startswith(b"GIF8")
+    real, *installed = said(bare, "-c", SAY, extras_named=["draw"]).split()
+    assert Path(real).resolve() == Path(matplotlib.__file__).resolve()
+    assert all(Path(file).is_relative_to(bare.packages) for file in installed)
 
 
 def test_nothing_on_disk_is_called_matplotlib_but_the_real_one(built):
