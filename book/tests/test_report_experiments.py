@@ -1,6 +1,5 @@
 """Page report_experiments' runs of the report's filter: their results are right, and the file stores them."""
 
-import json
 from dataclasses import replace
 from fractions import Fraction
 
@@ -13,7 +12,9 @@ from slambook.report.runs import monte_carlo
 from slambook.report.scenes import SCENES
 
 from benchmarks import mrpt
+from book.tests.stored_results import comes_out_again
 from book.tools import report_experiments as tool
+from book.tools import stored as results
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.evaluation.consistency import band, nees
 
@@ -439,36 +440,18 @@ def stale(given):
 
 @pytest.fixture(scope="module")
 def stored():
-    if not tool.FILE.is_file():
-        pytest.skip(RENEW)
-    return json.loads(tool.FILE.read_text("utf-8"))
+    return results.kept(tool.FILE)
 
 
-def test_the_stored_experiments_are_of_these_sizes(stored):
+def test_form_of_the_stored_experiments_is_of_these_sizes(stored):
     assert stored["digest"] == tool.digest(), RENEW
     assert set(stored) >= {*tool.EXPERIMENTS, "light", "machine"}
 
 
 @pytest.mark.parametrize("name", tool.EXPERIMENTS)
 def test_the_light_run_comes_out_again(stored, name):
-    found = json.loads(json.dumps(tool.EXPERIMENTS[name](**tool.LIGHT[name])))
-    same(found, stored["light"][name], name)
-
-
-def same(found, kept, where):
-    """Equal, numbers to a thousandth, and rounding errors as rounding errors."""
-    if isinstance(found, dict):
-        assert set(found) == set(kept), RENEW
-        for key in found:
-            same(found[key], kept[key], f"{where}, {key}")
-    elif isinstance(found, list):
-        assert len(found) == len(kept), RENEW
-        for i, (a, b) in enumerate(zip(found, kept, strict=True)):
-            same(a, b, f"{where} [{i}]")
-    elif isinstance(found, float):
-        np.testing.assert_allclose(found, kept, rtol=2e-3, atol=1e-9, err_msg=f"{where}: {RENEW}")
-    else:
-        assert found == kept, f"{where}: {RENEW}"
+    found = tool.EXPERIMENTS[name](**tool.LIGHT[name])
+    comes_out_again(found, stored["light"][name], RENEW, places=9)  # rounding errors are rounding errors
 
 
 def test_a_finished_part_is_not_run_again(tmp_path, monkeypatch):

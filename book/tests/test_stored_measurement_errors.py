@@ -1,18 +1,19 @@
 """Stored results of what errors of a measurement are made of: a short film again, and what the chapter says of them."""
 
-import json
-
 import numpy as np
 import pytest
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 pytest.importorskip("skimage", reason="scikit-image is not installed")
 
+from book.tests.stored_results import comes_out_again
 from book.tools import measurement_errors as tool
+from book.tools import stored
 
-KEPT = json.loads(tool.FILE.read_text("utf-8"))
+KEPT = stored.kept(tool.FILE)
 FILMS = [name for name in KEPT if name.isdigit()]
 SETS = FILMS[:10], FILMS[10:]
+RENEW = "run `make measurement-errors` and notebook stereo_ekf_slam"
 LENSES = [name for name, cause in tool.CAUSES.items() if any(cause.lens)]
 
 
@@ -25,21 +26,22 @@ def median_nees(run, films=FILMS):
     return np.median(figure(run, "nees", films).mean(1))
 
 
-def test_the_file_has_a_row_per_film_and_run():
+def test_form_of_the_file_is_a_row_per_film_and_run():
     assert KEPT["runs"] == list(tool.RUNS)
     assert list(map(int, FILMS)) == list(range(1, tool.FILMS + 1))
     assert {len(KEPT[film]) for film in FILMS} == {len(tool.RUNS)}
 
 
-def test_a_short_film_comes_out_again():
+def test_a_short_film_comes_out_again(monkeypatch):
+    """26 pictures with one cause in them take 12 s; a row of the file has 75 with all causes, and twenty runs."""
+    monkeypatch.setattr(tool, "CAUSES", {tool.AGAIN: tool.CAUSES[tool.AGAIN]})
     found, _ = tool.filtered(tool.Film(1, tool.LIGHT), tool.RUNS[tool.AGAIN])
-    for name, value in KEPT["light"].items():
-        again = "run `make measurement-errors` and notebook stereo_ekf_slam"
-        assert found[name] == pytest.approx(value, rel=2e-2, abs=2e-3), again
+    # Where a patch fits best is found step by step; a hundredth of a pixel, and with it which match counts, may differ.
+    comes_out_again(found, KEPT["light"], RENEW, share=2e-2, places=3)
 
 
 @pytest.mark.parametrize("films", SETS)
-def test_errors_stay_from_every_cause_and_most_of_all_from_the_lens(films):
+def test_stored_claim_errors_stay_from_every_cause_and_most_of_all_from_the_lens(films):
     stays = {run: figure(run, "later", films).mean() for run in tool.CAUSES}
     assert min(stays.values()) > 0.6
     assert min(stays[run] for run in LENSES) > max(stay for run, stay in stays.items() if run not in LENSES)
@@ -47,7 +49,7 @@ def test_errors_stay_from_every_cause_and_most_of_all_from_the_lens(films):
 
 @pytest.mark.parametrize("films", SETS)
 @pytest.mark.parametrize("name", [tool.ALONE, tool.ALL])
-def test_told_what_patches_claim_the_innovations_look_ideal_and_the_pose_is_not(films, name):
+def test_stored_claim_told_what_patches_claim_the_innovations_look_ideal_and_the_pose_is_not(films, name):
     run = f"{name}: std as patches claim"
     assert figure(run, "nis", films).mean() == pytest.approx(1, abs=0.15)
     assert abs(figure(run, "foretold", films).mean()) < 0.02
@@ -55,7 +57,7 @@ def test_told_what_patches_claim_the_innovations_look_ideal_and_the_pose_is_not(
 
 
 @pytest.mark.parametrize("films", SETS)
-def test_the_default_is_conservative_for_pictures_and_overconfident_for_lenses(films):
+def test_stored_claim_the_default_is_conservative_for_pictures_and_overconfident_for_lenses(films):
     assert max(median_nees(run, films) for run in tool.CAUSES if run not in LENSES) < 0.5
     assert min(median_nees(run, films) for run in LENSES) > 1
     assert median_nees(tool.ALL, films) > 5
@@ -67,12 +69,12 @@ def test_the_default_is_conservative_for_pictures_and_overconfident_for_lenses(f
     ["drawn", "drawn, 90 % stays", f"{tool.ALONE}: std as measured"]
     + [f"{tool.ALL}: {remedy}" for remedy in ("as measured, 1 in 5", "lens considered")],
 )
-def test_drawn_errors_and_the_remedies_are_consistent(films, run):
+def test_stored_claim_drawn_errors_and_the_remedies_are_consistent(films, run):
     assert 0.5 < figure(run, "nees", films).mean() < 2
 
 
 @pytest.mark.parametrize("films", SETS)
-def test_innovations_measure_the_new_part_of_an_error_alone(films):
+def test_stored_claim_innovations_measure_the_new_part_of_an_error_alone(films):
     new = 1 - tool.RUNS["drawn, 90 % stays"].drawn
     assert figure("drawn, 90 % stays", "nis", films).mean() == pytest.approx(new, rel=0.15)
 

@@ -9,17 +9,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from book.tests.stored_results import comes_out_again
 from book.tools import assets, monocular, real_images
+from book.tools.stored import kept as stored
+from slamlib.evaluation.alignment import align_trajectory
+from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.vision.run import options_for
 
 CUBE = Path(os.environ.get("SLAMLIB_DATA") or "no-data") / "mono_visp_cube" / "frames"
 RENEW = "run `make {}` and `python -m book.tools.notebooks run book/chapters/monocular.ipynb`"
-
-
-def stored(file):
-    if not file.is_file():
-        pytest.skip(f"{file.name} has not been made yet")
-    return json.loads(file.read_text("utf-8"))
 
 
 def images():
@@ -30,12 +28,36 @@ def images():
 
 
 def test_the_beginning_of_a_run_past_the_wall_comes_out_again():
+    """15 frames take 8 s to render, filter and smooth; a row of the file has 300, or once round the room 449."""
     (light,) = stored(monocular.FILE)["light"]
     found = monocular.row(monocular.sideways(monocular.SEEDS[0], monocular.LIGHT))
-    assert found == pytest.approx(light, rel=1e-2, abs=2e-3), RENEW.format("monocular")
+    # Where a patch fits best is found step by step, and ends a little elsewhere on another machine.
+    comes_out_again(found, light, RENEW.format("monocular"), share=1e-2, places=3)
 
 
-def test_the_room_is_within_the_promised_bounds():
+@pytest.mark.parametrize("run", range(len(monocular.SEEDS)))
+def test_the_errors_of_a_stored_path_round_the_room_come_out_again(run):
+    row, renew = stored(monocular.FILE)["round"][run], RENEW.format("monocular")
+    true, own, best = (path(places) for places in (row["true"], row["place"], row["at once"]["place"]))
+    found = {"off": align_trajectory(own, true).relative_ate, "at once": align_trajectory(best, true).relative_ate}
+    kept = {"off": row["off"] / 100, "at once": row["at once"]["off"] / 100}
+    comes_out_again(found, kept, renew, share=0.06)  # one position in eight is stored: the way between them is shorter
+
+
+def path(places):
+    """A trajectory of these positions; which way the camera looked is not stored."""
+    return Trajectory(np.arange(len(places), dtype=float), np.insert(np.array(places), [3] * 4, [1, 0, 0, 0], axis=1))
+
+
+@pytest.mark.parametrize("run", range(len(monocular.SEEDS)))
+def test_the_end_of_a_way_round_comes_out_again_of_the_stored_path(run, monkeypatch):
+    kept = stored(monocular.FILE)
+    monkeypatch.setattr(monocular, "around", lambda seed, closes=False: kept["round"][run])
+    without, _ = monocular.closed(monocular.SEEDS[run])
+    comes_out_again(without, kept["closed"][run][0], RENEW.format("monocular"))
+
+
+def test_stored_claim_the_room_is_within_the_promised_bounds():
     kept = stored(monocular.FILE)
     assert kept["frames"] == 300
     assert len(kept["sideways"]) == 5
@@ -44,7 +66,7 @@ def test_the_room_is_within_the_promised_bounds():
     assert all(run["at once"] < run["off"] for run in kept["sideways"])
 
 
-def test_all_data_at_once_repair_the_way_round_where_the_loop_has_closed():
+def test_stored_claim_all_data_at_once_repair_the_way_round_where_the_loop_has_closed():
     left = {True: list[float](), False: list[float]()}
     for run in stored(monocular.FILE)["round"]:
         left[run["old"][-1] >= 10].append(run["at once"]["off"] / run["off"])
@@ -52,7 +74,7 @@ def test_all_data_at_once_repair_the_way_round_where_the_loop_has_closed():
     assert min(left[False]) > 0.8
 
 
-def test_appearance_closes_every_loop():
+def test_stored_claim_appearance_closes_every_loop():
     pairs = stored(monocular.FILE)["closed"]
     assert len(pairs) == len(monocular.CLOSED)
     assert sum(without["old"] >= 8 for without, _ in pairs) <= 3
@@ -61,7 +83,13 @@ def test_appearance_closes_every_loop():
     assert sum(after < before / 2 for before, after in changed) >= len(changed) - 1
 
 
-def test_the_real_run_is_stored_with_its_settings():
+def test_what_the_two_references_agree_to_comes_out_again():
+    dots = read_trajectory(real_images.DATA / real_images.REFERENCES["dots of the cube"])
+    found = real_images.merit(real_images.compared(dots))
+    comes_out_again(found, stored(real_images.FILE)["references agree to"], RENEW.format("real-images"), places=2)
+
+
+def test_form_of_the_stored_real_run_and_its_settings():
     kept = stored(real_images.FILE)
     assert kept["options"] == json.loads(json.dumps(options_for(1.0, **real_images.SAID).to_dict()))
     assert set(kept["runs"]) == {"as told", *real_images.CHANGES}
@@ -69,8 +97,8 @@ def test_the_real_run_is_stored_with_its_settings():
 
 
 def test_the_beginning_of_the_real_run_comes_out_again():
-    light = stored(real_images.FILE)["light"]
-    found = real_images.run(images(), frames=real_images.LIGHT).trajectory().positions[-1]
+    folder, light = images(), stored(real_images.FILE)["light"]
+    found = real_images.run(folder, frames=real_images.LIGHT).trajectory().positions[-1]
     np.testing.assert_allclose(found, light, atol=2e-3, err_msg=RENEW.format("real-images"))
 
 
