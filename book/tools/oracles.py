@@ -40,8 +40,7 @@ def main() -> int:
         print("oracles: they cannot be fetched (is there a network?), and nothing was compared", file=sys.stderr)
         return 1
     known = [str(folder) for folder in (layout.ROOT, layout.BOOK, *folders)]
-    inherited = os.environ.get("PYTHONPATH")
-    found = {**os.environ, "PYTHONPATH": os.pathsep.join(known + [inherited] * bool(inherited))}
+    found = {**os.environ, "PYTHONPATH": os.pathsep.join(known)}
     return subprocess.run([sys.executable, "-m", "pytest", "-q", "-rs", TESTS], cwd=layout.ROOT, env=found).returncode
 
 
