@@ -22,6 +22,7 @@ EXAMPLES = """examples:
   slamlib compare ahmPnt idpPnt hmgPnt --runs 20 --jobs 2 --folder finished
   slamlib compare plkLin aplLin --preset lines --frames 200
   slamlib compare hmgPnt idpPnt --errors local world
+  slamlib compare ahmPnt hmgPnt --runs 1000 --scheduler tcp://host:8786 --folder finished
 """
 
 
@@ -32,7 +33,11 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--errors", nargs="+", choices=TRANSPORTS, metavar="NAME",
         help="also compare filters, by the error whose covariance they keep: " + ", ".join(TRANSPORTS))  # fmt: skip
     parser.add_argument("--runs", type=shared.count, default=20, help="independent runs of each (default 20)")
-    parser.add_argument("--jobs", type=shared.count, default=1, help="runs in parallel, one per processor (default 1)")
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument("--jobs", type=shared.count, default=1, help="runs in parallel, one per processor (default 1)")
+    where.add_argument("--scheduler", metavar="ADDRESS", help="run on the workers of a Dask cluster: tcp://host:8786")
+    parser.add_argument("--wait", type=float, default=30.0, metavar="SECONDS",
+        help="at most, for the scheduler and for a worker (default 30)")  # fmt: skip
     parser.add_argument("--folder", metavar="PATH", help="store finished runs there, and reuse them next time")
     shared.result(parser.add_argument)
     shared.add(parser)
@@ -51,7 +56,8 @@ def execute(given: argparse.Namespace) -> int:
             preset = replace(preset, options=replace(preset.options, error=error))
         drawn = replace(preset, seed=0)  # the seed draws the runs: their files belong to the preset without it
         try:
-            found = monte_carlo(drawn, given.runs, seed=preset.seed, jobs=given.jobs, folder=given.folder)
+            where = {"jobs": given.jobs, "scheduler": given.scheduler, "wait": given.wait}
+            found = monte_carlo(drawn, given.runs, seed=preset.seed, folder=given.folder, **where)
         except KeyboardInterrupt:
             kept = f"are in {given.folder}" if given.folder else "would be kept with --folder PATH"
             print(f"slamlib: {name}: finished runs {kept}; the same command goes on from there", file=sys.stderr)

@@ -1,15 +1,18 @@
 """The same experiment many times, in parallel: is the filter consistent?
 
 Every run has its own random stream, derived from the experiment's seed and its number, so that the results are the
-same for any number of workers and in any order. With a folder, each finished run is a file there, and an interrupted
-experiment continues. Parallel runs use joblib: to outgrow one machine, make the same call inside
-`joblib.parallel_config(backend="dask")` with a Dask client.
+same for any number of workers, on one machine or many, and in any order. With a folder, each finished run is a file
+there, written by the caller as it comes in, and an interrupted experiment continues.
 """
 
 import hashlib
 import json
+import warnings
+from collections.abc import Generator
+from contextlib import closing
 from dataclasses import dataclass, fields, replace
-from itertools import repeat
+from functools import partial
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +21,7 @@ import numpy as np
 from slamlib.data.files import read_archive, write_archive
 from slamlib.errors import SlamlibError, optional
 from slamlib.evaluation.consistency import Consistency
+from slamlib.experiments.cluster import on_cluster
 from slamlib.experiments.presets import Preset
 from slamlib.experiments.progress import progress
 from slamlib.experiments.runs import Run
@@ -55,29 +59,66 @@ NAMES = [f.name for f in fields(Experiment)[1:]]
 
 
 def monte_carlo(
-    preset: Preset, runs: int, *, seed: int = 0, jobs: int | None = 1, folder: str | Path | None = None
+    preset: Preset,
+    runs: int,
+    *,
+    seed: int = 0,
+    jobs: int = 1,
+    scheduler: Any = None,
+    wait: float = 30.0,
+    folder: str | Path | None = None,
 ) -> Experiment:
     """Run a preset `runs` times, independently.
 
-    jobs: how many in parallel; None: as the caller configured joblib. folder: where finished runs are kept; it is
-    made, and holds one file per run, named by a digest of the preset, so that experiments cannot be confused.
+    jobs: how many at once on this machine. scheduler: the address of a Dask scheduler, whose workers make the runs
+    instead, or a Dask cluster; wait [s]: at most, for it and for a worker. folder: where finished runs are kept, on the
+    caller's machine; it is made, and holds one file per run, named by a digest of the preset, so that experiments
+    cannot be confused. The same call goes on after an interruption. Raises SlamlibError.
+
+        monte_carlo(presets.points(), 1000, scheduler="tcp://host:8786", folder="finished").consistency()
     """
     if runs < 1:
         raise SlamlibError(f"monte_carlo: at least one run, got {runs}")
-    own = seeds(seed, runs)
-    paths: list[Path | None] = [None] * runs
+    if jobs != 1 and scheduler is not None:
+        raise SlamlibError("monte_carlo: jobs are of this machine, and a scheduler has its own workers: give one")
+    own, paths = seeds(seed, runs), {}
     if folder is not None:
         Path(folder).mkdir(parents=True, exist_ok=True)
         plain = json.dumps(replace(preset, seed=0).to_dict(), sort_keys=True).encode()
         start = f"{preset.name}-{hashlib.sha256(plain).hexdigest()[:12]}"
-        paths = [Path(folder) / f"{start}-{s}.npz" for s in own]
-    found: Any = map(run_once, repeat(preset), own, paths)
-    if jobs != 1:
+        paths = {s: Path(folder) / f"{start}-{s}.npz" for s in own}
+    rows = {s: read_archive(path, FORMAT, 1)[1] for s, path in paths.items() if path.is_file()}
+    finished, left = list(rows.items()), [s for s in own if s not in rows]
+    with closing(_made(preset, left, jobs, scheduler, wait)) as made:  # whatever happens here, no run is left behind
+        for s, row in progress(chain(finished, made), runs, f"{preset.name}, {runs} runs"):
+            if s not in rows and s in paths:
+                write_archive(paths[s], FORMAT, 1, {}, row)
+            rows[s] = row
+    return Experiment(preset, **{name: np.array([rows[s][name] for s in own]) for name in NAMES})
+
+
+def _made(
+    preset: Preset, left: list[int], jobs: int, scheduler: Any, wait: float
+) -> Generator[tuple[int, dict[str, Any]], None, None]:
+    """Make the runs of these seeds, here or elsewhere; yield each as soon as it is finished."""
+    one = partial(run_once, preset)
+    if not left:
+        return
+    if scheduler is not None:
+        yield from on_cluster(one, left, scheduler, wait)
+    elif jobs != 1:
         joblib = optional("joblib", "for several runs at once (jobs=1 does without)", "experiments")
-        parallel = joblib.Parallel(n_jobs=jobs, return_as="generator")
-        found = parallel(map(joblib.delayed(run_once), repeat(preset), own, paths))
-    rows = list(progress(found, runs, f"{preset.name}, {runs} runs"))
-    return Experiment(preset, **{name: np.array([row[name] for row in rows]) for name in NAMES})
+        parallel = joblib.Parallel(n_jobs=jobs, batch_size=1, return_as="generator_unordered")
+        found = parallel(map(joblib.delayed(one), left))
+        try:
+            for made in found:  # noqa: UP028  # `yield from` would close it out of reach of the filter below
+                yield made
+        finally:
+            with warnings.catch_warnings():  # whoever stops it knows that runs are not finished
+                warnings.filterwarnings("ignore", r"(?s).*tasks (have been|which were)", UserWarning)
+                found.close()
+    else:
+        yield from map(one, left)
 
 
 def seeds(seed: int, runs: int) -> list[int]:
@@ -85,20 +126,21 @@ def seeds(seed: int, runs: int) -> list[int]:
     return [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(seed).spawn(runs)]
 
 
-def run_once(preset: Preset, seed: int, path: Path | None = None) -> dict[str, Any]:
-    """One run's row, each number by its name in Experiment, from its file if there is one."""
-    if path and path.is_file():
-        return read_archive(path, FORMAT, 1)[1]
-    result = Run(preset, seed).finish()
+def run_once(preset: Preset, seed: int) -> tuple[int, dict[str, Any]]:
+    """The seed of one run, and its row: each number by its name in Experiment."""
+    try:
+        result = Run(preset, seed).finish()
+    except SlamlibError as error:
+        raise SlamlibError(f"the run of seed {seed} failed: {error}") from error
+    except Exception as error:
+        error.add_note(f"in the run of seed {seed}")
+        raise
     away = np.concatenate([*result.map_errors.values()])
     away = away[np.isfinite(away)]
-    row = {name: getattr(result, name) for name in ("nees", "nis", "nis_dof", "initialized", "deleted")} | {
+    return seed, {name: getattr(result, name) for name in ("nees", "nis", "nis_dof", "initialized", "deleted")} | {
         "errors": np.linalg.norm(result.errors[:, :, :3], axis=-1),
         "sigmas": np.linalg.norm(result.sigmas[:, :, :3], axis=-1),
         "landmarks": result.landmarks[-1],
         "seconds": np.median(result.seconds),
         "map_error": np.median(away) if len(away) else np.nan,
     }
-    if path:
-        write_archive(path, FORMAT, 1, {}, row)
-    return row

@@ -9,8 +9,10 @@ import pytest
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band
-from slamlib.experiments.monte_carlo import NAMES, monte_carlo
+from slamlib.experiments import monte_carlo as monte_carlo_module
+from slamlib.experiments.monte_carlo import NAMES, monte_carlo, seeds
 from slamlib.experiments.presets import Preset, preset
+from slamlib.experiments.runs import Run
 from slamlib.motions import MOTIONS, ODOMETRY
 
 SHORT = replace(preset("points"), frames=8)
@@ -43,17 +45,50 @@ def test_finished_runs_are_kept_and_not_run_again(tmp_path, monkeypatch):
     assert equal(monte_carlo(SHORT, 3, folder=tmp_path), more)
 
 
-def test_the_same_call_on_a_dask_cluster():
-    distributed = pytest.importorskip(
-        "distributed", reason="dask's cluster is optional: pip install 'dask[distributed]'"
-    )
-    joblib = pytest.importorskip("joblib")
-    with (
-        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
-        distributed.Client(cluster),
-        joblib.parallel_config(backend="dask"),
-    ):
-        assert equal(monte_carlo(SHORT, 3, seed=4, jobs=None), monte_carlo(SHORT, 3, seed=4))
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_an_interruption_keeps_what_is_finished(jobs, tmp_path, monkeypatch):
+    """The caller writes each run as it comes: one of many is on its way when Ctrl-C ends them."""
+    if jobs > 1:
+        pytest.importorskip("joblib", reason="several runs at once need joblib")
+    write = monte_carlo_module.write_archive
+
+    def interrupted(path, *content):
+        write(path, *content)
+        if len(list(tmp_path.iterdir())) == 2:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(monte_carlo_module, "write_archive", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        monte_carlo(SHORT, 8, seed=4, jobs=jobs, folder=tmp_path)
+    first = {file: file.stat().st_mtime_ns for file in tmp_path.iterdir()}
+    assert len(first) == 2
+    monkeypatch.undo()
+    found = monte_carlo(SHORT, 8, seed=4, jobs=jobs, folder=tmp_path)
+    assert equal(found, monte_carlo(SHORT, 8, seed=4))
+    assert {file: file.stat().st_mtime_ns for file in first} == first
+    assert len(list(tmp_path.iterdir())) == 8
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_a_run_that_fails_says_which_it_was(jobs):
+    if jobs > 1:
+        pytest.importorskip("joblib", reason="several runs at once need joblib")
+    wrong = replace(SHORT, worlds=(("thickCloister", {"n": "seven"}),))  # made within the first run
+    either = "|".join(map(str, seeds(4, 3)))
+    with pytest.raises(SlamlibError, match=rf"^the run of seed ({either}) failed: .* whole number, got 'seven'"):
+        monte_carlo(wrong, 3, seed=4, jobs=jobs)
+
+
+def test_an_error_that_nobody_foresaw_says_in_which_run_it_was(monkeypatch):
+    monkeypatch.setattr(Run, "finish", lambda self: 1 / 0)
+    with pytest.raises(ZeroDivisionError) as caught:
+        monte_carlo(SHORT, 3, seed=4)
+    assert caught.value.__notes__ == [f"in the run of seed {seeds(4, 3)[0]}"]
+
+
+def test_where_runs_are_made_is_said_once():
+    with pytest.raises(SlamlibError, match="give one"):
+        monte_carlo(SHORT, 3, jobs=2, scheduler="tcp://127.0.0.1:8786")
 
 
 def test_no_runs_are_refused():
