@@ -318,6 +318,7 @@ def test_each_stage_counts_what_its_command_really_prints():
         "pytest": "320 passed, 2 skipped in 60.0s",
         "nbval": "200 passed in 50.0s",
         "book": "running 11 notebooks",
+        "oracles": "154 passed in 14.0s",
         "platforms": "platforms: 6 of 6 install the lock",
         "site": "site: 13 pages, 900 links and assets, 0 problems",
         "browser": "39 passed in 200.0s",

@@ -65,6 +65,7 @@ def stages(every: bool = False) -> list[Stage]:
         Stage("pytest", [*PYTHON, "pytest", "-q", "-rs", *parallel], r"(\d+) passed", "tests"),
         Stage("nbval", [*PYTHON, *notebooks.NBVAL, *parallel, *files], r"(\d+) passed", "cells as stored"),
         Stage("book", [*PYTHON, "book.tools.build"], r"running (\d+) notebooks", "notebooks in the book"),
+        Stage("oracles", [*PYTHON, "book.tools.oracles"], r"(\d+) passed", "tests beside evo", every),
         Stage("platforms", [*PYTHON, "book.tools.platforms"], r"platforms: (\d+) of", "platforms for the lock", every),
         Stage("site", [*PYTHON, "book.tools.site"], r"site: (\d+) pages", "pages, links resolve"),
         Stage("browser", [*chromium, "-k", "test_pages and not axe", *pages], r"(\d+) passed", "views of pages"),
@@ -138,7 +139,7 @@ def main(arguments: list[str] | None = None) -> int:
     names = ", ".join(stage.name for stage in stages())
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument(
-        "stage", nargs="*", help=f"of {names} (default: all but core, which is a part of pytest, and platforms)"
+        "stage", nargs="*", help=f"of {names} (default: all but core, which is a part of pytest, oracles and platforms)"
     )
     parser.add_argument("--all", action="store_true", help="look at all pages and run their live cells, changed or not")
     parser.add_argument("--keep-going", action="store_true", help="run the other stages after one that failed, too")
