@@ -2,12 +2,15 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
-LAB := jupyterlab==4.6.6# leaves what is locked as it is; no check and no page needs it, so the lock does without
 READY := $(VENV)/.ready
+COMMAND := $(VENV)/.command
+OLDEST := _build/oldest
+NUMPY ?= 1.25.*
+REVIEW := _build/review
 export OPENBLAS_NUM_THREADS := 1
 export PYTHONDONTWRITEBYTECODE := 1
 
-.PHONY: help book pdf serve lab instructor platforms test test-all quick chapter environment assets parity experiments audit monocular starts measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -21,14 +24,8 @@ pdf: book  ## print the whole book as a PDF, linked from its landing page (needs
 serve: book  ## build the book and serve it on this machine only
 	@$(BIN)/python -m book.tools.serve
 
-lab: $(VENV)/.lab  ## open the chapters in JupyterLab, with the environment's kernel
+lab: environment  ## open the chapters in JupyterLab, with the environment's kernel
 	@$(BIN)/jupyter lab book/chapters
-
-$(VENV)/.lab: $(READY)
-	@echo "adding JupyterLab to $(VENV) (once)"
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check $(LAB)
-	@$(BIN)/python -m pip check --quiet --disable-pip-version-check
-	@touch $@
 
 instructor: environment  ## pack the notebooks without their solutions, for those who teach
 	@$(BIN)/python -m book.tools.instructor
@@ -42,10 +39,24 @@ test-all: environment  ## every check, on all pages in the browser; before a rel
 quick: environment  ## while you work: lint, tangled and stored cells, the core's tests (under a minute)
 	@$(BIN)/python -m book.tools.ci lint format tangled stored core
 
+mutants: environment  ## change signs and the like in the core's modules: does a test of that very module see it? (long)
+	@$(BIN)/python -m book.tools.mutants
+
+oldest:  ## the core's tests on the wheel and NumPy 1.25, outside the lock (others: make oldest PYTHON=python3.14 NUMPY='2.*')
+	@$(PYTHON) -m venv --clear $(OLDEST)
+	@$(OLDEST)/bin/python -m pip install --quiet --disable-pip-version-check 'numpy==$(NUMPY)' 'setuptools>=77' pyyaml
+	@$(OLDEST)/bin/python -m book.tools.oldest
+
+review:  ## judge packaging and workflows by what the field has agreed on (sp-repo-review, zizmor), outside the lock
+	@$(PYTHON) -m venv --clear $(REVIEW)
+	@$(REVIEW)/bin/python -m pip install --quiet --disable-pip-version-check 'sp-repo-review[cli]==2026.8.14' zizmor==1.32.0
+	@$(REVIEW)/bin/repo-review .
+	@$(REVIEW)/bin/zizmor --offline --quiet .github
+
 chapter: environment  ## run one notebook, compare it with what it stores, and build its page: make chapter NAME=points
 	@$(BIN)/python -m book.tools.build $(or $(NAME),$(error make chapter NAME=points))
 
-environment: $(READY)  ## create .venv from requirements.txt (exact, with hashes)
+environment: $(COMMAND)  ## create .venv from requirements.txt (exact, with hashes), with the command slamlib
 
 $(READY): requirements.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
@@ -53,9 +64,15 @@ $(READY): requirements.txt
 	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || \
 	  { echo "Python's venv is missing: on Debian and Ubuntu, apt-get install python3-venv"; exit 1; }
 	@echo "creating the environment in $(VENV) (once, about a minute)"
-	@$(PYTHON) -m venv $(VENV)
+	@$(PYTHON) -m venv --clear $(VENV)
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.txt
+	@touch $@
+
+# The command and the package's metadata; what is imported are the sources, by two paths that mypy and editors read, too.
+$(COMMAND): $(READY) pyproject.toml
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
 	@$(BIN)/python -c 'import pathlib, sysconfig; pathlib.Path(sysconfig.get_path("purelib"), "slamlib-source.pth").write_text("$(CURDIR)\n$(CURDIR)/book\n")'
+	@$(BIN)/python -m pip check --quiet --disable-pip-version-check
 	@touch $@
 
 assets: environment  ## fetch what the site serves itself (MathJax, Python for the page), by version and checksum
@@ -119,9 +136,9 @@ format: environment  ## format the Python code
 platforms: environment  ## does the lock install on Linux, macOS and Windows? (needs the network; minutes)
 	@$(BIN)/python -m book.tools.platforms
 
-lock: environment  ## make requirements.txt from requirements.in (needs uv)
-	uv pip compile requirements.in --universal --python-version 3.11 --generate-hashes --no-header \
-	  --no-emit-index-url --no-emit-find-links --output-file requirements.txt
+lock:  ## make requirements.txt from the extra dev of pyproject.toml (needs uv; ARGS=--upgrade renews all versions)
+	uv pip compile pyproject.toml --extra dev --universal --python-version 3.11 --generate-hashes --no-header \
+	  --no-emit-index-url --no-emit-find-links --output-file requirements.txt $(ARGS)
 
 clean:  ## remove what was built (not the environment)
 	rm -rf _build .mypy_cache .ruff_cache .pytest_cache .hypothesis

@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from slambook.stereo_films import DATA, EUROC_CAMERAS
+from slambook.stereo_films import DATA, EUROC_CAMERAS, KITTI
 
 from benchmarks import street
 from slamlib.datasets.dataset import ImageSource
@@ -56,7 +56,7 @@ def waved() -> Sequence:
     return replace(of_pictures(pairs, source.interval), original=source.original), camera, begun
 
 
-SEQUENCES = {"waved": (EUROC, waved), "street": (street.KITTI, street.street)}
+SEQUENCES = {"waved": (EUROC, waved), "street": (KITTI, street.street)}
 
 
 def figures() -> dict[str, dict[str, dict[str, float]]]:

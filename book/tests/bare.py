@@ -21,7 +21,7 @@ from book.tools import layout
 
 QUIET = ["--quiet", "--disable-pip-version-check", "--no-deps", "--no-index", "--no-compile"]
 # What must not reach the environment from the one in which the tests run.
-FOREIGN = ("PYTHONPATH", "PYTHONHOME", "VIRTUAL_ENV", "COVERAGE_PROCESS_START", "SLAMLIB_DATA")
+FOREIGN = ("PYTHONPATH", "MYPYPATH", "PYTHONHOME", "VIRTUAL_ENV", "COVERAGE_PROCESS_START", "SLAMLIB_DATA")
 
 
 @cache

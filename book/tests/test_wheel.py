@@ -2,6 +2,7 @@
 
 import os
 import re
+import sys
 import zipfile
 from pathlib import Path
 
@@ -35,7 +36,7 @@ def test_the_wheel_is_the_same_bytes_on_every_run_and_holds_both_packages_and_no
     assert {n: c for n, c in packed.items() if n.endswith(".py")} == source
     assert {n.split("/")[0] for n in packed} == set(PACKAGES)
     assert not [n for n in packed if n.startswith("slamlib/tests/")]
-    assert "slambook/scene/player.js" in packed
+    assert {"slambook/scene/player.js", "slamlib/py.typed", "slambook/py.typed"} <= set(packed)
     assert re.findall(r"^Requires-Dist: (?!.*extra)(.*)$", metadata, flags=re.M) == ["numpy>=1.25"]
 
 
@@ -44,6 +45,27 @@ def test_a_preset_runs_on_numpy_alone(bare):
     modules = "import sys, slamlib.cli, slamlib.experiments, slambook.scene; print(*sys.modules)"
     loaded = {name.split(".")[0] for name in said(bare, "-c", modules).split()}
     assert not loaded & {"matplotlib", "scipy", "sympy", "cv2", "PIL", "IPython"}
+
+
+def test_the_description_holds_where_no_repository_is(bare):
+    text = said(bare, "-c", "import importlib.metadata; print(importlib.metadata.metadata('slamlib').get_payload())")
+    assert text.startswith("# slamlib")
+    assert not re.findall(r"\]\((?!https://)", text)  # pictures and links into the repository
+    first, second = re.findall(r"```python\n(.*?)```", text, flags=re.S)
+    assert "(1000, 3, 6) (1000, 3, 3)" in said(bare, "-c", f"{first}print(J.pose.shape, J.point.shape)")
+    short = second.replace("presets.points()", "dataclasses.replace(presets.points(), frames=3)")
+    assert said(bare, "-c", f"import dataclasses\n{short}").count("[") == 2
+
+
+def test_mypy_sees_the_types_of_what_is_installed(bare, tmp_path):
+    imports = "from slamlib.errors import ShapeError\nfrom slambook.report.table import Rows\n\n"
+    calls = "rows: Rows = [{}]\nShapeError.of('f', 'point', (3,), (4,))\n"
+    (tmp_path / "right.py").write_text(imports + calls)
+    (tmp_path / "wrong.py").write_text(imports + calls.replace("[{}]", "[1]").replace("(3,)", "3"))
+    options = ["--strict", "--config-file=", "--cache-dir", os.devnull, "--python-executable", str(bare.python)]
+    run = bare.run(sys.executable, "-m", "mypy", *options, "right.py", "wrong.py", cwd=tmp_path)
+    found = re.findall(r"(?m)^(\w+\.py:\d+): error: .*\[([\w-]+)\]$", run.stdout)
+    assert found == [("wrong.py:4", "list-item"), ("wrong.py:5", "arg-type")], run.stdout + run.stderr
 
 
 def test_with_the_extra_a_film_is_drawn(bare):

@@ -29,7 +29,8 @@ from slamlib.experiments.progress import progress
 from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.results import ImageResult, summary
 from slamlib.vision.run import camera_rig, image_run, options_for
-from slamlib.vision.sequence_run import SequenceRun, TrackingLostError
+from slamlib.vision.sequence_run import SequenceRun
+from slamlib.vision.tracking_loss import TrackingLostError
 
 PACKAGE, VERSION = "visp-images-data", "3.5.0-1"
 INSIDE = "usr/share/visp-images-data/ViSP-images/cube/"

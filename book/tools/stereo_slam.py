@@ -16,6 +16,7 @@ from slambook.report.findings import RUNS, SEED, ran
 from slambook.report.runs import Outcome, monte_carlo
 from slambook.report.scenes import SCENES, Scene
 from slambook.report.switches import SWITCHES, Switch
+from slambook.stereo_films import KITTI
 
 from benchmarks import opencv_stereo, stereo_sequences
 from benchmarks import street as bench
@@ -71,7 +72,7 @@ def tuning() -> list[dict[str, Any]]:
 
 def street() -> dict[str, Any] | None:
     """KITTI's street, without times; None where it is not at hand: its licence forbids shipping it."""
-    if not bench.KITTI.is_dir():
+    if not KITTI.is_dir():
         return None
     return stored.plain(_without_times(bench.figures()))
 

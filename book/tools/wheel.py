@@ -9,7 +9,7 @@ from pathlib import Path
 
 from book.tools import layout
 
-SOURCES = ("pyproject.toml", "README.md", "LICENSE", "slamlib", "book/slambook")
+SOURCES = ("pyproject.toml", "LICENSE", "slamlib", "book/slambook")
 FIRST_DATE_OF_ZIP = "315532800"  # 1980-01-01: file times must not change the bytes
 
 

@@ -111,7 +111,7 @@ class ImageCommand:
                 s["calibration"] = {"errors": errors, "without": sigmas_at_end(claimed), "with": sigmas_at_end(path)}
         except (SlamlibError, KeyboardInterrupt) as error:  # the run is valid without
             path, ended.status = claimed, EXIT_ERROR
-            print(f"slamlib: the calibration is taken for exact: {error or 'interrupted'}", file=sys.stderr)
+            print(f"slamlib: the calibration is taken for exact: {str(error) or 'interrupted'}", file=sys.stderr)
         if given.trajectory:
             write_tum(given.trajectory, path)
         export(given, "map", run.snapshot)

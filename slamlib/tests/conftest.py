@@ -1,7 +1,9 @@
 """Which tests `make quick` runs: those of the core that are quick, by the marker `core`. No test is timed."""
 
+from pathlib import Path
 from typing import Any
 
+import pytest
 from hypothesis import settings
 
 # A busy machine is no failure; and the same commit has the same result: other examples by --hypothesis-profile=default.
@@ -13,6 +15,12 @@ CORE = {
     *("test_model_properties", "test_motions", "test_observation", "test_package", "test_points", "test_rig"),
     *("test_series", "test_slam"),
 }
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """By `-m core`, other files are not even read: what they import need not be there."""
+    other = collection_path.name.startswith("test_") and collection_path.stem not in CORE
+    return True if other and config.option.markexpr == "core" else None
 
 
 def pytest_collection_modifyitems(items: list[Any]) -> None:

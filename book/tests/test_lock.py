@@ -1,0 +1,52 @@
+"""One list of what is needed: the extras of pyproject.toml, which requirements.txt locks."""
+
+import re
+import tomllib
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.version import Version
+
+from book.tools import layout
+
+LOCK = (layout.ROOT / "requirements.txt").read_text("utf-8")
+PROJECT = tomllib.loads((layout.ROOT / "pyproject.toml").read_text("utf-8"))
+
+
+def name(text: str) -> str:
+    """As indexes compare names."""
+    return re.sub(r"[-_.]+", "-", text).lower()
+
+
+LOCKED = {name(n): Version(v) for n, v in re.findall(r"(?m)^([\w.-]+)(?:\[.*\])?==([^\s;\\]+)", LOCK)}
+
+
+def wanted(extra: str) -> list[Requirement]:
+    """The requirements of an extra, and of the extras of slamlib that it names."""
+    found = []
+    for one in map(Requirement, PROJECT["project"]["optional-dependencies"][extra]):
+        found += [r for other in one.extras for r in wanted(other)] if one.name == "slamlib" else [one]
+    return found
+
+
+CONSTRAINTS = [Requirement(text) for text in PROJECT["tool"]["uv"]["constraint-dependencies"]]
+ASKED = {str(r): r for r in [*map(Requirement, PROJECT["project"]["dependencies"]), *wanted("dev")]}
+
+
+def test_dev_includes_every_other_extra():
+    extras = PROJECT["project"]["optional-dependencies"]
+    assert {str(r) for extra in extras for r in wanted(extra)} == {str(r) for r in wanted("dev")}
+
+
+@pytest.mark.parametrize("requirement", list(ASKED.values()), ids=str)
+def test_what_is_asked_for_is_locked_in_a_version_that_satisfies_it(requirement):
+    assert requirement.specifier.contains(LOCKED[name(requirement.name)])
+
+
+@pytest.mark.parametrize("constraint", CONSTRAINTS, ids=str)
+def test_the_lock_keeps_its_own_constraints(constraint):
+    assert constraint.specifier.contains(LOCKED[name(constraint.name)])
+
+
+def test_the_lock_names_no_index():
+    assert not re.search(r"://|--index|--extra-index|--find-links", LOCK)
