@@ -1,0 +1,362 @@
+"""Do the tests notice a wrong formula? Small errors, drawn by seed and put into a copy of the code, one at a time.
+
+A *mutant* is the code with one small error: another sign, no transpose, another comparison, another constant, a term
+less. The fast tests of its own module have to fail (the mutant is *killed*). One that *survives* either shows what no
+test asserts, or computes the same as before: then it stands in mutants.toml with the reason. The working tree is only
+read. Formulas are drawn first and mutants among those of each, so that long formulas don't take all.
+
+Of the generated code, the tests against drift and of equality to the definition are left out: they notice everything,
+but say nothing about whether a formula is right.
+"""
+
+import argparse
+import ast
+import bisect
+import difflib
+import os
+import queue
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import tomllib
+from collections.abc import Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from book.tools import layout
+
+COPIED = ("pyproject.toml", "slamlib", "benchmarks", "book/slambook", "book/chapters/data")
+SKIPPED = {"__repr__", "__str__", "__all__", "DIGESTS", "SHAPES", "strict", "repr"}  # what no result depends on
+SWAPPED: dict[type[ast.AST], tuple[str, str]] = {
+    ast.Add: ("+", "-"),
+    ast.Sub: ("-", "+"),
+    ast.Lt: ("<", "<="),
+    ast.LtE: ("<=", "<"),
+    ast.Gt: (">", ">="),
+    ast.GtE: (">=", ">"),
+    ast.Eq: ("==", "!="),
+    ast.NotEq: ("!=", "=="),
+    ast.Is: ("is", "is not"),
+    ast.IsNot: ("is not", "is"),
+    ast.In: ("in", "not in"),
+    ast.NotIn: ("not in", "in"),
+    ast.And: ("and", "or"),
+    ast.Or: ("or", "and"),
+}
+TERMS = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.MatMult)
+NO_TESTS = 5  # pytest's exit status
+
+
+class Subject:
+    """A folder and its table: for each area its modules with their tests, what is left out, the known equivalents."""
+
+    def __init__(self, root: Path, table: Path) -> None:
+        self.root, self.table = root, table
+        data = tomllib.loads(table.read_text("utf-8"))
+        tests = Path(data["tests"])
+        self.areas: dict[str, dict[str, tuple[str, ...]]] = {
+            area: {file: tuple((tests / name).as_posix() for name in names) for file, names in modules.items()}
+            for area, modules in data["areas"].items()
+        }
+        self.files = {file: names for modules in self.areas.values() for file, names in modules.items()}
+        self.left_out = [(tests / name).as_posix() for name in data.get("left_out", [])]
+        self.equivalents: dict[tuple[str, ...], str] = {
+            (row["file"], row["formula"], row["before"], row["after"]): row["reason"]
+            for row in data.get("equivalent", [])
+        }
+
+
+SUBJECT = Subject(layout.ROOT, Path(__file__).with_suffix(".toml"))
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """One error: the bytes from start to stop of a file become `text`."""
+
+    file: str
+    formula: str  # the function it is in, with its class
+    line: int
+    kind: str
+    start: int
+    stop: int
+    text: bytes = field(repr=False)
+    before: str  # the whole lines concerned, with single spaces
+    after: str
+    short: str  # the innermost expression, before and after
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line} {self.kind}: {self.short}"
+
+    @property
+    def key(self) -> tuple[str, str, str, str]:
+        """What a row of mutants.toml names it by, wherever in the file its lines have moved."""
+        return self.file, self.formula, self.before, self.after
+
+    def applied(self, source: bytes) -> bytes:
+        """The source with the error."""
+        return source[: self.start] + self.text + source[self.stop :]
+
+
+class _Finder:
+    """Walks over a module and collects its mutants."""
+
+    def __init__(self, file: str, source: bytes) -> None:
+        self.file, self.source = file, source
+        self.found: dict[tuple[int, int, bytes], Mutant] = {}
+        self.starts = np.cumsum([0, *map(len, source.splitlines(keepends=True))]).tolist()
+        self.walk(ast.parse(source), "")
+
+    def span(self, node: ast.AST) -> tuple[int, int]:
+        """Where a node's text starts and stops."""
+        at: Any = node
+        return self.starts[at.lineno - 1] + at.col_offset, self.starts[at.end_lineno - 1] + at.end_col_offset
+
+    def walk(self, node: ast.AST, formula: str) -> None:
+        """Collect the mutants of a node and of all below, but for annotations, decorators and messages."""
+        names = {getattr(node, "name", None), getattr(node, "arg", None)}
+        names |= {target.id for target in getattr(node, "targets", []) if isinstance(target, ast.Name)}
+        if isinstance(node, ast.Raise | ast.JoinedStr) or names & SKIPPED:
+            return
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            formula = f"{formula}.{node.name}".lstrip(".")
+        for kind, start, stop, text in self.errors(node):
+            self.add(node, formula, kind, start, stop, text)
+        for part, value in ast.iter_fields(node):
+            if part not in ("annotation", "returns", "decorator_list"):
+                for child in value if isinstance(value, list) else [value]:
+                    if isinstance(child, ast.AST):
+                        self.walk(child, formula)
+
+    def errors(self, node: ast.AST) -> Iterable[tuple[str, int, int, bytes]]:
+        """The errors that one node allows: their kind, and which bytes become which."""
+        if isinstance(node, ast.AugAssign):
+            yield from self.swapped("sign", node.op, node.target, node.value)
+        elif isinstance(node, ast.BinOp) and isinstance(node.op, TERMS):
+            start, stop = self.span(node)
+            if isinstance(node.op, ast.Add | ast.Sub):
+                yield from self.swapped("sign", node.op, node.left, node.right)
+            else:
+                yield "sign", start, start, b"-"
+            minus = b"-" if isinstance(node.op, ast.Sub) else b""
+            yield "dropped", start, stop, b"(" + self.source[slice(*self.span(node.left))] + b")"
+            if not (isinstance(node.left, ast.BinOp) and isinstance(node.left.op, type(node.op))):
+                yield "dropped", start, stop, minus + b"(" + self.source[slice(*self.span(node.right))] + b")"
+        elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            start, _ = self.span(node)
+            yield "sign", start, start + 1, b""
+        elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+            start, _ = self.span(node)
+            yield "comparison", start, start + len("not "), b""
+        elif isinstance(node, ast.Attribute) and node.attr == "T":
+            _, stop = self.span(node)
+            yield "transpose", stop - len(".T"), stop, b""
+        elif isinstance(node, ast.Compare) and len(node.ops) == 1:
+            yield from self.swapped("comparison", node.ops[0], node.left, node.comparators[0])
+        elif isinstance(node, ast.BoolOp):
+            yield from self.swapped("comparison", node.op, node.values[0], node.values[1])
+        elif isinstance(node, ast.Constant) and isinstance(node.value, bool | int | float):
+            value = not node.value if isinstance(node.value, bool) else node.value + 1
+            yield "constant", *self.span(node), repr(value).encode()
+
+    def swapped(self, kind: str, op: ast.AST, left: ast.AST, right: ast.AST) -> Iterable[tuple[str, int, int, bytes]]:
+        """Another operator between two expressions."""
+        if type(op) in SWAPPED:
+            before, after = (text.encode() for text in SWAPPED[type(op)])
+            (_, start), (stop, _) = self.span(left), self.span(right)
+            gap = re.sub(rb"#[^\n]*", lambda comment: b" " * len(comment[0]), self.source[start:stop])
+            place = start + gap.index(before)
+            yield kind, place, place + len(before), after
+
+    def add(self, node: ast.AST, formula: str, kind: str, start: int, stop: int, text: bytes) -> None:
+        """Keep a mutant, with the texts that show it."""
+        row = bisect.bisect_right(self.starts, start) - 1
+        spans = (self.starts[row], self.starts[bisect.bisect_left(self.starts, max(stop, start + 1))]), self.span(node)
+        before, old = (_plain(self.source[first:last]) for first, last in spans)
+        after, new = (_plain(self.source[first:start] + text + self.source[stop:last]) for first, last in spans)
+        self.found[start, stop, text] = Mutant(
+            self.file, formula, row + 1, kind, start, stop, text, before, after, f"{old} -> {new}"
+        )
+
+
+def _plain(text: bytes) -> str:
+    return " ".join(text.decode().split())
+
+
+def mutants(subject: Subject, file: str) -> list[Mutant]:
+    """All mutants of one file."""
+    return list(_Finder(file, (subject.root / file).read_bytes()).found.values())
+
+
+def differs(subject: Subject, mutant: Mutant) -> bool:
+    """Whether a mutant is Python, and another program than the source."""
+    source = (subject.root / mutant.file).read_bytes()
+    try:
+        return ast.dump(ast.parse(mutant.applied(source))) != ast.dump(ast.parse(source))
+    except SyntaxError:
+        return False
+
+
+def draw(subject: Subject, area: str, seed: int, count: int) -> list[Mutant]:
+    """So many mutants of an area: formulas in random order, one of each, then another of each, as often as needed."""
+    rng = np.random.default_rng([seed, sum(area.encode())])
+    formulas: dict[tuple[str, str], list[Mutant]] = {}
+    for file in subject.areas[area]:
+        for mutant in mutants(subject, file):
+            formulas.setdefault((file, mutant.formula), []).append(mutant)
+    drawn: list[Mutant] = []
+    while len(drawn) < count and any(formulas.values()):
+        groups = list(formulas.values())
+        for i in rng.permutation(len(groups)):
+            while groups[i] and len(drawn) < count:
+                mutant = groups[i].pop(rng.integers(len(groups[i])))
+                if differs(subject, mutant):
+                    drawn.append(mutant)
+                    break
+    return drawn
+
+
+def stale(subject: Subject) -> list[str]:
+    """The known equivalents that no error in the present source gives, and those without a reason."""
+    keys = {file: {m.key for m in mutants(subject, file)} for file in subject.files if (subject.root / file).is_file()}
+    rows = subject.equivalents
+    lost = [f"{key[0]}: {key[1]}: {key[2]} -> {key[3]}" for key in rows if key not in keys.get(key[0], set())]
+    return [*lost, *(f"{key[0]}: {key[2]}: no reason" for key, why in rows.items() if not why.strip())]
+
+
+def run_tests(subject: Subject, folder: Path, tests: Sequence[str], limit: float | None = None) -> tuple[bool, str]:
+    """Whether the tests pass in a copy, and what pytest printed; a run over the limit (s) is ended, and failed."""
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *tests]
+    command += [argument for test in subject.left_out for argument in ("--deselect", test)]
+    paths = os.pathsep.join([str(folder), str(folder / "book")])
+    environment = {**os.environ, "PYTHONPATH": paths, "PYTHONDONTWRITEBYTECODE": "1" if limit else ""}
+    with tempfile.TemporaryFile("w+") as printed:
+        run = subprocess.Popen(command, cwd=folder, env=environment, stdout=printed, stderr=printed, process_group=0)
+        try:
+            code = run.wait(limit)
+        except subprocess.TimeoutExpired:
+            return False, f"no result after {limit:.0f} s"
+        finally:
+            if run.poll() is None:  # with what the tests have started
+                os.killpg(run.pid, signal.SIGKILL)
+                run.wait()
+        printed.seek(0)
+        text = printed.read()
+    if code == NO_TESTS:
+        raise SystemExit(f"mutants: no test is left of {', '.join(tests)}")
+    return code == 0, text
+
+
+def copied(subject: Subject, folder: Path) -> Path:
+    """A copy of all that the tests need."""
+    for name in COPIED:
+        source, target = subject.root / name, folder / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if source.is_dir():
+            shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__"))
+        elif source.is_file():
+            shutil.copyfile(source, target)
+    return folder
+
+
+class Runner:
+    """Copies in which mutants are tested, one in each at a time."""
+
+    def __init__(self, subject: Subject, folders: Sequence[Path]) -> None:
+        self.subject, self.folders = subject, queue.SimpleQueue[Path]()
+        self.seconds: dict[tuple[str, ...], float] = {}
+        for folder in folders:
+            self.folders.put(copied(subject, folder))
+
+    def check(self, tests: tuple[str, ...]) -> None:
+        """Let the tests pass without an error first, which also says how long they take."""
+        start, folder = time.monotonic(), self.folders.get()
+        passed, printed = run_tests(self.subject, folder, tests)
+        self.folders.put(folder)
+        if not passed:
+            raise SystemExit(f"mutants: the tests fail without any error put in; repair them first\n{printed}")
+        self.seconds[tests] = time.monotonic() - start
+
+    def killed(self, mutant: Mutant) -> str:
+        """By which test, or why else, a mutant is killed; '' if it survives."""
+        folder, tests = self.folders.get(), self.subject.files[mutant.file]
+        file = folder / mutant.file
+        source = file.read_bytes()
+        try:
+            for old in (file.parent / "__pycache__").glob(f"{file.stem}.*"):
+                old.unlink()  # Python tells by size and second whether it is still the source's
+            file.write_bytes(mutant.applied(source))
+            passed, printed = run_tests(self.subject, folder, tests, 60 + 5 * self.seconds[tests])
+        finally:
+            file.write_bytes(source)
+            self.folders.put(folder)
+        names = [line.split(" - ")[0] for line in printed.splitlines() if line.startswith(("FAILED", "ERROR"))]
+        return "" if passed else f"killed, {next(iter(names), _plain(printed.encode())[-80:])}"
+
+    def survivors(self, numbered: Sequence[tuple[int, Mutant]], jobs: int) -> list[Mutant]:
+        """Test all mutants, and print a line for each."""
+        with ThreadPoolExecutor(jobs) as pool:
+            try:
+                list(pool.map(self.check, {self.subject.files[mutant.file]: None for _, mutant in numbered}))
+                left, runs = [], {pool.submit(self.killed, mutant): (i, mutant) for i, mutant in numbered}
+                for done, run in enumerate(as_completed(runs), 1):
+                    (i, mutant), by = runs[run], run.result()
+                    print(f"{done}/{len(runs)} #{i} {mutant}: {by or 'SURVIVED'}", flush=True)
+                    left += [] if by else [mutant]
+            except BaseException:
+                pool.shutdown(cancel_futures=True)
+                raise
+        return left
+
+
+def main(argv: Sequence[str] | None = None, subject: Subject = SUBJECT) -> int:
+    """Draw, test and print; 1 if a mutant survives that is not known to be equivalent, or a known one is stale."""
+    parser = argparse.ArgumentParser(prog="python -m book.tools.mutants", description=__doc__.split("\n")[0])
+    parser.add_argument("--area", action="append", choices=list(subject.areas), help="default: all")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--count", type=int, default=40, help="mutants of each area")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--only", action="append", help="number of a mutant, or a part of its name; with its diff")
+    parser.add_argument("--list", action="store_true", help="print the mutants, test none")
+    options = parser.parse_args(argv)
+    if lost := stale(subject):
+        print(*lost, sep="\n")
+        print(f"mutants: {len(lost)} rows of {subject.table.name} are stale: correct them or take them out")
+        return 1
+    areas = options.area or list(subject.areas)
+    drawn = [mutant for area in areas for mutant in draw(subject, area, options.seed, options.count)]
+    numbered = list(enumerate(drawn, 1))
+    if options.only:
+        numbered = [(i, m) for i, m in numbered if any(w == str(i) or w in str(m) for w in options.only)]
+        print(*(diff(subject, mutant) for _, mutant in numbered), sep="\n")
+    if options.list:
+        print(*(f"{i} {mutant}" for i, mutant in numbered), sep="\n")
+        return 0
+    with tempfile.TemporaryDirectory() as folder:
+        runner = Runner(subject, [Path(folder, str(i)) for i in range(options.jobs)])
+        left = runner.survivors(numbered, options.jobs)
+    new = [mutant for mutant in left if mutant.key not in subject.equivalents]
+    for mutant in new:
+        print(f"\nsurvived: {mutant}", diff(subject, mutant), sep="\n")
+    print(f"mutants: {len(numbered)} drawn, {len(numbered) - len(left)} killed, {len(left)} survived, "
+          f"of which {len(left) - len(new)} are known to be equivalent")  # fmt: skip
+    return 1 if new else 0
+
+
+def diff(subject: Subject, mutant: Mutant) -> str:
+    """The lines that an error changes, in their surroundings."""
+    source = (subject.root / mutant.file).read_bytes()
+    old, new = source.decode().splitlines(), mutant.applied(source).decode().splitlines()
+    title = f"{mutant.formula}: {mutant.kind}"
+    return "\n".join(difflib.unified_diff(old, new, mutant.file, title, n=2, lineterm=""))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
