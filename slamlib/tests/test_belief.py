@@ -186,6 +186,104 @@ def test_several_observations_at_once_are_one_after_another(rng, method):
     assert np.allclose(at_once.matrix, in_turn.matrix, rtol=0, atol=1e-12)
 
 
+def test_a_sequence_of_updates_is_the_textbook_filter_one_after_another(rng):
+    """Forty numbers, more than the first store of rows holds; every S and nis is that of the moment."""
+    belief = Belief()
+    grown(belief, rng, 3, 2, 4)
+    x, P = vector(belief), belief.matrix.copy()
+    with belief.sequential_update() as sequence:
+        for _ in range(20):
+            columns, H, R = rng.permutation(9)[:4], rng.standard_normal((2, 4)), random_covariance(rng, 2)
+            dense = np.zeros((2, 9))
+            dense[:, columns] = H
+            z, S = rng.standard_normal(2) - dense @ x, dense @ P @ dense.T + R
+            refused = sequence.update(columns, H, z, R, gate=0)
+            found = sequence.update(columns, H, z, R)
+            x, P = textbook(x, P, dense, z, R)
+            assert np.allclose(found.covariance, S, rtol=1e-9, atol=0)
+            assert np.array_equal(found.covariance, found.covariance.T)
+            assert np.isclose(found.nis, z @ np.linalg.inv(S) @ z)
+            assert refused.nis == found.nis
+            assert np.allclose(vector(belief), x, rtol=0, atol=1e-10)
+    assert np.allclose(belief.matrix, P, rtol=0, atol=1e-10)
+    assert np.array_equal(belief.matrix, belief.matrix.T)
+
+
+def test_a_gate_lets_pass_what_is_below_it_and_the_end_comes_once(rng):
+    belief = Belief()
+    block = belief.add(2, [0, 0], 3)
+    with belief.sequential_update() as sequence:
+        # S = 4, so that nis is (2^2 + 2^2) / 4 = 2
+        assert sequence.update(np.arange(2), I2, np.array([2.0, 2]), I2, gate=2.0).nis == 2
+        assert np.array_equal(block.mean, [0, 0])
+        sequence.update(np.arange(2), I2, np.array([2.0, 2]), I2, gate=np.nextafter(2, 3))
+        assert np.array_equal(block.mean, [1.5, 1.5])
+    assert np.allclose(belief.matrix, 0.75 * I2, rtol=0, atol=1e-15)
+    sequence.finish()
+    assert np.allclose(belief.matrix, 0.75 * I2, rtol=0, atol=1e-15)
+
+
+def test_an_update_of_rows_is_that_of_their_blocks(rng):
+    at_once, by_rows = Belief(), Belief()
+    (a, _, c), _ = (grown(b, np.random.default_rng(4), 2, 3, 4) for b in (at_once, by_rows))
+    H, R, z = rng.standard_normal((3, 6)), random_covariance(rng, 3), rng.standard_normal(3)
+    columns = np.r_[c.slice, a.slice]
+    found = by_rows.update_rows(columns, H, z, R)
+    expected = at_once.update([c, a], [H[:, :4], H[:, 4:]], z, R)
+    assert np.allclose(vector(by_rows), vector(at_once), rtol=0, atol=1e-13)
+    assert np.allclose(by_rows.matrix, at_once.matrix, rtol=0, atol=1e-13)
+    assert np.allclose(found.covariance, expected.covariance, rtol=0, atol=1e-13)
+    assert found.nis == pytest.approx(expected.nis)
+
+
+@pytest.mark.parametrize("n", [5, 70])
+def test_a_transport_carries_the_updated_covariance(rng, monkeypatch, n):
+    """e becomes T e with T = I + C L E, so that P becomes T P T': as NumPy, as BLAS, and in a sequence of updates."""
+    P, H, R = random_covariance(rng, n), rng.standard_normal((2, n)), random_covariance(rng, 2)
+    at, C, L = np.array([3, 1]), rng.standard_normal((n, 3)), rng.standard_normal((3, 2))
+    T = np.eye(n)
+    T[:, at] += C @ L
+    _, expected = textbook(np.zeros(n), P, H, np.zeros(2), R)
+    expected = T @ expected @ T.T
+    for large in (10**6, 0):
+        monkeypatch.setattr(linalg, "_LARGE", large)
+        for sequential in (False, True):
+            belief = Belief()
+            belief.add(n, np.zeros(n), P)
+            belief.transport = lambda: (at, C, L)
+            if sequential:
+                with belief.sequential_update() as sequence:
+                    sequence.update(np.arange(n), H, np.zeros(2), R)
+            else:
+                belief.update_rows(np.arange(n), H, np.zeros(2), R)
+            assert np.allclose(belief.matrix, expected, rtol=0, atol=1e-11 * np.abs(expected).max())
+            assert np.array_equal(belief.matrix, belief.matrix.T)
+    belief.transport = lambda: None
+    belief.update_rows(np.arange(n), 0 * H, np.zeros(2), R)
+    assert np.allclose(belief.matrix, expected, rtol=0, atol=1e-11 * np.abs(expected).max())
+
+
+def test_overwrite_sets_saved_values_to_the_bit(rng):
+    belief = Belief()
+    a, b, c = grown(belief, rng, 2, 3, 1)
+    P, means = random_covariance(rng, 6), {0: np.array([7.0]), 1: np.array([1.0, 2]), 2: np.array([3.0, 4, 5])}
+    order = {2: b, 0: c, 1: a}
+    belief.overwrite(order, means, P)
+    assert belief.blocks == (c, a, b)
+    assert [x.slice for x in (c, a, b)] == [slice(0, 1), slice(1, 3), slice(3, 6)]
+    assert all(np.array_equal(order[i].mean, means[i]) for i in means)
+    assert np.array_equal(belief.matrix, P)
+    P[0, 0] = 99
+    assert belief.matrix[0, 0] != 99
+    before, stranger = state(belief), Belief().add(1, [0], 1)
+    for wrong in ({0: c, 1: a}, {**order, 3: c}, {**order, 0: stranger}, {0: c, 1: a, 3: b}):
+        with pytest.raises(SlamlibError, match="overwrite: give every block of the belief once, with its mean"):
+            belief.overwrite(wrong, means, P)
+    with pytest.raises(ShapeError, match=r"overwrite: covariance .* \(6, 6\)"):
+        belief.overwrite(order, means, P[:5, :5])
+    assert state(belief) == before
+
+
 def test_joseph_form_is_the_same_for_the_optimal_gain_and_right_for_any(rng):
     belief, P, H, R = Belief(), random_covariance(rng, 4), rng.standard_normal((2, 4)), random_covariance(rng, 2)
     block = belief.add(4, np.zeros(4), P)
