@@ -254,8 +254,8 @@ def run_tests(subject: Subject, folder: Path, tests: Sequence[str], limit: float
     return code == 0, text
 
 
-def copied(subject: Subject, folder: Path) -> Path:
-    """A copy of all that the tests need."""
+def copy(subject: Subject, folder: Path) -> None:
+    """Copy all that the tests need."""
     for name in COPIED:
         source, target = subject.root / name, folder / name
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -263,26 +263,25 @@ def copied(subject: Subject, folder: Path) -> Path:
             shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__"))
         elif source.is_file():
             shutil.copyfile(source, target)
-    return folder
 
 
 class Runner:
     """Copies in which mutants are tested, one in each at a time."""
 
-    def __init__(self, subject: Subject, folders: Sequence[Path]) -> None:
-        self.subject, self.folders = subject, queue.SimpleQueue[Path]()
-        self.seconds: dict[tuple[str, ...], float] = {}
-        for folder in folders:
-            self.folders.put(copied(subject, folder))
-
-    def check(self, tests: tuple[str, ...]) -> None:
-        """Let the tests pass without an error first, which also says how long they take."""
-        start, folder = time.monotonic(), self.folders.get()
-        passed, printed = run_tests(self.subject, folder, tests)
-        self.folders.put(folder)
+    def __init__(self, subject: Subject, folders: Sequence[Path], tests: Sequence[str]) -> None:
+        """Copy all that is needed; the tests have to pass there first, which also says how long they take."""
+        first, *others = folders
+        copy(subject, first)
+        start = time.monotonic()
+        passed, printed = run_tests(subject, first, tests)
         if not passed:
             raise SystemExit(f"mutants: the tests fail without any error put in; repair them first\n{printed}")
-        self.seconds[tests] = time.monotonic() - start
+        self.limit = 60 + 2 * (time.monotonic() - start)
+        self.subject, self.folders = subject, queue.SimpleQueue[Path]()
+        for folder in folders:
+            self.folders.put(folder)
+        for folder in others:
+            shutil.copytree(first, folder)  # with the bytecode
 
     def killed(self, mutant: Mutant) -> str:
         """By which test, or why else, a mutant is killed; '' if it survives."""
@@ -293,7 +292,7 @@ class Runner:
             for old in (file.parent / "__pycache__").glob(f"{file.stem}.*"):
                 old.unlink()  # Python tells by size and second whether it is still the source's
             file.write_bytes(mutant.applied(source))
-            passed, printed = run_tests(self.subject, folder, tests, 60 + 5 * self.seconds[tests])
+            passed, printed = run_tests(self.subject, folder, tests, self.limit)
         finally:
             file.write_bytes(source)
             self.folders.put(folder)
@@ -304,7 +303,6 @@ class Runner:
         """Test all mutants, and print a line for each."""
         with ThreadPoolExecutor(jobs) as pool:
             try:
-                list(pool.map(self.check, {self.subject.files[mutant.file]: None for _, mutant in numbered}))
                 left, runs = [], {pool.submit(self.killed, mutant): (i, mutant) for i, mutant in numbered}
                 for done, run in enumerate(as_completed(runs), 1):
                     (i, mutant), by = runs[run], run.result()
@@ -340,7 +338,8 @@ def main(argv: Sequence[str] | None = None, subject: Subject = SUBJECT) -> int:
         print(*(f"{i} {mutant}" for i, mutant in numbered), sep="\n")
         return 0
     with tempfile.TemporaryDirectory() as folder:
-        runner = Runner(subject, [Path(folder, str(i)) for i in range(options.jobs)])
+        tests = sorted({test for _, mutant in numbered for test in subject.files[mutant.file]})
+        runner = Runner(subject, [Path(folder, str(i)) for i in range(options.jobs)], tests)
         left = runner.survivors(numbered, options.jobs)
     new = [mutant for mutant in left if mutant.key not in subject.equivalents]
     for mutant in new:

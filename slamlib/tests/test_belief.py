@@ -42,6 +42,7 @@ def rng():
 
 def test_a_block_by_itself(rng):
     belief, P = Belief(), random_covariance(rng, 3)
+    assert belief.matrix.shape == (0, 0)
     block = belief.add(3, [1, 2, 3], P)
     assert (belief.size, block.dof, block.slice, belief.blocks) == (3, 3, slice(0, 3), (block,))
     assert np.allclose(belief.matrix, P, rtol=0, atol=1e-15)
@@ -263,6 +264,20 @@ def test_a_transport_carries_the_updated_covariance(rng, monkeypatch, n):
     assert np.allclose(belief.matrix, expected, rtol=0, atol=1e-11 * np.abs(expected).max())
 
 
+def test_rows_that_are_not_written_yet_take_no_part(rng, monkeypatch):
+    """Fresh memory may hold anything."""
+    belief = Belief()
+    grown(belief, rng, 2, 1)
+    monkeypatch.setattr(np, "empty", lambda shape: np.full(shape, np.nan))
+    P, H = belief.matrix.copy(), np.ones((1, 3))
+    with belief.sequential_update():
+        pass
+    assert np.array_equal(belief.matrix, P)
+    with belief.sequential_update() as sequence:
+        sequence.update(np.arange(3), H, np.ones(1), np.eye(1))
+    assert np.allclose(belief.matrix, textbook(np.zeros(3), P, H, np.ones(1), np.eye(1))[1], rtol=0, atol=1e-12)
+
+
 def test_overwrite_sets_saved_values_to_the_bit(rng):
     belief = Belief()
     a, b, c = grown(belief, rng, 2, 3, 1)
@@ -295,6 +310,8 @@ def test_joseph_form_is_the_same_for_the_optimal_gain_and_right_for_any(rng):
     claimed = linalg.joseph(P, H, R, K / 2)
     assert np.abs(left.T @ left / 20000 - claimed).max() < 0.05 * claimed.max()
     assert linalg.joseph(*(a.astype(np.float32) for a in (P, H, R, K))).dtype == np.float32
+    with pytest.raises(ShapeError, match=r"joseph: H should have shape \(1, 4\), but has shape \(4,\)"):
+        linalg.joseph(P, H[0], R, K)
     with pytest.raises(ShapeError, match=r"joseph: K should have shape \(4, 2\), but has shape \(2, 4\)"):
         linalg.joseph(P, H, R, K.T)
 
@@ -475,7 +492,11 @@ WRONG = {
         SlamlibError,
         "innovation_covariance: 0",
     ),
-    "innovation_covariance: H": (lambda b, x: b.innovation_covariance(x[:1], [1.0], 1), ShapeError, "Jacobian 0"),
+    "innovation_covariance: H": (
+        lambda b, x: b.innovation_covariance(x[:1], [1.0], 1),
+        ShapeError,
+        r"Jacobian 0 .* \(1, 2\)",
+    ),
 }
 
 
@@ -511,6 +532,18 @@ def test_a_number_without_noise_is_allowed_where_it_is_news():
         belief.update([block], [I2], [0, 0], np.diag([0.0, 1]))
 
 
+@pytest.mark.parametrize(("method", "P", "R"), [("batch", [1, 0], [0, 0]), ("scalar", [0.01, 100], [1, 0])])
+def test_the_number_that_is_known_exactly_is_named(method, P, R):
+    """By the noise where that has to be definite, else by the innovation's covariance."""
+    belief = Belief()
+    blocks = [belief.add(1, [0], 1), belief.add(2, [0, 0], P)]
+    measurements = [
+        LinearizedMeasurement([b], [np.eye(b.dof)], np.zeros(b.dof), r) for b, r in zip(blocks, (5, R), strict=True)
+    ]
+    with pytest.raises(CovarianceError, match=r"number 1 of measurement 1 \(of <block Euclidean\(2\) at 1>\)"):
+        belief.update_all(measurements, method=method)
+
+
 def test_mixed_units_are_not_taken_for_singular():
     belief = Belief()
     block = belief.add(2, [0, 0], np.diag([1e10, 1e-14]))
@@ -542,6 +575,24 @@ def test_small_factors_are_those_of_lapack(rng, n):
         assert np.allclose(factor, np.linalg.cholesky(matrix), rtol=1e-12, atol=0)
         many = linalg.cholesky(np.stack([matrix, matrix]), "f", "S")
         assert np.allclose(many, factor, rtol=1e-12, atol=0)
+
+
+@pytest.mark.parametrize("n", [3, 6])
+@pytest.mark.parametrize("scale", [1e-80, 1e80])
+def test_whether_a_matrix_is_singular_does_not_depend_on_the_units(n, scale):
+    near = np.ones((n, n)) + 1e-17 * np.eye(n)
+    for matrix in (scale * np.eye(n), np.stack([scale * np.eye(n), np.eye(n)])):
+        assert np.allclose(linalg.cholesky(matrix, "f", "S") ** 2, matrix, rtol=1e-15, atol=0)
+    with pytest.raises(CovarianceError):
+        linalg.cholesky(scale * near, "f", "S")
+
+
+def test_the_least_eigenvalue_and_its_place_are_told():
+    with pytest.raises(CovarianceError, match=r"f: S is not positive definite \(smallest eigenvalue -2\)"):
+        linalg.cholesky(np.diag([3.0, -2, 1]), "f", "S")
+    many = np.array([[np.eye(2), np.diag([3.0, -2])], [np.diag([5.0, -1]), np.eye(2)]])
+    with pytest.raises(CovarianceError, match=r"S at index \(0, 1\) is not positive definite .* -2\)"):
+        linalg.cholesky(many, "f", "S")
 
 
 @pytest.mark.parametrize("matrix", [np.ones((2, 2)), -np.eye(3), np.zeros((1, 1)), np.diag([1, np.nan])])
