@@ -14,7 +14,7 @@ from slamlib.landmarks.ahm_point import AHM_POINT
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.fhm_point import FHM_POINT
 from slamlib.landmarks.hmg_point import HMG_POINT
-from slamlib.landmarks.idp_point import IDP_POINT, angles_of, direction
+from slamlib.landmarks.idp_point import IDP_POINT, angles_moved, angles_of, direction
 from slamlib.landmarks.linearity import (
     beyond_infinity,
     euclidean_index,
@@ -31,7 +31,7 @@ KINDS = [EUC_POINT, HMG_POINT, AHM_POINT, IDP_POINT, FHM_POINT]
 AT_INFINITY = [k for k in KINDS if k is not EUC_POINT]
 every_kind = pytest.mark.parametrize("kind", KINDS, ids=lambda k: k.name)
 infinite_kind = pytest.mark.parametrize("kind", AT_INFINITY, ids=lambda k: k.name)
-MODELS = [m for k in KINDS for m in (k.to_frame, k.from_frame, k.to_point)] + [angles_of, direction]
+MODELS = [m for k in KINDS for m in (k.to_frame, k.from_frame, k.to_point)] + [angles_of, angles_moved, direction]
 named = pytest.mark.parametrize("model", MODELS, ids=lambda m: f"{m.module.split('.')[-1]}-{m.name}")
 
 
