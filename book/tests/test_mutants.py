@@ -70,6 +70,17 @@ def test_a_planted_survivor_is_found_and_what_a_test_notices_is_killed(root, cap
     assert contents(root) == before
 
 
+def test_one_is_shown_by_its_number_or_by_a_part_of_its_name(root, capsys):
+    assert mutants.main(["--list"], subject(root)) == 0
+    listed = capsys.readouterr().out.splitlines()
+    assert mutants.main(["--list", "--only", "2"], subject(root)) == 0
+    assert capsys.readouterr().out.splitlines()[-1] == listed[1]
+    assert mutants.main(["--list", "--only", "transpose"], subject(root)) == 0
+    printed = capsys.readouterr().out
+    assert "-    return (a @ b.T  # a comment" in printed
+    assert "+    return (a @ b  # a comment" in printed
+
+
 def test_a_known_equivalent_is_no_failure_wherever_its_line_moves(root, capsys):
     row = '[[equivalent]]\nfile = "slamlib/code.py"\nformula = "unseen"\nreason = "b is symmetric."\n'
     lines = ("return (a @ b.T # a comment with a + and a -", "return (a @ b # a comment with a + and a -")

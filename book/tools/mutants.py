@@ -184,7 +184,9 @@ def main(argv: Sequence[str] | None = None, subject: Subject = SUBJECT) -> int:
     drawn = [mutant for area in areas for mutant in draw(subject, area, options.seed, options.count)]
     numbered = list(enumerate(drawn, 1))
     if options.only:
-        numbered = [(i, m) for i, m in numbered if any(w == str(i) or w in str(m) for w in options.only)]
+        numbered = [
+            (i, m) for i, m in numbered if any(w == str(i) if w.isdigit() else w in str(m) for w in options.only)
+        ]
         print(*(diff(subject, mutant) for _, mutant in numbered), sep="\n")
     if options.list:
         print(*(f"{i} {mutant}" for i, mutant in numbered), sep="\n")

@@ -344,6 +344,26 @@ def test_a_manifold_is_updated_on_its_tangent():
     assert (place.mean, belief.size, found.nis) == (5, 2, pytest.approx(5))
 
 
+@pytest.mark.parametrize("sequential", [False, True])
+def test_a_retraction_moves_all_means_together(rng, sequential):
+    """Here each block by twice its own part of the step."""
+    belief = Belief(lambda blocks, step: [b.manifold.plus(b.mean, 2 * step[b.slice]) for b in blocks])
+    (a,) = grown(belief, rng, 2)
+    heading = belief.add(Circle(), [1, 0], 0.1, given=[a], jacobians=[np.ones((1, 2)) / 9])
+    c = belief.add(1, [3], 1, given=[a], jacobians=[np.ones((1, 2))])
+    P, H, R, z, before = belief.matrix.copy(), rng.standard_normal((2, 4)), np.eye(2), np.ones(2) / 9, (a.mean, c.mean)
+    step, left = textbook(np.zeros(4), P, H, z, R)
+    if sequential:
+        with belief.sequential_update() as sequence:
+            sequence.update(np.arange(4), H, z, R)
+    else:
+        belief.update_rows(np.arange(4), H, z, R)
+    assert np.allclose(a.mean, before[0] + 2 * step[:2], rtol=0, atol=1e-13)
+    assert np.allclose(heading.mean, [np.cos(2 * step[2]), np.sin(2 * step[2])], rtol=0, atol=1e-13)
+    assert np.allclose(c.mean, before[1] + 2 * step[3:], rtol=0, atol=1e-13)
+    assert np.allclose(belief.matrix, left, rtol=0, atol=1e-12)
+
+
 def test_the_reset_is_of_the_order_of_the_update(rng):
     """What update leaves out, in a pose: at most the update's angle, relative to the covariance."""
     belief, P = Belief(), np.diag([1, 1, 1, 4, 400, 40]) * 1e-4 + 1e-5
