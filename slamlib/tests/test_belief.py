@@ -643,6 +643,13 @@ def test_means_of_many_blocks_are_the_means_of_each(rng):
     assert np.array_equal(blocks[2].mean, stacked_means(chosen)[0])
 
 
+def test_means_of_points_are_stacked_too(rng):
+    """Points of a manifold lie in no belief's array of vectors."""
+    belief = Belief()
+    poses = [belief.add(Pose, Pose.random(rng), np.eye(6)) for _ in range(3)]
+    assert np.array_equal(stacked_means(poses[:0:-1]), [poses[2].mean, poses[1].mean])
+
+
 def test_blas_on_a_view_updates_a_copy():
     """The trap that subtract_square avoids: without this, a view of a larger array would silently stay as it was."""
     blas = pytest.importorskip("scipy.linalg.blas")
