@@ -95,6 +95,20 @@ def test_rotations_agree_with_scipy(rng):
         assert abs(again @ q) == pytest.approx(1, abs=1e-14)
 
 
+def test_every_pivot_on_its_side_gives_the_quaternion_and_its_derivatives(rng):
+    """The best pivot is a unit vector, for which most terms of the derivatives vanish."""
+    for _ in range(5):
+        q = UnitQuaternion.random(rng)
+        pivot, matrix = q + 0.3 * UnitQuaternion.random(rng), quaternion.rotation(q)
+        assert quaternion.from_rotation(matrix, pivot) == pytest.approx(q, abs=1e-14)
+        nearby = matrix + rng.uniform(-0.1, 0.1, (3, 3))
+        value, jacobians = quaternion.from_rotation.jac(nearby, pivot)
+        assert value == pytest.approx(quaternion.from_rotation(nearby, pivot), abs=1e-14)
+        for index in range(2):
+            numerical = differences(quaternion.from_rotation, [nearby, pivot], index)
+            assert jacobians[index] == pytest.approx(numerical, abs=1e-8)
+
+
 # -- singular and exactly representable places -------------------------------------------------------------------------
 
 TINY = [0.0, 1e-300, 1e-160, 1e-20, 1e-8, 1e-4]
