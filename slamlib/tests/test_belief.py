@@ -42,6 +42,7 @@ def rng():
 
 def test_a_block_by_itself(rng):
     belief, P = Belief(), random_covariance(rng, 3)
+    assert belief.matrix.shape == (0, 0)
     block = belief.add(3, [1, 2, 3], P)
     assert (belief.size, block.dof, block.slice, belief.blocks) == (3, 3, slice(0, 3), (block,))
     assert np.allclose(belief.matrix, P, rtol=0, atol=1e-15)
@@ -186,6 +187,118 @@ def test_several_observations_at_once_are_one_after_another(rng, method):
     assert np.allclose(at_once.matrix, in_turn.matrix, rtol=0, atol=1e-12)
 
 
+def test_a_sequence_of_updates_is_the_textbook_filter_one_after_another(rng):
+    """Forty numbers, more than the first store of rows holds; every S and nis is that of the moment."""
+    belief = Belief()
+    grown(belief, rng, 3, 2, 4)
+    x, P = vector(belief), belief.matrix.copy()
+    with belief.sequential_update() as sequence:
+        for _ in range(20):
+            columns, H, R = rng.permutation(9)[:4], rng.standard_normal((2, 4)), random_covariance(rng, 2)
+            dense = np.zeros((2, 9))
+            dense[:, columns] = H
+            z, S = rng.standard_normal(2) - dense @ x, dense @ P @ dense.T + R
+            refused = sequence.update(columns, H, z, R, gate=0)
+            found = sequence.update(columns, H, z, R)
+            x, P = textbook(x, P, dense, z, R)
+            assert np.allclose(found.covariance, S, rtol=1e-9, atol=0)
+            assert np.array_equal(found.covariance, found.covariance.T)
+            assert np.isclose(found.nis, z @ np.linalg.inv(S) @ z)
+            assert refused.nis == found.nis
+            assert np.allclose(vector(belief), x, rtol=0, atol=1e-10)
+    assert np.allclose(belief.matrix, P, rtol=0, atol=1e-10)
+    assert np.array_equal(belief.matrix, belief.matrix.T)
+
+
+def test_a_gate_lets_pass_what_is_below_it_and_the_end_comes_once(rng):
+    belief = Belief()
+    block = belief.add(2, [0, 0], 3)
+    with belief.sequential_update() as sequence:
+        # S = 4, so that nis is (2^2 + 2^2) / 4 = 2
+        assert sequence.update(np.arange(2), I2, np.array([2.0, 2]), I2, gate=2.0).nis == 2
+        assert np.array_equal(block.mean, [0, 0])
+        sequence.update(np.arange(2), I2, np.array([2.0, 2]), I2, gate=np.nextafter(2, 3))
+        assert np.array_equal(block.mean, [1.5, 1.5])
+    assert np.allclose(belief.matrix, 0.75 * I2, rtol=0, atol=1e-15)
+    sequence.finish()
+    assert np.allclose(belief.matrix, 0.75 * I2, rtol=0, atol=1e-15)
+
+
+def test_an_update_of_rows_is_that_of_their_blocks(rng):
+    at_once, by_rows = Belief(), Belief()
+    (a, _, c), _ = (grown(b, np.random.default_rng(4), 2, 3, 4) for b in (at_once, by_rows))
+    H, R, z = rng.standard_normal((3, 6)), random_covariance(rng, 3), rng.standard_normal(3)
+    columns = np.r_[c.slice, a.slice]
+    found = by_rows.update_rows(columns, H, z, R)
+    expected = at_once.update([c, a], [H[:, :4], H[:, 4:]], z, R)
+    assert np.allclose(vector(by_rows), vector(at_once), rtol=0, atol=1e-13)
+    assert np.allclose(by_rows.matrix, at_once.matrix, rtol=0, atol=1e-13)
+    assert np.allclose(found.covariance, expected.covariance, rtol=0, atol=1e-13)
+    assert found.nis == pytest.approx(expected.nis)
+
+
+@pytest.mark.parametrize("n", [5, 70])
+def test_a_transport_carries_the_updated_covariance(rng, monkeypatch, n):
+    """e becomes T e with T = I + C L E, so that P becomes T P T': as NumPy, as BLAS, and in a sequence of updates."""
+    P, H, R = random_covariance(rng, n), rng.standard_normal((2, n)), random_covariance(rng, 2)
+    at, C, L = np.array([3, 1]), rng.standard_normal((n, 3)), rng.standard_normal((3, 2))
+    T = np.eye(n)
+    T[:, at] += C @ L
+    _, expected = textbook(np.zeros(n), P, H, np.zeros(2), R)
+    expected = T @ expected @ T.T
+    for large in (10**6, 0):
+        monkeypatch.setattr(linalg, "_LARGE", large)
+        for sequential in (False, True):
+            belief = Belief()
+            belief.add(n, np.zeros(n), P)
+            belief.transport = lambda: (at, C, L)
+            if sequential:
+                with belief.sequential_update() as sequence:
+                    sequence.update(np.arange(n), H, np.zeros(2), R)
+            else:
+                belief.update_rows(np.arange(n), H, np.zeros(2), R)
+            assert np.allclose(belief.matrix, expected, rtol=0, atol=1e-11 * np.abs(expected).max())
+            assert np.array_equal(belief.matrix, belief.matrix.T)
+    belief.transport = lambda: None
+    belief.update_rows(np.arange(n), 0 * H, np.zeros(2), R)
+    assert np.allclose(belief.matrix, expected, rtol=0, atol=1e-11 * np.abs(expected).max())
+
+
+def test_rows_that_are_not_written_yet_take_no_part(rng, monkeypatch):
+    """Fresh memory may hold anything."""
+    belief = Belief()
+    grown(belief, rng, 2, 1)
+    monkeypatch.setattr(np, "empty", lambda shape: np.full(shape, np.nan))
+    P, H = belief.matrix.copy(), np.ones((1, 3))
+    with belief.sequential_update():
+        pass
+    assert np.array_equal(belief.matrix, P)
+    with belief.sequential_update() as sequence:
+        sequence.update(np.arange(3), H, np.ones(1), np.eye(1))
+    assert np.allclose(belief.matrix, textbook(np.zeros(3), P, H, np.ones(1), np.eye(1))[1], rtol=0, atol=1e-12)
+
+
+def test_overwrite_sets_saved_values_to_the_bit(rng):
+    belief = Belief()
+    a, b, c = grown(belief, rng, 2, 3, 1)
+    P, means = random_covariance(rng, 6), {0: np.array([7.0]), 1: np.array([1.0, 2]), 2: np.array([3.0, 4, 5])}
+    order = {2: b, 0: c, 1: a}
+    belief.overwrite(order, means, P)
+    assert belief.blocks == (c, a, b)
+    assert [x.slice for x in (c, a, b)] == [slice(0, 1), slice(1, 3), slice(3, 6)]
+    assert all(np.array_equal(order[i].mean, means[i]) for i in means)
+    assert np.array_equal(belief.matrix, P)
+    P[0, 0] = 99
+    assert belief.matrix[0, 0] != 99
+    before, stranger = state(belief), Belief().add(1, [0], 1)
+    for wrong in ({0: c, 1: a}, {**order, 3: c}, {**order, 0: stranger}, {0: c, 1: a, 3: b}):
+        with pytest.raises(SlamlibError, match="overwrite: give every block of the belief once, with its mean"):
+            belief.overwrite(wrong, means, P)
+    with pytest.raises(ShapeError, match=r"overwrite: covariance .* \(6, 6\)"):
+        belief.overwrite(order, means, P[:5, :5])
+    assert state(belief) == before
+
+
 def test_joseph_form_is_the_same_for_the_optimal_gain_and_right_for_any(rng):
     belief, P, H, R = Belief(), random_covariance(rng, 4), rng.standard_normal((2, 4)), random_covariance(rng, 2)
     block = belief.add(4, np.zeros(4), P)
@@ -197,6 +310,8 @@ def test_joseph_form_is_the_same_for_the_optimal_gain_and_right_for_any(rng):
     claimed = linalg.joseph(P, H, R, K / 2)
     assert np.abs(left.T @ left / 20000 - claimed).max() < 0.05 * claimed.max()
     assert linalg.joseph(*(a.astype(np.float32) for a in (P, H, R, K))).dtype == np.float32
+    with pytest.raises(ShapeError, match=r"joseph: H should have shape \(1, 4\), but has shape \(4,\)"):
+        linalg.joseph(P, H[0], R, K)
     with pytest.raises(ShapeError, match=r"joseph: K should have shape \(4, 2\), but has shape \(2, 4\)"):
         linalg.joseph(P, H, R, K.T)
 
@@ -227,6 +342,26 @@ def test_a_manifold_is_updated_on_its_tangent():
     assert np.allclose(heading.mean, [np.cos(0.4), np.sin(0.4)])
     assert np.isclose(belief.covariance(heading)[0, 0], 0.008)
     assert (place.mean, belief.size, found.nis) == (5, 2, pytest.approx(5))
+
+
+@pytest.mark.parametrize("sequential", [False, True])
+def test_a_retraction_moves_all_means_together(rng, sequential):
+    """Here each block by twice its own part of the step."""
+    belief = Belief(lambda blocks, step: [b.manifold.plus(b.mean, 2 * step[b.slice]) for b in blocks])
+    (a,) = grown(belief, rng, 2)
+    heading = belief.add(Circle(), [1, 0], 0.1, given=[a], jacobians=[np.ones((1, 2)) / 9])
+    c = belief.add(1, [3], 1, given=[a], jacobians=[np.ones((1, 2))])
+    P, H, R, z, before = belief.matrix.copy(), rng.standard_normal((2, 4)), np.eye(2), np.ones(2) / 9, (a.mean, c.mean)
+    step, left = textbook(np.zeros(4), P, H, z, R)
+    if sequential:
+        with belief.sequential_update() as sequence:
+            sequence.update(np.arange(4), H, z, R)
+    else:
+        belief.update_rows(np.arange(4), H, z, R)
+    assert np.allclose(a.mean, before[0] + 2 * step[:2], rtol=0, atol=1e-13)
+    assert np.allclose(heading.mean, [np.cos(2 * step[2]), np.sin(2 * step[2])], rtol=0, atol=1e-13)
+    assert np.allclose(c.mean, before[1] + 2 * step[3:], rtol=0, atol=1e-13)
+    assert np.allclose(belief.matrix, left, rtol=0, atol=1e-12)
 
 
 def test_the_reset_is_of_the_order_of_the_update(rng):
@@ -377,7 +512,11 @@ WRONG = {
         SlamlibError,
         "innovation_covariance: 0",
     ),
-    "innovation_covariance: H": (lambda b, x: b.innovation_covariance(x[:1], [1.0], 1), ShapeError, "Jacobian 0"),
+    "innovation_covariance: H": (
+        lambda b, x: b.innovation_covariance(x[:1], [1.0], 1),
+        ShapeError,
+        r"Jacobian 0 .* \(1, 2\)",
+    ),
 }
 
 
@@ -413,6 +552,18 @@ def test_a_number_without_noise_is_allowed_where_it_is_news():
         belief.update([block], [I2], [0, 0], np.diag([0.0, 1]))
 
 
+@pytest.mark.parametrize(("method", "P", "R"), [("batch", [1, 0], [0, 0]), ("scalar", [0.01, 100], [1, 0])])
+def test_the_number_that_is_known_exactly_is_named(method, P, R):
+    """By the noise where that has to be definite, else by the innovation's covariance."""
+    belief = Belief()
+    blocks = [belief.add(1, [0], 1), belief.add(2, [0, 0], P)]
+    measurements = [
+        LinearizedMeasurement([b], [np.eye(b.dof)], np.zeros(b.dof), r) for b, r in zip(blocks, (5, R), strict=True)
+    ]
+    with pytest.raises(CovarianceError, match=r"number 1 of measurement 1 \(of <block Euclidean\(2\) at 1>\)"):
+        belief.update_all(measurements, method=method)
+
+
 def test_mixed_units_are_not_taken_for_singular():
     belief = Belief()
     block = belief.add(2, [0, 0], np.diag([1e10, 1e-14]))
@@ -446,6 +597,24 @@ def test_small_factors_are_those_of_lapack(rng, n):
         assert np.allclose(many, factor, rtol=1e-12, atol=0)
 
 
+@pytest.mark.parametrize("n", [3, 6])
+@pytest.mark.parametrize("scale", [1e-80, 1e80])
+def test_whether_a_matrix_is_singular_does_not_depend_on_the_units(n, scale):
+    near = np.ones((n, n)) + 1e-17 * np.eye(n)
+    for matrix in (scale * np.eye(n), np.stack([scale * np.eye(n), np.eye(n)])):
+        assert np.allclose(linalg.cholesky(matrix, "f", "S") ** 2, matrix, rtol=1e-15, atol=0)
+    with pytest.raises(CovarianceError):
+        linalg.cholesky(scale * near, "f", "S")
+
+
+def test_the_least_eigenvalue_and_its_place_are_told():
+    with pytest.raises(CovarianceError, match=r"f: S is not positive definite \(smallest eigenvalue -2\)"):
+        linalg.cholesky(np.diag([3.0, -2, 1]), "f", "S")
+    many = np.array([[np.eye(2), np.diag([3.0, -2])], [np.diag([5.0, -1]), np.eye(2)]])
+    with pytest.raises(CovarianceError, match=r"S at index \(0, 1\) is not positive definite .* -2\)"):
+        linalg.cholesky(many, "f", "S")
+
+
 @pytest.mark.parametrize("matrix", [np.ones((2, 2)), -np.eye(3), np.zeros((1, 1)), np.diag([1, np.nan])])
 def test_what_is_not_definite_has_no_factor_however_small(matrix):
     for given in (matrix, np.stack([matrix, matrix])):
@@ -472,6 +641,13 @@ def test_means_of_many_blocks_are_the_means_of_each(rng):
         assert kept.tolist() == numbers
     assert np.array_equal(stacked_means([blocks[0], stranger]), [blocks[0].mean, stranger.mean])
     assert np.array_equal(blocks[2].mean, stacked_means(chosen)[0])
+
+
+def test_means_of_points_are_stacked_too(rng):
+    """Points of a manifold lie in no belief's array of vectors."""
+    belief = Belief()
+    poses = [belief.add(Pose, Pose.random(rng), np.eye(6)) for _ in range(3)]
+    assert np.array_equal(stacked_means(poses[:0:-1]), [poses[2].mean, poses[1].mean])
 
 
 def test_blas_on_a_view_updates_a_copy():

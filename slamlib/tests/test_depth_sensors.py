@@ -16,10 +16,10 @@ from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks.ahm_point import AHM_POINT
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.modeling.numerical import central_difference
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors import depth, pinhole, range_bearing, relative_position, sensor, stereo
 from slamlib.sensors.sensor import Calibration
+from slamlib.tests.differences import differences
 
 INTRINSICS, DISTORTION = np.array([320.0, 240, 400, 410]), np.array([-0.2, 0.05])
 NOISE = np.array([[1.0, 0.2, 0.1], [0.2, 1.5, -0.1], [0.1, -0.1, 0.3]])
@@ -67,11 +67,12 @@ def test_central_differences_and_a_batch_agree(model, rng):
     items = [[0.4 * rng.standard_normal(a.shape) + 1 for a in model.arguments] for _ in range(3)]
     _, jacobians = model.jac(*items[0])
     for index in range(len(items[0])):
-        numerical = central_difference(model, items[0], index)
+        numerical = differences(model, items[0], index)
         assert jacobians[index] == pytest.approx(numerical, abs=1e-6 * max(1, np.abs(numerical).max()))
     value, many = model.jac(*(np.array([item[k] for item in items]) for k in range(len(items[0]))))
     for n, item in enumerate(items):
         one, single = model.jac(*item)
+        assert model(*item) == pytest.approx(one, rel=1e-12, abs=1e-13)
         assert value[n] == pytest.approx(one, abs=1e-12)
         assert many[0][n] == pytest.approx(single[0], rel=1e-10, abs=1e-10)
 

@@ -6,16 +6,17 @@ from scipy.spatial.transform import Rotation
 
 from slamlib.codegen import check_model
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, UnitError
-from slamlib.geometry import euler, polar, pose, quaternion
+from slamlib.geometry import euler, moved, polar, pose, quaternion
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import UnitQuaternion
 from slamlib.model import Model
-from slamlib.modeling.numerical import central_difference, complex_step
+from slamlib.modeling.numerical import complex_step
+from slamlib.tests.differences import differences
 from slamlib.tests.reference import cases
 
 MODELS = [
     v
-    for m in (quaternion, euler, pose, polar)
+    for m in (quaternion, euler, pose, polar, moved)
     for v in vars(m).values()
     if isinstance(v, Model) and v.module == m.__name__
 ]
@@ -53,7 +54,7 @@ def test_jacobians_agree_with_central_differences_too(model, rng):
     arguments = draw(rng)
     _, jacobians = model.jac(*arguments)
     for index in range(len(arguments)):
-        numerical = central_difference(model, arguments, index)
+        numerical = differences(model, arguments, index)
         assert jacobians[index] == pytest.approx(numerical, abs=1e-7 * max(1, np.abs(numerical).max()))
 
 
@@ -66,6 +67,7 @@ def test_a_batch_is_a_loop(model, rng):
     value, jacobians = model.jac(*(np.array([item[k] for item in items]) for k in range(len(items[0]))))
     for n, item in enumerate(items):
         one, one_jacobians = model.jac(*item)
+        assert model(*item) == pytest.approx(one, rel=1e-12, abs=1e-13)
         assert value[n] == pytest.approx(one, abs=1e-13)
         for many, single in zip(jacobians, one_jacobians, strict=True):
             assert many[n] == pytest.approx(single, abs=1e-12)
@@ -91,6 +93,20 @@ def test_rotations_agree_with_scipy(rng):
         matrix = quaternion.rotation(q)
         again = quaternion.from_rotation(matrix, quaternion.best_pivot(matrix))
         assert abs(again @ q) == pytest.approx(1, abs=1e-14)
+
+
+def test_every_pivot_on_its_side_gives_the_quaternion_and_its_derivatives(rng):
+    """The best pivot is a unit vector, for which most terms of the derivatives vanish."""
+    for _ in range(5):
+        q = UnitQuaternion.random(rng)
+        pivot, matrix = q + 0.3 * UnitQuaternion.random(rng), quaternion.rotation(q)
+        assert quaternion.from_rotation(matrix, pivot) == pytest.approx(q, abs=1e-14)
+        nearby = matrix + rng.uniform(-0.1, 0.1, (3, 3))
+        value, jacobians = quaternion.from_rotation.jac(nearby, pivot)
+        assert value == pytest.approx(quaternion.from_rotation(nearby, pivot), abs=1e-14)
+        for index in range(2):
+            numerical = differences(quaternion.from_rotation, [nearby, pivot], index)
+            assert jacobians[index] == pytest.approx(numerical, abs=1e-8)
 
 
 # -- singular and exactly representable places -------------------------------------------------------------------------

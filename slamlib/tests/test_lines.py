@@ -13,7 +13,7 @@ from slamlib.landmarks import LINES, ahm_line, apl_line, endpoints, hmg_line, id
 from slamlib.landmarks import segments as seg
 from slamlib.landmarks.endpoints import EndpointExtension, ObservedEndpoints
 from slamlib.model import Model
-from slamlib.modeling.numerical import central_difference
+from slamlib.tests.differences import differences
 from slamlib.tests.reference import cases
 
 MODULES = (plucker, plk_line, apl_line, hmg_line, ahm_line, idp_line, line_innovation)
@@ -67,11 +67,12 @@ def test_central_differences_and_a_batch_agree(model, rng):
     for item in items:
         _, jacobians = model.jac(*item)
         for index in range(len(item)):
-            numerical = central_difference(model, item, index)
+            numerical = differences(model, item, index)
             assert jacobians[index] == pytest.approx(numerical, abs=1e-6 * max(1, np.abs(numerical).max()))
     value, many = model.jac(*(np.array([item[k] for item in items]) for k in range(len(items[0]))))
     for n, item in enumerate(items):
         one, single = model.jac(*item)
+        assert model(*item) == pytest.approx(one, rel=1e-12, abs=1e-13)
         assert value[n] == pytest.approx(one, abs=1e-12, rel=1e-12)
         for a, b in zip(many, single, strict=True):
             assert a[n] == pytest.approx(b, abs=1e-11 * max(1, np.abs(b).max()))

@@ -8,10 +8,10 @@ from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, Slaml
 from slamlib.geometry.quaternion import pi_matrix
 from slamlib.landmarks.ahm_point import AHM_POINT
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.modeling.numerical import central_difference
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors import omni, scaramuzza, sensor
 from slamlib.sensors.sensor import Calibration
+from slamlib.tests.differences import differences
 from slamlib.tests.reference import cases
 
 FORWARD = np.array([644.7, -341.0, -29.01, -57.70, 18.49, 5.415, 50.65, -56.14, 15.91])
@@ -49,11 +49,12 @@ def test_central_differences_and_a_batch_agree(model, rng):
     items = [[0.5 * rng.standard_normal(a.shape) + 0.2 for a in model.arguments] for _ in range(3)]
     _, jacobians = model.jac(*items[0])
     for index in range(len(items[0])):
-        numerical = central_difference(model, items[0], index)
+        numerical = differences(model, items[0], index)
         assert jacobians[index] == pytest.approx(numerical, abs=1e-7 * max(1, np.abs(numerical).max()))
     value, many = model.jac(*(np.array([item[k] for item in items]) for k in range(len(items[0]))))
     for n, item in enumerate(items):
         one, single = model.jac(*item)
+        assert model(*item) == pytest.approx(one, rel=1e-12, abs=1e-13)
         assert value[n] == pytest.approx(one, abs=1e-12)
         assert many[0][n] == pytest.approx(single[0], abs=1e-12)
 

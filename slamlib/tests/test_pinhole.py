@@ -10,6 +10,7 @@ from slamlib.codegen import check_model
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError, UnknownNameError
 from slamlib.sensors import Calibration, sensor
 from slamlib.sensors import pinhole as ph
+from slamlib.tests.differences import differences
 from slamlib.tests.reference import cases
 
 K = np.array([320.0, 240.0, 320.0, 300.0])
@@ -45,6 +46,16 @@ def distortion(request):
 @pytest.mark.parametrize("model", [ph.distort, ph.pixel, ph.project, ph.project_line, ph.ray], ids=lambda m: m.name)
 def test_values_and_jacobians_are_those_of_the_definitions(model):
     check_model(model, silent=True)
+
+
+@pytest.mark.parametrize("model", [ph.distort, ph.pixel, ph.project, ph.project_line, ph.ray], ids=lambda m: m.name)
+def test_central_differences_agree(model, rng):
+    item = [0.5 * rng.standard_normal(a.shape) + 0.2 for a in model.arguments]
+    value, jacobians = model.jac(*item)
+    assert model(*item) == pytest.approx(value, rel=1e-13)
+    for index in range(len(item)):
+        numerical = differences(model, item, index)
+        assert jacobians[index] == pytest.approx(numerical, abs=1e-7 * max(1, np.abs(numerical).max()))
 
 
 @pytest.mark.parametrize(("x", "y"), [(0, 0), (1e-9, 0), (0, -1), (1, 0.8), (-1.0, 0.8), (3, 4), (1e3, 1)])

@@ -14,7 +14,7 @@ from slamlib.landmarks.ahm_point import AHM_POINT
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.fhm_point import FHM_POINT
 from slamlib.landmarks.hmg_point import HMG_POINT
-from slamlib.landmarks.idp_point import IDP_POINT, angles_of, direction
+from slamlib.landmarks.idp_point import IDP_POINT, angles_moved, angles_of, direction
 from slamlib.landmarks.linearity import (
     beyond_infinity,
     euclidean_index,
@@ -24,13 +24,14 @@ from slamlib.landmarks.linearity import (
     to_euclidean,
 )
 from slamlib.modeling.numerical import central_difference
+from slamlib.tests.differences import differences
 from slamlib.tests.reference import cases
 
 KINDS = [EUC_POINT, HMG_POINT, AHM_POINT, IDP_POINT, FHM_POINT]
 AT_INFINITY = [k for k in KINDS if k is not EUC_POINT]
 every_kind = pytest.mark.parametrize("kind", KINDS, ids=lambda k: k.name)
 infinite_kind = pytest.mark.parametrize("kind", AT_INFINITY, ids=lambda k: k.name)
-MODELS = [m for k in KINDS for m in (k.to_frame, k.from_frame, k.to_point)] + [angles_of, direction]
+MODELS = [m for k in KINDS for m in (k.to_frame, k.from_frame, k.to_point)] + [angles_of, angles_moved, direction]
 named = pytest.mark.parametrize("model", MODELS, ids=lambda m: f"{m.module.split('.')[-1]}-{m.name}")
 
 
@@ -74,11 +75,12 @@ def test_central_differences_and_a_batch_agree(model, rng):
     items += [[rng.standard_normal(a.shape) if a.manifold is None else a.manifold.random(rng) for a in model.arguments]]
     _, jacobians = model.jac(*items[0])
     for index in range(len(items[0])):
-        numerical = central_difference(model, items[0], index)
+        numerical = differences(model, items[0], index)
         assert jacobians[index] == pytest.approx(numerical, abs=1e-7 * max(1, np.abs(numerical).max()))
     value, many = model.jac(*(np.array([item[k] for item in items]) for k in range(len(items[0]))))
     for n, item in enumerate(items):
         one, single = model.jac(*item)
+        assert model(*item) == pytest.approx(one, rel=1e-12, abs=1e-13)
         assert value[n] == pytest.approx(one, abs=1e-12)
         assert many[0][n] == pytest.approx(single[0], abs=1e-11 * max(1, np.abs(single[0]).max()))
 

@@ -14,6 +14,7 @@ from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.observation.lines import image_line, undistort_segments
 from slamlib.sensors import davison, fisheye, omni, pinhole
 from slamlib.sensors.sensor import Calibration
+from slamlib.tests.differences import differences
 from slamlib.vision.two_views import _depths
 
 K = np.array([0.0034823894022493434, 0.0007150348452162257, -0.0020532361418706202, 0.00020293673591811182])
@@ -47,13 +48,23 @@ def nearby(model):
     return lambda rng: [rng.uniform(-0.3, 0.3, a.size) + middle.get(a.name, 0) for a in model.arguments]
 
 
-@pytest.mark.parametrize(
-    "model",
-    [fisheye.project, davison.distorted, davison.undistorted, davison.project, davison.back_project],
-    ids=lambda m: f"{m.module}.{m.name}",
-)
+MODELS = [fisheye.project, davison.distorted, davison.undistorted, davison.project, davison.back_project]
+every_model = pytest.mark.parametrize("model", MODELS, ids=lambda m: f"{m.module}.{m.name}")
+
+
+@every_model
 def test_value_and_jacobians_are_those_of_the_definition(model):
     check_model(model, sample=nearby(model), silent=True)
+
+
+@every_model
+def test_central_differences_agree(model, rng):
+    item = nearby(model)(rng)
+    value, jacobians = model.jac(*item)
+    assert model(*item) == pytest.approx(value, rel=1e-13)
+    for index in range(len(item)):
+        numerical = differences(model, item, index)
+        assert jacobians[index] == pytest.approx(numerical, abs=1e-7 * max(1, np.abs(numerical).max()))
 
 
 def test_opencv_projects_and_undistorts_the_same(rng):
