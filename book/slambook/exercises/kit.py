@@ -199,10 +199,16 @@ def same(found: Any, expected: Any, what: str, tolerance: float = 1e-9) -> None:
     found = array_of(found, expected.shape, what)
     scale = max(1.0, float(np.max(np.abs(expected), initial=0)))
     worst = float(np.max(np.abs(found - expected), initial=0)) / scale
+    agree = worst <= tolerance
+    holds(agree, what, "" if agree else _difference(found, expected))
+
+
+def _difference(found: Array, expected: Array) -> str:
+    """Both arrays, with as many digits as tell them apart."""
     pairs = [(_shown(found, digits), _shown(expected, digits)) for digits in (4, 8, 12, 17)]
     unsigned = ({text.replace("-0.", "0.").replace(" ", "") for text in pair} for pair in pairs)  # -0 is 0
     one, other = next((p for p, texts in zip(pairs, unsigned, strict=True) if len(texts) > 1), pairs[-1])
-    holds(worst <= tolerance, what, f"differs: found {one}, the property asks for {other}")
+    return f"differs: found {one}, the property asks for {other}"
 
 
 def between(value: Any, low: float, high: float, what: str) -> None:
