@@ -67,7 +67,7 @@ def default_room(textures: str = "drawn", seed: int = 1) -> Room:
     return _furnished(textures, seed)
 
 
-@lru_cache(maxsize=2)  # it takes seconds to draw, and nothing of it can be changed
+@lru_cache(maxsize=2)  # it takes seconds to draw, and a room is not changed
 def _furnished(textures: str, seed: int) -> Room:
     style = ROOM_STYLES[textures](np.random.default_rng(seed))
     return Room([*_shell(style), *_hall(style), *_pictures(style), *_furniture(style)])
