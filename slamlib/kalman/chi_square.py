@@ -1,6 +1,7 @@
 """The chi-square distribution: how large a squared error may be before it tells against its covariance."""
 
 import math
+from functools import lru_cache
 
 from slamlib.errors import NonFiniteError, SlamlibError
 
@@ -21,10 +22,16 @@ def chi2_quantile(probability: float, dof: float) -> float:
     positive(dof, "chi2_quantile", "dof")
     if not 0 < probability < 1:
         raise SlamlibError(f"chi2_quantile: probability should lie between 0 and 1, got {probability}")
+    return _quantile(float(probability), float(dof))
+
+
+@lru_cache(maxsize=1024)  # gates and bands ask for the same few again and again
+def _quantile(probability: float, dof: float) -> float:
+    """By bisection of the distribution function."""
     a = dof / 2
     # Without its factor exp(-x/2) the density is larger, so that its integral reaches the probability sooner.
     low = 2 * math.exp((math.log(probability) + math.lgamma(a + 1)) / a) * (1 - 1e-9)
-    high = max(float(dof), 2 * low)
+    high = max(dof, 2 * low)
     while chi2_cdf(high, dof) < probability:
         low, high = high, 2 * high
     while high - low > 1e-15 * high + 1e-300:

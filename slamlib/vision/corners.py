@@ -6,11 +6,12 @@ S = sum of g g'. Its larger axis is sigma^2 over S's smaller eigenvalue, which i
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from slamlib.errors import ShapeError
-from slamlib.manifolds import Array, Image
+from slamlib.manifolds import Array, Image, read_only
 from slamlib.vision.patches import as_floats, grey, top
 
 # With noise of two grey levels in both images a match of this quality has a standard deviation of 0.1 px in its worst
@@ -99,11 +100,14 @@ def best_corner(
 
 def _filtered(stack: Array, down: Array, across: Array) -> Array:
     """Images (..., h, w) correlated with a column and with a row of weights, where these lie within the image."""
-    return _banded(down, stack.shape[-2]) @ stack @ _banded(across, stack.shape[-1]).T
+    by_rows, by_columns = _banded(tuple(down), stack.shape[-2]), _banded(tuple(across), stack.shape[-1])
+    return by_rows @ stack @ by_columns.T
 
 
-def _banded(weights: Array, length: int) -> Array:
+@lru_cache(maxsize=64)  # the cells of a grid have a few sizes, which come again in every image
+def _banded(weights: tuple[float, ...], length: int) -> Array:
     """The matrix (length - n + 1, length) of a filter with n weights: for pieces of an image, BLAS is the quickest."""
     padded = np.zeros(2 * length - len(weights))
     padded[length - len(weights) : length] = weights
-    return np.ascontiguousarray(np.lib.stride_tricks.sliding_window_view(padded, length)[::-1])  # BLAS wants a copy
+    rows = np.lib.stride_tricks.sliding_window_view(padded, length)[::-1]
+    return read_only(np.ascontiguousarray(rows))  # BLAS wants a copy

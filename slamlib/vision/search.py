@@ -49,9 +49,17 @@ class Scores:
         row, column = divmod(int(allowed.argmax()), allowed.shape[1])
         score = float(allowed[row, column])
         allowed[max(row - width, 0) : row + width + 1, max(column - width, 0) : column + width + 1] = -2
-        around = np.pad(self.values, 1, constant_values=np.nan)[row : row + 3, column : column + 3]
-        pixel = np.array([column, row]) + self.corner + top(around)
+        pixel = np.array([column, row]) + self.corner + top(self._around(row, column))
         return Match(pixel, score, max(float(allowed.max()), -1.0))
+
+    def _around(self, row: int, column: int) -> Array:
+        """The 3 x 3 values around a pixel, nan beyond the rectangle."""
+        above, left = max(row - 1, 0), max(column - 1, 0)
+        known = self.values[above : row + 2, left : column + 2]
+        around = np.full((3, 3), np.nan)
+        down, across = above - row + 1, left - column + 1
+        around[down : down + known.shape[0], across : across + known.shape[1]] = known
+        return around
 
 
 def search(image: Image, template: Array, centre: Array, S: Array, probability: float = 0.99) -> Match | None:
@@ -78,7 +86,8 @@ def score_map(image: Image, template: Array, centre: Array, S: Array, probabilit
     left, above = min(u - half_u, 1), min(v - half_v, 1)
     right = min(array.shape[1] - u - mask.shape[1] - half_u, 1)
     below = min(array.shape[0] - v - mask.shape[0] - half_v, 1)
-    inside = np.pad(mask, ((above, below), (left, right)))
+    inside = np.zeros((above + mask.shape[0] + below, left + mask.shape[1] + right), bool)
+    inside[above : above + mask.shape[0], left : left + mask.shape[1]] = mask
     u, v, (rows, columns) = u - left, v - above, inside.shape
     piece = array[v - half_v : v + rows + half_v, u - half_u : u + columns + half_u]
     return Scores((u, v), correlate(as_floats(piece, "search"), patch), inside)

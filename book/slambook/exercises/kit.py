@@ -65,18 +65,28 @@ current.set(Found(None))  # of a property that is called outside of a check
 def _guarded(function: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
     """The reader's function: failures of any kind become readable, and its arguments must stay as they are."""
     given = [*arguments, *named.values()]
-    before = [a.copy() for a in _arrays(given)]
-    shown = ", ".join([*map(_shown, arguments), *(f"{k}={_shown(v)}" for k, v in named.items())])
+    before, names = _copied(given), [*[""] * len(arguments), *(f"{name}=" for name in named)]
+
+    def shown() -> str:  # only of an input that is told: to write arrays takes longer than most functions do
+        return ", ".join(name + _shown(value) for name, value in zip(names, before, strict=True))
+
     try:
         result = function(*arguments, **named)
     except Exception as error:
-        raise Rejected(f"for the input ({shown}) your function raised {type(error).__name__}: {error}") from error
-    for was, now in zip(before, _arrays(given), strict=False):
+        raise Rejected(f"for the input ({shown()}) your function raised {type(error).__name__}: {error}") from error
+    for was, now in zip(_arrays(before), _arrays(given), strict=False):
         if was.shape != now.shape or was.tobytes() != now.tobytes():
             raise Rejected(f"your function changed its argument in place; it was {_shown(was)}: work on a copy")
     if result is None:
-        raise Rejected(f"for the input ({shown}) your function returned None: is a `return` missing?")
+        raise Rejected(f"for the input ({shown()}) your function returned None: is a `return` missing?")
     return result
+
+
+def _copied(value: Any) -> Any:
+    """The value with copies of its arrays, also of those in its lists and tuples."""
+    if isinstance(value, np.ndarray):
+        return value.copy()
+    return [_copied(item) for item in value] if isinstance(value, list | tuple) else value
 
 
 def _arrays(value: Any) -> list[Array]:
@@ -189,10 +199,16 @@ def same(found: Any, expected: Any, what: str, tolerance: float = 1e-9) -> None:
     found = array_of(found, expected.shape, what)
     scale = max(1.0, float(np.max(np.abs(expected), initial=0)))
     worst = float(np.max(np.abs(found - expected), initial=0)) / scale
+    agree = worst <= tolerance
+    holds(agree, what, "" if agree else _difference(found, expected))
+
+
+def _difference(found: Array, expected: Array) -> str:
+    """Both arrays, with as many digits as tell them apart."""
     pairs = [(_shown(found, digits), _shown(expected, digits)) for digits in (4, 8, 12, 17)]
     unsigned = ({text.replace("-0.", "0.").replace(" ", "") for text in pair} for pair in pairs)  # -0 is 0
     one, other = next((p for p, texts in zip(pairs, unsigned, strict=True) if len(texts) > 1), pairs[-1])
-    holds(worst <= tolerance, what, f"differs: found {one}, the property asks for {other}")
+    return f"differs: found {one}, the property asks for {other}"
 
 
 def between(value: Any, low: float, high: float, what: str) -> None:

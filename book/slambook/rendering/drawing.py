@@ -62,7 +62,9 @@ def _drawn(image: Image, rng: np.random.Generator, shapes: int, largest: float, 
     for size in sizes:
         kind = _KINDS[int(rng.integers(len(_KINDS)))]
         center = rng.uniform((0, 0), image.shape)
-        grey = 127.5 + contrast * rng.uniform(-127.5, 127.5) + (1 - contrast) * (image.mean() - 127.5)
+        grey = 127.5 + contrast * rng.uniform(-127.5, 127.5)
+        if contrast < 1:  # the mean of the whole picture, for every shape: half of the time
+            grey += (1 - contrast) * (image.mean() - 127.5)
         _stamp(image, center, kind(rng, float(size)), grey)
     return _whole(image)
 
@@ -73,8 +75,10 @@ def _stamp(image: Image, center: Array, planes: Array, grey: float) -> None:
     low = np.maximum(center.astype(int) - reach, 0)
     high = np.minimum(center.astype(int) + reach + 1, image.shape)
     rows, columns = (np.arange(a, b) - c for a, b, c in zip(low, high, center, strict=True))
-    heights = planes[:, :1, None] * rows[None, :, None] + planes[:, 1:2, None] * columns[None, None]
-    cover = np.clip(0.5 - (heights - planes[:, 2, None, None]).max(0), 0, 1)
+    above = np.full((len(rows), len(columns)), -np.inf)
+    for down, across, offset in planes:  # one by one, in the processor's cache
+        np.maximum(above, (down * rows)[:, None] + across * columns - offset, out=above)
+    cover = np.clip(0.5 - above, 0, 1)
     part = image[low[0] : high[0], low[1] : high[1]]
     part += cover * (grey - part)
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -63,6 +64,11 @@ def default_room(textures: str = "drawn", seed: int = 1) -> Room:
     """
     if textures not in ROOM_STYLES:
         raise UnknownNameError.of("textures", textures, ROOM_STYLES)
+    return _furnished(textures, seed)
+
+
+@lru_cache(maxsize=2)  # it takes seconds to draw, and a room is not changed
+def _furnished(textures: str, seed: int) -> Room:
     style = ROOM_STYLES[textures](np.random.default_rng(seed))
     return Room([*_shell(style), *_hall(style), *_pictures(style), *_furniture(style)])
 
