@@ -40,7 +40,7 @@ quick: environment  ## while you work: lint, tangled and stored cells, the core'
 	@$(BIN)/python -m book.tools.ci lint format tangled stored core
 
 mutants: environment  ## change signs and the like in the core's modules: does a test of that very module see it? (long)
-	@$(BIN)/python -m book.tools.mutants
+	@$(BIN)/python -m book.tools.mutants $(ARGS)
 
 oldest:  ## the core's tests on the wheel and NumPy 1.25, outside the lock (others: make oldest PYTHON=python3.14 NUMPY='2.*')
 	@$(PYTHON) -m venv --clear $(OLDEST)
