@@ -7,6 +7,7 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.version import Version
 
+from book.tests.bare import extras
 from book.tools import layout
 
 LOCK = (layout.ROOT / "requirements.txt").read_text("utf-8")
@@ -19,23 +20,12 @@ def name(text: str) -> str:
 
 
 LOCKED = {name(n): Version(v) for n, v in re.findall(r"(?m)^([\w.-]+)(?:\[.*\])?==([^\s;\\]+)", LOCK)}
-
-
-def wanted(extra: str) -> list[Requirement]:
-    """The requirements of an extra, and of the extras of slamlib that it names."""
-    found = []
-    for one in map(Requirement, PROJECT["project"]["optional-dependencies"][extra]):
-        found += [r for other in one.extras for r in wanted(other)] if one.name == "slamlib" else [one]
-    return found
-
-
 CONSTRAINTS = [Requirement(text) for text in PROJECT["tool"]["uv"]["constraint-dependencies"]]
-ASKED = {str(r): r for r in [*map(Requirement, PROJECT["project"]["dependencies"]), *wanted("dev")]}
+ASKED = {str(r): r for r in [*map(Requirement, PROJECT["project"]["dependencies"]), *extras()["dev"]]}
 
 
 def test_dev_includes_every_other_extra():
-    extras = PROJECT["project"]["optional-dependencies"]
-    assert {str(r) for extra in extras for r in wanted(extra)} == {str(r) for r in wanted("dev")}
+    assert {str(r) for asked in extras().values() for r in asked} == {str(r) for r in extras()["dev"]}
 
 
 @pytest.mark.parametrize("requirement", list(ASKED.values()), ids=str)
