@@ -169,7 +169,7 @@ def test_the_map_of_self_calibration_holds_the_extrinsics():
 
 
 def test_two_robots_share_one_map():
-    found = compared(replace(preset("two_robots"), frames=100))
+    found = compared(replace(preset("two_robots"), frames=150))
     robots = found.slam.robots
     cross = found.slam.belief.covariance(robots[0].block, robots[1].block)
     assert np.abs(cross).max() > 0

@@ -1,11 +1,13 @@
 """One frame's measurement update beside the textbook's EKF: dense matrices of all rows, differences as Jacobians."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
 
 from slamlib.experiments.presets import preset
+from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.slam.measurement_update import predict_measurements
 from slamlib.tests.compared import shaken
@@ -98,3 +100,36 @@ def test_one_frame_updates_as_the_textbook_says(family, reproject):
     for block, mean in zip(blocks, means, strict=True):
         assert np.abs(block.manifold.minus(block.mean, mean) / spread[block.slice]).max() < 1e-6
     assert np.abs((slam.belief.matrix - P) / np.outer(spread, spread)).max() < 1e-6
+
+
+@pytest.mark.parametrize("family", KINDS)
+def test_a_new_landmark_is_as_uncertain_as_the_textbook_says(family):
+    """J P J' + J R J' + J Q J', of robot, measurement and prior, with differences as Jacobians."""
+    p = preset(family)
+    options = replace(p.options, **KINDS[family], inverse_distance=(0.2, 0.05))
+    p = shaken(p, frames=1, options=replace(options, max_new_first=3))
+    ((frame, _),) = p.simulate()
+    slam = p.slam()
+    slam.step(frame)
+    sensor, robot, P = slam.sensors[0], slam.robots[0].block, slam.belief.matrix
+    name = "points" if family == "points" else "segments"
+    features = frame.scans[0].features[name]
+    rows, mean = dict(zip(features.ids.tolist(), features.values, strict=True)), robot.mean
+    assert len(slam.landmarks) == 3
+    for landmark in slam.landmarks:
+        y, kind, count = rows[landmark.id], landmark.kind, 1 if family == "points" else 2
+
+        def made(step, noise, prior, y=y, kind=kind):
+            robot.mean = Pose.plus(mean, step)
+            both = {"ahmLin": (tuple(0.2 + prior), (0.05, 0.05))} if len(prior) == 2 else {}
+            changed = replace(options, inverse_distance=(0.2 + prior[0], 0.05), line_priors=both)
+            return slam.families[name].initialize(sensor, kind, y + noise, changed)[0]
+
+        no_step, no_noise, no_prior = np.zeros(6), np.zeros(len(y)), np.zeros(count)
+        by_robot = differences(partial(made, noise=no_noise, prior=no_prior), 6)
+        by_pixels = differences(lambda noise, made=made, at=no_prior: made(np.zeros(6), noise, at), len(y))
+        by_prior = differences(partial(made, no_step, no_noise), count)
+        robot.mean = mean
+        own = by_robot @ P[:6, :6] @ by_robot.T + STD**2 * by_pixels @ by_pixels.T + 0.05**2 * by_prior @ by_prior.T
+        assert np.allclose(slam.belief.covariance(landmark.block), own, rtol=1e-6, atol=1e-9)
+        assert np.allclose(slam.belief.covariance(landmark.block, robot), by_robot @ P[:6, :6], rtol=1e-6, atol=1e-9)
