@@ -10,10 +10,11 @@ from hypothesis import settings
 settings.register_profile("repeatable", deadline=None, derandomize=True)
 settings.load_profile("repeatable")
 CORE = {
-    *("test_association", "test_belief", "test_belief_properties", "test_compatibility", "test_evaluation"),
-    *("test_expected", "test_forgetting", "test_geometry", "test_implicit", "test_kernel", "test_model"),
-    *("test_model_properties", "test_motions", "test_observation", "test_package", "test_points", "test_rig"),
-    *("test_series", "test_slam"),
+    *("test_association", "test_belief", "test_belief_properties", "test_checkpoint", "test_compatibility"),
+    *("test_evaluation", "test_expected", "test_forgetting", "test_geometry", "test_implicit", "test_kernel"),
+    *("test_measurement_update", "test_model", "test_model_properties", "test_motions", "test_observation"),
+    *("test_package", "test_points", "test_rig", "test_series", "test_slam", "test_slam_options"),
+    "test_textbook_update",
 }
 
 

@@ -10,11 +10,13 @@ from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose
 from slamlib.observation.family import viewpoint
 from slamlib.slam import Slam
+from slamlib.slam.data_association import consensus
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.front_end import FrontEndInput, KnownAssociation
 from slamlib.slam.data_association.joint_innovation import hypothesis_innovations, joint_innovation
 from slamlib.slam.measurement_update import predict_measurements, select_and_match, update_in_batch
 from slamlib.slam.options import Options
+from slamlib.tests.compared import shaken
 
 ROBUST = ("joint", "one-point-ransac")
 
@@ -37,13 +39,10 @@ class Wrong(KnownAssociation):
         return measured, found
 
 
-def shaken(name="points", *, frames=60, seed=1, turns=10.0, **options):
-    """A preset whose robots turn `update_interval` times as unpredictably: the ellipses are several pixels large."""
+def turning(name="points", *, frames=60, seed=1, **options):
+    """A preset whose robots turn unpredictably: the ellipses are several pixels large."""
     p = preset(name)
-    noise = np.array([1, 1, 1, turns, turns, turns])
-    robots = tuple(replace(r, control_std=tuple((noise * r.control_std).tolist())) for r in p.rig.robots)
-    rig = replace(p.rig, robots=robots)
-    return replace(p, rig=rig, frames=frames, seed=seed, options=replace(p.options, **options))
+    return shaken(p, frames=frames, seed=seed, options=replace(p.options, **options))
 
 
 def before_a_correction(p, sensor=0, rate=0.0):
@@ -62,7 +61,7 @@ def before_a_correction(p, sensor=0, rate=0.0):
 @pytest.fixture(scope="module")
 def mixed():
     """Points and lines in one camera."""
-    found = before_a_correction(shaken("points_and_lines", frames=25), sensor=1)
+    found = before_a_correction(turning("points_and_lines", frames=25), sensor=1)
     assert {prediction.family.name for prediction in found[2]} == {"points", "segments"}
     return found
 
@@ -70,7 +69,7 @@ def mixed():
 @pytest.fixture(scope="module")
 def calibrating():
     """A camera whose extrinsics are estimated."""
-    return before_a_correction(shaken("self_calibration", frames=25), sensor=1)
+    return before_a_correction(turning("self_calibration", frames=25), sensor=1)
 
 
 def observed(sensor, prediction):
@@ -113,7 +112,7 @@ def test_each_hypothesis_predicts_what_the_updated_filter_would(case, request):
 @pytest.mark.parametrize("reproject", [True, False])
 @pytest.mark.parametrize("outlier_rejection", ROBUST)
 def test_outliers_are_as_those_that_the_gate_rejects(outlier_rejection, reproject, name):
-    p = shaken(name, frames=40, outlier_rejection=outlier_rejection, reproject=reproject)
+    p = turning(name, frames=40, outlier_rejection=outlier_rejection, reproject=reproject)
     endpoints = [Wrong(0.3, np.random.default_rng(i)) for i in range(len(p.rig.sensors))]
     slam, refused = Slam(p.rig, p.options, front_ends=endpoints), 0
     for frame, _ in p.simulate():
@@ -130,7 +129,7 @@ def test_outliers_are_as_those_that_the_gate_rejects(outlier_rejection, reprojec
 
 
 def test_the_rest_is_updated_by_what_is_predicted_after_the_support():
-    p = shaken(frames=25, outlier_rejection="one-point-ransac", reproject=False)
+    p = turning(frames=25, outlier_rejection="one-point-ransac", reproject=False)
     slam, sensor, predictions = before_a_correction(p)
     shown = [prediction.value.copy() for prediction in predictions]
     groups = OUTLIER_REJECTIONS["one-point-ransac"](slam.belief, sensor, predictions, p.options)
@@ -148,9 +147,22 @@ def test_the_rest_is_updated_by_what_is_predicted_after_the_support():
     assert sum(prediction.inlier for prediction in predictions) > len(rest)
 
 
+@pytest.mark.parametrize("count", [2, 3])
+def test_two_that_agree_are_too_few_and_three_are_enough(count, monkeypatch):
+    p = turning(frames=25, outlier_rejection="one-point-ransac")
+    slam, sensor, predictions = before_a_correction(p)
+    monkeypatch.setattr(consensus, "_largest_support", lambda *_: np.arange(len(predictions)) < count)
+    first, joint = (
+        next(OUTLIER_REJECTIONS[name](slam.belief, sensor, predictions, p.options))
+        for name in ("one-point-ransac", "joint")
+    )
+    assert len(joint) > 3
+    assert first == (joint if count == 2 else predictions[:3])
+
+
 @pytest.mark.parametrize("outlier_rejection", OUTLIER_REJECTIONS)
 def test_a_frame_may_have_no_match_or_one(outlier_rejection):
-    p = shaken(frames=8, outlier_rejection=outlier_rejection, updates=1)
+    p = turning(frames=8, outlier_rejection=outlier_rejection, updates=1)
     slam, sensor, predictions = before_a_correction(p)
     assert len(predictions) == 1
     assert list(OUTLIER_REJECTIONS[outlier_rejection](slam.belief, sensor, [], p.options)) == [[]]
@@ -159,7 +171,7 @@ def test_a_frame_may_have_no_match_or_one(outlier_rejection):
 
 @pytest.mark.parametrize("outlier_rejection", OUTLIER_REJECTIONS)
 def test_without_a_gate_nothing_is_refused(outlier_rejection):
-    p = shaken(frames=12, outlier_rejection=outlier_rejection, gate=1.0)
+    p = turning(frames=12, outlier_rejection=outlier_rejection, gate=1.0)
     slam, sensor, predictions = before_a_correction(p, rate=0.3)
     groups = list(OUTLIER_REJECTIONS[outlier_rejection](slam.belief, sensor, predictions, p.options))
     assert {prediction.landmark for group in groups for prediction in group} == {
@@ -176,7 +188,7 @@ def of_runs(outlier_rejection, rate, runs=4):
     """NEES of the pose over all of 60 frames of several runs, and the shares of true and wrong matches accepted."""
     nees, inliers = [], {True: [], False: []}
     for seed in range(runs):
-        p = shaken(seed=seed, outlier_rejection=outlier_rejection)
+        p = turning(seed=seed, outlier_rejection=outlier_rejection)
         end = Wrong(rate, np.random.default_rng(seed))
         slam = Slam(p.rig, p.options, front_ends=[end])
         for frame, truth in p.simulate():

@@ -6,11 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from slamlib.data.records import Features, Scan
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.experiments.presets import preset
 from slamlib.slam import Options, Slam
 from slamlib.slam.entities import Landmark
-from slamlib.slam.map_management import out_of_window, prune_candidate
+from slamlib.slam.map_management import is_bad, out_of_window, prune_candidate
 
 FRAMES = 90
 
@@ -40,10 +41,47 @@ def test_what_was_seen_in_this_frame_does_not_make_room():
 
 
 def test_a_window_counts_from_the_last_accepted_measurement():
-    rows = [mark(1, 3), mark(2, 5), mark(3, 3)]
+    rows = [mark(1, 3), mark(2, 5), mark(3, 3), mark(4, 4)]  # 5, 3, 5 and exactly 4 frames ago
     assert [lm.id for lm in out_of_window(rows, 8, Options(window=4))] == [1, 3]
     assert not out_of_window(rows, 8, Options())
-    assert [lm.last_seen for lm in rows] == [3, 5, 3]  # asking changes nothing
+    assert [lm.last_seen for lm in rows] == [3, 5, 3, 4]  # asking changes nothing
+
+
+def test_a_match_that_the_gate_rejects_is_no_sight_of_the_landmark():
+    p = preset("points")
+    p = replace(p, frames=6, options=replace(p.options, updates=100))
+    slam, (*frames, last) = p.slam(), [frame for frame, _ in p.simulate()]
+    for frame in frames:
+        slam.step(frame)
+    points, known = last.scans[0].points, {lm.id for lm in slam.landmarks}
+    wrong = next(i for i, number in enumerate(points.ids.tolist()) if number in known)
+    values = points.values.copy()
+    values[wrong] += 40  # px
+    slam.step(replace(last, scans=(Scan({"points": Features(points.ids, values)}),)))
+    matched = [prediction for prediction in slam.predictions[0] if prediction.matched]
+    (refused,) = (prediction for prediction in matched if not prediction.inlier)
+    assert refused.landmark.id == points.ids[wrong]
+    assert refused.landmark.last_seen == last.number - 1
+    assert {prediction.landmark.last_seen for prediction in matched if prediction.inlier} == {last.number}
+
+
+@pytest.mark.parametrize(
+    ("searched", "matched", "inliers", "bad"),
+    [
+        (9, 0, 0, False),  # never found, but not searched for often enough to tell
+        (10, 0, 0, True),
+        (10, 3, 3, False),  # found in exactly the least share
+        (10, 2, 2, True),
+        (20, 5, 5, True),
+        (10, 8, 4, False),  # an inlier in exactly the least share
+        (10, 8, 3, True),
+        (10, 9, 4, True),
+        (9, 9, 0, False),
+    ],
+)
+def test_what_is_searched_for_in_vain_or_often_wrong_is_bad(searched, matched, inliers, bad):
+    landmark = Landmark(1, None, None, first_seen=1, searched=searched, matched=matched, inliers=inliers)
+    assert is_bad(landmark, Options(min_searches=10, min_matched_ratio=0.3, min_inlier_ratio=0.5)) is bad
 
 
 def test_a_landmark_out_of_the_window_is_gone():

@@ -13,6 +13,9 @@ from slamlib.landmarks import LINES, ahm_line, apl_line, endpoints, hmg_line, id
 from slamlib.landmarks import segments as seg
 from slamlib.landmarks.endpoints import EndpointExtension, ObservedEndpoints
 from slamlib.model import Model
+from slamlib.observation import FAMILIES
+from slamlib.observation.segments import endpoints_converged
+from slamlib.slam import Options
 from slamlib.tests.differences import differences
 from slamlib.tests.reference import cases
 
@@ -541,3 +544,27 @@ def test_crossings_agree_with_the_toolbox_where_the_ray_meets_the_line():
         kind = LINES["plkLin"]
         abscissa = endpoints.abscissas_of(kind, given["L"], np.array([[*point, 1.0]]))
         assert abscissa == pytest.approx([wanted["t"]], abs=1e-9)
+
+
+# -- what the filter does with a line ----------------------------------------------------------------------------------
+
+
+def test_the_shortest_segment_that_may_begin_a_line_is_as_long_as_the_options_say():
+    family, values = (
+        FAMILIES["segments"],
+        np.array([[10.0, 10, 22, 26], [10, 10, 22, 25], [10, 10, 22, 27]]),
+    )  # 20: 12, 16
+    assert family.usable(None, values, Options(minimum_length=20.0)).tolist() == [True, False, True]
+
+
+def test_the_distance_of_a_true_segment_is_that_of_its_farther_end():
+    geometry = np.array([[1.0, 0, 0], [1, 0, 4]])  # an estimated line along z, of a length that must not count
+    assert FAMILIES["segments"].distance(geometry, np.array([1.0, 3, 7, 5, 3, -2])) == pytest.approx(5)
+
+
+@pytest.mark.parametrize(("std", "converged"), [(0.39, True), (0.41, False)])
+def test_a_line_has_converged_when_both_ends_are_known_to_a_tenth_of_its_length(std, converged):
+    geometry, covariance = np.array([[[1.0, 0, 0], [1, 0, 4]]]), np.zeros((1, 2, 3, 3))
+    covariance[0, 1, 2, 2] = std**2
+    assert endpoints_converged(geometry, covariance).tolist() == [converged]
+    assert endpoints_converged(np.full((1, 2, 3), np.nan), covariance).tolist() == [False]

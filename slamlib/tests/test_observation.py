@@ -2,13 +2,17 @@
 
 import itertools
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
+from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose, compose
 from slamlib.landmarks import LINES, POINTS, PointLandmark
+from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.landmarks.linearity import euclidean_index
 from slamlib.manifolds import as_manifold
 from slamlib.modeling.registry import Registry
 from slamlib.motions import motion
@@ -275,6 +279,29 @@ def test_types_are_found_by_name():
         sensor("pinhole")
     with pytest.raises(UnknownNameError, match=r"unknown motion 'odo'"):
         motion("odo")
+
+
+def test_a_point_is_converted_by_its_error_beside_the_camera_s():
+    """The index is that of the joint covariance of landmark and camera, whose Jacobian is a central difference here."""
+    p = preset("points")
+    p = replace(p, frames=12, options=replace(p.options, convert=False))
+    slam = p.slam()
+    for frame, _ in p.simulate():
+        slam.step(frame)
+    (sensor,), landmark = slam.sensors, slam.landmarks[0]
+    robot, block = sensor.robot.block, landmark.block
+    by_robot = derivative(lambda x: compose(x, sensor.given), Pose, robot.mean, Pose.minus)
+    T = np.zeros((block.dof + 6, 6 + block.dof))
+    T[: block.dof, 6:], T[block.dof :, :6] = np.eye(block.dof), by_robot
+    rows = [*range(robot.start, robot.start + 6), *range(block.start, block.start + block.dof)]
+    joint = T @ slam.belief.matrix[np.ix_(rows, rows)] @ T.T
+    index = euclidean_index(landmark.kind, block.mean, joint, sensor.camera)
+    alone = euclidean_index(landmark.kind, block.mean, slam.belief.covariance(block), sensor.camera)
+    assert abs(index - alone) > 0.05 * index
+    for share in (0.99, 1.01):
+        options = replace(p.options, convert=True, convert_below=share * index)
+        slam.families["points"].after_update(slam.belief, sensor, [landmark], np.zeros((1, 2)), options)
+        assert (landmark.kind is EUC_POINT) == (share > 1)
 
 
 def test_a_new_file_is_found_and_two_of_one_name_are_refused(tmp_path, monkeypatch):

@@ -177,6 +177,7 @@ def test_every_way_goes_through_the_room(film, name):
     go(slam, motion_source, film[1])
     error = Pose.minus(film[1][-1][1].robots[0][:7], slam.robots[0].pose)
     covariance = slam.belief.covariance(slam.robots[0].block)[:6, :6]
+    assert sum(prediction.inlier for prediction in slam.predictions[0]) > 10  # beside the odometry the map counts
     assert np.linalg.norm(error[:3]) < 0.003  # [m], after 0.18 m
     assert nees(error, covariance) < chi2_quantile(0.9995, 6)
     assert (motion_source.found is None) == (name == "constant-velocity")

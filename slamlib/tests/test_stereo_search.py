@@ -58,17 +58,20 @@ def test_the_camera_is_where_the_filter_says(film):
 
 def test_landmarks_are_where_the_room_is(film):
     rig, frames, made = film
-    slam, begun = filter_of(rig), {}
-    for frame, truth in frames[:6]:
+    slam, begun, first = filter_of(rig), {}, {}
+    for frame, truth in frames[:12]:
         report = slam.step(frame)
         for landmark in slam.landmarks:
             if landmark.id in report.initialized:
                 camera = compose(truth.robots[0][:7], rig.sensors[0].extrinsics)
                 pixel = slam.front_ends[0].calibration.project(EUC_POINT.to_frame(camera, landmark.block.mean))
                 begun[landmark.id] = made.truth_of(truth, pixel[None, :2])[0]
-    away = [np.linalg.norm(lm.block.mean - begun[lm.id]) for lm in slam.landmarks]
+                first[landmark.id] = np.linalg.norm(landmark.block.mean - begun[landmark.id])
+    seen = [lm for lm in slam.landmarks if lm.inliers > 4]
+    away = [np.linalg.norm(lm.block.mean - begun[lm.id]) for lm in seen]
     assert len(away) > 30
     assert np.median(away) < 0.02  # [m] at two to four metres
+    assert np.median(away) < 0.6 * np.median([first[lm.id] for lm in seen])  # when they were seen once
 
 
 def test_a_landmark_keeps_its_number_while_it_is_out_of_sight(film):
