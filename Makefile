@@ -8,7 +8,6 @@ OLDEST := _build/oldest
 NUMPY ?= 1.25.*
 REVIEW := _build/review
 export OPENBLAS_NUM_THREADS := 1
-export PYTHONDONTWRITEBYTECODE := 1
 
 .PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
 

@@ -46,7 +46,7 @@ def build(target: Path) -> None:
         layout.write_whole(packed / "sympy.zip", zipped(_sympy()))
         layout.write_whole(packed / "complete", b"")
     shutil.copytree(packed, target, ignore=shutil.ignore_patterns("complete", "lock.json"))
-    shutil.copytree(PAGE, target, dirs_exist_ok=True)
+    shutil.copytree(PAGE, target, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
     stand_in = {f"standin/{f.name}": f.read_bytes() for f in (target / "standin").glob("*.py")}
     shutil.rmtree(target / "standin")
     layout.write_whole(target / "standin.zip", zipped(stand_in))
