@@ -23,7 +23,7 @@ class Compared:
     """A finished run of n frames and r robots.
 
     errors, reckoned (n, r, 6): true poses minus those of the filter, and of dead reckoning by the same controls; nees
-    (n, r): of the filter's; deviation, reckoned_deviation (r,): at the end, the root of the trace of the orientation's
+    (n, r): of the filter's; sigma, reckoned_sigma (r,): at the end, the root of the trace of the orientation's
     covariance. map_errors, first_map_errors (k,): distances [m] of the final map's landmarks, in its order, from the
     truth, at the end and when each was initialized.
     """
@@ -33,8 +33,8 @@ class Compared:
     errors: Array
     reckoned: Array
     nees: Array
-    deviation: Array
-    reckoned_deviation: Array
+    sigma: Array
+    reckoned_sigma: Array
     map_errors: Array
     first_map_errors: Array
 

@@ -30,7 +30,7 @@ def is_right(found, *, pose=0.5, map=0.2):
     for i in range(len(found.slam.robots)):
         assert found.ratio(POSITION, i) < pose
         assert found.ratio(ORIENTATION, i) < pose
-    assert (found.deviation < pose * found.reckoned_deviation).all()
+    assert (found.sigma < pose * found.reckoned_sigma).all()
 
 
 @pytest.mark.parametrize("name", PRESETS)
