@@ -1,5 +1,7 @@
 """Choosing what to measure, gating, and known data association."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -96,3 +98,12 @@ def test_known_association_matches_by_id_and_initializes_the_lowest_first():
         KnownAssociation().detect(FrontEndInput(Scan(), None, []), "points", set(), lambda v: np.ones(len(v), bool), 3)
         == []
     )
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_a_scan_without_features_leaves_everything_unmatched(count):
+    wanted = [SimpleNamespace(landmark=SimpleNamespace(id=i), value=np.zeros(4)) for i in range(count)]
+    measured, found = KnownAssociation().match(FrontEndInput(Scan(), None, []), "segments", wanted)
+    assert measured.shape == (count, 4)
+    assert np.isnan(measured).all()
+    assert found.tolist() == [False] * count

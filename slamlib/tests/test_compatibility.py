@@ -54,6 +54,16 @@ def test_the_compatible_set_is_that_of_exhaustive_search(seed, n, size, mixed):
     assert np.flatnonzero(jcbb(z, S, dof, LIMIT, max_nodes=10**9)).tolist() == exhaustive(z, S, dof)
 
 
+def test_the_tree_keeps_a_pair_that_removing_one_by_one_would_break():
+    """The two with the largest squares agree: each lowers the joint square most, so that they are removed first."""
+    z, shared = np.array([[-6.0], [-5], [3], [5]]), np.array([1.0, 1, 2, 1])
+    S, one_each = (4 * np.outer(shared, shared) + np.eye(4)).reshape(4, 1, 4, 1), np.ones(4, dtype=int)
+    assert square(z, S, np.array([0, 1])) < LIMIT(2)
+    assert min(square(z, S, np.array(rows)) for rows in combinations(range(4), 3)) > LIMIT(3)
+    assert np.flatnonzero(jcbb(z, S, one_each, LIMIT, max_nodes=0)).tolist() == [2]
+    assert np.flatnonzero(jcbb(z, S, one_each, LIMIT)).tolist() == [0, 1]
+
+
 def test_work_is_bounded_and_what_is_found_is_compatible(monkeypatch):
     """Half of 30 are wrong: a full search would take hours. With the cap the greedy set is what remains at worst."""
     made = []

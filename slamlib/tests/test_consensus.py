@@ -1,6 +1,7 @@
 """Outlier rejection: what it needs of the filter, and its effect there."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from slamlib.slam import Slam
 from slamlib.slam.data_association import consensus
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.front_end import FrontEndInput, KnownAssociation
-from slamlib.slam.data_association.joint_innovation import hypothesis_innovations, joint_innovation
+from slamlib.slam.data_association.joint_innovation import JointInnovation, hypothesis_innovations, joint_innovation
 from slamlib.slam.measurement_update import predict_measurements, select_and_match, update_in_batch
 from slamlib.slam.options import Options
 from slamlib.tests.compared import shaken
@@ -177,6 +178,19 @@ def test_without_a_gate_nothing_is_refused(outlier_rejection):
     assert {prediction.landmark for group in groups for prediction in group} == {
         prediction.landmark for prediction in predictions
     }
+
+
+def test_what_lies_exactly_on_its_own_gate_is_refused_even_where_it_fits_the_others(monkeypatch):
+    """Squares 9 and 1, independent: together 10, which is below the limit of two, but 9 is not below that of one."""
+    S, one_each = np.zeros((2, 1, 2, 1)), np.ones(2, dtype=int)
+    S[[0, 1], :, [0, 1]] = 4.0
+    z, R = np.array([[6.0], [2.0]]), np.ones((2, 1, 1))
+    by_hand = JointInnovation(z, S, R, one_each, np.zeros((0, 2, 1)), one_each[:0])
+    monkeypatch.setattr(consensus, "joint_innovation", lambda *_: by_hand)
+    monkeypatch.setattr(consensus, "gate", lambda _, dof: {1: 9.0, 2: 12.0}[dof])
+    on_the_gate, inside = predictions = [SimpleNamespace(nis=np.nan) for _ in range(2)]
+    assert list(OUTLIER_REJECTIONS["joint"](None, None, predictions, Options())) == [[inside]]
+    assert on_the_gate.nis == 9.0
 
 
 def test_the_options_know_every_outlier_rejection():

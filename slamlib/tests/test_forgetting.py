@@ -36,6 +36,12 @@ def test_the_longest_unseen_makes_room():
     assert prune_candidate(rows, 9, Options()) is None
 
 
+@pytest.mark.parametrize("first", [0, 5])
+def test_a_new_landmark_was_last_seen_when_it_was_first_seen(first):
+    """The first frame may have the number 0."""
+    assert Landmark(1, None, None, first_seen=first).last_seen == first
+
+
 def test_what_was_seen_in_this_frame_does_not_make_room():
     assert prune_candidate([mark(1, 9, inliers=0), mark(2, 9)], 9, Options(pruning="least-reliable")) is None
 

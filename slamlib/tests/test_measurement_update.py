@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from slamlib.belief import Belief
 from slamlib.data.records import RobotMeasurement
 from slamlib.experiments.presets import preset
 from slamlib.kalman.chi_square import chi2_quantile
@@ -58,3 +59,44 @@ def test_the_gate_of_a_robot_s_measurement_is_of_its_own_degrees_of_freedom(meas
         assert found.nis == pytest.approx(off @ off * weight)
         assert found.inlier == (share < 1)
         assert np.array_equal(slam.belief.matrix, P) == (share > 1)
+
+
+def test_a_robot_s_measurement_updates_that_robot_and_the_others_by_their_correlation():
+    """The second of two robots: the textbook's update by a Jacobian over all rows, zero but for that robot's."""
+    p = replace(preset("two_robots"), frames=4)
+    slam = p.slam()
+    for frame, _ in p.simulate():
+        slam.step(frame)
+    second, P, blocks = slam.robots[1], slam.belief.matrix.copy(), slam.belief.blocks
+    means, place = [block.mean.copy() for block in blocks], second.block.start
+    value, (J,) = gps.jac(second.pose)
+    H, R, z = np.zeros((3, len(P))), 1e-4 * np.eye(3), np.array([0.01, -0.02, 0.03])
+    H[:, place : place + 6] = J
+    S = H @ P @ H.T + R
+    K = P @ H.T @ np.linalg.inv(S)
+    measured = RobotMeasurement("gps", gps, value + z, R)
+    found = update_by_robot(slam.belief, second, measured, None, replace(p.options, gate=1.0))
+    assert found.inlier
+    assert found.nis == pytest.approx(z @ np.linalg.solve(S, z))
+    assert np.allclose(found.covariance, S, rtol=1e-9, atol=0)
+    for block, mean in zip(blocks, means, strict=True):
+        step = (K @ z)[block.slice]
+        assert np.allclose(block.manifold.minus(block.mean, mean), step, atol=1e-6 * np.abs(step).max() + 1e-12)
+    assert np.allclose(slam.belief.matrix, P - K @ H @ P, atol=1e-9 * np.abs(P).max())
+
+
+def test_what_lies_exactly_on_the_gate_is_refused_by_belief_and_prediction_alike():
+    belief, slam = Belief(), stepped("points")[0]
+    belief.add(1, np.zeros(1), np.full((1, 1), 3.0))
+    one = slam.predictions[0][0]
+    inliers = one.landmark.inliers
+    with belief.sequential_update() as sequence:
+        nis = sequence.update(np.arange(1), np.ones((1, 1)), np.full(1, 6.0), np.ones((1, 1)), 9.0).nis
+    assert nis == 9.0  # 6 * 6 / (3 + 1)
+    one.apply_gate(nis, 9.0)
+    assert belief.matrix == 3.0
+    assert not one.inlier
+    assert one.landmark.inliers == inliers
+    one.apply_gate(np.nextafter(nis, 0), 9.0)
+    assert one.inlier
+    assert one.landmark.inliers == inliers + 1

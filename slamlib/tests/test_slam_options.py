@@ -50,6 +50,17 @@ def test_a_landmark_that_is_never_found_again_goes():
     is_healthy(slam)
 
 
+def test_lines_without_a_prior_of_their_own_take_that_of_the_inverse_distance_at_both_ends():
+    options = Options(inverse_distance=(0.2, 0.05))
+    for name in ("ahmLin", "idpLin", "hmgLin"):
+        assert options.line_prior(name) == ((0.2, 0.2), (0.05, 0.05))
+    for name in ("plkLin", "aplLin"):  # 0.1 +- 0.25 and 0 +- 1
+        assert options.line_prior(name) == ((0.1, 0.0), (0.25, 1.0))
+    own = replace(options, line_priors={"hmgLin": ((0.3, 0.4), (0.1, 0.2))})
+    assert own.line_prior("hmgLin") == ((0.3, 0.4), (0.1, 0.2))
+    assert own.line_prior("plkLin") == ((0.2, 0.2), (0.05, 0.05))
+
+
 # Errors
 
 
