@@ -47,5 +47,5 @@ SELECTIONS: dict[str, Callable[[Array, int], Indices]] = {
 
 @lru_cache
 def gate(probability: float, dof: int) -> float:
-    """The largest z' S^-1 z that passes: a true measurement of `dof` numbers passes with this probability."""
+    """What z' S^-1 z has to be below to pass: a true measurement of `dof` numbers passes with this probability."""
     return math.inf if probability == 1 else chi2_quantile(probability, dof)
