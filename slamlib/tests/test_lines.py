@@ -14,7 +14,10 @@ from slamlib.landmarks import segments as seg
 from slamlib.landmarks.endpoints import EndpointExtension, ObservedEndpoints
 from slamlib.model import Model
 from slamlib.observation import FAMILIES
+from slamlib.observation.lines import distort_segments, observe_line, undistort_segments
 from slamlib.observation.segments import endpoints_converged
+from slamlib.sensors import Calibration
+from slamlib.sensors.pinhole import PINHOLE
 from slamlib.slam import Options
 from slamlib.tests.differences import differences
 from slamlib.tests.reference import cases
@@ -544,6 +547,31 @@ def test_crossings_agree_with_the_toolbox_where_the_ray_meets_the_line():
         kind = LINES["plkLin"]
         abscissa = endpoints.abscissas_of(kind, given["L"], np.array([[*point, 1.0]]))
         assert abscissa == pytest.approx([wanted["t"]], abs=1e-9)
+
+
+# -- a camera sees lines -----------------------------------------------------------------------------------------------
+
+
+def test_lines_are_observed_through_the_pixels_of_their_points(rng):
+    camera = Calibration(PINHOLE, np.eye(2), image=IMAGE, intrinsics=K, distortion=[0.0])
+    robot, extrinsics = Pose.random(rng), Pose.random(rng)
+    points = np.append(rng.uniform([-1, -1, 2], [1, 1, 4], (3, 2, 3)), np.ones((3, 2, 1)), axis=-1)
+    lines = [plucker.from_frame(compose(robot, extrinsics), plucker.join(p, q)) for p, q in points]
+    found = observe_line(LINES["plkLin"], camera, robot, extrinsics, np.array(lines))
+    assert found.visible.tolist() == [True, True, True]
+    for line, pixels in zip(found.value, camera.project(points), strict=True):
+        assert np.append(pixels, [[1], [1]], axis=1) @ (line / np.linalg.norm(line[:2])) == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize("lead", [(), (3,)])
+def test_segments_are_distorted_end_by_end(lead, rng):
+    bent = Calibration(PINHOLE, np.eye(2), image=IMAGE, intrinsics=K, distortion=[-0.2, 0.03])
+    straight = Calibration(PINHOLE, np.eye(2), image=IMAGE, intrinsics=K, distortion=[0.0])
+    ends = np.append(rng.uniform([-0.5, -0.5, 1], [0.5, 0.5, 1], (*lead, 2, 3)), np.ones((*lead, 2, 1)), axis=-1)
+    ideal, seen = (c.project(ends).reshape(*lead, 4) for c in (straight, bent))
+    assert np.abs(seen - ideal).max() > 1
+    assert distort_segments(bent, ideal) == pytest.approx(seen, abs=1e-6)
+    assert undistort_segments(bent, seen)[0] == pytest.approx(ideal, abs=1e-6)
 
 
 # -- what the filter does with a line ----------------------------------------------------------------------------------
