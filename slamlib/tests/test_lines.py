@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from slamlib.belief import Belief
 from slamlib.codegen import check_model
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry import plucker
@@ -15,10 +16,11 @@ from slamlib.landmarks.endpoints import EndpointExtension, ObservedEndpoints
 from slamlib.model import Model
 from slamlib.observation import FAMILIES
 from slamlib.observation.lines import distort_segments, observe_line, undistort_segments
-from slamlib.observation.segments import endpoints_converged
+from slamlib.observation.segments import endpoints_converged, project_endpoints
 from slamlib.sensors import Calibration
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.slam import Options
+from slamlib.slam.entities import Landmark
 from slamlib.tests.differences import differences
 from slamlib.tests.reference import cases
 
@@ -561,6 +563,21 @@ def test_lines_are_observed_through_the_pixels_of_their_points(rng):
     assert found.visible.tolist() == [True, True, True]
     for line, pixels in zip(found.value, camera.project(points), strict=True):
         assert np.append(pixels, [[1], [1]], axis=1) @ (line / np.linalg.norm(line[:2])) == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_endpoints_are_projected_as_the_points_they_are(count, rng):
+    camera = Calibration(PINHOLE, np.eye(2), image=IMAGE, intrinsics=K, distortion=[-0.2, 0.03])
+    pose, kind, belief, landmarks, abscissas = Pose.random(rng), LINES["plkLin"], Belief(), [], []
+    points = np.append(rng.uniform([-1, -1, 2], [1, 1, 4], (count, 2, 3)), np.ones((count, 2, 1)), axis=-1)
+    for i, (p, q) in enumerate(points):
+        line = plucker.from_frame(pose, plucker.join(p, q))
+        ends = np.append(frames.from_frame(pose, np.array([p, q])[:, :3]), np.ones((2, 1)), axis=1)
+        abscissas.append(endpoints.abscissas_of(kind, line, ends))
+        landmarks.append(Landmark(i, kind, belief.add(kind.manifold, line, np.eye(kind.manifold.dof)), 1))
+    seen, pixels, _ = project_endpoints(camera, pose, landmarks, np.array(abscissas))
+    assert seen.all()
+    assert pixels == pytest.approx(camera.project(points), abs=1e-6)
 
 
 @pytest.mark.parametrize("lead", [(), (3,)])
