@@ -168,7 +168,9 @@ def nees(errors, covariances):
 @pytest.mark.parametrize("name", ["points", "self_calibration", "constant velocity"])
 def test_ten_runs_are_consistent_and_no_worse_than_the_filter(name):
     p = flying() if name == "constant velocity" else replace(with_options(name, convert=False), noise_in="truth")
-    last, everywhere, off = [], [], []
+    places = p.world.points
+    there = dict(zip(places.ids.tolist(), places.values, strict=True))
+    last, everywhere, off, away = [], [], [], []
     for seed in range(10):
         smoother, _, true, filtered = recorded(replace(p, frames=60, seed=seed))
         found = smoother.solve()
@@ -178,6 +180,8 @@ def test_ten_runs_are_consistent_and_no_worse_than_the_filter(name):
         last.append(series[-1])
         everywhere.append(series.mean())
         off.append([np.sqrt((x[:, :3] ** 2).sum(1).mean()) for x in (e, Pose.minus(true, filtered))])
+        away += [np.linalg.norm(kind.to_point(x) - there[i]) for i, (kind, x) in found.landmarks.items()]
+    assert np.median(away) < 0.1  # [m]; with no measurement there is no map
     low, high = band(6, 10, 0.999)
     assert low < np.mean(last) < high
     assert low < np.mean(everywhere) < high

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from slamlib.belief import Belief
 from slamlib.codegen import check_model
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry import plucker
@@ -14,8 +15,12 @@ from slamlib.landmarks import segments as seg
 from slamlib.landmarks.endpoints import EndpointExtension, ObservedEndpoints
 from slamlib.model import Model
 from slamlib.observation import FAMILIES
-from slamlib.observation.segments import endpoints_converged
+from slamlib.observation.lines import distort_segments, observe_line, undistort_segments
+from slamlib.observation.segments import endpoints_converged, project_endpoints
+from slamlib.sensors import Calibration
+from slamlib.sensors.pinhole import PINHOLE
 from slamlib.slam import Options
+from slamlib.slam.entities import Landmark
 from slamlib.tests.differences import differences
 from slamlib.tests.reference import cases
 
@@ -544,6 +549,46 @@ def test_crossings_agree_with_the_toolbox_where_the_ray_meets_the_line():
         kind = LINES["plkLin"]
         abscissa = endpoints.abscissas_of(kind, given["L"], np.array([[*point, 1.0]]))
         assert abscissa == pytest.approx([wanted["t"]], abs=1e-9)
+
+
+# -- a camera sees lines -----------------------------------------------------------------------------------------------
+
+
+def test_lines_are_observed_through_the_pixels_of_their_points(rng):
+    camera = Calibration(PINHOLE, np.eye(2), image=IMAGE, intrinsics=K, distortion=[0.0])
+    robot, extrinsics = Pose.random(rng), Pose.random(rng)
+    points = np.append(rng.uniform([-1, -1, 2], [1, 1, 4], (3, 2, 3)), np.ones((3, 2, 1)), axis=-1)
+    lines = [plucker.from_frame(compose(robot, extrinsics), plucker.join(p, q)) for p, q in points]
+    found = observe_line(LINES["plkLin"], camera, robot, extrinsics, np.array(lines))
+    assert found.visible.tolist() == [True, True, True]
+    for line, pixels in zip(found.value, camera.project(points), strict=True):
+        assert np.append(pixels, [[1], [1]], axis=1) @ (line / np.linalg.norm(line[:2])) == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_endpoints_are_projected_as_the_points_they_are(count, rng):
+    camera = Calibration(PINHOLE, np.eye(2), image=IMAGE, intrinsics=K, distortion=[-0.2, 0.03])
+    pose, kind, belief, landmarks, abscissas = Pose.random(rng), LINES["plkLin"], Belief(), [], []
+    points = np.append(rng.uniform([-1, -1, 2], [1, 1, 4], (count, 2, 3)), np.ones((count, 2, 1)), axis=-1)
+    for i, (p, q) in enumerate(points):
+        line = plucker.from_frame(pose, plucker.join(p, q))
+        ends = np.append(frames.from_frame(pose, np.array([p, q])[:, :3]), np.ones((2, 1)), axis=1)
+        abscissas.append(endpoints.abscissas_of(kind, line, ends))
+        landmarks.append(Landmark(i, kind, belief.add(kind.manifold, line, np.eye(kind.manifold.dof)), 1))
+    seen, pixels, _ = project_endpoints(camera, pose, landmarks, np.array(abscissas))
+    assert seen.all()
+    assert pixels == pytest.approx(camera.project(points), abs=1e-6)
+
+
+@pytest.mark.parametrize("lead", [(), (3,)])
+def test_segments_are_distorted_end_by_end(lead, rng):
+    bent = Calibration(PINHOLE, np.eye(2), image=IMAGE, intrinsics=K, distortion=[-0.2, 0.03])
+    straight = Calibration(PINHOLE, np.eye(2), image=IMAGE, intrinsics=K, distortion=[0.0])
+    ends = np.append(rng.uniform([-0.5, -0.5, 1], [0.5, 0.5, 1], (*lead, 2, 3)), np.ones((*lead, 2, 1)), axis=-1)
+    ideal, seen = (c.project(ends).reshape(*lead, 4) for c in (straight, bent))
+    assert np.abs(seen - ideal).max() > 1
+    assert distort_segments(bent, ideal) == pytest.approx(seen, abs=1e-6)
+    assert undistort_segments(bent, seen)[0] == pytest.approx(ideal, abs=1e-6)
 
 
 # -- what the filter does with a line ----------------------------------------------------------------------------------

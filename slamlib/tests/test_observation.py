@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from slamlib.belief import Belief
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose, compose
@@ -16,9 +17,11 @@ from slamlib.landmarks.linearity import euclidean_index
 from slamlib.manifolds import as_manifold
 from slamlib.modeling.registry import Registry
 from slamlib.motions import motion
-from slamlib.observation import parametrization
+from slamlib.observation import FAMILIES, parametrization
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors import SENSORS, Calibration, sensor
+from slamlib.slam import Options
+from slamlib.slam.entities import Landmark
 from slamlib.testing.sensors import unmeasured, visible_points
 from slamlib.tests.test_every_type import example
 
@@ -302,6 +305,40 @@ def test_a_point_is_converted_by_its_error_beside_the_camera_s():
         options = replace(p.options, convert=True, convert_below=share * index)
         slam.families["points"].after_update(slam.belief, sensor, [landmark], np.zeros((1, 2)), options)
         assert (landmark.kind is EUC_POINT) == (share > 1)
+
+
+def test_a_point_near_the_border_of_the_image_begins_no_landmark():
+    (sensor,), options = preset("points").slam().sensors, Options(margin=0.1)  # of 640 x 480 pixels: 64
+    values = np.array([[64.0, 240], [63, 240], [320, 64], [320, 63], [576, 240], [577, 240]])
+    assert FAMILIES["points"].usable(sensor, values, options).tolist() == [True, False] * 3
+
+
+def test_a_point_that_is_surely_beyond_infinity_is_impossible():
+    """Its inverse distance is negative: by more than three of its standard deviations, or by fewer."""
+    kind, belief = POINTS["idpPnt"], Belief()
+    means, P = [np.array([0.0, 0, 0, 0.3, 0.2, rho]) for rho in (0.1, -0.29, -0.31)], 0.01 * np.eye(6)
+    landmarks = [Landmark(i, kind, belief.add(kind.manifold, mean, P), 1) for i, mean in enumerate(means)]
+    assert FAMILIES["points"].invalid(belief, landmarks) == {landmarks[2]}
+    exact = Landmark(3, EUC_POINT, belief.add(EUC_POINT.manifold, np.ones(3), np.eye(3)), 1)
+    assert FAMILIES["points"].invalid(belief, [exact]) == set()
+
+
+def test_what_is_shown_of_a_point_is_its_place_and_the_covariance_of_that():
+    kind, belief, rng = POINTS["ahmPnt"], Belief(), np.random.default_rng(2)
+    means = [kind.from_frame(IDENTITY, [*rng.uniform(1, 3, 3), 1]) for _ in range(2)]
+    root = rng.standard_normal((kind.manifold.dof,) * 2)
+    landmarks = [Landmark(i, kind, belief.add(kind.manifold, mean, root @ root.T), 1) for i, mean in enumerate(means)]
+
+    def place(mean):
+        h = kind.to_frame(IDENTITY, mean)
+        return h[:3] / h[3]
+
+    positions, covariances, converged = FAMILIES["points"].geometry(belief, landmarks)
+    for mean, position, P in zip(means, positions, covariances, strict=True):
+        J = derivative(place, kind.manifold, mean, np.subtract)
+        assert position == pytest.approx(place(mean), rel=1e-12)
+        assert pytest.approx(J @ root @ root.T @ J.T, rel=1e-6) == P
+    assert converged.tolist() == [False, False]
 
 
 def test_a_new_file_is_found_and_two_of_one_name_are_refused(tmp_path, monkeypatch):

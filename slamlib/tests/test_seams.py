@@ -10,6 +10,7 @@ from slamlib.data.records import Frame, RobotMeasurement, Scan
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import ShapeError, SlamlibError, UnknownCallError
 from slamlib.experiments.presets import preset
+from slamlib.experiments.runs import map_errors
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.model import model
@@ -109,6 +110,7 @@ def test_a_control_is_as_large_as_its_motion_says():
         slam.step(frame)
     assert frame.controls[0].value.shape == (2,)
     assert np.linalg.norm(slam.robots[0].pose[:3] - truth.robots[0][:3]) < 0.1
+    assert np.median(map_errors(slam.snapshot(), p.world)["points"]) < 0.1  # [m]; without updates 2
     with pytest.raises(ShapeError, match=r"control should have shape \(2,\)"):
         replace(robot, control=(0.1,) * 6).nominal  # noqa: B018
     with pytest.raises(SlamlibError, match="controls of 2 numbers, got 6"):

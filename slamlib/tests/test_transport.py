@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
-from slamlib.data.records import RobotMeasurement
+from slamlib.data.records import Control, RobotMeasurement
 from slamlib.data.setup import Rig, SensorSetup
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band
 from slamlib.experiments.monte_carlo import monte_carlo
 from slamlib.experiments.presets import preset
+from slamlib.experiments.runs import map_errors
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS
@@ -216,13 +217,13 @@ def test_what_says_nothing_of_the_motion_of_the_world_is_refused_before_the_run(
 
 
 def measured(p, frames, seed, measure):
-    """NEES (frames,) of a robot that also measures itself."""
+    """NEES (frames,) of a robot that also measures itself, and the median distance [m] of its map from the truth."""
     slam, rng, found = p.slam(), np.random.default_rng(seed), []
     for frame, truth in replace(p, frames=frames, seed=seed).simulate():
         slam.step(replace(frame, absolute=measure(truth.robots[0], rng)))
         e = Pose.minus(truth.robots[0], slam.robots[0].pose)
         found.append(e @ np.linalg.solve(slam.belief.covariance(slam.robots[0].block), e))
-    return found
+    return found, np.median(map_errors(slam.snapshot(), p.world)["points"])
 
 
 def test_what_is_told_from_outside_is_believed():
@@ -235,17 +236,31 @@ def test_what_is_told_from_outside_is_believed():
     p = replace(with_options("points", points="ahmPnt", error="world", reproject=False), noise_in="truth")
     robot = replace(p.rig.robots[0], position_std=(0.5,), orientation_std=(3.0,))
     p = replace(p, rig=Rig((robot,), p.rig.sensors))
-    found = np.array([measured(p, 60, seed, by_gps) for seed in range(12)])
+    runs = [measured(p, 60, seed, by_gps) for seed in range(12)]
+    found, away = (np.array(column) for column in zip(*runs, strict=True))
+    assert away.max() < 0.5  # [m]; by GPS alone 2, and as consistent
     average, (low, high) = found.mean(0), band(6, 12)
     assert np.mean((low < average) & (average < high)) > 0.6
     assert found.mean() < 9
+
+
+def reckoned_sigma(p):
+    """Deviation [m] of the position at the end of a preset's run, by its controls alone."""
+    slam, (robot,) = p.slam(), p.rig.robots
+    for _ in range(p.frames):
+        slam.predict([Control(robot.nominal, robot.noise)], p.dt)
+    return np.sqrt(slam.belief.covariance(slam.robots[0].block)[:3, :3].trace())
 
 
 @pytest.mark.parametrize("name", [*POINTS, *LINES])
 def test_every_parametrization_is_consistent(name):
     """NEES of the pose (6) with error="world", averaged over 8 runs at each of 60 frames."""
     p = replace(with_landmark(name, error="world", reproject=False), noise_in="truth", frames=60)
-    found = monte_carlo(p, 8, seed=5).nees[:, :, 0]
+    runs = monte_carlo(p, 8, seed=5)
+    found = runs.nees[:, :, 0]
     average, (low, high) = found.mean(0), band(6, 8)
     assert found.mean() < 7.5
     assert np.mean((low < average) & (average < high)) > 0.9
+    # So far that holds for dead reckoning as well: what the measurements gain is a smaller deviation, and a map.
+    assert runs.sigmas[:, -1, 0].max() < 0.8 * reckoned_sigma(p)
+    assert runs.map_error.max() < 0.15  # [m]
