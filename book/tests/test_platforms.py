@@ -15,7 +15,7 @@ def names(platform: str, python: str) -> set[str]:
 
 def test_each_platform_has_its_own_and_the_rest_is_common():
     on = {platform: names(platform, "3.13") for platform in platforms.PLATFORMS}
-    assert on["Windows"] - on["Linux"] == {"colorama"}
+    assert on["Windows"] - on["Linux"] == {"colorama", "pywinpty"}
     assert on["macOS"] - on["Linux"] == {"appnope"}
     assert "numpy" in set.intersection(*on.values())
 
