@@ -170,6 +170,16 @@ def test_a_frame_may_have_no_match_or_one(outlier_rejection):
     assert list(OUTLIER_REJECTIONS[outlier_rejection](slam.belief, sensor, predictions, p.options)) == [predictions]
 
 
+@pytest.mark.parametrize("outlier_rejection", ROBUST)
+def test_of_two_matches_the_wrong_one_is_refused(outlier_rejection):
+    p = turning(frames=25, outlier_rejection=outlier_rejection)
+    slam, sensor, predictions = before_a_correction(p)
+    right, wrong = predictions[:2]
+    wrong.measured = wrong.measured + 5 * np.sqrt(np.diag(wrong.S))
+    groups = OUTLIER_REJECTIONS[outlier_rejection](slam.belief, sensor, [right, wrong], p.options)
+    assert [prediction for group in groups for prediction in group] == [right]
+
+
 @pytest.mark.parametrize("outlier_rejection", OUTLIER_REJECTIONS)
 def test_without_a_gate_nothing_is_refused(outlier_rejection):
     p = turning(frames=12, outlier_rejection=outlier_rejection, gate=1.0)
