@@ -76,10 +76,11 @@ def _vanishes(difference: Any, units: list[list[Any]]) -> bool:
 def _numerator(difference: Any, units: list[list[Any]]) -> Any:
     """The numerator of a rational function as a polynomial, without the first^2 of each unit vector.
 
-    Constants such as pi, and floats, are unknowns like the others: what holds for all their values holds for theirs.
+    Inverse roots, constants such as pi, and floats are unknowns too: what holds for all values holds for theirs.
     """
     firsts, atoms = [unit[0] for unit in units], difference.atoms(sympy.Symbol, sympy.NumberSymbol, sympy.Float)
-    others = atoms.union(*units) - set(firsts)
+    roots = {power for power in difference.atoms(sympy.Pow) if not power.exp.is_Integer}
+    others = atoms.union(roots, *units) - set(firsts)
     field = sympy.field([*firsts, *sorted(others, key=str)], sympy.QQ)[0]  # lexicographic: a first^2 is a leading term
     relations = [field.from_expr(sum(u**2 for u in unit) - 1).numer for unit in units]
     return field.from_expr(difference).numer.rem(relations)
