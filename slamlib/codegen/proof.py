@@ -67,7 +67,12 @@ def _vanishes(difference: Any, units: list[list[Any]]) -> bool:
         return True
     if not difference.has(sympy.Function, sympy.Pow(sympy.Wild("b"), sympy.Rational(1, 2))):
         with suppress(ValueError, ZeroDivisionError):  # it is no rational function, or none that has a value
-            return not _numerator(difference, units)
+            if not _numerator(difference, units):
+                return True
+        numerator, _ = sympy.fraction(sympy.together(difference))  # slower, but it knows that roots are roots
+        for unit in units:
+            numerator = sympy.rem(sympy.expand(numerator), sum(u**2 for u in unit) - 1, unit[0])
+        return sympy.expand(numerator) == 0
     if difference.count_ops() > _QUICK:
         return False
     return sympy.expand(difference) == 0 or sympy.trigsimp(sympy.simplify(difference)) == 0
