@@ -66,13 +66,29 @@ def _vanishes(difference: Any, units: list[list[Any]]) -> bool:
     if difference == 0:
         return True
     if not difference.has(sympy.Function, sympy.Pow(sympy.Wild("b"), sympy.Rational(1, 2))):
-        numerator, _ = sympy.fraction(sympy.together(difference))
+        with suppress(ValueError, ZeroDivisionError):  # it is no rational function, or none that has a value
+            if not _numerator(difference, units):
+                return True
+        numerator, _ = sympy.fraction(sympy.together(difference))  # slower, but it knows that roots are roots
         for unit in units:
             numerator = sympy.rem(sympy.expand(numerator), sum(u**2 for u in unit) - 1, unit[0])
         return sympy.expand(numerator) == 0
     if difference.count_ops() > _QUICK:
         return False
     return sympy.expand(difference) == 0 or sympy.trigsimp(sympy.simplify(difference)) == 0
+
+
+def _numerator(difference: Any, units: list[list[Any]]) -> Any:
+    """The numerator of a rational function as a polynomial, without the first^2 of each unit vector.
+
+    Inverse roots, constants such as pi, and floats are unknowns too: what holds for all values holds for theirs.
+    """
+    firsts, atoms = [unit[0] for unit in units], difference.atoms(sympy.Symbol, sympy.NumberSymbol, sympy.Float)
+    roots = {power for power in difference.atoms(sympy.Pow) if not power.exp.is_Integer}
+    others = atoms.union(roots, *units) - set(firsts)
+    field = sympy.field([*firsts, *sorted(others, key=str)], sympy.QQ)[0]  # lexicographic: a first^2 is a leading term
+    relations = [field.from_expr(sum(u**2 for u in unit) - 1).numer for unit in units]
+    return field.from_expr(difference).numer.rem(relations)
 
 
 def _at_points(differences: dict[int, Any], units: list[list[Any]], points: int) -> None:

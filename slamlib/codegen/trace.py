@@ -2,7 +2,7 @@
 
 import traceback
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import count
 from typing import Any
 
@@ -147,9 +147,16 @@ def lift(manifold: Any, point: Symbols) -> sympy.Matrix:
         return sympy.diag(*map(lift, manifold.parts, manifold.split(point)))
     if manifold.dof == manifold.size:
         return sympy.eye(manifold.size)
-    step = _vector("step", manifold.dof)
+    generic, jacobian = _lift(manifold)
+    return jacobian.xreplace(dict(zip(generic, point, strict=True)))
+
+
+@cache
+def _lift(manifold: Any) -> tuple[Symbols, sympy.Matrix]:
+    """Symbols for a point of a manifold that is no product, and its `lift` there."""
+    point, step = _vector("point", manifold.size), _vector("step", manifold.dof)
     moved = sympy.Matrix(manifold.plus.definition(point, step).tolist())
-    return moved.jacobian(step.tolist()).subs(dict.fromkeys(step, 0))
+    return point, moved.jacobian(step.tolist()).subs(dict.fromkeys(step, 0))
 
 
 def local(manifold: Any, point: Symbols) -> sympy.Matrix:
@@ -158,7 +165,14 @@ def local(manifold: Any, point: Symbols) -> sympy.Matrix:
         return sympy.diag(*map(local, manifold.parts, manifold.split(point)))
     if manifold.dof == manifold.size:
         return sympy.eye(manifold.size)
+    generic, jacobian = _local(manifold)
+    return jacobian.subs(dict(zip(generic, point, strict=True)))
+
+
+@cache
+def _local(manifold: Any) -> tuple[Symbols, sympy.Matrix]:
+    """Symbols for a point of a manifold that is no product, and its `local` there."""
     here, other = _vector("here", manifold.size), _vector("other", manifold.size)
     step = sympy.Matrix(manifold.minus.definition(other, here).tolist())
     at_here = step.jacobian(other.tolist()).subs(dict(zip(other, here, strict=True)))
-    return at_here.applyfunc(sympy.simplify).subs(dict(zip(here, point, strict=True)))
+    return here, at_here.applyfunc(sympy.simplify)

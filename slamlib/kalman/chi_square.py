@@ -14,6 +14,7 @@ def chi2_cdf(x: float, dof: float) -> float:
     return 1.0 if x == math.inf else _gamma_p(dof / 2, x / 2) if x / 2 > 0 else 0.0
 
 
+@lru_cache(maxsize=1024)  # gates and bands ask for the same few again and again
 def chi2_quantile(probability: float, dof: float) -> float:
     """The x with chi2_cdf(x, dof) = probability, for 0 < probability < 1, to ten digits up to a million dof.
 
@@ -25,7 +26,6 @@ def chi2_quantile(probability: float, dof: float) -> float:
     return _quantile(float(probability), float(dof))
 
 
-@lru_cache(maxsize=1024)  # gates and bands ask for the same few again and again
 def _quantile(probability: float, dof: float) -> float:
     """By bisection of the distribution function."""
     a = dof / 2

@@ -44,13 +44,13 @@ class Chain:
         return self.run(self.calibration, *place[: self.own])
 
 
-def check_chains(kind, calibration, seed=0):
-    """Judge initialize_line and observe_line; raises CheckError."""
+def check_chains(kind, calibration, seed=0, segments=8):
+    """Judge initialize_line and observe_line at so many random segments; raises CheckError."""
     judge, name = Judge(f"{kind.name} seen by {calibration.sensor.name}", seed), kind.name
     rng = judge.rng
     initialized, observed = _initialized(kind, calibration), _observed(kind, calibration)
     made, seen = [], []
-    for segment in visible_segments(calibration, rng, 8):
+    for segment in visible_segments(calibration, rng, segments):
         place = [Pose.random(rng), Pose.random(rng), segment, rng.uniform(0.1, 0.5, 2), *initialized.given]
         made.append(place)
         seen.append([*place[:2], initialized.jac(*place)[0], *observed.given])

@@ -1,7 +1,6 @@
 """Photographs and a real sequence to try the image machinery on; tests skip where they are missing."""
 
 import os
-import signal
 from functools import cache
 from pathlib import Path
 
@@ -63,18 +62,6 @@ def grid(height: int, width: int) -> tuple[np.ndarray, np.ndarray]:
     """The pixels u and v of an image, (h, w) each."""
     v, u = np.mgrid[:height, :width].astype(float)
     return u, v
-
-
-def interrupted_at(number):
-    """In place of progress.progress: Ctrl-C is pressed while item `number` (from 0) is being worked on."""
-
-    def interrupted(items, total, label):
-        for i, item in enumerate(items):
-            if i == number:
-                os.kill(os.getpid(), signal.SIGINT)
-            yield item
-
-    return interrupted
 
 
 def windows(monkeypatch):

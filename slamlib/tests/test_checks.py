@@ -231,7 +231,7 @@ CAMERA = example(SENSORS["pinHole"])
 def test_a_jacobian_that_the_chain_of_lines_lacks_is_named(monkeypatch, function, argument):
     monkeypatch.setattr(lines, function, without(getattr(lines, function), argument))
     with pytest.raises(CheckError, match=f"argument '{argument}': the Jacobian is the derivative"):
-        check_chains(LINES["plkLin"], CAMERA)
+        check_chains(LINES["plkLin"], CAMERA, segments=2)
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from slamlib.cli import main, runner
 from slamlib.experiments.presets import Preset, preset
 from slamlib.experiments.progress import progress
 from slamlib.experiments.runs import Run
-from slamlib.tests.pictures import interrupted_at
+from slamlib.tests.interruptions import interrupted_at
 
 SHORT = ["--frames", "12"]
 

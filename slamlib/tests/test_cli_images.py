@@ -11,7 +11,8 @@ from slambook import rendering
 
 from slamlib.cli import main, runner
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
-from slamlib.tests.pictures import DATA, interrupted_at, windows
+from slamlib.tests.interruptions import interrupted_at
+from slamlib.tests.pictures import DATA, windows
 from slamlib.vision.run import load
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads and writes the pictures")

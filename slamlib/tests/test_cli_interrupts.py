@@ -206,7 +206,7 @@ def test_a_full_disk(name, tmp_path):
         pytest.importorskip("cv2", reason="films need OpenCV")
     (tmp_path / "run.npz").write_text("old")
     option = ["--overwrite", "--save", name] if name == "run.npz" else ["--video", name]
-    call = [sys.executable, "-c", LIMITED, "run", "points", "--frames", "20", *option]
+    call = [sys.executable, "-c", LIMITED, "run", "points", "--frames", "6", *option]
     ended = subprocess.run(call, cwd=tmp_path, capture_output=True, text=True)
     assert ended.returncode == 2
     assert "Traceback" not in ended.stderr

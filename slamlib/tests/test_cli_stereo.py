@@ -15,7 +15,8 @@ from slamlib.evaluation.comparison import lengths_of
 from slamlib.evaluation.trajectory import read_trajectory
 from slamlib.geometry.pose import relative
 from slamlib.geometry.quaternion import rotation
-from slamlib.tests.pictures import interrupted_at, windows
+from slamlib.tests.interruptions import interrupted_at
+from slamlib.tests.pictures import windows
 from slamlib.vision.run import PAIRS
 from slamlib.vision.run import load as load_kind
 

@@ -19,6 +19,7 @@ from slamlib.experiments import monte_carlo as module
 from slamlib.experiments.cluster import _call, on_cluster
 from slamlib.experiments.monte_carlo import NAMES, monte_carlo, seeds
 from slamlib.experiments.presets import preset
+from slamlib.tests.interruptions import interrupted_after
 
 distributed = pytest.importorskip("distributed", reason="Dask's cluster is optional: the extra `cluster`")
 
@@ -165,14 +166,7 @@ def test_the_command_on_a_cluster_prints_what_it_prints_here(cluster, others, tm
 
 
 def test_ctrl_c_keeps_what_is_finished_and_takes_the_rest_back(cluster, others, tmp_path, monkeypatch):
-    write = module.write_archive
-
-    def interrupted(path, *content):
-        write(path, *content)
-        if len(list(tmp_path.iterdir())) == 2:
-            raise KeyboardInterrupt
-
-    monkeypatch.setattr(module, "write_archive", interrupted)
+    monkeypatch.setattr(module, "write_archive", interrupted_after(module.write_archive, 2))
     with pytest.raises(KeyboardInterrupt):
         monte_carlo(SHORT, 200, seed=SEED, scheduler=cluster, wait=PATIENCE, folder=tmp_path)
     assert len(list(tmp_path.iterdir())) == 2

@@ -251,6 +251,21 @@ def test_assert_same_proves_and_refutes(capsys):
         assert_same(sympy.Matrix([x, y]), x)
 
 
+def test_assert_same_proves_quotients_that_have_a_value(capsys):
+    (x, y), q, r = sympy.symbols("x y"), sympy.symbols("q:4"), sympy.symbols("r:3")
+    lengths = sum(n**2 for n in q) + sum(n**2 for n in r)
+    assert_same(x / (x + sympy.pi * y) + lengths, 3 - sympy.pi * y / (x + sympy.pi * y), unit=[q, r])
+    assert "1 of 1 entries by symbolic difference" in capsys.readouterr().out
+    with pytest.raises(AssertionError, match="entry 0 differs"):
+        assert_same(x / (x + y) + lengths, 3 - 2 * y / (x + y), unit=[q, r])
+    root = 1 / sympy.sqrt(x**2 + 1)
+    assert_same((x + lengths) * root, x * root + 2 * root, unit=[q, r])
+    assert "1 of 1 entries by symbolic difference" in capsys.readouterr().out
+    nowhere = 1 / ((x + 1) ** 2 - x**2 - 2 * x - 1)
+    with pytest.raises((AssertionError, ZeroDivisionError)):
+        assert_same(x * nowhere, y * nowhere)
+
+
 def test_assert_same_on_unit_vectors_only():
     q = sympy.symbols("w x y z", real=True)
     matrix = derive(quaternion.rotation, q=q).value

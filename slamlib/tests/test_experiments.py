@@ -14,6 +14,7 @@ from slamlib.experiments.monte_carlo import NAMES, monte_carlo, seeds
 from slamlib.experiments.presets import Preset, preset
 from slamlib.experiments.runs import Run
 from slamlib.motions import MOTIONS, ODOMETRY
+from slamlib.tests.interruptions import interrupted_after
 
 SHORT = replace(preset("points"), frames=8)
 SAME = [name for name in NAMES if name != "seconds"]
@@ -50,14 +51,7 @@ def test_an_interruption_keeps_what_is_finished(jobs, tmp_path, monkeypatch):
     """The caller writes each run as it comes: one of many is on its way when Ctrl-C ends them."""
     if jobs > 1:
         pytest.importorskip("joblib", reason="several runs at once need joblib")
-    write = monte_carlo_module.write_archive
-
-    def interrupted(path, *content):
-        write(path, *content)
-        if len(list(tmp_path.iterdir())) == 2:
-            raise KeyboardInterrupt
-
-    monkeypatch.setattr(monte_carlo_module, "write_archive", interrupted)
+    monkeypatch.setattr(monte_carlo_module, "write_archive", interrupted_after(monte_carlo_module.write_archive, 2))
     with pytest.raises(KeyboardInterrupt):
         monte_carlo(SHORT, 8, seed=4, jobs=jobs, folder=tmp_path)
     first = {file: file.stat().st_mtime_ns for file in tmp_path.iterdir()}

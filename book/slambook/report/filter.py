@@ -106,6 +106,10 @@ class Memory:
         return self.x[..., 6:].reshape(*self.x.shape[:-1], -1, 3)
 
 
+# What of the equations an update uses: with an error there, only a Memory has it.
+OF_THE_UPDATE = frozenset({"relative", "observation_at", "variance", "columns", "white", "innovation", "prior"})
+
+
 @dataclass
 class BatchUpdateFilter(Memory):
     """A Memory whose `update` is (3.10) to (3.14): equal to component by component but for rounding (E25).

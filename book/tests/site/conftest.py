@@ -50,6 +50,15 @@ def pytest_generate_tests(metafunc: Any) -> None:
         metafunc.parametrize("name", [*names, *(n for n in added if (layout.SITE / n).is_file())])
 
 
+def pytest_terminal_summary(terminalreporter: Any) -> None:
+    """The live cell that took longest: PATIENCE must be well above it."""
+    reports = terminalreporter.getreports("passed") + terminalreporter.getreports("failed")
+    took = [value for report in reports for name, value in report.user_properties if name == "took"]
+    if took:
+        seconds, where = max(took)
+        terminalreporter.write_line(f"slowest live cell: {seconds:.1f} s ({where})")
+
+
 @pytest.fixture(scope="session")
 def browser_type_launch_args() -> dict[str, Any]:
     """The browser of this machine instead of one that Playwright would fetch."""

@@ -5,6 +5,7 @@ import contextlib
 import io
 import json
 import re
+import time
 from typing import Any
 
 import numpy as np
@@ -46,13 +47,15 @@ DRAWN = """(e) => {
 TIMED = re.compile(r"perf_counter|time\.time")  # what a clock decides is drawn differently on each run
 
 
-def test_the_cells_print_what_the_notebook_has_stored_and_the_sliders_answer(in_time, notebook, context, site, outside):
+def test_the_cells_print_what_the_notebook_has_stored_and_the_sliders_answer(
+    in_time, notebook, context, site, outside, record_property
+):
     faults: list[str] = []
     page = open_page(context, site, notebook, faults)
     for i, cell in enumerate(live_cells(notebook)):
         box = page.locator("div.cell.tag_live").nth(i)
         before = box.evaluate(DRAWN)  # by matplotlib's figure
-        run_cell(page, i)
+        record_property("took", (run_cell(page, i), f"{notebook.stem}, cell {i + 1}"))
         status, ok = page.evaluate(RUN, i)
         assert ok, f"cell {i + 1} {status}: {page.evaluate(SAID, i)[-600:]}"
         if notebooks.FIGURE not in cell.metadata.get("tags", []):
@@ -66,11 +69,12 @@ def test_the_cells_print_what_the_notebook_has_stored_and_the_sliders_answer(in_
     assert faults == []
 
 
-def run_cell(page: Any, i: int) -> None:
-    """Run a live cell by keyboard."""
+def run_cell(page: Any, i: int) -> float:
+    """Run a live cell by keyboard; the seconds that a reader waits."""
     box = page.locator("div.cell.tag_live").nth(i)
     box.evaluate(UNFOLD)
     area, figure = box.locator("textarea"), box.locator("figure.sweep, .picture").count()
+    start = time.monotonic()
     if figure or not area.is_visible():
         box.locator(".live-bar button").first.press("Enter")
     else:
@@ -79,6 +83,7 @@ def run_cell(page: Any, i: int) -> None:
         page.wait_for_function("(i) => Live.page.cells[i].element.dataset.ran", arg=i, timeout=PATIENCE)
     except Exception:
         pytest.fail(f"cell {i + 1} gave no answer in {PATIENCE / 1000:.0f} s; the panel says: {panel(page)}")
+    return time.monotonic() - start
 
 
 def drive(page: Any, figure: Any, i: int) -> None:

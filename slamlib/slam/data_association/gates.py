@@ -6,7 +6,6 @@ the extrinsics if they are estimated, the landmark.
 
 import math
 from collections.abc import Callable
-from functools import lru_cache
 
 import numpy as np
 
@@ -45,7 +44,6 @@ SELECTIONS: dict[str, Callable[[Array, int], Indices]] = {
 }
 
 
-@lru_cache
 def gate(probability: float, dof: int) -> float:
     """What z' S^-1 z has to be below to pass: a true measurement of `dof` numbers passes with this probability."""
     return math.inf if probability == 1 else chi2_quantile(probability, dof)

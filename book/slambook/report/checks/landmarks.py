@@ -7,6 +7,7 @@ import numpy as np
 from slambook.report import motion, scenes
 from slambook.report.angles import rotation
 from slambook.report.correlations import compared
+from slambook.report.filter import BatchUpdateFilter
 from slambook.report.findings import (
     RUNS,
     SEED,
@@ -86,7 +87,7 @@ def twice() -> Findings:
 @check("E22", "5.4", "'at k+2 everything is reset except for the agent localisation'", "P_xx must be carried on")
 def reset() -> Findings:
     run, kept, right = ran("gentle", "E22"), ran("gentle", "E22 kept"), ran("gentle")
-    again = monte_carlo(scenes.gentle(), "E22 kept", runs=RUNS, seed=SEED, again=True)
+    again = monte_carlo(scenes.gentle(), "E22 kept", runs=RUNS, seed=SEED, again=True, make=BatchUpdateFilter)
     error, claimed = run.position_error, run.claimed_deviation
     cautious = "too cautious: a picture ends one step and begins the next, and its noise cancels between them"
     yield near("claimed deviation, step 60 over step 15", claimed[59] / claimed[14], 1.0, 0.1)
@@ -108,7 +109,7 @@ def reset() -> Findings:
 def correlations() -> Findings:
     scene = scenes.around(scenes.gentle(), np.random.default_rng(7), 8)
     scene = replace(scene, controls=scene.controls[:20])
-    run = monte_carlo(scene, runs=400, seed=SEED)
+    run = monte_carlo(scene, runs=400, seed=SEED, make=BatchUpdateFilter)
     found = compared("gentle", scene, run)
     beside = ~np.eye(len(found.claimed), dtype=bool)
     apart, claimed = (found.measured - found.claimed)[beside], found.claimed[beside]
