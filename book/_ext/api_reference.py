@@ -241,7 +241,7 @@ def _fill(app: Any, page: str, source: list[str]) -> None:
         book = Path(app.srcdir) / "book"
         found = [file for folder in ("chapters", "sources") for file in (book / folder).glob("*.*")]
         pages = {file.stem: file.relative_to(app.srcdir).with_suffix("").as_posix() for file in found}
-        labels = {label for file in found for label in re.findall(r":label: ([a-z-]+)", file.read_text("utf-8"))}
+        labels = {label for file in found for label in re.findall(r"\$\$ \(([a-z-]+)\)", file.read_text("utf-8"))}
         source[0] = Reference(pages, labels).filled(source[0])
         for file in [Path(__file__), *(module.file for _, package in blocks for module in modules(package))]:
             app.env.note_dependency(str(file))

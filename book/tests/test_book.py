@@ -21,6 +21,7 @@ PARTS = [
 ]
 NUMBERS = re.compile(r"\b[EC]\d{2}\b|\bA\d{3}\b|\b[Ee]rrat(?:a|um)\b")  # of the errors, the gaps, the seeds
 FENCE = re.compile(r"(`{3,}|:{3,})(.*)")
+NUMBERED = re.compile(r"\$\$ \([\w-]+\)")  # the end of an equation that has a number: its label
 LINK = re.compile(r"\{ref\}`[^`<]*<((?:manuals|report)-[\w-]+)>`")
 
 
@@ -61,13 +62,18 @@ def test_a_chapter_ends_its_history_with_its_headings_in_part_six(chapter):
 
 
 def unclosed(text: str) -> list[str]:
-    """What MyST would leave in the page of a Markdown cell: fences and formulas that do not close or share a line."""
+    """What a front end would leave in the text of a Markdown cell as it is written: fences and formulas that do not
+    close or share a line; equations with a blank line inside or, where they have a number, none around."""
     fences: list[tuple[str, str]] = []  # marks, and what follows them: {name} of a directive, or a language of code
-    found, formula = [], False
-    for number, line in enumerate(map(str.strip, text.splitlines()), start=1):
+    found, formula, lines = [], 0, ["", *map(str.strip, text.splitlines()), ""]  # formula: the line where one began
+    for number, line in enumerate(lines[1:-1], start=1):
         fence, (marks, name) = FENCE.fullmatch(line), fences[-1] if fences else ("", "{")
-        if formula and line != "$$":
-            found += [f"line {number}: within a formula"] if fence or "$$" in line else []
+        if formula and NUMBERED.fullmatch(line):
+            alone = not lines[formula - 1] and not lines[number + 1]
+            found += [] if alone else [f"line {number}: an equation with a number is a block of its own"]
+            formula = 0
+        elif formula and line != "$$":
+            found += [f"line {number}: within a formula"] if fence or "$$" in line or not line else []
         elif fence and not fence[2] and marks and fence[1].startswith(marks):
             fences.pop()
         elif not name.startswith("{"):
@@ -76,10 +82,10 @@ def unclosed(text: str) -> list[str]:
             found += [f"line {number}: as long as the one around it"] if marks and fence[1].startswith(marks) else []
             fences.append((fence[1], fence[2]))
         elif line == "$$":
-            formula = not formula
+            formula = 0 if formula else number
         elif "$$" in line and not re.fullmatch(r"\$\$[^$]+\$\$", line):
             found.append(f"line {number}: beside text")
-    return found + [f"{marks}{name} is not closed" for marks, name in [*fences, *[("$$", "")] * formula]]
+    return found + [f"{marks}{name} is not closed" for marks, name in [*fences, *[("$$", "")] * bool(formula)]]
 
 
 @pytest.mark.parametrize(
@@ -87,8 +93,12 @@ def unclosed(text: str) -> list[str]:
     [
         ("$$\nx\n$$\n\n```{solution-start} a\n:class: dropdown\n```\n$$x$$\n:::{note}\n```\n$$ y\n```\n:::", 0),
         ("::::{note}\n:::{tip}\na\n:::\n::::", 0),
-        ("so\n\n$$\nx\n```\n\nThe weight", 2),
-        ("$$\nx\n\nThe weight", 1),
+        ("so\n\n$$\nx\n$$ (a)\n\nso", 0),
+        ("so\n$$\nx\n$$ (a)", 1),
+        ("$$\nx\n$$ (a)\nso", 1),
+        ("$$\nx\n\ny\n$$ (a)", 1),
+        ("so\n\n$$\nx\n```\n\nThe weight", 3),
+        ("$$\nx\n\nThe weight", 2),
         ("that is $$x$$ too", 1),
         ("$$x\ny$$", 2),
         ("```{math}\nx\n\nThe weight", 1),
@@ -106,6 +116,7 @@ def test_no_formula_and_no_fence_is_left_open_in_the_text():
         texts = {c["id"]: "".join(c["source"]) for c in markdown} or {"": page.read_text("utf-8")}
         for name, text in texts.items():
             assert unclosed(text) == [], f"{page.name} {name}"
+            assert "{math}" not in text, f"{page.name} {name}: $$ ... $$ (label) is what every front end shows"
 
 
 def test_every_number_of_an_error_is_explained_in_the_list():

@@ -15,8 +15,8 @@ sys.path.append(str(layout.BOOK / "_ext"))
 import api_reference
 
 CHAPTERS = sorted((layout.BOOK / "chapters").glob("*.ipynb"))
-MATH = re.compile(r"\$\$(.+?)\$\$|(?<!\$)\$([^$\n]+?)\$(?!\$)|```\{math\}(.*?)```", re.DOTALL)
-WORD = re.compile(r":label:.*|\\(?:text|mathrm|operatorname|mathcal|mathbf)\s*(?:\{[^{}]*\}|\w)|\\(?:begin|end)\{\w+\}")
+MATH = re.compile(r"\$\$(.+?\$\$(?: \([\w-]+\))?)|(?<!\$)\$([^$\n]+?)\$(?!\$)", re.DOTALL)
+WORD = re.compile(r"\$\$.*|\\(?:text|mathrm|operatorname|mathcal|mathbf)\s*(?:\{[^{}]*\}|\w)|\\(?:begin|end)\{\w+\}")
 
 
 def tables() -> dict[str, list[list[str]]]:
@@ -42,7 +42,7 @@ FORMULAS = {chapter.stem: formulas(chapter) for chapter in CHAPTERS}
 
 
 def chapter_of(label: str) -> str:
-    (home,) = (name for name, text in FORMULAS.items() if re.search(rf":label: {label}\n", text))
+    (home,) = (name for name, text in FORMULAS.items() if re.search(rf"\$\$ \({label}\)", text))
     return home
 
 

@@ -24,6 +24,11 @@ EXECUTED = layout.BUILD / "executed"
 IMAGES = ("image/png", "image/jpeg", "image/svg+xml", "application/pdf", "application/vnd.jupyter.widget-view+json")
 NBVAL = ["pytest", "--nbval", "--nbval-current-env", "--nbval-sanitize-with", "book/tools/nbval.cfg", "-q"]
 NBVAL += ["-p", "book.tools.notebooks"]  # this module is a plugin of pytest too: what nbval runs is kept for the build
+HIDDEN = {  # what JupyterLab folds, for the tags that fold it in the page
+    "hide-input": ("source_hidden",),
+    "hide-output": ("outputs_hidden",),
+    "solution": ("source_hidden", "outputs_hidden"),
+}
 FIGURE = "nbval-ignore-output"  # cells whose output is a picture, or a time: shown in the book, not compared
 
 
@@ -56,7 +61,7 @@ def execute(file: Path) -> Any:
 
 
 def normalise(notebook: Any) -> Any:
-    """The stored form: text outputs, counts 1..n, no images, no volatile metadata."""
+    """The stored form: text outputs, counts 1..n, no images, no volatile metadata; folds that JupyterLab knows, too."""
     notebook.metadata = nbformat.from_dict(
         {
             "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
@@ -65,12 +70,14 @@ def normalise(notebook: Any) -> Any:
     )
     count = 0
     for cell in notebook.cells:
-        for key in ("execution", "ExecuteTime", "collapsed", "scrolled", "trusted"):
+        for key in ("execution", "ExecuteTime", "collapsed", "jupyter", "scrolled", "trusted"):
             cell.metadata.pop(key, None)
         if cell.cell_type == "code":
             count += 1
             cell.execution_count = count
             tags = cell.metadata.get("tags", [])
+            if hidden := {flag: True for tag in tags for flag in HIDDEN.get(tag, ())}:
+                cell.metadata["jupyter"] = hidden
             cell.outputs = [_stored(o, count, FIGURE in tags) for o in merged(cell.outputs)]
     return notebook
 
