@@ -97,6 +97,7 @@ def panel(page: Any) -> str:
 def write(page: Any, text: str, cell: int = 0) -> None:
     """Replace the text of a cell, as a reader would."""
     area = page.locator("div.cell.tag_live textarea").nth(cell)
+    area.evaluate("(e) => { const fold = e.closest('details'); if (fold) fold.open = true; }")
     area.focus()
     area.press("Control+a")
     area.press("Delete")
