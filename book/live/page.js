@@ -52,10 +52,10 @@
       if (!figure && number > 1) this.bar.append(button("Run all above", "Run all above and", () => page.runTo(this)));
       this.bar.append(this.resetButton, make("span", { className: "live-name", textContent: this.name }));
       // Folded code stands below its result, its buttons in the same line; code that is open above it.
-      const fold = element.querySelector("details.above-input");
-      if (fold) element.prepend(this.output);
+      this.fold = element.querySelector("details.above-input");
+      if (this.fold) element.prepend(this.output);
       element.append(this.bar);
-      if (!fold) element.append(this.output, ...(this.still ? [this.still] : []));
+      if (!this.fold) element.append(this.output, ...(this.still ? [this.still] : []));
       this.code.text = kept.read(this.code.original) ?? this.code.original;
       this.state();
     }
@@ -119,8 +119,7 @@
       const { line, name, text: message } = JSON.parse(text);
       this.put(make("pre", { className: "live-text live-error", textContent: message }), "error").setAttribute("role", "alert");
       this.code.mark(line);
-      const fold = this.element.querySelector("details.above-input");
-      if (fold) fold.open = true; // the line that it points to is to be seen
+      if (this.fold) this.fold.open = true; // the line that it points to is to be seen
       if (name === "NameError" && this.page.cells.some((c) => c.number < this.number && !c.ok && !c.optional))
         this.put(make("p", { textContent: "Cells above this one have not been run: try “Run all above”." }), "hint");
     }

@@ -258,6 +258,8 @@ def test_assert_same_proves_quotients_that_have_a_value(capsys):
     assert "1 of 1 entries by symbolic difference" in capsys.readouterr().out
     with pytest.raises(AssertionError, match="entry 0 differs"):
         assert_same(x / (x + y) + lengths, 3 - 2 * y / (x + y), unit=[q, r])
+    with pytest.raises(AssertionError, match="entry 0 differs"):
+        assert_same(lengths, -2, unit=[q, r])
     root = 1 / sympy.sqrt(x**2 + 1)
     assert_same((x + lengths) * root, x * root + 2 * root, unit=[q, r])
     assert "1 of 1 entries by symbolic difference" in capsys.readouterr().out

@@ -14,7 +14,7 @@ ALWAYS = ("slam_in_five_minutes", "proving_a_jacobian", "ekf_slam", "active_sear
 BEHIND = ("slamlib/", "book/slambook/", "book/live/", "book/tools/", "book/tests/site/", "requirements.txt")
 LOOKS = ("book/slambook/figures/", "book/slambook/scene/", "book/live/", "book/_", "book/tests/site/", "_config.yml")
 SHOWN = 30_000  # milliseconds for what a page shows by itself, or at a click
-# Milliseconds for what the page's Python does: to start it, or to run a cell. The slowest cell takes 52 s with two
+# Milliseconds for what the page's Python does: to start it, or to run a cell. The slowest cell takes 67 s with two
 # pages at a time on two hyperthreads, and 155 s beside four more processes (each run prints which one it was).
 PATIENCE = 240_000
 

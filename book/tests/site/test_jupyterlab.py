@@ -20,7 +20,7 @@ from book.tools import layout
 OPENED = ("slam_in_five_minutes", "kalman_filter", "frames_and_quaternions", "points", "monocular")
 # What MyST writes, and no front end should leave in the text that is read.
 RAW = re.compile(r"\$\$|`{3}|:{3}|\{[a-z-]+\}`?|\\(?:begin|frac|partial|mathcal)\b")
-SHOWN = """(displayed) => !document.querySelector('.jp-MarkdownCell:not(.jp-mod-rendered)')
+RENDERED = """(displayed) => !document.querySelector('.jp-MarkdownCell:not(.jp-mod-rendered)')
   && document.querySelectorAll('.jp-MarkdownCell .katex-display').length >= displayed"""
 SAID = "(cells) => cells.filter(e => e.innerText).map(e => e.innerText).join('\\n')"
 
@@ -76,7 +76,7 @@ def test_a_notebook_reads_well_in_jupyterlab(lab, chapter, context):
     page = context.new_page()
     page.goto(lab.format(chapter))
     page.wait_for_selector(".jp-MarkdownCell", timeout=PATIENCE)
-    page.wait_for_function(SHOWN, arg=displayed, timeout=PATIENCE)
+    page.wait_for_function(RENDERED, arg=displayed)
     for scheme, light in (("light", "true"), ("dark", "false")):
         page.emulate_media(color_scheme=scheme)
         page.wait_for_function("(light) => document.body.dataset.jpThemeLight === light", arg=light)
