@@ -17,7 +17,7 @@ from book.tools.browser import SKIPPED
 
 PYTHON = [sys.executable, "-m"]
 FAILURES = ("FAILED", "NOTHING")
-LIVE_MINUTES = "2"  # after which no further page is tried live in `make test`; `make test-all` tries them all
+LIVE_MINUTES = "2"  # after which no further cell is run live in `make test`; `make test-all` runs them all
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,8 @@ class Result:
 def stages(every: bool = False) -> list[Stage]:
     """The checks, quick ones first; every: all pages in the browser, changed or not."""
     parallel = ["-n", "2", "--dist", "loadscope"]
-    chromium = [*PYTHON, "pytest", "-q", "-rs", "book/tests/site", "-n", "2", "--maxschedchunk", "1"]
+    site = [*PYTHON, "pytest", "-q", "-rs", "book/tests/site"]
+    chromium = [*site, "-n", "2", "--maxschedchunk", "1"]
     pages, minutes = (["--every-page"], []) if every else ([], ["--minutes", LIVE_MINUTES])
     typed = [f"-p{name}" for name in ("slamlib", "slambook", "book.tools", "book.live", "benchmarks")]
     files = [str(f.relative_to(layout.ROOT)) for f in layout.notebooks()]
@@ -71,10 +72,13 @@ def stages(every: bool = False) -> list[Stage]:
         Stage("browser", [*chromium, "-k", "test_pages and not axe", *pages], r"(\d+) passed", "views of pages"),
         Stage("axe", [*chromium, "-k", "test_pages and axe", *pages], r"(\d+) passed", "pages, nothing serious"),
         Stage(
-            "live",
-            [*chromium, "-k", "not test_pages", *pages, *minutes],
+            "readers",
+            [*site, *parallel, "-k", "not test_pages and not test_the_cells", *pages],
             r"(\d+) passed",
-            "live pages and readers' ways",
+            "readers' ways",
+        ),
+        Stage(
+            "live", [*chromium, "-k", "test_the_cells", *pages, *minutes], r"(\d+) passed", "pages run live, or begun"
         ),
     ]
 

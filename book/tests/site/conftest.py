@@ -7,13 +7,13 @@ skipped, or fail if BOOK_BROWSER_NEEDED is set.
 
 import os
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import playwright.sync_api
 import pytest
 
-from book.tests.site.live_page import SHOWN, address, live_pages, most_urgent_first, shown_pages
+from book.tests.site.live_page import SHOWN, address, live_cells, live_pages, most_urgent_first, shown_pages
 from book.tools import browser, layout, serve
 
 ADDED = ("index.html", "genindex.html", "search.html")  # by Sphinx
@@ -23,7 +23,7 @@ def pytest_addoption(parser: Any) -> None:
     """Options of the live pages."""
     group = parser.getgroup("site")
     group.addoption("--every-page", action="store_true", help="try all pages, changed or not")
-    group.addoption("--minutes", type=float, default=float("inf"), help="begin with no live page after that long")
+    group.addoption("--minutes", type=float, default=float("inf"), help="begin with no live cell after that long")
     group.addoption("--store-parity", action="store_true", help="write the appendix's table of the two Pythons")
 
 
@@ -51,11 +51,13 @@ def pytest_generate_tests(metafunc: Any) -> None:
 
 
 def pytest_terminal_summary(terminalreporter: Any) -> None:
-    """The live cell that took longest: PATIENCE must be well above it."""
-    reports = terminalreporter.getreports("passed") + terminalreporter.getreports("failed")
+    """How many live cells ran in time, and which took longest: PATIENCE must be well above it."""
+    reports = [report for kind in ("passed", "failed") for report in terminalreporter.getreports(kind)]
     took = [value for report in reports for name, value in report.user_properties if name == "took"]
     if took:
         seconds, where = max(took)
+        cells = sum(len(live_cells(file)) for file in live_pages())
+        terminalreporter.write_line(f"live cells run: {len(took)} of {cells} (`make test-all` runs all)")
         terminalreporter.write_line(f"slowest live cell: {seconds:.1f} s ({where})")
 
 
@@ -79,10 +81,9 @@ def start_time() -> float:
 
 
 @pytest.fixture
-def in_time(start_time: float, request: Any) -> None:
-    """Skips a live page that comes too late: the first ones are those that must be tried."""
-    if time.monotonic() - start_time > 60 * request.config.getoption("minutes"):
-        pytest.skip("no time left for this page: `make test-all` tries every page")
+def time_left(start_time: float, request: Any) -> Callable[[], bool]:
+    """Whether another live cell may begin: the first pages are those that must be tried."""
+    return lambda: time.monotonic() - start_time <= 60 * request.config.getoption("minutes")
 
 
 @pytest.fixture

@@ -14,7 +14,7 @@ from typing import Any
 import nbformat
 import pytest
 
-from book.tests.site.live_page import PATIENCE
+from book.tests.site.live_page import PATIENCE, SHOWN
 from book.tools import layout
 
 OPENED = ("slam_in_five_minutes", "kalman_filter", "frames_and_quaternions", "points", "monocular")
@@ -25,9 +25,15 @@ RENDERED = """(displayed) => !document.querySelector('.jp-MarkdownCell:not(.jp-m
 SAID = "(cells) => cells.filter(e => e.innerText).map(e => e.innerText).join('\\n')"
 
 
+OPEN = """async (path) => {
+  window.opened?.dispose();
+  window.opened = await jupyterapp.commands.execute('docmanager:open', { path });
+}"""
+
+
 @pytest.fixture(scope="module")
-def lab(tmp_path_factory: Any) -> Iterator[str]:
-    """Where JupyterLab serves a copy of the chapters, light or dark as the browser is; {} is for a chapter's name."""
+def served(tmp_path_factory: Any) -> Iterator[str]:
+    """Where JupyterLab serves a copy of the chapters, light or dark as the browser is."""
     folder = tmp_path_factory.mktemp("lab")
     settings = {
         "apputils-extension/themes": {"adaptive-theme": True},
@@ -45,6 +51,7 @@ def lab(tmp_path_factory: Any) -> Iterator[str]:
     environment = {f"JUPYTERLAB_{name}_DIR": str(folder / place) for name, place in places.items()}
     environment["JUPYTER_RUNTIME_DIR"] = str(folder / "runtime")
     options = ["--no-browser", "--allow-root", "--port=0", f"--ServerApp.root_dir={folder / 'chapters'}"]
+    options += ["--expose-app-in-browser"]
     with (
         (folder / "log").open("w") as log,
         subprocess.Popen(
@@ -53,7 +60,7 @@ def lab(tmp_path_factory: Any) -> Iterator[str]:
     ):
         try:
             server = running(folder / "runtime", process)
-            yield f"{server['url']}doc/tree/{{}}.ipynb?reset&token={server['token']}"
+            yield f"{server['url']}lab?reset&token={server['token']}"
         finally:
             process.terminate()
 
@@ -68,19 +75,29 @@ def running(folder: Path, process: Any, seconds: float = 60.0) -> dict[str, Any]
     pytest.fail(f"JupyterLab does not answer: {(folder.parent / 'log').read_text('utf-8')[-2000:]}")
 
 
+@pytest.fixture(scope="module")
+def lab(browser: Any, served: str) -> Iterator[Any]:
+    """One window of JupyterLab; it takes longer to load than its notebooks."""
+    page = browser.new_page()
+    page.set_default_timeout(SHOWN)
+    page.goto(served, timeout=PATIENCE)
+    page.wait_for_function("() => window.jupyterapp && jupyterapp.restored.then(() => true)", timeout=PATIENCE)
+    yield page
+    page.close()
+
+
 @pytest.mark.parametrize("chapter", OPENED)
-def test_a_notebook_reads_well_in_jupyterlab(lab, chapter, context):
+def test_a_notebook_reads_well_in_jupyterlab(lab, chapter):
     cells = nbformat.read(layout.BOOK / "chapters" / f"{chapter}.ipynb", as_version=4).cells
     displayed = "\n".join(c.source for c in cells if c.cell_type == "markdown").count("$$") // 2
     folded = sum(not {"hide-input", "solution"}.isdisjoint(c.metadata.get("tags", [])) for c in cells)
-    page = context.new_page()
-    page.goto(lab.format(chapter))
-    page.wait_for_selector(".jp-MarkdownCell", timeout=PATIENCE)
-    page.wait_for_function(RENDERED, arg=displayed)
+    lab.evaluate(OPEN, f"{chapter}.ipynb")
+    lab.wait_for_selector(".jp-MarkdownCell")
+    lab.wait_for_function(RENDERED, arg=displayed)
     for scheme, light in (("light", "true"), ("dark", "false")):
-        page.emulate_media(color_scheme=scheme)
-        page.wait_for_function("(light) => document.body.dataset.jpThemeLight === light", arg=light)
-        assert page.locator(".jp-MarkdownCell").count() == sum(c.cell_type == "markdown" for c in cells)
-        assert RAW.findall(page.locator(".jp-MarkdownCell").evaluate_all(SAID)) == []
-        assert page.locator(".katex-error").count() == 0
-        assert page.locator(".jp-InputPlaceholder").count() == folded > 0
+        lab.emulate_media(color_scheme=scheme)
+        lab.wait_for_function("(light) => document.body.dataset.jpThemeLight === light", arg=light)
+        assert lab.locator(".jp-MarkdownCell").count() == sum(c.cell_type == "markdown" for c in cells)
+        assert RAW.findall(lab.locator(".jp-MarkdownCell").evaluate_all(SAID)) == []
+        assert lab.locator(".katex-error").count() == 0
+        assert lab.locator(".jp-InputPlaceholder").count() == folded > 0

@@ -1,5 +1,6 @@
 """Reading mode: folds with names, results above their code, buttons where the reader points, prose of a good width."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -18,9 +19,19 @@ WIDTHS = """() => [...document.querySelectorAll('.bd-article section > p')]
   .map(e => e.getBoundingClientRect().width).filter(w => w)"""
 
 
-@pytest.fixture(params=PAGES)
+@pytest.fixture(scope="module", params=PAGES)
 def url(request: Any, site: str) -> str:
     return f"{site}/{PAGES[request.param]}"
+
+
+@pytest.fixture(scope="module")
+def read(url: str, browser: Any) -> Iterator[Any]:
+    """The page, with nothing changed in it."""
+    page = browser.new_page(viewport={"width": 1280, "height": 800})
+    page.goto(url)
+    page.wait_for_function("() => window.Live && Live.page")
+    yield page
+    page.close()
 
 
 @pytest.mark.parametrize("script", [True, False], ids=["script", "no-script"])
@@ -39,25 +50,21 @@ def test_a_fold_says_what_it_hides_and_how_long_it_is(url, script, browser, outs
     page.close()
 
 
-def test_results_stand_above_their_folded_code(url, page, outside):
-    page.goto(url)
-    page.wait_for_function("() => window.Live && Live.page")
-    gaps = page.evaluate(BELOW)
+def test_results_stand_above_their_folded_code(read):
+    gaps = read.evaluate(BELOW)
     assert gaps
     assert max(gaps) <= 1
 
 
-def test_buttons_are_there_when_a_reader_points_at_a_cell_or_is_in_it(url, page, outside):
-    page.goto(url)
-    page.wait_for_function("() => window.Live && Live.page")
-    page.add_style_tag(content="* { transition: none !important; }")
-    cell = page.locator("div.cell.tag_live:not(:has(> details.above-input))").first
+def test_buttons_are_there_when_a_reader_points_at_a_cell_or_is_in_it(read):
+    read.add_style_tag(content="* { transition: none !important; }")
+    cell = read.locator("div.cell.tag_live:not(:has(> details.above-input))").first
     bar = cell.locator(".live-bar")
-    page.mouse.move(0, 0)
+    read.mouse.move(0, 0)
     assert bar.evaluate(OPACITY) == "0"
     cell.hover()
     assert bar.evaluate(OPACITY) == "1"
-    page.mouse.move(0, 0)
+    read.mouse.move(0, 0)
     cell.locator("textarea").focus()
     assert bar.evaluate(OPACITY) == "1"
 
@@ -87,7 +94,5 @@ def test_show_all_code_opens_every_fold_and_is_remembered(site, page, outside):
     assert not any(page.evaluate(OPEN))
 
 
-def test_prose_is_as_wide_as_it_reads_well(url, page, outside):
-    page.set_viewport_size({"width": 1280, "height": 800})
-    page.goto(url)
-    assert 680 <= max(page.evaluate(WIDTHS)) <= 720
+def test_prose_is_as_wide_as_it_reads_well(read):
+    assert 680 <= max(read.evaluate(WIDTHS)) <= 720
