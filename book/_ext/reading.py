@@ -1,5 +1,7 @@
-"""Reading mode: what a fold of code hides is said by its name, and a result stands before the code that is folded."""
+"""Reading mode: what a fold of code hides is said by its name, a result stands before the code that is folded, and an
+output that only confirms is one line."""
 
+import re
 from typing import Any
 
 from docutils import nodes
@@ -7,6 +9,13 @@ from myst_nb.sphinx_ import HideCodeCellNode
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
 FIGURES = ('class="picture"', 'class="sweep', 'class="player')
+SAME = re.compile(
+    r"\bsame(?: on unit vectors)?: (\d+) of (\d+) entries by symbolic difference(, \d+ zero to 50 digits)?"
+)
+HOLDS = re.compile(
+    r"the same in slamlib$|\bagrees? with the complex step|is the complex step's at"
+    r"|: +True(?: True)*$|^proved: |proved$"
+)
 UNNAMED = '<summary aria-label="Toggle hidden content">'  # hides from a screen reader the name that is shown
 
 
@@ -37,6 +46,41 @@ def what(fold: nodes.Element, cell: nodes.Element) -> str:
     return "Code of this figure" if any(mark in shown for mark in FIGURES) else "Code"
 
 
+class Confirmations(SphinxPostTransform):
+    """An output that only confirms is a line with a tick; where it has more lines, they are folded behind their sum."""
+
+    default_priority = 201
+    formats = ("html",)
+
+    def run(self, **kwargs: Any) -> None:
+        """Mark each such output."""
+        for output in self.document.findall(
+            lambda node: "cell_output" in getattr(node, "attributes", {}).get("classes", ())
+        ):
+            if not all(isinstance(block, nodes.literal_block) for block in output.children):
+                continue
+            said = output.astext().strip().splitlines()
+            told = confirmation(said)
+            if told is None:
+                continue
+            output["classes"].append("confirmed")
+            if len(said) > 1:
+                output.insert(0, nodes.raw("", f"<details><summary>{told}</summary>", format="html"))
+                output.append(nodes.raw("", "</details>", format="html"))
+
+
+def confirmation(said: list[str]) -> str | None:
+    """What lines that only confirm come to; None if one of them says anything else."""
+    if not said or any("False" in line or not (SAME.search(line) or HOLDS.search(line)) for line in said):
+        return None
+    found = [SAME.search(line) for line in said]
+    if not all(found):
+        return f"{len(said)} checks hold"
+    entries = sum(int(match[2]) for match in found if match)
+    by_numbers = any(match[3] for match in found if match)
+    return f"{'the same' if by_numbers else 'proved'}, {entries} of {entries} entries"
+
+
 def named_aloud(app: Any, page: str, template: str, context: dict[str, Any], tree: Any) -> None:
     """A screen reader hears the name of a fold; that it can be opened, it knows by itself."""
     if UNNAMED in context.get("body", ""):
@@ -44,7 +88,8 @@ def named_aloud(app: Any, page: str, template: str, context: dict[str, Any], tre
 
 
 def setup(app: Any) -> dict[str, bool]:
-    """Connect both."""
+    """Connect them."""
     app.add_post_transform(NamedFolds)
+    app.add_post_transform(Confirmations)
     app.connect("html-page-context", named_aloud)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

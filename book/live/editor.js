@@ -86,5 +86,5 @@
     };
   }
 
-  window.Live = { editor, escaped, highlighted };
+  window.Live = { ...window.Live, editor, escaped, highlighted };
 })();

@@ -9,6 +9,11 @@
     return element;
   };
 
+  const notebook = () => {
+    const link = document.querySelector('a[href$=".ipynb"]');
+    return link ? make("a", { href: link.href, download: "", textContent: "the notebook" }) : "the notebook";
+  };
+
   /* What the reader typed, kept in this browser only. */
   const kept = {
     broken: false,
@@ -37,25 +42,24 @@
       this.output = make("div", { className: "cell_output live-output", hidden: true });
       this.output.setAttribute("aria-label", `Result of ${this.name}`);
       this.output.setAttribute("role", "group");
-      this.code = editor(element.querySelector(".cell_input pre"), `Python code, ${this.name}`, () => this.edited(), () => this.run());
+      this.code = editor(element.querySelector(".cell_input pre"), `Python code, ${this.name}`, () => this.edited(), () => page.runTo(this));
       const button = (text, label, action) => {
         const made = make("button", { type: "button", textContent: text, onclick: action });
         made.setAttribute("aria-label", `${label}: ${this.name}`);
         return made;
       };
       const figure = element.querySelector("figure.sweep");
-      this.runButton = figure ? button("Compute live", "Run all above and compute this figure live", () => page.runTo(this))
-                              : button("Run", "Run", () => this.run());
+      this.runButton = figure ? button("Compute live", "Compute this figure live", () => page.runTo(this))
+                              : button("Run", "Run", () => page.runTo(this));
       this.runButton.title = page.hint;
       this.resetButton = button("Reset", "Reset to the book's text and result", () => this.reset());
       this.bar = make("div", { className: "live-bar" }, this.runButton);
-      if (!figure && number > 1) this.bar.append(button("Run all above", "Run all above and", () => page.runTo(this)));
       this.bar.append(this.resetButton, make("span", { className: "live-name", textContent: this.name }));
       // Folded code stands below its result, its buttons in the same line; code that is open above it.
       this.fold = element.querySelector("details.above-input");
       if (this.fold) element.prepend(this.output);
       element.append(this.bar);
-      if (!this.fold) element.append(this.output, ...(this.still ? [this.still] : []));
+      if (!this.fold) element.append(this.output, ...(this.still ? [this.still] : []), ...element.querySelectorAll(":scope > figure"));
       this.code.text = kept.read(this.code.original) ?? this.code.original;
       this.state();
     }
@@ -84,7 +88,14 @@
       this.state();
     }
 
-    async run() {
+    /* It ran, and its text is the one that ran: what stands below can count on it. */
+    get current() { return this.ok && this.ran === this.code.text; }
+
+    /* `after`, if other cells are to follow: how many, in words. */
+    async run(after = "") {
+      // What was made from another text of this cell, further down, is out of date.
+      if (!this.optional && this.ran !== this.code.text) this.page.cells.slice(this.number).forEach((c) => { c.ok = false; });
+      this.ran = this.code.text;
       this.output.replaceChildren();
       this.output.hidden = false;
       if (this.still) this.still.hidden = true;
@@ -93,13 +104,14 @@
       this.state();
       let result;
       try {
-        result = await this.page.python.run(this.name, this.code.text, (kind, text) => this.show(kind, text));
+        result = await this.page.python.run(this.name, this.code.text, (kind, text) => this.show(kind, text), { after });
       } catch {
         result = { stopped: true };
       }
       this.element.classList.remove("live-running");
       this.ok = Boolean(result.ok);
       if (result.stopped) this.show("stderr", "Stopped.\n");
+      if (this.ok) this.judged();
       this.element.dataset.ran = result.stopped ? "stopped" : result.ok ? "ok" : "failed";
       this.state();
       return this.ok;
@@ -120,8 +132,21 @@
       this.put(make("pre", { className: "live-text live-error", textContent: message }), "error").setAttribute("role", "alert");
       this.code.mark(line);
       if (this.fold) this.fold.open = true; // the line that it points to is to be seen
-      if (name === "NameError" && this.page.cells.some((c) => c.number < this.number && !c.ok && !c.optional))
-        this.put(make("p", { textContent: "Cells above this one have not been run: try “Run all above”." }), "hint");
+      if (name === "NameError" && this.optional) this.advise("This cell runs by itself: import or define here what it uses.");
+      else if (line && name !== "Rejected") this.advise("The error is in the marked line. Change it and run again, or Reset to the book's text.");
+    }
+
+    /* What to do about an error. */
+    advise(...words) {
+      this.put(make("p", { className: "live-advice" }, ...words), "hint");
+    }
+
+    /* A result that only confirms, as the book's does, is as green; an exercise that was accepted is remembered. */
+    judged() {
+      const said = this.output.textContent;
+      this.output.classList.toggle("confirmed", this.still?.querySelector(".confirmed pre")?.textContent === said);
+      const accepted = this.element.matches(".tag_exercise") && said.match(/^Exercise ([\w.]+) accepted:/m);
+      if (accepted) window.Live.exercises.accepted(accepted[1]);
     }
 
     showValue(text) {
@@ -192,23 +217,31 @@
     constructor(elements) {
       this.hint = "Runs in this page. The first run fetches Python, about @MEGABYTES@ MB; nothing you type leaves this browser.";
       this.python = new Python((news) => this.news(news));
+      this.queue = Promise.resolve();
+      this.turn = 0; // Stop and Restart begin another: what was waiting in this one is not run
       this.panel = this.makePanel();
       this.cells = elements.map((element, i) => new Cell(element, i + 1, this));
       document.body.append(make("p", { id: "live-keys", hidden: true, textContent: KEYS }), this.panel);
     }
 
+    /* A pill that says what Python is doing; what can be done about it is behind it, but for Stop. */
     makePanel() {
       this.status = make("span", { className: "live-status" });
       this.status.setAttribute("role", "status");
       this.detail = make("span", { className: "live-detail" });
+      this.advice = make("p", { hidden: true });
       this.progress = make("progress", { max: 1, hidden: true });
       this.progress.setAttribute("aria-label", "Part fetched");
-      this.stopButton = make("button", { type: "button", textContent: "Stop", onclick: () => this.python.stop() });
-      const restart = make("button", { type: "button", textContent: "Restart", title: "Python forgets what the cells defined; your text stays", onclick: () => this.restart() });
-      const forget = make("button", { type: "button", textContent: "Forget my text", title: "Every cell of this page becomes the book's again", onclick: () => this.forget() });
-      const hide = make("button", { type: "button", textContent: "Hide", onclick: () => { this.panel.hidden = true; } });
-      const panel = make("section", { className: "live-panel", hidden: true },
-        make("p", {}, this.status, " ", this.detail), this.progress, make("p", {}, this.stopButton, restart, forget, hide));
+      this.stopButton = make("button", { type: "button", textContent: "Stop", hidden: true, onclick: () => this.stop() });
+      const button = (textContent, title, onclick) => make("button", { type: "button", textContent, title, onclick });
+      this.more = make("details", {},
+        make("summary", {}, this.status, " ", this.detail),
+        make("p", {},
+          button("Restart", "Python forgets what the cells defined; your text stays", () => this.restart()),
+          button("Forget my text", "Every cell of this page becomes the book's again", () => this.forget()),
+          button("Forget my ticks", "No exercise of the book counts as accepted any more", () => this.untick()),
+          button("Hide", "Until the next cell runs", () => { this.panel.hidden = true; })));
+      const panel = make("section", { className: "live-panel", hidden: true }, this.more, this.stopButton, this.progress, this.advice);
       panel.setAttribute("aria-label", "Python in this page");
       return panel;
     }
@@ -225,28 +258,45 @@
       if (share !== null) this.progress.value = share;
       this.panel.dataset.state = state;
       if (state === "idle" || state === "failed") this.nothingRan();
-      this.stopButton.disabled = ["idle", "ready", "failed"].includes(state);
+      this.stopButton.hidden = ["idle", "ready", "failed"].includes(state);
+      this.advice.hidden = state !== "failed";
       if (state === "failed") this.offerNotebook();
     }
 
     offerNotebook() {
-      const link = document.querySelector('a[href$=".ipynb"]');
-      if (!link) return;
-      this.detail.replaceChildren("The page can be read as before. You can ",
-        make("a", { href: link.href, textContent: "download the notebook", download: "" }), " and run it with Jupyter, or try again.");
+      this.advice.replaceChildren("The page can be read as before. You can download ", notebook(), " and run it with Jupyter, or try again.");
     }
 
-    async runTo(cell) {
-      for (const other of this.cells) {
-        if (other.number > cell.number) return;
-        if (other !== cell && (other.optional || (other.ok && !other.element.classList.contains("live-edited")))) continue;
-        if (!(await other.run())) {
-          if (other === cell) return;
-          cell.element.dataset.ran = "failed";
-          this.say(`${other.name} failed, so ${cell.name} was not run.`);
-          return;
-        }
+    /* Run a cell after those above it that it needs: all that have not run as they stand. An exercise needs none. */
+    runTo(cell) {
+      const turn = this.turn;
+      this.queue = this.queue.then(() => (turn === this.turn ? this.runNow(cell) : null));
+      return this.queue;
+    }
+
+    async runNow(cell) {
+      const needed = () => (cell.optional ? [] : this.cells.filter((c) => c.number < cell.number && !c.optional && !c.current));
+      for (let left = needed(); left.length; left = needed()) {
+        const other = left[0];
+        if (await other.run(`, then ${left.length} more`)) continue;
+        const link = make("a", { href: "#", textContent: other.name });
+        link.onclick = (event) => {
+          event.preventDefault();
+          other.element.scrollIntoView({ block: "center" });
+          other.runButton.focus({ preventScroll: true });
+        };
+        cell.output.replaceChildren();
+        cell.output.hidden = false;
+        cell.advise(`${cell.name} was not run: `, link, ", which it needs, did not end well.");
+        cell.element.dataset.ran = "failed";
+        return;
       }
+      await cell.run();
+    }
+
+    stop() {
+      this.turn += 1;
+      this.python.stop();
     }
 
     nothingRan() {
@@ -254,6 +304,7 @@
     }
 
     restart() {
+      this.turn += 1;
       this.python.forget();
       this.nothingRan();
       this.python.start();
@@ -264,9 +315,16 @@
       this.cells.forEach((c) => c.reset());
       this.say("Forgotten: every cell is the book's again.");
     }
+
+    untick() {
+      window.Live.exercises.forget();
+      this.say("Forgotten: no exercise counts as accepted.");
+    }
   }
 
   window.addEventListener("DOMContentLoaded", () => {
+    for (const cell of document.querySelectorAll("div.cell.tag_not-live"))
+      cell.append(make("p", { className: "live-not" }, "This cell needs what a browser does not have: run it in ", notebook(), "."));
     const elements = [...document.querySelectorAll("div.cell.tag_live")].filter((e) => e.querySelector(".cell_input pre"));
     if (elements.length) window.Live.page = new Page(elements);
   });

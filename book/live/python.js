@@ -99,13 +99,13 @@
       this.clock = setInterval(() => this.say(state, text, `${seconds(since)} s`), 200);
     }
 
-    /* Run code; `shown(kind, text)` hears what it prints, up to `limit` characters if that is said. Resolves to
-       {ok, milliseconds}, or {stopped: true}. */
-    run(cell, code, shown, limit) {
+    /* Run code; `shown(kind, text)` hears what it prints, up to `limit` characters if that is said; `after`: what is to
+       come after it, in words. Resolves to {ok, milliseconds}, or {stopped: true}. */
+    run(cell, code, shown, { limit, after = "" } = {}) {
       this.start();
       const number = ++this.count;
-      this.running = cell;
-      if (this.ready) this.tick("running", `Running ${cell}.`);
+      this.running = cell + after;
+      if (this.ready) this.tick("running", `Running ${this.running}.`);
       return new Promise((resolve) => {
         this.waiting.set(`run ${number}`, { shown, stopped: () => resolve({ stopped: true }), done: (data) => {
           clearInterval(this.clock);

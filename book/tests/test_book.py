@@ -332,6 +332,7 @@ def test_each_stage_counts_what_its_command_really_prints():
         "oracles": "154 passed in 14.0s",
         "platforms": "platforms: 6 of 6 install the lock",
         "site": "site: 13 pages, 900 links and assets, 0 problems",
+        "shares": "shares: 27 chapters",
         "browser": "39 passed in 200.0s",
         "axe": "16 passed in 200.0s",
         "readers": "46 passed in 210.0s",

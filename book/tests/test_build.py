@@ -3,9 +3,10 @@
 import shutil
 from pathlib import Path
 
+import nbformat
 import pytest
 
-from book.tools import build, layout
+from book.tools import build, layout, notebooks
 
 INDEX = "# The book\n\n{doc}`first` says what a {term}`gain` is.\n"
 FIRST = "# First\n\nA {term}`gain`, {ref}`elsewhere <there>`, and `Slam`.\n"
@@ -96,3 +97,26 @@ def test_whatever_a_site_is_made_from_makes_a_new_one(checkout, tmp_path):
     assert build.made_from() == state
     (tmp_path / "slamlib" / "tests" / "test_x.py").write_text("no page shows a test")
     assert build.made_from() == state
+
+
+def test_new_words_reach_the_page_without_running_a_notebook_again(tmp_path, monkeypatch):
+    file, ran = tmp_path / "page.ipynb", []
+    monkeypatch.setattr(notebooks, "EXECUTED", tmp_path / "executed")
+    monkeypatch.setattr(notebooks, "execute", lambda file: ran.append(file) or run_by_hand(file))
+
+    def run_by_hand(file):
+        notebook = nbformat.read(file, as_version=4)
+        notebook.cells[1].outputs = [nbformat.v4.new_output("stream", text="2\n")]
+        return notebook
+
+    def written(words, code):
+        cells = [nbformat.v4.new_markdown_cell(words, id="a"), nbformat.v4.new_code_cell(code, id="b")]
+        nbformat.write(nbformat.v4.new_notebook(cells=cells), file)
+        copy, cached = notebooks.executed(file, "key")
+        made = nbformat.read(copy, as_version=4)
+        return cached, made.cells[0].source, made.cells[1].outputs[0].text
+
+    assert written("First words.", "print(1 + 1)") == (False, "First words.", "2\n")
+    assert written("Other words.", "print(1 + 1)") == (True, "Other words.", "2\n")
+    assert written("Other words.", "print(2)") == (False, "Other words.", "2\n")
+    assert len(ran) == 2

@@ -69,6 +69,7 @@ def stages(every: bool = False) -> list[Stage]:
         Stage("oracles", [*PYTHON, "book.tools.oracles"], r"(\d+) passed", "tests beside evo", every),
         Stage("platforms", [*PYTHON, "book.tools.platforms"], r"platforms: (\d+) of", "platforms for the lock", every),
         Stage("site", [*PYTHON, "book.tools.site"], r"site: (\d+) pages", "pages, links resolve"),
+        Stage("shares", [*PYTHON, "book.tools.shares"], r"shares: (\d+) chapters", "chapters, shares printed"),
         Stage("browser", [*chromium, "-k", "test_pages and not axe", *pages], r"(\d+) passed", "views of pages"),
         Stage("axe", [*chromium, "-k", "test_pages and axe", *pages], r"(\d+) passed", "pages, nothing serious"),
         Stage(

@@ -109,11 +109,19 @@ def text(notebook: Any) -> str:
 
 
 def executed(file: Path, key: str) -> tuple[Path, bool]:
-    """A copy of the notebook with all outputs, from the cache if notebook, package and lock are unchanged."""
+    """A copy of the notebook with all outputs, which are from the cache if code, package and lock are unchanged."""
     cached = _cached(file, key)
-    if cached.is_file():
-        return cached, True
-    return keep(file, execute(file), key), False
+    if not cached.is_file():
+        return keep(file, execute(file), key), False
+    notebook, ran = (nbformat.read(f, as_version=4) for f in (file, cached))
+    for cell, kept in zip(code_cells(notebook), code_cells(ran), strict=True):
+        cell.outputs, cell.execution_count = kept.outputs, kept.execution_count
+    return keep(file, notebook, key), True
+
+
+def code_cells(notebook: Any) -> list[Any]:
+    """The cells that run."""
+    return [cell for cell in notebook.cells if cell.cell_type == "code"]
 
 
 def keep(file: Path, executed: Any, key: str) -> Path:
@@ -127,12 +135,9 @@ def keep(file: Path, executed: Any, key: str) -> Path:
 
 
 def _cached(file: Path, key: str) -> Path:
-    """Where the executed copy is: named by the notebook without its outputs, and by what it runs on."""
-    notebook = nbformat.read(file, as_version=4)
-    for cell in notebook.cells:
-        cell.pop("outputs", None)
-        cell.pop("execution_count", None)
-    own = hashlib.sha256(json.dumps(notebook, sort_keys=True).encode()).hexdigest()[:20]
+    """Where the executed copy is: named by the notebook's code and tags, not its words, and by what it runs on."""
+    code = [(cell.source, cell.metadata.get("tags", [])) for cell in code_cells(nbformat.read(file, as_version=4))]
+    own = hashlib.sha256(json.dumps(code).encode()).hexdigest()[:20]
     return EXECUTED / f"{file.stem}.{own}.{key}.ipynb"
 
 
@@ -180,7 +185,7 @@ def pytest_sessionfinish() -> None:
     key = layout.digest(layout.package_files()) if _outputs else ""
     for file, found in _outputs.items():
         notebook = nbformat.read(file, as_version=4)
-        cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
+        cells = code_cells(notebook)
         if len(found) < len(cells):
             continue
         for number, cell in enumerate(cells):
@@ -196,7 +201,7 @@ def unstored(files: list[Path]) -> list[Path]:
     found = []
     for file in files:
         notebook = nbformat.read(file, as_version=4)
-        cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
+        cells = code_cells(notebook)
         never_run = bool(cells) and not any(cell.outputs for cell in cells)
         if never_run or file.read_text("utf-8") != text(normalise(notebook)):
             found.append(file)

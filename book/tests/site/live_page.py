@@ -96,6 +96,12 @@ def panel(page: Any) -> str:
     return str(page.locator(".live-panel").inner_text()).replace("\n", " ")
 
 
+def panel_button(page: Any, name: str) -> Any:
+    """One of the buttons behind the pill."""
+    page.evaluate("() => { Live.page.panel.hidden = false; Live.page.more.open = true; }")
+    return page.get_by_role("button", name=name)
+
+
 def write(page: Any, text: str, cell: int = 0) -> None:
     """Replace the text of a cell, as a reader would."""
     area = page.locator("div.cell.tag_live textarea").nth(cell)

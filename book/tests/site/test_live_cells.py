@@ -23,7 +23,7 @@ FOLLOWED = "([i, v]) => document.querySelectorAll('figure.sweep.live')[i].datase
 COMPUTE = """async ([code, patience]) => { let out = ''; let errors = '';
   const late = new Promise((give) => setTimeout(give, patience, { ok: false }));
   const done = await Promise.race([late, Live.page.python.run('cell parity', code, (kind, text) => {
-    if (kind === 'stdout') out += text; else errors += text; }, 1e8)]);
+    if (kind === 'stdout') out += text; else errors += text; }, { limit: 1e8 })]);
   return done.ok ? out : 'failed: ' + (errors || `no answer in ${patience / 1000} s`); }"""
 
 DECODERS = 2  # grey levels between two decoders of JPEG: each may round as it likes; Chromium's and OpenCV's are one
@@ -44,6 +44,9 @@ DRAWN = """(e) => {
   const svg = e.querySelector('figure.sweep [data-frame]:not([hidden]) svg, .picture svg, figure.live svg');
   return svg && [svg.getAttribute('viewBox'), [...svg.querySelectorAll('text')].map(t => t.textContent),
     [...new Set(svg.outerHTML.match(/--figure-\\w+/g))].sort(), svg.querySelectorAll('path, image').length]; }"""
+CAPTIONED = """(e) => {
+  const [drawn, caption] = ['.live-output', 'figure'].map(part => e.querySelector(':scope > ' + part));
+  return !caption || drawn.compareDocumentPosition(caption) === Node.DOCUMENT_POSITION_FOLLOWING; }"""
 TIMED = re.compile(r"perf_counter|time\.time")  # what a clock decides is drawn differently on each run
 
 
@@ -67,6 +70,7 @@ def test_the_cells_print_what_the_notebook_has_stored_and_the_sliders_answer(
         elif before and not TIMED.search(cell.source):
             after = page.locator("div.cell.tag_live").nth(i).locator(".live-output").evaluate(DRAWN)
             assert after == before, f"cell {i + 1} draws something else than the kernel did"
+            assert box.evaluate(CAPTIONED), f"the caption of cell {i + 1} does not stand below what it draws"
     figures = page.locator("figure.sweep.live")
     for i in range(figures.count()):
         drive(page, figures.nth(i), i)

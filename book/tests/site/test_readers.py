@@ -13,7 +13,17 @@ from typing import Any
 
 import pytest
 
-from book.tests.site.live_page import PATIENCE, SHOWN, address, answers, live_pages, open_page, run_one, write
+from book.tests.site.live_page import (
+    PATIENCE,
+    SHOWN,
+    address,
+    answers,
+    live_pages,
+    open_page,
+    panel_button,
+    run_one,
+    write,
+)
 from book.tools import build, layout, serve
 
 
@@ -27,8 +37,7 @@ def typed_text_is_kept(page: Any) -> bool:
     page.locator("div.cell.tag_live .live-bar button", has_text="Reset").first.click()
     reset = page.evaluate("() => Live.page.cells[0].code.text") == original
     write(page, "print('again')")
-    page.evaluate("() => { Live.page.panel.hidden = false; }")
-    page.get_by_role("button", name="Forget my text").click()
+    panel_button(page, "Forget my text").click()
     page.reload()
     page.wait_for_function("() => window.Live && Live.page")
     return kept and reset and page.evaluate("() => Live.page.cells[0].code.text") == original
@@ -63,7 +72,7 @@ def huge_output_is_cut(page: Any) -> bool:
 def a_restart_keeps_the_text(page: Any) -> bool:
     """Restart forgets variables, not what was typed."""
     run_one(page, "kept = 3\nprint(kept)")
-    page.get_by_role("button", name="Restart").click()
+    panel_button(page, "Restart").click()
     page.wait_for_function("() => Live.page.python.ready", timeout=PATIENCE)
     there = page.evaluate("() => Live.page.cells[0].code.text").startswith("kept = 3")
     return there and "NameError" in run_one(page, "print(kept)")
@@ -76,6 +85,45 @@ def a_deep_recursion_does_not_break_the_page(page: Any) -> bool:
     return "Maximum call stack size exceeded" in said and run_one(page, "print(1 + 1)").strip() == "2"
 
 
+def a_cell_runs_what_it_needs_first(page: Any) -> bool:
+    """Those above that have not run as they stand, and those that an edit has put out of date."""
+    panel_button(page, "Restart").click()
+    write(page, "a = 1", 0)
+    write(page, "b = a + 1", 1)
+    first = run_one(page, "print(a + b)", 2).strip()
+    write(page, "a = 10", 0)
+    second = run_one(page, "print(a + b)", 2).strip()
+    write(page, "a = 1 / 0", 0)
+    broken = run_one(page, "print(a + b)", 2)
+    told = page.evaluate("() => Live.page.cells[2].output.textContent")
+    return (first, second, broken) == ("3", "21", "") and "cell 1, which it needs, did not end well" in told
+
+
+def an_accepted_exercise_is_remembered(page: Any) -> bool:
+    """It is ticked in the side bar, also after a reload, until the reader forgets it; a rejected one is not."""
+    exercise, solution = (
+        page.evaluate("(tag) => Live.page.cells.findIndex(c => c.element.matches(tag))", tag)
+        for tag in (".tag_exercise", ".tag_solution")
+    )
+    text = page.evaluate("(i) => Live.page.cells[i].code.original", solution)
+    ticks = page.locator(".bd-links .ticks")
+    run_one(page, text.replace("return ", "return 7 + "), exercise)
+    rejected = ticks.count()
+    run_one(page, text, exercise)
+    accepted = ticks.all_inner_texts()
+    page.reload()
+    page.wait_for_function("() => window.Live && Live.page")
+    kept = ticks.all_inner_texts()
+    panel_button(page, "Forget my ticks").click()
+    return (
+        rejected == 0
+        and len(accepted) == 1
+        and accepted[0].startswith("\u2713 1 of ")
+        and kept == accepted
+        and not ticks.count()
+    )
+
+
 READERS: list[Callable[[Any], bool]] = [
     typed_text_is_kept,
     an_endless_loop_is_stopped,
@@ -83,6 +131,8 @@ READERS: list[Callable[[Any], bool]] = [
     huge_output_is_cut,
     a_restart_keeps_the_text,
     a_deep_recursion_does_not_break_the_page,
+    a_cell_runs_what_it_needs_first,
+    an_accepted_exercise_is_remembered,
 ]
 
 

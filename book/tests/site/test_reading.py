@@ -1,5 +1,6 @@
 """Reading mode: folds with names, results above their code, buttons where the reader points, prose of a good width."""
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -15,6 +16,9 @@ BELOW = """() => [...document.querySelectorAll('div.cell:has(> details.above-inp
   .filter(e => e.textContent.trim() || e.querySelector('svg'))
   .map(e => [e, e.parentElement.querySelector(':scope > details')].map(e => e.getBoundingClientRect()))
   .map(([result, fold]) => result.bottom - fold.top)"""
+UNDER = """(cells) => cells.map(e => ['figure.of-cell', '.cell_output:not([hidden])']
+  .map(part => e.querySelector(':scope > ' + part).getBoundingClientRect()))
+  .map(([caption, drawn]) => caption.top - drawn.bottom)"""
 WIDTHS = """() => [...document.querySelectorAll('.bd-article section > p')]
   .map(e => e.getBoundingClientRect().width).filter(w => w)"""
 
@@ -96,3 +100,60 @@ def test_show_all_code_opens_every_fold_and_is_remembered(site, page, outside):
 
 def test_prose_is_as_wide_as_it_reads_well(read):
     assert 680 <= max(read.evaluate(WIDTHS)) <= 720
+
+
+def test_what_only_confirms_is_a_green_line_that_unfolds(read):
+    sums = read.locator(".cell_output.confirmed summary")
+    for told in sums.all_inner_texts():
+        assert re.search(r"(proved|the same), (\d+) of \2 entries|\d+ checks hold", told), told
+    lines = read.locator(".cell_output.confirmed").filter(has=read.locator("pre:visible"))
+    assert lines.count() > 0
+    if "points" in read.url:
+        whole = read.locator(".cell_output.confirmed details pre").first
+        assert not whole.is_visible()
+        sums.first.press("Enter")
+        assert whole.inner_text().count("same: 3 of 3 entries") == 5
+
+
+def test_a_long_listing_fades_until_it_is_asked_for(url, page, outside):
+    page.goto(url)
+    page.wait_for_function("() => window.Live && Live.page")
+    box, button = page.locator(".cell_input.faded").first, page.locator(".all-lines").first
+    lines = int(button.inner_text().split()[1])
+    heights = "(e) => [e.clientHeight, e.scrollHeight]"
+    editor = box.locator(".live-editor")
+    shown, whole = editor.evaluate(heights)
+    assert lines >= 30
+    assert shown < 0.7 * whole
+    page.emulate_media(media="print")
+    assert len({*page.locator(".cell_input .live-editor").first.evaluate(heights)}) == 1
+    page.emulate_media(media="screen")
+    button.press("Enter")
+    assert button.get_attribute("aria-expanded") == "true"
+    assert page.locator(".all-lines").first.inner_text() == "fewer lines"
+
+
+def test_few_steps_lead_to_the_first_slider(page, site, outside):
+    page.goto(f"{site}/{PAGES['slam_in_five_minutes']}")
+    page.wait_for_function("() => window.Live && Live.page")
+    page.keyboard.press("Tab")
+    assert "main content" in page.evaluate("() => document.activeElement.textContent")
+    page.keyboard.press("Enter")
+    steps = 1
+    while not page.evaluate("() => document.activeElement.matches('figure.sweep input, figure.player input')"):
+        page.keyboard.press("Tab")
+        steps += 1
+        assert steps <= 30
+
+
+def test_a_figure_has_a_number_which_the_text_says_and_its_caption_below_it(page, site, outside):
+    page.goto(f"{site}/{PAGES['points']}")
+    page.wait_for_function("() => window.Live && Live.page")
+    numbers = [number.strip() for number in page.locator("figure.of-cell .caption-number").all_inner_texts()]
+    chapter = numbers[0].split()[1].split(".")[0]
+    assert numbers == [f"Fig. {chapter}.{i + 1}" for i in range(len(numbers))]
+    said = page.locator(".bd-article a.reference[href^='#fig-']").all_inner_texts()
+    assert {word.strip() for word in said} == set(numbers)
+    gaps = page.locator("div.cell:has(> figure.of-cell)").evaluate_all(UNDER)
+    assert len(gaps) == len(numbers)
+    assert all(0 <= gap < 60 for gap in gaps), gaps
