@@ -6,6 +6,7 @@ import nbformat
 import pytest
 from docutils.nodes import make_id
 
+from book.tests.site.live_page import stored_text
 from book.tools import layout
 
 CAPTION = re.compile(r"\*\*Figure: ([^*]+)\.\*\* \S")
@@ -20,8 +21,7 @@ def cells(file):
 
 def draws(cell):
     """Whether a picture, slider or player is among the outputs of a cell."""
-    told = "".join(o.get("text", "") + "\n" + o.get("data", {}).get("text/plain", "") for o in cell.get("outputs", []))
-    return cell.cell_type == "code" and DRAWN.search(told) is not None
+    return cell.cell_type == "code" and DRAWN.search(stored_text(cell)) is not None
 
 
 def captions(file):

@@ -1,5 +1,6 @@
 """Reading mode: folds with names, results above their code, buttons where the reader points, prose of a good width."""
 
+import importlib.util
 import re
 from collections.abc import Iterator
 from typing import Any
@@ -113,6 +114,27 @@ def test_what_only_confirms_is_a_green_line_that_unfolds(read):
         assert not whole.is_visible()
         sums.first.press("Enter")
         assert whole.inner_text().count("same: 3 of 3 entries") == 5
+
+
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        ("same: 3 of 3 entries by symbolic difference\nab: same on unit vectors: 4 of 4 entries by symbolic difference",
+         "proved, 7 of 7 entries"),
+        ("same: 0 of 2 entries by symbolic difference, 2 zero to 50 digits at 5 exact random points",
+         "the same, 2 of 2 entries"),
+        ("mean agrees: True\ncovariance agrees: True", "2 checks hold"),
+        ("mean agrees: True\ncovariance agrees: False", None),
+        ("there: False, and back: True", None),
+        ("mean agrees: True\nlargest error: 3 px", None),
+        ("", None),
+    ],
+)  # fmt: skip
+def test_only_what_confirms_is_summed_up(said, told):
+    place = importlib.util.spec_from_file_location("reading", layout.BOOK / "_ext" / "reading.py")
+    module = importlib.util.module_from_spec(place)
+    place.loader.exec_module(module)
+    assert module.confirmation(said.splitlines()) == told
 
 
 def test_a_long_listing_fades_until_it_is_asked_for(url, page, outside):
