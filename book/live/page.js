@@ -176,7 +176,7 @@
     }
 
     /* A figure with its slider; each move asks Python for a frame, one at a time. */
-    slider({ key, label, last, start, steps, names, frame }) {
+    slider({ key, label, last, start, steps, names, button, frame }) {
       const id = `live-slider-${this.number}`;
       const range = names.length // a menu of them, in place of the slider
         ? make("select", { id, autocomplete: "off" }, ...names.map((name, i) => make("option", { value: i, textContent: name })))
@@ -208,6 +208,7 @@
       range.addEventListener("input", move);
       draw(frame);
       const bar = make("div", { className: "sweep-bar" }, make("label", { htmlFor: id, textContent: label }), range, shown);
+      bar.insertAdjacentHTML("beforeend", button);
       const figure = make("figure", { className: "sweep live" }, bar, picture, note);
       return figure;
     }

@@ -82,6 +82,7 @@ class Runner:
                     "start": value.start,
                     "steps": value.steps,
                     "names": value.names,
+                    "button": value.button,
                     "frame": value.frame(value.start),
                 }
             )

@@ -381,6 +381,8 @@ def test_a_widget_draws_between_the_frames():
     assert (slider.description, slider.value, slider.max, value.value) == ("width [m]", 8, 16, "2")
     slider.value = 4
     assert value.value == "1.5"
+    play = sweep(bell, "step", [1, 5, 9], alt=ALT, start=1, play=True).widget().children[0].children[2]
+    assert (play.value, play.max) == (4, 8)
     assert "The width is 1.50 m." in drawing.value
     assert f'aria-label="{ALT} width [m]: 1.5."' in drawing.value
 
@@ -418,6 +420,27 @@ def test_names_are_a_menu(page):
     assert page.evaluate(SHOWN) == ["none"]
     assert page.locator(".sweep-note").inner_text() == "this is none"
     assert page.locator("output").is_hidden()
+
+
+def test_a_slider_over_time_plays_to_its_end_and_pauses(page):
+    page.clock.install()
+    page.set_content(html_of(sweep(bell, "width [m]", [0.5, 1.0, 2.0, 4.0], alt=ALT, start=1, play=True)))
+    button, seen = page.get_by_role("button"), []
+    button.click()
+    for _ in range(4):
+        assert button.inner_text() == "Pause" or seen[-1:] == ["4"]
+        page.clock.run_for(1000)
+        seen += page.evaluate(SHOWN)
+    assert seen == ["2", "4", "4", "4"]
+    assert button.inner_text() == "Play"
+    button.click()  # at its end it begins again
+    page.clock.run_for(1000)
+    button.click()
+    page.clock.run_for(3000)
+    assert page.evaluate(SHOWN) == ["1"]
+    assert button.inner_text() == "Play"
+    with pytest.raises(SlamlibError, match="only numbers can be played, and one value is 'EKF'"):
+        sweep(bell, "filter", ["EKF", "UKF"], alt=ALT, play=True)
 
 
 @pytest.mark.parametrize("style", ["figures.css", None], ids=["book", "notebook"])

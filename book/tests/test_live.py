@@ -135,10 +135,10 @@ def test_extensions_and_their_magics_work_as_in_a_notebook(page):
 
 
 def test_a_figure_with_a_slider_asks_for_frames(page):
-    page.run("class S:\n    label, values, start, steps, names = 'x', [1, 2], 0, 4, []\n"
+    page.run("class S:\n    label, values, start, steps, names, button = 'x', [1, 2], 0, 4, [], '<p>'\n"
              "    def frame(self, p): return (str(p), '<svg/>', 'note')\nS()", "cell 1")  # fmt: skip
     shown = json.loads(json.loads(said(page, "value"))["slider"])
-    wanted = {"key": "cell 1", "last": 1, "steps": 4, "names": [], "frame": ["0", "<svg/>", "note"]}
+    wanted = {"key": "cell 1", "last": 1, "steps": 4, "names": [], "button": "<p>", "frame": ["0", "<svg/>", "note"]}
     assert {name: shown[name] for name in wanted} == wanted
     assert json.loads(page.frame("cell 1", 0.25)) == ["0.25", "<svg/>", "note"]
 

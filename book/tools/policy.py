@@ -13,6 +13,7 @@ import re
 from importlib.resources import files
 from pathlib import Path
 
+from slambook.figures.page import PLAY
 from slambook.scene.player_page import START
 
 SHUT = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
@@ -38,8 +39,9 @@ def of(file: Path, changed: float) -> str:
     """The policy of a file of the site; `changed`, its time of change, makes an old one useless."""
     if file.suffix != ".html":
         return WORKER if file.suffix == ".js" else SHUT
-    # A cell that the reader runs may show a player, which brings its script along, also where the page has none.
-    programs = {START, files("slambook.scene").joinpath("player.js").read_text("utf-8")}
+    # A cell that the reader runs may show a player, or a slider that plays, which bring their programs along, also
+    # where the page has none.
+    programs = {START, PLAY, files("slambook.scene").joinpath("player.js").read_text("utf-8")}
     programs |= {script or html.unescape(handler) for script, handler in _found(file)}
     if file.name == "search.html":  # it reads the pages that it finds, with the handlers of their sliders and buttons
         pages = (page for page in file.parent.rglob("*.html") if page.resolve().is_relative_to(file.parent.resolve()))

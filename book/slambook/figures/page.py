@@ -39,6 +39,14 @@ MOVE = (
     "if(r.type==='range')r.setAttribute('aria-valuetext',c.dataset.value);f.querySelector('output').textContent=c.dataset.value;"
     "f.querySelector('.sweep-note').textContent=c.dataset.note||''})(this)"
 )
+# Play moves the slider as a reader would, to its end in ten seconds or so; pressed again it pauses.
+PLAY = (
+    "(function(b){var r=b.parentNode.querySelector('input'),n=(r.max-r.min)/r.step,"
+    "stop=function(){clearInterval(b.timer);b.timer=0;b.textContent='Play'};if(b.timer)return stop();"
+    "var go=function(v){r.value=v;r.dispatchEvent(new Event('input'));"
+    "if(+r.value===+r.max||!b.isConnected)stop()};b.textContent='Pause';"
+    "b.timer=setInterval(function(){go(+r.value+ +r.step)},Math.min(1000,10000/n));if(r.value===r.max)go(r.min)})(this)"
+)
 
 
 class StaticPicture:
@@ -58,8 +66,10 @@ class StaticPicture:
 class Sweep:
     """Figures under a slider: see sweep. Frames are drawn when they are asked for, and once."""
 
-    def __init__(self, draw: Callable[[Any], Any], label: str, values: list[Any], start: int, alt: str) -> None:
-        self.draw, self.label, self.values, self.start, self.alt = draw, label, values, start, alt
+    def __init__(
+        self, draw: Callable[[Any], Any], label: str, values: list[Any], start: int, alt: str, play: bool
+    ) -> None:
+        self.draw, self.label, self.values, self.start, self.alt, self.play = draw, label, values, start, alt, play
         self._drawn: dict[int, tuple[str, str, str]] = {}
 
     def __repr__(self) -> str:
@@ -69,6 +79,11 @@ class Sweep:
     def names(self) -> list[str]:
         """What a menu offers in place of the slider: the values, unless they are numbers."""
         return [] if all(map(_is_number, self.values)) else list(map(str, self.values))
+
+    @property
+    def button(self) -> str:
+        """Play, as HTML beside the slider, for those that have it."""
+        return f'<button type="button" onclick="{html.escape(PLAY)}">Play</button>' * self.play
 
     @property
     def steps(self) -> int:
@@ -141,6 +156,7 @@ class Sweep:
         bar = f'<label for="{name}">{html.escape(self.label)}</label>'
         bar += f"<select {common}>{''.join(named)}</select>" if named else slider
         bar += f'<output for="{name}"{" hidden" * bool(named)}>{value}</output>'
+        bar += self.button
         shown = ""
         for i, (number, svg, words) in enumerate(frames):
             said = f' data-note="{html.escape(words)}"' if words else ""
@@ -160,11 +176,19 @@ def picture(fig: Any, alt: str) -> StaticPicture:
     return StaticPicture(fig, alt)
 
 
-def sweep(draw: Callable[[Any], Any], label: str, values: Iterable[Any], alt: str, start: int | None = None) -> Sweep:
+def sweep(
+    draw: Callable[[Any], Any],
+    label: str,
+    values: Iterable[Any],
+    alt: str,
+    start: int | None = None,
+    play: bool = False,
+) -> Sweep:
     """A slider over figures: draw(value) returns a figure, or (figure, note).
 
     label: what the slider moves, with its unit; values: one a frame (9 to 15 make a smooth slider and a light page);
     start: index of the first frame shown (default: the middle one). Fix the axes in `draw`: frames must not jump.
+    play: a button that moves the slider, for values that are moments, one after the other.
     The first frame is drawn at once, so that a mistake in `draw` is an error here.
     """
     must_describe("sweep", alt)
@@ -174,7 +198,9 @@ def sweep(draw: Callable[[Any], Any], label: str, values: Iterable[Any], alt: st
     first = len(values) // 2 if start is None else start
     if not 0 <= first < len(values):
         raise SlamlibError(f"sweep: start is the index of a frame, 0 to {len(values) - 1}, got {start}")
-    made = Sweep(draw, label, values, first, alt)
+    made = Sweep(draw, label, values, first, alt, play)
+    if play and made.names:
+        raise SlamlibError(f"sweep: only numbers can be played, and one value is {made.names[0]!r}: leave play out")
     made.frame(first)
     return made
 

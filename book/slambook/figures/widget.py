@@ -65,4 +65,8 @@ def live_slider(sweep: Any) -> Any:
 
     slider.observe(move, names="value")
     move()
-    return ipywidgets.VBox([ipywidgets.HBox([slider, shown]), drawing])
+    bar = [slider, shown]
+    if sweep.play:
+        bar.append(ipywidgets.Play(value=slider.value, max=slider.max, interval=int(min(1000, 10_000 / slider.max))))
+        ipywidgets.jslink((bar[-1], "value"), (slider, "value"))
+    return ipywidgets.VBox([ipywidgets.HBox(bar), drawing])
