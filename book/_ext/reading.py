@@ -47,7 +47,8 @@ def what(fold: nodes.Element, cell: nodes.Element) -> str:
 
 
 class Confirmations(SphinxPostTransform):
-    """An output that only confirms is a line with a tick; where it has more lines, they are folded behind their sum."""
+    """An output that only confirms is a line with a tick; where it has more lines, they are folded behind their sum.
+    Behind it is the code, too, of a proof whose code is folded."""
 
     default_priority = 201
     formats = ("html",)
@@ -64,7 +65,13 @@ class Confirmations(SphinxPostTransform):
             if told is None:
                 continue
             output["classes"].append("confirmed")
-            if len(said) > 1:
+            fold = next(iter(output.parent.findall(HideCodeCellNode)), None)
+            if fold is not None and all(map(SAME.search, said)):
+                fold["classes"].append("confirmed")
+                fold["prompt_show"] = fold["prompt_hide"] = told
+                output.parent.remove(output)
+                fold.append(output)
+            elif len(said) > 1:
                 output.insert(0, nodes.raw("", f"<details><summary>{told}</summary>", format="html"))
                 output.append(nodes.raw("", "</details>", format="html"))
 

@@ -162,6 +162,14 @@ def test_a_chapter_has_a_slider_and_describes_its_pictures(chapter):
 
 
 @pytest.mark.parametrize("page", layout.notebooks(), ids=lambda c: c.stem)
+def test_legends_say_where_they_stand(page):
+    """The best place is another one where matplotlib draws than where the page does."""
+    source = "\n".join("".join(c["source"]) for c in cells(page) if c["cell_type"] == "code")
+    places = [call.partition(")")[0] for call in source.split(".legend(")[1:]]
+    assert [call for call in places if "loc=" not in call or "best" in call] == []
+
+
+@pytest.mark.parametrize("page", layout.notebooks(), ids=lambda c: c.stem)
 def test_listings_fit_a_page_of_1280_pixels(page):
     """The letters that fit beside the columns for contents are counted by book/_static/book.css, and by a browser in
     book/tests/site/test_pages.py; a solution stands in a frame of its own. What is folded away may be wider."""

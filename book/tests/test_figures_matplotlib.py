@@ -50,7 +50,7 @@ def bands(plt):
     left.axvline(5, color=colors.grey, lw=0.8)
     left.axhline(0, ls="--", color=colors.text)
     left.plot(T, np.sin(T) ** 2, label="NEES")
-    left.legend()
+    left.legend(loc="upper right")
     right.fill_between(T, np.sin(T) - 0.2, np.sin(T) + 0.2, alpha=0.25)
     right.fill_between(T, -1, 1, where=T > 8, color=colors.red, alpha=0.3)
     right.fill([1, 2, 2, 1], [0, 0, 1, 1], color=colors.blue, alpha=0.3, edgecolor=colors.text)

@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 from matplotlib import rc_context, ticker
-from matplotlib.legend import Legend
 
 from slambook.figures.artists import put_all, sample
 from slambook.figures.axes import Axes
@@ -22,7 +21,6 @@ from slambook.figures.reading import CannotReplayError
 USUAL_TICKS = (ticker.AutoLocator, ticker.LogLocator)  # the renderer places its own instead
 USUAL_LABELS = (ticker.ScalarFormatter, ticker.LogFormatterSciNotation)
 COLOR = re.compile(r"(?<=: )#[0-9a-f]{6}\b")
-CORNERS = {code: name for name, code in Legend.codes.items() if name != "right"}
 
 
 def replayed(fig: Any) -> Figure:
@@ -77,7 +75,7 @@ def _ticks(axis: Any, limits: tuple[float, float], target: Axes) -> None:
 def _legend(legend: Any, ax: Any, target: Axes) -> None:
     entries = list(zip(legend.legend_handles, (t.get_text() for t in legend.get_texts()), strict=True))
     samples = [sample(handle) for handle, _ in entries]
-    loc, box, options = legend._get_loc(), legend.get_bbox_to_anchor(), dict[str, Any]()
+    box, options = legend.get_bbox_to_anchor(), dict[str, Any]()
     if box is not ax.bbox:
         (x0, y0), (x1, y1) = ax.transAxes.inverted().transform(box.get_points())
         if max(abs(x1 - x0), abs(y1 - y0)) > 1e-9:
@@ -86,13 +84,36 @@ def _legend(legend: Any, ax: Any, target: Axes) -> None:
     target.legend(
         samples,
         [label for _, label in entries],
-        loc=CORNERS.get(loc, "center right") if isinstance(loc, int) else loc,
-        ncols=legend._ncols,
+        loc=_loc(legend),
+        ncols=_ncols(legend),
         title=legend.get_title().get_text(),
         fontsize=legend.get_texts()[0].get_fontsize() if entries else 10.6,
         frameon=legend.get_frame_on(),
         **options,
     )
+
+
+def _loc(legend: Any) -> Any:
+    """Where a legend stands in what it is anchored to: a corner or side, by its name, or the place of its lower left
+    corner, in shares. matplotlib is not asked for what it was told: there is no public way to."""
+    ground, box = legend.get_window_extent(), legend.get_bbox_to_anchor()
+    pad = legend.borderaxespad * legend.prop.get_size_in_points() * legend.get_figure().dpi / 72
+    sides = []
+    for low, high, names in (
+        (ground.y0 - box.y0, box.y1 - ground.y1, ("lower", "center", "upper")),
+        (ground.x0 - box.x0, box.x1 - ground.x1, ("left", "center", "right")),
+    ):
+        fits = abs(low - pad) < 0.5, abs(high - low) < 0.5, abs(high - pad) < 0.5
+        if not any(fits):
+            return tuple((ground.p0 - box.p0) / box.size)
+        sides.append(names[fits.index(True)])
+    return " ".join(dict.fromkeys(sides))
+
+
+def _ncols(legend: Any) -> int:
+    """Its columns: below the title stands the box of them."""
+    (_, below), *_ = (packed.get_children() for packed in legend.get_children())
+    return len(below.get_children())
 
 
 def native_svg(fig: Any, alt: str) -> str:

@@ -49,9 +49,22 @@ def test_a_fold_says_what_it_hides_and_how_long_it_is(url, script, browser, outs
     assert len(names) > 5
     for name in names:
         kind, _, lines = name.rpartition(", ")
-        assert kind in ("Setup", "Code", "Code of this figure", "Output"), name
+        assert kind in ("Setup", "Code", "Code of this figure", "Output", "proved", "the same"), name
         assert int(lines.split()[0]) > 1, name
     assert summaries.first.get_attribute("aria-label") is None
+    page.close()
+
+
+def test_a_proof_is_one_line_with_its_code_and_what_it_printed_behind_it(browser, site, outside):
+    page = browser.new_page()
+    page.goto(f"{site}/{PAGES['points']}")
+    page.wait_for_function("() => window.Live && Live.page")
+    cell = page.locator("div.cell:has(> details.confirmed)").first
+    assert re.fullmatch(r"proved, \d+ of \d+ entries", cell.inner_text().strip().splitlines()[0])
+    assert "assert_same" not in cell.inner_text()
+    cell.locator("summary").click()
+    assert "by symbolic difference" in cell.locator(".cell_output").first.inner_text()
+    assert "assert_same" in cell.locator("textarea").input_value()
     page.close()
 
 
@@ -166,6 +179,8 @@ def test_few_steps_lead_to_the_first_slider(page, site, outside):
         page.keyboard.press("Tab")
         steps += 1
         assert steps <= 30
+    assert page.locator(".bd-article mjx-container").count() > 100
+    assert page.locator("mjx-container[tabindex='0']").count() == 0
 
 
 def test_a_figure_has_a_number_which_the_text_says_and_its_caption_below_it(page, site, outside):
