@@ -58,7 +58,20 @@ def test_a_chapter_ends_its_history_with_its_headings_in_part_six(chapter):
     known = {f"{kind}-{slug}": page for kind, page in pages.items() if f"({kind}-{slug})=" in page}
     assert targets == list(known) != []
     for target, page in known.items():
-        assert re.search(rf"\({target}\)=\n## {{doc}}`[^`<]+ <\.\./chapters/{chapter.stem}>`\n", page)
+        assert re.search(rf"\({target}\)=\n## \[[^]]+\]\(\.\./chapters/{chapter.stem}\.ipynb\)\n", page)
+
+
+def title(page: Path) -> str:
+    text = prose(page) if page.suffix == ".ipynb" else page.read_text("utf-8")
+    return re.search(r"(?m)^# (.+)$", text)[1]
+
+
+@pytest.mark.parametrize("page", layout.notebooks(), ids=lambda c: c.stem)
+def test_links_to_pages_work_in_any_front_end_and_say_their_titles(page):
+    """A role of Sphinx is a name of a file there. A title may be cut short."""
+    assert "{doc}" not in prose(page)
+    links = re.findall(r"\[([^]]+)\]\(([\w./]+\.(?:ipynb|md))\)", prose(page))
+    assert [words for words, target in links if not title(page.parent / target).startswith(words)] == []
 
 
 def unclosed(text: str) -> list[str]:

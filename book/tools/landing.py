@@ -42,7 +42,7 @@ def chapters() -> dict[str, dict[str, str]]:
 def arcs(found: dict[str, dict[str, str]]) -> list[tuple[str, str]]:
     """Pairs (needed, chapter), without those that follow from others."""
     order = list(found)
-    needs = {name: set(re.findall(r"\{doc\}`(\w+)`", goals["needs"])) & set(order) for name, goals in found.items()}
+    needs = {name: set(re.findall(r"\]\((\w+)\.ipynb\)", goals["needs"])) & set(order) for name, goals in found.items()}
     below: dict[str, set[str]] = {}
     for name in order:
         earlier = {one for one in needs[name] if order.index(one) < order.index(name)}
