@@ -217,7 +217,8 @@ def test_a_page_may_run_its_own_programs_and_no_others(http):
     scripts = set(re.search(r"script-src ([^;]*);", said)[1].split()) - {"'self'", "'unsafe-hashes'"}
     for program in ("first = 1;", 'second("2")'):
         scripts.remove(f"'sha256-{base64.b64encode(hashlib.sha256(program.encode()).digest()).decode()}'")
-    assert len(scripts) == 2  # what starts a player, and the player: no data, no file, no 'unsafe-inline'
+    # What starts a player, the player, and a slider that plays by itself: no data, no file, no 'unsafe-inline'.
+    assert len(scripts) == 3
     assert all(name.startswith("'sha256-") for name in scripts)
     assert "wasm-unsafe-eval" in asked(http, "/worker.js")[1]["Content-Security-Policy"]
     assert asked(http, "/numbers.bin")[1]["Content-Security-Policy"] == policy.SHUT
