@@ -30,6 +30,12 @@ window.addEventListener("DOMContentLoaded", () => {
   const passed = () => document.querySelectorAll("a.headerlink, div.cell .copybtn").forEach((e) => { e.tabIndex = -1; });
   passed();
   window.addEventListener("load", () => setTimeout(passed));
+  // The theme's link to the main content leads to the buttons above it; this one past them, to the text.
+  const article = document.querySelector(".bd-article"), skip = document.querySelector("#pst-skip-link a");
+  if (article && skip) {
+    article.id ||= "text";
+    skip.hash = article.id;
+  }
   const header = document.querySelector(".article-header-buttons");
   if (!folds.length && !fades.length || !header) return;
   const button = make("");

@@ -42,14 +42,7 @@ def of(file: Path, changed: float) -> str:
     # A cell that the reader runs may show a player, or a slider that plays, which bring their programs along, also
     # where the page has none.
     programs = {START, PLAY, files("slambook.scene").joinpath("player.js").read_text("utf-8")}
-    programs |= {script or html.unescape(handler) for script, handler in _found(file)}
-    if file.name == "search.html":  # it reads the pages that it finds, with the handlers of their sliders and buttons
-        pages = (page for page in file.parent.rglob("*.html") if page.resolve().is_relative_to(file.parent.resolve()))
-        programs |= {html.unescape(handler) for page in pages for _, handler in _found(page) if handler}
+    found = PROGRAM.findall(file.read_text("utf-8", errors="replace"))  # each a script or a handler of an event
+    programs |= {script or html.unescape(handler) for script, handler in found}
     hashes = (base64.b64encode(hashlib.sha256(program.encode()).digest()).decode() for program in programs)
     return PAGE.format(hashes=" ".join(sorted(f"'sha256-{name}'" for name in hashes)))
-
-
-def _found(file: Path) -> list[tuple[str, str]]:
-    """The programs that stand in a page, each a script or a handler of an event."""
-    return PROGRAM.findall(file.read_text("utf-8", errors="replace"))
