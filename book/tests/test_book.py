@@ -10,9 +10,10 @@ from pathlib import Path
 
 import nbformat
 import pytest
+import yaml
 
 from book.tests.site import live_page
-from book.tools import browser, build, ci, landing, layout, notebooks, site
+from book.tools import browser, build, ci, instructor, landing, layout, notebooks, site
 
 CHAPTERS = sorted((layout.BOOK / "chapters").glob("*.ipynb"))
 PARTS = [
@@ -195,7 +196,9 @@ def test_listings_fit_a_page_of_1280_pixels(page):
 
 def test_every_notebook_is_a_page():
     assert {p.resolve() for p in layout.notebooks()} == {
-        p.resolve() for folder in ("chapters", "sources", "appendices") for p in (layout.BOOK / folder).glob("*.ipynb")
+        p.resolve()
+        for folder in (".", "chapters", "sources", "appendices")
+        for p in (layout.BOOK / folder).glob("*.ipynb")
     }
 
 
@@ -208,11 +211,23 @@ def test_outputs_are_stored_as_text_with_counts_that_nbval_compares(page):
     assert notebooks.unstored([page]) == []
 
 
-def test_the_landing_page_has_a_line_for_each_chapter_and_the_figure_of_what_needs_what():
-    page = landing.PAGE.read_text("utf-8")
-    for name, goals in landing.chapters().items():
-        assert re.search(rf"\| {{doc}}`chapters/{name}` \| .+ \| {re.escape(goals['time'])} \|", page), name
-    assert landing.current() == page, "python -m book.tools.landing"
+def test_the_landing_page_lists_the_chapters_in_their_order_by_parts():
+    listed = prose(landing.PAGE).partition(":::{div} chapters\n")[2].partition("\n:::")[0]
+    found = re.findall(r"(?m)^(?:\*\*(.+)\*\*$|- \[[^]]+\]\(chapters/(\w+)\.ipynb\))", listed)
+    _, *parts = yaml.safe_load((layout.ROOT / "_toc.yml").read_text("utf-8"))["parts"]  # the first has a button
+    wanted = []
+    for part in parts:
+        names = [page["file"].rpartition("/") for page in part["chapters"]]
+        if names[0][0] == "book/chapters":
+            wanted += [(part["caption"], ""), *(("", name) for _, _, name in names)]
+    assert found == wanted
+
+
+def test_the_landing_page_says_how_long_chapters_take_and_what_builds_on_what():
+    times = [instructor.minutes(goals["time"]) for goals in landing.chapters().values()]
+    assert (min(times), max(times)) == (40, 120)
+    assert "from 40 minutes to two hours" in prose(landing.PAGE)
+    assert landing.current() == landing.FIGURE.read_text("utf-8"), "python -m book.tools.landing"
 
 
 # -- notebooks ---------------------------------------------------------------------------------------------------------
@@ -241,7 +256,6 @@ def test_running_a_notebook_stores_its_text(tmp_path, monkeypatch):
 def test_a_picture_is_written_once_however_often_it_is_shown(tmp_path, monkeypatch):
     content, write, written = bytes(7600), Path.write_bytes, []
     shown = f'<img src="data:image/png;base64,{base64.b64encode(content).decode()}">'
-    (tmp_path / "_images").mkdir()
     for page in ("one.html", "two.html"):
         (tmp_path / page).write_text(2 * shown)
     monkeypatch.setattr(Path, "write_bytes", lambda path, data: written.append(path) or write(path, data))

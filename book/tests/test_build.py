@@ -120,3 +120,23 @@ def test_new_words_reach_the_page_without_running_a_notebook_again(tmp_path, mon
     assert written("Other words.", "print(1 + 1)") == (True, "Other words.", "2\n")
     assert written("Other words.", "print(2)") == (False, "Other words.", "2\n")
     assert len(ran) == 2
+
+
+def test_a_notebook_runs_again_when_one_that_it_reads_has_other_code(tmp_path):
+    """The landing page shows a chapter's run."""
+
+    def write(name, words, code):
+        cells = [nbformat.v4.new_markdown_cell(words, id="a"), nbformat.v4.new_code_cell(code, id="b")]
+        nbformat.write(nbformat.v4.new_notebook(cells=cells), tmp_path / name)
+
+    def place():
+        return notebooks._cached(tmp_path / "index.ipynb", "key").name
+
+    (tmp_path / "chapters").mkdir()
+    write("index.ipynb", "Words.", 'run(Path("chapters/one.ipynb"))')
+    write("chapters/one.ipynb", "Words.", "print(1)")
+    first = place()
+    write("chapters/one.ipynb", "Other words.", "print(1)")
+    assert place() == first
+    write("chapters/one.ipynb", "Other words.", "print(2)")
+    assert place() != first

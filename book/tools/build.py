@@ -136,6 +136,7 @@ def lighten(site: Path) -> None:
             content = base64.b64decode(found[1])
             file = site / "_images" / f"{hashlib.sha256(content).hexdigest()[:16]}.png"
             if not file.is_file():
+                file.parent.mkdir(exist_ok=True)
                 file.write_bytes(content)
             return f"{images}/{file.name}"
 

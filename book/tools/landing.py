@@ -1,6 +1,6 @@
-"""Draw what needs what: the landing page's figure of all chapters, made from what each says that it needs.
+"""Draw what builds on what: the landing page's figure of all chapters, made from what each says that it needs.
 
-`python -m book.tools.landing` writes it into book/index.md; a test says when it is not current.
+`python -m book.tools.landing` writes it as the file that book/index.ipynb includes; a test says when it is not current.
 """
 
 import json
@@ -14,8 +14,8 @@ from slambook.figures.page import svg_of
 
 from book.tools import layout
 
-PAGE = layout.BOOK / "index.md"
-FIGURE = re.compile(r"(<!-- what needs what -->\n).*?(<!-- so far -->\n)", re.DOTALL)
+PAGE = layout.BOOK / "index.ipynb"
+FIGURE = layout.BOOK / "_static" / "what_builds_on_what.html"
 GOALS = re.compile(
     r"^# (?P<title>.+?)$.*?\*\*You need\*\*(?P<needs>.*?)"
     r"\*\*Time\*\*: (?:about )?(?P<time>[^:]+?)(?:, exercises apart)?\.\n:::",
@@ -69,17 +69,13 @@ def drawn(found: dict[str, dict[str, str]], parts: dict[str, int]) -> str:
 
 
 def current() -> str:
-    """The landing page with the figure as it should be."""
+    """The figure as it should be."""
     found, parts = chapters(), dict[str, int]()
     for number, part in enumerate(layout.parts()):
         parts |= dict.fromkeys(part, number)
-    text, count = FIGURE.subn(
-        lambda m: f"{m[1]}```{{raw}} html\n{drawn(found, parts)}\n```\n{m[2]}", PAGE.read_text("utf-8")
-    )
-    assert count == 1, "book/index.md has no place for the figure"
-    return text
+    return drawn(found, parts) + "\n"
 
 
 if __name__ == "__main__":
-    layout.write_whole(PAGE, current().encode())
-    sys.exit(print(f"what needs what: {len(arcs(chapters()))} arcs"))
+    layout.write_whole(FIGURE, current().encode())
+    sys.exit(print(f"what builds on what: {len(arcs(chapters()))} arcs"))

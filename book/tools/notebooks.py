@@ -8,6 +8,7 @@ import argparse
 import hashlib
 import json
 import os
+import re
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
@@ -29,6 +30,7 @@ HIDDEN = {  # what JupyterLab folds, for the tags that fold it in the page
     "hide-output": ("outputs_hidden",),
     "solution": ("source_hidden", "outputs_hidden"),
 }
+NOTEBOOK = re.compile(r'"([\w/]+\.ipynb)"')  # the name of one in a cell's code
 FIGURE = "nbval-ignore-output"  # cells whose output is a picture, or a time: shown in the book, not compared
 
 
@@ -136,9 +138,15 @@ def keep(file: Path, executed: Any, key: str) -> Path:
 
 def _cached(file: Path, key: str) -> Path:
     """Where the executed copy is: named by the notebook's code and tags, not its words, and by what it runs on."""
-    code = [(cell.source, cell.metadata.get("tags", [])) for cell in code_cells(nbformat.read(file, as_version=4))]
-    own = hashlib.sha256(json.dumps(code).encode()).hexdigest()[:20]
+    own = hashlib.sha256(json.dumps(_code(file)).encode()).hexdigest()[:20]
     return EXECUTED / f"{file.stem}.{own}.{key}.ipynb"
+
+
+def _code(file: Path) -> list[tuple[str, list[str]]]:
+    """Code and tags of a notebook, and of those whose cells it runs: the landing page shows a chapter's run."""
+    code = [(cell.source, cell.metadata.get("tags", [])) for cell in code_cells(nbformat.read(file, as_version=4))]
+    others = [file.parent / name for source, _ in code for name in NOTEBOOK.findall(source)]
+    return code + [pair for other in others if other.is_file() for pair in _code(other)]
 
 
 def each(files: list[Path], action: Any) -> list[tuple[Path, Any]]:

@@ -11,6 +11,7 @@ from book.tools import layout
 SAID = """(i) => [...Live.page.cells[i].output.querySelectorAll('[data-kind]')]
   .filter(e => e.dataset.kind !== 'hint').map(e => e.dataset.text ?? e.textContent).join('')"""
 ALWAYS = ("slam_in_five_minutes", "proving_a_jacobian", "kalman_filter", "active_search")  # one of each kind of page
+FIRST = layout.BOOK / "chapters" / "slam_in_five_minutes.ipynb"  # for what is done to one chapter
 BEHIND = ("slamlib/", "book/slambook/", "book/live/", "book/tools/", "book/tests/site/", "requirements.txt")
 LOOKS = ("book/slambook/figures/", "book/slambook/scene/", "book/live/", "book/_", "book/tests/site/", "_config.yml")
 SHOWN = 30_000  # milliseconds for what a page shows by itself, or at a click

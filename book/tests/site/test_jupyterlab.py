@@ -17,7 +17,8 @@ import pytest
 from book.tests.site.live_page import PATIENCE, SHOWN
 from book.tools import layout
 
-OPENED = ("slam_in_five_minutes", "kalman_filter", "frames_and_quaternions", "points", "monocular")
+CHAPTERS = ("slam_in_five_minutes", "kalman_filter", "frames_and_quaternions", "points", "monocular")
+OPENED = ("index", *(f"chapters/{name}" for name in CHAPTERS))
 # What MyST writes, and no front end should leave in the text that is read.
 RAW = re.compile(r"\$\$|`{3}|:{3}|\{[a-z-]+\}`?|\\(?:begin|frac|partial|mathcal)\b")
 RENDERED = """(displayed) => !document.querySelector('.jp-MarkdownCell:not(.jp-mod-rendered)')
@@ -33,7 +34,7 @@ OPEN = """async (path) => {
 
 @pytest.fixture(scope="module")
 def served(tmp_path_factory: Any) -> Iterator[str]:
-    """Where JupyterLab serves a copy of the chapters, light or dark as the browser is."""
+    """Where JupyterLab serves a copy of the landing page and chapters, light or dark as the browser is."""
     folder = tmp_path_factory.mktemp("lab")
     settings = {
         "apputils-extension/themes": {"adaptive-theme": True},
@@ -44,13 +45,13 @@ def served(tmp_path_factory: Any) -> Iterator[str]:
         file = folder / "settings" / "@jupyterlab" / f"{name}.jupyterlab-settings"
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(json.dumps(setting), "utf-8")
-    (folder / "chapters").mkdir()
+    (folder / "book" / "chapters").mkdir(parents=True)
     for name in OPENED:
-        shutil.copy(layout.BOOK / "chapters" / f"{name}.ipynb", folder / "chapters")
+        shutil.copy(layout.BOOK / f"{name}.ipynb", folder / "book" / f"{name}.ipynb")
     places = {"SETTINGS": "settings", "WORKSPACES": "workspaces"}
     environment = {f"JUPYTERLAB_{name}_DIR": str(folder / place) for name, place in places.items()}
     environment["JUPYTER_RUNTIME_DIR"] = str(folder / "runtime")
-    options = ["--no-browser", "--allow-root", "--port=0", f"--ServerApp.root_dir={folder / 'chapters'}"]
+    options = ["--no-browser", "--allow-root", "--port=0", f"--ServerApp.root_dir={folder / 'book'}"]
     options += ["--expose-app-in-browser"]
     with (
         (folder / "log").open("w") as log,
@@ -86,12 +87,12 @@ def lab(browser: Any, served: str) -> Iterator[Any]:
     page.close()
 
 
-@pytest.mark.parametrize("chapter", OPENED)
-def test_a_notebook_reads_well_in_jupyterlab(lab, chapter):
-    cells = nbformat.read(layout.BOOK / "chapters" / f"{chapter}.ipynb", as_version=4).cells
+@pytest.mark.parametrize("opened", OPENED, ids=lambda name: name.rpartition("/")[2])
+def test_a_notebook_reads_well_in_jupyterlab(lab, opened):
+    cells = nbformat.read(layout.BOOK / f"{opened}.ipynb", as_version=4).cells
     displayed = "\n".join(c.source for c in cells if c.cell_type == "markdown").count("$$") // 2
     folded = sum(not {"hide-input", "solution"}.isdisjoint(c.metadata.get("tags", [])) for c in cells)
-    lab.evaluate(OPEN, f"{chapter}.ipynb")
+    lab.evaluate(OPEN, f"{opened}.ipynb")
     lab.wait_for_selector(".jp-MarkdownCell")
     lab.wait_for_function(RENDERED, arg=displayed)
     for scheme, light in (("light", "true"), ("dark", "false")):

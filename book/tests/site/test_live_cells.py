@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from book.tests.site import parity
-from book.tests.site.live_page import PATIENCE, SAID, live_cells, live_pages, open_page, panel, stored_text
+from book.tests.site.live_page import FIRST, PATIENCE, SAID, live_cells, open_page, panel, stored_text
 from book.tools import layout, notebooks
 
 RUN = "(i) => { const cell = Live.page.cells[i]; return [cell.element.dataset.ran, cell.ok]; }"
@@ -122,7 +122,7 @@ def test_real_pictures_are_decoded_by_the_browser_as_by_opencv_and_give_the_same
 
 
 def test_the_two_pythons_agree_number_by_number(context, site, outside, request):
-    page = open_page(context, site, live_pages()[0], [])
+    page = open_page(context, site, FIRST, [])
     answer = page.evaluate(COMPUTE, [parity.PROGRAM.read_text("utf-8"), PATIENCE])
     assert not answer.startswith("failed"), answer
     rows, faults = parity.compare(parity.here(), json.loads(answer))

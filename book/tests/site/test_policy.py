@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from book.tests.site.live_page import address, live_pages, open_page, run_one
+from book.tests.site.live_page import FIRST, address, live_pages, open_page, run_one
 from book.tools import browser, layout
 
 REFUSED = """async (url) => {
@@ -91,7 +91,7 @@ def opened(context: Any, url: str, faults: list[str]) -> Any:
 
 
 def test_what_gets_into_a_page_later_neither_runs_nor_leads_outside(context, site, faults, elsewhere):
-    page = opened(context, f"{site}/{address(live_pages()[0])}", faults)
+    page = opened(context, f"{site}/{address(FIRST)}", faults)
     assert faults == []
     stolen, refused = page.evaluate(REFUSED, f"http://127.0.0.1:{elsewhere.getsockname()[1]}/")
     assert stolen is None
@@ -101,7 +101,7 @@ def test_what_gets_into_a_page_later_neither_runs_nor_leads_outside(context, sit
 
 
 def test_the_page_s_python_reaches_the_site_alone(context, site, faults, elsewhere):
-    page = open_page(context, site, live_pages()[0], faults)
+    page = open_page(context, site, FIRST, faults)
     own, other = f"{site}/index.html", f"http://127.0.0.1:{elsewhere.getsockname()[1]}/"
     assert run_one(page, ASK.format(own=own, other=other)).strip() == "(200, 'NetworkError')"
     assert heard(elsewhere) == b""
@@ -109,8 +109,9 @@ def test_the_page_s_python_reaches_the_site_alone(context, site, faults, elsewhe
 
 
 def test_a_player_plays_in_the_page_and_where_a_cell_made_it(context, site, faults, outside):
-    still = next(f for f in live_pages() if "player-code" in (layout.SITE / address(f)).read_text("utf-8"))
-    bare = next(f for f in live_pages() if "player-code" not in (layout.SITE / address(f)).read_text("utf-8"))
+    chapters = [file for file in live_pages() if file.parent == FIRST.parent]  # players there wait for a reader
+    still = next(f for f in chapters if "player-code" in (layout.SITE / address(f)).read_text("utf-8"))
+    bare = next(f for f in chapters if "player-code" not in (layout.SITE / address(f)).read_text("utf-8"))
     played = opened(context, f"{site}/{address(still)}", faults)
     made = open_page(context, site, bare, faults)
     said = run_one(made, PLAY)
@@ -125,7 +126,7 @@ def test_a_player_plays_in_the_page_and_where_a_cell_made_it(context, site, faul
 
 def test_the_theme_s_buttons_and_the_search_work(context, site, faults, outside):
     context.add_init_script("window.print = () => { window.printed = true; }")
-    page = opened(context, f"{site}/{address(live_pages()[0])}", faults)
+    page = opened(context, f"{site}/{address(FIRST)}", faults)
     mode = page.evaluate("() => document.documentElement.dataset.mode")
     page.locator(".theme-switch-button").first.click()
     assert page.evaluate("() => document.documentElement.dataset.mode") != mode

@@ -14,11 +14,11 @@ from typing import Any
 import pytest
 
 from book.tests.site.live_page import (
+    FIRST,
     PATIENCE,
     SHOWN,
     address,
     answers,
-    live_pages,
     open_page,
     panel_button,
     run_one,
@@ -270,7 +270,7 @@ def on_a_phone(chromium: Any, base: str, file: Path) -> bool:
 @pytest.fixture(scope="module")
 def first() -> Path:
     """The page that all this is done to."""
-    return live_pages()[0]
+    return FIRST
 
 
 @pytest.fixture(scope="module")
