@@ -30,6 +30,14 @@ window.addEventListener("DOMContentLoaded", () => {
   const passed = () => document.querySelectorAll("a.headerlink, div.cell .copybtn").forEach((e) => { e.tabIndex = -1; });
   passed();
   window.addEventListener("load", () => setTimeout(passed));
+  // A formula is no stop for the keyboard, but one that is wider than its place scrolls, and must be reached for that.
+  const wide = new ResizeObserver((all) => all.forEach(({ target }) => {
+    if (target.scrollWidth > target.clientWidth) target.tabIndex = 0;
+    else target.removeAttribute("tabindex");
+  }));
+  window.addEventListener("load", () => window.MathJax?.startup?.promise?.then(() => {
+    document.querySelectorAll('.bd-article mjx-container[display="true"]').forEach((formula) => wide.observe(formula));
+  }));
   // The theme's link to the main content leads to the buttons above it; this one past them, to the text.
   const article = document.querySelector(".bd-article"), skip = document.querySelector("#pst-skip-link a");
   if (article && skip) {

@@ -1,4 +1,4 @@
-"""Every figure of a chapter has a caption of its own, and the text speaks of it."""
+"""Every figure has a caption of its own, and the text speaks of it."""
 
 import re
 
@@ -7,12 +7,12 @@ import pytest
 from docutils.nodes import make_id
 
 from book.tests.site.live_page import stored_text
-from book.tools import layout
+from book.tools import landing, layout
 
 CAPTION = re.compile(r"\*\*Figure: ([^*]+)\.\*\* \S")
 LINK = re.compile(r"\[[^\]]+\]\((?:\w+\.ipynb)?#(fig-[a-z0-9-]+)\)")
 DRAWN = re.compile(r"^(?:Picture: |Sweep of |Player of |Film of )", re.MULTILINE)
-CHAPTERS = [file for file in layout.notebooks() if file.parent.name == "chapters"]
+PAGES = [file for file in layout.notebooks() if file != landing.PAGE]  # whose two figures stand beside its text
 
 
 def cells(file):
@@ -25,11 +25,11 @@ def draws(cell):
 
 
 def captions(file):
-    """The labels of the captions of a chapter."""
+    """The labels of the captions of a page."""
     return ["fig-" + make_id(found[1]) for c in cells(file) if (found := CAPTION.match(c.source))]
 
 
-@pytest.mark.parametrize("file", CHAPTERS, ids=lambda file: file.stem)
+@pytest.mark.parametrize("file", PAGES, ids=lambda file: file.stem)
 def test_each_figure_has_a_caption_that_the_text_refers_to(file):
     found = cells(file)
     for cell, after in zip(found, [*found[1:], None], strict=True):
@@ -40,7 +40,7 @@ def test_each_figure_has_a_caption_that_the_text_refers_to(file):
 
 
 def test_labels_are_told_apart_and_links_lead_to_one():
-    labels = [label for file in CHAPTERS for label in captions(file)]
+    labels = [label for file in PAGES for label in captions(file)]
     assert len(labels) == len(set(labels)) > 100
     links = {label for file in layout.notebooks() for c in cells(file) for label in LINK.findall(c.source)}
     assert sorted(links - set(labels)) == []

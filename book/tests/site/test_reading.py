@@ -7,7 +7,8 @@ from typing import Any
 
 import pytest
 
-from book.tests.site.live_page import address, live_pages
+from book.tests.site.live_page import SHOWN, address, live_pages
+from book.tools import browser as loading
 from book.tools import layout
 
 PAGES = {name: address(layout.BOOK / "chapters" / f"{name}.ipynb") for name in ("points", "slam_in_five_minutes")}
@@ -20,6 +21,8 @@ BELOW = """() => [...document.querySelectorAll('div.cell:has(> details.above-inp
 UNDER = """(cells) => cells.map(e => ['figure.of-cell', '.cell_output:not([hidden])']
   .map(part => e.querySelector(':scope > ' + part).getBoundingClientRect()))
   .map(([caption, drawn]) => caption.top - drawn.bottom)"""
+FORMULAS = """[...document.querySelectorAll('.bd-article mjx-container[display="true"]')]
+  .map(e => [e.scrollWidth > e.clientWidth, e.tabIndex])"""
 WIDTHS = """() => [...document.querySelectorAll('.bd-article section > p')]
   .map(e => e.getBoundingClientRect().width).filter(w => w)"""
 
@@ -182,6 +185,18 @@ def test_few_steps_lead_to_the_first_slider(page, site, outside):
         assert steps <= 30
     assert page.locator(".bd-article mjx-container").count() > 50
     assert page.locator("mjx-container[tabindex='0']").count() == 0
+
+
+def test_the_keyboard_reaches_a_formula_that_scrolls_and_passes_by_the_others(page, site, outside):
+    page.set_viewport_size({"width": 390, "height": 800})
+    loading.load(page, f"{site}/{PAGES['points']}")
+    page.wait_for_function(f"() => {FORMULAS}.some(([wide, tab]) => wide && tab === 0)", timeout=SHOWN)
+    kinds = page.evaluate(f"() => {FORMULAS}")
+    assert all((tab == 0) == wide for wide, tab in kinds)
+    assert 0 < sum(wide for wide, _ in kinds) < len(kinds)
+    page.set_viewport_size({"width": 1280, "height": 800})
+    page.wait_for_function(f"() => {FORMULAS}.every(([wide, tab]) => wide === (tab === 0))", timeout=SHOWN)
+    assert sum(wide for wide, _ in page.evaluate(f"() => {FORMULAS}")) < sum(wide for wide, _ in kinds)
 
 
 def test_a_figure_has_a_number_which_the_text_says_and_its_caption_below_it(page, site, outside):
