@@ -12,6 +12,7 @@ from book.tools import browser as loading
 from book.tools import layout
 
 PAGES = {name: address(layout.BOOK / "chapters" / f"{name}.ipynb") for name in ("points", "slam_in_five_minutes")}
+WIDE = address(layout.BOOK / "chapters" / "frames_and_quaternions.ipynb")  # has formulas that a phone scrolls
 OPEN = "() => [...document.querySelectorAll('details.hide.above-input')].map(e => e.open)"
 OPACITY = "e => getComputedStyle(e).opacity"
 BELOW = """() => [...document.querySelectorAll('div.cell:has(> details.above-input) > .cell_output:not([hidden])')]
@@ -189,7 +190,7 @@ def test_few_steps_lead_to_the_first_slider(page, site, outside):
 
 def test_the_keyboard_reaches_a_formula_that_scrolls_and_passes_by_the_others(page, site, outside):
     page.set_viewport_size({"width": 390, "height": 800})
-    loading.load(page, f"{site}/{PAGES['points']}")
+    loading.load(page, f"{site}/{WIDE}")
     page.wait_for_function(f"() => {FORMULAS}.some(([wide, tab]) => wide && tab === 0)", timeout=SHOWN)
     kinds = page.evaluate(f"() => {FORMULAS}")
     assert all((tab == 0) == wide for wide, tab in kinds)
