@@ -52,17 +52,23 @@ def test_where_to_start_is_on_the_first_screen(window, browser, site):
     context.close()
 
 
+def away_and_back(page: Any) -> None:
+    """Scroll until the run is out of sight, and to it again."""
+    for place in ("document.documentElement.scrollHeight", "0"):
+        page.evaluate(f"() => scrollTo(0, {place})")
+        page.wait_for_timeout(ONCE)
+
+
 def test_the_run_plays_once_by_itself_and_can_be_paused(page, site, outside):
     page.set_viewport_size(WINDOWS["desk"])
     browser.load(page, f"{site}/{PAGE}")
     page.wait_for_function(PLAYED)
+    away_and_back(page)  # it starts once, and a second look does not stop it
+    assert page.evaluate(PLAYED)
     page.get_by_role("button", name="Play or pause").click()
     figure = page.locator(".tag_plays figure.player")
     before = figure.evaluate(DRAWN)
-    page.mouse.wheel(0, 3000)  # away from it, and back: it was seen once
-    page.wait_for_timeout(ONCE / 3)
-    page.mouse.wheel(0, -3000)
-    page.wait_for_timeout(ONCE)
+    away_and_back(page)
     assert figure.evaluate(DRAWN) == before
     page.get_by_role("button", name="Play or pause").click()
     page.wait_for_function(MOVED, arg=before[0])
