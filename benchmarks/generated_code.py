@@ -17,7 +17,7 @@ import sympy
 from slamlib.codegen.trace import trace
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(pose=Pose, landmark=7)

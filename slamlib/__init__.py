@@ -1,14 +1,84 @@
 """EKF-SLAM, derived: the package whose formulas the book derives, proves and generates.
 
-To start: `Run(presets.points()).finish()`, with `from slamlib.experiments import presets` and `from
-slamlib.experiments.runs import Run`; or the command `slamlib run points`. The filter is `slamlib.slam.Slam`; `data`
-has its inputs, its outputs and its setup. The formulas are in `geometry`, `motions`, `sensors` and `landmarks`, the
-Kalman algebra in `belief` and `kalman`.
+    import slamlib as sl
+    result = sl.Run(sl.presets.points()).finish()
 
-Importing slamlib loads NumPy and nothing else; sympy and scipy are loaded by the parts that use them.
+or the command `slamlib run points`. The filter is `sl.Slam`; `slamlib.data` has its inputs, its outputs and its setup.
+The formulas are in `geometry`, `motions`, `sensors` and `landmarks`, the Kalman algebra in `belief` and `kalman`.
+
+The names below are loaded when they are first used: importing slamlib loads NumPy and nothing else.
 """
 
-from slamlib.errors import SlamlibError
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from slamlib.errors import MissingNameError, SlamlibError
+
+if TYPE_CHECKING:  # for completion and types; HOMES says the same when the program runs
+    from slamlib.belief import Belief as Belief
+    from slamlib.codegen.derive import derive as derive
+    from slamlib.data.setup import Rig as Rig
+    from slamlib.data.setup import RobotSetup as RobotSetup
+    from slamlib.data.setup import SensorSetup as SensorSetup
+    from slamlib.evaluation.consistency import band as band
+    from slamlib.evaluation.consistency import nees as nees
+    from slamlib.evaluation.consistency import nis as nis
+    from slamlib.experiments import presets as presets
+    from slamlib.experiments.runs import Run as Run
+    from slamlib.geometry import quaternion as quaternion
+    from slamlib.geometry.pose import Pose as Pose
+    from slamlib.kalman.chi_square import chi2_quantile as chi2_quantile
+    from slamlib.landmarks import LINES as LINES
+    from slamlib.landmarks import POINTS as POINTS
+    from slamlib.models import model as model
+    from slamlib.motions import MOTIONS as MOTIONS
+    from slamlib.sensors import SENSORS as SENSORS
+    from slamlib.slam import Options as Options
+    from slamlib.slam import Slam as Slam
+    from slamlib.testing import check_jacobian as check_jacobian
 
 __version__ = "0.1.0"
 __all__ = ["SlamlibError", "__version__"]
+
+HOMES = {  # of each name the module that has it, or that is it
+    "Belief": "belief",
+    "LINES": "landmarks",
+    "MOTIONS": "motions",
+    "Options": "slam",
+    "POINTS": "landmarks",
+    "Pose": "geometry.pose",
+    "Rig": "data.setup",
+    "RobotSetup": "data.setup",
+    "Run": "experiments.runs",
+    "SENSORS": "sensors",
+    "SensorSetup": "data.setup",
+    "Slam": "slam",
+    "band": "evaluation.consistency",
+    "check_jacobian": "testing",
+    "chi2_quantile": "kalman.chi_square",
+    "derive": "codegen",
+    "model": "models",
+    "nees": "evaluation.consistency",
+    "nis": "evaluation.consistency",
+    "presets": "experiments.presets",
+    "quaternion": "geometry.quaternion",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Load a name when it is first used; raises MissingNameError, an AttributeError, where it cannot be had."""
+    if name.startswith("_"):  # what Python itself looks up
+        raise MissingNameError(f"slamlib has no {name}")
+    if name not in HOMES:
+        raise MissingNameError.of("name in slamlib", name, HOMES)
+    try:
+        module = import_module(f"slamlib.{HOMES[name]}")
+    except ModuleNotFoundError as error:
+        raise MissingNameError(f"slamlib.{name} needs {error.name}: pip install 'slamlib[derive]'") from error
+    globals()[name] = found = module if module.__name__.endswith(f".{name}") else getattr(module, name)
+    return found
+
+
+def __dir__() -> list[str]:
+    """What a completion shows, loaded or not."""
+    return sorted({*__all__, *HOMES})

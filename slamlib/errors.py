@@ -67,6 +67,10 @@ def entry(what: str, name: str, table: Mapping[str, T]) -> T:
     return table[name]
 
 
+class MissingNameError(UnknownNameError, AttributeError):
+    """A name that the package does not have, or not without another package."""
+
+
 class UnknownCallError(UnknownNameError, AttributeError):
     """Axes or a figure have no method of this name."""
 

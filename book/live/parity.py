@@ -13,7 +13,7 @@ from slamlib.belief import Belief
 from slamlib.errors import SingularPointError
 from slamlib.evaluation.consistency import nees, nis
 from slamlib.kalman.chi_square import chi2_cdf, chi2_quantile
-from slamlib.model import FORMULA_PARTS, Model
+from slamlib.models import FORMULA_PARTS, Model
 
 
 def formula_models() -> dict[str, Model]:

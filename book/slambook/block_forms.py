@@ -15,7 +15,7 @@ import numpy as np
 from slamlib.errors import SlamlibError
 from slamlib.geometry.quaternion import exponential, minus, rotation
 from slamlib.manifolds import Array, Indices
-from slamlib.model import Model
+from slamlib.models import Model
 
 Part = tuple[str, int]  # its letter, and the number of its columns
 SPLITS = {  # by the manifold, by the module of a landmark, or by the name of an argument

@@ -15,7 +15,7 @@ from slamlib.geometry.pose import Pose, compose, from_frame
 from slamlib.geometry.quaternion import exponential
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array, Euclidean, Mask, Product
-from slamlib.model import model
+from slamlib.models import model
 from slamlib.motions import Motion
 from slamlib.sensors.range_bearing import Angle
 from slamlib.sensors.sensor import Calibration, Sensor

@@ -232,7 +232,6 @@ TURN = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
         (lambda x: kit.rotation_matrix(x, "p"), TURN[:2, :2], 1.001 * TURN),
         (lambda x: kit.between(x, 0.9, 1.1, "p"), 1.0, 1.2),
         (lambda x: kit.between(x, 0.9, 1.1, "p"), 0.9, np.nan),
-        (lambda f: kit.same(kit.differences(f, [0.3]), [[np.cos(0.3)]], "p"), np.sin, np.cos),
     ],
 )
 def test_each_property_accepts_what_has_it_and_rejects_what_lacks_it(judge, good, bad):

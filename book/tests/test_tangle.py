@@ -14,7 +14,7 @@ from slamlib.errors import SlamlibError
 PATH = "slamlib/geometry/doubling.py"
 TEXT = '''"""A module of one model."""
 
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(point=2)

@@ -51,21 +51,33 @@ def test_the_description_holds_where_no_repository_is(bare):
     text = said(bare, "-c", "import importlib.metadata; print(importlib.metadata.metadata('slamlib').get_payload())")
     assert text.startswith("# slamlib")
     assert not re.findall(r"\]\((?!https://)", text)  # pictures and links into the repository
-    first, second = re.findall(r"```python\n(.*?)```", text, flags=re.S)
+    first, checked, run = re.findall(r"```python\n(.*?)```", text, flags=re.S)
     assert "(1000, 3, 6) (1000, 3, 3)" in said(bare, "-c", f"{first}print(J.pose.shape, J.point.shape)")
-    short = second.replace("presets.points()", "dataclasses.replace(presets.points(), frames=3)")
+    assert "the property holds" in said(bare, "-c", checked)
+    short = run.replace("sl.presets.points()", "dataclasses.replace(sl.presets.points(), frames=3)")
     assert said(bare, "-c", f"import dataclasses\n{short}").count("[") == 2
 
 
 def test_mypy_sees_the_types_of_what_is_installed(bare, tmp_path):
-    imports = "from slamlib.errors import ShapeError\nfrom slambook.report.table import Rows\n\n"
-    calls = "rows: Rows = [{}]\nShapeError.of('f', 'point', (3,), (4,))\n"
+    imports = "import slamlib as sl\nfrom slamlib.errors import ShapeError\nfrom slambook.report.table import Rows\n"
+    calls = "rows: Rows = [{}]\nShapeError.of('f', 'point', (3,), (4,))\nlow, high = sl.band(2)\n"
     (tmp_path / "right.py").write_text(imports + calls)
-    (tmp_path / "wrong.py").write_text(imports + calls.replace("[{}]", "[1]").replace("(3,)", "3"))
+    (tmp_path / "wrong.py").write_text(
+        imports + calls.replace("[{}]", "[1]").replace("(3,)", "3").replace("(2)", "('2')")
+    )
     options = ["--strict", "--config-file=", "--cache-dir", os.devnull, "--python-executable", str(bare.python)]
     run = bare.run(sys.executable, "-m", "mypy", *options, "right.py", "wrong.py", cwd=tmp_path)
     found = re.findall(r"(?m)^(\w+\.py:\d+): error: .*\[([\w-]+)\]$", run.stdout)
-    assert found == [("wrong.py:4", "list-item"), ("wrong.py:5", "arg-type")], run.stdout + run.stderr
+    assert found == [("wrong.py:4", "list-item"), ("wrong.py:5", "arg-type"), ("wrong.py:6", "arg-type")], (
+        run.stdout + run.stderr
+    )
+
+
+@pytest.mark.parametrize("example", sorted((layout.ROOT / "examples").glob("*.py")), ids=lambda file: file.stem)
+def test_an_example_is_ten_to_twenty_lines_and_runs_on_the_wheel(example, bare):
+    lines = [line for line in example.read_text("utf-8").splitlines() if line.strip()]
+    assert len(lines) <= 20
+    assert said(bare, example)
 
 
 def test_with_the_extra_a_film_is_drawn(bare):

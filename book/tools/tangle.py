@@ -15,7 +15,7 @@ import nbformat
 from book.tools import layout, notebooks
 from slamlib.codegen import tangle
 from slamlib.errors import SlamlibError
-from slamlib.model import FORMULA_PARTS
+from slamlib.models import FORMULA_PARTS
 
 MAGIC = "%%tangle "
 

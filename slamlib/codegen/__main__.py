@@ -17,10 +17,10 @@ from slamlib.codegen.emit import module
 from slamlib.codegen.proof import random_arguments
 from slamlib.data.files import write_whole
 from slamlib.errors import entry
-from slamlib.model import FORMULA_PARTS, Model
-from slamlib.modeling.in_memory import load
-from slamlib.modeling.numerical import scaled_differences
-from slamlib.modeling.registry import modules_of
+from slamlib.models import FORMULA_PARTS, Model
+from slamlib.models.in_memory import load
+from slamlib.models.numerical import scaled_differences
+from slamlib.models.registry import modules_of
 
 PACKAGE = Path(slamlib.__file__).parent
 TARGET = PACKAGE / "generated"

@@ -9,8 +9,7 @@ import sympy
 from slamlib.codegen.trace import symbols_for, trace
 from slamlib.data.plain import OneOf
 from slamlib.errors import ShapeError
-from slamlib.model import Argument, Model
-from slamlib.modeling import fingerprint
+from slamlib.models import Argument, Model, fingerprint
 
 
 class Derivation:

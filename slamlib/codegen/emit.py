@@ -14,8 +14,7 @@ from sympy.simplify.cse_opts import sub_post, sub_pre
 
 from slamlib.codegen.printer import Printer
 from slamlib.codegen.trace import Trace, trace
-from slamlib.model import Model
-from slamlib.modeling import fingerprint
+from slamlib.models import Model, fingerprint
 
 PRIME = 2**61 - 1
 _FUNCTIONS = ("arctan2", "arctan_ratio", "arctan_ratio_slope", "cos", "exp", "log", "sin", "sqrt", "stumpff")

@@ -15,8 +15,8 @@ import sympy
 from slamlib.codegen.derive import Derivation, derive
 from slamlib.codegen.functions import closed_form
 from slamlib.errors import ShapeError, SingularPointError, SlamlibError
-from slamlib.model import Model
-from slamlib.modeling.numerical import complex_step, scaled_differences
+from slamlib.models import Model
+from slamlib.models.numerical import complex_step, scaled_differences
 
 Sampler = Callable[[np.random.Generator], list[Any]]
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import slamlib
 from slamlib.errors import SlamlibError
-from slamlib.modeling.in_memory import load
+from slamlib.models.in_memory import load
 
 PACKAGE = Path(slamlib.__file__).parent
 

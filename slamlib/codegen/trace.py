@@ -12,7 +12,7 @@ import sympy
 from slamlib.codegen.rules import broken, check_rules
 from slamlib.errors import SlamlibError, WritingRuleError
 from slamlib.manifolds import Product
-from slamlib.model import Argument, Model, calling
+from slamlib.models import Argument, Model, calling
 
 Symbols = Any  # object array of sympy symbols
 

@@ -15,7 +15,7 @@ from slamlib.manifolds import Array, Indices, finite, numbers, read_only, read_o
 from slamlib.observation import FAMILIES
 
 if TYPE_CHECKING:
-    from slamlib.model import Model
+    from slamlib.models import Model
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,7 +4,7 @@ import numpy as np
 
 from slamlib.analytic import arctan2, cos, sin
 from slamlib.geometry.quaternion import UnitQuaternion, product, rotation
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(angles=3)

@@ -7,7 +7,7 @@ import numpy as np
 
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(motion=Pose, vector=3)

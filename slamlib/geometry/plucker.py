@@ -9,7 +9,7 @@ import numpy as np
 from slamlib.analytic import sqrt
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(first=4, second=4)

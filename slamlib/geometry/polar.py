@@ -3,7 +3,7 @@
 import numpy as np
 
 from slamlib.analytic import arctan2, cos, sin, sqrt
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(point=2)

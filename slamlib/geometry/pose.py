@@ -7,7 +7,7 @@ import numpy as np
 
 from slamlib.geometry.quaternion import UnitQuaternion, conjugate, product, rotation
 from slamlib.manifolds import Euclidean, Product
-from slamlib.model import model
+from slamlib.models import model
 
 Pose = Product("pose", Euclidean(3), UnitQuaternion)
 ORIGIN = np.array([0.0, 0, 0, 1, 0, 0, 0])  # of the world itself: no displacement, no rotation

@@ -4,7 +4,7 @@ import numpy as np
 
 from slamlib.analytic import arctan_ratio, sqrt, stumpff
 from slamlib.manifolds import CustomManifold
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(q=4)

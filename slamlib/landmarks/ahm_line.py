@@ -10,7 +10,7 @@ from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import ahm_point
 from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import as_manifold
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(pose=Pose, landmark=11)

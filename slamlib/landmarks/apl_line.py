@@ -9,7 +9,7 @@ from slamlib.geometry.pose import from_frame as into_world
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import as_manifold
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(pose=Pose, landmark=9)

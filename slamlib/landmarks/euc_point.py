@@ -7,7 +7,7 @@ from slamlib.geometry.pose import from_frame as into_world
 from slamlib.geometry.pose import to_frame as into_frame
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import as_manifold
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(pose=Pose, landmark=3)

@@ -7,7 +7,7 @@ from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import Product, as_manifold
-from slamlib.model import model
+from slamlib.models import model
 
 FramedPoint = Product("framed point", Pose, as_manifold(3))
 

@@ -8,7 +8,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.landmarks import hmg_point
 from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import as_manifold
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(pose=Pose, landmark=8)

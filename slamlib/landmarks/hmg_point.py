@@ -6,7 +6,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import as_manifold
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(pose=Pose, landmark=4)

@@ -11,7 +11,7 @@ from slamlib.landmarks import idp_point
 from slamlib.landmarks.idp_point import angles_moved, angles_of, direction
 from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import as_manifold
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(pose=Pose, landmark=9)

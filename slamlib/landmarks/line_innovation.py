@@ -3,7 +3,7 @@
 import numpy as np
 
 from slamlib.analytic import arctan2, sqrt
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(segment=4)

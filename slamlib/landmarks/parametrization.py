@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from slamlib.manifolds import Manifold
-from slamlib.model import Model
-from slamlib.modeling.registry import TypeDescription
+from slamlib.models import Model
+from slamlib.models.registry import TypeDescription
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from slamlib.geometry import plucker
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import as_manifold
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(pose=Pose, landmark=6)

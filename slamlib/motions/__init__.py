@@ -1,6 +1,6 @@
 """Motion models: odometry, constant velocity, and the report's composition. Tangled from chapter motion_models."""
 
-from slamlib.modeling.registry import Registry
+from slamlib.models.registry import Registry
 from slamlib.motions.constant_velocity import CONSTANT_VELOCITY
 from slamlib.motions.motion import Motion
 from slamlib.motions.odometry import ODOMETRY

@@ -6,7 +6,7 @@ from slamlib.geometry.moved import Parts, number, vector
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import plus
 from slamlib.manifolds import Euclidean, Product
-from slamlib.model import model
+from slamlib.models import model
 from slamlib.motions.motion import Motion
 
 MovingPose = Product("pose and velocities", Pose, Euclidean(6))

@@ -4,7 +4,7 @@ import numpy as np
 
 from slamlib.analytic import arctan2, sqrt
 from slamlib.geometry.euler import to_rotation
-from slamlib.model import model
+from slamlib.models import model
 
 
 @model(pose=6, control=6)

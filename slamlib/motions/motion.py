@@ -5,8 +5,8 @@ from typing import Any
 
 from slamlib.geometry.pose import compose
 from slamlib.manifolds import Manifold
-from slamlib.model import Model
-from slamlib.modeling.registry import TypeDescription
+from slamlib.models import Model
+from slamlib.models.registry import TypeDescription
 
 
 @dataclass(frozen=True)

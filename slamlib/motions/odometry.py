@@ -4,7 +4,7 @@ import numpy as np
 
 from slamlib.geometry.pose import Pose, from_frame
 from slamlib.geometry.quaternion import plus
-from slamlib.model import model
+from slamlib.models import model
 from slamlib.motions.motion import Motion
 
 

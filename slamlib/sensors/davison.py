@@ -4,7 +4,7 @@ import numpy as np
 
 from slamlib.analytic import sqrt
 from slamlib.errors import SlamlibError
-from slamlib.model import model
+from slamlib.models import model
 from slamlib.sensors.pinhole import project_line, ray
 from slamlib.sensors.sensor import Sensor
 

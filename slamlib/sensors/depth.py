@@ -3,7 +3,7 @@
 import numpy as np
 
 from slamlib.analytic import sqrt
-from slamlib.model import AtMost, model
+from slamlib.models import AtMost, model
 from slamlib.sensors import pinhole
 from slamlib.sensors.sensor import Calibration, Sensor
 from slamlib.sensors.stages import BackProjection

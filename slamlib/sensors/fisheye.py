@@ -3,8 +3,8 @@
 import numpy as np
 
 from slamlib.errors import SingularPointError, SlamlibError
-from slamlib.model import AtMost, model
-from slamlib.modeling.implicit import Implicit
+from slamlib.models import AtMost, model
+from slamlib.models.implicit import Implicit
 from slamlib.sensors import omni, pinhole
 from slamlib.sensors.sensor import Sensor
 from slamlib.sensors.stages import BackProjection

@@ -5,8 +5,8 @@ from numpy.polynomial import polynomial
 
 from slamlib.analytic import arctan_ratio, sqrt, stumpff
 from slamlib.errors import SingularPointError, SlamlibError
-from slamlib.model import AtMost, model
-from slamlib.modeling.implicit import Implicit
+from slamlib.models import AtMost, model
+from slamlib.models.implicit import Implicit
 from slamlib.sensors.pinhole import root
 from slamlib.sensors.sensor import Sensor
 from slamlib.sensors.stages import BackProjection

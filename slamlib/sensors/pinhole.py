@@ -6,8 +6,8 @@ import numpy as np
 
 from slamlib.analytic import sqrt
 from slamlib.errors import SingularPointError, SlamlibError
-from slamlib.model import AtMost, model
-from slamlib.modeling.implicit import Implicit
+from slamlib.models import AtMost, model
+from slamlib.models.implicit import Implicit
 from slamlib.sensors.sensor import Sensor
 from slamlib.sensors.stages import BackProjection
 

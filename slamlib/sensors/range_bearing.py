@@ -6,7 +6,7 @@ import numpy as np
 
 from slamlib.analytic import arctan2, cos, sin, sqrt
 from slamlib.manifolds import Euclidean, Product
-from slamlib.model import model
+from slamlib.models import model
 from slamlib.sensors.sensor import Sensor
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from slamlib.analytic import sqrt
-from slamlib.model import model
+from slamlib.models import model
 from slamlib.sensors.sensor import Sensor
 
 

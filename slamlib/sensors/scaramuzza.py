@@ -8,7 +8,7 @@ from numpy.polynomial import polynomial
 from slamlib.analytic import arctan2, sqrt
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import finite, numbers
-from slamlib.model import model
+from slamlib.models import model
 from slamlib.sensors.omni import largest_angle, powers, radius
 
 COEFFICIENTS = 12

@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.kalman.linalg import covariance
 from slamlib.manifolds import Array, Manifold, Mask, as_manifold, finite, numbers, read_only_copy
-from slamlib.model import Formula, Model
-from slamlib.modeling.registry import TypeDescription
+from slamlib.models import Formula, Model
+from slamlib.models.registry import TypeDescription
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.manifolds import Array
-from slamlib.model import Argument, Formula, Model
-from slamlib.modeling.implicit import Implicit
+from slamlib.models import Argument, Formula, Model
+from slamlib.models.implicit import Implicit
 
 
 class BackProjection(Formula):

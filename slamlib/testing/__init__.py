@@ -13,13 +13,14 @@ from typing import Any
 from slamlib.errors import SlamlibError
 from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.sensors.sensor import Calibration
+from slamlib.testing.jacobian import check_jacobian
 from slamlib.testing.judge import CheckError, Finding, Judge
 from slamlib.testing.landmarks import line_properties, point_properties
 from slamlib.testing.line_pairs import line_pair_properties
 from slamlib.testing.pairs import DEFINED, pair_properties
 from slamlib.testing.sensors import sensor_properties
 
-__all__ = ["CheckError", "Finding", "check_landmark", "check_pair", "check_sensor"]
+__all__ = ["CheckError", "Finding", "check_jacobian", "check_landmark", "check_pair", "check_sensor"]
 
 
 def check_landmark(kind: Any, *, silent: bool = False, seed: int = 0) -> None:

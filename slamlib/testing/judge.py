@@ -8,7 +8,7 @@ import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
-from slamlib.modeling.numerical import scaled_differences
+from slamlib.models.numerical import scaled_differences
 
 
 @dataclass(frozen=True)

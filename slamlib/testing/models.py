@@ -7,7 +7,7 @@ import numpy as np
 
 from slamlib.errors import SingularPointError
 from slamlib.manifolds import Array, Product
-from slamlib.modeling.numerical import central_difference, complex_step
+from slamlib.models.numerical import central_difference, complex_step
 from slamlib.testing.judge import Case, Judge
 
 Place = Sequence[Array]  # one array for each argument

@@ -2,7 +2,7 @@
 
 from types import SimpleNamespace
 
-from slamlib.modeling.numerical import central_difference
+from slamlib.models.numerical import central_difference
 
 
 def differences(model, place, index, step=1e-6):

@@ -9,7 +9,7 @@ import numpy as np
 
 from slamlib.errors import SingularPointError
 from slamlib.geometry.pose import ORIGIN, Pose, compose
-from slamlib.model import Argument
+from slamlib.models import Argument
 from slamlib.observation import lines
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import Judge

@@ -12,7 +12,7 @@ import numpy as np
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import rotation
 from slamlib.manifolds import Manifold, as_manifold
-from slamlib.model import Model, model
+from slamlib.models import Model, model
 from slamlib.observation.family import Family
 
 

@@ -134,7 +134,7 @@ def test_only_the_named_modules_are_generated_and_nothing_is_removed(tmp_path):
 LAYERS = [  # each may import those above it, and itself
     {"errors"},
     {"analytic", "manifolds"},
-    {"model", "modeling"},
+    {"models"},
     {"kalman"},
     {"belief"},
     {"geometry"},
@@ -148,8 +148,8 @@ LAYERS = [  # each may import those above it, and itself
     {"cli", "codegen"},
 ]
 NEVER = {  # beyond the layers: the algebra knows no types, simulator and filter meet only in records
-    "kalman": {"model", "modeling", "analytic"},
-    "belief": {"model", "modeling", "analytic"},
+    "kalman": {"models", "analytic"},
+    "belief": {"models", "analytic"},
     "simulation": {"slam"},
     "slam": {"simulation"},
     "testing": {"slam", "simulation"},
@@ -190,7 +190,7 @@ def files(name: str) -> list[Path]:
 def test_every_part_has_its_layer():
     assert {part(f) for f in SOURCES} == PARTS
     assert {f.stem for f in SOURCES if len(f.relative_to(PACKAGE).parts) == 1} == {
-        "errors", "analytic", "model", "manifolds", "belief"
+        "errors", "analytic", "manifolds", "belief"
     }  # fmt: skip
 
 
@@ -225,7 +225,7 @@ def test_no_type_is_named_outside_its_own_file():
     from slamlib.sensors import SENSORS
 
     names = {*POINTS, *LINES, *SENSORS}
-    for part in ("observation", "belief", "kalman", "testing", "modeling"):
+    for part in ("observation", "belief", "kalman", "testing", "models"):
         for file in files(part):
             strings = {n.value for n in ast.walk(ast.parse(file.read_text("utf-8"))) if isinstance(n, ast.Constant)}
             assert not strings & names, file

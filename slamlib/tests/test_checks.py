@@ -15,7 +15,7 @@ from slamlib.landmarks import LINES, POINTS
 from slamlib.landmarks.idp_point import angles_of, direction
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import as_manifold
-from slamlib.model import AtMost, model
+from slamlib.models import AtMost, model
 from slamlib.motions import ODOMETRY
 from slamlib.observation import lines
 from slamlib.sensors import SENSORS, Calibration

@@ -17,8 +17,7 @@ from slamlib.codegen import assert_same, check_model, derive, show
 from slamlib.codegen.functions import ArctanRatio, ArctanRatioSlope, Stumpff, closed_form
 from slamlib.errors import ShapeError, UnknownNameError, WritingRuleError
 from slamlib.geometry import pose, quaternion
-from slamlib.model import model
-from slamlib.modeling import fingerprint
+from slamlib.models import fingerprint, model
 
 ROOT = Path(slamlib.__file__).parent.parent
 

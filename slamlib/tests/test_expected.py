@@ -9,8 +9,7 @@ from slamlib.geometry.pose import Pose, compose
 from slamlib.kalman import linalg
 from slamlib.landmarks.ahm_point import AHM_POINT
 from slamlib.landmarks.linearity import euclidean_index
-from slamlib.model import model
-from slamlib.modeling import kernel
+from slamlib.models import kernel, model
 from slamlib.motions import motion
 from slamlib.observation.family import columns_jacobian, viewpoint
 from slamlib.observation.points import observe, observe_from

@@ -9,8 +9,8 @@ from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, UnitE
 from slamlib.geometry import euler, moved, polar, pose, quaternion
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import UnitQuaternion
-from slamlib.model import Model
-from slamlib.modeling.numerical import complex_step
+from slamlib.models import Model
+from slamlib.models.numerical import complex_step
 from slamlib.tests.differences import differences
 from slamlib.tests.reference import cases
 

@@ -5,8 +5,8 @@ import pytest
 
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError
 from slamlib.geometry.pose import Pose
-from slamlib.model import model
-from slamlib.modeling.implicit import Implicit
+from slamlib.models import model
+from slamlib.models.implicit import Implicit
 from slamlib.sensors.pinhole import ideal_point
 
 

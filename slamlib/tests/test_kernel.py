@@ -14,7 +14,7 @@ from slamlib.geometry import plucker
 from slamlib.geometry.pose import ORIGIN, Pose, compose, from_frame
 from slamlib.landmarks.ahm_point import to_frame
 from slamlib.landmarks.idp_point import angles_moved
-from slamlib.model import model
+from slamlib.models import model
 from slamlib.observation.points import product
 from slamlib.sensors.pinhole import PINHOLE, pixel, project
 from slamlib.sensors.sensor import Calibration

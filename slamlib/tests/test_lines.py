@@ -13,7 +13,7 @@ from slamlib.geometry.quaternion import pi_matrix
 from slamlib.landmarks import LINES, ahm_line, apl_line, endpoints, hmg_line, idp_line, line_innovation, plk_line
 from slamlib.landmarks import segments as seg
 from slamlib.landmarks.endpoints import EndpointExtension, ObservedEndpoints
-from slamlib.model import Model
+from slamlib.models import Model
 from slamlib.observation import FAMILIES
 from slamlib.observation.lines import distort_segments, observe_line, undistort_segments
 from slamlib.observation.segments import endpoints_converged, project_endpoints

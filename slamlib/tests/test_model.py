@@ -12,9 +12,9 @@ from slamlib.codegen import check_model
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError, UnitError
 from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import Pose
-from slamlib.model import model
-from slamlib.modeling.in_memory import compile_in_memory
-from slamlib.modeling.numerical import central_difference, complex_step
+from slamlib.models import model
+from slamlib.models.in_memory import compile_in_memory
+from slamlib.models.numerical import central_difference, complex_step
 
 GENERATED = Path(slamlib.__file__).parent / "generated"
 

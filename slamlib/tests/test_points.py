@@ -23,7 +23,7 @@ from slamlib.landmarks.linearity import (
     should_convert,
     to_euclidean,
 )
-from slamlib.modeling.numerical import central_difference
+from slamlib.models.numerical import central_difference
 from slamlib.tests.differences import differences
 from slamlib.tests.reference import cases
 

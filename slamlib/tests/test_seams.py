@@ -13,7 +13,7 @@ from slamlib.experiments.presets import preset
 from slamlib.experiments.runs import map_errors
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import exponential, rotation
-from slamlib.model import model
+from slamlib.models import model
 from slamlib.motions import Motion
 from slamlib.observation.family import columns_jacobian, viewpoint
 from slamlib.simulation import simulate

@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from slambook.exercises.kit import Candidate, Rng, array_of, cases, covariance, differences, exercise, given, same
+from slambook.exercises.kit import Candidate, Rng, array_of, cases, covariance, exercise, given, same
 from slamlib.manifolds import Array
+from slamlib.models.numerical import differences
 
 
 @exercise("depth_stereo_range.1", "the covariance of a stereo pair's position", seed=101)

@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from slambook.exercises.kit import Candidate, Rng, array_of, cases, differences, exercise, given, holds, same
+from slambook.exercises.kit import Candidate, Rng, array_of, cases, exercise, given, holds, same
 from slamlib.manifolds import Array
+from slamlib.models.numerical import differences
 
 
 @exercise("ekf_slam.1", "what a measurement is worth", seed=161)

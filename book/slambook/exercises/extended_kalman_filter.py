@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from slambook.exercises.kit import Candidate, Rng, array_of, covariance, differences, exercise, holds, parts, same
+from slambook.exercises.kit import Candidate, Rng, array_of, covariance, exercise, holds, parts, same
 from slamlib.manifolds import Array
+from slamlib.models.numerical import differences
 
 ESTIMATE = {"the mean": (3,), "the covariance": (3, 3)}
 

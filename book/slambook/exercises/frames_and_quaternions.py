@@ -4,10 +4,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from slambook.exercises.kit import Candidate, Rng, array_of, cases, covariance, differences, exercise, holds, same
+from slambook.exercises.kit import Candidate, Rng, array_of, cases, covariance, exercise, holds, same
 from slamlib.geometry.pose import Pose, from_frame, to_frame
 from slamlib.geometry.quaternion import UnitQuaternion, exponential, logarithm, minus, product, rotation
 from slamlib.manifolds import Array
+from slamlib.models.numerical import differences
 
 
 @exercise("frames_and_quaternions.2", "the Jacobian of to_frame on the tangent space", seed=62)

@@ -119,17 +119,6 @@ def random_covariance(rng: Rng, n: int, least: float = 0.0) -> Array:
     return np.asarray(root @ root.T + least * np.eye(n))
 
 
-def differences(function: Callable[..., Any], at: Array) -> Array:
-    """Jacobian of a function of one vector by central differences, about nine digits.
-
-    Differences, not the complex step: a reader's own function may use a norm or an arctangent, for which that is
-    silently wrong.
-    """
-    at = np.asarray(at, dtype=float)
-    stops = [(np.asarray(function(at + step)), np.asarray(function(at - step))) for step in 1e-6 * np.eye(at.size)]
-    return np.stack([(ahead - behind) / 2e-6 for ahead, behind in stops], axis=-1)
-
-
 def least_squares(mean: Array, covariance: Array, measurements: Iterable[tuple[Any, Any, Any]]) -> tuple[Array, Array]:
     """Mean (n,) and covariance (n, n) by one batch of normal equations: what any linear filter must end with.
 

@@ -4,10 +4,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slambook.exercises import Candidate, Rng, exercise
-from slambook.exercises.kit import array_of, cases, covariance, differences, holds, parts, random_covariance, same
+from slambook.exercises.kit import array_of, cases, covariance, holds, parts, random_covariance, same
 from slamlib.geometry.pose import Pose, from_frame, to_frame
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.manifolds import Array
+from slamlib.models.numerical import differences
 
 
 @exercise("many.1", "the effect of robot and extrinsics on a point", seed=181)

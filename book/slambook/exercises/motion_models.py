@@ -2,11 +2,12 @@
 
 import numpy as np
 
-from slambook.exercises.kit import Candidate, Rng, cases, covariance, differences, exercise, holds, parts, same
+from slambook.exercises.kit import Candidate, Rng, cases, covariance, exercise, holds, parts, same
 from slamlib.data.records import World
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.geometry.pose import ORIGIN, Pose, compose
 from slamlib.geometry.quaternion import exponential, rotation
+from slamlib.models.numerical import differences
 from slamlib.motions import Motion
 from slamlib.motions.odometry import step
 from slamlib.simulation import simulate

@@ -4,8 +4,9 @@ from functools import partial
 
 import numpy as np
 
-from slambook.exercises.kit import Candidate, Rng, array_of, between, cases, differences, exercise, holds, same
+from slambook.exercises.kit import Candidate, Rng, array_of, between, cases, exercise, holds, same
 from slamlib.manifolds import Array
+from slamlib.models.numerical import differences
 
 
 @exercise("observability.1", "a landmark that moves with the world", seed=171)

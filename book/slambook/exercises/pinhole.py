@@ -5,8 +5,9 @@ from typing import Any
 import numpy as np
 
 from slambook.exercises import Candidate, Rng, exercise
-from slambook.exercises.kit import array_of, cases, differences, given, holds, parts, same
+from slambook.exercises.kit import array_of, cases, given, holds, parts, same
 from slamlib.manifolds import Array
+from slamlib.models.numerical import differences
 
 
 def _factor(radius: Any, coefficients: Any) -> Any:

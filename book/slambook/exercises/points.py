@@ -3,10 +3,11 @@
 import numpy as np
 
 from slambook.exercises import Candidate, Rng, exercise
-from slambook.exercises.kit import array_of, cases, covariance, differences, holds, number, parts, same
+from slambook.exercises.kit import array_of, cases, covariance, holds, number, parts, same
 from slamlib.geometry.pose import ORIGIN
 from slamlib.landmarks.fhm_point import FHM_POINT
 from slamlib.landmarks.linearity import euclidean_index
+from slamlib.models.numerical import differences
 
 
 @exercise("points.1", "how far a stereo head sees")

@@ -3,9 +3,10 @@
 import numpy as np
 
 from slambook.exercises import Candidate, Rng, exercise
-from slambook.exercises.kit import array_of, between, cases, covariance, differences, given, holds, parts, same
+from slambook.exercises.kit import array_of, between, cases, covariance, given, holds, parts, same
 from slamlib.geometry import euler
 from slamlib.manifolds import Array
+from slamlib.models.numerical import differences
 from slamlib.motions.euler_composition import compose
 
 

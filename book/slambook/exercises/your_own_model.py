@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from slambook.exercises.kit import Candidate, Rejected, Rng, cases, differences, exercise, holds, parts, same
+from slambook.exercises.kit import Candidate, Rejected, Rng, cases, exercise, holds, parts, same
 from slamlib.geometry.pose import ORIGIN
 from slamlib.landmarks import PointLandmark
 from slamlib.manifolds import Euclidean
+from slamlib.models.numerical import differences
 from slamlib.testing import CheckError, check_landmark
 
 

@@ -13,7 +13,6 @@ from slambook.report.runs import DOF, Outcome, monte_carlo
 from slambook.report.scenes import SCENES
 from slambook.report.switches import SWITCHES, equations
 from slamlib.evaluation.consistency import band
-from slamlib.manifolds import Array
 
 RUNS, SEED = 20, 0
 
@@ -148,13 +147,6 @@ def statistics(*outcomes: tuple[str, Outcome]) -> str:
     low, high = band(DOF, RUNS)
     shares = ", ".join(f"{name} {o.inside:.0%}" for name, o in outcomes)
     return f"{RUNS} runs, {DOF} dof, 95 % band [{low:.2f}, {high:.2f}]; steps inside: {shares}"
-
-
-def differences(function: Callable[[Array, Array], Array], at: Array, other: Array) -> Array:
-    """Derivative w.r.t. the first argument (..., n) from central differences: a last axis of n."""
-    h = 1e-6
-    columns = [(function(at + h * e, other) - function(at - h * e, other)) / (2 * h) for e in np.eye(at.shape[-1])]
-    return np.stack(columns, -1)
 
 
 def refused(error: str) -> float:

@@ -8,7 +8,7 @@ from book.tests.wrong_solutions import wrong
 from slamlib.analytic import cos, sin, stumpff
 from slamlib.geometry.pose import Pose, from_frame
 from slamlib.geometry.quaternion import plus
-from slamlib.model import model
+from slamlib.models import model
 from slamlib.motions import Motion
 
 

@@ -10,7 +10,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import POINTS, PointLandmark
 from slamlib.manifolds import as_manifold
-from slamlib.model import model
+from slamlib.models import model
 
 
 @wrong("your_own_model.1", "keeps the standard deviation, as if the angle were the inverse distance")

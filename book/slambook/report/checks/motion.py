@@ -9,7 +9,6 @@ from slambook.report.findings import (
     at_least,
     at_most,
     check,
-    differences,
     instead,
     near,
     ours,
@@ -19,6 +18,7 @@ from slambook.report.findings import (
 )
 from slambook.report.runs import DOF
 from slamlib.manifolds import Array
+from slamlib.models.numerical import differences
 
 SMALL, LARGE = (0.08, 0.9), (0.5, 10.0)  # m and degrees of yaw a step: the least and the largest motion of the list
 

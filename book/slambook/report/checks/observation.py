@@ -4,9 +4,10 @@ import numpy as np
 
 from slambook.report import observation, scenes
 from slambook.report.filter import Memory
-from slambook.report.findings import Findings, at_least, at_most, check, differences, near, ran, refused, statistics
+from slambook.report.findings import Findings, at_least, at_most, check, near, ran, refused, statistics
 from slambook.report.switches import Equations
 from slamlib.manifolds import Array
+from slamlib.models.numerical import differences
 
 
 def _poses_and_points(seed: int) -> tuple[Array, Array]:

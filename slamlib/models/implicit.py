@@ -9,8 +9,9 @@ from numpy.typing import ArrayLike
 
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.manifolds import Array
-from slamlib.model import Argument, Formula, Model
-from slamlib.modeling.kernel import common
+from slamlib.models.argument import Argument
+from slamlib.models.formula import Formula, Model
+from slamlib.models.kernel import common
 
 STEPS = 60
 

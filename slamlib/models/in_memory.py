@@ -14,7 +14,7 @@ import numpy as np
 from slamlib.errors import SlamlibError
 
 if TYPE_CHECKING:
-    from slamlib.model import Model
+    from slamlib.models.formula import Model
 
 
 def compile_in_memory(model: "Model", *, by_storage: bool = False) -> Any:
@@ -28,7 +28,7 @@ def compile_in_memory(model: "Model", *, by_storage: bool = False) -> Any:
         what = "its derivatives by stored numbers are not kept in" if by_storage else "it is not part of"
         raise SlamlibError(
             f"{model.name}: {what} slamlib but generated at the first use, which needs sympy: "
-            "pip install 'slamlib[book]'"
+            "pip install 'slamlib[derive]'"
         ) from error
     text = module([model], f"{model.module}.{model.name}", by_storage=by_storage)
     code = load(text, f"<generated from {model.module}.{model.name} {abs(hash(text)):x}>")

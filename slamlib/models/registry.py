@@ -10,7 +10,7 @@ from typing import Any
 
 from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Manifold
-from slamlib.model import Formula, Model
+from slamlib.models.formula import Formula, Model
 
 ANY = "__class__", "see its help"
 PARTS: Any = {  # by type or name: what it must have, and what it should be

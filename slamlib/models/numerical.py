@@ -1,5 +1,6 @@
-"""Numerical derivatives of a model, of its definition where it has one, to check generated Jacobians."""
+"""Numerical derivatives of plain functions, and of models or their definitions, to check Jacobians."""
 
+import warnings
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -34,6 +35,31 @@ def central_difference(model: Any, place: Sequence[Array], index: int, step: flo
         return (manifold.minus(*stops) if manifold else stops[0] - stops[1]) / (2 * step)
 
     return _columns(model.arguments[index], slope)
+
+
+def differences(function: Callable[..., Any], at: Array, *others: Any, step: Any = 1e-6) -> Array:
+    """Derivative (..., n) of function(at, *others) w.r.t. `at` (..., n), by central differences: about nine digits.
+
+    Not the complex step: a reader's function may use a norm or an arctangent, for which that is silently wrong. step:
+    one, or one for each of the n numbers.
+    """
+    at = np.asarray(at, dtype=float)
+    steps = np.broadcast_to(step, at.shape[-1:])
+    stops = [(np.asarray(function(at + e, *others)), np.asarray(function(at - e, *others))) for e in np.diag(steps)]
+    return np.stack([(ahead - behind) / (2 * h) for (ahead, behind), h in zip(stops, steps, strict=True)], axis=-1)
+
+
+def complex_differences(function: Callable[..., Any], at: Array, step: float = 1e-30) -> Array | None:
+    """The same of one item, exact but for rounding; None where the function does not take complex numbers.
+
+    One that takes them but is no power series, such as a norm or `abs`, has another derivative: compare.
+    """
+    try:
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")  # "discards the imaginary part"
+            return np.stack([np.imag(function(at + 1j * step * e)) / step for e in np.eye(at.size)], axis=-1)
+    except Exception:  # whatever a reader's function says to numbers that it was not written for
+        return None
 
 
 def scaled_differences(found: Array, wanted: Array) -> Array:

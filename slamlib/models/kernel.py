@@ -8,15 +8,13 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from slamlib.errors import ShapeError, SingularPointError
 from slamlib.manifolds import Array, ranges
-
-if TYPE_CHECKING:
-    from slamlib.model import Argument
+from slamlib.models.argument import Argument
 
 Shape = tuple[int, ...]
 _FLOAT = np.dtype(float)
@@ -26,9 +24,7 @@ _FEW = 10  # items up to which a loop over Python's floats is faster than arrays
 class Kernel:
     """A generated function with the shapes of its arguments and of the arrays that its entries fill."""
 
-    def __init__(
-        self, function: Callable[..., Any], name: str, arguments: list["Argument"], shapes: list[Shape]
-    ) -> None:
+    def __init__(self, function: Callable[..., Any], name: str, arguments: list[Argument], shapes: list[Shape]) -> None:
         self.function, self.name, self.arguments, self.shapes = function, name, arguments, shapes
         self.pieces = ranges(map(math.prod, shapes))
         self.single_shapes = [a.shape for a in arguments]
@@ -84,7 +80,7 @@ class Kernel:
         flat = np.array(entries, dtype=float).reshape(*batch, -1)
         return [flat[..., at].reshape(batch + shape) for at, shape in zip(self.pieces, self.shapes, strict=True)]
 
-    def _items(self, value: Array, argument: "Argument", lead: Shape, batch: Shape) -> list[list[float]]:
+    def _items(self, value: Array, argument: Argument, lead: Shape, batch: Shape) -> list[list[float]]:
         """An argument's numbers, item by item."""
         count = math.prod(batch)
         if not lead:
@@ -141,7 +137,7 @@ class Kernel:
         return block
 
 
-def common(name: str, arguments: list["Argument"], batches: list[Shape]) -> Shape:
+def common(name: str, arguments: list[Argument], batches: list[Shape]) -> Shape:
     """The shape of a batch, to which the leading axes of the arguments broadcast."""
     leads = {b for b in batches if b}
     if len(leads) == 1:

@@ -1,1 +1,0 @@
-"""Running a model's generated code: kernels, code in memory, fingerprints, registries."""
