@@ -37,6 +37,10 @@ class Belief:
         self.transport: Callable[[], linalg.Carry | None] | None = None
         self._set([], np.zeros((0, 0)))
 
+    def __repr__(self) -> str:
+        """How much it estimates."""
+        return f"Belief: {self.size} degrees of freedom in {len(self._blocks)} block{'s' * (len(self._blocks) != 1)}"
+
     @property
     def blocks(self) -> tuple[Block, ...]:
         """The blocks, in the order of their rows."""

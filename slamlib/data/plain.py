@@ -9,7 +9,7 @@ import base64
 import zlib
 from collections.abc import Callable, Collection
 from contextlib import suppress
-from dataclasses import MISSING, dataclass, fields, is_dataclass
+from dataclasses import MISSING, Field, dataclass, fields, is_dataclass
 from functools import cache
 from inspect import signature
 from math import inf, isfinite
@@ -90,7 +90,10 @@ Share = Annotated[float, Range(ge=0, le=1)]
 
 
 class Plain:
-    """A dataclass that can be written as plain data and read from it."""
+    """A dataclass that can be written as plain data and read from it; what is as by default is not shown."""
+
+    def __repr__(self) -> str:
+        return call_of(self)
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain data for JSON or TOML; fields that are None are left out."""
@@ -103,6 +106,18 @@ class Plain:
         Raises SlamlibError for an unknown, missing or wrong key, named by its path.
         """
         return read(cls, data, cls.__name__.lower())
+
+
+def call_of(value: Any) -> str:
+    """The call that makes a dataclass, without the arguments that have their default."""
+    own = ((f, repr(getattr(value, f.name))) for f in fields(value))
+    shown = [f"{f.name}={text}" for f, text in own if text != repr(default_of(f))]
+    return f"{type(value).__name__}({', '.join(shown)})"
+
+
+def default_of(field: Field[Any]) -> Any:
+    """The default of a field; MISSING where it has none."""
+    return field.default if field.default_factory is MISSING else field.default_factory()
 
 
 def written(value: Any) -> Any:

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from slamlib.data.plain import Count, Finite, Length, OneOf, Plain, Positive, Range, check
+from slamlib.data.plain import Count, Finite, Length, OneOf, Plain, Positive, Range, call_of, check
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.euler import to_quaternion
 from slamlib.manifolds import Array, finite
@@ -51,6 +51,8 @@ class RobotSetup:
     velocity_std: Annotated[Stds, Length((6,))] = (0.0,) * 6
     control: Numbers = UNSPECIFIED
     control_std: Stds = UNSPECIFIED
+
+    __repr__ = call_of
 
     def __post_init__(self) -> None:
         check(self)
@@ -112,6 +114,8 @@ class SensorSetup:
     parameters: dict[str, Numbers] = field(default_factory=dict)
     limits: dict[str, Finite] = field(default_factory=dict)
 
+    __repr__ = call_of
+
     def __post_init__(self) -> None:
         check(self)
         kind = sensor(self.type)
@@ -149,6 +153,11 @@ class Rig(Plain):
 
     robots: tuple[RobotSetup, ...]
     sensors: tuple[SensorSetup, ...]
+
+    def __repr__(self) -> str:
+        """Who is in it: robots by their motions, sensors by their types."""
+        robots = ", ".join(f"{r.name} ({r.model.name})" for r in self.robots)
+        return f"Rig: robots {robots}; sensors {', '.join(f'{s.name} ({s.type})' for s in self.sensors)}"
 
     def __post_init__(self) -> None:
         if not self.robots or not self.sensors:

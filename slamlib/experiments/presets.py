@@ -48,6 +48,11 @@ class Preset(Plain):
             if not all(sensor.std):
                 raise SlamlibError(f"{sensor.name}: std should be above 0, for the filter, got {sensor.std}")
 
+    def __repr__(self) -> str:
+        """What is run, without all the numbers: `to_dict` has these."""
+        worlds = ", ".join(name for name, _ in self.worlds)
+        return f"Preset {self.name}: {self.frames} frames of {self.dt:g} s in {worlds}; {self.rig}; {self.options}"
+
     @cached_property
     def world(self) -> World:
         """The world."""

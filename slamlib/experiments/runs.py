@@ -47,6 +47,15 @@ class Result:
     deleted: int
     map_errors: dict[str, Array]
 
+    def __repr__(self) -> str:
+        """How far the first robot ends from the truth, and how far it says."""
+        error, sigma = (np.linalg.norm(each[-1, 0, :3]) for each in (self.errors, self.sigmas))
+        return (
+            f"Result of {self.preset.name}: {len(self.nees)} frames, {self.landmarks[-1]} landmarks; "
+            f"{self.preset.rig.robots[0].name}: position {error:.3g} m from the truth at the end (sigma {sigma:.3g} m), "
+            f"mean NEES {self.nees[:, 0].mean():.3g} of 6"
+        )
+
     def series(self) -> dict[str, dict[str, Array]]:
         """By robot the errors of each frame (n,), with their standard deviations and NEES, for a plot."""
         times = self.preset.dt * np.arange(1.0, len(self.nees) + 1)

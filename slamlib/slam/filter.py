@@ -1,5 +1,6 @@
 """EKF-SLAM: robots, sensors and landmarks in one joint Gaussian, updated frame by frame. Chapter ekf_slam reads it."""
 
+from collections import Counter
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
@@ -61,6 +62,16 @@ class Slam:
         self.absolute: list[RobotUpdate] = []
         self.landmark_groups: tuple[Any, list[Any]] = None, []  # by kind, in this layout of the blocks
         self.options = options or Options()
+
+    def __repr__(self) -> str:
+        """How much is in the map."""
+        kinds = Counter(landmark.kind.name for landmark in self.landmarks)
+        found = ", ".join(f"{n} {name}" for name, n in kinds.most_common()) or "no landmarks yet"
+        sensors = ", ".join(f"{s.name} ({s.type})" for s in self.rig.sensors)
+        return (
+            f"Slam: {', '.join(r.name for r in self.robots)}; {sensors}; {found}; {self.belief.size} degrees "
+            f"of freedom after frame {self.number}"
+        )
 
     @property
     def options(self) -> Options:

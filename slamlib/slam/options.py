@@ -17,7 +17,7 @@ Prior = tuple[tuple[Finite, Finite], tuple[Positive, Positive]]
 PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Options(Plain):
     """All options of the filter. The names in parentheses are those of the toolbox.
 

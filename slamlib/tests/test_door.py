@@ -2,6 +2,7 @@
 
 import ast
 import inspect
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -72,3 +73,27 @@ def test_what_is_not_there_says_what_is_near_and_what_is_missing():
 def test_the_first_lines_of_the_package_run():
     result = sl.Run(replace(sl.presets.points(), frames=3)).finish()
     assert len(result.nees) == 3
+
+
+def test_what_a_cell_shows_is_short_and_says_something():
+    """Of plain data the call without its defaults, which makes the same again."""
+    run = sl.Run(replace(sl.presets.points(), frames=3))
+    camera = "camera (pinHole)"
+    assert repr(run.slam) == f"Slam: robot; {camera}; no landmarks yet; 6 degrees of freedom after frame 0"
+    result = run.finish()
+    landmarks = len(run.slam.landmarks)
+    assert repr(run.slam).startswith(f"Slam: robot; {camera}; {landmarks} ahmPnt; {run.slam.belief.size} degrees")
+    assert repr(run.slam.belief) == f"Belief: {run.slam.belief.size} degrees of freedom in {landmarks + 1} blocks"
+    assert re.fullmatch(
+        rf"Result of points: 3 frames, {landmarks} landmarks; robot: position [\d.e-]+ m from the truth at the end "
+        r"\(sigma [\d.e-]+ m\), mean NEES [\d.]+ of 6",
+        repr(result),
+    )
+    assert repr(run.preset.rig) == f"Rig: robots robot (odometry); sensors {camera}"
+    assert repr(run.preset) == (
+        "Preset points: 3 frames of 0.1 s in thickCloister; "
+        f"Rig: robots robot (odometry); sensors {camera}; Options(points='ahmPnt')"
+    )
+    for plain in (sl.Options(), sl.Options(points="eucPnt", gate=0.9), run.preset.rig.robots[0], sl.SensorSetup()):
+        assert eval(repr(plain), vars(sl) | {name: getattr(sl, name) for name in sl.HOMES}) == plain
+    assert repr(sl.Options(gate=0.9)) == "Options(gate=0.9)"
