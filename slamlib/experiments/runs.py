@@ -52,7 +52,7 @@ class Result:
         error, sigma = (np.linalg.norm(each[-1, 0, :3]) for each in (self.errors, self.sigmas))
         return (
             f"Result of {self.preset.name}: {len(self.nees)} frames, {self.landmarks[-1]} landmarks; "
-            f"{self.preset.rig.robots[0].name}: position {error:.3g} m from the truth at the end (sigma {sigma:.3g} m), "
+            f"{self.preset.rig.robots[0].name}: at the end {error:.3g} m from the truth (sigma {sigma:.3g} m), "
             f"mean NEES {self.nees[:, 0].mean():.3g} of 6"
         )
 

@@ -85,7 +85,7 @@ def test_what_a_cell_shows_is_short_and_says_something():
     assert repr(run.slam).startswith(f"Slam: robot; {camera}; {landmarks} ahmPnt; {run.slam.belief.size} degrees")
     assert repr(run.slam.belief) == f"Belief: {run.slam.belief.size} degrees of freedom in {landmarks + 1} blocks"
     assert re.fullmatch(
-        rf"Result of points: 3 frames, {landmarks} landmarks; robot: position [\d.e-]+ m from the truth at the end "
+        rf"Result of points: 3 frames, {landmarks} landmarks; robot: at the end [\d.e-]+ m from the truth "
         r"\(sigma [\d.e-]+ m\), mean NEES [\d.]+ of 6",
         repr(result),
     )
