@@ -27,6 +27,7 @@ def alone(program: str) -> str:
 def test_a_name_is_what_its_module_has_whatever_was_imported_before(name):
     module = import_module(f"slamlib.{sl.HOMES[name]}")
     assert getattr(sl, name) is getattr(module, name, module)
+    assert name in vars(sl)  # from its first use on it costs nothing
     assert (inspect.getdoc(getattr(sl, name)) or "").strip()
     # A submodule of this name would take its place as soon as anybody imports it.
     assert not (PACKAGE / f"{name}.py").exists()

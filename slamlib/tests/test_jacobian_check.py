@@ -56,6 +56,7 @@ def refused(f, J, *place):
         (np.linalg.norm, lambda x: x / np.linalg.norm(x), (X,), "central differences"),
         (lambda x: np.abs(x), lambda x: np.diag(np.sign(x)), (np.array([-2.0, 3.0]),), "central differences"),
         (lambda x, scale: {"m": 1.0, "mm": 1e3}[scale] * x, np.array([1e3]) * np.eye(2), (P, "mm"), "complex step"),
+        (lambda x: np.hypot(*x), lambda x: x / np.hypot(*x), (1e7 * P,), "central differences"),
         (lambda x: 1e8 * x, 1e8 * np.eye(2), (1e6 * P,), "complex step"),
         (lambda x: 1e-8 * np.sqrt(x), lambda x: np.diag(0.5e-8 / np.sqrt(x)), (P,), "complex step"),
     ],
