@@ -85,9 +85,10 @@ def derivative(f: Callable[..., Any], place: tuple[Any, ...], index: int, value:
         return np.asarray(f(*there)).reshape(-1)
 
     flat = at.reshape(-1)
-    rough = differences(moved, flat, step=6e-6 * np.maximum(1.0, np.abs(flat)))
+    steps = 6e-6 * np.maximum(1.0, np.abs(flat))
+    rough = differences(moved, flat, step=steps)
     row = np.abs(rough).max(axis=-1, initial=0.0, keepdims=True)
-    limit = 1e-5 * row + 1e-9 * np.maximum(1.0, np.abs(value.reshape(-1, 1)))
+    limit = 1e-5 * row + 1e-14 * np.maximum(1.0, np.abs(value.reshape(-1, 1))) / steps  # truncated, and rounded
     exact, what, best = complex_differences(moved, flat), DIFFERENCE, rough
     if exact is not None and (np.abs(exact - rough) <= limit).all():
         what, best, limit = JACOBIAN, exact, 1e-9 * np.abs(exact) + 1e-12 * row
