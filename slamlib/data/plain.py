@@ -148,7 +148,7 @@ def read(kind: type[T], data: Any, path: str = "") -> T:
     for f in fields(kind):  # type: ignore[arg-type]
         if f.name not in given and NoneType in get_args(f.type):
             given[f.name] = None
-        elif f.name not in given and f.default is MISSING and f.default_factory is MISSING:
+        elif f.name not in given and default_of(f) is MISSING:
             raise SlamlibError(f"{path}: {f.name} is missing")
     return kind(**given)
 
