@@ -20,7 +20,7 @@ from slamlib.errors import entry
 from slamlib.models import FORMULA_PARTS, Model
 from slamlib.models.in_memory import load
 from slamlib.models.numerical import scaled_differences
-from slamlib.models.registry import modules_of
+from slamlib.registry import modules_of
 
 PACKAGE = Path(slamlib.__file__).parent
 TARGET = PACKAGE / "generated"

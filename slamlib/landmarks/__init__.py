@@ -1,7 +1,7 @@
 """Parametrizations of landmarks, one file each. Tangled from chapters points and lines."""
 
 from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
-from slamlib.models.registry import Registry
+from slamlib.registry import Registry
 
 __all__ = ["LINES", "POINTS", "LineLandmark", "PointLandmark"]
 

@@ -5,7 +5,7 @@ from typing import Any
 
 from slamlib.manifolds import Manifold
 from slamlib.models import Model
-from slamlib.models.registry import TypeDescription
+from slamlib.registry import TypeDescription
 
 
 @dataclass(frozen=True)

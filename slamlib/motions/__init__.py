@@ -1,9 +1,9 @@
 """Motion models: odometry, constant velocity, and the report's composition. Tangled from chapter motion_models."""
 
-from slamlib.models.registry import Registry
 from slamlib.motions.constant_velocity import CONSTANT_VELOCITY
 from slamlib.motions.motion import Motion
 from slamlib.motions.odometry import ODOMETRY
+from slamlib.registry import Registry
 
 __all__ = ["CONSTANT_VELOCITY", "MOTIONS", "ODOMETRY", "Motion", "motion"]
 

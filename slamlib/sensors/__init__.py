@@ -1,6 +1,6 @@
 """Sensor models, one file for each type. Tangled from chapters pinhole, omnidirectional and depth_stereo_range."""
 
-from slamlib.models.registry import Registry
+from slamlib.registry import Registry
 from slamlib.sensors.sensor import Calibration, Sensor
 
 __all__ = ["SENSORS", "Calibration", "Sensor", "sensor"]

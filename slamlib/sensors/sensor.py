@@ -12,7 +12,7 @@ from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.kalman.linalg import covariance
 from slamlib.manifolds import Array, Manifold, Mask, as_manifold, finite, numbers, read_only_copy
 from slamlib.models import Formula, Model
-from slamlib.models.registry import TypeDescription
+from slamlib.registry import TypeDescription
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from slamlib.datasets.pictures import TimedImage, read_image
 from slamlib.datasets.sources import of_pictures, open_source
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN
-from slamlib.models.registry import Registry
+from slamlib.registry import Registry
 from slamlib.tests.pictures import DATA
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads the images")

@@ -15,10 +15,10 @@ from slamlib.landmarks import LINES, POINTS, PointLandmark
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import euclidean_index
 from slamlib.manifolds import as_manifold
-from slamlib.models.registry import Registry
 from slamlib.motions import motion
 from slamlib.observation import FAMILIES, parametrization
 from slamlib.observation.points import initialize, observe
+from slamlib.registry import Registry
 from slamlib.sensors import SENSORS, Calibration, sensor
 from slamlib.slam import Options
 from slamlib.slam.entities import Landmark
