@@ -22,6 +22,7 @@ from slamlib.errors import SlamlibError, StaleCodeError
 from slamlib.manifolds import Array, Manifold
 from slamlib.models import fingerprint, in_memory
 from slamlib.models.argument import Argument
+from slamlib.models.compiler import compile_in_memory
 from slamlib.models.kernel import Kernel
 
 _defining: ContextVar[bool] = ContextVar("_defining", default=False)
@@ -153,7 +154,7 @@ class Model(Formula):
     def code(self) -> ModuleType:
         """The module of the generated functions, checked against the definition."""
         if self.module.split(".")[:2] not in [["slamlib", part] for part in FORMULA_PARTS]:  # a reader's own
-            return in_memory.compile_in_memory(self)
+            return compile_in_memory(self)
         command = "run `make generate` (python -m slamlib.codegen)"
         try:
             code = importlib.import_module(self.module.replace("slamlib.", "slamlib.generated.", 1))
@@ -167,7 +168,7 @@ class Model(Formula):
     @functools.cached_property
     def storage_code(self) -> ModuleType:
         """The module of the derivatives w.r.t. stored numbers, which no filter needs: generated when first needed."""
-        return in_memory.compile_in_memory(self, by_storage=True)
+        return compile_in_memory(self, by_storage=True)
 
     def _evaluate(self, kind: str, arguments: list[Array]) -> list[Array]:
         fitting: Model = self
@@ -190,12 +191,19 @@ class Model(Formula):
 
     @functools.cache  # noqa: B019 - models live as long as their module
     def _kernel_where(self, first: tuple[float, ...]) -> Kernel:
-        return Kernel(in_memory.where_first(self, first), self.name, self.arguments[1:], self.shapes("_jac")[1:2])
+        known, *others = self.arguments
+        known.check(np.array(first), self.name)
+        shapes = self.shapes("_jac")
+        function = in_memory.where_first(self.generated("_jac"), self.arguments, first, shapes)
+        return Kernel(function, self.name, others, shapes[1:2])
 
-    def generated(self, kind: str) -> Any:
+    def generated(self, kind: str) -> in_memory.Generated:
         """The generated function: of the value "", with Jacobians "_jac", or with "_storage_jac"."""
         if self._whole is not None:
-            return in_memory.for_fewer(self._whole, self, kind)
+            whole = self._whole
+            return in_memory.for_fewer(
+                whole.generated(kind), whole.arguments, self.arguments, whole.shapes(kind), self.shapes(kind)
+            )
         return getattr(self.storage_code if kind == "_storage_jac" else self.code, self.name + kind)
 
     def shapes(self, kind: str) -> list[tuple[int, ...]]:

@@ -1,4 +1,4 @@
-"""Generated code that is in no file: of readers' models, of storage Jacobians, and where some numbers are known."""
+"""Generated code that is in no file: modules of a text, and functions where some numbers are known."""
 
 import ast
 import inspect
@@ -7,36 +7,17 @@ import math
 import operator
 from collections.abc import Callable, Sequence
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from slamlib.errors import SlamlibError
+from slamlib.models.argument import Argument
 
-if TYPE_CHECKING:
-    from slamlib.models.formula import Model
-
-
-def compile_in_memory(model: "Model", *, by_storage: bool = False) -> Any:
-    """Compile a module with the model's generated functions.
-
-    by_storage: with the derivatives w.r.t. stored numbers instead. Raises SlamlibError without sympy.
-    """
-    try:
-        from slamlib.codegen.emit import module  # and so sympy, which a filter does without
-    except ModuleNotFoundError as error:
-        what = "its derivatives by stored numbers are not kept in" if by_storage else "it is not part of"
-        raise SlamlibError(
-            f"{model.name}: {what} slamlib but generated at the first use, which needs sympy: "
-            "pip install 'slamlib[derive]'"
-        ) from error
-    text = module([model], f"{model.module}.{model.name}", by_storage=by_storage)
-    code = load(text, f"<generated from {model.module}.{model.name} {abs(hash(text)):x}>")
-    code.TEXT = text
-    return code
+Generated = Callable[..., tuple[Any, ...]]  # numbers of each argument -> entries, of floats or of arrays
+Shapes = Sequence[tuple[int, ...]]
 
 
-def load(text: str, name: str) -> Any:
+def load(text: str, name: str) -> ModuleType:
     """Make a module of this text, which is kept under the name, so that tracebacks and `show` can print it."""
     linecache.cache[name] = (len(text), None, text.splitlines(keepends=True), name)
     module = ModuleType("in_memory")
@@ -45,34 +26,37 @@ def load(text: str, name: str) -> Any:
     return module
 
 
-def for_fewer(whole: "Model", short: "Model", kind: str) -> Callable[..., Any]:
-    """The generated function of a kind of the model `whole`, adapted to `short`, whose lists are shorter.
+def for_fewer(
+    whole: Generated, arguments: list[Argument], fewer: list[Argument], shapes: Shapes, kept: Shapes
+) -> Generated:
+    """The generated function of `arguments`, which fills arrays of `shapes`, adapted to the shorter lists `fewer`.
 
     A lens may have eight coefficients, and most have two; the missing ones are zero. Products with a missing one are
-    left out of the function, and so are the derivatives w.r.t. it; what remains is the same arithmetic.
+    left out of the function, and so are the derivatives w.r.t. it; what remains, arrays of the shapes `kept`, is the
+    same arithmetic.
     """
-    lengths = {b.name: b.size for b in short.arguments}
-    zeros = {f"{a.name}{i}": 0.0 for a in whole.arguments for i in range(lengths[a.name], a.size)}
-    kept, start = [], 0
-    for all_of, left in zip(whole.shapes(kind), short.shapes(kind), strict=True):
-        entries = np.arange(start, start + math.prod(all_of)).reshape(all_of)
-        kept += entries[tuple(map(slice, left))].ravel().tolist()
-        start += entries.size
-    return _without(whole.generated(kind), lengths, zeros, kept)
+    lengths = {b.name: b.size for b in fewer}
+    zeros = {f"{a.name}{i}": 0.0 for a in arguments for i in range(lengths[a.name], a.size)}
+    entries, start = [], 0
+    for all_of, left in zip(shapes, kept, strict=True):
+        places = np.arange(start, start + math.prod(all_of)).reshape(all_of)
+        entries += places[tuple(map(slice, left))].ravel().tolist()
+        start += places.size
+    return _without(whole, lengths, zeros, entries)
 
 
-def where_first(model: "Model", first: Sequence[float]) -> Callable[..., Any]:
-    """The generated Jacobian w.r.t. the first argument where that is `first`: a function of the other arguments."""
-    (known, *others), (value, by, *_) = model.arguments, model.shapes("_jac")
-    known.check(np.array(first), model.name)
+def where_first(whole: Generated, arguments: list[Argument], first: Sequence[float], shapes: Shapes) -> Generated:
+    """The generated Jacobian w.r.t. the first of the arguments where that is `first`: a function of the others.
+
+    whole: the function of value and Jacobians, which fills arrays of `shapes`.
+    """
+    (known, *others), (value, by, *_) = arguments, shapes
     lengths, start = {argument.name: argument.size for argument in others}, math.prod(value)
     numbers = {f"{known.name}{i}": float(number) for i, number in enumerate(first)}
-    return _without(model.generated("_jac"), lengths, numbers, list(range(start, start + math.prod(by))))
+    return _without(whole, lengths, numbers, list(range(start, start + math.prod(by))))
 
 
-def _without(
-    function: Callable[..., Any], lengths: dict[str, int], known: dict[str, float], kept: list[int]
-) -> Callable[..., Any]:
+def _without(function: Generated, lengths: dict[str, int], known: dict[str, float], kept: list[int]) -> Generated:
     """The function of arguments of these lengths, without the `known` numbers; only the entries `kept`."""
     definition: Any = ast.parse(inspect.getsource(function)).body[0]
     definition.args.args = [argument for argument in definition.args.args if argument.arg in lengths]

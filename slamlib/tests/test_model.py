@@ -1,5 +1,6 @@
 """Models: values, Jacobians, broadcasting, precision, and the errors for misuse."""
 
+import subprocess
 import sys
 from pathlib import Path
 
@@ -12,8 +13,7 @@ from slamlib.codegen import check_model
 from slamlib.errors import NonFiniteError, ShapeError, SingularPointError, SlamlibError, UnitError
 from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import Pose
-from slamlib.models import model
-from slamlib.models.in_memory import compile_in_memory
+from slamlib.models import compiler, model
 from slamlib.models.numerical import central_difference, complex_step
 
 GENERATED = Path(slamlib.__file__).parent / "generated"
@@ -116,9 +116,31 @@ def test_storage_jacobian_is_the_plain_derivative(rng):
     ("by_storage", "what"), [(False, "it is not part of"), (True, "stored numbers are not kept in")]
 )
 def test_what_is_generated_at_the_first_use_says_that_it_needs_sympy(monkeypatch, by_storage, what):
-    monkeypatch.setitem(sys.modules, "slamlib.codegen.emit", None)
+    monkeypatch.setattr(compiler, "_registered", [])
+    monkeypatch.setitem(sys.modules, compiler.COMPILER, None)
     with pytest.raises(SlamlibError, match=f"^to_frame: .*{what} slamlib .* needs sympy: pip install"):
-        compile_in_memory(frames.to_frame, by_storage=by_storage)
+        compiler.compile_in_memory(frames.to_frame, by_storage=by_storage)
+
+
+ONES_OWN = """
+import sys
+import numpy as np
+from slamlib.models import compiler, model
+
+@model(a=2)
+def twice(a):
+    return 2 * a
+
+print(compiler._registered, "slamlib.codegen" in sys.modules)
+print(twice(np.ones(2)))
+from slamlib.codegen.emit import module
+print(compiler._registered == [module])
+"""
+
+
+def test_a_compiler_registers_itself_when_a_model_first_needs_one():
+    run = subprocess.run([sys.executable, "-c", ONES_OWN], capture_output=True, text=True, timeout=120)
+    assert run.stdout.splitlines() == ["[] False", "[2. 2.]", "True"], run.stderr
 
 
 def test_derivatives_by_stored_numbers_are_not_in_the_package(rng):
