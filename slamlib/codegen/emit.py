@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from functools import reduce
 from operator import add, mul
 from random import Random
-from typing import Any
 
 import sympy
 from sympy.core.parameters import distribute
@@ -32,9 +31,9 @@ def functions(model: Model, traced: Trace, *, by_storage: bool = False) -> str:
     return _function(model, traced, "", "value", flat) + "\n\n" + with_jacobians
 
 
-def _function(model: Model, traced: Trace, suffix: str, what: str, entries: list[Any]) -> str:
+def _function(model: Model, traced: Trace, suffix: str, what: str, entries: list[sympy.Expr]) -> str:
     taken = {str(s) for symbols in traced.symbols for s in symbols.ravel()} | {str(s) for s in traced.stages}
-    known: dict[Any, Any] = {}
+    known: dict[sympy.Expr, sympy.Expr] = {}
     shared, reduced = sympy.cse(
         [factored(e, known) for e in [*traced.stages.values(), *unified(entries, traced.stages)]],
         (sympy.Symbol(n, real=True) for n in _unused(taken)),
@@ -58,7 +57,7 @@ def _unused(taken: set[str]) -> Iterator[str]:
     return (n for n in map("t{}".format, itertools.count()) if n not in taken)
 
 
-def factored(expression: Any, known: dict[Any, Any]) -> Any:
+def factored(expression: sympy.Expr, known: dict[sympy.Expr, sympy.Expr]) -> sympy.Expr:
     """Take the common factors out of every sum of the expression; `known` holds earlier results."""
     if not expression.args:
         return expression
@@ -70,7 +69,7 @@ def factored(expression: Any, known: dict[Any, Any]) -> Any:
     return known[expression]
 
 
-def _common(total: Any) -> Any:
+def _common(total: sympy.Expr) -> sympy.Expr:
     """A sum as the product of its terms' common factors and the rest."""
     coefficients = [a.as_coeff_Mul()[0] for a in total.args]
     content, rest = total.primitive()
@@ -81,13 +80,13 @@ def _common(total: Any) -> Any:
     return content * sympy.gcd_terms(rest, isprimitive=True, clear=False, fraction=False)
 
 
-def unified(entries: list[Any], stages: dict[Any, Any] | None = None) -> list[Any]:
+def unified(entries: list[sympy.Expr], stages: dict[sympy.Expr, sympy.Expr] | None = None) -> list[sympy.Expr]:
     """Replace entries that are equal up to the sign by one expression; also those equal to 0, 1 and -1.
 
     Two that agree at a random point of the numbers modulo a prime are equal (Schwartz and Zippel), but for a chance of
     their degree in 2^61.
     """
-    residues: dict[Any, int] = {}
+    residues: dict[sympy.Expr, int] = {}
     for symbol, expression in (stages or {}).items():
         residues[symbol] = _residue(expression, residues)
     first = {n % PRIME: sympy.Integer(n) for n in (0, 1, -1)}
@@ -100,7 +99,7 @@ def unified(entries: list[Any], stages: dict[Any, Any] | None = None) -> list[An
     return results
 
 
-def _residue(expression: Any, known: dict[Any, int]) -> int:
+def _residue(expression: sympy.Expr, known: dict[sympy.Expr, int]) -> int:
     """The expression at a random point of the numbers modulo a prime; a function is a random number of its own."""
     if expression not in known:
         if expression.is_Rational:

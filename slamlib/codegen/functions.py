@@ -21,18 +21,18 @@ class Stumpff(Smooth):
     latex = r"c_{{{}}}\left({}\right)"
 
     @classmethod
-    def eval(cls, order: Any, s: Any) -> Any:
+    def eval(cls, order: sympy.Expr, s: sympy.Expr) -> sympy.Expr:
         if s.is_zero:
             return 1 / sympy.factorial(order)
         return None
 
-    def fdiff(self, argindex: int = 1) -> Any:
+    def fdiff(self, argindex: int = 1) -> sympy.Expr:
         if argindex != 2:
             raise sympy.function.ArgumentIndexError(self, argindex)
         order, s = self.args
         return (order * Stumpff(order + 2, s) - Stumpff(order + 1, s)) / 2
 
-    def closed_form(self) -> Any:
+    def closed_form(self) -> sympy.Expr:
         """The same function in terms of cosine and sine of the square root of s."""
         order, s = self.args
         angle = sympy.sqrt(s)
@@ -48,14 +48,14 @@ class ArctanRatio(Smooth):
     latex = r"a\left({}, {}\right)"
 
     @classmethod
-    def eval(cls, s: Any, w: Any) -> Any:
+    def eval(cls, s: sympy.Expr, w: sympy.Expr) -> sympy.Expr:
         return 1 / w if s.is_zero else None
 
-    def fdiff(self, argindex: int = 1) -> Any:
+    def fdiff(self, argindex: int = 1) -> sympy.Expr:
         s, w = self.args
         return ArctanRatioSlope(s, w) if argindex == 1 else -1 / (s + w**2)
 
-    def closed_form(self) -> Any:
+    def closed_form(self) -> sympy.Expr:
         """The same function in terms of arctangent and square root."""
         s, w = self.args
         return sympy.atan(sympy.sqrt(s) / w) / sympy.sqrt(s)
@@ -67,15 +67,15 @@ class ArctanRatioSlope(Smooth):
     latex = r"a_s\left({}, {}\right)"
 
     @classmethod
-    def eval(cls, s: Any, w: Any) -> Any:
+    def eval(cls, s: sympy.Expr, w: sympy.Expr) -> sympy.Expr:
         return -1 / (3 * w**3) if s.is_zero else None
 
-    def closed_form(self) -> Any:
+    def closed_form(self) -> sympy.Expr:
         """The same function in terms of arctangent and square root."""
         s, w = self.args
         return (w / (s + w**2) - ArctanRatio(s, w).closed_form()) / (2 * s)
 
 
-def closed_form(expression: Any) -> Any:
+def closed_form(expression: sympy.Expr) -> sympy.Expr:
     """The expression with every smooth function written out (valid away from s = 0)."""
     return expression.replace(lambda e: isinstance(e, Smooth), lambda e: e.closed_form())

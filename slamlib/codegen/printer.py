@@ -1,7 +1,6 @@
 """Print expressions as plain arithmetic, line by line; each power, reciprocal and root is a line of its own."""
 
 from collections.abc import Iterator
-from typing import Any
 
 import sympy
 from sympy.printing.pycode import PythonCodePrinter
@@ -23,10 +22,15 @@ class Printer(PythonCodePrinter):
     shared, stages: symbols that stand for an expression, which is a line before the first use; a stage keeps its name.
     """
 
-    def __init__(self, names: Iterator[str], shared: dict[Any, Any] | None = None, stages: Any = None) -> None:
+    def __init__(
+        self,
+        names: Iterator[str],
+        shared: dict[sympy.Expr, sympy.Expr] | None = None,
+        stages: dict[sympy.Symbol, sympy.Expr] | None = None,
+    ) -> None:
         super().__init__({"fully_qualified_modules": False})
         self.lines: list[str] = []
-        self.used: set[Any] = set()
+        self.used: set[sympy.Symbol] = set()
         self._stands_for, self._stages = {**(shared or {}), **(stages or {})}, stages or {}
         self._unused, self._name_of, self._renamed = names, {}, {}  # type: ignore[var-annotated]
 
@@ -39,14 +43,14 @@ class Printer(PythonCodePrinter):
             self.lines.append(f"{self._name_of[text]} = {text}")
         return self._name_of[text]
 
-    def _print_Symbol(self, expr: Any) -> str:
+    def _print_Symbol(self, expr: sympy.Symbol) -> str:
         self.used.add(expr)
         if expr in self._stands_for and expr not in self._renamed:
             text = self.doprint(self._stands_for[expr])
             self._renamed[expr] = self.line(text, expr.name if expr in self._stages else "")
         return self._renamed.get(expr, expr.name)
 
-    def _print_Pow(self, expr: Any, rational: bool = False) -> str:
+    def _print_Pow(self, expr: sympy.Expr, rational: bool = False) -> str:
         base, exponent = expr.as_base_exp()
         if not (2 * exponent).is_Integer:
             raise WritingRuleError(f"no code for the power {expr}: only integer and half-integer powers")
@@ -54,7 +58,7 @@ class Printer(PythonCodePrinter):
             return self._power(self.line(f"1/{self.line(self._print(base))}"), -exponent)
         return self._power(self.line(self._print(base)), exponent)
 
-    def _power(self, base: str, exponent: Any) -> str:
+    def _power(self, base: str, exponent: sympy.Expr) -> str:
         """The name of a power of the variable `base`: x^5 from x^3 and x^2, x^3 from x^2 and x."""
         if exponent == 1:
             return base
@@ -63,7 +67,7 @@ class Printer(PythonCodePrinter):
         half = exponent - _HALF if not exponent.is_Integer else (exponent + 1) // 2
         return self.line(f"{self._power(base, half)}*{self._power(base, exponent - half)}")
 
-    def _print_Mul(self, expr: Any) -> str:
+    def _print_Mul(self, expr: sympy.Expr) -> str:
         # A quotient by an integer is printed as one, so that 1/2 stays exact and readable.
         coefficient, rest = expr.as_coeff_Mul()
         if coefficient.is_Rational and coefficient.q != 1:
@@ -77,7 +81,7 @@ class Printer(PythonCodePrinter):
             first = f"{size}*{first}"
         return sign + "*".join([first, *others])
 
-    def _factors(self, factors: tuple[Any, ...]) -> list[str]:
+    def _factors(self, factors: tuple[sympy.Expr, ...]) -> list[str]:
         """Texts of factors; x^4 z^-9 becomes (x z^-2)^4 z^-1, which overflows only where the whole product does."""
         powers = [f.as_base_exp() for f in factors]
         high = [abs(e) for _, e in powers if e.is_Integer and abs(e) > 1]
@@ -89,7 +93,7 @@ class Printer(PythonCodePrinter):
         rest = [b ** (e - k * n) for b, n, e in whole if e != k * n]
         return [self._power(ratio, k), *(self.parenthesize(f, 50) for f in rest)]
 
-    def _print_Function(self, expr: Any) -> str:
+    def _print_Function(self, expr: sympy.Expr) -> str:
         name = _NAMES.get(expr.func)
         if name is None:
             raise WritingRuleError(f"no code for the function {expr.func.__name__}; add it to slamlib.analytic")

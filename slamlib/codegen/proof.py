@@ -49,7 +49,7 @@ def assert_same(left: Any, right: Any, *, unit: Any = (), points: int = 5, silen
         print(f"same{where}: {proved} of {len(a)} entries by symbolic difference{rest}")
 
 
-def _entries(value: Any) -> list[Any]:
+def _entries(value: Any) -> list[sympy.Expr]:
     if isinstance(value, Model):
         value = derive(value)
     if isinstance(value, Derivation):
@@ -58,7 +58,7 @@ def _entries(value: Any) -> list[Any]:
     return [sympy.sympify(e) for e in flat]
 
 
-def _vanishes(difference: Any, units: list[list[Any]]) -> bool:
+def _vanishes(difference: sympy.Expr, units: list[list[sympy.Expr]]) -> bool:
     """True if the difference is zero symbolically, using first^2 = 1 - (other squares) for each unit vector.
 
     Only fast attempts are made: beyond them, exact points prove the same in a hundredth of the time.
@@ -78,7 +78,7 @@ def _vanishes(difference: Any, units: list[list[Any]]) -> bool:
     return sympy.expand(difference) == 0 or sympy.trigsimp(sympy.simplify(difference)) == 0
 
 
-def _numerator(difference: Any, units: list[list[Any]]) -> Any:
+def _numerator(difference: sympy.Expr, units: list[list[sympy.Expr]]) -> sympy.Expr:
     """The numerator of a rational function as a polynomial, without the first^2 of each unit vector.
 
     Inverse roots, constants such as pi, and floats are unknowns too: what holds for all values holds for theirs.
@@ -91,7 +91,7 @@ def _numerator(difference: Any, units: list[list[Any]]) -> Any:
     return field.from_expr(difference).numer.rem(relations)
 
 
-def _at_points(differences: dict[int, Any], units: list[list[Any]], points: int) -> None:
+def _at_points(differences: dict[int, sympy.Expr], units: list[list[sympy.Expr]], points: int) -> None:
     """Evaluate at rational points with eighty digits; AssertionError names the entry and the point of a difference."""
     chance = random.Random(20)
     symbols = sorted(set().union(*(d.free_symbols for d in differences.values())), key=str)
@@ -109,7 +109,7 @@ def _at_points(differences: dict[int, Any], units: list[list[Any]], points: int)
                 raise AssertionError(f"entry {index} differs by {mpmath.nstr(size, 6)} at {values}: {difference}")
 
 
-def _rational_unit(size: int, chance: random.Random) -> list[Any]:
+def _rational_unit(size: int, chance: random.Random) -> list[sympy.Expr]:
     """An exactly rational unit vector, by stereographic projection of a rational point."""
     flat = [sympy.Rational(chance.randint(-99, 99), chance.randint(50, 150)) for _ in range(size - 1)]
     squared = sum(f**2 for f in flat)

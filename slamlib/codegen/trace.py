@@ -27,7 +27,7 @@ class Trace:
     model: Model
     symbols: list[Symbols]
     value: Symbols
-    stages: dict[Any, Any]
+    stages: dict[sympy.Symbol, sympy.Expr]
 
     @cached_property
     def stored(self) -> list[sympy.Matrix]:
@@ -66,7 +66,7 @@ class Stages:
         kept = [e if sympy.sympify(e).is_polynomial() else self._symbol(str(s), e) for s, e in pairs]
         return np.array(kept, dtype=object).reshape(value.shape)
 
-    def _symbol(self, name: str, expression: Any) -> Any:
+    def _symbol(self, name: str, expression: sympy.Expr) -> sympy.Expr:
         if expression not in self.symbols:
             name = next(n for n in (name + "_" * i for i in count()) if n not in self.taken)
             self.taken.add(name)
@@ -106,7 +106,7 @@ def trace(model: Model, *, staged: bool = False) -> Trace:
     return Trace(model, symbols, value, {symbol: expression for expression, symbol in stages.symbols.items()})
 
 
-def _jacobian(value: sympy.Matrix, stages: dict[Any, Any], symbols: list[Any]) -> sympy.Matrix:
+def _jacobian(value: sympy.Matrix, stages: dict[sympy.Symbol, sympy.Expr], symbols: list[sympy.Symbol]) -> sympy.Matrix:
     """d value / d symbols, by the chain rule through the stages, each of which may depend on those before it."""
     inner, by_symbols = list(stages), sympy.zeros(0, len(symbols))
 

@@ -3,9 +3,9 @@
 from collections.abc import Callable
 from importlib import import_module
 from types import ModuleType
-from typing import Any
 
 from slamlib.errors import SlamlibError
+from slamlib.models.fingerprint import Defined
 from slamlib.models.in_memory import load
 
 COMPILER = "slamlib.codegen"  # calls `register` when it is imported
@@ -19,7 +19,7 @@ def register(compiler: Compiler) -> None:
     _registered[:] = [compiler]
 
 
-def compile_in_memory(model: Any, *, by_storage: bool = False) -> ModuleType:
+def compile_in_memory(model: Defined, *, by_storage: bool = False) -> ModuleType:
     """A module with the generated functions of a Model, and their text as TEXT.
 
     Where no compiler is registered yet, the module COMPILER, which registers one, is imported by its name: it needs

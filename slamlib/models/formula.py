@@ -13,7 +13,7 @@ from collections import namedtuple
 from collections.abc import Callable, Sequence
 from contextvars import ContextVar
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,15 +25,15 @@ from slamlib.models.argument import Argument
 from slamlib.models.compiler import compile_in_memory
 from slamlib.models.kernel import Kernel
 
+Spec: TypeAlias = int | tuple[int, ...] | Manifold
+Jacobians: TypeAlias = Any  # a namedtuple with an array for each argument, called as that is
 _defining: ContextVar[bool] = ContextVar("_defining", default=False)
 # what it is to call a model, with its arguments, inside another model's definition
 calling: ContextVar[Callable[..., Array]] = ContextVar("calling", default=lambda model, given: model.definition(*given))
 FORMULA_PARTS = ("geometry", "landmarks", "motions", "observation", "sensors")
 
 
-def model(
-    *, returns: "int | tuple[int, ...] | Manifold | None" = None, **arguments: Any
-) -> Callable[[Callable[..., Array]], "Model"]:
+def model(*, returns: Spec | None = None, **arguments: Spec) -> Callable[[Callable[..., Array]], "Model"]:
     """Declare a function as a model: for each argument its size (int), shape (tuple; () is a scalar) or manifold.
 
     AtMost(8) is the size of a list of coefficients that may be shorter; its Jacobian is then as short.
@@ -59,11 +59,11 @@ class Formula(ABC):
         self._jacobians = namedtuple(f"{name}_jacobians", self.parameters)  # type: ignore[misc]
 
     @abstractmethod
-    def __call__(self, *args: Any, **kwargs: Any) -> Array:
+    def __call__(self, *args: ArrayLike, **kwargs: ArrayLike) -> Array:
         """Value."""
 
     @abstractmethod
-    def jac(self, *args: Any, **kwargs: Any) -> tuple[Array, Any]:
+    def jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Jacobians]:
         """Value and Jacobians."""
 
     def _bind(self, args: tuple[ArrayLike, ...], kwargs: dict[str, ArrayLike]) -> list[Array]:
@@ -80,7 +80,7 @@ class Formula(ABC):
 class Model(Formula):
     """A formula with its generated value and Jacobians; made by the decorator `model`."""
 
-    def __init__(self, function: Callable[..., Array], arguments: list[Argument], returns: Any) -> None:
+    def __init__(self, function: Callable[..., Array], arguments: list[Argument], returns: Spec | None) -> None:
         super().__init__(function.__name__, arguments)
         functools.update_wrapper(self, function)
         self.function = function
@@ -122,7 +122,7 @@ class Model(Formula):
             return calling.get()(self, arguments)
         return self._evaluate("", arguments)[0]
 
-    def jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Any]:
+    def jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Jacobians]:
         """Value and Jacobians (..., result, argument), on the tangent space of each argument or result that has one."""
         value, *jacobians = self._evaluate("_jac", self._bind(args, kwargs))
         return value, self._jacobians(*jacobians)
@@ -131,7 +131,7 @@ class Model(Formula):
         """The Jacobian (..., result, argument) w.r.t. the first argument alone, at a point for which code is kept."""
         return self._run(self._kernel_where(tuple(first)), [np.asarray(other) for other in others])[0]
 
-    def storage_jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Any]:
+    def storage_jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Jacobians]:
         """Value and plain derivatives w.r.t. the stored numbers: seven of a pose, four of a quaternion.
 
         Their code is generated when first needed, which requires sympy; raises SlamlibError without it.
@@ -146,7 +146,7 @@ class Model(Formula):
         arguments = [a if a.size == n else Argument(a.name, (n,)) for a, n in zip(self.arguments, sizes, strict=True)]
         if arguments == self.arguments:
             return self
-        short = Model(self.function, arguments, self.result and self.result.manifold)
+        short = Model(self.function, arguments, self.result.manifold if self.result else None)
         short._whole = self
         return short
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.manifolds import Array
 from slamlib.models.argument import Argument
-from slamlib.models.formula import Formula, Model
+from slamlib.models.formula import Formula, Jacobians, Model
 from slamlib.models.kernel import common
 
 STEPS = 60
@@ -40,7 +40,7 @@ class Implicit(Formula):
         """The solution (..., n) for a value (..., n); all arguments broadcast over their leading axes."""
         return self._solve(*self._bind(args, kwargs))
 
-    def jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Any]:
+    def jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Jacobians]:
         """The solution, and its Jacobians w.r.t. the value and the model's other arguments.
 
         Raises SingularPointError also where there is a solution without a derivative.

@@ -24,7 +24,9 @@ _FEW = 10  # items up to which a loop over Python's floats is faster than arrays
 class Kernel:
     """A generated function with the shapes of its arguments and of the arrays that its entries fill."""
 
-    def __init__(self, function: Callable[..., Any], name: str, arguments: list[Argument], shapes: list[Shape]) -> None:
+    def __init__(
+        self, function: Callable[..., tuple[Any, ...]], name: str, arguments: list[Argument], shapes: list[Shape]
+    ) -> None:
         self.function, self.name, self.arguments, self.shapes = function, name, arguments, shapes
         self.pieces = ranges(map(math.prod, shapes))
         self.single_shapes = [a.shape for a in arguments]

@@ -5,11 +5,14 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.manifolds import Array
+from slamlib.models.argument import Argument
+from slamlib.models.formula import Formula, Model
 
 
-def complex_step(model: Any, place: Sequence[Array], index: int, step: float = 1e-30) -> Array:
+def complex_step(model: Model, place: Sequence[Array], index: int, step: float = 1e-30) -> Array:
     """Jacobian of a definition w.r.t. one argument, on the tangent space; exact but for rounding (chapter
     proving_a_jacobian).
 
@@ -25,7 +28,7 @@ def complex_step(model: Any, place: Sequence[Array], index: int, step: float = 1
     return _columns(model.arguments[index], slope)
 
 
-def central_difference(model: Any, place: Sequence[Array], index: int, step: float = 1e-6) -> Array:
+def central_difference(model: Formula, place: Sequence[Array], index: int, step: float = 1e-6) -> Array:
     """The same by central differences: about nine digits, also for models without a definition in one formula."""
     function, result = getattr(model, "definition", model), getattr(model, "result", None)
     manifold = None if result is None else result.manifold
@@ -37,7 +40,7 @@ def central_difference(model: Any, place: Sequence[Array], index: int, step: flo
     return _columns(model.arguments[index], slope)
 
 
-def differences(function: Callable[..., Any], at: Array, *others: Any, step: Any = 1e-6) -> Array:
+def differences(function: Callable[..., Any], at: Array, *others: Any, step: ArrayLike = 1e-6) -> Array:
     """Derivative (..., n) of function(at, *others) w.r.t. `at` (..., n), by central differences: about nine digits.
 
     Not the complex step: a reader's function may use a norm or an arctangent, for which that is silently wrong. step:
@@ -68,13 +71,13 @@ def scaled_differences(found: Array, wanted: Array) -> Array:
     return np.where(np.isfinite(errors), errors, np.inf)
 
 
-def _moved(argument: Any, place: Sequence[Array], index: int, direction: Any) -> list[Array]:
+def _moved(argument: Argument, place: Sequence[Array], index: int, direction: Any) -> list[Array]:
     moved = list(place)
     moved[index] = argument.manifold.plus(place[index], direction) if argument.manifold else place[index] + direction
     return moved
 
 
-def _columns(argument: Any, slope: Callable[[Array], Array]) -> Array:
+def _columns(argument: Argument, slope: Callable[[Array], Array]) -> Array:
     """The slopes along the unit vectors of an argument's tangent space, as the last axes of one array."""
     units = np.eye(int(np.prod(argument.tangent))).reshape(-1, *argument.tangent)
     columns = [slope(unit) for unit in units]
