@@ -64,7 +64,7 @@ def execute(given: argparse.Namespace) -> int:
             raise
         rows.append({"preset": base.name, **summary(name, found)})
     groups = [[row for row in rows if row["preset"] == name] for name in dict.fromkeys(row["preset"] for row in rows)]
-    runner.report(given, rows, "\n\n".join(map(table, groups)))
+    runner.print_result(given, rows, "\n\n".join(map(table, groups)))
     return 0
 
 

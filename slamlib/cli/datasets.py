@@ -35,5 +35,5 @@ def execute(given: argparse.Namespace) -> int:
         rows = [("address", recording.address), ("size", recording.size or "unknown"), ("licence", recording.licence)]
         text += [f"{name}: {recording.what}", *(f"  {key:8} {value}" for key, value in [*rows, ("found", there)])]
         found[name] = {**vars(recording), "folder": put, "found": [str(folder) for folder in here]}
-    runner.report(given, found, "\n".join(text))
+    runner.print_result(given, found, "\n".join(text))
     return 0

@@ -37,7 +37,7 @@ def execute(given: argparse.Namespace) -> int:
     times = read_rows(given.times)[0][:, 0] if given.times else None
     path, reference = (read_trajectory(name, times) for name in (given.path, given.reference))
     interval = float(np.median(np.diff(path.times))) if len(path) > 1 else 0.0
-    found, series = compared(path, reference, interval, not given.scale, given.reference_std)
-    runner.export(given, "plot", lambda: {Path(given.path).name: series})
-    runner.report(given, found, shared.aligned_rows(rows(found)))
+    found, series = compared(path, reference, interval, metric=not given.scale, noise=given.reference_std)
+    runner.export_plot(given, lambda: {Path(given.path).name: series})
+    runner.print_result(given, found, shared.aligned_rows(rows(found)))
     return 0

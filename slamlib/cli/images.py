@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from slamlib.cli import arguments as shared
-from slamlib.cli.runner import EXIT_ERROR, Job, RunEnd, check_files, check_resumed, execute, export, report
+from slamlib.cli import runner
+from slamlib.cli.runner import EXIT_ERROR, Job, RunEnd
 from slamlib.errors import SlamlibError, entry
 from slamlib.evaluation.comparison import compared, sigmas_at_end
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
@@ -63,11 +64,11 @@ class ImageCommand:
                  "intrinsics=1,1,2,2; of pairs also offset, of the disparities [px]: the run is repeated with each of "
                  "them, and what they do to the path is in its covariances")  # fmt: skip
         shared.outputs(add)
-        parser.set_defaults(check=lambda given: check_resumed(given, parser))
+        parser.set_defaults(check=lambda given: runner.check_resumed(given, parser))
 
     def execute(self, given: argparse.Namespace) -> int:
         """Run; a run that stops early, by an error or by Ctrl-C, is saved, and can be resumed."""
-        check_files(given)
+        runner.check_files(given)
         if (given.plot or any(given.reference_std)) and not given.reference:
             raise SlamlibError("--plot and --reference-std are about errors: they need --reference FILE, a trajectory")
         if given.resume:
@@ -93,7 +94,7 @@ class ImageCommand:
             run, source.where.rpartition("/")[2], f"run {kind.name}", f"slamlib-{kind.name}.npz",
             lambda step: (run.snapshot(), None), kind.item, fps, each=warn,
         )  # fmt: skip
-        return self._report(run, given, execute(job, given), reference, errors)
+        return self._report(run, given, runner.execute(job, given), reference, errors)
 
     def _report(
         self, run: SequenceRun, given: argparse.Namespace, ended: RunEnd, reference: Trajectory | None, errors: Singles
@@ -114,11 +115,11 @@ class ImageCommand:
             print(f"slamlib: the calibration is taken for exact: {str(error) or 'interrupted'}", file=sys.stderr)
         if given.trajectory:
             write_tum(given.trajectory, path)
-        export(given, "map", run.snapshot)
+        runner.export_map(given, run.snapshot)
         try:
             if reference is not None:
                 s["reference"], series = compared(path, reference, run.source.interval, run.metric, given.reference_std)
-                export(given, "plot", lambda: {"camera": series})
+                runner.export_plot(given, lambda: {"camera": series})
                 if s["calibration"] and s["reference"]["nees"]:
                     without, _ = compared(claimed, reference, run.source.interval, run.metric, given.reference_std)
                     s["calibration"]["without"]["nees"] = without["nees"]["median"]
@@ -129,7 +130,7 @@ class ImageCommand:
             ended.status = EXIT_ERROR
             print(f"slamlib: {NOTHING.format(self.kind.item)}", file=sys.stderr)
         rows = [("source", f"{s['source']} ({s['layout']})"), *table(s)]
-        report(given, s, shared.aligned_rows(rows))
+        runner.print_result(given, s, shared.aligned_rows(rows))
         for warning in [*summary_warnings(s), *([] if run.metric else _image_warnings(run, s["inlier_share"]))]:
             print(f"slamlib: {warning}", file=sys.stderr)
         return ended.status

@@ -44,9 +44,9 @@ def execute(given: argparse.Namespace) -> int:
     )  # fmt: skip
     ended = runner.execute(job, given)
     result = run.result()
-    runner.export(given, "map", run.slam.snapshot)
-    runner.export(given, "plot", result.series)
-    runner.report(given, summary(result), table(result))
+    runner.export_map(given, run.slam.snapshot)
+    runner.export_plot(given, result.series)
+    runner.print_result(given, summary(result), table(result))
     return ended.status
 
 

@@ -9,11 +9,11 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from importlib import import_module
 from itertools import tee
 from pathlib import Path
 from typing import Any
 
+from slamlib.cli.drawing import ErrorSeries, drawing
 from slamlib.data.files import check_writable, write_whole
 from slamlib.data.records import Truth, World
 from slamlib.data.snapshots import Snapshot
@@ -24,7 +24,6 @@ from slamlib.experiments.progress import progress
 EXIT_ERROR = 2
 STOPPED: dict[int, str] = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}
 FILES = ("save", "trajectory", "map", "plot", "json")  # options whose value is a file that is written
-WRITERS = {"map": "slambook.scene.map_file", "plot": "slambook.scene.error_plot"}  # of the book's package
 CONTINUED = "resume", "overwrite", "video", "live", "frames", "patience", "reference", "reference_std", *FILES
 Shown = tuple[Snapshot, Truth | None]
 
@@ -66,25 +65,31 @@ def check_files(given: argparse.Namespace) -> None:
     files = [(name, path) for name in FILES if (path := getattr(given, name, None)) not in (None, "-")]
     files += [(name, str(beside(path))) for name, path in files if name == "trajectory"]  # its covariances
     for name, path in files:
-        if name in WRITERS:
-            import_module(WRITERS[name]).check(path)
+        if name == "map":
+            drawing().check_map(path)
+        elif name == "plot":
+            drawing().check_plot(path)
         if Path(path).is_file() and not given.overwrite and path != getattr(given, "resume", None):
             raise SlamlibError(f"--{name}: {path} exists: choose another name, or replace it with --overwrite")
         check_writable(path)
     if getattr(given, "video", None):
-        from slambook.scene.video import ready
-
-        ready(given.video, overwrite=given.overwrite)
+        drawing().check_video(given.video, overwrite=given.overwrite)
         check_writable(Path(given.video).with_name(".video"))
 
 
-def export(given: argparse.Namespace, name: str, content: Callable[[], Any]) -> None:
-    """Write a map's snapshot, or errors by name for a plot, where the option of this name says so."""
-    if getattr(given, name):
-        import_module(WRITERS[name]).write(getattr(given, name), content())
+def export_map(given: argparse.Namespace, snapshot: Callable[[], Snapshot]) -> None:
+    """Write the map of a snapshot where --map says so."""
+    if given.map:
+        drawing().write_map(given.map, snapshot())
 
 
-def report(given: argparse.Namespace, result: Any, text: str) -> None:
+def export_plot(given: argparse.Namespace, series: Callable[[], ErrorSeries]) -> None:
+    """Draw errors over time where --plot says so."""
+    if given.plot:
+        drawing().write_plot(given.plot, series())
+
+
+def print_result(given: argparse.Namespace, result: object, text: str) -> None:
     """Print the result, as text or as JSON; --json FILE writes it, too."""
     data = json.dumps(result, indent=2)
     print(data if given.json == "-" else text)
@@ -111,13 +116,18 @@ def execute(job: Job, given: argparse.Namespace) -> RunEnd:
         steps = _steps(job, given, ended, asked)
         try:
             if given.video:
-                from slambook.scene import animate
-
                 if before:
                     print(f"slamlib: the video begins at {job.item} {before + 1}, the run's next one", file=sys.stderr)
-                shown, truths = (steps, None) if job.world is None else tee(steps)
-                options = {"truths": (truth for _, truth in truths) if truths else (), "overwrite": given.overwrite}
-                animate((snapshot for snapshot, _ in shown), given.video, world=job.world, fps=job.fps, **options)
+                pairs = (pair for pair in steps if pair is not None)
+                shown, truths = (pairs, None) if job.world is None else tee(pairs)
+                drawing().write_video(
+                    given.video,
+                    (snapshot for snapshot, _ in shown),
+                    truths=(truth for _, truth in truths if truth is not None) if truths else (),
+                    world=job.world,
+                    fps=job.fps,
+                    overwrite=given.overwrite,
+                )
             else:
                 deque(steps, maxlen=0)
         except Exception as error:
@@ -161,9 +171,7 @@ def _steps(job: Job, given: argparse.Namespace, ended: RunEnd, asked: list[int])
     """Run step by step; yield what a video shows, if there is one. Errors end the run and are recorded."""
     window = None
     if given.live:
-        from slambook.scene import Window
-
-        window = Window(job.shown(None)[0], world=job.world, show=True)
+        window = drawing().open_window(job.shown(None)[0], world=job.world)
     try:
         for step in progress(job.run, len(job.run), job.label):
             job.each(step)

@@ -75,5 +75,5 @@ def windows(monkeypatch):
         def update(self, snapshot, truth):
             shown.append(snapshot)
 
-    monkeypatch.setattr("slambook.scene.Window", Window)
+    monkeypatch.setattr("slambook.scene.drawing.Window", Window)
     return shown
