@@ -25,6 +25,7 @@ from benchmarks import street_tracks
 from book.tools import layout, real_images
 from book.tools.stored import plain
 from slamlib.cli import COMMANDS, parser
+from slamlib.cli.images import ImageCommand
 from slamlib.datasets.calibrations import read_lens
 from slamlib.datasets.public import VARIABLE, data_folder, public_recordings
 from slamlib.errors import SlamlibError
@@ -49,7 +50,9 @@ Row = dict[str, Any]
 def opened(*words: str, errors: Errors | None = None) -> SequenceRun:
     """The run that these words of the command `slamlib` would start, with these errors in its calibration."""
     given = parser().parse_args([*words])
-    run: SequenceRun = COMMANDS[given.command].new_run(given, errors)
+    command = COMMANDS[given.command]
+    assert isinstance(command, ImageCommand)
+    run = command.new_run(given, errors)
     return run
 
 

@@ -4,7 +4,7 @@ import argparse
 import signal
 import sys
 from collections.abc import Sequence
-from typing import Any
+from typing import Protocol
 
 import numpy as np
 
@@ -14,7 +14,20 @@ from slamlib.cli.runner import STOPPED, signals
 from slamlib.cli.sequences import ImagesCommand, PairsCommand
 from slamlib.errors import SlamlibError
 
-COMMANDS: dict[str, Any] = {
+
+class Command(Protocol):
+    """A module, or an object, of one command; its docstring starts with the help text."""
+
+    EXAMPLES: str
+
+    def arguments(self, parser: argparse.ArgumentParser) -> None:
+        """Add the arguments of the command."""
+
+    def execute(self, given: argparse.Namespace) -> int:
+        """Run the command; return the exit status."""
+
+
+COMMANDS: dict[str, Command] = {
     "run": run, "run images": ImagesCommand(), "run stereo-images": PairsCommand(), "compare": compare,
     "evaluate": evaluate, "list": listing, "preset": starting, "datasets": datasets,
 }  # fmt: skip
@@ -35,7 +48,7 @@ def parser() -> argparse.ArgumentParser:
             formatter_class=argparse.RawDescriptionHelpFormatter,
         )
         made.arguments(command)
-        command.set_defaults(execute=made.execute)
+        command.set_defaults(execute=made.execute, parser=command)  # which knows the defaults
     return top
 
 

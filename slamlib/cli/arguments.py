@@ -51,7 +51,7 @@ def number(text: str) -> float:
     return value
 
 
-def outputs(add: Callable[..., Any]) -> None:
+def outputs(add: Callable[..., object]) -> None:
     """Add the output options of a run of any kind."""
     add("--live", action="store_true", help="show the run in a window")
     add("--video", metavar="PATH", help="write a video: .mp4, .webm, .gif, or a folder for numbered PNG files")
@@ -62,13 +62,13 @@ def outputs(add: Callable[..., Any]) -> None:
     result(add)
 
 
-def reference_std(add: Callable[..., Any]) -> None:
+def reference_std(add: Callable[..., object]) -> None:
     """Add the option that says how well a reference is known."""
     known = "std of the reference's own poses, as its maker states them; added to the path's own (default 0 0)"
     add("--reference-std", nargs=2, type=number, metavar=("M", "DEG"), default=(0.0, 0.0), help=known)
 
 
-def result(add: Callable[..., Any]) -> None:
+def result(add: Callable[..., object]) -> None:
     """Add the options that say in what form the result is given."""
     add("--overwrite", action="store_true", help="replace files that exist")
     add("--json", nargs="?", const="-", type=_json, metavar="FILE.json", help="print the result as JSON, or write it")

@@ -25,7 +25,7 @@ from slamlib.vision.run import load
 from slamlib.vision.sequence_run import ImageStep, SequenceKind, SequenceRun
 from slamlib.vision.two_views import direction_error
 
-Add = Callable[..., Any]  # add_argument of a group
+Add = Callable[..., object]  # add_argument of a group
 JUDGED, ENOUGH = 30, 0.7  # frames, and the least share of inliers among the matches of a good run
 NO_MATCH = "no match in {}: prediction only; the run stops after {} such frames in a row (reported once)"
 NOTHING = "nothing was matched in any {}: are they blank, dark, without texture, or not of one sequence?"
@@ -64,19 +64,14 @@ class ImageCommand:
                  "intrinsics=1,1,2,2; of pairs also offset, of the disparities [px]: the run is repeated with each of "
                  "them, and what they do to the path is in its covariances")  # fmt: skip
         shared.outputs(add)
-        parser.set_defaults(check=lambda given: runner.check_resumed(given, parser))
 
     def execute(self, given: argparse.Namespace) -> int:
         """Run; a run that stops early, by an error or by Ctrl-C, is saved, and can be resumed."""
         runner.check_files(given)
         if (given.plot or any(given.reference_std)) and not given.reference:
             raise SlamlibError("--plot and --reference-std are about errors: they need --reference FILE, a trajectory")
-        if given.resume:
-            given.check(given)
-            run = load(given.resume, self.kind, frames=given.frames)
-            run.patience = given.patience or run.patience
-        else:
-            run = self.new_run(given)
+        run = runner.new_or_resumed(given, self.new_run, lambda path: load(path, self.kind, frames=given.frames))
+        run.patience = given.patience or run.patience
         if not run.has_map and (given.video or given.live or given.map):
             raise SlamlibError("--video, --live and --map need the filter's map: with --odometry-only there is none")
         errors = single_errors(shared.numbers_by_name(given.calibration_std, "--calibration-std"), run)
@@ -160,7 +155,7 @@ class ImageCommand:
             add(f"--{name}", nargs=2, type=shared.number, metavar=("M/S", "DEG/S"),
                 help=f"{before}std of {what} (default {default.format(*own)})")  # fmt: skip
 
-    def _search(self, add: Add, settings: Any, of: str) -> None:
+    def _search(self, add: Add, settings: type, of: str) -> None:
         """Add the arguments of the filter's options, and of the search for features."""
         names, points = ", ".join(f.name for f in fields(settings)), self.kind.options.points
         add("--landmark", default=points, help=f"parametrization of points (default {points})")

@@ -35,7 +35,7 @@ def _fields(kind: type) -> list[str]:
     return [line.removeprefix("    ") for line in text] + ["", "defaults:", *defaults]
 
 
-def _meanings(registry: Mapping[str, Any], formula: str) -> list[str]:
+def _meanings(registry: Mapping[str, object], formula: str) -> list[str]:
     """The first line of the module of each type's formula."""
     modules = {name: sys.modules[getattr(value, formula).__module__] for name, value in sorted(registry.items())}
     return _first_lines(modules)

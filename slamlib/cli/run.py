@@ -12,6 +12,7 @@ from slamlib.errors import SlamlibError
 from slamlib.evaluation.comparison import DOF, magnitudes
 from slamlib.evaluation.consistency import band, share_inside
 from slamlib.experiments.runs import Result, Run
+from slamlib.manifolds import Array
 
 EXAMPLES = """examples:
   slamlib run points
@@ -30,17 +31,16 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--landmark", action="append", default=[], help="parametrization of new points or lines")
     shared.add(parser)
     shared.outputs(parser.add_argument)
-    parser.set_defaults(check=lambda given: runner.check_resumed(given, parser))
 
 
 def execute(given: argparse.Namespace) -> int:
     """Run the experiment; an interrupted run is saved, and can be resumed."""
     runner.check_files(given)
-    run = _run(given)
+    run = runner.new_or_resumed(given, _new_run, lambda path: _loaded(path, given.frames))
     name = run.preset.name
     job = runner.Job(
         run, f"{name}, seed {run.preset.seed}", "run", f"slamlib-{name}-{run.preset.seed}.npz",
-        shown=lambda step: (run.slam.snapshot(), step and step.truth), world=run.preset.world,
+        shown=lambda step: (run.slam.snapshot(), step.truth if step else None), world=run.preset.world,
     )  # fmt: skip
     ended = runner.execute(job, given)
     result = run.result()
@@ -50,15 +50,16 @@ def execute(given: argparse.Namespace) -> int:
     return ended.status
 
 
-def _run(given: argparse.Namespace) -> Run:
-    if given.resume:
-        given.check(given)
-        run = Run.load(given.resume)
-        if given.frames and given.frames < run.done:
-            raise SlamlibError(f"--frames {given.frames}: {given.resume} has {run.done} frames already")
-        if given.frames:
-            run.preset = replace(run.preset, frames=given.frames)
-        return run
+def _loaded(path: str, frames: int | None) -> Run:
+    run = Run.load(path)
+    if frames and frames < run.done:
+        raise SlamlibError(f"--frames {frames}: {path} has {run.done} frames already")
+    if frames:
+        run.preset = replace(run.preset, frames=frames)
+    return run
+
+
+def _new_run(given: argparse.Namespace) -> Run:
     if not given.preset:
         raise SlamlibError("which preset? `slamlib list presets` shows them; --resume PATH continues a saved run")
     chosen = shared.base(given.preset)
@@ -100,7 +101,7 @@ def summary(result: Result) -> dict[str, Any]:
     }
 
 
-def _deviation(name: str, *error_and_sigma: Any) -> dict[str, Any]:
+def _deviation(name: str, *error_and_sigma: Array) -> dict[str, Any]:
     """A pose's error (6,) and standard deviations (6,) as plain data."""
     found = magnitudes(*error_and_sigma)
     names = {"position_error": "position", "attitude_error": "orientation"}
@@ -108,7 +109,7 @@ def _deviation(name: str, *error_and_sigma: Any) -> dict[str, Any]:
     return {"name": name, **{key: float(found[own]) for key, own in names.items()}}
 
 
-def _median(values: Any) -> float | None:
+def _median(values: Array) -> float | None:
     finite = values[np.isfinite(values)]
     return float(np.median(finite)) if len(finite) else None
 

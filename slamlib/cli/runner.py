@@ -11,7 +11,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import tee
 from pathlib import Path
-from typing import Any
+from types import FrameType
+from typing import Generic, Protocol, TypeVar
 
 from slamlib.cli.drawing import ErrorSeries, drawing
 from slamlib.data.files import check_writable, write_whole
@@ -24,28 +25,51 @@ from slamlib.experiments.progress import progress
 EXIT_ERROR = 2
 STOPPED: dict[int, str] = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}
 FILES = ("save", "trajectory", "map", "plot", "json")  # options whose value is a file that is written
+# What a resumed run of any command may be told: how far it goes, what it is compared with, and what is made of it.
 CONTINUED = "resume", "overwrite", "video", "live", "frames", "patience", "reference", "reference_std", *FILES
 Shown = tuple[Snapshot, Truth | None]
+S = TypeVar("S")  # a step of a run
+StepOut = TypeVar("StepOut", covariant=True)
+R = TypeVar("R")
+
+
+class StepwiseRun(Protocol[StepOut]):
+    """A run that goes on step by step, and can be saved between two of them."""
+
+    is_intact: bool  # False within a step, where nothing can be saved
+
+    @property
+    def done(self) -> int:
+        """Number of steps made."""
+
+    def __len__(self) -> int:
+        """Number of remaining steps."""
+
+    def __iter__(self) -> Iterator[StepOut]:
+        """Make the remaining steps, one at a time."""
+
+    def save(self, path: str) -> None:
+        """Write all of it to one file. Raises SlamlibError within a step."""
 
 
 @dataclass(frozen=True)
-class Job:
+class Job(Generic[S]):
     """A run, and what its execution needs to know of it.
 
-    run: iterable and sized, with is_intact and save(path). label: on the progress bar. command: resumes it. file: where
+    label: on the progress bar. command: resumes it. file: where
     it is saved if it stops and no other file is given. shown(step): what a window or a video shows; None: at the start.
     each(step): called after each step. fps: of a video. world: shown as the truth.
     """
 
-    run: Any
+    run: StepwiseRun[S]
     label: str
     command: str
     file: str
-    shown: Callable[[Any], Shown]
+    shown: Callable[[S | None], Shown]
     item: str = "frame"
     fps: float = 10.0
     world: World | None = None
-    each: Callable[[Any], None] = lambda step: None
+    each: Callable[[S], None] = lambda step: None
 
 
 @dataclass
@@ -97,15 +121,18 @@ def print_result(given: argparse.Namespace, result: object, text: str) -> None:
         write_whole(given.json, data + "\n")
 
 
-def check_resumed(given: argparse.Namespace, parser: argparse.ArgumentParser) -> None:
-    """Raise SlamlibError for an option that a resumed run cannot take (that is not CONTINUED), by its name."""
+def new_or_resumed(given: argparse.Namespace, new: Callable[[argparse.Namespace], R], load: Callable[[str], R]) -> R:
+    """A new run, or the one that --resume names. Raises SlamlibError for an option that only a new one can take."""
+    if not given.resume:
+        return new(given)
     for name, value in vars(given).items():
-        if name not in (*CONTINUED, "command", "execute") and value != parser.get_default(name):
+        if name not in (*CONTINUED, "command") and value != given.parser.get_default(name):
             flag = "the preset's name" if name == "preset" else "--" + name.replace("_", "-")
             raise SlamlibError(f"--resume continues the run of its file as it was begun: leave {flag} out")
+    return load(given.resume)
 
 
-def execute(job: Job, given: argparse.Namespace) -> RunEnd:
+def execute(job: Job[S], given: argparse.Namespace) -> RunEnd:
     """Run to the end, or until something stops it; save it then, or where --save says so.
 
     Raises SlamlibError if nothing was run.
@@ -141,7 +168,7 @@ def execute(job: Job, given: argparse.Namespace) -> RunEnd:
     return ended
 
 
-def _keep(job: Job, given: argparse.Namespace, ended: RunEnd) -> None:
+def _keep(job: Job[S], given: argparse.Namespace, ended: RunEnd) -> None:
     """Save the run; errors are reported, and make the exit status one of an error."""
     path = given.save or given.resume or _free(job.file)
     if ended.why:
@@ -167,7 +194,7 @@ def _free(path: str) -> str:
     return str(name)
 
 
-def _steps(job: Job, given: argparse.Namespace, ended: RunEnd, asked: list[int]) -> Iterator[Any]:
+def _steps(job: Job[S], given: argparse.Namespace, ended: RunEnd, asked: list[int]) -> Iterator[Shown | None]:
     """Run step by step; yield what a video shows, if there is one. Errors end the run and are recorded."""
     window = None
     if given.live:
@@ -187,7 +214,7 @@ def _steps(job: Job, given: argparse.Namespace, ended: RunEnd, asked: list[int])
 
 
 @contextmanager
-def signals(handler: Callable[[int, Any], None], *numbers: int) -> Iterator[None]:
+def signals(handler: Callable[[int, FrameType | None], None], *numbers: int) -> Iterator[None]:
     """Within the block these signals are the handler's; outside of the main thread, which alone gets them, nothing."""
     is_main = threading.current_thread() is threading.main_thread()
     before = {number: signal.signal(number, handler) for number in numbers if is_main}

@@ -34,11 +34,11 @@ def toml(table: dict[str, Any], path: str = "") -> Iterator[str]:
             yield from ("", header, *toml(each, f"{path}{name}."))
 
 
-def _first(value: Any) -> Any:
+def _first(value: object) -> object:
     return value[0] if isinstance(value, tuple) and value else value
 
 
-def _inline(value: Any) -> str:
+def _inline(value: object) -> str:
     if isinstance(value, dict):
         return "{" + ", ".join(f"{name} = {_inline(v)}" for name, v in value.items()) + "}"
     if isinstance(value, tuple):

@@ -12,13 +12,15 @@ from functools import partial
 from math import inf
 from pkgutil import resolve_name
 from queue import Empty, SimpleQueue
-from typing import Any
+from typing import Any, TypeVar
 
 from slamlib import __version__
 from slamlib.errors import SlamlibError, optional
 
+T = TypeVar("T")
 
-def on_cluster(function: Callable[[int], Any], seeds: Sequence[int], scheduler: Any, wait: float) -> Iterator[Any]:
+
+def on_cluster(function: Callable[[int], T], seeds: Sequence[int], scheduler: object, wait: float) -> Iterator[T]:
     """Yield function(seed) of each seed, as they finish, from the workers of a Dask scheduler.
 
     scheduler: its address, or a Dask cluster. wait [s]: at most, for the scheduler, for a first worker, and for another
@@ -67,7 +69,7 @@ def on_cluster(function: Callable[[int], Any], seeds: Sequence[int], scheduler: 
 
 
 @contextmanager
-def _connected(distributed: Any, scheduler: Any, wait: float) -> Iterator[Any]:
+def _connected(distributed: Any, scheduler: object, wait: float) -> Iterator[Any]:
     """A client of the scheduler; closed, it takes its tasks back. What it would log is said by errors."""
     try:
         distributed.comm.get_address_host_port(getattr(scheduler, "scheduler_address", scheduler), strict=True)
@@ -90,7 +92,7 @@ def _connected(distributed: Any, scheduler: Any, wait: float) -> Iterator[Any]:
         log.setLevel(level)
 
 
-def _wait_for_worker(client: Any, scheduler: Any, wait: float) -> None:
+def _wait_for_worker(client: Any, scheduler: object, wait: float) -> None:
     """Raise SlamlibError if there is no worker, and none comes in time."""
     try:
         client.wait_for_workers(1, timeout=wait)
@@ -108,7 +110,7 @@ def _check_workers(client: Any) -> None:
             raise _differs(f"the worker {address}", found)
 
 
-def _call(version: str, function: Callable[[int], Any], seed: int) -> Any:
+def _call(version: str, function: Callable[[int], T], seed: int) -> T:
     """Call the function on a worker, which may have come after those that were checked."""
     if version != __version__:
         raise _differs("a worker", __version__)

@@ -56,6 +56,7 @@ class Experiment:
 
 FORMAT = "slamlib finished run"
 NAMES = [f.name for f in fields(Experiment)[1:]]
+Row = dict[str, Any]  # of one run: its numbers and arrays, by these names
 
 
 def monte_carlo(
@@ -64,7 +65,7 @@ def monte_carlo(
     *,
     seed: int = 0,
     jobs: int = 1,
-    scheduler: Any = None,
+    scheduler: object = None,
     wait: float = 30.0,
     folder: str | Path | None = None,
 ) -> Experiment:
@@ -98,8 +99,8 @@ def monte_carlo(
 
 
 def _made(
-    preset: Preset, left: list[int], jobs: int, scheduler: Any, wait: float
-) -> Generator[tuple[int, dict[str, Any]], None, None]:
+    preset: Preset, left: list[int], jobs: int, scheduler: object, wait: float
+) -> Generator[tuple[int, Row], None, None]:
     """Make the runs of these seeds, here or elsewhere; yield each as soon as it is finished."""
     one = partial(run_once, preset)
     if not left:
@@ -126,7 +127,7 @@ def seeds(seed: int, runs: int) -> list[int]:
     return [int(s.generate_state(1, np.uint64)[0]) >> 1 for s in np.random.SeedSequence(seed).spawn(runs)]
 
 
-def run_once(preset: Preset, seed: int) -> tuple[int, dict[str, Any]]:
+def run_once(preset: Preset, seed: int) -> tuple[int, Row]:
     """The seed of one run, and its row: each number by its name in Experiment."""
     try:
         result = Run(preset, seed).finish()
