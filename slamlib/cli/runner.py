@@ -56,9 +56,9 @@ class StepwiseRun(Protocol[StepOut]):
 class Job(Generic[S]):
     """A run, and what its execution needs to know of it.
 
-    label: on the progress bar. command: resumes it. file: where
-    it is saved if it stops and no other file is given. shown(step): what a window or a video shows; None: at the start.
-    each(step): called after each step. fps: of a video. world: shown as the truth.
+    label: on the progress bar. command: resumes it. file: where it is saved if it stops and no other file is given.
+    shown(step): what a window or a video shows; None: at the start. each(step): called after each step. fps: of a
+    video. world: shown as the truth.
     """
 
     run: StepwiseRun[S]
