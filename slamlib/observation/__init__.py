@@ -3,7 +3,7 @@
 from typing import Any
 
 from slamlib.errors import entry
-from slamlib.models.registry import Registry
+from slamlib.registry import Registry
 from slamlib.observation.family import Family
 
 __all__ = ["FAMILIES", "Family", "parametrization"]

@@ -12,6 +12,8 @@ import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Collection
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -135,6 +137,7 @@ LAYERS = [  # each may import those above it, and itself
     {"errors"},
     {"analytic", "manifolds"},
     {"models"},
+    {"registry"},
     {"kalman"},
     {"belief"},
     {"geometry"},
@@ -190,7 +193,7 @@ def files(name: str) -> list[Path]:
 def test_every_part_has_its_layer():
     assert {part(f) for f in SOURCES} == PARTS
     assert {f.stem for f in SOURCES if len(f.relative_to(PACKAGE).parts) == 1} == {
-        "errors", "analytic", "manifolds", "belief"
+        "errors", "analytic", "manifolds", "registry", "belief"
     }  # fmt: skip
 
 
@@ -198,8 +201,7 @@ def test_every_part_has_its_layer():
 def test_a_layer_knows_only_those_below_it(height):
     below = set().union(*LAYERS[:height])
     for name in LAYERS[height]:
-        # a family of one layer may know its neighbours where they are one thing: types, or model and its machinery
-        beside = LAYERS[height] if height in (2, 6) else {name}
+        beside = LAYERS[height] if "landmarks" in LAYERS[height] else {name}  # types may know their neighbours
         allowed = (below | beside) - NEVER.get(name, set())
         for file in files(name):
             loaded = imports(file)
@@ -207,10 +209,32 @@ def test_a_layer_knows_only_those_below_it(height):
             assert not loaded & ({"slambook", "book", "benchmarks"} | HEAVY - LAZY.get(name, set())), file
 
 
-def test_only_the_command_knows_the_book_and_only_when_it_is_asked_for_a_picture():
-    for file in SOURCES:
-        names = {n.module or "" for n in ast.walk(ast.parse(file.read_text("utf-8"))) if isinstance(n, ast.ImportFrom)}
-        assert part(file) == "cli" or not any(n.split(".")[0] == "slambook" for n in names), file
+def test_models_name_their_compiler_in_one_string_and_import_none():
+    named = {}
+    for file in files("models"):
+        tree = ast.walk(ast.parse(file.read_text("utf-8")))
+        strings = [node.value for node in tree if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+        named[file.name] = sum(text.startswith("slamlib.codegen") for text in strings)
+    assert {name for name, count in named.items() if count} == {"compiler.py"} and named["compiler.py"] == 1
+
+
+def test_models_and_codegen_make_no_circle_of_files():
+    """Every import counts: those under TYPE_CHECKING, and those inside functions."""
+    files_of = {"slamlib." + ".".join(f.relative_to(PACKAGE).with_suffix("").parts): f for f in SOURCES}
+    apart = {name: f for name, f in files_of.items() if part(f) in ("models", "codegen", "registry")}
+    TopologicalSorter({name: imported(f, files_of) for name, f in apart.items()}).prepare()  # raises CycleError
+
+
+def imported(file: Path, known: Collection[str]) -> set[str]:
+    """The modules among the known ones that a file imports anywhere; a name of a package counts as its __init__."""
+    found = set()
+    for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            whole = [f"{node.module}.{alias.name}" for alias in node.names]
+            found |= {name if name in known else node.module for name in whole}
+        elif isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+    return {name for name in found | {f"{name}.__init__" for name in found} if name in known}
 
 
 @pytest.mark.parametrize("folder", ["benchmarks", "book/tools", "book/live", "book/slambook"])
