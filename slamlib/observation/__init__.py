@@ -3,8 +3,8 @@
 from typing import Any
 
 from slamlib.errors import entry
-from slamlib.registry import Registry
 from slamlib.observation.family import Family
+from slamlib.registry import Registry
 
 __all__ = ["FAMILIES", "Family", "parametrization"]
 
