@@ -1,7 +1,7 @@
 """Who draws for the command: a package that declares it, as an entry point of the group `slamlib.drawing`.
 
-slamlib draws nothing itself, and knows no package that does. An entry point's object is a class that keeps the protocol
-`Drawing`; it is loaded only when a window or a drawn file is asked for.
+slamlib draws nothing itself, and knows no package that does. An entry point is a module with the functions
+of the protocol `Drawing`; it is loaded only when a window or a drawn file is asked for.
 """
 
 from collections.abc import Iterable, Mapping
@@ -27,7 +27,7 @@ class RunWindow(Protocol):
 class Drawing(Protocol):
     """Maps, plots, films and windows; each method raises SlamlibError for what it cannot do."""
 
-    def check_map(self, path: str) -> None:
+    def check_map(self, path: str) -> object:
         """Raise SlamlibError for a path to which no map can be written."""
 
     def write_map(self, path: str, snapshot: Snapshot) -> None:
@@ -39,19 +39,19 @@ class Drawing(Protocol):
     def write_plot(self, path: str, series: ErrorSeries) -> None:
         """Draw errors over time, in the format of the path's ending."""
 
-    def check_video(self, path: str, *, overwrite: bool) -> None:
+    def check_video(self, path: str, *, overwrite: bool) -> object:
         """Raise SlamlibError for a path to which no film can be written."""
 
     def write_video(
         self,
-        path: str,
         snapshots: Iterable[Snapshot],
+        path: str,
         *,
         truths: Iterable[Truth],
         world: World | None,
         fps: float,
         overwrite: bool,
-    ) -> None:
+    ) -> object:
         """Write a film of snapshots, each drawn when it comes, with one truth each or none."""
 
     def open_window(self, snapshot: Snapshot, *, world: World | None) -> RunWindow:
@@ -66,5 +66,5 @@ def drawing() -> Drawing:
             f"no installed package draws (none has an entry point {GROUP!r}): slamlib's wheel has one, and a clone of "
             "its repository gets it by `make environment`, or by `pip install -e .`"
         )
-    made: Drawing = found[0].load()()
-    return made
+    loaded: Drawing = found[0].load()
+    return loaded

@@ -148,8 +148,8 @@ def execute(job: Job[S], given: argparse.Namespace) -> RunEnd:
                 pairs = (pair for pair in steps if pair is not None)
                 shown, truths = (pairs, None) if job.world is None else tee(pairs)
                 drawing().write_video(
-                    given.video,
                     (snapshot for snapshot, _ in shown),
+                    given.video,
                     truths=(truth for _, truth in truths if truth is not None) if truths else (),
                     world=job.world,
                     fps=job.fps,
