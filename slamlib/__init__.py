@@ -6,7 +6,8 @@
 or the command `slamlib run points`. The filter is `sl.Slam`; `slamlib.data` has its inputs, its outputs and its setup.
 The formulas are in `geometry`, `motions`, `sensors` and `landmarks`, the Kalman algebra in `belief` and `kalman`.
 
-The names below are loaded when they are first used: importing slamlib loads NumPy and nothing else.
+The names below are loaded when they are first used, and NumPy with the first of them: `import slamlib` alone loads
+neither.
 """
 
 from importlib import import_module
@@ -17,14 +18,25 @@ from slamlib.errors import MissingNameError, SlamlibError
 if TYPE_CHECKING:  # for completion and types; HOMES says the same when the program runs
     from slamlib.belief import Belief as Belief
     from slamlib.codegen.derive import derive as derive
+    from slamlib.data.builders import camera as camera
+    from slamlib.data.builders import davison as davison
+    from slamlib.data.builders import depth_camera as depth_camera
+    from slamlib.data.builders import fisheye as fisheye
+    from slamlib.data.builders import omnidirectional as omnidirectional
+    from slamlib.data.builders import range_bearing as range_bearing
+    from slamlib.data.builders import relative_position as relative_position
+    from slamlib.data.builders import robot as robot
+    from slamlib.data.builders import stereo as stereo
     from slamlib.data.setup import Rig as Rig
     from slamlib.data.setup import RobotSetup as RobotSetup
     from slamlib.data.setup import SensorSetup as SensorSetup
+    from slamlib.evaluation.comparison import evaluate as evaluate
     from slamlib.evaluation.consistency import band as band
     from slamlib.evaluation.consistency import nees as nees
     from slamlib.evaluation.consistency import nis as nis
     from slamlib.experiments import presets as presets
     from slamlib.experiments.runs import Run as Run
+    from slamlib.experiments.runs import run as run
     from slamlib.geometry import quaternion as quaternion
     from slamlib.geometry.pose import Pose as Pose
     from slamlib.kalman.chi_square import chi2_quantile as chi2_quantile
@@ -54,14 +66,25 @@ HOMES = {  # of each name the module that has it, or that is it
     "SensorSetup": "data.setup",
     "Slam": "slam",
     "band": "evaluation.consistency",
+    "camera": "data.builders",
     "check_jacobian": "testing",
     "chi2_quantile": "kalman.chi_square",
+    "davison": "data.builders",
+    "depth_camera": "data.builders",
     "derive": "codegen",
+    "evaluate": "evaluation.comparison",
+    "fisheye": "data.builders",
     "model": "models",
     "nees": "evaluation.consistency",
     "nis": "evaluation.consistency",
+    "omnidirectional": "data.builders",
     "presets": "experiments.presets",
     "quaternion": "geometry.quaternion",
+    "range_bearing": "data.builders",
+    "relative_position": "data.builders",
+    "robot": "data.builders",
+    "run": "experiments.runs",
+    "stereo": "data.builders",
 }
 
 

@@ -30,6 +30,14 @@ class Belief:
     retraction: how a step moves all means together; None: each block by its own plus. transport: called once the means
     have been updated, it says in what coordinates errors are then, (rows (k,), C (size, k)): e becomes e + C e[rows];
     None: they stay. Both may be assigned at any time.
+
+        >>> import numpy as np
+        >>> import slamlib as sl
+        >>> belief = sl.Belief()
+        >>> place = belief.add(2, mean=[0, 0], covariance=np.diag([4, 1]))
+        >>> _ = belief.update([place], [np.array([[1, 0]])], innovation=[1], R=[[1]])  # the first number: 1 more, +-1
+        >>> place.mean.round(3).tolist(), belief.covariance(place).round(3).tolist()
+        ([0.8, 0.0], [[0.8, 0.0], [0.0, 1.0]])
     """
 
     def __init__(self, retraction: Retraction | None = None) -> None:

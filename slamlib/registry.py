@@ -66,7 +66,17 @@ def modules_of(package: str) -> Iterator[ModuleType]:
 
 
 class Registry(Mapping[str, Any]):
-    """The values of one kind among the modules of a package, by their names; the folder is walked at first use."""
+    """The values of one kind among the modules of a package, by their names; the folder is walked at first use.
+
+    POINTS and LINES have the parametrizations of landmarks, SENSORS the types of sensors, MOTIONS the motion models. A
+    type of one's own is added with `add`. Raises UnknownNameError for a name that is not there, with the nearest one.
+
+        >>> import slamlib as sl
+        >>> sorted(sl.MOTIONS), sl.MOTIONS["constVel"].manifold.dof
+        (['constVel', 'odometry'], 12)
+        >>> sl.POINTS["idpPnt"].manifold.size, sl.LINES["plkLin"].manifold.size, sl.SENSORS["stereo"].parameters
+        (6, 6, ('intrinsics', 'baseline'))
+    """
 
     def __init__(self, package: str, kind: type, what: str) -> None:
         self.package, self.kind, self.what = package, kind, what

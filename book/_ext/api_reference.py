@@ -151,8 +151,10 @@ class Reference:
         """A docstring as reStructuredText, with links."""
         lines: list[str] = []
         for paragraph in re.split(r"\n(?:[ \t]*\n)+", (text or "").strip("\n")):
-            if paragraph.startswith("    "):
-                lines += [".. code-block:: python", "", *_indented(inspect.cleandoc(paragraph).split("\n")), ""]
+            code = inspect.cleandoc(paragraph)
+            if paragraph.startswith("    ") or code.startswith(">>> "):
+                language = "pycon" if code.startswith(">>> ") else "python"
+                lines += [f".. code-block:: {language}", "", *_indented(code.split("\n")), ""]
             elif re.search(r"\n +\S", paragraph):  # a list of names, and what each is
                 entries = re.sub(r"\n +", " ", paragraph).split("\n")
                 lines += [*(f"- {self.linked(entry)}" for entry in entries), ""]

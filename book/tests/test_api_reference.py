@@ -56,6 +56,8 @@ def test_a_model_shows_its_arguments_and_leads_to_its_chapter():
 def test_words_are_escaped_and_code_is_not():
     assert REFERENCE.linked("P_i and `a_b`s, |h| = 1") == r"P\_i and ``a_b``\ s, \|h\| = 1"
     assert REFERENCE.words("One.\n\n    f(x)\n") == ["One.", "", ".. code-block:: python", "", "   f(x)", ""]
+    example = ["One.", "", ".. code-block:: pycon", "", "   >>> f(x)", "   4", ""]
+    assert REFERENCE.words("One.\n\n    >>> f(x)\n    4\n") == REFERENCE.words("One.\n\n>>> f(x)\n4\n") == example
 
 
 def test_a_second_name_is_the_one_that_a_package_exports():

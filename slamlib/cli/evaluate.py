@@ -3,12 +3,10 @@
 import argparse
 from pathlib import Path
 
-import numpy as np
-
 from slamlib.cli import arguments as shared
 from slamlib.cli import runner
-from slamlib.evaluation.comparison import compared, rows
-from slamlib.evaluation.trajectory import read_rows, read_trajectory
+from slamlib.evaluation.comparison import evaluate
+from slamlib.evaluation.trajectory import read_rows
 
 EXAMPLES = """examples:
   slamlib evaluate path.txt groundtruth.txt
@@ -35,9 +33,7 @@ def execute(given: argparse.Namespace) -> int:
     """Print the comparison, and draw it."""
     runner.check_files(given)
     times = read_rows(given.times)[0][:, 0] if given.times else None
-    path, reference = (read_trajectory(name, times) for name in (given.path, given.reference))
-    interval = float(np.median(np.diff(path.times))) if len(path) > 1 else 0.0
-    found, series = compared(path, reference, interval, metric=not given.scale, noise=given.reference_std)
-    runner.export_plot(given, lambda: {Path(given.path).name: series})
-    runner.print_result(given, found, shared.aligned_rows(rows(found)))
+    found = evaluate(given.path, given.reference, scale=given.scale, times=times, reference_std=given.reference_std)
+    runner.export_plot(given, lambda: {Path(given.path).name: found.series})
+    runner.print_result(given, found.summary, repr(found))
     return 0

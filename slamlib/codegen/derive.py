@@ -40,7 +40,15 @@ class Derivation:
 
 
 def derive(model: Model, **symbols: Any) -> Derivation:
-    """Expressions of a model; an argument may be given symbols or expressions: a matrix, a list, or 'x y theta'."""
+    """Expressions of a model; an argument may be given symbols or expressions: a matrix, a list, or 'x y theta'.
+
+    >>> import slamlib as sl
+    >>> found = sl.derive(sl.quaternion.product, left="a b c d", right="w x y z")
+    >>> found.value[0]
+    a*w - b*x - c*y - d*z
+    >>> found.right[0, :]  # the derivatives of the first number w.r.t. w, x, y, z
+    Matrix([[a, -b, -c, -d]])
+    """
     for name in symbols:
         OneOf(model.parameters).check(name, f"argument of {model.name}")
     return Derivation(model, [_chosen(model, a, symbols.get(a.name)) for a in model.arguments])

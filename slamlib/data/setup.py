@@ -8,9 +8,11 @@ from typing import Annotated, Any
 
 import numpy as np
 
+from slamlib.data.html_table import html_table
 from slamlib.data.plain import Count, Finite, Length, OneOf, Plain, Positive, Range, call_of, check
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.euler import to_quaternion
+from slamlib.kalman import linalg
 from slamlib.manifolds import Array, finite
 from slamlib.motions import MOTIONS, Motion, motion
 from slamlib.sensors import SENSORS, sensor
@@ -37,8 +39,14 @@ class RobotSetup:
     motion: by its name, or one of your own. position [m]; euler: roll, pitch, yaw [deg]; velocity: (v [m/s] in world
     axes, w [deg/s] in the robot's), for motions whose state has one. control: as many numbers as the motion takes, in
     metres (or m/s), its angles in degrees (or deg/s), zeros by default; control_std the same, the standard
-    deviation in one step. The other *_std belong to the start: the simulator draws the true start with them, and the
-    filter is given the mean; orientation_std [deg] is about the robot's own axes.
+    deviation in one step; control_covariance: a full covariance instead, in metres and radians. The other *_std belong
+    to the start: the simulator draws the true start with them, and the filter is given the mean; orientation_std [deg]
+    is about the robot's own axes.
+
+        >>> import slamlib as sl
+        >>> robot = sl.RobotSetup(position=(1, 2, 0), euler=(0, 0, 90), position_std=0.1)
+        >>> robot.state.round(3).tolist()  # position, quaternion (w, x, y, z)
+        [1.0, 2.0, 0.0, 0.707, 0.0, 0.0, 0.707]
     """
 
     name: str = "robot"
@@ -51,6 +59,7 @@ class RobotSetup:
     velocity_std: Annotated[Stds, Length((6,))] = (0.0,) * 6
     control: Numbers = UNSPECIFIED
     control_std: Stds = UNSPECIFIED
+    control_covariance: tuple[Numbers, ...] | None = None
 
     __repr__ = call_of
 
@@ -81,7 +90,9 @@ class RobotSetup:
 
     @property
     def noise(self) -> Array:
-        """Covariance (c, c) of the noise in one step's control."""
+        """Covariance (c, c) of the noise in one step's control. Raises SlamlibError where it is none."""
+        if self.control_covariance is not None:
+            return linalg.covariance(self.control_covariance, self.model.control, self.name, "control_covariance")
         return np.diag(self._of_control(self.control_std, "control_std") ** 2)
 
     def _of_control(self, values: Numbers, what: str) -> Array:
@@ -98,6 +109,11 @@ class SensorSetup:
     simulator draws the true extrinsics with them. std: of each number of a measurement, or one for all; noise: a
     full covariance instead. image: (width, height) [px]; None: an image without a border. parameters and limits: those
     of the sensor's type. Image and parameters that are not given are those of the default camera, if it fits the type.
+
+        >>> import slamlib as sl
+        >>> camera = sl.SensorSetup(position=(0, 0, 0.6), std=0.5)
+        >>> camera.calibration.project([0.5, 0, 2, 1]).tolist()  # a point two metres ahead, half a metre to the right
+        [400.0, 240.0]
     """
 
     name: str = "camera"
@@ -149,7 +165,12 @@ class SensorSetup:
 
 @dataclass(frozen=True)
 class Rig(Plain):
-    """Robots and sensors, in the order of the frames' controls and scans."""
+    """Robots and sensors, in the order of the frames' controls and scans.
+
+    >>> import slamlib as sl
+    >>> sl.Rig((sl.RobotSetup(name="rover"),), (sl.SensorSetup(position=(0, 0, 0.6)),))
+    Rig: robots rover (odometry); sensors camera (pinHole)
+    """
 
     robots: tuple[RobotSetup, ...]
     sensors: tuple[SensorSetup, ...]
@@ -158,6 +179,17 @@ class Rig(Plain):
         """Who is in it: robots by their motions, sensors by their types."""
         robots = ", ".join(f"{r.name} ({r.model.name})" for r in self.robots)
         return f"Rig: robots {robots}; sensors {', '.join(f'{s.name} ({s.type})' for s in self.sensors)}"
+
+    def _repr_html_(self) -> str:
+        """A row for each robot and each sensor: what it is, and where it starts or sits."""
+        columns = ("", "type", "on", "position [m]", "roll, pitch, yaw [deg]")
+        rows = [(r.name, r.model.name, "", _listed(r.position), _listed(r.euler)) for r in self.robots]
+        on = [self.robots[s.robot].name for s in self.sensors]
+        rows += [
+            (s.name, s.type, robot, _listed(s.position), _listed(s.euler))
+            for s, robot in zip(self.sensors, on, strict=True)
+        ]
+        return html_table(columns, rows)
 
     def __post_init__(self) -> None:
         if not self.robots or not self.sensors:
@@ -184,6 +216,11 @@ def pose_of(position: Numbers, euler: Numbers, name: str) -> Array:
     """Pose (7,) of a position [m] and roll, pitch, yaw [deg]."""
     angles = np.radians(finite(euler, (3,), name, "euler"))
     return np.concatenate([finite(position, (3,), name, "position"), to_quaternion(angles)])
+
+
+def _listed(values: Numbers) -> str:
+    """Numbers as a table shows them."""
+    return ", ".join(f"{value:g}" for value in values)
 
 
 def _pose_std(position: Numbers, orientation: Numbers) -> Array:

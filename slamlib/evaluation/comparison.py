@@ -5,20 +5,78 @@ angles that remain after an alignment, and those of the motions from each pose t
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.alignment import align_trajectory, check_pairs
 from slamlib.evaluation.consistency import band, nees_where_uncertain, share_inside
-from slamlib.evaluation.trajectory import Trajectory, angles, associate
+from slamlib.evaluation.trajectory import Trajectory, angles, associate, read_trajectory
 from slamlib.geometry.pose import Pose, compose, inverse, relative
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, finite
 
 DOF = 6
 PLACED = 1.0  # [s] at the beginning, whose poses place the reference where a filter's covariances are judged
 KITTI_LENGTHS = tuple(map(float, range(100, 900, 100)))  # [m]
+
+
+@dataclass(frozen=True, eq=False)
+class Evaluation:
+    """Errors of a path against its reference.
+
+    summary: plain data, lengths in the reference's unit and angles in degrees; series: the errors of each pose (n,), by
+    name, for a plot. See `compared`.
+    """
+
+    summary: dict[str, Any]
+    series: dict[str, Array]
+
+    def __repr__(self) -> str:
+        """The summary as lines of text."""
+        found = rows(self.summary)
+        width = max(len(name) for name, _ in found)
+        return "\n".join(f"{name:{width}}  {value}" for name, value in found)
+
+
+def evaluate(
+    estimate: Trajectory | str | Path | ArrayLike,
+    reference: Trajectory | str | Path | ArrayLike,
+    *,
+    scale: bool = False,
+    times: ArrayLike | None = None,
+    reference_std: Sequence[float] = (0, 0),
+) -> Evaluation:
+    """Compare a path with a reference of the same moving frame: ATE and RPE after an alignment, KITTI's metric, NEES.
+
+    Both are trajectories, files (TUM, EuRoC, KITTI), or poses (n, 7). scale: align the scale, too: the path of one
+    camera has none. times (n,) [s]: of poses and of files in KITTI's format, which have none; without them poses are a
+    second apart. reference_std: the reference's own standard deviations, position [m] and orientation [deg]. Raises
+    SlamlibError.
+
+        >>> import numpy as np
+        >>> import slamlib as sl
+        >>> truth = np.array([[x, y, 0, 1, 0, 0, 0] for x, y in [(0, 0), (1, 0), (1, 1), (0, 1)]])
+        >>> found = sl.evaluate(truth + [0, 0, 0.3, 0, 0, 0, 0], truth)  # another place of the whole path is no error
+        >>> found.summary["poses"], round(found.summary["ate"], 6)
+        (4, 0.0)
+    """
+    given = None if times is None else finite(times, (None,), "evaluate", "times")
+    path, other = (_trajectory(source, given) for source in (estimate, reference))
+    interval = float(np.median(np.diff(path.times))) if len(path) > 1 else 0.0
+    return Evaluation(*compared(path, other, interval, metric=not scale, noise=reference_std))
+
+
+def _trajectory(source: Trajectory | str | Path | ArrayLike, times: Array | None) -> Trajectory:
+    if isinstance(source, Trajectory):
+        return source
+    if isinstance(source, str | Path):
+        return read_trajectory(source, times)
+    poses = finite(source, (None, 7), "evaluate", "poses")
+    return Trajectory(np.arange(float(len(poses))) if times is None else times, poses)
 
 
 def compared(

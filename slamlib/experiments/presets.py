@@ -1,6 +1,12 @@
 """The seeds' experiments as plain data: copy one, change it with `dataclasses.replace`, and run it.
 
 Numbers are those of the toolbox's userData files and of its quick start, except where a comment says otherwise.
+
+    >>> import slamlib as sl
+    >>> sorted(sl.presets.PRESETS)[:4]
+    ['default', 'lines', 'omni', 'points']
+    >>> sl.presets.stereo().rig
+    Rig: robots robot (odometry); sensors left (pinHole), right (pinHole)
 """
 
 import json

@@ -2,21 +2,24 @@
 
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from slamlib.data.files import check_columns, complete
+from slamlib.data.html_table import html_table
+from slamlib.data.plain import read_fields
 from slamlib.data.records import Frame, Truth, World
 from slamlib.data.snapshots import Snapshot
-from slamlib.errors import SlamlibError
+from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.evaluation.comparison import magnitudes, pose_error
 from slamlib.experiments.presets import Preset
+from slamlib.experiments.presets import preset as named
 from slamlib.manifolds import Array
 from slamlib.observation import FAMILIES
-from slamlib.slam import Report, Slam
+from slamlib.slam import Options, Report, Slam
 
 COLUMNS = ("errors", "sigmas", "nees", "nis", "nis_dof", "landmarks", "size", "seconds")
 
@@ -56,6 +59,19 @@ class Result:
             f"mean NEES {self.nees[:, 0].mean():.3g} of 6"
         )
 
+    def _repr_html_(self) -> str:
+        """A row for each robot: where it ends, how far from the truth and how far by its own account, and its NEES."""
+        found = magnitudes(self.errors[-1], self.sigmas[-1])
+        columns = ("at the end", "error [m]", "sigma [m]", "error [deg]", "sigma [deg]", "mean NEES (6 expected)")
+        names = ("position", "position_sigma", "orientation", "orientation_sigma")
+        return html_table(
+            columns,
+            [
+                (robot.name, *(f"{found[name][i]:.3g}" for name in names), f"{self.nees[:, i].mean():.3g}")
+                for i, robot in enumerate(self.preset.rig.robots)
+            ],
+        )
+
     def series(self) -> dict[str, dict[str, Array]]:
         """By robot the errors of each frame (n,), with their standard deviations and NEES, for a plot."""
         times = self.preset.dt * np.arange(1.0, len(self.nees) + 1)
@@ -74,8 +90,36 @@ class Step:
     report: Report
 
 
+def run(preset: Preset | str, /, **changes: Any) -> Result:
+    """Run a preset to its end: a name of `presets.PRESETS`, or a preset of your own, with other values for its fields.
+
+    options: an Options, or a dictionary of those that change. For a run that is watched, saved or resumed: `Run`.
+    Raises SlamlibError for an unknown name or a wrong value.
+
+        >>> import slamlib as sl
+        >>> result = sl.run("points", frames=3, seed=7, options={"points": "hmgPnt"})
+        >>> len(result.nees), result.preset.options
+        (3, Options(points='hmgPnt'))
+    """
+    chosen = named(preset) if isinstance(preset, str) else preset
+    known = {f.name for f in fields(Preset)}
+    for name in changes:
+        if name not in known:
+            raise UnknownNameError.of("field of a preset", name, known)
+    if isinstance(options := changes.get("options"), dict):
+        changes["options"] = replace(chosen.options, **read_fields(Options, options, "options"))
+    return Run(replace(chosen, **changes)).finish()
+
+
 class Run:
-    """A run in progress. Iterate over it; `save` at any time, and `Run.load` resumes it exactly."""
+    """A run in progress. Iterate over it; `save` at any time, and `Run.load` resumes it exactly.
+
+    >>> import slamlib as sl
+    >>> run = sl.Run(sl.presets.points(), seed=7)
+    >>> step = next(iter(run))
+    >>> run.done, len(run), len(step.report.initialized)
+    (1, 399, 10)
+    """
 
     def __init__(self, preset: Preset, seed: int | None = None) -> None:
         self.preset = preset if seed is None else replace(preset, seed=seed)

@@ -1,4 +1,13 @@
-"""Quaternions (w, x, y, z), Hamilton product, local to global: q rotates vectors of the frame into the world."""
+"""Quaternions (w, x, y, z), Hamilton product, local to global: q rotates vectors of the frame into the world.
+
+Here a frame is turned by 60 degrees about the z axis, and the first column of its matrix is its x axis in the world:
+
+    >>> import numpy as np
+    >>> import slamlib as sl
+    >>> q = sl.quaternion.exponential([0, 0, np.pi / 3])
+    >>> sl.quaternion.rotation(q).round(3)[:, 0].tolist()
+    [0.5, 0.866, 0.0]
+"""
 
 import numpy as np
 

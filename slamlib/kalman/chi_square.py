@@ -18,6 +18,10 @@ def chi2_quantile(probability: float, dof: float) -> float:
     """The x with chi2_cdf(x, dof) = probability, for 0 < probability < 1, to ten digits up to a million dof.
 
     A gate that a true measurement passes with probability p is chi2_quantile(p, dof of the innovation).
+
+        >>> import slamlib as sl
+        >>> round(sl.chi2_quantile(0.99, dof=2), 2)  # the gate of a pixel
+        9.21
     """
     positive(dof, "chi2_quantile", "dof")
     if not 0 < probability < 1:

@@ -39,6 +39,14 @@ def model(*, returns: Spec | None = None, **arguments: Spec) -> Callable[[Callab
     AtMost(8) is the size of a list of coefficients that may be shorter; its Jacobian is then as short.
 
     returns: the manifold of the result, if it has one (its Jacobian rows are then on the tangent space).
+
+        >>> import slamlib as sl
+        >>> from slamlib.analytic import sqrt
+        >>> @sl.model(point=2)
+        ... def distance(point):
+        ...     return sqrt(point @ point)
+        >>> float(distance.definition([3, 4]))  # distance(...), distance.jac(...): generated code, which needs SymPy
+        5.0
     """
 
     def declare(function: Callable[..., Array]) -> "Model":

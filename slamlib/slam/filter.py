@@ -39,7 +39,16 @@ from slamlib.slam.snapshot import snapshot_of
 
 
 class Slam:
-    """The EKF-SLAM filter: made from a rig and options, it processes frames one by one; `snapshot` shows its state."""
+    """The EKF-SLAM filter: made from a rig and options, it processes frames one by one; `snapshot` shows its state.
+
+    >>> import slamlib as sl
+    >>> preset = sl.presets.points()
+    >>> slam = sl.Slam(preset.rig, preset.options)
+    >>> frame, truth = next(preset.simulate())
+    >>> report = slam.step(frame)
+    >>> slam
+    Slam: robot; camera (pinHole); 10 ahmPnt; 76 degrees of freedom after frame 1
+    """
 
     def __init__(
         self, rig: Rig, options: Options | None = None, *, front_ends: Sequence[FrontEnd] | None = None

@@ -52,6 +52,11 @@ class Options(Plain):
     min_searches, min_matched_ratio, min_inlier_ratio: a landmark that was searched for at least `min_searches` times is
         deleted if less than `min_matched_ratio` of the searches found it, or if less than `min_inlier_ratio` of the
         matches passed the gate.
+
+    >>> import slamlib as sl
+    >>> options = sl.Options(points="ahmPnt", gate=0.95)
+    >>> options, options.updates
+    (Options(points='ahmPnt', gate=0.95), 10)
     """
 
     points: Annotated[str, OneOf(POINTS)] | None = "idpPnt"

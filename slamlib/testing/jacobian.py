@@ -37,6 +37,14 @@ def check_jacobian(f: Callable[..., Any], J: Any, *place: Any, silent: bool = Fa
 
     Prints what holds, unless `silent`. Raises CheckError, which names the wrong entries; ShapeError or NonFiniteError
     for a place at which nothing can be checked.
+
+        >>> import numpy as np
+        >>> import slamlib as sl
+        >>> def product(x):
+        ...     return np.array([x[0] * x[1]])
+        >>> sl.check_jacobian(product, lambda x: np.array([[x[1], x[0]]]), np.array([2.0, 3.0]))
+          holds: the Jacobian is the derivative, by complex step
+        product: the property holds.
     """
     name = getattr(f, "__name__", "f")
     value = np.asarray(f(*place), dtype=float)
