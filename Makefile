@@ -81,38 +81,38 @@ parity: book  ## compare the page's Python with this one, and store the appendix
 	@$(BIN)/python -m pytest -q book/tests/site -k two_pythons --store-parity
 
 experiments: environment  ## run the Monte Carlo experiments of chapters toolbox_tour and observability (hours; resumable)
-	@$(BIN)/python -m book.tools.experiments
-	@$(BIN)/python -m book.tools.consistency
+	@$(BIN)/python -m book.experiments.toolbox_tour
+	@$(BIN)/python -m book.experiments.consistency
 
 audit: environment  ## compute every figure of the errata E01 to E30 of the report again (ARGS=--store, "--only E07", --json)
-	@$(BIN)/python -m book.tools.audit $(ARGS)
+	@$(BIN)/python -m book.experiments.audit $(ARGS)
 
 monocular: environment  ## run the longer films of chapter monocular in the rendered room, and store their figures
-	@$(BIN)/python -m book.tools.monocular
+	@$(BIN)/python -m book.experiments.monocular
 
 starts: environment  ## run the starts of one camera, and the kidnapped ones, on rendered films; store their figures (long)
-	@$(BIN)/python -m book.tools.starts
+	@$(BIN)/python -m book.experiments.starts
 
 measurement-errors: environment  ## find what errors of a measurement are made of, on rendered films; store figures (long; resumable)
-	@$(BIN)/python -m book.tools.measurement_errors
+	@$(BIN)/python -m book.experiments.measurement_errors
 
 real-images: environment  ## fetch the real sequence of chapter monocular (75 MB), run the filter on it, store its figures
-	@$(BIN)/python -m book.tools.real_images
+	@$(BIN)/python -m book.experiments.real_images
 
 real-sequences: environment  ## run the filter on every public recording below SLAMLIB_DATA, and store its figures (resumable)
-	@$(BIN)/python -m book.tools.real_sequences $(ARGS)
+	@$(BIN)/python -m book.experiments.real_sequences $(ARGS)
 
 visual-odometry: environment  ## run the longer films of chapter visual_odometry, and store their figures
-	@$(BIN)/python -m book.tools.visual_odometry
+	@$(BIN)/python -m book.experiments.visual_odometry
 
 stereo-slam: environment  ## run the longer films of chapter stereo_ekf_slam and the audit's runs, and store their figures (long)
-	@$(BIN)/python -m book.tools.stereo_slam
+	@$(BIN)/python -m book.experiments.stereo_slam
 
 report-experiments: environment  ## run the experiments that the report asks for, and store their figures (page report_experiments)
-	@$(BIN)/python -m book.tools.report_experiments
+	@$(BIN)/python -m book.experiments.report_experiments
 
 other-filters: environment  ## run the comparison of filters of chapter other_filters, and store its figures (long)
-	@$(BIN)/python -m book.tools.other_filters
+	@$(BIN)/python -m book.experiments.other_filters
 
 rosetta: environment  ## write the tables of the page Rosetta from its CSV and the package
 	@$(BIN)/python -m book.tools.rosetta

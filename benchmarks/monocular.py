@@ -13,26 +13,18 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy loads
 import argparse
 import cProfile
 import pstats
-import time
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from slambook import rendering
-from slambook.smoothing import Smoother
 
-from slamlib.data.records import Frame
-from slamlib.evaluation.alignment import align_trajectory
-from slamlib.evaluation.trajectory import Trajectory
+from book.experiments.monocular import OPTIONS, Outcome, frames_of, run
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array, Mask
-from slamlib.slam import Options, Slam
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.vision.active_search import ActiveSearch
-
-DT, STD = 1 / 30, 0.035  # [s] between frames; [px] of a match: what the image's noise and the warp leave
-OPTIONS = Options(updates=12, max_new_first=12, max_new=3, min_matched_ratio=0.5, inverse_distance=(0.4, 0.4))
 
 
 class WithWrongMatches(ActiveSearch):
@@ -47,70 +39,6 @@ class WithWrongMatches(ActiveSearch):
             reach = np.maximum(3 * np.sqrt(np.diag(predictions[i].S)), self.least)
             measured[i] = predictions[i].value + reach * self.rng.uniform(-1, 1, 2)
         return measured, found
-
-
-@dataclass(frozen=True, eq=False)
-class Outcome:
-    """One run: relative error and scale of its path, error by all data at once; per frame (n,): searched, matched, NIS
-    and its dof; seconds."""
-
-    relative_ate: float
-    scale: float
-    at_once: float
-    searched: Array
-    matched: Mask
-    nis: Array
-    dof: Array
-    seconds: dict[str, float]
-
-
-def frames_of(texture: str, path: str, frames: int, seed: int) -> tuple[Any, list[Frame], Array]:
-    """The rig of a film, its frames, and the true poses (n, 7), which are the camera's but for fixed extrinsics."""
-    way = rendering.path(path)
-    rig = rendering.rig_along_path(way, std=(STD,))
-    film = rendering.film(
-        rendering.default_room(texture), rig, way, frames=frames, dt=DT, rng=np.random.default_rng(seed)
-    )
-    steps = list(film)
-    return rig, [frame for frame, _ in steps], np.array([truth.robots[0][:7] for _, truth in steps])
-
-
-def run(
-    rig: Any,
-    frames: list[Frame],
-    truth: Array,
-    seed: int,
-    options: Options,
-    kind: type[ActiveSearch],
-    at_once: bool = False,
-) -> Outcome:
-    """One run of the filter over frames that are there; and, at_once, by all its data, too."""
-    front_end = kind(rig.sensors[0].calibration, np.random.default_rng([seed, 1]))
-    slam, rows, poses = Slam(rig, options, front_ends=[front_end]), [], []
-    smoother = Smoother(slam) if at_once else None
-    began = time.perf_counter()
-    for frame in frames:
-        slam.step(frame)
-        if smoother is not None:
-            smoother.record(frame)
-        predictions = slam.predictions[0]
-        inliers = [prediction for prediction in predictions if prediction.inlier]
-        counts = (
-            sum(prediction.chosen for prediction in predictions),
-            sum(prediction.matched for prediction in predictions),
-        )
-        rows.append([*counts, sum(prediction.nis for prediction in inliers), 2 * len(inliers)])
-        poses.append(slam.robots[0].pose.copy())
-    spent = time.perf_counter() - began
-    times = DT * np.arange(len(frames), dtype=float)
-    reference = Trajectory(times, truth)
-    found = align_trajectory(Trajectory(times, np.array(poses)), reference)
-    best = np.nan
-    if smoother is not None:
-        best = align_trajectory(Trajectory(times, smoother.solve().poses[:, 0]), reference).relative_ate
-    searched, matched, nis, dof = np.array(rows, dtype=float).T
-    seconds = {"all": spent, **front_end.seconds}
-    return Outcome(found.relative_ate, found.similarity.scale, best, searched, matched, nis, dof, seconds)
 
 
 def inside(outcomes: list[Outcome]) -> float:

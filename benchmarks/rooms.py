@@ -18,8 +18,8 @@ from collections.abc import Callable
 import numpy as np
 from slambook import rendering
 from slambook.rendering.film import LENS
+from slambook.rendering.judging import patches, strong_corners, zncc
 
-from benchmarks.judging import patches, strong_corners, zncc
 from slamlib.geometry.pose import compose
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array

@@ -1,8 +1,8 @@
 """The stereo front end: features and matches, plain visual odometry, and the filter, with truth beside them.
 
 Rooms are rendered, 320 x 240 pixels, with a baseline of 12 cm. The street is an excerpt of KITTI's, where it is at hand
-(it is not shipped: its licence is for non-commercial use); the filter on it is in benchmarks/street.py. Errors are of
-the last position, as shares of the path. Times are the processor's.
+(it is not shipped: its licence is for non-commercial use); the filter on it is in book/experiments/street.py. Errors
+are of the last position, as shares of the path. Times are the processor's.
 """
 
 import os
@@ -10,84 +10,19 @@ import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy loads
 
 import argparse
-import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
-from functools import partial
-from typing import Any
 
 import numpy as np
-from slambook import stereo_films
 from slambook.stereo_films import KITTI, kitti, stereo_film
 
 from benchmarks.stereo_filter import Case, speed
 from benchmarks.stereo_filter import room as filter_in_room
-from slamlib.datasets.pictures import opencv
-from slamlib.manifolds import Array, Image
+from book.experiments.stereo_room import STD
+from book.experiments.visual_odometry import VARIANTS, odometry
+from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options
-from slamlib.vision.stereo import MOTION_SOURCES, StereoFeatureExtractor, StereoSettings, VisualOdometry
-from slamlib.vision.stereo.detect import DETECTORS, Keypoints, spread
-
-
-def orb(image: Image, s: StereoSettings, levels: int) -> Keypoints:
-    """ORB's own detector (FAST), with descriptors rotated by its angles; spread over the grid likewise."""
-    cv2 = opencv("to find features")
-    extractor = cv2.ORB_create(nfeatures=5000, nlevels=levels, edgeThreshold=s.border, fastThreshold=10)
-    found = extractor.detect(image, None)
-    pixels = np.array([k.pt for k in found]).reshape(-1, 2)
-    strengths = np.array([k.response for k in found])
-    rows = spread(pixels, strengths, image.shape[::-1], s.cells, s.per_cell)
-    chosen, descriptors = extractor.compute(image, [found[i] for i in rows.tolist()])
-    return Keypoints(
-        np.array([k.pt for k in chosen], dtype=float).reshape(-1, 2),
-        np.array([k.response for k in chosen]),
-        np.zeros((0, 32), np.uint8) if descriptors is None else descriptors,
-    )
-
-
-DETECTORS |= {"orb": partial(orb, levels=1), "orb8": partial(orb, levels=8)}
-ERRORS = (0.06, 0.055, 0.05)  # px: standard deviations of u, v and d in the rooms; generous: NIS is 0.15 to 0.34 each
-
-VARIANTS = {
-    "corners, upright, refined": StereoSettings(),
-    "corners, upright": StereoSettings(patch=0),
-    "ORB, one level, refined": StereoSettings(detector="orb"),
-    "ORB, one level": StereoSettings(detector="orb", patch=0),
-    "ORB, eight levels": StereoSettings(detector="orb8", patch=0),
-}
-
-
-@dataclass
-class Counts:
-    """Of each pair: features matched left to right, matched round the cycle, inliers; and how well noise fits."""
-
-    stereo: list[int] = field(default_factory=list)
-    circular: list[int] = field(default_factory=list)
-    inliers: list[int] = field(default_factory=list)
-    nis_per_dof: list[float] = field(default_factory=list)
-    lost_frames: int = 0
-    seconds: float = 0.0
-
-
-def odometry(
-    calibration: Calibration, extrinsics: Array, images: list[Array], start: Array, s: Any
-) -> tuple[Array, Counts]:
-    """The last pose of the robot (7,), and the counts."""
-    extractor, counts, pose = StereoFeatureExtractor(calibration, s), Counts(), start
-    motion_source = VisualOdometry(extractor, extrinsics)
-    began = time.process_time()
-    for i, (reached, motion) in enumerate(stereo_films.odometry(motion_source, images, start)):
-        pose = reached
-        counts.stereo.append(len(extractor.extract(images[i])))
-        if i:
-            counts.circular.append(len(motion_source.pairs))
-        if motion is not None:
-            counts.inliers.append(int(motion.inliers.sum()))
-            counts.nis_per_dof.append(motion.nis_per_dof)
-    counts.seconds = time.process_time() - began
-    counts.lost_frames = len(images) - 1 - len(counts.inliers)
-    return pose, counts
+from slamlib.vision.stereo import MOTION_SOURCES, StereoSettings
 
 
 def table(calibration: Calibration, extrinsics: Array, images: list[Array], poses: Array) -> Iterator[str]:
@@ -128,10 +63,12 @@ def main() -> None:
     """Print the tables."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument(
-        "--frames", type=int, help=f"of the filter's films (default {FRAMES['sideways']}; round: {FRAMES['round']})"
+        "--frames",
+        type=int,
+        help=f"of the filter's films (default {FRAMES['sideways']}; round: {FRAMES['round']}; for the speed: 60)",
     )
     parser.add_argument("--seeds", type=int, default=5, help="of the filter: textures and noise (default 5)")
-    parser.add_argument("--std", type=float, nargs=3, default=ERRORS, help="of u, v and d for the filter [px]")
+    parser.add_argument("--std", type=float, nargs=3, default=STD, help="of u, v and d for the filter [px]")
     parser.add_argument("--path", choices=list(FRAMES), default="sideways", help="through the room (default sideways)")
     parser.add_argument(
         "--moving",
@@ -149,6 +86,7 @@ def main() -> None:
     )
     parser.add_argument("--enough", dest="max_in_view", type=int, default=30, help="landmarks in view (default 30)")
     parser.add_argument("--window", type=int, help="frames after which unseen landmarks are deleted (default: never)")
+    parser.add_argument("--full", type=int, default=250, help="landmarks in the map whose speed is taken (default 250)")
     parser.add_argument("--sequence", action="store_true", help="update with one landmark after another")
     parser.add_argument("--only", choices=["street", "room", "filter", "speed"], help="one of the tables")
     given = parser.parse_args()
@@ -166,7 +104,7 @@ def main() -> None:
         "street": street,
         "room": lambda: room(150, given.path),
         "filter": lambda: filter_in_room(case, given.path, given.frames or FRAMES[given.path], given.seeds),
-        "speed": lambda: speed(case, 60),
+        "speed": lambda: speed(case, given.frames or 60, given.full),
     }
     for name, rows in tables.items():
         if given.only in (None, name):

@@ -10,6 +10,7 @@ from slambook import rendering
 from slambook.rendering import stereo_frame, stereo_rig
 from slambook.stereo_films import stereo_film
 
+from book.experiments.stereo_room import advance, moved_by
 from slamlib.data.records import Frame
 from slamlib.data.setup import Rig
 from slamlib.evaluation.consistency import nees
@@ -18,9 +19,6 @@ from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array
 from slamlib.slam import Options, Slam
 from slamlib.vision.stereo import MOTION_SOURCES, StereoSettings
-from slamlib.vision.stereo.motion_source import StereoMotionSource
-
-FULL = 250  # landmarks
 
 
 @dataclass(frozen=True)
@@ -100,23 +98,23 @@ def consistency(mean: Array, runs: int) -> Iterator[str]:
     )
 
 
-def speed(case: Case, frames: int) -> Iterator[str]:
-    """640 x 480 pixels, 150 features, a map of 250: processor's milliseconds by part, when the map is full."""
+def speed(case: Case, frames: int, full: int) -> Iterator[str]:
+    """640 x 480 pixels, 150 features: processor's milliseconds by part, when the map has its `full` landmarks."""
     way, lens = rendering.path("sideways"), {"intrinsics": (319.5, 239.5, 520.0, 520.0), "distortion": (0.0,)}
     rig = rendering.rig_along_path(way, baseline=0.12, image=(640.0, 480.0), parameters=lens)
     dt = way.duration / frames
     film = rendering.film(rendering.default_room(), rig, way, frames=frames, dt=dt, rng=np.random.default_rng(1))
     settings = replace(case.settings, cells=(12, 9), per_cell=4, max_in_view=100)
-    options = replace(case.options, updates=100, max_new_first=100, max_new=20, capacity=FULL, pruning="least-reliable")
+    options = replace(case.options, updates=100, max_new_first=100, max_new=20, capacity=full, pruning="least-reliable")
     slam, motion_source = started(replace(case, settings=settings, options=options), stereo_rig(rig, case.std))
     spent, counts, clock = split(motion_source), [], 0.0
     for frame, _ in film:
-        image, full = stereo_frame(frame), len(slam.landmarks) == FULL
-        if not full:
+        image, is_full = stereo_frame(frame), len(slam.landmarks) == full
+        if not is_full:
             spent.clear()
         at = time.perf_counter()
         step(slam, motion_source, image, dt, spent)
-        if full:
+        if is_full:
             clock += time.perf_counter() - at
             predictions = slam.predictions[0]
             counts.append(
@@ -131,7 +129,7 @@ def speed(case: Case, frames: int) -> Iterator[str]:
         return
     n, (features, predictions, inliers) = len(counts), np.mean(counts, axis=0)
     yield (
-        f"{case.motion_source}, interval {settings.update_interval}, {n} frames with {FULL} landmarks: "
+        f"{case.motion_source}, interval {settings.update_interval}, {n} frames with {full} landmarks: "
         f"{features:.0f} features, "
         f"{predictions:.0f} landmarks predicted, {inliers:.0f} inliers"
     )
@@ -145,25 +143,6 @@ def started(case: Case, rig: Rig, pose: Array | None = None) -> tuple[Slam, Any]
     sensor = rig.sensors[0]
     motion_source = MOTION_SOURCES[case.motion_source](sensor.calibration, sensor.extrinsics, case.settings)
     return moved_by(motion_source, rig, case.options, pose), motion_source
-
-
-def moved_by(motion_source: StereoMotionSource, rig: Rig, options: Options, pose: Array | None = None) -> Slam:
-    """A filter of the rig, whose motion is given; pose (7,): where it starts, if not where the rig does."""
-    robots = (replace(rig.robots[0], motion=motion_source.motion),)
-    slam = Slam(replace(rig, robots=robots), options, front_ends=[motion_source.front_end])
-    if pose is not None:
-        block = slam.robots[0].block
-        block.mean = np.concatenate([pose, block.mean[7:]])
-    return slam
-
-
-def advance(slam: Slam, motion_source: StereoMotionSource, frame: Frame, dt: float) -> Frame:
-    """One pair, the control first; returns the frame with it."""
-    image = frame.scans[0].image
-    assert image is not None
-    frame = replace(frame, dt=dt, controls=(motion_source.control(image, frame.dt, slam),))
-    slam.step(frame)
-    return frame
 
 
 def step(slam: Slam, motion_source: Any, frame: Frame, dt: float, spent: dict[str, float]) -> None:

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from book.tools import stored
+from book.experiments import stored
 
 
 def comes_out_again(found: Any, kept: Any, renew: str, *, digits: int = 4, places: int = 12, share: float = 0) -> None:

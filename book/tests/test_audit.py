@@ -10,7 +10,7 @@ from slambook.report.angles import rotation
 from slambook.report.checks import CHECKS
 from slambook.report.findings import RUNS, SEED, AuditCheck, AuditFigure, at_least, at_most, near, ran
 
-from book.tools import audit
+from book.experiments import audit
 from slamlib.belief import Belief, LinearizedMeasurement
 from slamlib.errors import UnknownNameError
 from slamlib.motions.euler_composition import compose

@@ -231,7 +231,7 @@ def test_the_arguments_are_those_that_the_program_takes(command):
         ("pip install '.[picture]'", AssertionError),
         ("pip install slamlib-0.0.9-py3-none-any.whl", AssertionError),
         ("python -m book.tools.no_such_tool", AssertionError),
-        ("python -m book.tools.audit --stor", AssertionError),
+        ("python -m book.experiments.audit --stor", AssertionError),
         ("pytest book/tests/test_nothing.py -q", AssertionError),
         ("git push", KeyError),
     ],

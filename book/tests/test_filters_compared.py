@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 from slambook.filters_compared import with_products
 
-from book.tools import consistency
+from book.experiments import consistency
 from slamlib.geometry.pose import Pose
 from slamlib.observation.family import viewpoint
 from slamlib.observation.points import observe

@@ -8,7 +8,7 @@ from slambook import filters_compared
 from slambook.filters_compared import ALL_DATA, FILTERS, Verdict, run
 from slambook.oracle import Oracle, nearest
 
-from book.tools import consistency
+from book.experiments import consistency
 from slamlib.errors import SlamlibError
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import ORIGIN, Pose, from_frame

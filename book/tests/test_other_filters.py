@@ -9,9 +9,9 @@ from slambook.report.fastslam import FastSlam, FastSlam2
 from slambook.report.planar import LOOK, MOTION, PlanarScan, drive, moved, seen, seen_by_point
 from slambook.report.planar_ekf import PlanarEkf
 
+from book.experiments import other_filters as tool
+from book.experiments import stored as results
 from book.tests.stored_results import comes_out_again
-from book.tools import other_filters as tool
-from book.tools import stored as results
 from slamlib.evaluation.consistency import nees
 
 RENEW = "run `make other-filters` and `python -m book.tools.notebooks run` for chapter other_filters"

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from slambook import rendering
 from slambook.rendering.effects import Chip, blurred, falloff
+from slambook.rendering.judging import patches, strong_corners, zncc
 
-from benchmarks.judging import patches, strong_corners, zncc
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.geometry.pose import compose

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from slambook import rendering
 from slambook.rendering import renderer as module
+from slambook.rendering.judging import patches, strong_corners, zncc
 from slambook.rendering.rays import rays, tiles
 
-from benchmarks.judging import patches, strong_corners, zncc
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.quaternion import rotation
 from slamlib.sensors.pinhole import PINHOLE

@@ -12,10 +12,10 @@ from slambook.report.runs import monte_carlo
 from slambook.report.scenes import SCENES
 from slambook.report.switches import SWITCHES
 
-from benchmarks import mrpt
+from book.experiments import mrpt
+from book.experiments import report_experiments as tool
+from book.experiments import stored as results
 from book.tests.stored_results import comes_out_again
-from book.tools import report_experiments as tool
-from book.tools import stored as results
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.evaluation.consistency import band, nees
 

@@ -11,7 +11,7 @@ from slambook.smoothing import smoother as smoother_module
 from slambook.smoothing.factors import LOSSES
 from slambook.smoothing.least_squares import by_cholmod, by_superlu
 
-from book.tools.consistency import by_range_and_bearing
+from book.experiments.consistency import by_range_and_bearing
 from slamlib.data.records import Features, RobotMeasurement, Scan, World
 from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from slambook.filters_compared import ALL_DATA, Verdict, run
 
+from book.experiments import consistency
+from book.experiments import stored as results
+from book.experiments.toolbox_tour import digest
 from book.tests.stored_results import comes_out_again
-from book.tools import consistency
-from book.tools import stored as results
-from book.tools.experiments import digest
 
 RENEW = "run `make experiments` and `python -m book.tools.notebooks run` for chapter observability"
 CASES = consistency.cases()

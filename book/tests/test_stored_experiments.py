@@ -6,21 +6,21 @@ import numpy as np
 import pytest
 from slambook.filters_compared import FILTERS, run
 
+from book.experiments import stored as results
+from book.experiments import toolbox_tour
 from book.tests.stored_results import comes_out_again
-from book.tools import experiments
-from book.tools import stored as results
 from slamlib.experiments.monte_carlo import monte_carlo
 from slamlib.experiments.presets import PRESETS
 from slamlib.landmarks import LINES, POINTS
 
 RENEW = "run `make experiments` and `python -m book.tools.notebooks run` for chapter toolbox_tour"
-CASES = experiments.cases()
+CASES = toolbox_tour.cases()
 SLOW = "preset points_and_lines"
 
 
 @pytest.fixture(scope="module")
 def stored():
-    return results.kept(experiments.FILE)
+    return results.kept(toolbox_tour.FILE)
 
 
 def test_form_of_the_file_has_every_preset_and_parametrization_with_enough_runs(stored):
@@ -30,7 +30,7 @@ def test_form_of_the_file_has_every_preset_and_parametrization_with_enough_runs(
 
 
 def test_the_presets_are_still_the_same(stored):
-    now = {name: experiments.digest(preset) for name, preset in CASES.items()}
+    now = {name: toolbox_tour.digest(preset) for name, preset in CASES.items()}
     assert {name: case["digest"] for name, case in stored["cases"].items()} == now, RENEW
 
 
@@ -43,41 +43,43 @@ def test_the_first_numbers_come_out_again(stored, name):
 
 
 def test_form_of_the_file_has_all_data_at_once_beside_the_filter_in_two_sets_of_seeds(stored):
-    assert stored["sets"] == list(experiments.SETS)
+    assert stored["sets"] == list(toolbox_tour.SETS)
     for name, case in stored["cases"].items():
-        asked = {str(number) for number in experiments.SETS} if name.startswith(experiments.AT_ONCE) else set()
+        asked = {str(number) for number in toolbox_tour.SETS} if name.startswith(toolbox_tour.AT_ONCE) else set()
         assert set(case.get("at once", {})) == asked, RENEW
         shapes = {np.shape(rows["runs"]) for rows in case.get("at once", {}).values()}
-        assert shapes == ({(experiments.SMOOTHED, 2, 3)} if asked else set()), RENEW
+        assert shapes == ({(toolbox_tour.SMOOTHED, 2, 3)} if asked else set()), RENEW
 
 
 def seed(number):
     """The first one of a set."""
-    return experiments.seeds(number, 1)[0]
+    return toolbox_tour.seeds(number, 1)[0]
 
 
 @pytest.mark.parametrize(
     ("name", "number"),
-    [(n, experiments.SETS[0]) for n in CASES if n.startswith(experiments.AT_ONCE) and n != SLOW]
-    + [("theory linear", number) for number in experiments.SETS[1:]],  # in the other sets, the one that takes least
+    [(n, toolbox_tour.SETS[0]) for n in CASES if n.startswith(toolbox_tour.AT_ONCE) and n != SLOW]
+    + [("theory linear", number) for number in toolbox_tour.SETS[1:]],  # in the other sets, the one that takes least
 )
 def test_a_short_run_comes_out_again_by_the_filter_and_by_all_data_at_once(stored, name, number):
-    preset = replace(CASES[name], frames=experiments.FIRST_SMOOTHED)
-    found = experiments.smoothed(preset, seed(number))
+    preset = replace(CASES[name], frames=toolbox_tour.FIRST_SMOOTHED)
+    found = toolbox_tour.smoothed(preset, seed(number))
     comes_out_again(found, at_once(stored, name, number)["first"], RENEW, places=5)  # a machine decides the fifth digit
 
 
 def test_a_short_run_of_points_and_lines_comes_out_again_by_the_filter(stored, monkeypatch):
     """All its data at once take 19 s, more than all else in this file: of them the form alone is checked."""
-    monkeypatch.setattr(experiments, "beside", lambda *given: [run(*given, FILTERS[0])])
-    (found,) = experiments.smoothed(replace(CASES[SLOW], frames=experiments.FIRST_SMOOTHED), seed(experiments.SETS[0]))
-    comes_out_again(found, at_once(stored, SLOW, experiments.SETS[0])["first"][0], RENEW, places=5)
+    monkeypatch.setattr(toolbox_tour, "beside", lambda *given: [run(*given, FILTERS[0])])
+    (found,) = toolbox_tour.smoothed(
+        replace(CASES[SLOW], frames=toolbox_tour.FIRST_SMOOTHED), seed(toolbox_tour.SETS[0])
+    )
+    comes_out_again(found, at_once(stored, SLOW, toolbox_tour.SETS[0])["first"][0], RENEW, places=5)
 
 
 def test_a_whole_run_comes_out_again_by_the_filter_and_by_all_data_at_once(stored):
     name = "theory start known to 0.1 degrees"  # the shortest: 200 frames
-    found = experiments.smoothed(CASES[name], seed(experiments.SETS[0]))
-    comes_out_again(found, at_once(stored, name, experiments.SETS[0])["runs"][0], RENEW, places=5)
+    found = toolbox_tour.smoothed(CASES[name], seed(toolbox_tour.SETS[0]))
+    comes_out_again(found, at_once(stored, name, toolbox_tour.SETS[0])["runs"][0], RENEW, places=5)
 
 
 def at_once(stored, name, number):

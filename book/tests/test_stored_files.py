@@ -76,7 +76,7 @@ GIVEN = {
     f"{DATA}/iris_setosa.csv": "measured by E. Anderson",
     f"{DATA}/iris_versicolor.csv": "measured by E. Anderson",
     f"{DATA}/nile.csv": "measured at Aswan; test_nile.py has its sums",
-    f"{DATA}/stereo_board.csv": "located by OpenCV in its samples, which book.tools.stereo_board compares it with",
+    f"{DATA}/stereo_board.csv": "located by OpenCV in its samples; book.experiments.stereo_board compares",
     f"{DATA}/toolbox_runs.csv": "runs of the toolbox in Octave",
     f"{DATA}/victoria_park.csv": "measured by J. Guivant and E. Nebot, from a file of GTSAM",
     f"{DATA}/visp_cube_calibration.json": "a calibration, from the recording's own pictures",

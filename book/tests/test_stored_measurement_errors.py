@@ -6,9 +6,9 @@ import pytest
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 pytest.importorskip("skimage", reason="scikit-image is not installed")
 
+from book.experiments import measurement_errors as tool
+from book.experiments import stored
 from book.tests.stored_results import comes_out_again
-from book.tools import measurement_errors as tool
-from book.tools import stored
 
 KEPT = stored.kept(tool.FILE)
 FILMS = [name for name in KEPT if name.isdigit()]

@@ -9,9 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from book.experiments import monocular, real_images
+from book.experiments.stored import kept as stored
 from book.tests.stored_results import comes_out_again
-from book.tools import assets, monocular, real_images
-from book.tools.stored import kept as stored
+from book.tools import assets
 from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.vision.run import options_for

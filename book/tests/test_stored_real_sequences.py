@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from slambook import recording_runs, recordings
 
+from book.experiments import real_sequences, stored
 from book.tests.stored_results import comes_out_again
-from book.tools import real_sequences, stored
 from slamlib.datasets.public import VARIABLE, public_recordings
 from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.consistency import rmse

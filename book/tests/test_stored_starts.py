@@ -6,8 +6,8 @@ import pytest
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 pytest.importorskip("skimage", reason="scikit-image is not installed")
 
+from book.experiments import starts, stored
 from book.tests.stored_results import comes_out_again
-from book.tools import starts, stored
 from slamlib.cli.images import MAX_DIRECTION_ERROR
 
 RENEW = "run `make starts` and notebook monocular"

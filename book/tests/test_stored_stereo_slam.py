@@ -5,13 +5,12 @@ import pytest
 from slambook.report.findings import ran
 from slambook.smoothing import Smoother
 
-from benchmarks import street
+from book.experiments import stereo_room, stereo_slam, street
+from book.experiments import stored as results
 from book.tests.stored_results import comes_out_again
-from book.tools import stereo_room, stereo_slam
-from book.tools import stored as results
 from slamlib.evaluation.consistency import band, share_inside
 
-RENEW = "run `python -m book.tools.stereo_slam`, and the notebooks stereo_ekf_slam, report_audited, report_experiments"
+RENEW = "run `make stereo-slam`, and the notebooks stereo_ekf_slam, report_audited, report_experiments"
 
 
 @pytest.fixture(scope="module")

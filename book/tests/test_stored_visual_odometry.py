@@ -4,9 +4,9 @@ import pytest
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 
+from book.experiments import stored
+from book.experiments import visual_odometry as tool
 from book.tests.stored_results import comes_out_again
-from book.tools import stored
-from book.tools import visual_odometry as tool
 
 STORED = stored.kept(tool.FILE)
 

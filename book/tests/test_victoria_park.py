@@ -9,8 +9,8 @@ import pytest
 from slambook import victoria_park
 from slambook.trees import drive
 
+from book.experiments.stored import kept
 from book.tools import layout
-from book.tools.stored import kept
 from slamlib.codegen import check_model
 from slamlib.data.records import Control, Features, Frame, Scan
 from slamlib.errors import SlamlibError

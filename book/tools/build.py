@@ -74,7 +74,7 @@ def stage(executed: dict[Path, tuple[Path, bool]]) -> None:
     """The source tree for Sphinx: the pages, with the executed copies of the notebooks in place of the stored ones,
     and the files that the site serves itself."""
     shutil.rmtree(SOURCE, ignore_errors=True)
-    skip = shutil.ignore_patterns("__pycache__", ".*", "tools", "live", "offline", "slambook", "tests")
+    skip = shutil.ignore_patterns("__pycache__", ".*", "tools", "experiments", "live", "offline", "slambook", "tests")
     shutil.copytree(layout.BOOK, SOURCE / "book", ignore=skip)
     for page, (copy, _) in executed.items():
         shutil.copy(copy, SOURCE / page.relative_to(layout.ROOT))

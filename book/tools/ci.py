@@ -52,7 +52,9 @@ def stages(every: bool = False) -> list[Stage]:
     site = [*PYTHON, "pytest", "-q", "-rs", "book/tests/site"]
     chromium = [*site, "-n", "2", "--maxschedchunk", "1"]
     pages, minutes = (["--every-page"], []) if every else ([], ["--minutes", LIVE_MINUTES])
-    typed = [f"-p{name}" for name in ("slamlib", "slambook", "book.tools", "book.live", "benchmarks")]
+    typed = [
+        f"-p{name}" for name in ("slamlib", "slambook", "book.tools", "book.experiments", "book.live", "benchmarks")
+    ]
     files = [str(f.relative_to(layout.ROOT)) for f in layout.notebooks()]
     return [
         Stage("lint", [*PYTHON, "ruff", "check", "--output-format", "concise"], r"All checks (p)assed", "clean tree"),

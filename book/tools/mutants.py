@@ -29,7 +29,7 @@ import numpy as np
 from book.tools import layout
 from book.tools.mutations import Mutant, differs, mutants
 
-COPIED = ("pyproject.toml", "slamlib", "benchmarks", "book/slambook", "book/chapters/data")
+COPIED = ("pyproject.toml", "slamlib", "book/slambook", "book/chapters/data")
 NO_TESTS = 5  # pytest's exit status
 
 

@@ -24,8 +24,7 @@ def install() -> Path:
         quiet = ["--quiet", "--disable-pip-version-check"]
         subprocess.run([sys.executable, "-m", "pip", "install", *quiet, *wanted], check=True)
     packages = Path(sysconfig.get_path("purelib"))
-    for name in ("slamlib/tests", "benchmarks"):  # of which a test compares with one
-        shutil.copytree(layout.ROOT / name, packages / name)
+    shutil.copytree(layout.ROOT / "slamlib" / "tests", packages / "slamlib" / "tests")
     return packages / "slamlib"
 
 

@@ -237,7 +237,7 @@ def imported(file: Path, known: Collection[str]) -> set[str]:
     return {name for name in found | {f"{name}.__init__" for name in found} if name in known}
 
 
-@pytest.mark.parametrize("folder", ["benchmarks", "book/tools", "book/live", "book/slambook"])
+@pytest.mark.parametrize("folder", ["benchmarks", "book/tools", "book/experiments", "book/live", "book/slambook"])
 def test_the_book_and_the_benchmarks_import_no_tests(folder):
     for file in (PACKAGE.parent / folder).rglob("*.py"):
         assert not re.search(r"^\s*(from|import) (slamlib|book)\.tests", file.read_text("utf-8"), re.M), file

@@ -6,7 +6,6 @@ import sys
 import numpy as np
 import pytest
 
-from benchmarks import covariance_update
 from slamlib.belief import Belief, LinearizedMeasurement
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnitError, UnknownNameError
 from slamlib.geometry.pose import Pose
@@ -707,12 +706,6 @@ def test_large_states_take_the_path_of_blas(rng, monkeypatch):
 
 def test_the_methods_are_known_by_name():
     assert set(update._METHODS) == {"batch", "scalar"}
-
-
-def test_the_strategies_of_the_benchmark_agree():
-    sizes = ((36, 3), (100, 10))
-    text = covariance_update.report(covariance_update.table(sizes, 0.01), sizes)  # raises where they differ
-    assert [line.split("  ")[0] for line in text.splitlines()][1:4] == list(covariance_update.STRATEGIES)[:3]
 
 
 def from_toolbox(given):

@@ -9,14 +9,13 @@ from slambook import rendering, stereo_films
 from slambook.smoothing import Smoother
 from slambook.stereo_films import stereo_film
 
-from benchmarks.stereo_filter import advance, moved_by
 from slamlib.data.records import Frame, Truth
 from slamlib.data.setup import Rig
 from slamlib.evaluation.consistency import band, nees, share_inside
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
-from slamlib.slam import Options
+from slamlib.slam import Options, Slam
 from slamlib.vision.stereo import MOTION_SOURCES, StereoFeatureExtractor, StereoSettings, VisualOdometry
 from slamlib.vision.stereo.motion_source import SplitFeatures, StereoMotionSource
 
@@ -86,6 +85,25 @@ class Run:
             "nis": round(self.nis, 3),
             "landmarks": self.landmarks,
         }
+
+
+def moved_by(motion_source: StereoMotionSource, rig: Rig, options: Options, pose: Array | None = None) -> Slam:
+    """A filter of the rig, whose motion is given; pose (7,): where it starts, if not where the rig does."""
+    robots = (replace(rig.robots[0], motion=motion_source.motion),)
+    slam = Slam(replace(rig, robots=robots), options, front_ends=[motion_source.front_end])
+    if pose is not None:
+        block = slam.robots[0].block
+        block.mean = np.concatenate([pose, block.mean[7:]])
+    return slam
+
+
+def advance(slam: Slam, motion_source: StereoMotionSource, frame: Frame, dt: float) -> Frame:
+    """One pair, the control first; returns the frame with it."""
+    image = frame.scans[0].image
+    assert image is not None
+    frame = replace(frame, dt=dt, controls=(motion_source.control(image, frame.dt, slam),))
+    slam.step(frame)
+    return frame
 
 
 def run(film: Film, chosen: Way, options: Options = OPTIONS, at_once: bool = False) -> list[Run]:

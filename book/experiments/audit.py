@@ -15,7 +15,8 @@ from slambook.report.checks import CHECKS
 from slambook.report.findings import RUNS, SEED, AuditFigure, AuditFinding, ran
 from slambook.report.runs import DOF, Outcome
 
-from book.tools import layout, stored
+from book.experiments import stored
+from book.tools import layout
 from slamlib.errors import UnknownNameError
 from slamlib.evaluation.consistency import band
 from slamlib.experiments.progress import progress

@@ -18,10 +18,6 @@ is consistent; the ordinary one claims an orientation that nothing measured, and
 The points of the loop are predicted outside the image, 12 m off, and change nothing.
 """
 
-import os
-
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy loads
-
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any

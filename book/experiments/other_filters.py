@@ -15,7 +15,8 @@ from slambook.report.planar import SCANNERS
 from slambook.report.planar_ekf import PlanarEkf
 from slambook.report.planar_runs import Contestant, compare
 
-from book.tools import layout, stored
+from book.experiments import stored
+from book.tools import layout
 
 FILE = layout.BOOK / "chapters" / "data" / "other_filters.json"
 RUNS, FIRST = 200, 3

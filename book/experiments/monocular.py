@@ -5,6 +5,8 @@ once round the room, with the paths themselves. benchmarks/monocular.py prints t
 belong to a machine and are not stored, and with a fifth of all matches wrong.
 """
 
+import time
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
@@ -12,12 +14,14 @@ import numpy as np
 from slambook import rendering
 from slambook.smoothing import Smoother
 
-from benchmarks import monocular as bench
-from book.tools import layout, stored
+from book.experiments import stored
+from book.tools import layout
+from slamlib.data.records import Frame
 from slamlib.evaluation.alignment import align, align_trajectory
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
-from slamlib.slam import Slam
+from slamlib.manifolds import Array, Mask
+from slamlib.slam import Options, Slam
 from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.relocalization import close_loop
 
@@ -27,14 +31,80 @@ CLOSED = (*SEEDS, 11, 12, 13, 14, 15)  # loops by appearance: nothing was chosen
 LIGHT = 15  # frames that a test runs again
 ROUND, ROUND_DT, EVERY = 449, 1 / 15, 8  # frames, [s] between them, and frames between two that are stored
 OLD = 200  # frames: a landmark initialized so long ago and seen now closes the loop
+DT, STD = 1 / 30, 0.035  # [s] between frames; [px] of a match: what the image's noise and the warp leave
+OPTIONS = Options(updates=12, max_new_first=12, max_new=3, min_matched_ratio=0.5, inverse_distance=(0.4, 0.4))
 
 
-def sideways(seed: int, frames: int = FRAMES) -> bench.Outcome:
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """One run: relative error and scale of its path, error by all data at once; per frame (n,): searched, matched, NIS
+    and its dof; seconds."""
+
+    relative_ate: float
+    scale: float
+    at_once: float
+    searched: Array
+    matched: Mask
+    nis: Array
+    dof: Array
+    seconds: dict[str, float]
+
+
+def frames_of(texture: str, path: str, frames: int, seed: int) -> tuple[Any, list[Frame], Array]:
+    """The rig of a film, its frames, and the true poses (n, 7), which are the camera's but for fixed extrinsics."""
+    way = rendering.path(path)
+    rig = rendering.rig_along_path(way, std=(STD,))
+    film = rendering.film(
+        rendering.default_room(texture), rig, way, frames=frames, dt=DT, rng=np.random.default_rng(seed)
+    )
+    steps = list(film)
+    return rig, [frame for frame, _ in steps], np.array([truth.robots[0][:7] for _, truth in steps])
+
+
+def run(
+    rig: Any,
+    frames: list[Frame],
+    truth: Array,
+    seed: int,
+    options: Options,
+    kind: type[ActiveSearch],
+    at_once: bool = False,
+) -> Outcome:
+    """One run of the filter over frames that are there; and, at_once, by all its data, too."""
+    front_end = kind(rig.sensors[0].calibration, np.random.default_rng([seed, 1]))
+    slam, rows, poses = Slam(rig, options, front_ends=[front_end]), [], []
+    smoother = Smoother(slam) if at_once else None
+    began = time.perf_counter()
+    for frame in frames:
+        slam.step(frame)
+        if smoother is not None:
+            smoother.record(frame)
+        predictions = slam.predictions[0]
+        inliers = [prediction for prediction in predictions if prediction.inlier]
+        counts = (
+            sum(prediction.chosen for prediction in predictions),
+            sum(prediction.matched for prediction in predictions),
+        )
+        rows.append([*counts, sum(prediction.nis for prediction in inliers), 2 * len(inliers)])
+        poses.append(slam.robots[0].pose.copy())
+    spent = time.perf_counter() - began
+    times = DT * np.arange(len(frames), dtype=float)
+    reference = Trajectory(times, truth)
+    found = align_trajectory(Trajectory(times, np.array(poses)), reference)
+    best = np.nan
+    if smoother is not None:
+        best = align_trajectory(Trajectory(times, smoother.solve().poses[:, 0]), reference).relative_ate
+    searched, matched, nis, dof = np.array(rows, dtype=float).T
+    seconds = {"all": spent, **front_end.seconds}
+    return Outcome(found.relative_ate, found.similarity.scale, best, searched, matched, nis, dof, seconds)
+
+
+def sideways(seed: int, frames: int = FRAMES) -> Outcome:
     """One run past the wall."""
-    return bench.run(*bench.frames_of("drawn", "sideways", frames, seed), seed, bench.OPTIONS, ActiveSearch, True)
+    return run(*frames_of("drawn", "sideways", frames, seed), seed, OPTIONS, ActiveSearch, True)
 
 
-def row(outcome: bench.Outcome) -> dict[str, float]:
+def row(outcome: Outcome) -> dict[str, float]:
     """Figures of merit of one run, rounded."""
     return {
         "off": round(100 * float(outcome.relative_ate), 3),
@@ -53,7 +123,7 @@ def around(seed: int, closes: bool = False) -> dict[str, Any]:
     rng = np.random.default_rng(seed)
     film = rendering.film(rendering.default_room("drawn"), rig, way, frames=ROUND, dt=ROUND_DT, rng=rng)
     search = ActiveSearch(rig.sensors[0].calibration, np.random.default_rng([seed, 1]))
-    slam, poses, true, old = Slam(rig, bench.OPTIONS, front_ends=[search]), [], [], []
+    slam, poses, true, old = Slam(rig, OPTIONS, front_ends=[search]), [], [], []
     smoother = Smoother(slam)
     for frame, truth in film:
         slam.step(frame)

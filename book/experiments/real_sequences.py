@@ -21,9 +21,9 @@ from slambook import recording_runs, recordings
 from slambook.smoothing import Smoother
 from slambook.stereo_films import EUROC_CAMERAS
 
-from benchmarks import street_tracks
-from book.tools import layout, real_images
-from book.tools.stored import plain
+from book.experiments import real_images, street_tracks
+from book.experiments.stored import plain
+from book.tools import layout
 from slamlib.cli import COMMANDS, parser
 from slamlib.cli.images import ImageCommand
 from slamlib.datasets.calibrations import read_lens

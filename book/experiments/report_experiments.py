@@ -17,9 +17,9 @@ import numpy as np
 from slambook.report import correlations, memory, planar_runs, speed
 from slambook.report.updates import naive, problem
 
-from benchmarks import mrpt
-from book.tools import layout, stored
-from book.tools.stored import plain
+from book.experiments import mrpt, stored
+from book.experiments.stored import plain
+from book.tools import layout
 from slamlib.experiments.progress import progress
 
 FILE = layout.BOOK / "chapters" / "data" / "report_experiments.json"

@@ -1,4 +1,4 @@
-// A correction by MRPT's Kalman filter, for book/report/mrpt.py: reads a problem, prints times and results.
+// A correction by MRPT's Kalman filter, for book/experiments/mrpt.py: reads a problem, prints times and results.
 //
 // Arguments: file of doubles, repeats. The file: L, m, x (n), P (n, n), variances (3), then for each observation the
 // landmark's number, H by the pose (3, 6), H by the landmark (3, 3), measured minus predicted (3).

@@ -17,10 +17,6 @@ rigid motion [m].
    CHOSEN only is a considered parameter: what it does to the path is the difference of two runs.
 """
 
-import os
-
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy loads
-
 import argparse
 import json
 import time

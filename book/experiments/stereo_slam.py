@@ -1,9 +1,9 @@
-"""`python -m book.tools.stereo_slam`: store chapter stereo_ekf_slam's longer runs as one small file, part by part.
+"""`make stereo-slam`: store chapter stereo_ekf_slam's longer runs as one small file, part by part.
 
 For the pages report_audited and report_experiments: the report's errors turned on together and repaired one after
 another, and the filter with wrong covariances (slambook.report). For the chapter: slamlib's own system in the rendered
-stereo room (book.tools.stereo_room), on KITTI's street (benchmarks.street), and by defaults on it and on a waved rig
-(benchmarks.stereo_sequences), beside plain OpenCV (benchmarks.opencv_stereo), where they are at hand.
+stereo room (stereo_room), on KITTI's street (street), and by defaults on it and on a waved rig (stereo_sequences),
+beside plain OpenCV (opencv_stereo), where they are at hand.
 Times belong to a machine and are not stored. `--only NAME` makes one part again and keeps the others.
 """
 
@@ -18,9 +18,9 @@ from slambook.report.scenes import SCENES, Scene
 from slambook.report.switches import SWITCHES, Switch
 from slambook.stereo_films import KITTI
 
-from benchmarks import opencv_stereo, stereo_sequences
-from benchmarks import street as bench
-from book.tools import layout, stereo_room, stored
+from book.experiments import opencv_stereo, stereo_room, stereo_sequences, stored
+from book.experiments import street as kitti
+from book.tools import layout
 from slamlib.experiments.progress import progress
 from slamlib.manifolds import Array
 
@@ -74,7 +74,7 @@ def street() -> dict[str, Any] | None:
     """KITTI's street, without times; None where it is not at hand: its licence forbids shipping it."""
     if not KITTI.is_dir():
         return None
-    return stored.plain(_without_times(bench.figures()))
+    return stored.plain(_without_times(kitti.figures()))
 
 
 def sequences() -> dict[str, Any] | None:

@@ -16,8 +16,8 @@ import numpy as np
 from slambook.anchors import ANCHORS
 from slambook.filters_compared import ALL_DATA, FILTERS, LATER, PRODUCTS, WITH_ANCHORS, Verdict, known_to, run, stacked
 
+from book.experiments.toolbox_tour import asked, digest, kept, rounded, with_options
 from book.tools import layout
-from book.tools.experiments import asked, digest, kept, rounded, with_options
 from slamlib.experiments.monte_carlo import seeds
 from slamlib.experiments.presets import PRESETS, Preset, lines, points
 from slamlib.landmarks import LINES, POINTS

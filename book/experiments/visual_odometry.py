@@ -1,27 +1,32 @@
-"""`python -m book.tools.visual_odometry`: store chapter visual_odometry's longer runs as one file. Needs OpenCV.
+"""`make visual-odometry`: store chapter visual_odometry's longer runs as one file. Needs OpenCV.
 
 Variants of the features in the rendered room and, where it is at hand, on an excerpt of KITTI's street (its licence
 forbids shipping it; without it the stored figures stay). Half way round the room with plain odometry, and what it would
 cost to keep every point that was seen.
 """
 
+import time
+from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
 from slambook import stereo_films
 from slambook.stereo_films import KITTI, Tracks, kitti, stereo_film
 
-from benchmarks import stereo as bench
-from book.tools import layout, stored
+from book.experiments import stored
+from book.tools import layout
+from slamlib.datasets.pictures import opencv
 from slamlib.evaluation.comparison import parts
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Image
 from slamlib.motions.odometry import ODOMETRY
 from slamlib.observation.points import observe
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.stereo import StereoFeatureExtractor, StereoFeatures, StereoSettings, VisualOdometry, mutual_nearest
+from slamlib.vision.stereo.detect import DETECTORS, Keypoints, spread
 from slamlib.vision.stereo.features import hamming_distances, within_region
 
 FILE = layout.BOOK / "chapters" / "data" / "visual_odometry.json"
@@ -32,11 +37,69 @@ OFFSET = 0.2  # px, of all disparities: with it the excerpt's own sum of z' S^-1
 NEAR, FAR = 3.0, 25.0  # px: a match is right within this, and searched for within it where a prediction is used
 
 
+def orb(image: Image, s: StereoSettings, levels: int) -> Keypoints:
+    """ORB's own detector (FAST), with descriptors rotated by its angles; spread over the grid likewise."""
+    cv2 = opencv("to find features")
+    extractor = cv2.ORB_create(nfeatures=5000, nlevels=levels, edgeThreshold=s.border, fastThreshold=10)
+    found = extractor.detect(image, None)
+    pixels = np.array([k.pt for k in found]).reshape(-1, 2)
+    strengths = np.array([k.response for k in found])
+    rows = spread(pixels, strengths, image.shape[::-1], s.cells, s.per_cell)
+    chosen, descriptors = extractor.compute(image, [found[i] for i in rows.tolist()])
+    return Keypoints(
+        np.array([k.pt for k in chosen], dtype=float).reshape(-1, 2),
+        np.array([k.response for k in chosen]),
+        np.zeros((0, 32), np.uint8) if descriptors is None else descriptors,
+    )
+
+
+DETECTORS |= {"orb": partial(orb, levels=1), "orb8": partial(orb, levels=8)}
+VARIANTS = {
+    "corners, upright, refined": StereoSettings(),
+    "corners, upright": StereoSettings(patch=0),
+    "ORB, one level, refined": StereoSettings(detector="orb"),
+    "ORB, one level": StereoSettings(detector="orb", patch=0),
+    "ORB, eight levels": StereoSettings(detector="orb8", patch=0),
+}
+
+
+@dataclass
+class Counts:
+    """Of each pair: features matched left to right, matched round the cycle, inliers; and how well noise fits."""
+
+    stereo: list[int] = field(default_factory=list)
+    circular: list[int] = field(default_factory=list)
+    inliers: list[int] = field(default_factory=list)
+    nis_per_dof: list[float] = field(default_factory=list)
+    lost_frames: int = 0
+    seconds: float = 0.0
+
+
+def odometry(
+    calibration: Calibration, extrinsics: Array, images: list[Array], start: Array, s: Any
+) -> tuple[Array, Counts]:
+    """The last pose of the robot (7,), and the counts."""
+    extractor, counts, pose = StereoFeatureExtractor(calibration, s), Counts(), start
+    motion_source = VisualOdometry(extractor, extrinsics)
+    began = time.process_time()
+    for i, (reached, motion) in enumerate(stereo_films.odometry(motion_source, images, start)):
+        pose = reached
+        counts.stereo.append(len(extractor.extract(images[i])))
+        if i:
+            counts.circular.append(len(motion_source.pairs))
+        if motion is not None:
+            counts.inliers.append(int(motion.inliers.sum()))
+            counts.nis_per_dof.append(motion.nis_per_dof)
+    counts.seconds = time.process_time() - began
+    counts.lost_frames = len(images) - 1 - len(counts.inliers)
+    return pose, counts
+
+
 def variant(
     calibration: Calibration, extrinsics: Array, images: list[Array], truth: Array, settings: Any
 ) -> dict[str, Any]:
     """Counts of one kind of features, and the error of the last position as a share of the path [%]."""
-    pose, c = bench.odometry(calibration, extrinsics, images, truth[0], settings)
+    pose, c = odometry(calibration, extrinsics, images, truth[0], settings)
     path = np.linalg.norm(np.diff(truth[:, :3], axis=0), axis=1).sum()
     return {
         "stereo": round(float(np.mean(c.stereo))),
@@ -54,7 +117,7 @@ def room() -> dict[str, Any]:
     images = [frame.scans[0].image for frame, _ in film]
     truth = np.array([t.robots[0][:7] for _, t in film])
     sensor = rig.sensors[0]
-    return {n: variant(sensor.calibration, sensor.extrinsics, images, truth, s) for n, s in bench.VARIANTS.items()}
+    return {n: variant(sensor.calibration, sensor.extrinsics, images, truth, s) for n, s in VARIANTS.items()}
 
 
 def street() -> dict[str, Any] | None:
@@ -64,7 +127,7 @@ def street() -> dict[str, Any] | None:
     calibration, images, truth = kitti()
     origin = np.array([0.0, 0, 0, 1, 0, 0, 0])
     return {
-        "rows": {n: variant(calibration, origin, images, truth.poses, s) for n, s in bench.VARIANTS.items()},
+        "rows": {n: variant(calibration, origin, images, truth.poses, s) for n, s in VARIANTS.items()},
         "lengths": list(LENGTHS),
         "as told": measured(calibration, images, truth, 0.0),
         "offset": measured(calibration, images, truth, OFFSET),

@@ -18,8 +18,9 @@ from slambook import rendering
 from slambook.rendering.effects import NO_EFFECTS, Chip, Effects
 from slambook.rendering.film import LENS
 
-from book.tools import layout, stored
-from book.tools.starts import DT, walk
+from book.experiments import stored
+from book.experiments.starts import DT, walk
+from book.tools import layout
 from slamlib.datasets.pictures import TimedImage
 from slamlib.datasets.sources import of_pictures
 from slamlib.evaluation.comparison import pose_error

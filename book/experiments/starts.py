@@ -15,7 +15,8 @@ from slambook import rendering
 from slambook.rendering import drawing
 from slambook.rendering.paths import RAMP
 
-from book.tools import layout, stored
+from book.experiments import stored
+from book.tools import layout
 from slamlib.datasets.pictures import TimedImage
 from slamlib.datasets.sources import of_pictures
 from slamlib.experiments.progress import progress

@@ -12,10 +12,6 @@ of OpenCV. Times are the processor's, of one thread; slamlib's features include 
 predicted.
 """
 
-import os
-
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy loads
-
 import argparse
 import json
 import time
@@ -26,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks import stereo_sequences, street
+from book.experiments import stereo_sequences, street
 from slamlib.datasets.dataset import ImageSource
 from slamlib.datasets.pictures import opencv
 from slamlib.evaluation.comparison import compared

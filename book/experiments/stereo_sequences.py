@@ -9,10 +9,6 @@ With --numbers: odometry alone and the filter by the number of features that a c
 speeds relative to the default's, in the same run.
 """
 
-import os
-
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy loads
-
 import argparse
 import tempfile
 import time
@@ -24,7 +20,7 @@ from typing import Any
 import numpy as np
 from slambook.stereo_films import DATA, EUROC_CAMERAS, KITTI
 
-from benchmarks import street
+from book.experiments import street
 from slamlib.datasets.dataset import ImageSource
 from slamlib.datasets.sources import of_pictures
 from slamlib.errors import SlamlibError
