@@ -1,15 +1,16 @@
-"""The size of the house: lines, units, layers, and imports between units. It is printed, and decides nothing.
+"""The size of the house: lines, units, layers, imports and circles of them. It is printed, and decides nothing.
 
 A *unit* is a module at the root of slamlib or a folder of it, with all that lies below, and slambook as a whole; what
 is generated and what tests are no units, nor are slamlib's own `__init__` and `__main__`. An *arrow* leads from a unit
 to one that a module of it imports when it is loaded: what a function imports when it is called does not count. A
-*layer* is a step of the longest way along arrows; units that import each other count as one step. Blank lines, comments
-and docstrings are lines too.
+*layer* is a step of the longest way along arrows; units that import each other count as one step. A *circle* is a set
+of files each of which leads to every other one by imports, of which all count here: inside a function, and those for
+types alone. Blank lines, comments and docstrings are lines too.
 """
 
 import ast
+import re
 import sys
-from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
@@ -18,8 +19,8 @@ from pathlib import Path
 from book.tools import layout
 
 BEYOND_THE_CORE = ("vision", "datasets", "cli")
-LONGEST, SHORTEST = 250, 40
-ALL = "slamlib, slambook and book/tools"
+BESIDE = ("book/tools", "book/experiments", "benchmarks")
+ANY = re.compile(r"\bAny\b")
 
 Arrows = dict[str, set[str]]
 
@@ -56,14 +57,14 @@ def arrows(modules: dict[str, Path]) -> Arrows:
     """Which units each unit imports; those without an import are in it too."""
     found: Arrows = {unit(name): set() for name in modules if unit(name)}
     for name, file in modules.items():
-        for imported in _imports(ast.parse(file.read_text("utf-8")), modules):
+        for imported in _imports(ast.parse(file.read_text("utf-8")).body, modules):
             if unit(name) and unit(imported) not in ("", "generated", unit(name)):
                 found[unit(name)].add(unit(imported))
     return found
 
 
-def _imports(tree: ast.Module, modules: dict[str, Path]) -> Iterable[str]:
-    for node in tree.body:
+def _imports(nodes: Iterable[ast.AST], modules: dict[str, Path]) -> Iterable[str]:
+    for node in nodes:
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names if alias.name.split(".")[0] in ("slamlib", "slambook"))
         elif isinstance(node, ast.ImportFrom) and node.module and node.module.split(".")[0] in ("slamlib", "slambook"):
@@ -71,21 +72,42 @@ def _imports(tree: ast.Module, modules: dict[str, Path]) -> Iterable[str]:
             yield from (w if w in modules or f"{w}.__init__" in modules else node.module for w in whole)
 
 
+def files_imported(modules: dict[str, Path]) -> Arrows:
+    """Which modules each module imports, wherever in it; a package's name stands for its __init__."""
+
+    def module(name: str) -> str:
+        return name if name in modules else f"{name}.__init__"
+
+    found = {}
+    for name, file in modules.items():
+        everywhere = ast.walk(ast.parse(file.read_text("utf-8")))
+        found[name] = {module(imported) for imported in _imports(everywhere, modules)} & (set(modules) - {name})
+    return found
+
+
+def circles(found: Arrows) -> list[list[str]]:
+    """The sets of those that reach each other along arrows, each in order, the largest first."""
+    reached = {name: _reached(name, found) for name in found}
+    sets = {tuple(sorted(o for o in reached[name] if name in reached[o])) for name in found}
+    return sorted((list(names) for names in sets if len(names) > 1), key=lambda names: (-len(names), names))
+
+
+def _reached(start: str, found: Arrows) -> set[str]:
+    seen, left = {start}, [start]
+    while left:
+        fresh = found.get(left.pop(), set()) - seen
+        seen |= fresh
+        left += fresh
+    return seen
+
+
 def layers(found: Arrows) -> int:
     """The number of units on the longest way along arrows, of which a circle counts as one."""
-
-    @cache
-    def reached(start: str) -> frozenset[str]:
-        seen, left = {start}, [start]
-        while left:
-            fresh = found.get(left.pop(), set()) - seen
-            seen |= fresh
-            left += fresh
-        return frozenset(seen)
+    circle_of = {name: set(names) for names in circles(found) for name in names}
 
     @cache
     def height(name: str) -> int:
-        circle = {other for other in reached(name) if name in reached(other)}
+        circle = circle_of.get(name, {name})
         below = {other for one in circle for other in found.get(one, set())} - circle
         return 1 + max((height(other) for other in below), default=0)
 
@@ -93,41 +115,31 @@ def layers(found: Arrows) -> int:
 
 
 def figures(root: Path = layout.ROOT) -> tuple[dict[str, int], list[str]]:
-    """The figures by their names, and what to know of single files."""
+    """The figures by their names, and a line for each circle."""
     slamlib, slambook = Package.of(root / "slamlib").files, Package.of(root / "book" / "slambook").files
     core = [file for name, file in slamlib.items() if unit(name) not in BEYOND_THE_CORE]
-    tools = sorted((root / "book" / "tools").rglob("*.py"))
-    sizes = {file: lines([file]) for file in [*slamlib.values(), *slambook.values(), *tools]}
-    long = [file for file, size in sizes.items() if size > LONGEST]
-    short = [file for file, size in sizes.items() if size < SHORTEST and not file.name.startswith("__")]
-    notes = [f"  {sizes[file]:>5}  {file.relative_to(root).as_posix()}" for file in [*long, *short]]
-    found = arrows(slamlib | slambook)
+    found, round_trips = arrows(slamlib | slambook), circles(files_imported(slamlib | slambook))
+    between = circles(arrows(slamlib))
     numbers = {
         "slamlib, written by hand": lines(slamlib.values()),
         "its core": lines(core),
         "generated": lines((root / "slamlib" / "generated").rglob("*.py")),
-        ALL: sum(sizes.values()),
-        f"files over {LONGEST} lines": len(long),
-        f"files under {SHORTEST} lines": len(short),
+        "slambook": lines(slambook.values()),
+        **{name: lines((root / name).rglob("*.py")) for name in BESIDE},
+        "the word Any in slamlib": sum(len(ANY.findall(file.read_text("utf-8"))) for file in slamlib.values()),
         "units": len(found),
         "layers": layers(found),
         "imports between units": sum(map(len, found.values())),
+        "circles among files": len(round_trips),
     }
-    return numbers, notes
-
-
-def circles(found: Arrows) -> list[str]:
-    """Pairs of units that import each other."""
-    pairs: dict[str, list[str]] = defaultdict(list)
-    for one, others in sorted(found.items()):
-        pairs[one] += sorted(other for other in others if one < other and one in found.get(other, set()))
-    return [f"  {one} and {other} import each other" for one, others in pairs.items() for other in others]
+    notes = [f"  units that import each other: {', '.join(names)}" for names in between]
+    return numbers, notes + [f"  circle of {len(names)} files: {', '.join(names)}" for names in round_trips]
 
 
 def main() -> int:
-    """Print every figure, the files that are long or short, and the units that import each other."""
+    """Print every figure, and the units and files that import each other."""
     numbers, notes = figures()
-    print(*notes, *circles(arrows(Package.of(layout.ROOT / "slamlib").files)), sep="\n")
+    print(*notes, sep="\n")
     for name, number in numbers.items():
         print(f"{name:<34} {number:>6}")
     print(f"sizes: {len(numbers)} figures")
