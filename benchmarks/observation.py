@@ -162,10 +162,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seconds", type=float, default=1.0, help="CPU time spent on each row (default 1)")
     parser.add_argument("--points", type=int, nargs="+", default=[100, 1000], help="how many at once")
+    parser.add_argument("--profiled", type=int, nargs="*", help="of how many to show the profile (default: of each)")
+    parser.add_argument("--lines", type=int, default=14, help="lines of a profile (default 14)")
     options = parser.parse_args()
     print(report(*table(tuple(options.points), options.seconds)))
-    for n in options.points:
-        print(f"\n{n} points\n{profile(n)}")
+    for n in options.points if options.profiled is None else options.profiled:
+        print(f"\n{n} points, in the profiler (which slows all):\n{profile(n, lines=options.lines)}")
 
 
 if __name__ == "__main__":
