@@ -26,11 +26,11 @@ import numpy as np
 from benchmarks.covariance_update import Problem
 from benchmarks.observation import YARDSTICK, quickest, yardstick
 from slamlib.data.records import Frame
+from slamlib.entities import Landmark
 from slamlib.experiments.presets import Preset, preset
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.simulation.worlds import gallery_radius
 from slamlib.slam import Slam
-from slamlib.slam.entities import Landmark
 from slamlib.slam.transport import TRANSPORTS
 
 
@@ -61,8 +61,8 @@ CASES = [
     Case("lines", "idpLin", True, (164, 215), 50),
     Case("lines", "idpLin", False, (164, 215), 50),
 ]
-PARTS = ("_predict", "predict_measurements", "_update", "_delete", "_initialize")  # of a step; INNER: of _update
-INNER = ("select_and_match", "update_sequentially", "update_in_batch", "after_update")
+PARTS = ("_predict", "project", "_update", "_delete", "_initialize")  # of a step; INNER: of _update
+INNER = ("select", "match", "update_sequentially", "update_in_batch", "convert")
 
 
 def frame_times(experiment: Preset, frames: list[Frame], repeats: int) -> Any:

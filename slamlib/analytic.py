@@ -64,7 +64,7 @@ def stumpff(order: int, s: Value) -> Value:
     if type(s) is float:
         return _stumpff_series(order, s) if s < _SERIES else _stumpff_closed(order, s, math)
     if _is_symbolic(s):
-        from slamlib.codegen.functions import Stumpff
+        from slamlib.symbolic import Stumpff
 
         return Stumpff(order, s)
     s = np.asarray(s)
@@ -116,9 +116,9 @@ def _arctan(s: Value, w: Value, symbol: str, series: Any, closed: Any) -> Value:
     if type(s) is float and type(w) is float:
         return series(s, w) if s < w * w / _NEAR else closed(s, w)
     if _is_symbolic(s, w):
-        from slamlib.codegen import functions
+        from slamlib import symbolic
 
-        return getattr(functions, symbol)(s, w)
+        return getattr(symbolic, symbol)(s, w)
     s, w = np.asarray(s), np.asarray(w)
     small = s.real < w.real**2 / _NEAR
     near = series(np.where(small, s, 0), np.where(small, w, 1))

@@ -13,10 +13,11 @@ from typing import Any
 
 import numpy as np
 
+from slamlib.entities import RigSensor, State
+from slamlib.entities.landmark import landmark_means
 from slamlib.geometry.pose import ORIGIN
 from slamlib.manifolds import Array, Indices
-from slamlib.slam.entities import RigSensor
-from slamlib.slam.measurement_update import KIND, Projection, group_by_kind, unprojected
+from slamlib.slam.measurement_update import Projection, unprojected
 from slamlib.slam.transport import unobservable
 
 # How many directions the anchor has, of each type with one: a position, or a whole frame. The rest is the ray, or line.
@@ -34,14 +35,14 @@ def shifts(kind: Any, states: Array) -> Array:
     return np.concatenate([np.broadcast_to(np.eye(anchor), (len(states), anchor, anchor)), follows], axis=1)
 
 
-def with_anchors(slam: Any, sensor: RigSensor) -> tuple[Array, Indices]:
+def with_anchors(state: State, sensor: RigSensor) -> tuple[Array, Indices]:
     """N (size, 6 + r) of the world and of all anchors, and rows (6 + r,) that tell its columns apart."""
-    columns, rows = [unobservable(slam, sensor)], [sensor.columns]
-    for group in group_by_kind(slam.landmarks, KIND):
+    columns, rows = [unobservable(state, sensor)], [sensor.columns]
+    for rows_of_kind in state.kinds():
+        group = rows_of_kind.landmarks
         if group[0].kind.name in ANCHORS:
-            means = np.array([landmark.block.mean for landmark in group])
-            for landmark, N in zip(group, shifts(group[0].kind, means), strict=True):
-                own = np.zeros((slam.belief.size, N.shape[1]))
+            for landmark, N in zip(group, shifts(group[0].kind, landmark_means(group)), strict=True):
+                own = np.zeros((state.belief.size, N.shape[1]))
                 own[landmark.block.slice] = N
                 columns.append(own)
                 rows.append(landmark.block.start + np.arange(N.shape[1]))
@@ -49,12 +50,12 @@ def with_anchors(slam: Any, sensor: RigSensor) -> tuple[Array, Indices]:
 
 
 @contextmanager
-def anchors_carried(slam: Any, sensor: RigSensor) -> Iterator[Projection]:
+def anchors_carried(state: State, sensor: RigSensor) -> Iterator[Projection]:
     """As `slamlib.slam.transport.carried`, with the anchors' columns of N beside those of the world."""
-    before, rows = with_anchors(slam, sensor)
-    motion = np.linalg.inv(before[rows])
-    slam.belief.transport = lambda: (rows, with_anchors(slam, sensor)[0] - before, motion)
+    before, rows = with_anchors(state, sensor)
+    motion: Array = np.linalg.inv(before[rows])
+    state.belief.transport = lambda: (rows, with_anchors(state, sensor)[0] - before, motion)
     try:
         yield unprojected
     finally:
-        slam.belief.transport = None
+        state.belief.transport = None

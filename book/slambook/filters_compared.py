@@ -16,13 +16,13 @@ from slambook.anchors import anchors_carried
 from slambook.oracle import Oracle
 from slambook.smoothing import Smoother
 from slamlib.data.records import Scan
+from slamlib.entities import RigSensor
 from slamlib.evaluation.consistency import band, nees_where_uncertain, share_inside
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.kalman.linalg import principal_blocks
 from slamlib.manifolds import Array
-from slamlib.slam.entities import RigSensor
 from slamlib.slam.transport import TRANSPORTS
 
 FILTERS, WITH_ANCHORS, ALL_DATA = ("local", "world", "oracle"), "anchors", "all data"
@@ -55,6 +55,10 @@ def with_products(slam: Any) -> Any:
             by, both = found.H[..., t] / inverse_distances[:, None, None], P[:, t, -1:]
             product = P[:, -1:, -1:] * P[:, t, t] + both @ both.swapaxes(1, 2)
             return found._replace(R=found.R + by @ product @ by.swapaxes(1, 2))
+
+        def linearized(self, sensor: RigSensor, expected: Any) -> tuple[Array, Array]:
+            found = self.batch_innovation(sensor, expected, expected.value)
+            return found.H, found.R
 
     return Products()
 

@@ -15,14 +15,14 @@ from typing import Any, cast
 import numpy as np
 
 from slamlib.data.records import Scan, Truth, World
+from slamlib.entities import POSE, RigSensor
+from slamlib.entities.linearization import FirstEstimates, Moving
+from slamlib.entities.unobservable import generator
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, compose, inverse
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array
 from slamlib.slam import Slam
-from slamlib.slam.entities import POSE, RigSensor, Robot
-from slamlib.slam.linearization import FirstEstimates
-from slamlib.slam.transport import generator
 
 ROUNDS = 30  # of the search for the true landmark: as many as a distance that is wrong by far needs
 
@@ -40,28 +40,29 @@ class Oracle(FirstEstimates):
         slam.linearization = self
         slam.families = {name: _at_truth(family, self, world) for name, family in slam.families.items()}
 
-    def motion(self, robot: Robot, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
+    def motion(self, robot: Moving, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
         """Jacobians of the motion between the robot's two true states, that takes N of one to N of the other."""
-        return super().motion(robot, self._true(robot), control, dt)
+        return super().motion(robot, self._true(robot.block), control, dt)
 
     def predicted(self, block: Block) -> None:
         """The robot is where it is in truth."""
-        self.first[block] = self._true(next(robot for robot in self._slam.robots if robot.block is block))
+        self.first[block] = self._true(block)
 
     def added(self, blocks: Iterable[Block], means: Iterable[Array]) -> None:
         """A new landmark's truth has just been found, by its initialization."""
         for block, mean in zip(blocks, means, strict=True):
             self.first[block] = self._new if len(self._new) else mean
 
-    def _true(self, robot: Robot) -> Array:
-        return cast(Truth, self.truth).robots[self._slam.robots.index(robot)]
+    def _true(self, block: Block) -> Array:
+        robots = zip(self._slam.robots, cast(Truth, self.truth).robots, strict=True)
+        return next(state for robot, state in robots if robot.block is block)
 
     def initialized(self, sensor: RigSensor, kind: Any, mean: Array, noise: Array, feature: Array) -> Array:
         """The Jacobian (dof, 6) w.r.t. the robot's pose at the truth; the true landmark is kept for `added`.
 
         It is that of equivariance, J N(robot) = N(landmark). feature: of the world, which the landmark is.
         """
-        robot = self._true(sensor.robot)
+        robot = self._true(sensor.robot.block)
         here, there = (compose(pose[:7], sensor.extrinsics) for pose in (sensor.robot.pose, robot))
         self._new = nearest(kind, kind.moved(compose(there, inverse(here)), mean), noise, feature)
         by: Array = generator(kind, self._new) @ np.linalg.inv(generator(sensor.robot.motion, robot)[:POSE])

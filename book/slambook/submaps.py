@@ -13,13 +13,13 @@ import numpy as np
 from slamlib.belief import Belief, LinearizedMeasurement
 from slamlib.data.records import Frame
 from slamlib.data.setup import ZERO, Rig
+from slamlib.entities import POSE
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, Pose, compose, from_frame
 from slamlib.geometry.quaternion import rotation
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array, Euclidean, Product
 from slamlib.slam.data_association.front_end import FrontEnd
-from slamlib.slam.entities import POSE
 from slamlib.slam.filter import Slam
 from slamlib.slam.map_management import Report
 from slamlib.slam.options import Options

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.analytic import arctan2, cos, sin, sqrt
+from slamlib.entities import Landmark
 from slamlib.geometry.pose import Pose, compose, from_frame
 from slamlib.geometry.quaternion import exponential
 from slamlib.kalman.chi_square import chi2_quantile
@@ -21,8 +22,7 @@ from slamlib.sensors.range_bearing import Angle
 from slamlib.sensors.sensor import Calibration, Sensor
 from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput
 from slamlib.slam.data_association.gates import mahalanobis_squared
-from slamlib.slam.entities import Landmark
-from slamlib.slam.measurement_update import Predictions
+from slamlib.slam.prediction import Predictions
 
 AXLES, WHEEL = 283, 76  # [cm]: distance of the axles; of the measured wheel from the middle of the rear axle
 RangeYaw = Product("range and yaw", Euclidean(1), Angle(1))

@@ -11,7 +11,6 @@ from slambook.filters_compared import WITH_ANCHORS, poses
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
-from slamlib.slam.measurement_update import predict_measurements
 from slamlib.slam.transport import TRANSPORTS
 
 
@@ -23,7 +22,7 @@ def with_landmark(name, **options):
 
 
 def predictions(slam):
-    return predict_measurements(slam.belief, slam.sensors[0], slam.families, slam.landmarks, slam.options)
+    return slam.project()
 
 
 @pytest.mark.parametrize("name", ANCHORS)
@@ -48,7 +47,7 @@ def test_no_measurement_tells_where_an_anchor_stands(name):
     slam = p.slam()
     for frame, _ in p.simulate():
         slam.step(frame)
-    N, rows = with_anchors(slam, slam.sensors[0])
+    N, rows = with_anchors(slam.state, slam.sensors[0])
     assert N.shape == (slam.belief.size, 6 + ANCHORS[name] * len(slam.landmarks))
     assert np.linalg.matrix_rank(N[rows]) == N.shape[1]
     for prediction in predictions(slam):
@@ -78,7 +77,7 @@ def test_an_update_gains_nothing_on_where_an_anchor_stands(name):
                 slam.predict(last.controls, last.dt)
                 for landmark in slam.landmarks:
                     landmark.kind = free
-            N, _ = with_anchors(unsure, unsure.sensors[0])
+            N, _ = with_anchors(unsure.state, unsure.sensors[0])
             blocks = dict(enumerate(unsure.belief.blocks))
             means = {i: block.mean for i, block in blocks.items()}
             unsure.belief.overwrite(blocks, means, unsure.belief.matrix + N @ N.T)
@@ -86,7 +85,7 @@ def test_an_update_gains_nothing_on_where_an_anchor_stands(name):
                 slam.predictions[0] = predictions(slam)
                 slam._update(0, last.scans[0])
             assert not np.allclose(sure.robots[0].pose, means[0][:7], atol=1e-6)
-            N, _ = with_anchors(sure, sure.sensors[0])
+            N, _ = with_anchors(sure.state, sure.sensors[0])
             difference = unsure.belief.matrix - sure.belief.matrix
             far[error] = np.linalg.norm(difference - N @ N.T) / np.linalg.norm(N @ N.T)
     assert far[WITH_ANCHORS] < 1e-9, far

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import sympy
 from sympy.printing.pycode import PythonCodePrinter
 
-from slamlib.codegen.functions import ArctanRatio, ArctanRatioSlope, Stumpff
+from slamlib.symbolic import ArctanRatio, ArctanRatioSlope, Stumpff
 from slamlib.errors import WritingRuleError
 
 _NAMES = {

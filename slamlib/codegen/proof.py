@@ -13,7 +13,7 @@ import numpy as np
 import sympy
 
 from slamlib.codegen.derive import Derivation, derive
-from slamlib.codegen.functions import closed_form
+from slamlib.symbolic import closed_form
 from slamlib.errors import ShapeError, SingularPointError, SlamlibError
 from slamlib.models import Model
 from slamlib.models.numerical import complex_step, scaled_differences

@@ -5,14 +5,13 @@ there is one, is passed separately, to the evaluation alone.
 """
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnknownCallError
+from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
 from slamlib.kalman.linalg import covariance
 from slamlib.manifolds import Array, Indices, finite, numbers, read_only, read_only_copy
-from slamlib.observation import FAMILIES
 
 if TYPE_CHECKING:
     from slamlib.models import Model
@@ -49,6 +48,9 @@ class Features:
         return cls(np.zeros(0, np.int64), np.zeros((0, size)))
 
 
+NO_FEATURES = Features.none(0)
+
+
 def _keep(record: Any, name: str) -> None:
     """Check the value (m,) of a record and its noise (m, m), and keep read-only copies."""
     value = finite(record.value, (None,), name, "value")
@@ -67,38 +69,29 @@ class Control:
         _keep(self, "Control")
 
 
-class ByFamily:
-    """Holds something for each family of landmarks in a dict of the name _FAMILIES; scan.points is features["points"].
-
-    For a family that it does not hold it returns ABSENT, or raises AttributeError where that is None.
-    """
-
-    _FAMILIES: ClassVar[str]
-    _ABSENT: ClassVar[Any] = None
-
-    def __getattr__(self, family: str) -> Any:
-        if family.startswith("_") or family in self.__dataclass_fields__:
-            raise AttributeError(family)  # while it is copied
-        held = getattr(self, self._FAMILIES)
-        if family in held:
-            return held[family]
-        if self._ABSENT is None or family not in FAMILIES:
-            raise UnknownCallError.of_object(f"a {type(self).__name__}", family, sorted({*FAMILIES, *held}))
-        return self._ABSENT
-
-
 @dataclass(frozen=True, eq=False)
-class Scan(ByFamily):
+class Scan:
     """One sensor's measurements in one frame: features by the name of their family, and an image if it has one.
 
-    Families are those of slamlib.observation.FAMILIES: "points" (n, m), "segments" (k, 4) [px], ...; scan.points is
-    scan.features["points"], and empty if there are none.
+    Families are those of slamlib.observation.FAMILIES: "points" (n, m), "segments" (k, 4) [px], ...
     """
 
-    _FAMILIES = "features"
-    _ABSENT = Features.none(0)
     features: dict[str, Features] = field(default_factory=dict)
     image: Any = None  # one picture (h, w), a pair (2, h, w), or None
+
+    def of(self, family: str) -> Features:
+        """The features of a family; none if it has none of them."""
+        return self.features.get(family, NO_FEATURES)
+
+    @property
+    def points(self) -> Features:
+        """The measured points."""
+        return self.of("points")
+
+    @property
+    def segments(self) -> Features:
+        """The measured segments."""
+        return self.of("segments")
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,26 +136,34 @@ class Truth:
 
 
 @dataclass(frozen=True, eq=False)
-class World(ByFamily):
+class World:
     """Everything there is to observe: features by the name of their family, and opaque triangles (f, 3, 3) [m].
 
-    Families are those of slamlib.observation.FAMILIES: "points" (n, 3), "segments" (k, 6), two endpoints each, ... in
-    the world [m]; world.points is world.features["points"]. No id is used twice. Triangles occlude what lies behind
-    them in simulations with occlusion.
+    Families are those of slamlib.observation.FAMILIES: "points" (n, 3), "segments" (n, 6), two endpoints each, ... in
+    the world [m]. No id is used twice. Triangles occlude what lies behind them in simulations with occlusion.
     """
 
-    _FAMILIES = "features"
     features: dict[str, Features] = field(default_factory=dict)
     faces: Array = field(default_factory=lambda: np.zeros((0, 3, 3)))
 
     def __post_init__(self) -> None:
-        absent = {family.name: Features.none(family.world_size) for family in FAMILIES.values()}
-        object.__setattr__(self, "features", {**absent, **self.features})
-        for name, features in self.features.items():
-            size, given = FAMILIES[name].world_size, features.values.shape[1]
-            if given != size:
-                raise ShapeError(f"World: {name} have {size} numbers each, got {given}")
+        given = {"points": Features.none(3), "segments": Features.none(6), **self.features}
+        object.__setattr__(self, "features", given)
         object.__setattr__(self, "faces", read_only_copy(finite(self.faces, (None, 3, 3), "World", "faces")))
         ids = np.concatenate([features.ids for features in self.features.values()])
         if not np.diff(np.sort(ids)).all():
             raise SlamlibError("World: things of two families share an id; number segments after the points")
+
+    def of(self, family: str) -> Features:
+        """The features of a family; none if there are none of them."""
+        return self.features.get(family, NO_FEATURES)
+
+    @property
+    def points(self) -> Features:
+        """The points (n, 3) [m]."""
+        return self.of("points")
+
+    @property
+    def segments(self) -> Features:
+        """The segments (n, 6) [m]."""
+        return self.of("segments")

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from slamlib.data.records import ByFamily, Scan
+from slamlib.data.records import Scan
 from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array, Image, Mask
 
@@ -56,14 +56,13 @@ class MeasurementView:
 
 
 @dataclass(frozen=True, eq=False)
-class SensorView(ByFamily):
+class SensorView:
     """An estimated sensor, with its scan, predictions and measurements.
 
     extrinsics (7,) on robot number `robot`, with covariance (6, 6), zero where they are given; image (width, height) or
-    None; predictions: by the family's name; view.points is view.predictions["points"].
+    None; predictions: by the family's name.
     """
 
-    _FAMILIES = "predictions"
     name: str
     robot: int
     extrinsics: Array
@@ -71,6 +70,16 @@ class SensorView(ByFamily):
     image: Image | None
     scan: Scan | None
     predictions: dict[str, MeasurementView]
+
+    @property
+    def points(self) -> MeasurementView:
+        """Predictions and measurements of points."""
+        return self.predictions["points"]
+
+    @property
+    def segments(self) -> MeasurementView:
+        """Predictions and measurements of segments."""
+        return self.predictions["segments"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,20 +99,28 @@ class MapView:
 
 
 @dataclass(frozen=True, eq=False)
-class Snapshot(ByFamily):
+class Snapshot:
     """Everything that a display or an evaluation needs of the filter after one frame; it never changes.
 
-    time [s] since the start; landmarks: by the family's name, snapshot.points is snapshot.landmarks["points"]; size:
-    degrees of freedom of the whole state.
+    time [s] since the start; landmarks: by the family's name; size: degrees of freedom of the whole state.
     """
 
-    _FAMILIES = "landmarks"
     number: int
     time: float
     robots: tuple[RobotView, ...]
     sensors: tuple[SensorView, ...]
     landmarks: dict[str, MapView]
     size: int
+
+    @property
+    def points(self) -> MapView:
+        """The points of the map."""
+        return self.landmarks["points"]
+
+    @property
+    def segments(self) -> MapView:
+        """The lines of the map, as segments."""
+        return self.landmarks["segments"]
 
     def camera(self, sensor: int) -> Array:
         """Pose (7,) of a sensor in the world."""

@@ -215,7 +215,7 @@ def map_errors(snapshot: Snapshot, world: World) -> dict[str, Array]:
     """By family, distances [m] (k,) of the estimated landmarks from the true ones of the same ids."""
     found = {}
     for name, shown in snapshot.landmarks.items():
-        things, family = world.features[name], FAMILIES[name]
+        things, family = world.of(name), FAMILIES[name]
         there = dict(zip(things.ids.tolist(), things.values, strict=True))
         pairs = zip(shown.ids.tolist(), shown.geometry, strict=True)
         found[name] = np.array([family.distance(geometry, there[i]) for i, geometry in pairs if i in there])

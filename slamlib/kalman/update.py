@@ -55,6 +55,14 @@ class UpdateResult:
 
 
 @dataclass(frozen=True)
+class Proposal(UpdateResult):
+    """An update that may still be refused: the whitened innovation (d,), and the rows W (d, n) of P - W'W."""
+
+    white: Array
+    rows: Array
+
+
+@dataclass(frozen=True)
 class StackedMeasurements:
     """Several measurements as one: z (m,), R (m, m), and H (m, k) w.r.t. the k touched degrees of freedom alone.
 
@@ -170,10 +178,10 @@ class SequentialUpdate:
         self._P, self._layout, self._retraction, self._transport = covariance, layout, retraction, transport
         self._store, self._count = np.empty((_ROWS, len(covariance))), 0  # W is its first rows
 
-    def update(self, columns: Indices, H: Array, innovation: Array, R: Array, gate: float = np.inf) -> UpdateResult:
-        """As Belief.update_rows, at the present means; changes nothing unless its nis is below the gate.
+    def propose(self, columns: Indices, H: Array, innovation: Array, R: Array) -> Proposal:
+        """What a measurement would do at the present means; nothing is changed until it is applied.
 
-        columns (k,), H (d, k), innovation (d,), R (d, d). Raises CovarianceError, NonFiniteError.
+        columns (k,), H (d, k), innovation (d,), R (d, d). Raises CovarianceError.
         """
         taken = self._store[: self._count]
         HP = H @ self._P.take(columns, axis=0)
@@ -184,14 +192,22 @@ class SequentialUpdate:
         factor = linalg.cholesky(S, "update", "the innovation covariance")
         white = linalg.solve_lower(factor, np.concatenate([HP, innovation[:, None]], axis=1))
         W, z = white[:, :-1], white[:, -1]
-        nis = float(z @ z)
-        if nis < gate:
-            step = z @ W
-            if not np.isfinite(step).all():
-                raise NonFiniteError("update: the step overflows; choose units in which the numbers are smaller")
-            self._layout.assign(*self._layout.retract(step, self._retraction))
-            self._keep(W)
-        return UpdateResult(innovation, S, nis)
+        return Proposal(innovation, S, float(z @ z), z, W)
+
+    def apply(self, proposed: Proposal) -> None:
+        """Update by the last measurement proposed. Raises NonFiniteError."""
+        step = proposed.white @ proposed.rows
+        if not np.isfinite(step).all():
+            raise NonFiniteError("update: the step overflows; choose units in which the numbers are smaller")
+        self._layout.assign(*self._layout.retract(step, self._retraction))
+        self._keep(proposed.rows)
+
+    def update(self, columns: Indices, H: Array, innovation: Array, R: Array, gate: float = np.inf) -> UpdateResult:
+        """As Belief.update_rows, at the present means; changes nothing unless its nis is below the gate."""
+        proposed = self.propose(columns, H, innovation, R)
+        if proposed.nis < gate:
+            self.apply(proposed)
+        return proposed
 
     def _keep(self, rows: Array) -> None:
         """Append rows to W, in a store that doubles when it is full."""

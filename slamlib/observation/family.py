@@ -4,26 +4,37 @@ A family is one value in a module of this folder, found by a walk (observation.F
 file. The methods here are those of a family whose measurements are rows of numbers; what it must define is abstract.
 """
 
-from __future__ import annotations
-
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 
+from slamlib.belief import Belief
+from slamlib.data.plain import Finite, Plain, Positive
+from slamlib.entities import Landmark, RigSensor
+from slamlib.entities.landmark import landmark_means, state_rows
+from slamlib.entities.linearization import Linearization
 from slamlib.geometry.pose import compose
-from slamlib.kalman import state
 from slamlib.manifolds import Array, Indices, Mask, read_only
 from slamlib.sensors.sensor import Calibration
 
-if TYPE_CHECKING:  # the filter is above this folder; only the type checker imports it
-    from slamlib.belief import Belief
-    from slamlib.slam.entities import Landmark, RigSensor
-    from slamlib.slam.linearization import Linearization
-    from slamlib.slam.options import Options
+
+@dataclass(frozen=True, repr=False)
+class FamilyOptions(Plain):
+    """Options of all families. others: parametrizations of new landmarks, of families without an option of their own.
+
+    inverse_distance: mean and standard deviation [1/m] of the prior for what a bearing does not measure.
+    """
+
+    inverse_distance: tuple[Finite, Positive] = (0.25, 0.25)
+    others: dict[str, str] | None = None
+
+
+FamilyOptionsT = TypeVar("FamilyOptionsT", bound=FamilyOptions)  # the options of one family
 
 
 class PredictedBatch(NamedTuple):
@@ -38,16 +49,16 @@ class PredictedBatch(NamedTuple):
     innovation_input: Array
     jacobian: Array
     columns: Indices
-    options: Options | None = None
+    options: Any = None  # those of its family
 
-    def take(self, rows: list[int]) -> PredictedBatch:
+    def take(self, rows: list[int]) -> "PredictedBatch":
         """Select landmarks, in this order."""
         value, inner, by = (array.take(rows, axis=0) for array in (self.value, self.innovation_input, self.jacobian))
         landmarks = [self.landmarks[i] for i in rows]
         return PredictedBatch(landmarks, value, inner, by, self.columns.take(rows, axis=0), self.options)
 
     @classmethod
-    def nothing(cls, size: int) -> PredictedBatch:
+    def nothing(cls, size: int) -> "PredictedBatch":
         """No landmark in view; measurements of `size` numbers."""
         return cls([], np.zeros((0, size)), np.zeros((0, size)), np.zeros((0, size, 0)), np.zeros((0, 0), dtype=int))
 
@@ -98,17 +109,6 @@ def _composed(robot: bytes, extrinsics: bytes, is_estimated: bool) -> tuple[Arra
     return read_only(pose), read_only(np.concatenate(J, axis=1) if is_estimated else J.outer)
 
 
-def landmark_means(landmarks: list[Landmark]) -> Array:
-    """Means (n, size) of landmarks of one kind."""
-    return state.stacked_means([landmark.block for landmark in landmarks])
-
-
-def state_rows(landmarks: list[Landmark]) -> Indices:
-    """Rows (n, dof) of the joint covariance of landmarks of one kind."""
-    starts: Indices = np.array([landmark.block.start for landmark in landmarks])
-    return starts[:, None] + np.arange(landmarks[0].block.dof)
-
-
 def state_columns(sensor: RigSensor, landmarks: list[Landmark]) -> Indices:
     """Rows (n, k) of the joint covariance on which each landmark's measurement depends; landmarks of one kind."""
     shared, own = sensor.columns, state_rows(landmarks)
@@ -135,7 +135,7 @@ def product(left: Array, right: Array) -> Array:
     return np.einsum("...ij,...jk->...ik", left, right)
 
 
-class Family(ABC):
+class Family(ABC, Generic[FamilyOptionsT]):
     """A family of landmarks: its name, the class of its parametrizations, and these by name.
 
     world_size: how many numbers describe one in the simulated world (points: 3); exact: the parametrization whose state
@@ -149,9 +149,9 @@ class Family(ABC):
     exact: Any = None
     parts: int = 1
 
-    def new_kind(self, options: Options) -> Any:
+    def new_kind(self, options: FamilyOptionsT) -> Any:
         """The parametrization of new landmarks, or None for none."""
-        name = options.parametrization_of(self.name)
+        name = (options.others or {}).get(self.name)
         return self.parametrizations[name] if name else None
 
     def size(self, calibration: Calibration) -> int:
@@ -162,7 +162,7 @@ class Family(ABC):
         """Whether a sensor, which has `calibration`, measures landmarks of this family: here, every sensor."""
         return True
 
-    def usable(self, sensor: RigSensor, values: Array, options: Options) -> Mask:
+    def usable(self, sensor: RigSensor, values: Array, options: FamilyOptionsT) -> Mask:
         """Mask (n,) of the measurements (n, m) by which a landmark may be initialized."""
         return np.ones(len(values), dtype=bool)
 
@@ -172,13 +172,15 @@ class Family(ABC):
         measurement, or what `residual` takes; the mask of those in view; and the Jacobians w.r.t. the pose (n, q, 6)
         and the landmark (n, q, dof), as `jacobians.camera` and `jacobians.landmark`."""
 
-    def residual(self, sensor: RigSensor, inner: Array, by: Array, measured: Array, options: Any) -> Innovation:
+    def residual(
+        self, sensor: RigSensor, inner: Array, by: Array, measured: Array, options: FamilyOptionsT
+    ) -> Innovation:
         """Innovation, measured minus predicted: of one measurement (m,) or many (n, m), from `observe`'s results, with
         its Jacobian `by` w.r.t. the rows of the covariance."""
         z, noise = sensor.calibration.sensor.manifold.minus(measured, inner), sensor.calibration.noise
         return Innovation(z, by, noise if z.ndim == 1 else noise[None].repeat(len(z), axis=0))
 
-    def predict_batch(self, view: Viewpoint, landmarks: list[Landmark], options: Options) -> PredictedBatch:
+    def predict_batch(self, view: Viewpoint, landmarks: list[Landmark], options: FamilyOptionsT) -> PredictedBatch:
         """Predict the measurements of landmarks of one kind; those out of view are left out."""
         kind, calibration, means = landmarks[0].kind, view.sensor.calibration, landmark_means(landmarks)
         value, visible, J = self.observe(kind, calibration, view.pose, means)
@@ -191,11 +193,18 @@ class Family(ABC):
         by = columns_jacobian(view, J.camera.take(seen, axis=0), J.landmark.take(seen, axis=0))
         return PredictedBatch(looked, value, value, by, state_columns(view.sensor, looked), options)
 
+    def linearized(self, sensor: RigSensor, expected: PredictedBatch) -> tuple[Array, Array]:
+        """Jacobians H (n, d, k) and noises R (n, d, d) of predicted measurements, at what is predicted."""
+        noise = sensor.calibration.noise
+        return expected.jacobian, noise[None].repeat(len(expected.landmarks), axis=0)
+
     def batch_innovation(self, sensor: RigSensor, expected: PredictedBatch, measured: Array) -> Innovation:
         """Innovations of measurements (n, m) of predicted landmarks."""
         return self.residual(sensor, expected.innovation_input, expected.jacobian, measured, expected.options)
 
-    def innovation(self, view: Viewpoint, landmark: Landmark, measured: Array, options: Options) -> Innovation | None:
+    def innovation(
+        self, view: Viewpoint, landmark: Landmark, measured: Array, options: FamilyOptionsT
+    ) -> Innovation | None:
         """The innovation of one landmark at the present means; None if it is out of view there."""
         kind, calibration = landmark.kind, view.sensor.calibration
         inner, visible, J = self.observe(kind, calibration, view.pose, landmark.block.mean)
@@ -212,7 +221,7 @@ class Family(ABC):
 
     @abstractmethod
     def initialize(
-        self, sensor: RigSensor, kind: Any, value: Array, options: Options
+        self, sensor: RigSensor, kind: Any, value: Array, options: FamilyOptionsT
     ) -> tuple[Array, Array, list[Array]]:
         """Mean (size,), own noise (dof, dof) and Jacobians (dof, 6) w.r.t. robot and extrinsics of a new landmark."""
 
@@ -220,8 +229,8 @@ class Family(ABC):
         """The abscissas of a new landmark's two endpoints, by its parametrization; None for one without endpoints."""
         return np.array(kind.abscissas, dtype=float) if hasattr(kind, "abscissas") else None
 
-    def after_update(  # noqa: B027 - most families have nothing to do here, nor in `check`
-        self, belief: Belief, sensor: RigSensor, landmarks: list[Landmark], measured: Array, options: Options
+    def after_update(
+        self, belief: Belief, sensor: RigSensor, landmarks: list[Landmark], measured: Array, options: FamilyOptionsT
     ) -> None:
         """Treat landmarks of one kind after a measurement update: here, do nothing."""
 
@@ -237,7 +246,7 @@ class Family(ABC):
         """Distance [m] of a landmark, as `geometry` returns it, from the true one (world_size,)."""
         return float(np.linalg.norm(geometry - there))
 
-    def check(self, name: str, calibration: Calibration) -> None:  # noqa: B027
+    def check(self, name: str, calibration: Calibration) -> None:
         """Raise SlamlibError if a sensor of this name cannot be simulated with landmarks of the family."""
 
     def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:

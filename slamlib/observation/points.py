@@ -3,30 +3,27 @@
 landmark --to_frame--> homogeneous point in the sensor's frame --project--> measurement, and back.
 """
 
-from __future__ import annotations
-
 from collections import namedtuple
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Annotated, Any
 
 import numpy as np
 
+from slamlib.belief import Belief
+from slamlib.data.plain import NotNegative, OneOf, Range
+from slamlib.entities import Landmark, RigSensor
+from slamlib.entities.landmark import landmark_means, state_rows
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import ORIGIN, compose
 from slamlib.kalman.linalg import principal_blocks
 from slamlib.landmarks import POINTS
 from slamlib.landmarks.euc_point import EUC_POINT
-from slamlib.landmarks.linearity import beyond_infinity, should_convert, to_euclidean
+from slamlib.landmarks.linearity import THRESHOLD, beyond_infinity, should_convert, to_euclidean
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import Array, Indices, Mask
-from slamlib.observation.family import Family, landmark_means, product, state_columns, state_rows, viewpoint
+from slamlib.observation.family import Family, FamilyOptions, product, state_columns, viewpoint
 from slamlib.sensors.sensor import Calibration
-
-if TYPE_CHECKING:
-    from slamlib.belief import Belief
-    from slamlib.slam.entities import Landmark, RigSensor
-    from slamlib.slam.options import Options
 
 PLACEHOLDER_POINT = np.array([0.25, 0.5, 1, 1])  # for points that cannot be measured: so their rows are finite
 
@@ -153,7 +150,17 @@ def _fields(names: tuple[str, ...]) -> Any:
     return namedtuple("Jacobians", names)
 
 
-class PointFamily(Family):
+@dataclass(frozen=True, repr=False)
+class PointOptions(FamilyOptions):
+    """Options of points, as slamlib.Options explains them."""
+
+    points: Annotated[str, OneOf(POINTS)] | None = "idpPnt"
+    convert: bool = True
+    convert_below: NotNegative = THRESHOLD
+    margin: Annotated[float, Range(ge=0, lt=0.5)] = 0.04
+
+
+class PointFamily(Family[PointOptions]):
     """Points: every sensor measures them."""
 
     name = "points"
@@ -161,7 +168,11 @@ class PointFamily(Family):
     parametrizations = POINTS
     exact = EUC_POINT
 
-    def usable(self, sensor: RigSensor, values: Array, options: Options) -> Mask:
+    def new_kind(self, options: PointOptions) -> PointLandmark | None:
+        """The parametrization of new points, or None for none."""
+        return POINTS[options.points] if options.points else None
+
+    def usable(self, sensor: RigSensor, values: Array, options: PointOptions) -> Mask:
         """Mask (n,) of the measurements (n, m) that may initialize a landmark: not too near the image's border."""
         image = sensor.calibration.image
         return sensor.calibration.inside(values, 0.0 if image is None else options.margin * image[0])
@@ -179,7 +190,7 @@ class PointFamily(Family):
         return np.where(seen, calibration.project(np.where(seen, in_frame, PLACEHOLDER_POINT)), np.nan)
 
     def initialize(
-        self, sensor: RigSensor, kind: PointLandmark, value: Array, options: Options
+        self, sensor: RigSensor, kind: PointLandmark, value: Array, options: PointOptions
     ) -> tuple[Array, Array, list[Array]]:
         """Mean, own noise and Jacobians w.r.t. robot and extrinsics of a new point. Chapter initialization."""
         mean, std = options.inverse_distance
@@ -192,7 +203,7 @@ class PointFamily(Family):
         return x, own, [J.robot, J.extrinsics]
 
     def after_update(
-        self, belief: Belief, sensor: RigSensor, landmarks: list[Landmark], measured: Array, options: Options
+        self, belief: Belief, sensor: RigSensor, landmarks: list[Landmark], measured: Array, options: PointOptions
     ) -> None:
         """After a measurement update: convert points that are known well enough to Euclidean ones. Chapter points."""
         kind = landmarks[0].kind

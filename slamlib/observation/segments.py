@@ -1,11 +1,14 @@
 """Straight lines as a family of landmarks: measured as segments, estimated as infinite lines with two endpoints."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, field
+from typing import Annotated, Any
 
 import numpy as np
 
+from slamlib.belief import Belief
+from slamlib.data.plain import Finite, NotNegative, OneOf, Positive, Range
+from slamlib.entities import Landmark, RigSensor
+from slamlib.entities.landmark import landmark_means, state_rows
 from slamlib.errors import SlamlibError
 from slamlib.kalman.linalg import principal_blocks
 from slamlib.landmarks import LINES, endpoints, hmg_point, segments
@@ -14,26 +17,43 @@ from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation.family import (
     Family,
+    FamilyOptions,
     Innovation,
     PredictedBatch,
     Viewpoint,
-    landmark_means,
-    state_rows,
     viewpoint,
 )
 from slamlib.observation.lines import RESIDUALS, distort_segments, initialize_line, rays_of
 from slamlib.observation.points import PLACEHOLDER_POINT, named
 from slamlib.sensors.sensor import Calibration
 
-if TYPE_CHECKING:
-    from slamlib.belief import Belief
-    from slamlib.slam.entities import Landmark, RigSensor
-    from slamlib.slam.options import Options
-
 CONVERGED_RATIO = 0.1  # of a segment's length: the largest standard deviation of an endpoint of a converged line
 
 
-class LineFamily(Family):
+Prior = tuple[tuple[Finite, Finite], tuple[Positive, Positive]]
+PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
+
+
+@dataclass(frozen=True, repr=False)
+class LineOptions(FamilyOptions):
+    """Options of lines, as slamlib.Options explains them."""
+
+    lines: Annotated[str, OneOf(LINES)] | None = None
+    line_priors: dict[Annotated[str, OneOf(LINES)], Prior] = field(
+        default_factory=lambda: {"plkLin": PLUCKER, "aplLin": PLUCKER}
+    )
+    innovation: Annotated[str, OneOf(RESIDUALS)] = "ortDst"
+    extend: bool = True
+    extend_switch: NotNegative = 10.0
+    minimum_length: Annotated[float, Range(ge=0, unit="px")] = 20.0
+
+    def line_prior(self, name: str) -> Prior:
+        """Prior means and standard deviations of what a segment does not measure of a line of this parametrization."""
+        mean, std = self.inverse_distance
+        return self.line_priors.get(name, ((mean, mean), (std, std)))
+
+
+class LineFamily(Family[LineOptions]):
     """Straight lines, measured as segments: prediction, innovation, initialization, constraint, and endpoints."""
 
     name = "segments"
@@ -46,15 +66,24 @@ class LineFamily(Family):
         """A segment is two pixels."""
         return 4
 
+    def new_kind(self, options: LineOptions) -> LineLandmark | None:
+        """The parametrization of new lines, or None for none."""
+        return LINES[options.lines] if options.lines else None
+
+    def linearized(self, sensor: RigSensor, expected: PredictedBatch) -> tuple[Array, Array]:
+        """Jacobians H (n, 2, k) and noises R (n, 2, 2) of the residual, which both depend on the segment predicted."""
+        found = self.batch_innovation(sensor, expected, expected.value)
+        return found.H, found.R
+
     def supports(self, sensor: RigSensor) -> bool:
         """Lines need a camera that maps them to straight lines, and has an image."""
         return sensor.calibration.sensor.project_line is not None and sensor.calibration.image is not None
 
-    def usable(self, sensor: RigSensor, values: Array, options: Options) -> Mask:
+    def usable(self, sensor: RigSensor, values: Array, options: LineOptions) -> Mask:
         """Mask (n,) of the segments (n, 4) that may initialize a landmark: long enough."""
         return segments.length(values) >= options.minimum_length
 
-    def predict_batch(self, view: Viewpoint, landmarks: list[Landmark], options: Options) -> PredictedBatch:
+    def predict_batch(self, view: Viewpoint, landmarks: list[Landmark], options: LineOptions) -> PredictedBatch:
         """Predict segments between the lines' endpoints; those out of view are left out."""
         kind, means = landmarks[0].kind, landmark_means(landmarks)
         end_points = hmg_point.to_frame(
@@ -78,13 +107,13 @@ class LineFamily(Family):
         visible: Any = np.True_ if line.ndim == 1 else np.ones(line.shape[:-1], dtype=bool)
         return line, visible, named({"camera": J.pose, "landmark": J.landmark})
 
-    def residual(self, sensor: RigSensor, inner: Array, by: Array, measured: Array, options: Any) -> Innovation:
+    def residual(self, sensor: RigSensor, inner: Array, by: Array, measured: Array, options: LineOptions) -> Innovation:
         """Residuals (n, 2) of measured segments (n, 4) from lines (n, 6) in the sensor's frame; options.innovation."""
         z, by_line, by_segment = RESIDUALS[options.innovation](sensor.calibration, inner, measured)
         return Innovation(z, -by_line @ by, by_segment @ _noise(sensor) @ by_segment.swapaxes(-1, -2))
 
     def initialize(
-        self, sensor: RigSensor, kind: LineLandmark, value: Array, options: Options
+        self, sensor: RigSensor, kind: LineLandmark, value: Array, options: LineOptions
     ) -> tuple[Array, Array, list[Array]]:
         """Mean, own noise and Jacobians w.r.t. robot and extrinsics of a new line. Chapter initialization."""
         means, stds = (np.array(numbers) for numbers in options.line_prior(kind.name))
@@ -93,7 +122,7 @@ class LineFamily(Family):
         return x, own, [J.robot, J.extrinsics]
 
     def after_update(
-        self, belief: Belief, sensor: RigSensor, landmarks: list[Landmark], measured: Array, options: Options
+        self, belief: Belief, sensor: RigSensor, landmarks: list[Landmark], measured: Array, options: LineOptions
     ) -> None:
         """After an update: enforce the line constraint, let the endpoints follow the measured ones. Chapter lines."""
         kind = landmarks[0].kind

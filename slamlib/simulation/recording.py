@@ -34,6 +34,7 @@ from slamlib.data.records import Control, Features, Frame, Scan, Truth, World
 from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
 from slamlib.observation import FAMILIES
+from slamlib.simulation.worlds import check_world
 
 FORMAT, VERSION = "slamlib recording", 1
 Pairs = list[tuple[Frame, Truth | None]]
@@ -68,9 +69,11 @@ def save(path: str | Path, frames: Iterable[tuple[Frame, Truth | None]], *, rig:
         "number": np.array([f.number for f in own], np.int64),
         "dt": np.array([f.dt for f in own], float),
         "world.faces": world.faces,
-        **{f"world.{x}.ids": features.ids for x, features in world.features.items()},
-        **{f"world.{x}.values": features.values for x, features in world.features.items()},
     }
+    check_world(world, "save")
+    for x, family in FAMILIES.items():
+        things = world.features.get(x, Features.none(family.world_size))
+        arrays |= {f"world.{x}.ids": things.ids, f"world.{x}.values": things.values}
     for i, setup in enumerate(rig.robots):
         arrays |= _from_controls(f"robot{i}", [f.controls[i] for f in own], setup.model.control)
         if truths:

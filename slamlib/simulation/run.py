@@ -13,6 +13,7 @@ from slamlib.data.setup import Rig, RobotSetup
 from slamlib.errors import ShapeError, SlamlibError, entry
 from slamlib.manifolds import Array, finite, numbers, read_only_copy
 from slamlib.simulation.sensors import Faults, SimulatedSensor, Streams, drawn, root, streams
+from slamlib.simulation.worlds import check_world
 
 # By name: the shares of the drawn noise in the truth, and in the control given to the estimator.
 NOISE_IN = {"truth": (1.0, 0.0), "control": (0.0, 1.0)}
@@ -94,6 +95,7 @@ def simulate(
             f"controls holds one entry for each of the {len(rig.robots)} robots (None: its setup's own), got "
             f"{len(given)}; put the controls of a single robot into a list: controls=[...]"
         )
+    check_world(world, "simulate")
     own, seen = streams(rng, len(rig.robots) + len(rig.sensors)), world if occlusion else World(world.features)
     robots = [
         SimulatedRobot(setup, _plan(control, setup, frames), shares, stream)

@@ -6,7 +6,7 @@ that is drawn at random has a stream of its own.
 
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -125,7 +125,7 @@ class SimulatedSensor:
         self.root = root(self.calibration.noise)
         self.clutter = Clutter(self.calibration, _reach(world)) if faults.outlier else None
         for name, family in FAMILIES.items():
-            if len(world.features[name]):
+            if len(world.of(name)):
                 family.check(setup.name, self.calibration)
 
     def scan(self, robot: Array) -> Scan:
@@ -133,8 +133,8 @@ class SimulatedSensor:
         camera = compose(robot, self.extrinsics)
         return Scan({name: self._features(family, camera) for name, family in FAMILIES.items()})
 
-    def _features(self, family: Family, camera: Array) -> Features:
-        things, size = self.world.features[family.name], len(self.root)
+    def _features(self, family: Family[Any], camera: Array) -> Features:
+        things, size = self.world.of(family.name), len(self.root)
         if not len(things) or not family.supports(self):  # type: ignore[arg-type]  # both have a calibration
             return Features.none(family.size(self.calibration))
         shape = (len(things), size) if family.parts == 1 else (len(things), family.parts, size)

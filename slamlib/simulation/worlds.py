@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike
 
 from slamlib.data.plain import Count, Finite, Positive, Range, read_fields
 from slamlib.data.records import Features, World
-from slamlib.errors import SlamlibError, entry
+from slamlib.errors import ShapeError, SlamlibError, entry
 from slamlib.manifolds import Array, numbers
+from slamlib.observation import FAMILIES
 
 QUARTER = np.array([[0.0, 1.0], [-1.0, 0.0]])  # rows times this: a quarter turn to the left
 
@@ -31,11 +32,20 @@ def _rows(values: ArrayLike, *shape: int) -> Array:
     return rows if rows.size else np.zeros((0, *shape))
 
 
+def check_world(world: World, function: str) -> None:
+    """Raise UnknownNameError for an unknown family, ShapeError for things of another size than the family's."""
+    for name, things in world.features.items():
+        size = entry("family of landmarks", name, FAMILIES).world_size
+        if things.values.shape[1] != size:
+            raise ShapeError(f"{function}: {name} of a world have {size} numbers each, got {things.values.shape[1]}")
+
+
 def join(*worlds: World) -> World:
     """Join worlds into one, with new ids: points 1 to N, segments N + 1 and on, each in the order of the worlds."""
     features, end = {}, 1
-    for name, nothing in World().features.items():
-        values = np.concatenate([w.features[name].values for w in worlds] or [nothing.values])
+    for name, family in FAMILIES.items():
+        nothing = np.zeros((0, family.world_size))
+        values = np.concatenate([nothing, *(w.features[name].values for w in worlds if name in w.features)])
         features[name] = Features(end + np.arange(len(values)), values)
         end += len(values)
     return World(features, np.concatenate([w.faces for w in (World(), *worlds)]))

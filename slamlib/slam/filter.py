@@ -9,32 +9,24 @@ from typing import Any
 import numpy as np
 
 from slamlib.belief import Belief
+from slamlib.data.files import complete
 from slamlib.data.records import Control, Frame, Scan
 from slamlib.data.setup import Rig
 from slamlib.data.snapshots import Snapshot
+from slamlib.entities import Landmark, RigSensor, Robot, State
+from slamlib.entities.linearization import FirstEstimates, Linearization
 from slamlib.errors import SingularPointError, SlamlibError, entry
-from slamlib.geometry.pose import Pose
+from slamlib.geometry.pose import Pose, compose
 from slamlib.manifolds import Array
 from slamlib.observation import FAMILIES, Family
 from slamlib.slam import checkpoint, transport
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
-from slamlib.slam.data_association.front_end import FrontEnd, FrontEndInput, KnownAssociation
-from slamlib.slam.entities import Landmark, RigSensor, Robot
-from slamlib.slam.linearization import FirstEstimates, Linearization
+from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput, KnownAssociation, match
+from slamlib.slam.data_association.selection import select
 from slamlib.slam.map_management import Report, is_bad, out_of_window, prune_candidate
-from slamlib.slam.measurement_update import (
-    KIND,
-    Predictions,
-    RobotUpdate,
-    after_update,
-    group_by_kind,
-    predict_measurements,
-    select_and_match,
-    update_by_robot,
-    update_in_batch,
-    update_sequentially,
-)
+from slamlib.slam.measurement_update import RobotUpdate, convert, update_by_robot, update_in_batch, update_sequentially
 from slamlib.slam.options import Options
+from slamlib.slam.prediction import Predictions, predict_measurements
 from slamlib.slam.snapshot import snapshot_of
 
 
@@ -55,21 +47,16 @@ class Slam:
     ) -> None:
         """front_ends: one for each sensor, which finds its measurements (default: KnownAssociation)."""
         self.rig, self._options = rig, Options()
-        self.belief = Belief()
-        self.robots = [Robot(r.name, r.model, self.belief.add(r.model.manifold, r.state, r.covariance), r.noise)
-                       for r in rig.robots]  # fmt: skip
-        self.sensors = [self._rig_sensor(s) for s in rig.sensors]
+        self.state = _state_of(rig)
         self.front_ends: list[FrontEnd] = list(front_ends or [KnownAssociation()] * len(self.sensors))
         if len(self.front_ends) != len(self.sensors):
             raise SlamlibError(f"Slam: {len(self.sensors)} sensors need as many front ends, got {len(self.front_ends)}")
-        self.families: dict[str, Family] = dict(FAMILIES)
-        self.landmarks: list[Landmark] = []
+        self.families: dict[str, Family[Any]] = dict(FAMILIES)
         self.number, self.time = 0, 0.0
         self.frame_counts = [0] * len(self.sensors)
         self.scans: list[Scan | None] = [None] * len(self.sensors)
         self.predictions: list[Predictions] = [[] for _ in self.sensors]
         self.absolute: list[RobotUpdate] = []
-        self.landmark_groups: tuple[Any, list[Any]] = None, []  # by kind, in this layout of the blocks
         self.options = options or Options()
 
     def __repr__(self) -> str:
@@ -89,26 +76,40 @@ class Slam:
 
     @options.setter
     def options(self, options: Options) -> None:
-        transport.check(self, options)
+        kinds = [family.new_kind(options) for family in self.families.values()]
+        transport.check(self.robots, [kind for kind in kinds if kind is not None], options.error)
         if options.error != self._options.error:
             self.linearization = FirstEstimates() if options.error == "first-estimates" else None
         self._options = options
 
-    def _rig_sensor(self, setup: Any) -> RigSensor:
-        block = self.belief.add(Pose, setup.extrinsics, setup.covariance) if setup.estimated else None
-        return RigSensor(setup.name, self.robots[setup.robot], setup.calibration, setup.extrinsics, block)
+    @property
+    def belief(self) -> Belief:
+        """The joint Gaussian of all blocks."""
+        return self.state.belief
+
+    @property
+    def robots(self) -> list[Robot]:
+        """The robots, in the order of the rig."""
+        return self.state.robots
+
+    @property
+    def sensors(self) -> list[RigSensor]:
+        """The sensors, in the order of the rig."""
+        return self.state.sensors
+
+    @property
+    def landmarks(self) -> list[Landmark]:
+        """The landmarks in the map, in the order in which they were initialized."""
+        return self.state.landmarks
 
     @property
     def linearization(self) -> Linearization | None:
         """The linearization points; None: the present means."""
-        return self.sensors[0].linearization
+        return self.state.linearization
 
     @linearization.setter
     def linearization(self, linearization: Linearization | None) -> None:
-        for sensor in self.sensors:
-            sensor.linearization = linearization
-        if linearization is not None:
-            linearization.added(self.belief.blocks, [block.mean for block in self.belief.blocks])
+        self.state.linearization = linearization
 
     def step(self, frame: Frame, *, update: bool = True, first: bool = False) -> Report:
         """Process one frame: all robots move; then each sensor updates the map and initializes new landmarks.
@@ -125,9 +126,8 @@ class Slam:
             update_by_robot(self.belief, self.robots[measured.robot], measured, self.linearization, self.options)
             for measured in frame.absolute
         ]
-        for i, (sensor, scan) in enumerate(zip(self.sensors, frame.scans, strict=True)):
-            self.scans[i] = scan
-            self.predictions[i] = predict_measurements(self.belief, sensor, self.families, self.landmarks, self.options)
+        for i, scan in enumerate(frame.scans):
+            self.scans[i], self.predictions[i] = scan, self.project(i)
             if update:
                 self._update(i, scan)
             self._delete(self.predictions[i], report)
@@ -140,6 +140,15 @@ class Slam:
         self.time += dt
         for robot, control in zip(self.robots, controls, strict=True):
             self._predict(robot, control, dt)
+
+    def project(self, sensor: int = 0, motion: Array | None = None) -> Predictions:
+        """Predict the measurements of a sensor (by its index); nothing is changed.
+
+        motion (7,): as they will be when its robot has moved by this pose, in its own frame.
+        """
+        own = self.sensors[sensor]
+        robot = None if motion is None else compose(own.robot.pose, motion)
+        return predict_measurements(self.belief, own, self.families, self.landmarks, self.options, robot)
 
     def _check(self, frame: Frame) -> None:
         given, wanted = (len(frame.controls), len(frame.scans)), (len(self.robots), len(self.sensors))
@@ -179,71 +188,50 @@ class Slam:
             self.linearization.predicted(robot.block)
 
     def _update(self, i: int, scan: Scan) -> None:
-        sensor, predictions = self.sensors[i], self.predictions[i]
-        matched = select_and_match(FrontEndInput(scan, sensor, predictions), self.front_ends[i], self.options)
-        for group in OUTLIER_REJECTIONS[self.options.outlier_rejection](self.belief, sensor, matched, self.options):
-            with transport.TRANSPORTS[self.options.error](self, sensor) as project:
-                update = partial(update_sequentially, project=project) if self.options.reproject else update_in_batch
-                update(self.belief, sensor, group, self.options)
+        """Select, match, gate, update, convert: with the measurements of one sensor."""
+        sensor, options = self.sensors[i], self.options
+        inputs, front_end = FrontEndInput(scan, sensor, self.predictions[i]), self.front_ends[i]
+        chosen = select(inputs, front_end, options.selection, options.updates)
+        matched = match(inputs, front_end, chosen)
+        for group in OUTLIER_REJECTIONS[options.outlier_rejection](self.belief, sensor, matched, options):
+            with transport.TRANSPORTS[options.error](self.state, sensor) as projection:
+                if options.reproject:
+                    update_sequentially(self.belief, sensor, group, options, projection)
+                else:
+                    update_in_batch(self.belief, sensor, group, options)
         for prediction in matched:
             if prediction.inlier:
                 prediction.landmark.last_seen = self.number
-        after_update(self.belief, sensor, matched, self.options)
+        convert(self.belief, sensor, matched, options)
 
     def _delete(self, predictions: Predictions, report: Report) -> None:
         """Delete landmarks seldom found where predicted or often outliers, out of the window, or beyond infinity."""
         bad = {p.landmark for p in predictions if p.chosen and is_bad(p.landmark, self.options)}
         bad.update(out_of_window(self.landmarks, self.number, self.options))
-        for group in group_by_kind(self.landmarks, KIND):
+        for rows in self.state.kinds():
             for family in self.families.values():
-                if isinstance(group[0].kind, family.kinds):
-                    bad |= family.invalid(self.belief, group)
+                if isinstance(rows.landmarks[0].kind, family.kinds):
+                    bad |= family.invalid(self.belief, rows.landmarks)
         for landmark in [lm for lm in self.landmarks if lm in bad] if bad else ():
             self.prune(landmark)
             report.deleted.append(landmark.id)
 
-    def snapshot(self) -> Snapshot:
-        """Return a copy of everything that may be shown of the filter; it never changes."""
-        return snapshot_of(self)
-
-    def save(self, path: str | Path, **extra: Any) -> None:
-        """Write the filter to one file, atomically; extra: plain data that `resume` returns."""
-        checkpoint.save(self, path, **extra)
-
-    @classmethod
-    def load(cls, path: str | Path, *, front_ends: Sequence[FrontEnd] | None = None) -> "Slam":
-        """Load the filter of a file: it continues bit for bit like the saved one. Raises SlamlibError."""
-        return cls.resume(path, front_ends=front_ends)[0]
-
-    @classmethod
-    def resume(cls, path: str | Path, *, front_ends: Sequence[FrontEnd] | None = None) -> tuple["Slam", Any]:
-        """Load the filter of a file, together with the extra data that were saved with it."""
-        return checkpoint.load(path, front_ends, cls)
-
-    def prune(self, landmark: Landmark) -> None:
-        """Delete a landmark from the map: what remains is the marginal of the others."""
-        self.belief.remove(landmark.block)
-        self.landmarks.remove(landmark)
-
     def _initialize(self, i: int, scan: Scan, count: int, report: Report) -> None:
+        """Initialize up to `count` landmarks of each family by what one sensor has measured."""
         sensor = self.sensors[i]
         inputs = FrontEndInput(scan, sensor, self.predictions[i])
         self.frame_counts[i] += 1
         for family in self.families.values():
-            kind = family.new_kind(self.options)
-            if kind is None or not family.supports(sensor):
+            if family.new_kind(self.options) is None or not family.supports(sensor):
                 continue
             known = {landmark.id for landmark in self.landmarks}
             usable = partial(family.usable, sensor, options=self.options)
-            found = self.front_ends[i].detect(inputs, family.name, known, usable, count)
-            for number, value, signature in found:
-                self._initialize_one(family, i, kind, number, value, signature, report)
+            for detected in self.front_ends[i].detect(inputs, family.name, known, usable, count):
+                self._initialize_one(i, family, detected, report)
 
-    def _initialize_one(
-        self, family: Family, i: int, kind: Any, number: int, value: Array, signature: Any, report: Report
-    ) -> None:
+    def _initialize_one(self, i: int, family: Family[Any], detected: Detected, report: Report) -> None:
         """Initialize one landmark; at the capacity another one is pruned for it, or it is refused."""
-        sensor = self.sensors[i]
+        sensor, kind, (number, value, signature) = self.sensors[i], family.new_kind(self.options), detected
         try:
             x, noise, jacobians = family.initialize(sensor, kind, value, self.options)
         except SingularPointError:
@@ -263,3 +251,44 @@ class Slam:
         own = {"abscissas": family.abscissas(kind), "sensor": i, "signature": signature, "first_measured": value}
         self.landmarks.append(Landmark(number, kind, block, self.number, **own))
         report.initialized.append(number)
+
+    def prune(self, landmark: Landmark) -> None:
+        """Delete a landmark from the map: what remains is the marginal of the others."""
+        self.state.remove(landmark)
+
+    def snapshot(self) -> Snapshot:
+        """Return a copy of everything that may be shown of the filter; it never changes."""
+        shown = self.state, self.families, self.scans, self.predictions
+        return snapshot_of(*shown, number=self.number, time=self.time)
+
+    def save(self, path: str | Path, **extra: Any) -> None:
+        """Write the filter to one file, atomically; extra: plain data that `resume` returns."""
+        own = {"rig": self.rig.to_dict(), "options": self.options.to_dict(), "number": self.number, "time": self.time}
+        header, arrays = checkpoint.pack(self.state, self.front_ends)
+        checkpoint.write(path, {**own, "frame_counts": self.frame_counts, **header, "extra": extra}, arrays)
+
+    @classmethod
+    def load(cls, path: str | Path, *, front_ends: Sequence[FrontEnd] | None = None) -> "Slam":
+        """Load the filter of a file: it continues bit for bit like the saved one. Raises SlamlibError."""
+        return cls.resume(path, front_ends=front_ends)[0]
+
+    @classmethod
+    def resume(cls, path: str | Path, *, front_ends: Sequence[FrontEnd] | None = None) -> tuple["Slam", dict[str, Any]]:
+        """Load the filter of a file, together with the extra data that were saved with it. Raises SlamlibError."""
+        header, arrays = checkpoint.read(path)
+        with complete(path):
+            slam = cls(Rig.from_dict(header["rig"]), Options.from_dict(header["options"]), front_ends=front_ends)
+            checkpoint.unpack(slam.state, slam.front_ends, header, arrays)
+            slam.number, slam.time, slam.frame_counts = header["number"], header["time"], header["frame_counts"]
+            return slam, header["extra"]
+
+
+def _state_of(rig: Rig) -> State:
+    """The robots at their starts, and the sensors, with a block for the extrinsics of each that are estimated."""
+    belief = Belief()
+    robots = [Robot(r.name, r.model, belief.add(r.model.manifold, r.state, r.covariance), r.noise) for r in rig.robots]
+    sensors = []
+    for setup in rig.sensors:
+        block = belief.add(Pose, setup.extrinsics, setup.covariance) if setup.estimated else None
+        sensors.append(RigSensor(setup.name, robots[setup.robot], setup.calibration, setup.extrinsics, block))
+    return State(belief, robots, sensors)

@@ -2,12 +2,30 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Annotated, Any
 
-from slamlib.slam.entities import Landmark
+from slamlib.data.plain import Count, OneOf, Plain, Share, Whole
+from slamlib.entities import Landmark
 
-if TYPE_CHECKING:
-    from slamlib.slam.options import Options
+# The rank of a landmark, by the name of a rule: the lowest is pruned first.
+PRUNING_RULES: dict[str, Callable[[Landmark], Any]] = {
+    # the last frame as an inlier; of equals, the number of inliers
+    "least-recently-seen": lambda landmark: (landmark.last_seen, landmark.inliers),
+    # the share of searches that gave an inlier; of equals, the last frame as an inlier
+    "least-reliable": lambda landmark: (landmark.inliers / landmark.searched, landmark.last_seen),
+}
+
+
+@dataclass(frozen=True, repr=False)
+class MapOptions(Plain):
+    """Options of what stays in the map, as slamlib.Options explains them."""
+
+    capacity: Whole | None = None
+    pruning: Annotated[str, OneOf(PRUNING_RULES)] | None = None
+    window: Whole | None = None
+    min_searches: Count = 10
+    min_matched_ratio: Share = 0.1
+    min_inlier_ratio: Share = 0.5
 
 
 @dataclass(frozen=True)
@@ -19,12 +37,12 @@ class Report:
     refused: list[int] = field(default_factory=list)
 
 
-def out_of_window(landmarks: Iterable[Landmark], number: int, options: "Options") -> list[Landmark]:
+def out_of_window(landmarks: Iterable[Landmark], number: int, options: MapOptions) -> list[Landmark]:
     """The landmarks last accepted more frames before frame `number` than the options' window, in map order."""
     return [] if options.window is None else [lm for lm in landmarks if number - lm.last_seen > options.window]
 
 
-def is_bad(landmark: Landmark, options: "Options") -> bool:
+def is_bad(landmark: Landmark, options: MapOptions) -> bool:
     """Whether it was searched for often enough, and matched too seldom, or was too seldom an inlier when matched."""
     return landmark.searched >= options.min_searches and (
         landmark.matched < options.min_matched_ratio * landmark.searched
@@ -32,16 +50,7 @@ def is_bad(landmark: Landmark, options: "Options") -> bool:
     )
 
 
-def prune_candidate(landmarks: Iterable[Landmark], number: int, options: "Options") -> Landmark | None:
+def prune_candidate(landmarks: Iterable[Landmark], number: int, options: MapOptions) -> Landmark | None:
     """The landmark that ranks lowest by the options' rule, of those not seen in frame `number`; None: prune nothing."""
     away = [landmark for landmark in landmarks if landmark.last_seen < number]
     return min(away, key=PRUNING_RULES[options.pruning], default=None) if options.pruning else None
-
-
-# The rank of a landmark, by the name of a rule: the lowest is pruned first.
-PRUNING_RULES: dict[str, Callable[[Landmark], Any]] = {
-    # the last frame as an inlier; of equals, the number of inliers
-    "least-recently-seen": lambda landmark: (landmark.last_seen, landmark.inliers),
-    # the share of searches that gave an inlier; of equals, the last frame as an inlier
-    "least-reliable": lambda landmark: (landmark.inliers / landmark.searched, landmark.last_seen),
-}

@@ -1,136 +1,34 @@
-"""One sensor's measurement update: predict, select, match, gate, update. Chapter ekf_slam reads it line by line."""
+"""Gate and update: by one landmark after another, by all in one batch, or by a robot's measurement of itself.
 
-from __future__ import annotations
+Chapter ekf_slam reads it line by line.
+"""
 
-from collections import defaultdict
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
-from operator import attrgetter
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Annotated
 
 import numpy as np
 
 from slamlib.belief import Belief
+from slamlib.data.plain import Range
 from slamlib.data.records import RobotMeasurement
-from slamlib.geometry.pose import compose
+from slamlib.entities import POSE, RigSensor, Robot
+from slamlib.entities.landmark import group_by_kind
+from slamlib.entities.linearization import Linearization
 from slamlib.manifolds import Array, Euclidean, Indices
-from slamlib.observation.family import Family, Innovation, PredictedBatch, viewpoint
-from slamlib.slam.data_association.front_end import FrontEnd, FrontEndInput
-from slamlib.slam.data_association.gates import SELECTIONS, gate, innovation_covariances, mahalanobis_squared
-from slamlib.slam.entities import POSE, Landmark, RigSensor, Robot
+from slamlib.observation.family import FamilyOptions
+from slamlib.slam.data_association.gates import gate, innovation_squares
+from slamlib.slam.prediction import LANDMARK_KIND, Predictions, innovations
 
-if TYPE_CHECKING:
-    from slamlib.slam.linearization import Linearization
-    from slamlib.slam.options import Options
-
-T = TypeVar("T")
-KIND = attrgetter("kind")  # of a landmark
 # Takes a Jacobian at the present means, w.r.t. rows of the covariance, to the errors that the covariance is of.
 Projection = Callable[[Indices, Array], Array]
 
 
-def group_by_kind(items: Iterable[T], kind: Callable[[T], Any] = attrgetter("landmark.kind")) -> list[list[T]]:
-    """Group predictions, or whatever has a kind, by the landmark's kind, so that each kind is computed in one batch."""
-    found: dict[int, list[T]] = defaultdict(list)
-    for item in items:
-        found[id(kind(item))].append(item)
-    return list(found.values())
+@dataclass(frozen=True, repr=False)
+class UpdateOptions(FamilyOptions):
+    """gate: probability with which a true measurement passes, for the innovation's own degrees of freedom; 1: all."""
 
-
-@dataclass(eq=False)
-class PredictedMeasurement:
-    """The predicted measurement of one landmark, and what becomes of it in a frame.
-
-    S (m, m): innovation covariance; measured (m,): the matched measurement. score, predicted_patch, found_patch: left
-    here by an image front end for display: the best match's score, the patch searched for and the one found, both grey.
-    """
-
-    family: Family
-    landmark: Landmark
-    batch: PredictedBatch
-    row: int
-    S: Array
-    measured: Array
-    chosen: bool = False
-    matched: bool = False
-    inlier: bool = False
-    nis: float = np.nan
-    score: float = np.nan
-    predicted_patch: Array | None = None
-    found_patch: Array | None = None
-
-    @property
-    def value(self) -> Array:
-        """The predicted measurement (m,)."""
-        return self.batch.value[self.row]
-
-    def apply_gate(self, nis: float, limit: float) -> None:
-        """Accept the match as an inlier if its nis is below the gate's limit."""
-        self.nis, self.inlier = nis, nis < limit
-        self.landmark.inliers += self.inlier
-
-
-Predictions = list[PredictedMeasurement]
-
-
-def predict_measurements(
-    belief: Belief,
-    sensor: RigSensor,
-    families: Mapping[str, Family],
-    landmarks: list[Landmark],
-    options: Options,
-    robot: Array | None = None,
-) -> Predictions:
-    """Predict the measurements of all landmarks in view, with the covariance of each innovation.
-
-    robot (7,): another pose of its robot than the estimated one; the covariance remains as it is.
-    """
-    predictions = []
-    kinds, view = group_by_kind(landmarks, KIND), viewpoint(sensor, robot)
-    for family in families.values():
-        for group in kinds if family.supports(sensor) else ():
-            if not isinstance(group[0].kind, family.kinds):
-                continue
-            expected = family.predict_batch(view, group, options)
-            if not expected.landmarks:
-                continue
-            found = family.batch_innovation(sensor, expected, expected.value)
-            S = innovation_covariances(belief.matrix, expected.columns, found.H, found.R)
-            nothing = np.full(expected.value.shape[1], np.nan)
-            predictions += [
-                PredictedMeasurement(family, lm, expected, i, S[i], nothing) for i, lm in enumerate(expected.landmarks)
-            ]
-    return predictions
-
-
-def predict_from_pose(slam: Any, motion: Array, sensor: int = 0) -> Predictions:
-    """Predict a sensor's measurements after its robot moved by a pose (7,) in its frame; the filter is unchanged."""
-    rig_sensor = slam.sensors[sensor]
-    robot = compose(rig_sensor.robot.pose, motion)
-    return predict_measurements(slam.belief, rig_sensor, slam.families, slam.landmarks, slam.options, robot)
-
-
-def select_and_match(inputs: FrontEndInput, front_end: FrontEnd, options: Options) -> Predictions:
-    """The most informative predictions that were matched, most informative first; updates the landmarks' histories."""
-    sizes: dict[int, Predictions] = defaultdict(list)
-    for prediction in front_end.searchable(inputs):
-        sizes[len(prediction.S)].append(prediction)
-    # Determinants of different sizes cannot be compared: each size of measurement has the whole budget for itself.
-    chosen: Predictions = []
-    for group in sizes.values():
-        S = np.concatenate([prediction.S for prediction in group]).reshape(-1, *group[0].S.shape)
-        chosen += [group[i] for i in SELECTIONS[options.selection](S, options.updates).tolist()]
-    by_family: dict[str, Predictions] = defaultdict(list)
-    for prediction in chosen:
-        prediction.chosen = True
-        prediction.landmark.searched += 1
-        by_family[prediction.family.name].append(prediction)
-    for name, group in by_family.items():
-        measured, found = front_end.match(inputs, name, group)
-        for prediction, y, is_found in zip(group, measured, found.tolist(), strict=True):
-            prediction.measured, prediction.matched = y, is_found
-            prediction.landmark.matched += is_found
-    return [prediction for prediction in chosen if prediction.matched]
+    gate: Annotated[float, Range(gt=0, le=1)] = 0.99
 
 
 def unprojected(columns: Indices, H: Array) -> Array:
@@ -139,36 +37,33 @@ def unprojected(columns: Indices, H: Array) -> Array:
 
 
 def update_sequentially(
-    belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options, project: Projection = unprojected
+    belief: Belief,
+    sensor: RigSensor,
+    predictions: Predictions,
+    options: UpdateOptions,
+    project: Projection = unprojected,
+    *,
+    moved: bool = False,
 ) -> None:
-    """Update by one landmark after another, each predicted anew at the current mean."""
+    """Gate and update, one landmark after another, each predicted anew where the means have moved since.
+
+    moved: whether they have moved already between the predictions and this call.
+    """
     with belief.sequential_update() as sequence:
         for prediction in predictions:
-            found = prediction.family.innovation(viewpoint(sensor), prediction.landmark, prediction.measured, options)
+            found = prediction.innovation_anew(sensor, options) if moved else prediction.innovation(sensor)
             if found is not None:
                 limit = gate(options.gate, len(found.z))
-                columns = prediction.batch.columns[prediction.row]
-                H = project(columns, found.H)
-                prediction.apply_gate(sequence.update(columns, H, found.z, found.R, limit).nis, limit)
+                proposed = sequence.propose(prediction.columns, project(prediction.columns, found.H), found.z, found.R)
+                if prediction.apply_gate(proposed.nis, limit):
+                    sequence.apply(proposed)
+                    moved = True
 
 
-def innovations(sensor: RigSensor, group: Predictions) -> tuple[PredictedBatch, Innovation]:
-    """Predicted measurements of matched landmarks of one kind, and their innovations."""
-    expected = group[0].batch.take([prediction.row for prediction in group])
-    measured = np.array([prediction.measured for prediction in group])
-    return expected, group[0].family.batch_innovation(sensor, expected, measured)
-
-
-def innovation_squares(belief: Belief, expected: PredictedBatch, found: Innovation) -> list[float]:
-    """The nis of each single innovation."""
-    S = innovation_covariances(belief.matrix, expected.columns, found.H, found.R)
-    return mahalanobis_squared(found.z, S).tolist()
-
-
-def update_in_batch(belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options) -> None:
+def update_in_batch(belief: Belief, sensor: RigSensor, predictions: Predictions, options: UpdateOptions) -> None:
     """Update by all measurements in one batch, linearized at the predicted mean."""
     parts = []
-    for group in group_by_kind(predictions):
+    for group in group_by_kind(predictions, LANDMARK_KIND):
         expected, found = innovations(sensor, group)
         for prediction, nis in zip(group, innovation_squares(belief, expected, found), strict=True):
             prediction.apply_gate(nis, gate(options.gate, found.z.shape[1]))
@@ -193,9 +88,9 @@ def _stacked(parts: list[tuple[Indices, Array, Array, Array]]) -> tuple[Indices,
     return touched, H, z, R
 
 
-def after_update(belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options) -> None:
+def convert(belief: Belief, sensor: RigSensor, predictions: Predictions, options: FamilyOptions) -> None:
     """Let each family treat its updated landmarks: convert points, constrain lines, move endpoints."""
-    for group in group_by_kind(prediction for prediction in predictions if prediction.inlier):
+    for group in group_by_kind((prediction for prediction in predictions if prediction.inlier), LANDMARK_KIND):
         landmarks = [prediction.landmark for prediction in group]
         measured = np.array([prediction.measured for prediction in group])
         group[0].family.after_update(belief, sensor, landmarks, measured, options)
@@ -213,7 +108,11 @@ class RobotUpdate:
 
 
 def update_by_robot(
-    belief: Belief, robot: Robot, measured: RobotMeasurement, linearization: Linearization | None, options: Options
+    belief: Belief,
+    robot: Robot,
+    measured: RobotMeasurement,
+    linearization: Linearization | None,
+    options: UpdateOptions,
 ) -> RobotUpdate:
     """Gate a measurement of a robot's own pose, and update all blocks by it if it passes. Raises ShapeError."""
     value, J = measured.model.jac(robot.pose)

@@ -1,24 +1,21 @@
 """The filter's options: plain data, checked when it is made, written to and read from JSON."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Annotated
 
-from slamlib.data.plain import Count, Finite, NotNegative, OneOf, Plain, Positive, Range, Share, Whole, check
-from slamlib.landmarks import LINES, POINTS
-from slamlib.landmarks.linearity import THRESHOLD
+from slamlib.data.plain import Count, OneOf, check
 from slamlib.observation import FAMILIES
-from slamlib.observation.lines import RESIDUALS
+from slamlib.observation.points import PointOptions
+from slamlib.observation.segments import LineOptions
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
-from slamlib.slam.data_association.gates import SELECTIONS
-from slamlib.slam.map_management import PRUNING_RULES
+from slamlib.slam.data_association.selection import SELECTIONS
+from slamlib.slam.map_management import MapOptions
+from slamlib.slam.measurement_update import UpdateOptions
 from slamlib.slam.transport import TRANSPORTS
-
-Prior = tuple[tuple[Finite, Finite], tuple[Positive, Positive]]
-PLUCKER: Prior = ((0.1, 0.0), (0.25, 1.0))
 
 
 @dataclass(frozen=True, repr=False)
-class Options(Plain):
+class Options(MapOptions, UpdateOptions, LineOptions, PointOptions):
     """All options of the filter. The names in parentheses are those of the toolbox.
 
     points, lines: parametrization of new landmarks, or None for none of them (init.initType). others: the same for
@@ -59,45 +56,16 @@ class Options(Plain):
     (Options(points='ahmPnt', gate=0.95), 10)
     """
 
-    points: Annotated[str, OneOf(POINTS)] | None = "idpPnt"
-    lines: Annotated[str, OneOf(LINES)] | None = None
-    capacity: Whole | None = None
-    pruning: Annotated[str, OneOf(PRUNING_RULES)] | None = None
     error: Annotated[str, OneOf(TRANSPORTS)] = "local"
-    window: Whole | None = None
     updates: Count = 10
     selection: Annotated[str, OneOf(SELECTIONS)] = "information"
     reproject: bool = True
-    gate: Annotated[float, Range(gt=0, le=1)] = 0.99
     outlier_rejection: Annotated[str, OneOf(OUTLIER_REJECTIONS)] = "individual"
-    convert: bool = True
-    convert_below: NotNegative = THRESHOLD
     max_new_first: Count = 10
     max_new: Count = 1
-    inverse_distance: tuple[Finite, Positive] = (0.25, 0.25)
-    line_priors: dict[Annotated[str, OneOf(LINES)], Prior] = field(
-        default_factory=lambda: {"plkLin": PLUCKER, "aplLin": PLUCKER}
-    )
-    innovation: Annotated[str, OneOf(RESIDUALS)] = "ortDst"
-    extend: bool = True
-    extend_switch: NotNegative = 10.0
-    minimum_length: Annotated[float, Range(ge=0, unit="px")] = 20.0
-    margin: Annotated[float, Range(ge=0, lt=0.5)] = 0.04
-    min_searches: Count = 10
-    min_matched_ratio: Share = 0.1
-    min_inlier_ratio: Share = 0.5
     others: dict[Annotated[str, OneOf(FAMILIES)], str] | None = None
 
     def __post_init__(self) -> None:
         check(self)
         for family, kind in (self.others or {}).items():
             OneOf(FAMILIES[family].parametrizations).check(kind, f"parametrization of {family}")
-
-    def parametrization_of(self, family: str) -> str | None:
-        """The parametrization of new landmarks of a family, or None for none."""
-        return {"points": self.points, "segments": self.lines, **(self.others or {})}.get(family)
-
-    def line_prior(self, name: str) -> Prior:
-        """Prior means and standard deviations of what a segment does not measure of a line of this parametrization."""
-        mean, std = self.inverse_distance
-        return self.line_priors.get(name, ((mean, mean), (std, std)))

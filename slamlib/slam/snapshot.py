@@ -1,46 +1,62 @@
 """A snapshot of the filter: copies of its estimates, and of its sensors' predictions and measurements."""
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from slamlib.belief import Belief
+from slamlib.data.records import Scan
 from slamlib.data.snapshots import MapView, MeasurementView, RobotView, SensorView, Snapshot
+from slamlib.entities import POSE, Landmark, RigSensor, State
+from slamlib.entities.landmark import group_by_kind
 from slamlib.manifolds import Array
-from slamlib.observation.family import columns_jacobian, state_columns, viewpoint
+from slamlib.observation.family import Family, columns_jacobian, state_columns, viewpoint
 from slamlib.observation.segments import project_endpoints
-from slamlib.slam.entities import POSE, Landmark, RigSensor
-from slamlib.slam.measurement_update import KIND, group_by_kind
+from slamlib.slam.prediction import Predictions
 
 COLUMNS = {"chosen": bool, "matched": bool, "inlier": bool, "nis": float}
+Families = Mapping[str, Family[Any]]
 
 
-def snapshot_of(slam: Any) -> Snapshot:
-    """A copy of everything that may be shown of a filter, after its last frame."""
-    robots = tuple(RobotView(r.name, r.block.mean.copy(), slam.belief.covariance(r.block)) for r in slam.robots)
-    sensors = tuple(_sensor_view(slam, i, sensor) for i, sensor in enumerate(slam.sensors))
-    landmarks = {}
-    for family in slam.families.values():
-        own = [lm for lm in slam.landmarks if isinstance(lm.kind, family.kinds)]
+def map_views(state: State, families: Families) -> dict[str, MapView]:
+    """The estimated landmarks, by the name of their family."""
+    views = {}
+    for family in families.values():
+        own = [lm for lm in state.landmarks if isinstance(lm.kind, family.kinds)]
         ids, kinds = np.array([lm.id for lm in own], dtype=int), tuple(lm.kind.name for lm in own)
-        landmarks[family.name] = MapView(ids, kinds, *family.geometry(slam.belief, own))
-    return Snapshot(slam.number, slam.time, robots, sensors, landmarks, slam.belief.size)
+        views[family.name] = MapView(ids, kinds, *family.geometry(state.belief, own))
+    return views
 
 
-def _sensor_view(slam: Any, i: int, sensor: RigSensor) -> SensorView:
-    covariance = np.zeros((POSE, POSE)) if sensor.block is None else slam.belief.covariance(sensor.block)
-    predictions = {
-        f.name: _measurement_view(slam, i, f.name, f.size(sensor.calibration)) for f in slam.families.values()
-    }
-    robot = slam.robots.index(sensor.robot)
-    image = sensor.calibration.image
-    return SensorView(sensor.name, robot, sensor.extrinsics.copy(), covariance, image, slam.scans[i], predictions)
+def snapshot_of(
+    state: State,
+    families: Families,
+    scans: Sequence[Scan | None],
+    predictions: Sequence[Predictions],
+    *,
+    number: int,
+    time: float,
+) -> Snapshot:
+    """A copy of everything that may be shown of a filter, after frame `number` at `time` [s]."""
+    belief = state.belief
+    robots = tuple(RobotView(r.name, r.block.mean.copy(), belief.covariance(r.block)) for r in state.robots)
+    sensors = []
+    for sensor, scan, predicted in zip(state.sensors, scans, predictions, strict=True):
+        covariance = np.zeros((POSE, POSE)) if sensor.block is None else belief.covariance(sensor.block)
+        views = {f.name: _measurement_view(belief, sensor, f, predicted) for f in families.values()}
+        robot, image = state.robots.index(sensor.robot), sensor.calibration.image
+        sensors.append(SensorView(sensor.name, robot, sensor.extrinsics.copy(), covariance, image, scan, views))
+    return Snapshot(number, time, robots, tuple(sensors), map_views(state, families), belief.size)
 
 
-def _measurement_view(slam: Any, i: int, family: str, size: int) -> MeasurementView:
-    own = [prediction for prediction in slam.predictions[i] if prediction.family.name == family]
+def _measurement_view(
+    belief: Belief, sensor: RigSensor, family: Family[Any], predictions: Predictions
+) -> MeasurementView:
+    own = [prediction for prediction in predictions if prediction.family.name == family.name]
     landmarks, d = [prediction.landmark for prediction in own], len(own[0].S) if own else 2
-    endpoints, endpoint_covariances = endpoints_in_image(slam.belief, slam.sensors[i], landmarks)
+    size = family.size(sensor.calibration)
+    endpoints, endpoint_covariances = endpoints_in_image(belief, sensor, landmarks)
     columns: dict[str, Any] = {
         name: np.array([getattr(p, name) for p in own], dtype) for name, dtype in COLUMNS.items()
     }
@@ -68,7 +84,7 @@ def endpoints_in_image(belief: Belief, sensor: RigSensor, landmarks: list[Landma
     """
     n, alive, row = len(landmarks), set(belief.blocks), {landmark: i for i, landmark in enumerate(landmarks)}
     endpoints, endpoint_covariances = np.full((n, 2, 2), np.nan), np.full((n, 2, 2, 2), np.nan)
-    for group in group_by_kind([lm for lm in landmarks if lm.abscissas is not None and lm.block in alive], KIND):
+    for group in group_by_kind([lm for lm in landmarks if lm.abscissas is not None and lm.block in alive]):
         rows = [row[landmark] for landmark in group]
         endpoints[rows], endpoint_covariances[rows] = _of_one_kind(belief, sensor, group)
     return endpoints, endpoint_covariances

@@ -5,68 +5,37 @@ H N = 0. But N depends on the means, and after an update the next H has another 
 world are made one of the new means: the covariance is that of the right-invariant error (Barrau and Bonnabel 2017).
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
-from slamlib.errors import SlamlibError
+from slamlib.entities import POSE, RigSensor, Robot, State
+from slamlib.entities.unobservable import check_moved, generator
 from slamlib.geometry.pose import ORIGIN, compose
-from slamlib.kalman.state import Block, places
-from slamlib.manifolds import Array, Euclidean, Indices, read_only
-from slamlib.observation.family import landmark_means, state_rows
-from slamlib.slam.entities import POSE, RigSensor
-from slamlib.slam.measurement_update import KIND, Projection, group_by_kind, unprojected
+from slamlib.kalman.linalg import Carry
+from slamlib.kalman.state import Block
+from slamlib.manifolds import Array, Indices
+from slamlib.slam.measurement_update import Projection, unprojected
 
 
-def check_moved(kind: Any) -> None:
-    """Raise SlamlibError for a parametrization, or a motion, without the model moved(motion, state)."""
-    if getattr(kind, "moved", None) is None:
-        raise SlamlibError(
-            f"the error that this filter keeps needs the model moved(motion, state) of {kind.name}, which has none: "
-            "write it, or use the option error='local'"
-        )
-
-
-def check(slam: Any, options: Any) -> None:
+def check(robots: Iterable[Robot], kinds: Iterable[Any], error: str) -> None:
     """Check, before they are used, all motions, and the parametrizations of new landmarks. Raises SlamlibError."""
-    if options.error != "local":
-        kinds = [family.new_kind(options) for family in slam.families.values()]
-        for kind in (*(robot.motion for robot in slam.robots), *filter(None, kinds)):
+    if error != "local":
+        for kind in (*(robot.motion for robot in robots), *kinds):
             check_moved(kind)
 
 
-def generator(kind: Any, states: Array) -> Array:
-    """N (..., dof, 6) of states (..., size) of a parametrization or a motion. Raises SlamlibError."""
-    check_moved(kind)
-    return _generator(kind.moved, states.tobytes(), states.shape)
-
-
-@lru_cache(maxsize=32)  # by the numbers themselves: most updates begin with the landmarks that the last one left
-def _generator(moved: Any, states: bytes, shape: tuple[int, ...]) -> Array:
-    return read_only(moved.jac_where(ORIGIN, np.frombuffer(states).reshape(shape)))
-
-
-def generators(slam: Any) -> Array:
+def generators(state: State) -> Array:
     """N (size, 6): the change of all blocks' errors by a motion (tau [m], phi [rad]) of the world."""
-    N = np.zeros((slam.belief.size, 6))
-    for robot in slam.robots:
+    N = np.zeros((state.belief.size, 6))
+    for robot in state.robots:
         N[robot.block.slice] = generator(robot.motion, robot.block.mean)
-    layout = slam.landmarks[0].block.layout if slam.landmarks else None
-    if layout is None or slam.landmark_groups[0] is not layout:
-        groups = [(group, state_rows(group), _places(group)) for group in group_by_kind(slam.landmarks, KIND)]
-        slam.landmark_groups = layout, groups
-    for group, rows, at in slam.landmark_groups[1]:
-        means = landmark_means(group) if layout is None or at is None else layout.flat.take(at)
-        N[rows] = generator(group[0].kind, means)
+    layout = state.layout
+    for group in state.kinds():
+        N[group.rows] = generator(group.landmarks[0].kind, group.means(layout))
     return N
-
-
-def _places(group: list[Any]) -> Indices | None:
-    """Where the means of landmarks of one kind lie in their layout; None if they are no vectors."""
-    return places([landmark.block for landmark in group]) if type(group[0].block.manifold) is Euclidean else None
 
 
 def trade(size: int, sensor: RigSensor, extrinsics: Block) -> Array:
@@ -77,47 +46,47 @@ def trade(size: int, sensor: RigSensor, extrinsics: Block) -> Array:
     return N
 
 
-def unobservable(slam: Any, sensor: RigSensor) -> Array:
+def unobservable(state: State, sensor: RigSensor) -> Array:
     """What this sensor's measurements cannot tell (size, 6), or (size, 12) where its extrinsics are estimated."""
-    N, extrinsics = generators(slam), sensor.block
+    N, extrinsics = generators(state), sensor.block
     return N if extrinsics is None else np.concatenate([N, trade(len(N), sensor, extrinsics)], axis=1)
 
 
 @contextmanager
-def carried(slam: Any, sensor: RigSensor) -> Iterator[Projection]:
+def carried(state: State, sensor: RigSensor) -> Iterator[Projection]:
     """Within the block one update moves the means, and the covariance follows them: T P T', T N(before) = N(after).
 
     T = I + (N(after) - N(before)) L, where L reads the motion of the world from the errors of the sensor's robot and
     extrinsics. Until then a Jacobian H at other means becomes H T = H (I - N(before) L), as H N(after) = 0.
     """
     rows: Indices = sensor.columns
-    before = unobservable(slam, sensor)
-    motion = np.linalg.inv(before[rows])
+    before = unobservable(state, sensor)
+    motion: Array = np.linalg.inv(before[rows])
 
     def project(columns: Indices, H: Array) -> Array:
         H = H.copy()
         H[:, : len(rows)] -= H @ before[columns] @ motion
         return H
 
-    def carry() -> Any:
-        change = unobservable(slam, sensor) - before
+    def carry() -> Carry | None:
+        change = unobservable(state, sensor) - before
         moved = change.any(axis=0)  # a translation of the world adds the same to a point or a pose anywhere
         return (rows, change[:, moved], motion[moved]) if moved.any() else None
 
-    slam.belief.transport = carry
+    state.belief.transport = carry
     try:
         yield project
     finally:
-        slam.belief.transport = None
+        state.belief.transport = None
 
 
-def kept(slam: Any, sensor: RigSensor) -> AbstractContextManager[Projection]:
+def kept(state: State, sensor: RigSensor) -> AbstractContextManager[Projection]:
     """The covariance stays as the update leaves it."""
     return nullcontext(unprojected)
 
 
 # What happens to the covariance around an update, by the error whose covariance it is.
-TRANSPORTS: dict[str, Callable[[Any, RigSensor], AbstractContextManager[Projection]]] = {
+TRANSPORTS: dict[str, Callable[[State, RigSensor], AbstractContextManager[Projection]]] = {
     "local": kept,
     "first-estimates": kept,
     "world": carried,

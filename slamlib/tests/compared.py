@@ -8,12 +8,12 @@ import numpy as np
 
 from slamlib.data.records import Frame, Truth
 from slamlib.data.setup import Rig
+from slamlib.entities import Landmark
 from slamlib.evaluation.consistency import rmse
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.slam import Slam
-from slamlib.slam.entities import Landmark
 
 POSITION, ORIENTATION = slice(0, 3), slice(3, 6)
 

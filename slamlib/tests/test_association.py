@@ -9,7 +9,9 @@ from slamlib.belief import Belief
 from slamlib.data.records import Features, Scan
 from slamlib.kalman.chi_square import chi2_cdf
 from slamlib.slam.data_association.front_end import FrontEndInput, KnownAssociation
-from slamlib.slam.data_association.gates import SELECTIONS, gate, innovation_covariances, mahalanobis_squared
+from slamlib.slam.data_association.gates import gate, mahalanobis_squared
+from slamlib.slam.data_association.selection import SELECTIONS
+from slamlib.slam.prediction import innovation_covariances
 
 
 @pytest.fixture

@@ -13,9 +13,10 @@ from slamlib.observation.family import viewpoint
 from slamlib.slam import Slam
 from slamlib.slam.data_association import consensus
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
-from slamlib.slam.data_association.front_end import FrontEndInput, KnownAssociation
+from slamlib.slam.data_association.front_end import FrontEndInput, KnownAssociation, match
 from slamlib.slam.data_association.joint_innovation import JointInnovation, hypothesis_innovations, joint_innovation
-from slamlib.slam.measurement_update import predict_measurements, select_and_match, update_in_batch
+from slamlib.slam.data_association.selection import select
+from slamlib.slam.measurement_update import update_in_batch
 from slamlib.slam.options import Options
 from slamlib.tests.compared import shaken
 
@@ -54,9 +55,9 @@ def before_a_correction(p, sensor=0, rate=0.0):
         slam.step(frame)
     slam._predict(slam.robots[0], frames[-1].controls[0], frames[-1].dt)
     rig_sensor = slam.sensors[sensor]
-    predictions = predict_measurements(slam.belief, rig_sensor, slam.families, slam.landmarks, slam.options)
-    inputs = FrontEndInput(frames[-1].scans[sensor], rig_sensor, predictions)
-    return slam, rig_sensor, select_and_match(inputs, Wrong(rate, np.random.default_rng(0)), p.options)
+    inputs = FrontEndInput(frames[-1].scans[sensor], rig_sensor, slam.project(sensor))
+    front_end = Wrong(rate, np.random.default_rng(0))
+    return slam, rig_sensor, match(inputs, front_end, select(inputs, front_end, p.options.selection, p.options.updates))
 
 
 @pytest.fixture(scope="module")

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
+from slamlib.entities import RigSensor, Robot
 from slamlib.errors import NonFiniteError, SingularPointError, UnitError
 from slamlib.geometry.pose import Pose, compose
 from slamlib.kalman import linalg
@@ -16,7 +17,6 @@ from slamlib.observation.points import observe, observe_from
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.gates import mahalanobis_squared
-from slamlib.slam.entities import RigSensor, Robot
 from slamlib.tests.beliefs import random_covariance
 
 PLACEHOLDER_POINT = np.array(

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from slamlib.data.records import Features, Scan
+from slamlib.entities import Landmark
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.experiments.presets import preset
 from slamlib.slam import Options, Slam
-from slamlib.slam.entities import Landmark
 from slamlib.slam.map_management import is_bad, out_of_window, prune_candidate
 
 FRAMES = 90
@@ -134,5 +134,5 @@ def test_files_of_before_are_refused_with_what_to_do(tmp_path):
         arrays = dict(file)
     header = {**json.loads(str(arrays["header"])), "version": 1}
     np.savez_compressed(tmp_path / "old.npz", **{**arrays, "header": np.array(json.dumps(header))})
-    with pytest.raises(SlamlibError, match=r"version 1, and this slamlib reads 3: run it anew"):
+    with pytest.raises(SlamlibError, match=r"version 1, and this slamlib reads 4: run it anew"):
         Slam.load(tmp_path / "old.npz")

@@ -15,7 +15,6 @@ from slamlib.sensors.omni import OMNI, powers
 from slamlib.sensors.pinhole import distort_radius
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Slam
-from slamlib.slam.measurement_update import predict_measurements
 from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.relocalization import close_loop, relocalize
 from slamlib.vision.run import options_for
@@ -187,7 +186,7 @@ def test_landmarks_long_unseen_close_a_loop_where_appearance_finds_them(started)
 
     def spread():
         """Determinants of the innovations' covariances [px^4], by landmark."""
-        shown = predict_measurements(slam.belief, slam.sensors[0], slam.families, slam.landmarks, slam.options)
+        shown = slam.project()
         return {p.landmark: np.linalg.det(p.S) for p in shown}
 
     recent.last_seen = slam.number

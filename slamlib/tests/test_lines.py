@@ -5,6 +5,7 @@ import pytest
 
 from slamlib.belief import Belief
 from slamlib.codegen import check_model
+from slamlib.entities import Landmark
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry import plucker
 from slamlib.geometry import pose as frames
@@ -20,7 +21,6 @@ from slamlib.observation.segments import endpoints_converged, project_endpoints
 from slamlib.sensors import Calibration
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.slam import Options
-from slamlib.slam.entities import Landmark
 from slamlib.tests.differences import differences
 from slamlib.tests.reference import cases
 

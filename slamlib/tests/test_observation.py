@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
+from slamlib.entities import Landmark
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose, compose
@@ -21,7 +22,6 @@ from slamlib.observation.points import initialize, observe
 from slamlib.registry import Registry
 from slamlib.sensors import SENSORS, Calibration, sensor
 from slamlib.slam import Options
-from slamlib.slam.entities import Landmark
 from slamlib.testing.sensors import unmeasured, visible_points
 from slamlib.tests.test_every_type import example
 

@@ -13,7 +13,7 @@ import pytest
 from slamlib.data.records import Control, Features, Frame, Scan
 from slamlib.experiments.presets import preset
 from slamlib.slam import Options
-from slamlib.slam.data_association import gates
+from slamlib.slam.data_association import selection
 from slamlib.tests import reference
 from slamlib.tests.toolbox_filter import ToolboxFilter, by_determinant
 
@@ -95,8 +95,8 @@ def spread_of(slam, recorded, sigma, pairs):
 def replay(name, switches, monkeypatch):
     """Ours beside the recorded run, with these corrections switched off."""
     which, options = RUNS[name]
-    choose = by_determinant if "selection" in switches else gates.by_information
-    monkeypatch.setitem(gates.SELECTIONS, "information", choose)
+    choose = by_determinant if "selection" in switches else selection.by_information
+    monkeypatch.setitem(selection.SELECTIONS, "information", choose)
     rig = preset(which).rig
     slam, rows = ToolboxFilter(rig, options, switches), []
     for recorded in reference.recording(name):

@@ -9,7 +9,6 @@ import pytest
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
-from slamlib.slam.measurement_update import predict_measurements
 from slamlib.tests.compared import shaken
 
 FOCAL, CENTRE, STD = 320.0, np.array([320.0, 240.0]), 1.0  # of the presets' camera, which does not distort
@@ -83,9 +82,7 @@ def test_one_frame_updates_as_the_textbook_says(family, reproject):
     slam.predict(last.controls, last.dt)
     blocks, P = slam.belief.blocks, slam.belief.matrix.copy()
     means = [block.mean.copy() for block in blocks]
-    slam.predictions[0] = predict_measurements(
-        slam.belief, slam.sensors[0], slam.families, slam.landmarks, slam.options
-    )
+    slam.predictions[0] = slam.project()
     chosen = sorted(slam.predictions[0], key=lambda one: -np.linalg.det(one.S))[:6]
     slam._update(0, last.scans[0])
 

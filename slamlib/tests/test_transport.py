@@ -10,6 +10,7 @@ import pytest
 from slamlib.belief import Belief
 from slamlib.data.records import Control, RobotMeasurement
 from slamlib.data.setup import Rig, SensorSetup
+from slamlib.entities.linearization import FirstEstimates, Linearization
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band
 from slamlib.experiments.monte_carlo import monte_carlo
@@ -19,8 +20,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS
 from slamlib.slam import Slam
-from slamlib.slam.linearization import FirstEstimates, Linearization
-from slamlib.slam.measurement_update import predict_measurements
+from slamlib.slam.prediction import predict_measurements
 from slamlib.slam.transport import TRANSPORTS, carried, generator, generators, unobservable
 
 
@@ -48,7 +48,7 @@ def run(p, frames):
 
 def test_a_filter_that_is_no_longer_used_is_freed():
     slam = run(with_options("points", error="world"), 8)
-    generators(slam)
+    generators(slam.state)
     landmark = weakref.ref(slam.landmarks[0])
     del slam
     gc.collect()
@@ -74,7 +74,7 @@ def test_the_motion_takes_what_cannot_be_known_along(name):
 def test_no_measurement_tells_the_motion_of_the_world(name):
     """H N = 0 for the filter's own Jacobians, of innovations too."""
     slam = run(with_landmark(name), 5)
-    sensor, N = slam.sensors[0], generators(slam)
+    sensor, N = slam.sensors[0], generators(slam.state)
     predictions = predict_measurements(slam.belief, sensor, slam.families, slam.landmarks, slam.options)
     assert len(predictions) > 3
     for p in predictions:
@@ -86,10 +86,10 @@ def test_no_measurement_tells_the_motion_of_the_world(name):
 def test_neither_robot_nor_extrinsics_are_told_apart_by_their_own_sensor():
     slam = run(with_options("self_calibration"), 5)
     right = slam.sensors[1]
-    N = unobservable(slam, right)
+    N = unobservable(slam.state, right)
     assert N.shape == (slam.belief.size, 12)
     assert np.linalg.matrix_rank(N) == 12
-    for p in predict_measurements(slam.belief, right, slam.families, slam.landmarks, slam.options):
+    for p in slam.project(1):
         H, columns = p.batch.jacobian[p.row], p.batch.columns[p.row]
         assert np.abs(H @ N[columns]).max() < 1e-9 * np.abs(H).max() * np.abs(N[columns]).max()
 
@@ -123,13 +123,13 @@ def test_an_update_gains_nothing_where_nothing_is_told(name, reproject):
             for frame in frames:
                 slam.step(frame)
             slam.predict(last.controls, last.dt)
-        N, blocks = generators(unsure), dict(enumerate(unsure.belief.blocks))
+        N, blocks = generators(unsure.state), dict(enumerate(unsure.belief.blocks))
         means = {i: block.mean for i, block in blocks.items()}
         unsure.belief.overwrite(blocks, means, unsure.belief.matrix + N @ N.T)
         for slam in (sure, unsure):
             update(slam, last)
         assert not np.allclose(sure.robots[0].pose, means[0][:7], atol=1e-6)
-        N = generators(sure)
+        N = generators(sure.state)
         difference = unsure.belief.matrix - sure.belief.matrix
         far[error] = np.linalg.norm(difference - N @ N.T) / np.linalg.norm(N @ N.T)
     assert far["world"] < 1e-9, far
@@ -166,9 +166,7 @@ def at_first_estimates(slam):
 
 def update(slam, frame):
     """The measurement update of the first sensor alone."""
-    slam.predictions[0] = predict_measurements(
-        slam.belief, slam.sensors[0], slam.families, slam.landmarks, slam.options
-    )
+    slam.predictions[0] = slam.project()
     slam._update(0, frame.scans[0])
 
 
@@ -212,7 +210,7 @@ def test_what_says_nothing_of_the_motion_of_the_world_is_refused_before_the_run(
         Slam(rig, replace(p.options, error="world"))
     slam = run(with_options("points", error="world"), 3)
     slam.landmarks[0].kind = own
-    with pytest.raises(SlamlibError, match="of mine, which has none"), carried(slam, slam.sensors[0]):
+    with pytest.raises(SlamlibError, match="of mine, which has none"), carried(slam.state, slam.sensors[0]):
         pass
 
 

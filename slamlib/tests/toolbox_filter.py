@@ -7,19 +7,21 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from slamlib.entities import RigSensor
+from slamlib.entities.landmark import landmark_means
 from slamlib.geometry import plucker
 from slamlib.geometry.pose import compose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import idp_point
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import to_euclidean
-from slamlib.observation.family import Innovation, PredictedBatch, landmark_means, state_columns
+from slamlib.observation.family import Innovation, PredictedBatch, state_columns
 from slamlib.observation.points import PointFamily
 from slamlib.observation.segments import LineFamily
 from slamlib.slam import Slam
-from slamlib.slam.data_association.front_end import FrontEndInput
-from slamlib.slam.entities import RigSensor
-from slamlib.slam.measurement_update import after_update, predict_measurements, select_and_match, update_sequentially
+from slamlib.slam.data_association.front_end import FrontEndInput, match
+from slamlib.slam.data_association.selection import select
+from slamlib.slam.measurement_update import convert, update_sequentially
 
 SWITCHES = {
     "selection": "by det(E) of the expectation alone, not by det(Z) with the noise (errata E57)",
@@ -218,7 +220,7 @@ class ToolboxFilter(Slam):
         if "seven" in self.switches:
             robot = self.robots[0]
             self.belief.replace(robot.block, 7, robot.pose, np.zeros((7, 6)))  # the start is known exactly
-            self.sensors = [SevenSensor(**vars(s)) for s in self.sensors]
+            self.state.sensors = [SevenSensor(**vars(s)) for s in self.sensors]
 
     def _normalise(self):
         block = self.robots[0].block
@@ -238,23 +240,24 @@ class ToolboxFilter(Slam):
     def _update(self, i, scan):
         sensor = self.sensors[i]
         self._normalise()
-        predictions = predict_measurements(self.belief, sensor, self.families, self.landmarks, self.options)
+        predictions = self.project(i)
         if "selection" in self.switches:
             for prediction in predictions:
                 prediction.S = prediction.family.certainty(self.belief, sensor, prediction.landmark)
-        matched = select_and_match(FrontEndInput(scan, sensor, predictions), self.front_ends[i], self.options)
+        inputs, front_end = FrontEndInput(scan, sensor, predictions), self.front_ends[i]
+        matched = match(inputs, front_end, select(inputs, front_end, self.options.selection, self.options.updates))
         if "at once" in self.switches:
             for prediction in matched:
                 self._one(sensor, prediction)
         else:
-            update_sequentially(self.belief, sensor, matched, self.options)
-            after_update(self.belief, sensor, matched, self.options)
+            update_sequentially(self.belief, sensor, matched, self.options, moved=True)
+            convert(self.belief, sensor, matched, self.options)
         self.scans[i], self.predictions[i] = scan, predictions
         self._normalise()
 
     def _one(self, sensor, prediction):
         self._normalise()
         prediction.batch.columns[prediction.row] = state_columns(sensor, [prediction.landmark])[0]
-        update_sequentially(self.belief, sensor, [prediction], self.options)
+        update_sequentially(self.belief, sensor, [prediction], self.options, moved=True)
         self._normalise()
-        after_update(self.belief, sensor, [prediction], self.options)
+        convert(self.belief, sensor, [prediction], self.options)

@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 
 from slamlib.datasets.pictures import opencv
+from slamlib.entities import POSE, Landmark
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, Pose, compose, inverse
 from slamlib.manifolds import Array, Image
-from slamlib.slam.entities import POSE, Landmark
 from slamlib.slam.filter import Slam
-from slamlib.slam.measurement_update import predict_measurements
+from slamlib.slam.prediction import predict_measurements
 from slamlib.slam.transport import generators
 from slamlib.vision.appearance import Appearance
 from slamlib.vision.target import focal_length, normalized, refined
@@ -65,7 +65,7 @@ def close_loop(slam: Slam, image: Image) -> bool:
     since, share = np.median([landmark.last_seen for landmark in shown]), np.ones(belief.size)
     for landmark in slam.landmarks:
         share[landmark.block.slice] = np.clip((landmark.last_seen - since) / (number - since), 0, 1)
-    N = generators(slam)
+    N = generators(slam.state)
     N = N @ np.linalg.inv(N[sensor.robot.block.start + np.arange(POSE)])
     z = Pose.minus(robot, sensor.robot.pose)
     Q = np.repeat((z.reshape(2, 3) ** 2).mean(axis=1), 3)  # and K: diagonals

@@ -10,6 +10,7 @@ import numpy as np
 from slamlib.data.records import Scan
 from slamlib.data.setup import Rig
 from slamlib.datasets.pictures import opencv
+from slamlib.entities import Landmark
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.alignment import straightness
 from slamlib.geometry.euler import from_rotation
@@ -19,9 +20,8 @@ from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array, finite
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import FrontEndInput
-from slamlib.slam.entities import Landmark
 from slamlib.slam.filter import Slam
-from slamlib.slam.measurement_update import predict_measurements, update_in_batch
+from slamlib.slam.measurement_update import update_in_batch
 
 LEAST = 4  # points; with three, up to four poses fit
 LARGEST = 5.0  # px: largest rms error of the pixels at the best pose; beyond it they do not belong to these points
@@ -150,7 +150,7 @@ class Target:
                 landmark = Landmark(number, EUC_POINT, block, first_seen=1, signature=signature)
                 slam.landmarks.append(landmark)
                 pixel_of[landmark] = pixel
-        predictions = predict_measurements(slam.belief, sensor, slam.families, slam.landmarks, slam.options)
+        predictions = slam.project()
         for prediction in predictions:
             prediction.measured, prediction.matched = pixel_of[prediction.landmark], True
         update_in_batch(slam.belief, sensor, predictions, replace(slam.options, gate=1.0))

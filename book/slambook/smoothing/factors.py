@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 
 from slambook.smoothing.least_squares import EXACT, Factor, Terms, Values, Variable
+from slamlib.entities import POSE, RigSensor
 from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array, Euclidean, Indices, Mask
 from slamlib.motions import ODOMETRY
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.entities import POSE, RigSensor
 
 SLACK = 1e-3  # standard deviation where a control has no noise, relative to what its noise does there one step later
 HUBER, CAUCHY = 1.345, 2.385  # of a whitened residual: 95 % efficient without outliers (Zhang, IVC 15(1), 1997)

@@ -28,10 +28,10 @@ import numpy as np
 from slambook.smoothing.factors import LOSSES, Group, absolute, motion, prior
 from slambook.smoothing.least_squares import Factor, Minimum, Values, Variable, minimize
 from slamlib.data.records import Frame
+from slamlib.entities import POSE, Landmark
 from slamlib.errors import SlamlibError, entry
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
-from slamlib.slam.entities import POSE, Landmark
 
 LOOSE = (1e4, 1e2, 1.0)  # factors of the standard deviation of what has none
 

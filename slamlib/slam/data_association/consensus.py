@@ -5,29 +5,25 @@ so that a later group is chosen after the earlier update. A match that is not yi
 had rejected it, with the nis for which it was rejected.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from slamlib.belief import Belief
+from slamlib.entities import RigSensor
+from slamlib.entities.landmark import group_by_kind
 from slamlib.manifolds import Array, Mask
 from slamlib.observation.family import viewpoint
-from slamlib.slam.data_association.gates import gate, mahalanobis_squared
+from slamlib.slam.data_association.gates import gate, innovation_squares, mahalanobis_squared
 from slamlib.slam.data_association.jcbb import jcbb
 from slamlib.slam.data_association.joint_innovation import JointInnovation, hypothesis_innovations, joint_innovation
-from slamlib.slam.entities import RigSensor
-from slamlib.slam.measurement_update import Predictions, group_by_kind, innovation_squares, innovations
-
-if TYPE_CHECKING:
-    from slamlib.slam.options import Options
+from slamlib.slam.measurement_update import UpdateOptions
+from slamlib.slam.prediction import LANDMARK_KIND, Predictions, innovations
 
 Groups = Iterator[Predictions]
-OutlierRejection = Callable[[Belief, RigSensor, Predictions, "Options"], Groups]
+OutlierRejection = Callable[[Belief, RigSensor, Predictions, UpdateOptions], Groups]
 
 # Standard deviations of the measurement noise: a match within this of a hypothesis's prediction supports it. Low on
 # purpose (Civera et al. 2010): 86 % of the true matches of two numbers without other errors, and few wrong ones.
@@ -36,12 +32,12 @@ LOW_INNOVATION = 2.0
 MIN_SUPPORT = 3
 
 
-def individual(belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options) -> Groups:
+def individual(belief: Belief, sensor: RigSensor, predictions: Predictions, options: UpdateOptions) -> Groups:
     """All of them, in one group: the gate judges each alone."""
     yield predictions
 
 
-def joint_compatibility(belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options) -> Groups:
+def joint_compatibility(belief: Belief, sensor: RigSensor, predictions: Predictions, options: UpdateOptions) -> Groups:
     """The largest jointly compatible set: z' S^-1 z of the whole set passes the gate for all its degrees of freedom.
 
     Neira and Tardos (2001). What fails its own gate is rejected before. The nis of a rejected match is what it would
@@ -58,7 +54,7 @@ def joint_compatibility(belief: Belief, sensor: RigSensor, predictions: Predicti
     yield _selected(predictions, keep)
 
 
-def _jointly_compatible(found: JointInnovation, candidates: Mask, options: Options) -> Mask:
+def _jointly_compatible(found: JointInnovation, candidates: Mask, options: UpdateOptions) -> Mask:
     """Mask of the largest jointly compatible set among the candidates."""
     rows, keep = np.flatnonzero(candidates), np.zeros(len(candidates), dtype=bool)
     if len(rows):
@@ -67,7 +63,7 @@ def _jointly_compatible(found: JointInnovation, candidates: Mask, options: Optio
     return keep
 
 
-def one_point_ransac(belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options) -> Groups:
+def one_point_ransac(belief: Belief, sensor: RigSensor, predictions: Predictions, options: UpdateOptions) -> Groups:
     """First those that agree with the update by one of them; then, of the others, those that pass the gate.
 
     Civera, Grasa, Davison and Montiel (2010): a filter has a prior, so that a single match makes a hypothesis. Each of
@@ -100,11 +96,13 @@ def _largest_support(sensor: RigSensor, predictions: Predictions, found: JointIn
     return agree[np.lexsort((misfit, -agree.sum(1)))[0]]
 
 
-def _rescue_high_innovation(belief: Belief, sensor: RigSensor, predictions: Predictions, options: Options) -> Groups:
+def _rescue_high_innovation(
+    belief: Belief, sensor: RigSensor, predictions: Predictions, options: UpdateOptions
+) -> Groups:
     """Those that pass the gate at the belief's present means, with the predictions made there."""
     inside: Predictions = []
     shown = {prediction.landmark: prediction for prediction in predictions}
-    for group in group_by_kind(predictions):
+    for group in group_by_kind(predictions, LANDMARK_KIND):
         landmarks = [prediction.landmark for prediction in group]
         expected = group[0].family.predict_batch(viewpoint(sensor), landmarks, options)
         if not expected.landmarks:
@@ -122,7 +120,7 @@ def _rescue_high_innovation(belief: Belief, sensor: RigSensor, predictions: Pred
         before.nis, before.inlier = prediction.nis, prediction.inlier
 
 
-def _individual_squares(found: JointInnovation, options: Options) -> tuple[Array, Mask]:
+def _individual_squares(found: JointInnovation, options: UpdateOptions) -> tuple[Array, Mask]:
     """Square (n,) of each single innovation, and the mask (n,) of those that pass the gate."""
     rows = np.arange(len(found.z))
     squares = mahalanobis_squared(found.z, found.S[rows, :, rows])

@@ -1,21 +1,17 @@
 """The interface of a front end, which finds a sensor's measurements; its input; and known data association."""
 
-from __future__ import annotations
-
+from collections import defaultdict
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
-from slamlib.data.records import Features, Scan
+from slamlib.data.records import Scan
+from slamlib.entities import RigSensor
 from slamlib.manifolds import Array, Mask
+from slamlib.slam.prediction import PredictedMeasurement, Predictions
 
-if TYPE_CHECKING:
-    from slamlib.slam.entities import RigSensor
-    from slamlib.slam.measurement_update import PredictedMeasurement
-
-NONE = Features.none(0)
 Detected = tuple[int, Array, Any]  # of a new landmark: its id, its first measurement (m,), its signature
 Usable = Callable[[Array], Mask]  # which of the values (n, m) may initialize a landmark: a mask (n,)
 
@@ -77,7 +73,7 @@ class KnownAssociation(FrontEnd):
 
     def match(self, inputs: FrontEndInput, family: str, predictions: list[PredictedMeasurement]) -> tuple[Array, Mask]:
         """Match the features with the ids of the landmarks."""
-        features = inputs.scan.features.get(family, NONE)
+        features = inputs.scan.of(family)
         row_of = {number: row for row, number in enumerate(features.ids.tolist())}
         rows = np.array([row_of.get(prediction.landmark.id, -1) for prediction in predictions], dtype=int)
         size = features.values.shape[1] if len(features) or not predictions else len(predictions[0].value)
@@ -89,10 +85,23 @@ class KnownAssociation(FrontEnd):
 
     def detect(self, inputs: FrontEndInput, family: str, known: set[int], usable: Usable, count: int) -> list[Detected]:
         """Return the features with the lowest ids that are not known."""
-        features = inputs.scan.features.get(family, NONE)
+        features = inputs.scan.of(family)
         fresh = sorted((number, row) for row, number in enumerate(features.ids.tolist()) if number not in known)
         if not fresh or not count:
             return []
         mask = usable(features.values[[row for _, row in fresh]])
         good = [pair for pair, is_usable in zip(fresh, mask.tolist(), strict=True) if is_usable][:count]
         return [(number, features.values[row], None) for number, row in good]
+
+
+def match(inputs: FrontEndInput, front_end: FrontEnd, chosen: Predictions) -> Predictions:
+    """Those of the chosen predictions that the front end has matched; counts the match in each landmark's history."""
+    by_family: dict[str, Predictions] = defaultdict(list)
+    for prediction in chosen:
+        by_family[prediction.family.name].append(prediction)
+    for name, group in by_family.items():
+        measured, found = front_end.match(inputs, name, group)
+        for prediction, y, is_found in zip(group, measured, found.tolist(), strict=True):
+            prediction.measured, prediction.matched = y, is_found
+            prediction.landmark.matched += is_found
+    return [prediction for prediction in chosen if prediction.matched]

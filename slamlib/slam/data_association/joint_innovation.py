@@ -6,11 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.belief import Belief
+from slamlib.entities import POSE, RigSensor
+from slamlib.entities.landmark import group_by_kind, landmark_means
 from slamlib.geometry.pose import Pose, compose
 from slamlib.manifolds import Array, Indices
-from slamlib.observation.family import PredictedBatch, landmark_means
-from slamlib.slam.entities import POSE, RigSensor
-from slamlib.slam.measurement_update import Predictions, group_by_kind, innovations
+from slamlib.observation.family import PredictedBatch
+from slamlib.slam.prediction import Predictions, innovations
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +34,7 @@ class JointInnovation:
 def joint_innovation(belief: Belief, sensor: RigSensor, predictions: Predictions) -> JointInnovation:
     """Joint innovation of all predictions, as they were predicted, and S = H P H' + R with all cross-correlations."""
     n, d = len(predictions), max(len(prediction.S) for prediction in predictions)
-    touched = np.unique(np.concatenate([prediction.batch.columns[prediction.row] for prediction in predictions]))
+    touched = np.unique(np.concatenate([prediction.columns for prediction in predictions]))
     z, H, dof = np.zeros((n, d)), np.zeros((n, d, len(touched))), np.zeros(n, dtype=int)
     R = np.broadcast_to(np.eye(d), (n, d, d)).copy()
     for at in group_by_kind(range(n), lambda i: predictions[i].landmark.kind):
@@ -66,7 +67,7 @@ def hypothesis_innovations(sensor: RigSensor, predictions: Predictions, joint: J
     in_frame: dict[str, list[tuple[list[int], Array]]] = defaultdict(list)
     for at in group_by_kind(range(n), lambda i: predictions[i].landmark.kind):
         landmarks = [predictions[i].landmark for i in at]
-        columns = np.array([predictions[i].batch.columns[predictions[i].row, len(sensor.columns) :] for i in at])
+        columns = np.array([predictions[i].columns[len(sensor.columns) :] for i in at])
         step = steps[:, np.searchsorted(joint.touched, columns)]
         kind, moved = landmarks[0].kind, landmarks[0].kind.manifold.plus(landmark_means(landmarks), step)
         in_frame[predictions[at[0]].family.name].append((at, kind.to_frame(camera, moved)))

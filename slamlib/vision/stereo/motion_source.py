@@ -11,7 +11,7 @@ from slamlib.data.records import Control
 from slamlib.data.setup import Rig
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.measurement_update import predict_from_pose
+from slamlib.slam.filter import Slam
 from slamlib.vision.front_end import MotionSource, Stopwatch
 from slamlib.vision.results import NEAR
 from slamlib.vision.stereo.detect import StereoSettings
@@ -51,7 +51,7 @@ class StereoMotionSource(MotionSource):
         noise = cls.variance * rig.sensors[0].calibration.noise
         return replace(rig, sensors=(replace(rig.sensors[0], noise=tuple(map(tuple, noise.tolist()))),))
 
-    def counts(self, slam: Any) -> dict[str, float]:
+    def counts(self, slam: Slam) -> dict[str, float]:
         """Near points among the inliers."""
         return {"near": self.near([p.measured for p in slam.predictions[0] if p.inlier])}
 
@@ -103,7 +103,7 @@ class SplitFeatures(StereoMotionSource):
         self.odometry = VisualOdometry(self.front_end.extractor, extrinsics, half=self.odometry_half)
         self.fallback = MotionFallback()
 
-    def control(self, image: Image | None, dt: float, slam: Any) -> Control:
+    def control(self, image: Image | None, dt: float, slam: Slam) -> Control:
         """The odometry's; zeros for the first pair; where none is found, the last one with a large covariance."""
         with self.seconds.timed("odometry"):
             self.front_end.reserved = np.zeros(0, dtype=int)
@@ -116,7 +116,7 @@ class SplitFeatures(StereoMotionSource):
             self.fallback.record(self.found.control, dt)
             return self.filter_control(old, self.odometry.extractor.extract(image), self.found, slam)
 
-    def filter_control(self, old: StereoFeatures, new: StereoFeatures, found: RelativeMotion, slam: Any) -> Control:
+    def filter_control(self, old: StereoFeatures, new: StereoFeatures, found: RelativeMotion, slam: Slam) -> Control:
         """The filter's control, of a motion found between two pairs."""
         return found.control
 
@@ -146,7 +146,7 @@ class CorrelatedFeatures(SplitFeatures):
     name = "correlated"
     odometry_half = landmark_half = None
 
-    def filter_control(self, old: StereoFeatures, new: StereoFeatures, found: RelativeMotion, slam: Any) -> Control:
+    def filter_control(self, old: StereoFeatures, new: StereoFeatures, found: RelativeMotion, slam: Slam) -> Control:
         """The motion of unmapped features, starting from that of all; if too few, the latter, uninformative."""
         in_half = self.unmapped(new, found, slam) & found.inliers
         pairs, values = self.odometry.pairs, self.odometry.matched
@@ -157,13 +157,13 @@ class CorrelatedFeatures(SplitFeatures):
         self.front_end.reserved = pairs[in_half, 1]
         return as_control(own)
 
-    def unmapped(self, new: StereoFeatures, found: RelativeMotion, slam: Any) -> Mask:
+    def unmapped(self, new: StereoFeatures, found: RelativeMotion, slam: Slam) -> Mask:
         """Mask (k,) of the matches that are no landmark's measurement, and will initialize none."""
         pairs, values = self.odometry.pairs, self.odometry.matched
         front_end = self.front_end
         mask = ~np.isin(pairs[:, 0], [*front_end.found.values(), *front_end.initialized])
         frame = front_end.frame + 1
-        due = [p for p in predict_from_pose(slam, found.pose) if front_end.is_due(p.landmark, frame)]
+        due = [p for p in slam.project(motion=found.pose) if front_end.is_due(p.landmark, frame)]
         if due:
             expected = np.array([prediction.value[:2] for prediction in due])
             spread = np.array([np.sqrt(np.diag(prediction.S)[:2]) for prediction in due])
@@ -184,7 +184,7 @@ class OdometryOnly(SplitFeatures):
     name = "odometry"
     odometry_half = None
 
-    def counts(self, slam: Any) -> dict[str, float]:
+    def counts(self, slam: Slam) -> dict[str, float]:
         """Numbers of features, instead of landmarks."""
         inliers = 0 if self.found is None else int(self.found.inliers.sum())
         near = 0 if self.found is None else self.near(self.odometry.matched[self.found.inliers])

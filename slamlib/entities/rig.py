@@ -1,20 +1,17 @@
-"""Robots, sensors and landmarks of the filter: handles to blocks of the belief, and the data kept with them."""
+"""Robots and sensors of the filter: handles to blocks of the belief, and the data kept with them."""
 
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
 
 import numpy as np
 
-from slamlib.geometry.pose import compose
+from slamlib.entities.linearization import Linearization
+from slamlib.geometry.pose import Pose, compose
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array, Indices
 from slamlib.motions import Motion
 from slamlib.sensors.sensor import Calibration
 
-if TYPE_CHECKING:
-    from slamlib.slam.linearization import Linearization
-
-POSE = 6  # degrees of freedom of a pose, the first of every robot's state
+POSE = Pose.dof  # degrees of freedom of a pose, the first of every robot's state
 
 
 @dataclass(eq=False)
@@ -44,7 +41,7 @@ class RigSensor:
     calibration: Calibration
     given: Array
     block: Block | None = None
-    linearization: "Linearization | None" = None
+    linearization: Linearization | None = None
 
     @property
     def extrinsics(self) -> Array:
@@ -66,29 +63,3 @@ class RigSensor:
     def blocks(self) -> list[Block]:
         """The blocks of the map on which its measurements depend: robot, and extrinsics if they are estimated."""
         return [self.robot.block] + ([] if self.block is None else [self.block])
-
-
-@dataclass(eq=False)
-class Landmark:
-    """A landmark in the map: its parametrization, block and history; for a line, the abscissas of its two endpoints.
-
-    searched, matched, inliers: how often it was searched for, matched, and accepted as an inlier. sensor: index of the
-    sensor that initialized it; signature: what that sensor's front end keeps of it. first_seen: the frame in
-    which it was initialized; last_seen: the frame of its last inlier. first_measured: what initialized it.
-    """
-
-    id: int
-    kind: Any
-    block: Block
-    first_seen: int
-    searched: int = 1
-    matched: int = 1
-    inliers: int = 1
-    abscissas: Array | None = None
-    sensor: int = 0
-    signature: Any = field(default=None, repr=False)
-    last_seen: int = 0
-    first_measured: Array | None = field(default=None, repr=False)
-
-    def __post_init__(self) -> None:
-        self.last_seen = max(self.last_seen, self.first_seen)

@@ -1,14 +1,23 @@
 """Linearization points: where Jacobians are taken. The innovation is always computed at the present means."""
 
 from collections.abc import Iterable
+from typing import Protocol
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from slamlib.entities.unobservable import generator
+from slamlib.geometry.pose import Pose
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array
-from slamlib.slam.entities import POSE, Robot
-from slamlib.slam.transport import generator
+from slamlib.motions import Motion
+
+
+class Moving(Protocol):
+    """A robot, as far as its motion is concerned."""
+
+    motion: Motion
+    block: Block
 
 
 class Linearization:
@@ -27,7 +36,7 @@ class Linearization:
     def predicted(self, block: Block) -> None:
         """Called after the motion has moved a robot's block; a subclass may choose the new linearization point here."""
 
-    def motion(self, robot: Robot, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
+    def motion(self, robot: Moving, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
         """Jacobians of the motion to `state` with respect to the robot's state and the control."""
         J = robot.motion.step.jac(self.at(robot.block), control, dt)[1]
         return J.state, J.control
@@ -57,10 +66,10 @@ class FirstEstimates(Linearization):
         """A robot's prediction is its first estimate at this time."""
         self.first[block] = block.mean
 
-    def motion(self, robot: Robot, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
+    def motion(self, robot: Moving, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
         """Jacobians of the motion, the first one changed so that it takes N of one first estimate to N of the next."""
         F, G = super().motion(robot, state, control, dt)
         before, after = (generator(robot.motion, x) for x in (self.at(robot.block), state))
         F = F.copy()
-        F[:, :POSE] += (after - F @ before) @ np.linalg.inv(before[:POSE])
+        F[:, : Pose.dof] += (after - F @ before) @ np.linalg.inv(before[: Pose.dof])
         return F, G

@@ -1,0 +1,114 @@
+"""Project: the predicted measurements of all landmarks in view of a sensor, with the covariances of the innovations."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from operator import attrgetter
+from typing import Any
+
+import numpy as np
+
+from slamlib.belief import Belief
+from slamlib.entities import Landmark, RigSensor
+from slamlib.entities.landmark import group_by_kind
+from slamlib.kalman.linalg import principal_blocks
+from slamlib.manifolds import Array, Indices
+from slamlib.observation.family import Family, FamilyOptions, Innovation, PredictedBatch, viewpoint
+
+LANDMARK_KIND = attrgetter("landmark.kind")  # of a prediction
+
+
+@dataclass(eq=False)
+class PredictedMeasurement:
+    """The predicted measurement of one landmark, and what becomes of it in a frame.
+
+    S (m, m): innovation covariance; measured (m,): the matched measurement. score, predicted_patch, found_patch: left
+    here by an image front end for display: the best match's score, the patch searched for and the one found, both grey.
+    """
+
+    family: Family[Any]
+    landmark: Landmark
+    batch: PredictedBatch
+    row: int
+    S: Array
+    measured: Array
+    chosen: bool = False
+    matched: bool = False
+    inlier: bool = False
+    nis: float = np.nan
+    score: float = np.nan
+    predicted_patch: Array | None = None
+    found_patch: Array | None = None
+
+    @property
+    def value(self) -> Array:
+        """The predicted measurement (m,)."""
+        return self.batch.value[self.row]
+
+    @property
+    def columns(self) -> Indices:
+        """Rows (k,) of the joint covariance on which the measurement depends."""
+        return self.batch.columns[self.row]
+
+    def innovation(self, sensor: RigSensor) -> Innovation:
+        """The innovation of its match, linearized where it was predicted."""
+        inner, by = self.batch.innovation_input[self.row], self.batch.jacobian[self.row]
+        return self.family.residual(sensor, inner, by, self.measured, self.batch.options)
+
+    def innovation_anew(self, sensor: RigSensor, options: FamilyOptions) -> Innovation | None:
+        """The innovation of its match, predicted anew at the present means; None if it is out of view there."""
+        return self.family.innovation(viewpoint(sensor), self.landmark, self.measured, options)
+
+    def apply_gate(self, nis: float, limit: float) -> bool:
+        """Accept the match as an inlier if its nis is below the gate's limit, and return whether it is."""
+        self.nis, self.inlier = nis, nis < limit
+        self.landmark.inliers += self.inlier
+        return self.inlier
+
+
+Predictions = list[PredictedMeasurement]
+
+
+def predict_measurements(
+    belief: Belief,
+    sensor: RigSensor,
+    families: Mapping[str, Family[Any]],
+    landmarks: list[Landmark],
+    options: FamilyOptions,
+    robot: Array | None = None,
+) -> Predictions:
+    """Predict the measurements of all landmarks in view, with the covariance of each innovation.
+
+    robot (7,): another pose of its robot than the estimated one; the covariance remains as it is.
+    """
+    predictions = []
+    kinds, view = group_by_kind(landmarks), viewpoint(sensor, robot)
+    for family in families.values():
+        for group in kinds if family.supports(sensor) else ():
+            if not isinstance(group[0].kind, family.kinds):
+                continue
+            expected = family.predict_batch(view, group, options)
+            if not expected.landmarks:
+                continue
+            H, R = family.linearized(sensor, expected)
+            S = innovation_covariances(belief.matrix, expected.columns, H, R)
+            nothing = np.full(expected.value.shape[1], np.nan)
+            predictions += [
+                PredictedMeasurement(family, lm, expected, i, S[i], nothing) for i, lm in enumerate(expected.landmarks)
+            ]
+    return predictions
+
+
+def innovation_covariances(covariance: Array, columns: Indices, H: Array, R: Array) -> Array:
+    """S = H P H' + R (n, d, d) of n measurements, one by one; covariance (s, s), H (n, d, k).
+
+    columns (n, k): rows of the joint covariance on which each depends: robot, extrinsics if estimated, landmark.
+    """
+    half = H @ principal_blocks(covariance, columns) @ H.swapaxes(-1, -2) / 2
+    return half + half.swapaxes(-1, -2) + R
+
+
+def innovations(sensor: RigSensor, group: Predictions) -> tuple[PredictedBatch, Innovation]:
+    """Predicted measurements of matched landmarks of one kind, and their innovations."""
+    expected = group[0].batch.take([prediction.row for prediction in group])
+    measured = np.array([prediction.measured for prediction in group])
+    return expected, group[0].family.batch_innovation(sensor, expected, measured)
