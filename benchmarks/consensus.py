@@ -76,7 +76,7 @@ class Timed:
 def cost(name: str, updates: int, rate: float, frames: int) -> str:
     """Times of the outlier rejection and of the step, and their ratio."""
     p, own = experiment(name, updates, frames), OUTLIER_REJECTIONS[name]
-    slam = Slam(p.rig, p.options, front_ends=[Wrong(rate, np.random.default_rng(1))])
+    slam = Slam(p.rig, options=p.options, front_ends=[Wrong(rate, np.random.default_rng(1))])
     rows, timed = [], Timed(own)
     OUTLIER_REJECTIONS[name] = timed
     try:

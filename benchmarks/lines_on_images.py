@@ -148,7 +148,7 @@ class Outcome:
 def run(film: Film, options: Options, front_end: Any) -> Outcome:
     """One run of the filter."""
     made, steps = film
-    slam, poses = Slam(made.rig, options, front_ends=[front_end]), []
+    slam, poses = Slam(made.rig, options=options, front_ends=[front_end]), []
     counts = {name: np.zeros(4) for name in ("points", "segments")}
     truths: dict[int, Array | None] = {}
     began = time.perf_counter()

@@ -72,7 +72,7 @@ def run(
 ) -> Outcome:
     """One run of the filter over frames that are there; and, at_once, by all its data, too."""
     front_end = kind(rig.sensors[0].calibration, np.random.default_rng([seed, 1]))
-    slam, rows, poses = Slam(rig, options, front_ends=[front_end]), [], []
+    slam, rows, poses = Slam(rig, options=options, front_ends=[front_end]), [], []
     smoother = Smoother(slam) if at_once else None
     began = time.perf_counter()
     for frame in frames:
@@ -123,7 +123,7 @@ def around(seed: int, closes: bool = False) -> dict[str, Any]:
     rng = np.random.default_rng(seed)
     film = rendering.film(rendering.default_room("drawn"), rig, way, frames=ROUND, dt=ROUND_DT, rng=rng)
     search = ActiveSearch(rig.sensors[0].calibration, np.random.default_rng([seed, 1]))
-    slam, poses, true, old = Slam(rig, OPTIONS, front_ends=[search]), [], [], []
+    slam, poses, true, old = Slam(rig, options=OPTIONS, front_ends=[search]), [], [], []
     smoother = Smoother(slam)
     for frame, truth in film:
         slam.step(frame)

@@ -90,7 +90,7 @@ class Run:
 def moved_by(motion_source: StereoMotionSource, rig: Rig, options: Options, pose: Array | None = None) -> Slam:
     """A filter of the rig, whose motion is given; pose (7,): where it starts, if not where the rig does."""
     robots = (replace(rig.robots[0], motion=motion_source.motion),)
-    slam = Slam(replace(rig, robots=robots), options, front_ends=[motion_source.front_end])
+    slam = Slam(replace(rig, robots=robots), options=options, front_ends=[motion_source.front_end])
     if pose is not None:
         block = slam.robots[0].block
         block.mean = np.concatenate([pose, block.mean[7:]])

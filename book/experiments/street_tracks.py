@@ -129,7 +129,7 @@ def run(
 ) -> tuple[Trajectory, Smoother, dict[str, int]]:
     """The camera's path as filtered; the smoother that has listened; how often points of the first pairs that are in
     the map were seen in the last ones, and how often the filter predicted them in the image."""
-    slam, again = Slam(rig, options), {"seen": 0, "predicted": 0}
+    slam, again = Slam(rig, options=options), {"seen": 0, "predicted": 0}
     smoother, poses, covariances = Smoother(slam), [], []
     still = Control(np.zeros(6), np.zeros((6, 6)))
     steps = [(still, 0.0), *zip(moves, np.diff(d.truth.times).tolist(), strict=True)]

@@ -53,7 +53,7 @@ def with_anchors(state: State, sensor: RigSensor) -> tuple[Array, Indices]:
 def anchors_carried(state: State, sensor: RigSensor) -> Iterator[Projection]:
     """As `slamlib.slam.transport.carried`, with the anchors' columns of N beside those of the world."""
     before, rows = with_anchors(state, sensor)
-    motion: Array = np.linalg.inv(before[rows])
+    motion = np.asarray(np.linalg.inv(before[rows]), float)
     state.belief.transport = lambda: (rows, with_anchors(state, sensor)[0] - before, motion)
     try:
         yield unprojected

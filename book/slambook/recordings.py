@@ -57,7 +57,7 @@ class Sightings:
             for i, start in enumerate(self.starts)
         )
         setups = tuple(SensorSetup(str(i), robot=i, type="rangeBearing") for i in range(len(robots)))
-        slam = Slam(Rig(robots, setups), replace(self.options, **said))
+        slam = Slam(Rig(robots, setups), options=replace(self.options, **said))
         for rig_sensor, (calibration, extrinsics) in zip(slam.sensors, self.sensors, strict=True):
             rig_sensor.calibration, rig_sensor.given = calibration, extrinsics
         return slam

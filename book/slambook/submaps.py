@@ -187,4 +187,4 @@ class SubmapSlam:
         self.slam = self._new_filter(replace(self.rig, robots=(start,)))
 
     def _new_filter(self, rig: Rig) -> Slam:
-        return Slam(rig, self.options, front_ends=self.front_ends() if self.front_ends else None)
+        return Slam(rig, options=self.options, front_ends=self.front_ends() if self.front_ends else None)

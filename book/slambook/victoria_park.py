@@ -22,7 +22,7 @@ from slambook.figures import colors, draw_ellipse, figure
 from slambook.trees import CAR, LASER, NearestNeighbor, drive
 from slamlib.data.files import check_writable, complete, write_whole
 from slamlib.data.records import Control, Features, Frame, Scan
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
+from slamlib.data.setup import RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, optional
 from slamlib.evaluation.consistency import rmse
 from slamlib.experiments.progress import progress
@@ -98,7 +98,7 @@ def _variables(path: Path, names: tuple[str, ...]) -> dict[str, Any]:
 def park_slam() -> Slam:
     """The filter: the car starts at the origin, and is sure of it."""
     laser = SensorSetup("laser", type="rangeBearing", position=LASER_AT, euler=(0, 0, 0))
-    slam = Slam(Rig((RobotSetup("car", motion=CAR),), (laser,)), OPTIONS, front_ends=[NearestNeighbor(GATE)])
+    slam = Slam(RobotSetup("car", motion=CAR), laser, options=OPTIONS, front_ends=[NearestNeighbor(GATE)])
     std = np.array([LASER_STD[0], np.radians(LASER_STD[1])])
     slam.sensors[0].calibration = Calibration(LASER, np.diag(std**2), limits={"far": FAR})
     return slam

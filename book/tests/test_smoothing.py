@@ -242,7 +242,7 @@ def round_the_square():
 @pytest.mark.parametrize("seed", [6, 9])
 def test_where_the_robot_cannot_slip_aside_the_steps_come_from_a_wider_valley(monkeypatch, seed):
     rig, world, way = round_the_square()
-    slam = Slam(rig, Options(points="eucPnt", max_new_first=8, max_new=8, updates=8, gate=1))
+    slam = Slam(rig, options=Options(points="eucPnt", max_new_first=8, max_new=8, updates=8, gate=1))
     smoother = Smoother(slam)
     for frame, _ in simulate(rig, world, frames=160, dt=1.0, rng=np.random.default_rng(seed), controls=[way]):
         slam.step(frame)

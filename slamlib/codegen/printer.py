@@ -5,8 +5,8 @@ from collections.abc import Iterator
 import sympy
 from sympy.printing.pycode import PythonCodePrinter
 
-from slamlib.symbolic import ArctanRatio, ArctanRatioSlope, Stumpff
 from slamlib.errors import WritingRuleError
+from slamlib.symbolic import ArctanRatio, ArctanRatioSlope, Stumpff
 
 _NAMES = {
     Stumpff: "stumpff", ArctanRatio: "arctan_ratio", ArctanRatioSlope: "arctan_ratio_slope", sympy.atan2: "arctan2",

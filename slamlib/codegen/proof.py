@@ -13,10 +13,10 @@ import numpy as np
 import sympy
 
 from slamlib.codegen.derive import Derivation, derive
-from slamlib.symbolic import closed_form
 from slamlib.errors import ShapeError, SingularPointError, SlamlibError
 from slamlib.models import Model
 from slamlib.models.numerical import complex_step, scaled_differences
+from slamlib.symbolic import closed_form
 
 Sampler = Callable[[np.random.Generator], list[Any]]
 

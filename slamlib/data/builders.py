@@ -48,6 +48,7 @@ class SensorFields(TypedDict, total=False):
     position_std: Numbers
     orientation_std: Numbers
     limits: dict[str, float]
+    landmark: str | None
 
 
 def robot(motion: Motion | str = "odometry", noise: ArrayLike = 0.0, **setup: Unpack[RobotFields]) -> RobotSetup:

@@ -67,6 +67,16 @@ class RobotSetup:
         check(self)
 
     @property
+    def robots(self) -> tuple["RobotSetup", ...]:
+        """As a part of a rig: itself."""
+        return (self,)
+
+    @property
+    def sensors(self) -> tuple["SensorSetup", ...]:
+        """As a part of a rig: none."""
+        return ()
+
+    @property
     def model(self) -> Motion:
         """The motion model."""
         return motion(self.motion) if isinstance(self.motion, str) else self.motion
@@ -109,6 +119,7 @@ class SensorSetup:
     simulator draws the true extrinsics with them. std: of each number of a measurement, or one for all; noise: a
     full covariance instead. image: (width, height) [px]; None: an image without a border. parameters and limits: those
     of the sensor's type. Image and parameters that are not given are those of the default camera, if it fits the type.
+    landmark: the parametrization of the landmarks that it initializes, by its name; None: what the options say.
 
         >>> import slamlib as sl
         >>> camera = sl.SensorSetup(position=(0, 0, 0.6), std=0.5)
@@ -129,6 +140,7 @@ class SensorSetup:
     image: Annotated[tuple[Positive, ...], Length((0, 2))] | None = UNSPECIFIED
     parameters: dict[str, Numbers] = field(default_factory=dict)
     limits: dict[str, Finite] = field(default_factory=dict)
+    landmark: str | None = None
 
     __repr__ = call_of
 
@@ -139,6 +151,16 @@ class SensorSetup:
             object.__setattr__(self, "image", IMAGE if kind.pixels else None)
         if not self.parameters and set(kind.parameters) <= set(PARAMETERS):
             object.__setattr__(self, "parameters", {name: PARAMETERS[name] for name in kind.parameters})
+
+    @property
+    def robots(self) -> tuple[RobotSetup, ...]:
+        """As a part of a rig: none."""
+        return ()
+
+    @property
+    def sensors(self) -> tuple["SensorSetup", ...]:
+        """As a part of a rig: itself."""
+        return (self,)
 
     @property
     def extrinsics(self) -> Array:
@@ -201,6 +223,12 @@ class Rig(Plain):
         for s in self.sensors:
             if not 0 <= s.robot < len(self.robots):
                 raise SlamlibError(f"{s.name} sits on robot {s.robot}; robots are counted 0 to {len(self.robots) - 1}")
+
+    @classmethod
+    def of(cls, *parts: "Rig | RobotSetup | SensorSetup") -> "Rig":
+        """The rig of robots and sensors, in this order. Raises SlamlibError."""
+        robots = (robot for part in parts for robot in part.robots)
+        return cls(tuple(robots), tuple(sensor for part in parts for sensor in part.sensors))
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data for JSON or TOML, with motions by their names. Raises SlamlibError if these do not find them."""

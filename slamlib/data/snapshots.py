@@ -1,13 +1,19 @@
 """The filter's output at one frame: everything that displays and evaluations get. Frozen, arrays only."""
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
+from slamlib.data.html_table import html_table
 from slamlib.data.records import Scan
+from slamlib.geometry.euler import from_rotation
 from slamlib.geometry.pose import compose
+from slamlib.geometry.quaternion import rotation
 from slamlib.manifolds import Array, Image, Mask
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class RobotView:
     """An estimated robot: name, state (size,) whose first seven numbers are the pose, covariance (dof, dof)."""
 
@@ -24,6 +30,24 @@ class RobotView:
     def pose_covariance(self) -> Array:
         """Covariance (6, 6) of the pose: position [m] in world axes, rotation vector [rad] in the robot's."""
         return self.covariance[:6, :6]
+
+    @property
+    def mean(self) -> Array:
+        """The mean (size,): `state` by its other name."""
+        return self.state
+
+    @property
+    def std(self) -> Array:
+        """Standard deviations (dof,)."""
+        return deviations(self.covariance)
+
+    def __repr__(self) -> str:
+        """Where it is, and how surely."""
+        euler = np.degrees(from_rotation(rotation(self.pose[3:]))).round(1) + 0.0  # no -0.0
+        return (
+            f"{self.name}: position {_listed(self.pose[:3], '.3f')} m, std {_listed(self.std[:3], '.3g')}; "
+            f"roll, pitch, yaw {_listed(euler, '.1f')} deg, std {_listed(np.degrees(self.std[3:6]), '.2g')}"
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,6 +123,69 @@ class MapView:
 
 
 @dataclass(frozen=True, eq=False)
+class Estimate:
+    """A landmark in the world: its type, mean [m] (3,) and standard deviations (3,); (2, 3) of a segment's endpoints.
+
+    nan where the estimate lies at infinity.
+    """
+
+    kind: str
+    mean: Array
+    std: Array
+
+
+class Map(Mapping[int, Estimate]):
+    """The estimated landmarks of all families, by their numbers; a notebook shows them as a table.
+
+    >>> import slamlib as sl
+    >>> slam = sl.Slam(sl.robot(), sl.relative_position(noise=0.1), options=sl.Options(points="eucPnt"))
+    >>> report = slam.step(None, {7: (2.0, 0.0, 1.0)})
+    >>> slam.map
+    Map of 1 landmark, in metres:
+      7 eucPnt    2.000   0.000   1.000   std 0.100 0.100 0.100
+    >>> slam.map[7].mean.tolist()
+    [2.0, 0.0, 1.0]
+    """
+
+    def __init__(self, views: Mapping[str, MapView]) -> None:
+        """views: by the name of their family."""
+        self._found = {
+            number: Estimate(kind, mean, deviations(covariance))
+            for view in views.values()
+            for number, kind, mean, covariance in zip(
+                view.ids.tolist(), view.kinds, view.geometry, view.covariance, strict=True
+            )
+        }
+
+    def __getitem__(self, number: int) -> Estimate:
+        return self._found[number]
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self._found)
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def _rows(self) -> Iterator[tuple[str, ...]]:
+        """Number, type, means, standard deviations; a segment has two rows."""
+        for number, found in self._found.items():
+            for mean, std in zip(found.mean.reshape(-1, 3), found.std.reshape(-1, 3), strict=True):
+                yield str(number), found.kind, *(f"{x:.3f}" for x in mean), *(f"{x:.3f}" for x in std)
+
+    def __repr__(self) -> str:
+        """A line for each landmark."""
+        lines = [
+            f"{number:>3} {kind} {x:>8} {y:>7} {z:>7}   std {a:>4} {b:>4} {c:>4}"
+            for number, kind, x, y, z, a, b, c in self._rows()
+        ]
+        return "\n".join([f"Map of {len(self)} landmark{'s' * (len(self) != 1)}, in metres:", *lines])
+
+    def _repr_html_(self) -> str:
+        """A row for each landmark, two for a segment."""
+        return html_table(("", "type", "x [m]", "y [m]", "z [m]", "std x", "std y", "std z"), self._rows())
+
+
+@dataclass(frozen=True, eq=False)
 class Snapshot:
     """Everything that a display or an evaluation needs of the filter after one frame; it never changes.
 
@@ -126,3 +213,12 @@ class Snapshot:
         """Pose (7,) of a sensor in the world."""
         view = self.sensors[sensor]
         return compose(self.robots[view.robot].pose, view.extrinsics)
+
+
+def deviations(covariance: Array) -> Array:
+    """Standard deviations (..., n) of covariances (..., n, n)."""
+    return np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1))
+
+
+def _listed(values: Array, form: str) -> str:
+    return "(" + ", ".join(format(value, form) for value in values.tolist()) + ")"

@@ -33,7 +33,8 @@ class Robot:
 class RigSensor:
     """A sensor on a robot; its extrinsics are given, or a block of the map that is estimated.
 
-    linearization: the linearization points of its measurements; None: the present means.
+    linearization: the linearization points of its measurements; None: the present means. landmark: the parametrization
+    of the landmarks that it initializes; None: what the filter's options say.
     """
 
     name: str
@@ -42,6 +43,7 @@ class RigSensor:
     given: Array
     block: Block | None = None
     linearization: Linearization | None = None
+    landmark: str | None = None
 
     @property
     def extrinsics(self) -> Array:

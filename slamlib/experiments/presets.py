@@ -80,7 +80,7 @@ class Preset(Plain):
 
     def slam(self) -> Slam:
         """Make a filter for it, before the first frame."""
-        return Slam(self.rig, self.options)
+        return Slam(self.rig, options=self.options)
 
     def save(self, path: str | Path) -> None:
         """Write it as JSON, atomically."""

@@ -149,9 +149,13 @@ class Family(ABC, Generic[FamilyOptionsT]):
     exact: Any = None
     parts: int = 1
 
-    def new_kind(self, options: FamilyOptionsT) -> Any:
-        """The parametrization of new landmarks, or None for none."""
-        name = (options.others or {}).get(self.name)
+    def chosen(self, options: FamilyOptionsT) -> str | None:
+        """The name of the parametrization of new landmarks in the options, or None for none."""
+        return (options.others or {}).get(self.name)
+
+    def new_kind(self, options: FamilyOptionsT, own: str | None = None) -> Any:
+        """The parametrization of new landmarks, or None for none; own: the sensor's own choice, of whatever family."""
+        name = own if own in self.parametrizations else self.chosen(options)
         return self.parametrizations[name] if name else None
 
     def size(self, calibration: Calibration) -> int:

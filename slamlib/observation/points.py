@@ -168,9 +168,9 @@ class PointFamily(Family[PointOptions]):
     parametrizations = POINTS
     exact = EUC_POINT
 
-    def new_kind(self, options: PointOptions) -> PointLandmark | None:
-        """The parametrization of new points, or None for none."""
-        return POINTS[options.points] if options.points else None
+    def chosen(self, options: PointOptions) -> str | None:
+        """The name of the parametrization of new points, or None for none."""
+        return options.points
 
     def usable(self, sensor: RigSensor, values: Array, options: PointOptions) -> Mask:
         """Mask (n,) of the measurements (n, m) that may initialize a landmark: not too near the image's border."""

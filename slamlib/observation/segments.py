@@ -66,9 +66,9 @@ class LineFamily(Family[LineOptions]):
         """A segment is two pixels."""
         return 4
 
-    def new_kind(self, options: LineOptions) -> LineLandmark | None:
-        """The parametrization of new lines, or None for none."""
-        return LINES[options.lines] if options.lines else None
+    def chosen(self, options: LineOptions) -> str | None:
+        """The name of the parametrization of new lines, or None for none."""
+        return options.lines
 
     def linearized(self, sensor: RigSensor, expected: PredictedBatch) -> tuple[Array, Array]:
         """Jacobians H (n, 2, k) and noises R (n, 2, 2) of the residual, which both depend on the segment predicted."""

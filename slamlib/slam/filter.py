@@ -1,24 +1,25 @@
 """EKF-SLAM: robots, sensors and landmarks in one joint Gaussian, updated frame by frame. Chapter ekf_slam reads it."""
 
-from collections import Counter
-from collections.abc import Sequence
+from collections import Counter, defaultdict
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.belief import Belief
 from slamlib.data.files import complete
-from slamlib.data.records import Control, Frame, Scan
-from slamlib.data.setup import Rig
-from slamlib.data.snapshots import Snapshot
+from slamlib.data.records import Control, Features, Frame, Scan
+from slamlib.data.setup import Rig, RobotSetup, SensorSetup
+from slamlib.data.snapshots import Map, RobotView, Snapshot
 from slamlib.entities import Landmark, RigSensor, Robot, State
 from slamlib.entities.linearization import FirstEstimates, Linearization
-from slamlib.errors import SingularPointError, SlamlibError, entry
+from slamlib.errors import ShapeError, SingularPointError, SlamlibError, entry
 from slamlib.geometry.pose import Pose, compose
-from slamlib.manifolds import Array
-from slamlib.observation import FAMILIES, Family
+from slamlib.manifolds import Array, finite, numbers
+from slamlib.observation import FAMILIES, Family, parametrization
 from slamlib.slam import checkpoint, transport
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput, KnownAssociation, match
@@ -27,7 +28,7 @@ from slamlib.slam.map_management import Report, is_bad, out_of_window, prune_can
 from slamlib.slam.measurement_update import RobotUpdate, convert, update_by_robot, update_in_batch, update_sequentially
 from slamlib.slam.options import Options
 from slamlib.slam.prediction import Predictions, predict_measurements
-from slamlib.slam.snapshot import snapshot_of
+from slamlib.slam.snapshot import map_views, robot_view, snapshot_of
 
 
 class Slam:
@@ -35,7 +36,7 @@ class Slam:
 
     >>> import slamlib as sl
     >>> preset = sl.presets.points()
-    >>> slam = sl.Slam(preset.rig, preset.options)
+    >>> slam = sl.Slam(preset.rig, options=preset.options)
     >>> frame, truth = next(preset.simulate())
     >>> report = slam.step(frame)
     >>> slam
@@ -43,11 +44,15 @@ class Slam:
     """
 
     def __init__(
-        self, rig: Rig, options: Options | None = None, *, front_ends: Sequence[FrontEnd] | None = None
+        self,
+        *parts: Rig | RobotSetup | SensorSetup,
+        options: Options | None = None,
+        front_ends: Sequence[FrontEnd] | None = None,
     ) -> None:
-        """front_ends: one for each sensor, which finds its measurements (default: KnownAssociation)."""
-        self.rig, self._options = rig, Options()
-        self.state = _state_of(rig)
+        """parts: a rig, or robots and sensors one by one. front_ends: one for each sensor, which finds its measurements
+        (default: KnownAssociation). Raises SlamlibError."""
+        self.rig, self._options = Rig.of(*parts), Options()
+        self.state = _state_of(self.rig)
         self.front_ends: list[FrontEnd] = list(front_ends or [KnownAssociation()] * len(self.sensors))
         if len(self.front_ends) != len(self.sensors):
             raise SlamlibError(f"Slam: {len(self.sensors)} sensors need as many front ends, got {len(self.front_ends)}")
@@ -76,7 +81,7 @@ class Slam:
 
     @options.setter
     def options(self, options: Options) -> None:
-        kinds = [family.new_kind(options) for family in self.families.values()]
+        kinds = [family.new_kind(options, s.landmark) for family in self.families.values() for s in self.sensors]
         transport.check(self.robots, [kind for kind in kinds if kind is not None], options.error)
         if options.error != self._options.error:
             self.linearization = FirstEstimates() if options.error == "first-estimates" else None
@@ -103,6 +108,16 @@ class Slam:
         return self.state.landmarks
 
     @property
+    def robot(self) -> RobotView:
+        """The first robot as it is estimated now: its mean, covariance and standard deviations."""
+        return robot_view(self.belief, self.robots[0])
+
+    @property
+    def map(self) -> Map:
+        """The landmarks as they are estimated now, by their numbers: means and standard deviations in the world."""
+        return Map(map_views(self.state, self.families))
+
+    @property
     def linearization(self) -> Linearization | None:
         """The linearization points; None: the present means."""
         return self.state.linearization
@@ -111,13 +126,26 @@ class Slam:
     def linearization(self, linearization: Linearization | None) -> None:
         self.state.linearization = linearization
 
-    def step(self, frame: Frame, *, update: bool = True, first: bool = False) -> Report:
+    def step(
+        self,
+        frame: Frame | Control | ArrayLike | None,
+        seen: Mapping[int, ArrayLike] | None = None,
+        *,
+        dt: float = 1.0,
+        update: bool = True,
+        first: bool = False,
+    ) -> Report:
         """Process one frame: all robots move; then each sensor updates the map and initializes new landmarks.
 
-        update: False skips the measurement update: this frame's measurements have been used already. first: as many
-        landmarks are initialized as in a sensor's first frame. Raises SlamlibError for a frame that does not fit the
-        rig; then nothing is changed.
+        frame: a Frame; or, for one robot with one sensor, its control (c,), with the noise of its setup, and what was
+        `seen` after the time dt [s]: measurements (m,) by the numbers of their landmarks. update: False skips the
+        measurement update: this frame's measurements have been used already. first: as many landmarks are initialized
+        as in a sensor's first frame. Raises SlamlibError for what does not fit the rig; then nothing is changed.
         """
+        if not isinstance(frame, Frame):
+            frame = self._frame(frame, {} if seen is None else seen, dt)
+        elif seen is not None:
+            raise SlamlibError("step: a Frame holds all that was seen; give a control where that is given apart")
         self._check(frame)
         report = Report()
         self.number = frame.number
@@ -140,6 +168,33 @@ class Slam:
         self.time += dt
         for robot, control in zip(self.robots, controls, strict=True):
             self._predict(robot, control, dt)
+
+    def _frame(self, control: Control | ArrayLike | None, seen: Mapping[int, ArrayLike], dt: float) -> Frame:
+        """The frame of one robot with one sensor after the present one. Raises SlamlibError."""
+        if (len(self.robots), len(self.sensors)) != (1, 1):
+            raise SlamlibError("step: a control is for one robot with one sensor; give a Frame, with a scan of each")
+        if not 0 < dt < np.inf:
+            raise SlamlibError(f"step: dt is a time above zero [s], got {dt}")
+        robot, sensor = self.robots[0], self.sensors[0]
+        if control is not None and not isinstance(control, Control):
+            control = Control(finite(control, (robot.motion.control,), "step", "control"), robot.noise)
+        return Frame(self.number + 1, dt, (control,), (self._scan(sensor, seen),))
+
+    def _scan(self, sensor: RigSensor, seen: Mapping[int, ArrayLike]) -> Scan:
+        """Measurements by the numbers of their landmarks as a scan: how many numbers each is says of which family."""
+        names: dict[int, str] = {}
+        for family in self.families.values():
+            if family.supports(sensor) and family.new_kind(self.options, sensor.landmark) is not None:
+                names.setdefault(family.size(sensor.calibration), family.name)
+        rows: dict[str, dict[int, Array]] = defaultdict(dict)
+        for number, measured in seen.items():
+            value = np.atleast_1d(numbers(measured, "step", f"measurement of {number}"))
+            if value.ndim != 1 or len(value) not in names:
+                wanted = " or ".join(f"{size} numbers ({name})" for size, name in names.items())
+                what = f"{sensor.name} measures {wanted} of a landmark"
+                raise ShapeError(f"step: {what}, and of {number} got {value.shape}")
+            rows[names[len(value)]][number] = value
+        return Scan({name: Features(np.array(list(of)), np.array(list(of.values()))) for name, of in rows.items()})
 
     def project(self, sensor: int = 0, motion: Array | None = None) -> Predictions:
         """Predict the measurements of a sensor (by its index); nothing is changed.
@@ -222,7 +277,7 @@ class Slam:
         inputs = FrontEndInput(scan, sensor, self.predictions[i])
         self.frame_counts[i] += 1
         for family in self.families.values():
-            if family.new_kind(self.options) is None or not family.supports(sensor):
+            if family.new_kind(self.options, sensor.landmark) is None or not family.supports(sensor):
                 continue
             known = {landmark.id for landmark in self.landmarks}
             usable = partial(family.usable, sensor, options=self.options)
@@ -231,7 +286,8 @@ class Slam:
 
     def _initialize_one(self, i: int, family: Family[Any], detected: Detected, report: Report) -> None:
         """Initialize one landmark; at the capacity another one is pruned for it, or it is refused."""
-        sensor, kind, (number, value, signature) = self.sensors[i], family.new_kind(self.options), detected
+        sensor, (number, value, signature) = self.sensors[i], detected
+        kind = family.new_kind(self.options, sensor.landmark)
         try:
             x, noise, jacobians = family.initialize(sensor, kind, value, self.options)
         except SingularPointError:
@@ -277,7 +333,8 @@ class Slam:
         """Load the filter of a file, together with the extra data that were saved with it. Raises SlamlibError."""
         header, arrays = checkpoint.read(path)
         with complete(path):
-            slam = cls(Rig.from_dict(header["rig"]), Options.from_dict(header["options"]), front_ends=front_ends)
+            options = Options.from_dict(header["options"])
+            slam = cls(Rig.from_dict(header["rig"]), options=options, front_ends=front_ends)
             checkpoint.unpack(slam.state, slam.front_ends, header, arrays)
             slam.number, slam.time, slam.frame_counts = header["number"], header["time"], header["frame_counts"]
             return slam, header["extra"]
@@ -289,6 +346,9 @@ def _state_of(rig: Rig) -> State:
     robots = [Robot(r.name, r.model, belief.add(r.model.manifold, r.state, r.covariance), r.noise) for r in rig.robots]
     sensors = []
     for setup in rig.sensors:
+        if setup.landmark is not None:
+            parametrization(setup.landmark)  # an unknown one is named here
         block = belief.add(Pose, setup.extrinsics, setup.covariance) if setup.estimated else None
-        sensors.append(RigSensor(setup.name, robots[setup.robot], setup.calibration, setup.extrinsics, block))
+        own = setup.name, robots[setup.robot], setup.calibration, setup.extrinsics, block
+        sensors.append(RigSensor(*own, landmark=setup.landmark))
     return State(belief, robots, sensors)

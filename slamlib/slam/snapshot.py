@@ -8,7 +8,7 @@ import numpy as np
 from slamlib.belief import Belief
 from slamlib.data.records import Scan
 from slamlib.data.snapshots import MapView, MeasurementView, RobotView, SensorView, Snapshot
-from slamlib.entities import POSE, Landmark, RigSensor, State
+from slamlib.entities import POSE, Landmark, RigSensor, Robot, State
 from slamlib.entities.landmark import group_by_kind
 from slamlib.manifolds import Array
 from slamlib.observation.family import Family, columns_jacobian, state_columns, viewpoint
@@ -17,6 +17,11 @@ from slamlib.slam.prediction import Predictions
 
 COLUMNS = {"chosen": bool, "matched": bool, "inlier": bool, "nis": float}
 Families = Mapping[str, Family[Any]]
+
+
+def robot_view(belief: Belief, robot: Robot) -> RobotView:
+    """A robot as it is estimated now."""
+    return RobotView(robot.name, robot.block.mean.copy(), belief.covariance(robot.block))
 
 
 def map_views(state: State, families: Families) -> dict[str, MapView]:
@@ -40,7 +45,7 @@ def snapshot_of(
 ) -> Snapshot:
     """A copy of everything that may be shown of a filter, after frame `number` at `time` [s]."""
     belief = state.belief
-    robots = tuple(RobotView(r.name, r.block.mean.copy(), belief.covariance(r.block)) for r in state.robots)
+    robots = tuple(robot_view(belief, robot) for robot in state.robots)
     sensors = []
     for sensor, scan, predicted in zip(state.sensors, scans, predictions, strict=True):
         covariance = np.zeros((POSE, POSE)) if sensor.block is None else belief.covariance(sensor.block)

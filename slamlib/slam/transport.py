@@ -61,7 +61,7 @@ def carried(state: State, sensor: RigSensor) -> Iterator[Projection]:
     """
     rows: Indices = sensor.columns
     before = unobservable(state, sensor)
-    motion: Array = np.linalg.inv(before[rows])
+    motion = np.linalg.inv(before[rows])
 
     def project(columns: Indices, H: Array) -> Array:
         H = H.copy()
@@ -71,7 +71,7 @@ def carried(state: State, sensor: RigSensor) -> Iterator[Projection]:
     def carry() -> Carry | None:
         change = unobservable(state, sensor) - before
         moved = change.any(axis=0)  # a translation of the world adds the same to a point or a pose anywhere
-        return (rows, change[:, moved], motion[moved]) if moved.any() else None
+        return (rows, change[:, moved], np.asarray(motion[moved], float)) if moved.any() else None
 
     state.belief.transport = carry
     try:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from slamlib.data.records import Control, Features, Frame, Scan
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
+from slamlib.data.setup import RobotSetup, SensorSetup
 from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.motions import ODOMETRY
 from slamlib.slam import Options, Slam
@@ -55,7 +55,7 @@ def filtered(data, std, control, mapped=lambda ids: ids > 0, **robot):
         std=(std,) * 3,
         parameters={"intrinsics": LENS["intrinsics"], "baseline": (0.12,)},
     )
-    slam = Slam(Rig((RobotSetup(**robot),), (sensor,)), EVERYTHING)
+    slam = Slam(RobotSetup(**robot), sensor, options=EVERYTHING)
     for k, (ids, values) in enumerate(data):
         moved = control(k, data[k - 1], data[k]) if k else (None if robot else STILL)
         keep = mapped(ids)

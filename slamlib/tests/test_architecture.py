@@ -86,7 +86,8 @@ feet = np.array([[3.0, 0, 0], [0, 4, 0], [0, 0, -2], [-5, 1, 0]])
 world = World({"planes": Features(np.arange(4), feet), "points": Features(np.arange(4, 8), feet + 0.5)})
 robot = RobotSetup(control=(0.05, 0, 0, 0, 0, 1.0), control_std=(0.01,) * 3 + (0.2,) * 3)
 rig = Rig((robot,), (SensorSetup(type="relativePosition", euler=(0.0, 0.0, 0.0), std=(0.02,)),))
-slam, rng = Slam(rig, Options(points="eucPnt", others={"planes": "footPln"}, error="world")), np.random.default_rng(1)
+options = Options(points="eucPnt", others={"planes": "footPln"}, error="world")
+slam, rng = Slam(rig, options=options), np.random.default_rng(1)
 run = list(simulate(rig, world, frames=60, dt=0.1, rng=rng))
 nis = []
 for frame, truth in run:
@@ -161,7 +162,10 @@ NEVER = {  # beyond the layers: the algebra knows no types, simulator and filter
     "testing": {"slam", "simulation"},
     "datasets": {"slam", "experiments"},
 }
-LAZY = {"codegen": {"sympy", "IPython"}, "symbolic": {"sympy"}}  # heavy packages that a part may import when it is loaded
+LAZY = {
+    "codegen": {"sympy", "IPython"},
+    "symbolic": {"sympy"},
+}  # heavy packages that a part may import when it is loaded
 HEAVY = {"sympy", "matplotlib", "scipy", "IPython", "cv2", "skimage", "joblib"}
 
 

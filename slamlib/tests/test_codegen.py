@@ -14,10 +14,10 @@ import slamlib
 from slamlib.analytic import arctan_ratio, arctan_ratio_slope, sin, sqrt, stumpff
 from slamlib.codegen import __main__ as command
 from slamlib.codegen import assert_same, check_model, derive, show
-from slamlib.symbolic import ArctanRatio, ArctanRatioSlope, Stumpff, closed_form
 from slamlib.errors import ShapeError, UnknownNameError, WritingRuleError
 from slamlib.geometry import pose, quaternion
 from slamlib.models import fingerprint, model
+from slamlib.symbolic import ArctanRatio, ArctanRatioSlope, Stumpff, closed_form
 
 ROOT = Path(slamlib.__file__).parent.parent
 

@@ -49,7 +49,7 @@ def turning(name="points", *, frames=60, seed=1, **options):
 
 def before_a_correction(p, sensor=0, rate=0.0):
     """A filter that has predicted the last frame of a preset, and the matched predictions of one sensor."""
-    slam = Slam(p.rig, p.options)
+    slam = Slam(p.rig, options=p.options)
     frames = [frame for frame, _ in p.simulate()]
     for frame in frames[:-1]:
         slam.step(frame)
@@ -116,7 +116,7 @@ def test_each_hypothesis_predicts_what_the_updated_filter_would(case, request):
 def test_outliers_are_as_those_that_the_gate_rejects(outlier_rejection, reproject, name):
     p = turning(name, frames=40, outlier_rejection=outlier_rejection, reproject=reproject)
     endpoints = [Wrong(0.3, np.random.default_rng(i)) for i in range(len(p.rig.sensors))]
-    slam, refused = Slam(p.rig, p.options, front_ends=endpoints), 0
+    slam, refused = Slam(p.rig, options=p.options, front_ends=endpoints), 0
     for frame, _ in p.simulate():
         before = {lm: (lm.matched, lm.inliers) for lm in slam.landmarks}
         slam.step(frame)
@@ -215,7 +215,7 @@ def of_runs(outlier_rejection, rate, runs=4):
     for seed in range(runs):
         p = turning(seed=seed, outlier_rejection=outlier_rejection)
         end = Wrong(rate, np.random.default_rng(seed))
-        slam = Slam(p.rig, p.options, front_ends=[end])
+        slam = Slam(p.rig, options=p.options, front_ends=[end])
         for frame, truth in p.simulate():
             slam.step(frame)
             e, P = Pose.minus(truth.robots[0][:7], slam.robots[0].pose), slam.belief.covariance(slam.robots[0].block)

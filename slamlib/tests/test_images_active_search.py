@@ -36,7 +36,7 @@ def film():
 def filter_of(film, **settings):
     calibration = film.rig.sensors[0].calibration
     front_end = ActiveSearch(calibration, np.random.default_rng(3), ActiveSearchSettings(**settings))
-    return Slam(film.rig, OPTIONS, front_ends=[front_end])
+    return Slam(film.rig, options=OPTIONS, front_ends=[front_end])
 
 
 @pytest.fixture(scope="module")

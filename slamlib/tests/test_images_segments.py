@@ -154,7 +154,9 @@ def frame_of(number, image):
 def seen(first, second, rig=None, options=OPTIONS, **settings):
     """The predictions for the second picture of a filter that started with the first."""
     rig = rig or rig_of()
-    slam = Slam(rig, options, front_ends=[SegmentSearch(rig.sensors[0].calibration, SegmentSettings(**settings))])
+    slam = Slam(
+        rig, options=options, front_ends=[SegmentSearch(rig.sensors[0].calibration, SegmentSettings(**settings))]
+    )
     slam.step(frame_of(1, first))
     slam.step(frame_of(2, second))
     return slam.predictions[0]
@@ -219,7 +221,7 @@ def test_the_region_is_the_same_whatever_the_reading(reading, distortion):
     regions = []
     for innovation in ("ortDst", reading):
         rig = rig_of(distortion=distortion)
-        slam = Slam(rig, replace(OPTIONS, innovation=innovation), front_ends=[SegmentSearch(calibration)])
+        slam = Slam(rig, options=replace(OPTIONS, innovation=innovation), front_ends=[SegmentSearch(calibration)])
         slam.step(frame_of(1, image))
         slam.step(frame_of(2, image))
         regions.append(across_covariances(slam.predictions[0], slam.sensors[0]))
@@ -228,7 +230,7 @@ def test_the_region_is_the_same_whatever_the_reading(reading, distortion):
 
 def test_the_innovation_of_orthogonal_distances_is_the_move_itself():
     rig, image = rig_of(), picture((0.2, 3, 80))
-    slam = Slam(rig, OPTIONS, front_ends=[SegmentSearch(rig.sensors[0].calibration)])
+    slam = Slam(rig, options=OPTIONS, front_ends=[SegmentSearch(rig.sensors[0].calibration)])
     slam.step(frame_of(1, image))
     slam.step(frame_of(2, image))
     S = np.array([prediction.S for prediction in slam.predictions[0]])
@@ -248,7 +250,7 @@ def test_the_lines_that_are_tried_cover_the_ellipse():
 def test_no_edge_is_initialized_on_a_predicted_one():
     image = picture((0.0, 0, 80), (np.pi / 2, 30, 80))
     rig = rig_of()
-    slam = Slam(rig, OPTIONS, front_ends=[SegmentSearch(rig.sensors[0].calibration)])
+    slam = Slam(rig, options=OPTIONS, front_ends=[SegmentSearch(rig.sensors[0].calibration)])
     counts = [len(slam.step(frame_of(i, image)).initialized) for i in range(1, 6)]
     assert counts[0] >= 2
     assert sum(counts[1:]) == 0
@@ -258,7 +260,7 @@ def test_edges_are_initialized_only_up_to_the_maximum():
     image = picture(*((np.pi / 2, x, 25) for x in (-60, -30, 0, 30, 60)))
     rig = rig_of()
     front_end = SegmentSearch(rig.sensors[0].calibration, SegmentSettings(max_in_view=3, slope=3.0))
-    slam = Slam(rig, OPTIONS, front_ends=[front_end])
+    slam = Slam(rig, options=OPTIONS, front_ends=[front_end])
     for i in range(1, 4):
         slam.step(frame_of(i, image))
     assert len(slam.landmarks) == 3
@@ -281,7 +283,7 @@ def film():
 
 def ran(film, front_end=None, options=OPTIONS):
     calibration = film.rig.sensors[0].calibration
-    slam, predictions = Slam(film.rig, options, front_ends=[front_end or SegmentSearch(calibration)]), []
+    slam, predictions = Slam(film.rig, options=options, front_ends=[front_end or SegmentSearch(calibration)]), []
     for frame, _ in film.steps:
         slam.step(frame)
         predictions += [prediction for prediction in slam.predictions[0] if prediction.chosen]
@@ -345,7 +347,7 @@ def test_a_run_that_was_saved_goes_on_identically(film, tmp_path):
         return CombinedFrontEnd(ActiveSearch(calibration, np.random.default_rng(3)), SegmentSearch(calibration))
 
     options = replace(OPTIONS, points="ahmPnt")
-    slam = Slam(film.rig, options, front_ends=[front_end()])
+    slam = Slam(film.rig, options=options, front_ends=[front_end()])
     for frame, _ in film.steps[:12]:
         slam.step(frame)
     slam.save(tmp_path / "half.npz")

@@ -133,7 +133,7 @@ def test_without_points_no_turn_is_measured(started):
 
 def filter_with_a_map(rig, frames):
     options = options_for(1.0, inverse_distance=(0.4, 0.4))
-    slam = Slam(rig, options, front_ends=[ActiveSearch(rig.sensors[0].calibration, np.random.default_rng(1))])
+    slam = Slam(rig, options=options, front_ends=[ActiveSearch(rig.sensors[0].calibration, np.random.default_rng(1))])
     for frame in frames:
         slam.step(frame)
     return slam

@@ -152,7 +152,7 @@ def started(film, name):
     motion_source = MOTION_SOURCES[name](rig.sensors[0].calibration, rig.sensors[0].extrinsics)
     slam = Slam(
         Rig((replace(rig.robots[0], motion=motion_source.motion),), rig.sensors),
-        OPTIONS,
+        options=OPTIONS,
         front_ends=[motion_source.front_end],
     )
     block = slam.robots[0].block

@@ -30,7 +30,7 @@ def film():
 
 def filter_of(rig, **more):
     """A filter with the stereo front end."""
-    return Slam(rig, OPTIONS, front_ends=[StereoSearch(rig.sensors[0].calibration, **more)])
+    return Slam(rig, options=OPTIONS, front_ends=[StereoSearch(rig.sensors[0].calibration, **more)])
 
 
 def run(slam, frames):

@@ -207,7 +207,7 @@ def test_what_says_nothing_of_the_motion_of_the_world_is_refused_before_the_run(
     p, own = preset("points"), replace(POINTS["ahmPnt"], name="mine", moved=None)
     rig = Rig((replace(p.rig.robots[0], motion=replace(MOTIONS["odometry"], moved=None)),), p.rig.sensors)
     with pytest.raises(SlamlibError, match=r"needs the model moved\(motion, state\) of odometry, which has none"):
-        Slam(rig, replace(p.options, error="world"))
+        Slam(rig, options=replace(p.options, error="world"))
     slam = run(with_options("points", error="world"), 3)
     slam.landmarks[0].kind = own
     with pytest.raises(SlamlibError, match="of mine, which has none"), carried(slam.state, slam.sensors[0]):

@@ -214,7 +214,7 @@ class ToolboxFilter(Slam):
     """The filter with some of our corrections switched off."""
 
     def __init__(self, rig, options, switches=()):
-        super().__init__(rig, options)
+        super().__init__(rig, options=options)
         self.switches = frozenset(switches)
         self.families = {"points": Points(self.switches), "segments": Lines(self.switches)}
         if "seven" in self.switches:

@@ -142,7 +142,7 @@ def image_run(
         raise SlamlibError("image_run: a rig of one robot with one camera is expected")
     rig = rig if scale is None else scale.placed(rig)
     own = front_end or make_front_end(options, rig.sensors[0].calibration, rng or np.random.default_rng(0))
-    slam = Slam(rig, options, front_ends=[own])
+    slam = Slam(rig, options=options, front_ends=[own])
     metric = scale is not None
     return SequenceRun(source, slam, MotionSource(own), IMAGES, patience=patience, metric=metric, target=start or scale)
 
@@ -183,7 +183,9 @@ def stereo_run(
     rig = chosen.inflated(camera_rig(camera, PAIRS, motion=chosen.motion, impulse=impulse, velocity=velocity))
     motion = chosen(rig.sensors[0].calibration, rig.sensors[0].extrinsics, settings)
     options = Options(points=None) if motion_source == "odometry" else options
-    return SequenceRun(source, Slam(rig, options, front_ends=[motion.front_end]), motion, PAIRS, patience=patience)
+    return SequenceRun(
+        source, Slam(rig, options=options, front_ends=[motion.front_end]), motion, PAIRS, patience=patience
+    )
 
 
 def load(
