@@ -142,10 +142,7 @@ class Slam:
         measurement update: this frame's measurements have been used already. first: as many landmarks are initialized
         as in a sensor's first frame. Raises SlamlibError for what does not fit the rig; then nothing is changed.
         """
-        if not isinstance(frame, Frame):
-            frame = self._frame(frame, {} if seen is None else seen, dt)
-        elif seen is not None:
-            raise SlamlibError("step: a Frame holds all that was seen; give a control where that is given apart")
+        frame = self._frame(frame, seen, dt)
         self._check(frame)
         report = Report()
         self.number = frame.number
@@ -169,16 +166,23 @@ class Slam:
         for robot, control in zip(self.robots, controls, strict=True):
             self._predict(robot, control, dt)
 
-    def _frame(self, control: Control | ArrayLike | None, seen: Mapping[int, ArrayLike], dt: float) -> Frame:
-        """The frame of one robot with one sensor after the present one. Raises SlamlibError."""
+    def _frame(
+        self, given: Frame | Control | ArrayLike | None, seen: Mapping[int, ArrayLike] | None, dt: float
+    ) -> Frame:
+        """The frame that was given; or, of a control and what was seen, the one after the present. Raises SlamlibError."""
+        if isinstance(given, Frame):
+            if seen is not None:
+                raise SlamlibError("step: a Frame holds all that was seen; give a control where that is given apart")
+            return given
         if (len(self.robots), len(self.sensors)) != (1, 1):
             raise SlamlibError("step: a control is for one robot with one sensor; give a Frame, with a scan of each")
         if not 0 < dt < np.inf:
             raise SlamlibError(f"step: dt is a time above zero [s], got {dt}")
         robot, sensor = self.robots[0], self.sensors[0]
+        control = given
         if control is not None and not isinstance(control, Control):
             control = Control(finite(control, (robot.motion.control,), "step", "control"), robot.noise)
-        return Frame(self.number + 1, dt, (control,), (self._scan(sensor, seen),))
+        return Frame(self.number + 1, dt, (control,), (self._scan(sensor, seen or {}),))
 
     def _scan(self, sensor: RigSensor, seen: Mapping[int, ArrayLike]) -> Scan:
         """Measurements by the numbers of their landmarks as a scan: how many numbers each is says of which family."""
