@@ -40,8 +40,8 @@ FamilyOptionsT = TypeVar("FamilyOptionsT", bound=FamilyOptions)  # the options o
 class PredictedBatch(NamedTuple):
     """Predicted measurements of n landmarks of one kind in view of one sensor.
 
-    value (n, m): predicted measurements; inner (n, q): what the innovation is computed from, with its Jacobian
-    by (n, q, k) w.r.t. the rows `columns` (n, k) of the joint covariance; options: those of the prediction.
+    value (n, m): predicted measurements; innovation_input (n, q): what the innovation is computed from; jacobian
+    (n, q, k): of that w.r.t. the rows `columns` (n, k) of the joint covariance; options: those of the prediction.
     """
 
     landmarks: list[Landmark]
@@ -74,8 +74,8 @@ class Innovation(NamedTuple):
 class Viewpoint(NamedTuple):
     """A sensor's pose (7,) in the world, and what Jacobians need.
 
-    at (7,): its pose at the linearization point, `pose` itself in an ordinary EKF; by (6, k): Jacobian of that w.r.t.
-    the rows `columns` of the joint covariance.
+    linearization_pose (7,): its pose at the linearization point, `pose` itself in an ordinary EKF; jacobian (6, k): of
+    that w.r.t. the rows `sensor.columns` of the joint covariance.
     """
 
     sensor: RigSensor
