@@ -117,7 +117,7 @@ class StackedMeasurements:
         function = entry("method", method, _METHODS)
         linalg.check_overflow("update", S)
         try:
-            return function(HP, self.H, self.touched, S, self.R, self.z)
+            return function(self, HP, S)
         except CovarianceError as error:
             which = self._certain(self.R if method == "scalar" else S)
             raise CovarianceError(
@@ -135,18 +135,18 @@ class StackedMeasurements:
         return f"number {number} of measurement {i} (of {', '.join(map(repr, self.given[i].blocks))})"
 
 
-def _batch(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
+def _batch(stacked: StackedMeasurements, HP: Array, S: Array) -> tuple[Array, Array, float]:
     """Step, rows W with P - W'W the updated covariance, and nis; from one Cholesky factor of S."""
     factor = linalg.cholesky(S, "update", "the innovation covariance")
     W = linalg.solve_lower(factor, HP)
-    white = linalg.solve_lower(factor, z)
+    white = linalg.solve_lower(factor, stacked.z)
     return white @ W, W, float(white @ white)
 
 
-def _scalar(HP: Array, H: Array, touched: Indices, S: Array, R: Array, z: Array) -> tuple[Array, Array, float]:
+def _scalar(stacked: StackedMeasurements, HP: Array, S: Array) -> tuple[Array, Array, float]:
     """The same, one number after another, after whitening by the factor of R."""
-    factor = linalg.cholesky(R, "update", "R (which method='scalar' whitens by)")
-    H, HP, z = (linalg.solve_lower(factor, a) for a in (H, HP, z))
+    touched, factor = stacked.touched, linalg.cholesky(stacked.R, "update", "R (which method='scalar' whitens by)")
+    H, HP, z = (linalg.solve_lower(factor, a) for a in (stacked.H, HP, stacked.z))
     step, rows, nis = np.zeros(HP.shape[1]), np.zeros_like(HP), 0.0
     for j, h in enumerate(H):
         running = HP[j] - (h @ rows[:j, touched].T) @ rows[:j]  # h P, with the covariance at this point
