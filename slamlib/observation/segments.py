@@ -1,7 +1,7 @@
 """Straight lines as a family of landmarks: measured as segments, estimated as infinite lines with two endpoints."""
 
 from dataclasses import dataclass, field
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
@@ -137,9 +137,10 @@ class LineFamily(Family[LineOptions]):
         rays, old = rays_of(sensor.calibration, measured)[0], np.array([landmark.abscissas for landmark in landmarks])
         found = endpoints.observed_endpoints(kind, landmark_means(landmarks), camera, rays)
         ends = np.where(found.usable[:, None], found.abscissas, old)
-        seen, _, (by_point, _, F, by_line) = project_endpoints(sensor.calibration, camera, landmarks, ends)
-        H, P = by_point @ F @ by_line, principal_blocks(belief.matrix, state_rows(landmarks))
-        spread = np.where(seen, endpoints.largest_std(H @ P[:, None] @ H.swapaxes(-1, -2)), np.inf).max(-1)
+        shown = project_endpoints(sensor.calibration, camera, landmarks, ends)
+        H = shown.pixel_by_point @ shown.point_by_end @ shown.end_by_line
+        P = principal_blocks(belief.matrix, state_rows(landmarks))
+        spread = np.where(shown.visible, endpoints.largest_std(H @ P[:, None] @ H.swapaxes(-1, -2)), np.inf).max(-1)
         for landmark, new in zip(landmarks, rule.update(old, found, spread), strict=True):
             landmark.abscissas = new
 
@@ -198,17 +199,30 @@ def _noise(sensor: RigSensor) -> Array:
     return noise
 
 
+class ProjectedEndpoints(NamedTuple):
+    """Two points of each of n lines in an image: the mask (n, 2) of those in view, and pixels (n, 2, 2).
+
+    The chain of Jacobians (n, 2, ...): of the pixel w.r.t. the point in the sensor's frame, of that point w.r.t. the
+    sensor's pose and w.r.t. the endpoint in the world, and of the endpoint w.r.t. its line.
+    """
+
+    visible: Mask
+    pixels: Array
+    pixel_by_point: Array
+    point_by_pose: Array
+    point_by_end: Array
+    end_by_line: Array
+
+
 def project_endpoints(
     calibration: Calibration, camera: Array, landmarks: list[Landmark], abscissas: Array
-) -> tuple[Mask, Array, tuple[Array, Array, Array, Array]]:
-    """Project the points at two abscissas (n, 2) of each line of one kind: mask (n, 2) of those in view,
-    pixels (n, 2, 2), and Jacobians: pixels w.r.t. the point in the frame, that w.r.t. pose and point, that w.r.t. line.
-    """
+) -> ProjectedEndpoints:
+    """Project the points at two abscissas (n, 2) of each line of one kind."""
     h, by_line = landmarks[0].kind.point_at.jac(landmark_means(landmarks)[:, None, :], abscissas)
-    point, F = hmg_point.to_frame.jac(camera, h)
-    seen = calibration.visible(point)
-    pixel, by_sensor = calibration.project_jac(np.where(seen[..., None], point, PLACEHOLDER_POINT))
-    return seen, pixel, (by_sensor.point, F.pose, F.landmark, by_line.landmark)
+    point, by = hmg_point.to_frame.jac(camera, h)
+    visible = calibration.visible(point)
+    pixels, by_sensor = calibration.project_jac(np.where(visible[..., None], point, PLACEHOLDER_POINT))
+    return ProjectedEndpoints(visible, pixels, by_sensor.point, by.pose, by.landmark, by_line.landmark)
 
 
 def endpoints_converged(geometry: Array, covariance: Array) -> Mask:

@@ -97,11 +97,10 @@ def endpoints_in_image(belief: Belief, sensor: RigSensor, landmarks: list[Landma
 
 def _of_one_kind(belief: Belief, sensor: RigSensor, landmarks: list[Landmark]) -> tuple[Array, Array]:
     view, abscissas = viewpoint(sensor), np.array([landmark.abscissas for landmark in landmarks])
-    ahead, pixel, parts = project_endpoints(sensor.calibration, view.pose, landmarks, abscissas)
-    by_point, by_pose, by_place, by_line = parts
-    by = columns_jacobian(view, by_pose, by_place @ by_line)
-    H, columns = by_point @ by, state_columns(sensor, landmarks)
+    shown = project_endpoints(sensor.calibration, view.pose, landmarks, abscissas)
+    by = columns_jacobian(view, shown.point_by_pose, shown.point_by_end @ shown.end_by_line)
+    H, columns = shown.pixel_by_point @ by, state_columns(sensor, landmarks)
     P = belief.matrix[columns[:, :, None], columns[:, None, :]]
-    seen = (ahead & sensor.calibration.inside(pixel))[..., None]
+    seen = (shown.visible & sensor.calibration.inside(shown.pixels))[..., None]
     covariance = H @ P[:, None] @ H.swapaxes(-1, -2)
-    return np.where(seen, pixel, np.nan), np.where(seen[..., None], covariance, np.nan)
+    return np.where(seen, shown.pixels, np.nan), np.where(seen[..., None], covariance, np.nan)

@@ -575,9 +575,9 @@ def test_endpoints_are_projected_as_the_points_they_are(count, rng):
         ends = np.append(frames.from_frame(pose, np.array([p, q])[:, :3]), np.ones((2, 1)), axis=1)
         abscissas.append(endpoints.abscissas_of(kind, line, ends))
         landmarks.append(Landmark(i, kind, belief.add(kind.manifold, line, np.eye(kind.manifold.dof)), 1))
-    seen, pixels, _ = project_endpoints(camera, pose, landmarks, np.array(abscissas))
-    assert seen.all()
-    assert pixels == pytest.approx(camera.project(points), abs=1e-6)
+    shown = project_endpoints(camera, pose, landmarks, np.array(abscissas))
+    assert shown.visible.all()
+    assert shown.pixels == pytest.approx(camera.project(points), abs=1e-6)
 
 
 @pytest.mark.parametrize("lead", [(), (3,)])
