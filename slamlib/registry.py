@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, Field, fields
 from functools import cached_property
 from types import ModuleType
-from typing import Any, NamedTuple, get_args
+from typing import Any, NamedTuple
 
 from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Manifold
@@ -22,9 +22,10 @@ class Wanted(NamedTuple):
 
 MODEL = Wanted("jac", "a function under @model(...)")
 TUPLE = Wanted("__iter__", "a tuple; see its help")
-BY_TYPE: dict[type, Wanted] = {  # of a field's declared type
+BY_TYPE: dict[Any, Wanted] = {  # of a field's declared type
     Formula: MODEL,
     Model: MODEL,
+    Model | None: MODEL,
     Manifold: Wanted("dof", "a manifold, such as as_manifold(7)"),
 }
 BY_NAME = {  # of fields whose declared type says less
@@ -51,9 +52,7 @@ class TypeDescription:
 
 def _lacking(part: Field[Any], value: object) -> str | None:
     """What a part of a type should be, if its value is missing or something else."""
-    declared = get_args(part.type) or (part.type,)  # of `Model | None` both; a value that is given must be a Model
-    by_type = (wanted for kind, wanted in BY_TYPE.items() if kind in declared)
-    wanted = BY_NAME.get(part.name) or next(by_type, None)
+    wanted = BY_NAME.get(part.name) or BY_TYPE.get(part.type)
     if wanted is None:
         return "see its help" if value is None else None
     return None if hasattr(value, wanted.attribute) else wanted.words
