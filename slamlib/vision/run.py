@@ -215,6 +215,7 @@ def load(
             motion = MotionSource(front_end(rig.sensors[0].calibration))
         slam = Slam.load(path, front_ends=[motion.front_end])
         motion.restore(told["state"])
-        run = SequenceRun(source or opening.reopen(saved["source"], frames), slam, motion, kind, **saved["run"])
+        run = SequenceRun(source or opening.reopen(saved["source"], frames), slam, motion, kind)
+        run.restore(saved["run"])
         check_columns(run.history, run.columns)
         return run

@@ -19,6 +19,7 @@ from slamlib.datasets.dataset import ImageSource
 from slamlib.datasets.pictures import TimedImage
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory
+from slamlib.manifolds import Array
 from slamlib.observation.family import viewpoint
 from slamlib.slam import Options, Report, Slam
 from slamlib.vision.front_end import MotionSource
@@ -28,6 +29,7 @@ from slamlib.vision.target import Target
 from slamlib.vision.tracking_loss import TrackingLoss, TrackingLostError
 
 TIME, LANDMARKS, INLIERS = (COLUMNS.index(name) for name in ("time", "landmarks", "inliers"))
+PLAIN = ("history", "path", "covariances", "patience", "metric", "relocalizes")  # what a run keeps as plain data
 
 
 @dataclass(frozen=True)
@@ -72,35 +74,22 @@ class SequenceRun:
         *,
         patience: int = 30,
         metric: bool = True,
-        relocalizes: bool = False,
         target: Target | None = None,
-        history: list[list[float]] | None = None,
-        path: list[list[float]] | None = None,
-        covariances: list[list[list[float]]] | None = None,
-        tracking_loss: dict[str, Any] | None = None,
-        innovations: dict[str, list[float]] | None = None,
-        last: list[Any] | None = None,
     ) -> None:
         """slam: with the motion source's front end. patience: frames without a match, after which the run stops.
 
-        metric: whether the scale is known. relocalizes: whether a lost camera is sought, and loops closed. target: seen
-        in the first image. The others: of a saved run, whose last image must be the source's. Raises SlamlibError.
+        metric: whether the scale is known. target: seen in the first image.
         """
         self.source, self.slam, self.motion, self.kind = source, slam, motion, kind
-        self.patience, self.metric, self.relocalizes, self.target = patience, metric, relocalizes, target
-        self.history, self.path, self.covariances = history or [], path or [], covariances or []
-        self.tracking_loss = TrackingLoss(**tracking_loss or {})
-        self.innovations = {int(number): np.array(value) for number, value in (innovations or {}).items()}
+        self.patience, self.metric, self.target = patience, metric, target
+        self.relocalizes = False  # whether a lost camera is sought, and loops closed
+        self.history: list[list[float]] = []
+        self.path: list[list[float]] = []
+        self.covariances: list[list[list[float]]] = []
+        self.tracking_loss = TrackingLoss()
+        self.innovations: dict[int, Array] = {}
         self.is_intact = True  # False while a frame is being processed
         self.picture: TimedImage | None = None  # the last one processed
-        if last is not None:
-            self.picture = next(iter(source.part(self.done - 1)))
-            if (found := _identity(self.picture)) != last:
-                pixels = " with other pixels" * (found[0] == last[0])
-                raise SlamlibError(
-                    f"the {kind.item}s in {source.where} have changed since the run was saved: the last one that it "
-                    f"used was {last[0]}, and its place has {found[0]} now{pixels}"
-                )
 
     def __len__(self) -> int:
         """Number of remaining images."""
@@ -238,11 +227,32 @@ class SequenceRun:
         if not self.is_intact:
             raise SlamlibError(f"frame {self.done + 1} was interrupted, and the state of the filter is incomplete")
         settings = getattr(self.slam.front_ends[0], "settings", None)
-        run = {n: getattr(self, n) for n in ("history", "path", "covariances", "patience", "metric", "relocalizes")}
-        run |= {"tracking_loss": asdict(self.tracking_loss), "last": self.picture and _identity(self.picture)}
-        run["innovations"] = {str(number): value.tolist() for number, value in self.innovations.items()}
         motion = {"name": self.motion.name, "settings": settings and asdict(settings), "state": self.motion.dump()}
-        self.slam.save(path, **{self.kind.name: {"source": self.source.recipe, "run": run, "motion": motion}})
+        self.slam.save(path, **{self.kind.name: {"source": self.source.recipe, "run": self.dump(), "motion": motion}})
+
+    def dump(self) -> dict[str, Any]:
+        """Its state as plain data, without those of the filter and of the motion source."""
+        return {
+            **{name: getattr(self, name) for name in PLAIN},
+            "tracking_loss": asdict(self.tracking_loss),
+            "last": self.picture and _identity(self.picture),
+            "innovations": {str(number): value.tolist() for number, value in self.innovations.items()},
+        }
+
+    def restore(self, state: dict[str, Any]) -> None:
+        """Restore the state that `dump` returned. Raises SlamlibError if its last image is not the source's."""
+        for name in PLAIN:
+            setattr(self, name, state[name])
+        self.tracking_loss = TrackingLoss(**state["tracking_loss"])
+        self.innovations = {int(number): np.array(value) for number, value in state["innovations"].items()}
+        if (last := state["last"]) is not None:
+            self.picture = next(iter(self.source.part(self.done - 1)))
+            if (found := _identity(self.picture)) != last:
+                pixels = " with other pixels" * (found[0] == last[0])
+                raise SlamlibError(
+                    f"the {self.kind.item}s in {self.source.where} have changed since the run was saved: the last one "
+                    f"that it used was {last[0]}, and its place has {found[0]} now{pixels}"
+                )
 
 
 def _identity(picture: TimedImage) -> list[Any]:
