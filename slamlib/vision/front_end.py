@@ -139,7 +139,11 @@ class CombinedFrontEnd:
     def __init__(self, points: Any, segments: ImageFrontEnd) -> None:
         self.points, self.settings = points, points.settings
         self.front_ends: dict[str, Any] = {"points": points, "segments": segments}
-        self.seconds = segments.seconds = points.seconds  # spent so far by both
+
+    @property
+    def seconds(self) -> dict[str, float]:
+        """Seconds spent so far by both, by part."""
+        return {part: sum(f.seconds[part] for f in self.front_ends.values()) for part in self.points.seconds}
 
     def check(self, scan: Scan) -> None:
         """Raise SlamlibError for a scan that they cannot process."""
