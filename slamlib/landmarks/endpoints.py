@@ -37,7 +37,7 @@ class EndpointExtension:
 
     def __post_init__(self) -> None:
         if not self.switch >= 0:
-            raise SlamlibError(f"Extension: switch is a standard deviation in pixels, not {self.switch}")
+            raise SlamlibError(f"EndpointExtension: switch is a standard deviation in pixels, not {self.switch}")
 
     def update(self, abscissas: Array, seen: ObservedEndpoints, spread: Array) -> Array:
         """New abscissas (..., 2), from the old ones, a measured segment's, and `largest_std` (...) [px]."""
