@@ -46,29 +46,29 @@ class AuditFigure:
 
 
 def near(
-    what: str, measured: float, expected: float, tolerance: float, remark: str = "", listed: str | None = None
+    what: str, measured: float, expected: float, tolerance: float, *, listed: str | None = None, remark: str = ""
 ) -> AuditFigure:
     """A figure that must come out within the tolerance; listed: what the list has, if not what is expected."""
     said = f"{expected:.4g}" if listed is None else listed
     return AuditFigure(what, float(measured), float(expected - tolerance), float(expected + tolerance), said, remark)
 
 
-def instead(what: str, measured: float, expected: float, tolerance: float, listed: str, remark: str) -> AuditFigure:
+def instead(what: str, measured: float, expected: float, tolerance: float, *, listed: str, remark: str) -> AuditFigure:
     """A figure of the list that is not right: what is expected in its place, within the tolerance, and why."""
-    return replace(near(what, measured, expected, tolerance, remark, listed), corrected=True)
+    return replace(near(what, measured, expected, tolerance, listed=listed, remark=remark), corrected=True)
 
 
-def ours(what: str, measured: float, expected: float, tolerance: float, remark: str = "") -> AuditFigure:
+def ours(what: str, measured: float, expected: float, tolerance: float, *, remark: str = "") -> AuditFigure:
     """A figure that the list does not have."""
-    return near(what, measured, expected, tolerance, remark, "")
+    return near(what, measured, expected, tolerance, listed="", remark=remark)
 
 
-def at_least(what: str, measured: float, least: float, listed: str = "", remark: str = "") -> AuditFigure:
+def at_least(what: str, measured: float, least: float, *, listed: str = "", remark: str = "") -> AuditFigure:
     """An effect that must be this large; `listed` is the list's value."""
     return AuditFigure(what, float(measured), float(least), inf, listed, remark)
 
 
-def at_most(what: str, measured: float, most: float, listed: str = "0") -> AuditFigure:
+def at_most(what: str, measured: float, most: float, *, listed: str = "0") -> AuditFigure:
     """Something that must vanish, up to rounding."""
     return AuditFigure(what, float(measured), -inf, float(most), listed)
 

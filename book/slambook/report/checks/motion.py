@@ -58,7 +58,7 @@ def place_of_H() -> Findings:
     yield near("H off, 0.08 m and 0.9 degrees [%]", _change_of_H(*SMALL), 1.7, 0.3)
     yield near("H off, 0.5 m and 10 degrees [%]", _change_of_H(*LARGE), 17, 2)
     yield near("NEES/6, gentle", a.ratio, 1.08, 0.25)
-    yield instead("NEES/6, hard", b.ratio, 1.65, 0.3, "1.22", grows)
+    yield instead("NEES/6, hard", b.ratio, 1.65, 0.3, listed="1.22", remark=grows)
     yield statistics(("gentle", a), ("hard", b), ("right", b_right))
 
 
@@ -66,18 +66,22 @@ def place_of_H() -> Findings:
 def place_of_F() -> Findings:
     a, b, b_right = ran("gentle", "E02"), ran("hard", "E02"), ran("hard")
     share = "the list's motions are not recorded; relative to the block F14 to F36 it is the angle turned"
-    yield instead("F14 to F36 off, 0.08 m and 0.9 degrees [%]", _change_of_F(*SMALL), 1.57, 0.05, "0.6", share)
-    yield instead("F14 to F36 off, 0.5 m and 10 degrees [%]", _change_of_F(*LARGE), 17.4, 0.5, "12", share)
+    yield instead(
+        "F14 to F36 off, 0.08 m and 0.9 degrees [%]", _change_of_F(*SMALL), 1.57, 0.05, listed="0.6", remark=share
+    )
+    yield instead(
+        "F14 to F36 off, 0.5 m and 10 degrees [%]", _change_of_F(*LARGE), 17.4, 0.5, listed="12", remark=share
+    )
     yield near("NEES/6, gentle", a.ratio, 1.06, 0.25)
     yield near("NEES/6, hard", b.ratio, 2.31, 0.8)
-    yield at_least("the same over that of the right filter", b.ratio / b_right.ratio, 1.4, "1.9")
+    yield at_least("the same over that of the right filter", b.ratio / b_right.ratio, 1.4, listed="1.9")
     yield statistics(("gentle", a), ("hard", b), ("right", b_right)) + "; F and df/du at the predicted state"
 
 
 @check("E03", "1.2, (3.8), (3.15)", "u_k leads from k to k+1; u_k in (3.8); u_{k-1} in (3.15)", "x_k = f(x_{k-1}, u_k)")
 def index_of_u() -> Findings:
     wrong, right = ran("uneven", "E03"), ran("uneven")
-    yield at_least("NEES/6, a robot that starts and stops", wrong.ratio, 2.0, "off by one")
+    yield at_least("NEES/6, a robot that starts and stops", wrong.ratio, 2.0, listed="off by one")
     yield ours("the same with u_k", right.ratio, 1.0, 0.25)
     yield statistics(("uneven", wrong), ("right", right)) + "; read: all three conventions, where the table says"
 
@@ -95,9 +99,9 @@ def angle_rows() -> Findings:
         lambda o, u: (rotation(o) @ u[..., None])[..., 0], orientation, u
     )
     yield near("|A - I|, level, yaw 5", error(_at(0, 0, 0), 5, 0, 0), 0.087, 0.001)
-    yield instead("|A - I|, 40/20/10, yaw 5", error(_at(40, 20, 10), 5, 0, 0), 0.103, 0.001, "0.11", norm)
-    yield instead("|A - I|, pitch 80, yaw 5", error(_at(0, 80, 0), 5, 0, 0), 3.27, 0.01, "1.0", norm)
-    yield ours("|A - I|, pitch 80, pitch 5", error(_at(0, 80, 0), 0, 5, 0), 1.41, 0.01, pitch)
+    yield instead("|A - I|, 40/20/10, yaw 5", error(_at(40, 20, 10), 5, 0, 0), 0.103, 0.001, listed="0.11", remark=norm)
+    yield instead("|A - I|, pitch 80, yaw 5", error(_at(0, 80, 0), 5, 0, 0), 3.27, 0.01, listed="1.0", remark=norm)
+    yield ours("|A - I|, pitch 80, pitch 5", error(_at(0, 80, 0), 0, 5, 0), 1.41, 0.01, remark=pitch)
     yield at_most("F14 to F36 as printed minus differences", np.abs(off).max(), 1e-8)
     yield ours("NEES/6, hard", run.ratio, 1.6, 0.35)
     yield statistics(("hard", run), ("right", right))
@@ -116,11 +120,11 @@ def control_rows() -> Findings:
     alone = "the list's 34 is E07 and E08 together, the next row; E08 alone gives 9 to 13 with three seeds"
     yield at_most("B minus the list's formula", np.abs(B - stated).max(), 1e-12)
     yield near("|B - I|, pitch 5, roll 3", error(5, 3), 0.10, 0.005)
-    yield instead("|B - I|, pitch 20, roll 10", error(20, 10), 0.412, 0.001, "0.42", formula)
+    yield instead("|B - I|, pitch 20, roll 10", error(20, 10), 0.412, 0.001, listed="0.42", remark=formula)
     yield near("|B - I|, pitch 45, roll 10", error(45, 10), 1.10, 0.005)
-    yield instead("|B - I|, pitch 80, roll 0", error(80, 0), 7.40, 0.01, "8.2", formula)
+    yield instead("|B - I|, pitch 80, roll 0", error(80, 0), 7.40, 0.01, listed="8.2", remark=formula)
     yield near("NEES/6, gentle", a.ratio, 1.11, 0.25)
-    yield instead("NEES/6, hard", b.ratio, 12, 4, "34", alone)
+    yield instead("NEES/6, hard", b.ratio, 12, 4, listed="34", remark=alone)
     yield near("NEES/6, hard, with E07", both.ratio, 34, 12)
     yield near("error of the attitude, times the right one, with E07", both.rotation / right.rotation, 5, 1)
     yield statistics(("gentle", a), ("hard", b), ("with E07", both), ("right", right))
@@ -141,5 +145,5 @@ def missing_Q() -> Findings:
     yield near("error of the attitude [deg]", wrong.rotation, 5.7, 0.6)
     yield near("with Q: position [m]", right.position, 0.028, 0.004)
     yield near("with Q: attitude [deg]", right.rotation, 0.37, 0.08)
-    yield at_least("NEES/6 (P is singular)", wrong.ratio, float(DOF) * 1e6, "infinite")
+    yield at_least("NEES/6 (P is singular)", wrong.ratio, float(DOF) * 1e6, listed="infinite")
     yield statistics(("gentle", wrong), ("right", right))

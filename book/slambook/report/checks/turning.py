@@ -41,12 +41,14 @@ def added() -> Findings:
     yield near("one step, 40/5/3, yaw 2 [deg]", _added_off(_deg(40, 5, 3), _deg(2, 0, 0)), 0.20, 0.005)
     yield near("one step, pitch 10, roll 10, yaw 5 [deg]", _added_off(_deg(0, 10, 10), _deg(5, 0, 0)), 1.23, 0.005)
     yield near("one step, pitch 30, yaw 10 [deg]", _added_off(_deg(0, 30, 0), _deg(10, 0, 0)), 5.2, 0.05)
-    yield near("round in 360 steps, pitch 5, roll 2 [deg]", _worst_of_a_turn(5, 2), 10.8, 0.05, half)
+    yield near("round in 360 steps, pitch 5, roll 2 [deg]", _worst_of_a_turn(5, 2), 10.8, 0.05, remark=half)
     yield near("round in 360 steps, pitch 10, roll 5 [deg]", _worst_of_a_turn(10, 5), 22.3, 0.05)
     yield near("round in 360 steps, pitch 20, roll 10 [deg]", _worst_of_a_turn(20, 10), 44.5, 0.05)
-    yield near("NEES/6, gentle", a.ratio, 5.75, 1.5, steps)
+    yield near("NEES/6, gentle", a.ratio, 5.75, 1.5, remark=steps)
     yield near("error of the attitude, times that of the right filter, gentle", a.rotation / a_right.rotation, 3.3, 0.6)
-    yield ours("NEES/6, gentle, in the mean alone", mean.ratio, 1.3, 0.3, "with the derivatives of the composition")
+    yield ours(
+        "NEES/6, gentle, in the mean alone", mean.ratio, 1.3, 0.3, remark="with the derivatives of the composition"
+    )
     yield ours("NEES/6, hard, in the mean alone", b_mean.ratio, 1300, 500)
     yield near("NEES/6, hard", b.ratio, 5505, 1500)
     yield near("error of the attitude, hard [deg]", b.rotation, 23.6, 5)
@@ -67,7 +69,7 @@ def exchanged() -> Findings:
     yield near("30, 5, 2 comes back off by [deg]", error(30, 5, 2), 41.1, 0.05)
     yield near("yaw 90 comes back off by [deg]", error(90, 0, 0), 120, 0.05)
     yield at_most("exchanged: a thousand attitudes come back", round_trip, 1e-12)
-    yield at_least("NEES/6, hard", run.ratio, 2000, "2e4")
+    yield at_least("NEES/6, hard", run.ratio, 2000, listed="2e4")
     yield near("error of the attitude, hard [deg]", run.rotation, 47, 20)
     yield statistics(("hard", run), ("right", right))
 

@@ -63,11 +63,11 @@ def running() -> Findings:
     one = "the list's 43 % is one problem; of 300 the median, which depends on the problems"
     low, high = np.quantile(stale, (0.05, 0.95))
     yield at_most("corrected minus batch, relative, worst of 300", right.max(), 1e-8)
-    yield at_least("old innovation: state off, median of 300", float(np.median(stale)), 0.3, "43 %", one)
-    yield at_least("everything old: share of indefinite P", float((least < 0).mean()), 0.9, "indefinite")
-    yield at_least("old innovation: error of the position, gentle [m]", run.position, 1, "10 m")
-    yield at_least("old innovation: error of the attitude [deg]", run.rotation, 45, "94")
-    yield at_least("everything old: variance, largest, size", size, 1e20, "-2.7e110")
+    yield at_least("old innovation: state off, median of 300", float(np.median(stale)), 0.3, listed="43 %", remark=one)
+    yield at_least("everything old: share of indefinite P", float((least < 0).mean()), 0.9, listed="indefinite")
+    yield at_least("old innovation: error of the position, gentle [m]", run.position, 1, listed="10 m")
+    yield at_least("old innovation: error of the attitude [deg]", run.rotation, 45, listed="94")
+    yield at_least("everything old: variance, largest, size", size, 1e20, listed="-2.7e110")
     yield f"{statistics(('old innovation', run), ('right', ok))}; of 300 problems 5 to 95 %: {low:.0%} to {high:.0%}"
 
 
@@ -78,9 +78,13 @@ def whitening() -> Findings:
     one = "the list's 6.8 % is one problem; of 300 the median"
     low, high = np.quantile(diagonal, (0.05, 0.95))
     yield at_most("whitened minus batch, relative, worst of 300", white.max(), 1e-8)
-    yield at_least("R_jj: state off, median of 300", float(np.median(diagonal)), 0.05, "6.8 %", one)
-    yield at_least("stereo: error of the position over the right one", run.position / right.position, 2, "bites here")
-    yield at_least("stereo: error of the attitude over the right one", run.rotation / right.rotation, 2, "bites here")
+    yield at_least("R_jj: state off, median of 300", float(np.median(diagonal)), 0.05, listed="6.8 %", remark=one)
+    yield at_least(
+        "stereo: error of the position over the right one", run.position / right.position, 2, listed="bites here"
+    )
+    yield at_least(
+        "stereo: error of the attitude over the right one", run.rotation / right.rotation, 2, listed="bites here"
+    )
     yield ours("stereo, whitened: NEES/6", right.ratio, 1.0, 0.25)
     yield f"{statistics(('stereo', run), ('right', right))}; of 300 problems 5 to 95 %: {low:.1%} to {high:.0%}"
 
@@ -97,7 +101,9 @@ def linear() -> Findings:
         found = observation.batch(np.zeros(4), P, np.ones(2), H, R)[1]
         off = max(off, float(np.abs(found - np.linalg.inv(np.linalg.inv(P) + H.T @ np.linalg.inv(R) @ H)).max()))
     yield at_most("(3.5), (3.7) minus least squares, 100 problems", off, 1e-9)
-    yield at_least("single precision, 300 corrections: least over largest eigenvalue", _single(), -1e-5, "none fails")
+    yield at_least(
+        "single precision, 300 corrections: least over largest eigenvalue", _single(), -1e-5, listed="none fails"
+    )
     yield "read: 3.1.1, 'what we call the Kalman innovation' of (3.4), 'because the covariance is a quadratic matrix'"
 
 
