@@ -15,7 +15,7 @@ from slamlib.geometry.pose import compose
 from slamlib.landmarks.line_innovation import angles, distances, oriented, rho_theta
 from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import Array
-from slamlib.observation.points import Observation, named, through
+from slamlib.observation.points import NamedJacobians, Observation, through
 from slamlib.sensors.sensor import Calibration
 
 Residual = Callable[[Calibration, Array, Array], tuple[Array, Array, Array]]
@@ -35,18 +35,18 @@ def observe_line(
     line, by_frame = kind.to_frame.jac(camera, landmarks)
     value, J = image_line(calibration, line)
     by_pose = J[0] @ by_frame.pose
-    parts = {
-        "robot": by_pose @ by_camera.outer,
-        "extrinsics": by_pose @ by_camera.inner,
-        "landmark": J[0] @ by_frame.landmark,
+    jacobians = NamedJacobians(
+        robot=by_pose @ by_camera.outer,
+        extrinsics=by_pose @ by_camera.inner,
+        landmark=J[0] @ by_frame.landmark,
         **{n: getattr(J, n) for n in calibration.given if n in J._fields},
-    }
-    return Observation(value, np.ones(value.shape[:-1], dtype=bool), named(parts), line)
+    )
+    return Observation(value, np.ones(value.shape[:-1], dtype=bool), jacobians, line)
 
 
 def initialize_line(
     kind: LineLandmark, calibration: Calibration, robot: Array, extrinsics: Array, segment: Array, prior: Array
-) -> tuple[Array, Any]:
+) -> tuple[Array, NamedJacobians]:
     """Initialize a landmark from a segment (..., 4), two pixels, and a prior (..., 2) of two unmeasured numbers.
 
     jacobians.robot (..., dof, 6), .extrinsics (..., dof, 6), .measurement (..., dof, 4), .unmeasured (..., dof, 2), and
@@ -61,13 +61,13 @@ def initialize_line(
     rays, by_pixels, by_sensor = rays_of(calibration, segment)
     landmark, by_frame = kind.from_frame.jac(camera, rays, prior)
     by_given = {n: getattr(by_sensor, n)[..., :3, :] for n in calibration.given}  # (..., 2, 3, k), ray by ray
-    parts = {
+    jacobians = NamedJacobians(
         **through(by_camera, by_frame.pose),
-        "measurement": by_frame.rays @ by_pixels,
-        "unmeasured": by_frame.prior,
+        measurement=by_frame.rays @ by_pixels,
+        unmeasured=by_frame.prior,
         **{n: by_frame.rays @ J.reshape(*J.shape[:-3], 6, J.shape[-1]) for n, J in by_given.items()},
-    }
-    return landmark, named(parts)
+    )
+    return landmark, jacobians
 
 
 def _check_lines(calibration: Calibration, task: str) -> None:

@@ -3,9 +3,9 @@
 landmark --to_frame--> homogeneous point in the sensor's frame --project--> measurement, and back.
 """
 
-from collections import namedtuple
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from types import SimpleNamespace
 from typing import Annotated, Any
 
 import numpy as np
@@ -28,6 +28,13 @@ from slamlib.sensors.sensor import Calibration
 PLACEHOLDER_POINT = np.array([0.25, 0.5, 1, 1])  # for points that cannot be measured: so their rows are finite
 
 
+class NamedJacobians(SimpleNamespace):
+    """Jacobians by the names of their arguments, as attributes; iterated in their order, as those of a model are."""
+
+    def __iter__(self) -> Iterator[Array]:
+        return iter(vars(self).values())
+
+
 @dataclass(frozen=True)
 class Observation:
     """Predicted measurements of landmarks: values (..., m), the mask of those in view, and Jacobians.
@@ -39,7 +46,7 @@ class Observation:
 
     value: Array
     visible: Mask
-    jacobians: Any
+    jacobians: NamedJacobians
     in_frame: Array
 
     @property
@@ -58,8 +65,8 @@ def observe(
     """
     camera, by_camera = compose.jac(robot, extrinsics)
     found = observe_from(kind, calibration, camera, landmarks)
-    parts = found.jacobians._asdict()
-    return replace(found, jacobians=named({**through(by_camera, parts.pop("camera")), **parts}))
+    parts = dict(vars(found.jacobians))
+    return replace(found, jacobians=NamedJacobians(**through(by_camera, parts.pop("camera")), **parts))
 
 
 def observe_from(kind: PointLandmark, calibration: Calibration, camera: Array, landmarks: Array) -> Observation:
@@ -69,12 +76,12 @@ def observe_from(kind: PointLandmark, calibration: Calibration, camera: Array, l
     seen = calibration.visible(point)
     measurable = point if seen.all() else np.where(seen[..., None], point, PLACEHOLDER_POINT)
     value, by_sensor = calibration.project_jac(measurable)
-    parts = {
-        "camera": product(by_sensor.point, by_frame.pose),
-        "landmark": product(by_sensor.point, by_frame[1]),
+    jacobians = NamedJacobians(
+        camera=product(by_sensor.point, by_frame.pose),
+        landmark=product(by_sensor.point, by_frame[1]),
         **{n: getattr(by_sensor, n) for n in calibration.given},
-    }
-    return Observation(value, seen & calibration.inside(value), named(parts), point)
+    )
+    return Observation(value, seen & calibration.inside(value), jacobians, point)
 
 
 def initialize(
@@ -84,7 +91,7 @@ def initialize(
     extrinsics: Array,
     measurement: Array,
     *unmeasured: Array,
-) -> tuple[Array, Any]:
+) -> tuple[Array, NamedJacobians]:
     """Initialize a landmark from a measurement (..., m) and a prior of the unmeasured numbers (..., u); with Jacobians.
 
     jacobians.robot (..., dof, 6), .extrinsics (..., dof, 6), .measurement (..., dof, m), .unmeasured (..., dof, u) if
@@ -104,13 +111,13 @@ def initialize(
         raise SlamlibError("initialize: the prior puts a point beyond infinity: its inverse distance is negative")
     landmark, by_frame = kind.from_frame.jac(camera, point)
     _seen_again(kind, camera, point, landmark)
-    parts = {
+    jacobians = NamedJacobians(
         **through(by_camera, by_frame.pose),
-        "measurement": product(by_frame.point, by_sensor[0]),
+        measurement=product(by_frame.point, by_sensor[0]),
         **({"unmeasured": product(by_frame.point, by_sensor[1])} if unmeasured else {}),
         **{n: product(by_frame.point, getattr(by_sensor, n)) for n in calibration.given},
-    }
-    return landmark, named(parts)
+    )
+    return landmark, jacobians
 
 
 def _check_point(kind: Any, calibration: Any, function: str) -> None:
@@ -138,16 +145,6 @@ def through(by_camera: Any, by_pose: Array) -> dict[str, Array]:
     """Jacobians w.r.t. the robot and the extrinsics, from a Jacobian w.r.t. the camera's pose."""
     both = product(by_pose, np.concatenate([by_camera.outer, by_camera.inner], axis=-1))
     return {"robot": both[..., :6], "extrinsics": both[..., 6:]}
-
-
-def named(parts: dict[str, Array]) -> Any:
-    """Jacobians as fields named after their arguments."""
-    return _fields(tuple(parts))(*parts.values())
-
-
-@lru_cache
-def _fields(names: tuple[str, ...]) -> Any:
-    return namedtuple("Jacobians", names)
 
 
 @dataclass(frozen=True, repr=False)

@@ -24,7 +24,7 @@ from slamlib.observation.family import (
     viewpoint,
 )
 from slamlib.observation.lines import RESIDUALS, distort_segments, initialize_line, rays_of
-from slamlib.observation.points import PLACEHOLDER_POINT, named
+from slamlib.observation.points import PLACEHOLDER_POINT, NamedJacobians
 from slamlib.sensors.sensor import Calibration
 
 CONVERGED_RATIO = 0.1  # of a segment's length: the largest standard deviation of an endpoint of a converged line
@@ -105,7 +105,7 @@ class LineFamily(Family[LineOptions]):
         """Lines (n, 6) in the sensor's frame; an infinite line is never out of view."""
         line, J = kind.to_frame.jac(camera, means)
         visible: Any = np.True_ if line.ndim == 1 else np.ones(line.shape[:-1], dtype=bool)
-        return line, visible, named({"camera": J.pose, "landmark": J.landmark})
+        return line, visible, NamedJacobians(camera=J.pose, landmark=J.landmark)
 
     def residual(self, sensor: RigSensor, inner: Array, by: Array, measured: Array, options: LineOptions) -> Innovation:
         """Residuals (n, 2) of measured segments (n, 4) from lines (n, 6) in the sensor's frame; options.innovation."""

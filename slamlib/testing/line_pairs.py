@@ -8,7 +8,7 @@ from slamlib.landmarks.line_innovation import distances
 from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import Array
 from slamlib.observation.lines import initialize_line, observe_line, undistort_segments
-from slamlib.observation.points import named
+from slamlib.observation.points import NamedJacobians
 from slamlib.sensors.sensor import Calibration
 from slamlib.testing.judge import Case, Judge
 from slamlib.testing.pairs import DEFINED, corrected, follows
@@ -42,7 +42,7 @@ def line_pair_properties(judge: Judge, kind: LineLandmark, calibration: Calibrat
         off, Z = distances.jac(seen.value, endpoints)
         if case.compare(THROUGH, off, np.zeros(2), "measurement", 1e-7):
             arguments = ("robot", "extrinsics", "landmark")
-            H = named({name: -Z.line @ getattr(seen.jacobians, name) for name in arguments})
+            H = NamedJacobians(**{name: -Z.line @ getattr(seen.jacobians, name) for name in arguments})
             follows(case, FOLLOWS, H, G, Z.segment @ by_segment)
             corrected(case, kind, landmark, G, G.measurement @ G.measurement.T, [H.robot, H.landmark], np.eye(2))
 

@@ -94,7 +94,7 @@ def _batch(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> None
         except SingularPointError:
             continue  # one first argument with another's others may be undefined
         case = judge.at(name, **named(model, loop[0]))
-        for k, argument in enumerate(("", *jacobians._fields)):
+        for k, argument in enumerate(("", *model.parameters)):
             wanted, found = np.stack([[v, *j][k] for v, j in single]), np.asarray([value, *jacobians][k])
             flat = found.reshape(wanted.shape) if found.size == wanted.size else found
             case.compare(BATCH, flat, wanted, argument)

@@ -53,10 +53,10 @@ def follows(case: Case, what: str, H: Any, G: Any, wanted: Array) -> None:
     H: Jacobians of the predicted measurement; G: those of the new landmark, of which the arguments that H lacks are not
     judged, but for the measurement and what it leaves open.
     """
-    for argument in G._fields:
+    for argument, by in vars(G).items():
         own = getattr(H, argument, 0.0 if argument in ("measurement", "unmeasured") else None)
         if own is not None:
-            found = H.landmark @ getattr(G, argument) + own
+            found = H.landmark @ by + own
             case.compare(what, found, wanted if argument == "measurement" else np.zeros_like(found), argument, 1e-6)
 
 

@@ -118,7 +118,7 @@ def _finite(judge, chain, name, place):
     except SingularPointError:
         case.hold(FINITE)
         return None
-    parts = zip(("value", *jacobians._fields), (value, *jacobians), strict=True)
+    parts = {"value": value, **vars(jacobians)}.items()
     wrong = [n for n, part in parts if not np.isfinite(part).all()]
     case.require(FINITE, not wrong, "not finite, and not refused", ", ".join(wrong))
     return None if wrong else (value, jacobians)

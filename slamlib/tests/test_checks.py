@@ -18,6 +18,7 @@ from slamlib.manifolds import as_manifold
 from slamlib.models import AtMost, model
 from slamlib.motions import ODOMETRY
 from slamlib.observation import lines
+from slamlib.observation.points import NamedJacobians
 from slamlib.sensors import SENSORS, Calibration
 from slamlib.slam import Options
 from slamlib.testing import CheckError, check_landmark, check_pair, check_sensor, line_pairs
@@ -209,7 +210,7 @@ def without(function, argument):
     def forgetful(*args):
         found = function(*args)
         value, jacobians = found if isinstance(found, tuple) else (found.value, found.jacobians)
-        jacobians = jacobians._replace(**{argument: 0 * getattr(jacobians, argument)})
+        jacobians = NamedJacobians(**{**vars(jacobians), argument: 0 * getattr(jacobians, argument)})
         return (value, jacobians) if isinstance(found, tuple) else dataclasses.replace(found, jacobians=jacobians)
 
     return forgetful
@@ -247,7 +248,7 @@ def test_a_line_that_does_not_follow_its_segment_is_found(monkeypatch, function,
     def mistaken(*args):
         found = right(*args)
         value, jacobians = found if isinstance(found, tuple) else (found.value, found.jacobians)
-        jacobians = jacobians._replace(**{argument: getattr(jacobians, argument) + 0.1})
+        jacobians = NamedJacobians(**{**vars(jacobians), argument: getattr(jacobians, argument) + 0.1})
         return (value, jacobians) if isinstance(found, tuple) else dataclasses.replace(found, jacobians=jacobians)
 
     monkeypatch.setattr(line_pairs, function, mistaken)

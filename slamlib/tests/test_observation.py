@@ -76,7 +76,7 @@ def test_jacobians_of_observe_are_central_differences(name, by):
         close(J.robot, derivative(lambda r: value(r=r), Pose, robot, own), "robot")
         close(J.extrinsics, derivative(lambda m: value(m=m), Pose, extrinsics, own), "extrinsics")
         close(J.landmark, derivative(lambda p: value(x=p), kind.manifold, x, own), "landmark")
-        assert set(J._fields) == {"robot", "extrinsics", "landmark", *calibration.given}
+        assert set(vars(J)) == {"robot", "extrinsics", "landmark", *calibration.given}
         for n, p in calibration.given.items():
             numerical = derivative(lambda v, n=n: value(c=changed(calibration, n, v)), as_manifold(len(p)), p, own)
             close(getattr(J, n), numerical, n)
@@ -100,7 +100,7 @@ def test_jacobians_of_initialize_are_central_differences(name, by):
         for h in hidden:
             close(G.unmeasured, derivative(lambda h: made(h=[h]), as_manifold(len(h)), h, minus), "unmeasured")
         expected = {"robot", "extrinsics", "measurement", *calibration.given, *(["unmeasured"] if hidden else [])}
-        assert set(G._fields) == expected
+        assert set(vars(G)) == expected
         for n, p in calibration.given.items():
             numerical = derivative(lambda v, n=n: made(c=changed(calibration, n, v)), as_manifold(len(p)), p, minus)
             close(getattr(G, n), numerical, n)
@@ -124,7 +124,7 @@ def test_a_batch_is_a_loop(name, by):
     each = [observe(kind, calibration, r, extrinsics, x) for r in robots for x in landmarks]
     assert seen.visible.ravel().tolist() == [bool(e.visible) for e in each]
     same(seen.value, [e.value for e in each])
-    for field in seen.jacobians._fields:
+    for field in vars(seen.jacobians):
         same(getattr(seen.jacobians, field), [getattr(e.jacobians, field) for e in each])
 
     hidden = unmeasured(calibration, rng)
@@ -132,7 +132,7 @@ def test_a_batch_is_a_loop(name, by):
     made, G = initialize(kind, calibration, robots[:, None], extrinsics, y, *hidden)
     each = [initialize(kind, calibration, r, extrinsics, item, *hidden) for r in robots for item in y]
     same(made, [x for x, _ in each])
-    for field in G._fields:
+    for field in vars(G):
         whole = np.broadcast_to(getattr(G, field), (3, len(y), *getattr(each[0][1], field).shape))
         same(whole, [getattr(g, field) for _, g in each])
 
