@@ -59,7 +59,7 @@ class Sightings:
         setups = tuple(SensorSetup(str(i), robot=i, type="rangeBearing") for i in range(len(robots)))
         slam = Slam(Rig(robots, setups), options=replace(self.options, **said))
         for rig_sensor, (calibration, extrinsics) in zip(slam.sensors, self.sensors, strict=True):
-            rig_sensor.calibration, rig_sensor.given = calibration, extrinsics
+            rig_sensor.calibration, rig_sensor.given_extrinsics = calibration, extrinsics
         return slam
 
 

@@ -40,7 +40,7 @@ class RigSensor:
     name: str
     robot: Robot
     calibration: Calibration
-    given: Array
+    given_extrinsics: Array
     block: Block | None = None
     linearization: Linearization | None = None
     landmark: str | None = None
@@ -48,7 +48,7 @@ class RigSensor:
     @property
     def extrinsics(self) -> Array:
         """Pose (7,) of the sensor in the robot's frame."""
-        return self.given if self.block is None else self.block.mean
+        return self.given_extrinsics if self.block is None else self.block.mean
 
     @property
     def camera(self) -> Array:

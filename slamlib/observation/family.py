@@ -98,7 +98,7 @@ def viewpoint(sensor: RigSensor, robot: Array | None = None) -> Viewpoint:
     now, by = _composed(pose.tobytes(), sensor.extrinsics.tobytes(), is_estimated)
     if linearization is None:
         return Viewpoint(sensor, now, now, by, None)
-    extrinsics = sensor.given if sensor.block is None else linearization.at(sensor.block)
+    extrinsics = sensor.given_extrinsics if sensor.block is None else linearization.at(sensor.block)
     at, by = _composed(linearization.at(sensor.robot.block)[:7].tobytes(), extrinsics.tobytes(), is_estimated)
     return Viewpoint(sensor, now, at, by, linearization)
 

@@ -57,7 +57,7 @@ def test_the_viewpoint_a_sensor_follows_every_change(rng, estimated):
             for _ in range(2):
                 assert np.array_equal(viewpoint(sensor).pose, pose)
                 assert np.array_equal(viewpoint(sensor).jacobian, np.concatenate(list(J)[: len(blocks)], axis=1))
-    sensor.given = Pose.random(rng)
+    sensor.given_extrinsics = Pose.random(rng)
     assert np.array_equal(viewpoint(sensor).pose, sensor.camera)
     before, place = belief.snapshot(), viewpoint(sensor)
     belief.update(blocks[:1], [np.eye(6)], np.full(6, 0.1), np.eye(6))

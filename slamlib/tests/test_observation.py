@@ -293,7 +293,7 @@ def test_a_point_is_converted_by_its_error_beside_the_camera_s():
         slam.step(frame)
     (sensor,), landmark = slam.sensors, slam.landmarks[0]
     robot, block = sensor.robot.block, landmark.block
-    by_robot = derivative(lambda x: compose(x, sensor.given), Pose, robot.mean, Pose.minus)
+    by_robot = derivative(lambda x: compose(x, sensor.given_extrinsics), Pose, robot.mean, Pose.minus)
     T = np.zeros((block.dof + 6, 6 + block.dof))
     T[: block.dof, 6:], T[block.dof :, :6] = np.eye(block.dof), by_robot
     rows = [*range(robot.start, robot.start + 6), *range(block.start, block.start + block.dof)]

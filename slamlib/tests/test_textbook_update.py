@@ -57,7 +57,7 @@ def textbook(slam, residual, predictions, P, blocks, means):
         now = [b.manifold.plus(mean, step[b.slice]) for b, mean in zip(blocks, means, strict=True)]
         rows = noise.reshape(len(predictions), -1)
         return np.concatenate([
-            residual(now[places[id(p.landmark.block)]], now[0], sensor.given, p.measured + row)
+            residual(now[places[id(p.landmark.block)]], now[0], sensor.given_extrinsics, p.measured + row)
             for p, row in zip(predictions, rows, strict=True)
         ])  # fmt: skip
 

@@ -137,7 +137,7 @@ class Group:
 
     def _arguments(self, values: Values) -> tuple[Array, Any, Array]:
         """The sensor's poses (n, 7), their Jacobians w.r.t. robot and extrinsics, and the landmarks (n, size)."""
-        inner = self.sensor.given if self.extrinsics is None else values[self.extrinsics.index][0]
+        inner = self.sensor.given_extrinsics if self.extrinsics is None else values[self.extrinsics.index][0]
         cameras, J = compose.jac(values[self.robot.index][self.items, :7], inner)
         return cameras, J, values[self.landmarks.index][self.rows]
 

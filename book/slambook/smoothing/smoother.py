@@ -152,7 +152,7 @@ class Smoother:
                     found = minimize(self._motions(variables, values, loose) + measured, variables, values, steps)
                     values = found.values
                 best = min(best, found, key=lambda minimum: minimum.costs[-1])
-        extrinsics = np.array([sensor.given for sensor in self._slam.sensors])
+        extrinsics = np.array([sensor.given_extrinsics for sensor in self._slam.sensors])
         for i, value in zip(self._free, best.values[len(self._states) :], strict=False):
             extrinsics[i] = value[0]
         present = {lm.id: places[lm] for lm in self._slam.landmarks if lm in places}
