@@ -99,18 +99,16 @@ class Calibration:
             raise SlamlibError(f"{sensor.name}: an image has a width and a height above zero, got {image}")
         largest = {a.name: a.size for a in sensor.project.arguments}
         given = {n: _given(sensor.name, n, parameters[n], largest[n]) for n in sensor.parameters}
-        self.__dict__.update(
-            sensor=sensor,
-            limits=_limits(sensor, limits or {}),
-            image=size,
-            noise=read_only_copy(covariance(noise, sensor.size, sensor.name, "noise")),
-            given=given,
-        )
+        self.sensor, self.image, self.limits = sensor, size, _limits(sensor, limits or {})
+        self.noise = read_only_copy(covariance(noise, sensor.size, sensor.name, "noise"))
+        self.given = given  # last: nothing can be set from here on
         if sensor.check is not None:
             sensor.check(self)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        raise SlamlibError(f"a calibration cannot be changed: make another one with the {name} that you want")
+        if "given" in vars(self):  # it is complete
+            raise SlamlibError(f"a calibration cannot be changed: make another one with the {name} that you want")
+        super().__setattr__(name, value)
 
     @cached_property
     def _project(self) -> tuple[Formula, list[Array]]:
