@@ -23,6 +23,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.kalman.linalg import principal_blocks
 from slamlib.manifolds import Array
+from slamlib.slam import Slam
 from slamlib.slam.transport import TRANSPORTS
 
 FILTERS, WITH_ANCHORS, ALL_DATA = ("local", "world", "oracle"), "anchors", "all data"
@@ -38,7 +39,7 @@ def known_to(preset: Preset, share: float) -> Preset:
     return replace(preset, rig=replace(preset.rig, sensors=(first, second)))
 
 
-def with_products(slam: Any) -> Any:
+def with_products(slam: Slam) -> Any:
     """The family of points, with a product of errors, which a linearization leaves out, as noise in batch updates.
 
     A direction in the sensor's frame has inverse distance times displacement in it: the product of their errors moves

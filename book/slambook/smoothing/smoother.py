@@ -32,6 +32,7 @@ from slamlib.entities import POSE, Landmark
 from slamlib.errors import SlamlibError, entry
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
+from slamlib.slam import Slam
 
 LOOSE = (1e4, 1e2, 1.0)  # factors of the standard deviation of what has none
 
@@ -99,12 +100,13 @@ class Recorded(NamedTuple):
 class Smoother:
     """Listens to a filter from its first frame on: `record(frame)` after each `slam.step(frame)`; then `solve()`."""
 
-    def __init__(self, slam: Any) -> None:
+    def __init__(self, slam: Slam) -> None:
         if slam.landmarks or slam.time:
             raise SlamlibError("Smoother: the filter has begun already; make the smoother before its first frame")
         self._slam, self._time = slam, 0.0
         self._free = [i for i, sensor in enumerate(slam.sensors) if sensor.block is not None]
-        blocks = [robot.block for robot in slam.robots] + [slam.sensors[i].block for i in self._free]
+        blocks = [robot.block for robot in slam.robots]
+        blocks += [sensor.block for sensor in slam.sensors if sensor.block is not None]
         self._start = [(block.mean, slam.belief.covariance(block)) for block in blocks]
         self._states = [[robot.block.mean] for robot in slam.robots]
         self._controls: list[list[tuple[Array, Array, float]]] = [[] for _ in slam.robots]
