@@ -16,7 +16,7 @@ import numpy as np
 
 from slamlib.data.records import Scan, Truth, World
 from slamlib.entities import POSE, RigSensor
-from slamlib.entities.linearization import FirstEstimates, Moving
+from slamlib.entities.linearization import FirstEstimates, HasMotion
 from slamlib.entities.unobservable import generator
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, compose, inverse
@@ -40,7 +40,7 @@ class Oracle(FirstEstimates):
         slam.linearization = self
         slam.families = {name: _at_truth(family, self, world) for name, family in slam.families.items()}
 
-    def motion(self, robot: Moving, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
+    def motion(self, robot: HasMotion, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
         """Jacobians of the motion between the robot's two true states, that takes N of one to N of the other."""
         return super().motion(robot, self._true(robot.block), control, dt)
 

@@ -311,6 +311,30 @@ def test_a_deleted_landmark_still_tells_where_the_robot_was():
     )
 
 
+@pytest.mark.parametrize("name", ["odometry", "extrinsics"])
+def test_a_filter_that_was_loaded_again_has_all_factors(name, tmp_path):
+    p, found = replace(CASES[name](), frames=12), []
+    for resumed in (False, True):
+        slam = p.slam()
+        smoother = Smoother(slam)
+        for frame, _ in p.simulate():
+            slam.step(frame)
+            if resumed and frame.number == 9:
+                with pytest.raises(SlamlibError, match=r"at 0\.9 s, and the last frame was recorded at 0\.8 s; record"):
+                    smoother.resume(slam)
+            smoother.record(frame)
+            if resumed and frame.number in (1, 7):
+                slam.save(tmp_path / "slam.npz")
+                slam = Slam.load(tmp_path / "slam.npz")
+                smoother.resume(slam)
+        found.append(smoother.solve())
+    assert found[0].dof == found[1].dof
+    assert np.array_equal(found[0].states[0], found[1].states[0])
+    assert found[0].landmarks.keys() == found[1].landmarks.keys()
+    with pytest.raises(SlamlibError, match="has another rig"):
+        smoother.resume(preset("two_robots").slam())
+
+
 def test_misuse_is_named():
     p = replace(preset("points"), frames=3)
     slam = p.slam()

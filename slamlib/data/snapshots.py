@@ -39,7 +39,7 @@ class RobotView:
     @property
     def std(self) -> Array:
         """Standard deviations (dof,)."""
-        return deviations(self.covariance)
+        return standard_deviations(self.covariance)
 
     def __repr__(self) -> str:
         """Where it is, and how surely."""
@@ -123,7 +123,7 @@ class MapView:
 
 
 @dataclass(frozen=True, eq=False)
-class Estimate:
+class MappedLandmark:
     """A landmark in the world: its type, mean [m] (3,) and standard deviations (3,); (2, 3) of a segment's endpoints.
 
     nan where the estimate lies at infinity.
@@ -134,7 +134,7 @@ class Estimate:
     std: Array
 
 
-class Map(Mapping[int, Estimate]):
+class Map(Mapping[int, MappedLandmark]):
     """The estimated landmarks of all families, by their numbers; a notebook shows them as a table.
 
     >>> import slamlib as sl
@@ -150,14 +150,14 @@ class Map(Mapping[int, Estimate]):
     def __init__(self, views: Mapping[str, MapView]) -> None:
         """views: by the name of their family."""
         self._found = {
-            number: Estimate(kind, mean, deviations(covariance))
+            number: MappedLandmark(kind, mean, standard_deviations(covariance))
             for view in views.values()
             for number, kind, mean, covariance in zip(
                 view.ids.tolist(), view.kinds, view.geometry, view.covariance, strict=True
             )
         }
 
-    def __getitem__(self, number: int) -> Estimate:
+    def __getitem__(self, number: int) -> MappedLandmark:
         return self._found[number]
 
     def __iter__(self) -> Iterator[int]:
@@ -215,7 +215,7 @@ class Snapshot:
         return compose(self.robots[view.robot].pose, view.extrinsics)
 
 
-def deviations(covariance: Array) -> Array:
+def standard_deviations(covariance: Array) -> Array:
     """Standard deviations (..., n) of covariances (..., n, n)."""
     return np.sqrt(np.diagonal(covariance, axis1=-2, axis2=-1))
 

@@ -13,7 +13,7 @@ from slamlib.manifolds import Array
 from slamlib.motions import Motion
 
 
-class Moving(Protocol):
+class HasMotion(Protocol):
     """A robot, as far as its motion is concerned."""
 
     motion: Motion
@@ -36,7 +36,7 @@ class Linearization:
     def predicted(self, block: Block) -> None:
         """Called after the motion has moved a robot's block; a subclass may choose the new linearization point here."""
 
-    def motion(self, robot: Moving, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
+    def motion(self, robot: HasMotion, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
         """Jacobians of the motion to `state` with respect to the robot's state and the control."""
         J = robot.motion.step.jac(self.at(robot.block), control, dt)[1]
         return J.state, J.control
@@ -66,7 +66,7 @@ class FirstEstimates(Linearization):
         """A robot's prediction is its first estimate at this time."""
         self.first[block] = block.mean
 
-    def motion(self, robot: Moving, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
+    def motion(self, robot: HasMotion, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
         """Jacobians of the motion, the first one changed so that it takes N of one first estimate to N of the next."""
         F, G = super().motion(robot, state, control, dt)
         before, after = (generator(robot.motion, x) for x in (self.at(robot.block), state))

@@ -169,7 +169,7 @@ class Slam:
     def _frame(
         self, given: Frame | Control | ArrayLike | None, seen: Mapping[int, ArrayLike] | None, dt: float
     ) -> Frame:
-        """The frame that was given; or, of a control and what was seen, the one after the present. Raises SlamlibError."""
+        """The frame given; or, of a control and what was seen, the one after the present. Raises SlamlibError."""
         if isinstance(given, Frame):
             if seen is not None:
                 raise SlamlibError("step: a Frame holds all that was seen; give a control where that is given apart")

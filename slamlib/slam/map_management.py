@@ -17,7 +17,7 @@ PRUNING_RULES: dict[str, Callable[[Landmark], Any]] = {
 
 
 @dataclass(frozen=True, repr=False)
-class MapOptions(Plain):
+class UpkeepOptions(Plain):
     """Options of what stays in the map, as slamlib.Options explains them."""
 
     capacity: Whole | None = None
@@ -37,12 +37,12 @@ class Report:
     refused: list[int] = field(default_factory=list)
 
 
-def out_of_window(landmarks: Iterable[Landmark], number: int, options: MapOptions) -> list[Landmark]:
+def out_of_window(landmarks: Iterable[Landmark], number: int, options: UpkeepOptions) -> list[Landmark]:
     """The landmarks last accepted more frames before frame `number` than the options' window, in map order."""
     return [] if options.window is None else [lm for lm in landmarks if number - lm.last_seen > options.window]
 
 
-def is_bad(landmark: Landmark, options: MapOptions) -> bool:
+def is_bad(landmark: Landmark, options: UpkeepOptions) -> bool:
     """Whether it was searched for often enough, and matched too seldom, or was too seldom an inlier when matched."""
     return landmark.searched >= options.min_searches and (
         landmark.matched < options.min_matched_ratio * landmark.searched
@@ -50,7 +50,7 @@ def is_bad(landmark: Landmark, options: MapOptions) -> bool:
     )
 
 
-def prune_candidate(landmarks: Iterable[Landmark], number: int, options: MapOptions) -> Landmark | None:
+def prune_candidate(landmarks: Iterable[Landmark], number: int, options: UpkeepOptions) -> Landmark | None:
     """The landmark that ranks lowest by the options' rule, of those not seen in frame `number`; None: prune nothing."""
     away = [landmark for landmark in landmarks if landmark.last_seen < number]
     return min(away, key=PRUNING_RULES[options.pruning], default=None) if options.pruning else None

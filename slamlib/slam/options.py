@@ -9,13 +9,13 @@ from slamlib.observation.points import PointOptions
 from slamlib.observation.segments import LineOptions
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.selection import SELECTIONS
-from slamlib.slam.map_management import MapOptions
+from slamlib.slam.map_management import UpkeepOptions
 from slamlib.slam.measurement_update import UpdateOptions
 from slamlib.slam.transport import TRANSPORTS
 
 
 @dataclass(frozen=True, repr=False)
-class Options(MapOptions, UpdateOptions, LineOptions, PointOptions):
+class Options(UpkeepOptions, UpdateOptions, LineOptions, PointOptions):
     """All options of the filter. The names in parentheses are those of the toolbox.
 
     points, lines: parametrization of new landmarks, or None for none of them (init.initType). others: the same for

@@ -1,12 +1,10 @@
 """What surrounds the marks of axes: grid, axes' lines, ticks, labels, title, and the room that they take."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
-from slambook.figures.axis import SIZE, Ticks
+from slambook.figures.axis import SIZE, Axis, Ticks
 from slambook.figures.canvas import Canvas
 from slambook.figures.colors import colors, paint
 from slambook.figures.paths import hundredths, joined, number, settled
@@ -14,22 +12,29 @@ from slambook.figures.scales import DataView
 from slambook.figures.words import LINE, Lettering, width_of
 from slamlib.manifolds import Array
 
-if TYPE_CHECKING:
-    from slambook.figures.axes import Axes
-
 TICK, LABEL, TITLE = SIZE, 11.0, 11.5  # sizes of the words, in points
 MARK, SMALL_MARK, GAP = 3.5, 2.0, 3.5  # lengths of the ticks, and the gap between a tick and its label
 BETWEEN, ABOVE = 3.0, 5.0  # points from the tick labels to the axis's label, and from the axes to the title
 HIGH = 1.1  # height of a label, in sizes of its font
 
 
-def ticks(axes: Axes, view: DataView) -> tuple[Ticks, Ticks]:
+class Framed(Protocol):
+    """Axes, as far as their surroundings are concerned: framed and ruled say whether there is a frame, and a grid."""
+
+    x: Axis
+    y: Axis
+    title: str
+    framed: bool
+    ruled: bool
+
+
+def ticks(axes: Framed, view: DataView) -> tuple[Ticks, Ticks]:
     """The ticks of x and y."""
     left, top, right, bottom = view.box
     return axes.x.ticks(view.xlim, right - left, across=True), axes.y.ticks(view.ylim, bottom - top, across=False)
 
 
-def room(axes: Axes, view: DataView) -> Array:
+def room(axes: Framed, view: DataView) -> Array:
     """Points that the words need to the left, above, to the right and below the axes' rectangle."""
     title = (LINE * TITLE * (1 + axes.title.count("\n")) + ABOVE) if axes.title else 0.0
     if not axes.framed:
@@ -50,7 +55,7 @@ def _label_room(label: str) -> float:
     return HIGH * LABEL * (1 + label.count("\n")) + BETWEEN if label else 0.0
 
 
-def draw_grid(axes: Axes, canvas: Canvas, view: DataView) -> None:
+def draw_grid(axes: Framed, canvas: Canvas, view: DataView) -> None:
     """Faint lines at the ticks."""
     if not (axes.ruled and axes.framed):
         return
@@ -68,7 +73,7 @@ def _strokes(view: DataView, axis: int, values: Array, start: float, stroke: str
     return "".join(f"M{joined((foot, place) if axis else (place, foot))}{stroke}" for place in places)
 
 
-def draw_frame(axes: Axes, canvas: Canvas, view: DataView) -> None:
+def draw_frame(axes: Framed, canvas: Canvas, view: DataView) -> None:
     """The lines of both axes with their ticks and words, and the title."""
     left, top, right, bottom = view.box
     if axes.framed:

@@ -98,15 +98,17 @@ class Recorded(NamedTuple):
 
 
 class Smoother:
-    """Listens to a filter from its first frame on: `record(frame)` after each `slam.step(frame)`; then `solve()`."""
+    """Listens to a filter from its first frame on: `record(frame)` after each `slam.step(frame)`; then `solve()`.
+
+    `resume(slam)`, if the filter was saved and loaded meanwhile.
+    """
 
     def __init__(self, slam: Slam) -> None:
         if slam.landmarks or slam.time:
             raise SlamlibError("Smoother: the filter has begun already; make the smoother before its first frame")
         self._slam, self._time = slam, 0.0
         self._free = [i for i, sensor in enumerate(slam.sensors) if sensor.block is not None]
-        blocks = [robot.block for robot in slam.robots]
-        blocks += [sensor.block for sensor in slam.sensors if sensor.block is not None]
+        blocks = [robot.block for robot in slam.robots] + [sensor.block for sensor in slam.sensors if sensor.block]
         self._start = [(block.mean, slam.belief.covariance(block)) for block in blocks]
         self._states = [[robot.block.mean] for robot in slam.robots]
         self._controls: list[list[tuple[Array, Array, float]]] = [[] for _ in slam.robots]
@@ -133,6 +135,21 @@ class Smoother:
             if landmark not in self._last and landmark.first_measured is not None:
                 self._matches.append(Recorded(item, landmark.sensor, landmark, landmark.first_measured, True))
             self._last[landmark] = landmark.kind, landmark.block.mean
+
+    def resume(self, slam: Slam) -> None:
+        """Go on with the filter that has been saved and loaded in the place of the one before. Raises SlamlibError."""
+        if slam.rig != self._slam.rig:
+            raise SlamlibError("resume: the filter that was loaded has another rig")
+        if slam.time != self._time:
+            raise SlamlibError(
+                f"resume: the filter is at {slam.time:g} s, and the last frame was recorded at {self._time:g} s; "
+                "record each frame before the filter is saved"
+            )
+        loaded = {(landmark.id, landmark.first_seen): landmark for landmark in slam.landmarks}
+        now = {landmark: loaded.get((landmark.id, landmark.first_seen), landmark) for landmark in self._last}
+        self._last = {now[landmark]: last for landmark, last in self._last.items()}
+        self._matches = [match._replace(landmark=now[match.landmark]) for match in self._matches]
+        self._slam = slam
 
     def solve(self, *, loss: str = "squares", refused: bool = False, steps: int = 50) -> Smoothed:
         """The best estimate from all frames recorded so far; at most this many steps are tried.
