@@ -24,7 +24,6 @@ from typing import Any
 import numpy as np
 from slambook import rendering
 
-from slamlib.data.records import Frame, Truth
 from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import Pose, compose
@@ -34,10 +33,11 @@ from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array
 from slamlib.observation.family import viewpoint
 from slamlib.observation.lines import distort_segments, rays_of, undistort_segments
+from slamlib.records.inputs import Frame, Truth
 from slamlib.slam import Options, Slam
 from slamlib.vision.active_search import ActiveSearch, ActiveSearchSettings
 from slamlib.vision.edges import axes, edge_strip, fitted, refined, segments_of
-from slamlib.vision.front_end import CombinedFrontEnd
+from slamlib.vision.image_front_end import CombinedFrontEnd
 from slamlib.vision.line_search import SegmentSearch, SegmentSettings
 
 DT, STD = 1 / 30, 0.1

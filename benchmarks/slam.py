@@ -25,10 +25,10 @@ import numpy as np
 
 from benchmarks.covariance_update import Problem
 from benchmarks.observation import YARDSTICK, quickest, yardstick
-from slamlib.data.records import Frame
 from slamlib.entities import Landmark
 from slamlib.experiments.presets import Preset, preset
 from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.records.inputs import Frame
 from slamlib.simulation.worlds import gallery_radius
 from slamlib.slam import Slam
 from slamlib.slam.transport import TRANSPORTS

@@ -11,12 +11,12 @@ from slambook.rendering import stereo_frame, stereo_rig
 from slambook.stereo_films import stereo_film
 
 from book.experiments.stereo_room import advance, moved_by
-from slamlib.data.records import Frame
-from slamlib.data.setup import Rig
 from slamlib.evaluation.consistency import nees
 from slamlib.geometry.pose import Pose
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array
+from slamlib.records.inputs import Frame
+from slamlib.rigs.setup import Rig
 from slamlib.slam import Options, Slam
 from slamlib.vision.stereo import MOTION_SOURCES, StereoSettings
 

@@ -3,8 +3,9 @@
     import slamlib as sl
     result = sl.Run(sl.presets.points()).finish()
 
-or the command `slamlib run points`. The filter is `sl.Slam`; `slamlib.data` has its inputs, its outputs and its setup.
-The formulas are in `geometry`, `motions`, `sensors` and `landmarks`, the Kalman algebra in `belief` and `kalman`.
+or the command `slamlib run points`. The filter is `sl.Slam`; `slamlib.records` has its inputs and outputs,
+`slamlib.rigs` what it is made of. The formulas are in `geometry`, `motions`, `sensors` and `landmarks`, the Kalman
+algebra in `belief` and `kalman`.
 
 The names below are loaded when they are first used, and NumPy with the first of them: `import slamlib` alone loads
 neither.
@@ -17,19 +18,8 @@ from slamlib.errors import MissingNameError, SlamlibError
 
 if TYPE_CHECKING:  # for completion and types; HOMES says the same when the program runs
     from slamlib.belief import Belief as Belief
+    from slamlib.checks import check_jacobian as check_jacobian
     from slamlib.codegen.derive import derive as derive
-    from slamlib.data.builders import camera as camera
-    from slamlib.data.builders import davison as davison
-    from slamlib.data.builders import depth_camera as depth_camera
-    from slamlib.data.builders import fisheye as fisheye
-    from slamlib.data.builders import omnidirectional as omnidirectional
-    from slamlib.data.builders import range_bearing as range_bearing
-    from slamlib.data.builders import relative_position as relative_position
-    from slamlib.data.builders import robot as robot
-    from slamlib.data.builders import stereo as stereo
-    from slamlib.data.setup import Rig as Rig
-    from slamlib.data.setup import RobotSetup as RobotSetup
-    from slamlib.data.setup import SensorSetup as SensorSetup
     from slamlib.evaluation.comparison import evaluate as evaluate
     from slamlib.evaluation.consistency import band as band
     from slamlib.evaluation.consistency import nees as nees
@@ -44,10 +34,21 @@ if TYPE_CHECKING:  # for completion and types; HOMES says the same when the prog
     from slamlib.landmarks import POINTS as POINTS
     from slamlib.models import model as model
     from slamlib.motions import MOTIONS as MOTIONS
+    from slamlib.rigs.builders import camera as camera
+    from slamlib.rigs.builders import davison as davison
+    from slamlib.rigs.builders import depth_camera as depth_camera
+    from slamlib.rigs.builders import fisheye as fisheye
+    from slamlib.rigs.builders import omnidirectional as omnidirectional
+    from slamlib.rigs.builders import range_bearing as range_bearing
+    from slamlib.rigs.builders import relative_position as relative_position
+    from slamlib.rigs.builders import robot as robot
+    from slamlib.rigs.builders import stereo as stereo
+    from slamlib.rigs.setup import Rig as Rig
+    from slamlib.rigs.setup import RobotSetup as RobotSetup
+    from slamlib.rigs.setup import SensorSetup as SensorSetup
     from slamlib.sensors import SENSORS as SENSORS
     from slamlib.slam import Options as Options
     from slamlib.slam import Slam as Slam
-    from slamlib.testing import check_jacobian as check_jacobian
 
 __version__ = "0.1.0"
 __all__ = ["SlamlibError", "__version__"]
@@ -59,32 +60,32 @@ HOMES = {  # of each name the module that has it, or that is it
     "Options": "slam",
     "POINTS": "landmarks",
     "Pose": "geometry.pose",
-    "Rig": "data.setup",
-    "RobotSetup": "data.setup",
+    "Rig": "rigs.setup",
+    "RobotSetup": "rigs.setup",
     "Run": "experiments.runs",
     "SENSORS": "sensors",
-    "SensorSetup": "data.setup",
+    "SensorSetup": "rigs.setup",
     "Slam": "slam",
     "band": "evaluation.consistency",
-    "camera": "data.builders",
-    "check_jacobian": "testing",
+    "camera": "rigs.builders",
+    "check_jacobian": "checks",
     "chi2_quantile": "kalman.chi_square",
-    "davison": "data.builders",
-    "depth_camera": "data.builders",
+    "davison": "rigs.builders",
+    "depth_camera": "rigs.builders",
     "derive": "codegen",
     "evaluate": "evaluation.comparison",
-    "fisheye": "data.builders",
+    "fisheye": "rigs.builders",
     "model": "models",
     "nees": "evaluation.consistency",
     "nis": "evaluation.consistency",
-    "omnidirectional": "data.builders",
+    "omnidirectional": "rigs.builders",
     "presets": "experiments.presets",
     "quaternion": "geometry.quaternion",
-    "range_bearing": "data.builders",
-    "relative_position": "data.builders",
-    "robot": "data.builders",
+    "range_bearing": "rigs.builders",
+    "relative_position": "rigs.builders",
+    "robot": "rigs.builders",
     "run": "experiments.runs",
-    "stereo": "data.builders",
+    "stereo": "rigs.builders",
 }
 
 

@@ -31,9 +31,9 @@ from slamlib.manifolds import Array, Image
 from slamlib.vision.active_search import ActiveSearch, ActiveSearchSettings
 from slamlib.vision.corners import best_corner
 from slamlib.vision.grid import Grid
+from slamlib.vision.opening import camera_rig, image_run, options_for
 from slamlib.vision.patches import centred, cut
 from slamlib.vision.results import summary
-from slamlib.vision.run import camera_rig, image_run, options_for
 from slamlib.vision.target import Target
 
 FILE = layout.BOOK / "chapters" / "data" / "measurement_errors.json"

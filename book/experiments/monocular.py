@@ -16,11 +16,11 @@ from slambook.smoothing import Smoother
 
 from book.experiments import stored
 from book.tools import layout
-from slamlib.data.records import Frame
 from slamlib.evaluation.alignment import align, align_trajectory
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
 from slamlib.manifolds import Array, Mask
+from slamlib.records.inputs import Frame
 from slamlib.slam import Options, Slam
 from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.relocalization import close_loop

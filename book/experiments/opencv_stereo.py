@@ -32,7 +32,7 @@ from slamlib.geometry.pose import ORIGIN, compose, inverse, relative
 from slamlib.geometry.quaternion import exponential
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.sensors.sensor import Calibration
-from slamlib.vision.run import stereo_run
+from slamlib.vision.opening import stereo_run
 from slamlib.vision.stereo import StereoFeatureExtractor, StereoSettings, VisualOdometry, motion_between
 from slamlib.vision.stereo.fitting import triangulate
 

@@ -27,8 +27,8 @@ from slamlib.evaluation.consistency import rmse
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.experiments.progress import progress
 from slamlib.vision.active_search import ActiveSearch
+from slamlib.vision.opening import camera_rig, image_run, options_for
 from slamlib.vision.results import ImageResult, summary
-from slamlib.vision.run import camera_rig, image_run, options_for
 from slamlib.vision.sequence_run import SequenceRun
 from slamlib.vision.tracking_loss import TrackingLostError
 

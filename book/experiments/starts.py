@@ -23,9 +23,9 @@ from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import compose, relative
 from slamlib.manifolds import Array
 from slamlib.vision.active_search import ActiveSearchSettings
+from slamlib.vision.opening import IMAGES, camera_rig, image_run, make_front_end
 from slamlib.vision.relocalization import relocalize
 from slamlib.vision.results import summary
-from slamlib.vision.run import IMAGES, camera_rig, image_run, make_front_end
 from slamlib.vision.sequence_run import SequenceRun
 from slamlib.vision.tracking_loss import TrackingLostError
 from slamlib.vision.two_views import direction_error, two_view_target

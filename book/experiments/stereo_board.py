@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 
 from book.tools.layout import ROOT
-from slamlib.data.files import write_whole
 from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
+from slamlib.plain_data.files import write_whole
 
 cv2: Any = opencv("to measure a chessboard")
 STORED = ROOT / "book" / "chapters" / "data" / "stereo_board.csv"

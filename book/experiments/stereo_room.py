@@ -9,12 +9,12 @@ from slambook import rendering, stereo_films
 from slambook.smoothing import Smoother
 from slambook.stereo_films import stereo_film
 
-from slamlib.data.records import Frame, Truth
-from slamlib.data.setup import Rig
 from slamlib.evaluation.consistency import band, nees, share_inside
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
+from slamlib.records.inputs import Frame, Truth
+from slamlib.rigs.setup import Rig
 from slamlib.slam import Options, Slam
 from slamlib.vision.stereo import MOTION_SOURCES, StereoFeatureExtractor, StereoSettings, VisualOdometry
 from slamlib.vision.stereo.motion_source import SplitFeatures, StereoMotionSource

@@ -27,7 +27,7 @@ from slamlib.errors import SlamlibError
 from slamlib.evaluation.comparison import compared
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.experiments.progress import progress
-from slamlib.vision.run import PAIR_MOTION_SOURCES, open_stereo, stereo_run
+from slamlib.vision.opening import PAIR_MOTION_SOURCES, open_stereo, stereo_run
 from slamlib.vision.stereo import StereoSettings
 
 EUROC = DATA / "stereo_euroc_mh01_hand"

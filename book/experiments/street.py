@@ -37,8 +37,8 @@ from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import relative
 from slamlib.geometry.quaternion import exponential, logarithm
 from slamlib.manifolds import Array
+from slamlib.vision.opening import PAIRS, open_stereo, stereo_run
 from slamlib.vision.results import summary
-from slamlib.vision.run import PAIRS, open_stereo, stereo_run
 from slamlib.vision.sequence_run import SequenceRun
 from slamlib.vision.stereo import MOTION_SOURCES, StereoSettings
 

@@ -26,13 +26,13 @@ import numpy as np
 from slambook.smoothing import Smoother
 from slambook.stereo_films import DATA
 
-from slamlib.data.records import Control, Features, Frame, Scan
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.evaluation.comparison import compared
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import from_frame
 from slamlib.manifolds import Array, Indices, Mask
+from slamlib.records.inputs import Control, Features, Frame, Scan
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam
 from slamlib.vision.stereo import motion_between

@@ -21,11 +21,11 @@ import numpy as np
 from slambook.filters_compared import beside
 
 from book.tools import layout
-from slamlib.data.setup import Rig, SensorSetup
 from slamlib.evaluation.consistency import band, rmse, share_inside
 from slamlib.experiments.monte_carlo import Experiment, monte_carlo, seeds
 from slamlib.experiments.presets import PRESETS, Preset, lines, points
 from slamlib.landmarks import LINES, POINTS
+from slamlib.rigs.setup import Rig, SensorSetup
 
 FILE = layout.BOOK / "chapters" / "data" / "experiments.json"
 FOLDER = layout.BUILD / "experiments"

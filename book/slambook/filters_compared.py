@@ -15,7 +15,6 @@ import numpy as np
 from slambook.anchors import anchors_carried
 from slambook.oracle import Oracle
 from slambook.smoothing import Smoother
-from slamlib.data.records import Scan
 from slamlib.entities import RigSensor
 from slamlib.evaluation.consistency import band, nees_where_uncertain, share_inside
 from slamlib.experiments.presets import Preset
@@ -23,6 +22,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.kalman.linalg import principal_blocks
 from slamlib.manifolds import Array
+from slamlib.records.inputs import Scan
 from slamlib.slam import Slam
 from slamlib.slam.transport import TRANSPORTS
 

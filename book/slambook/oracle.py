@@ -14,7 +14,6 @@ from typing import Any, cast
 
 import numpy as np
 
-from slamlib.data.records import Scan, Truth, World
 from slamlib.entities import POSE, RigSensor
 from slamlib.entities.linearization import FirstEstimates, HasMotion
 from slamlib.entities.unobservable import generator
@@ -22,6 +21,7 @@ from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, compose, inverse
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array
+from slamlib.records.inputs import Scan, Truth, World
 from slamlib.slam import Slam
 
 ROUNDS = 30  # of the search for the true landmark: as many as a distance that is wrong by far needs

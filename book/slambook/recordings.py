@@ -11,13 +11,13 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Control, Features, Frame, Scan
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import optional
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry import euler, quaternion
 from slamlib.geometry.pose import Pose, relative
 from slamlib.manifolds import Array
+from slamlib.records.inputs import Control, Features, Frame, Scan
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.sensors import SENSORS
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam

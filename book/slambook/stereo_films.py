@@ -94,7 +94,7 @@ class Tracks:
     """Ids of the features of the present pair, and how long each has been tracked.
 
     ids (n,) of the present features; ages (n,): pairs in which each was seen. A lost feature gets a new id when
-    it is detected again: only a filter's map re-identifies it (slamlib.vision.stereo.front_end).
+    it is detected again: only a filter's map re-identifies it (slamlib.vision.stereo.stereo_search).
     """
 
     def __init__(self) -> None:

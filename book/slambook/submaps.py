@@ -11,17 +11,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from slamlib.belief import Belief, LinearizedMeasurement
-from slamlib.data.records import Frame
-from slamlib.data.setup import ZERO, Rig
 from slamlib.entities import POSE
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, Pose, compose, from_frame
 from slamlib.geometry.quaternion import rotation
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array, Euclidean, Product
+from slamlib.records.inputs import Frame
+from slamlib.rigs.setup import ZERO, Rig
 from slamlib.slam.data_association.front_end import FrontEnd
 from slamlib.slam.filter import Slam
-from slamlib.slam.map_management import Report
+from slamlib.slam.map_management import StepReport
 from slamlib.slam.options import Options
 
 
@@ -173,7 +173,7 @@ class SubmapSlam:
         """The robot's pose (7,) in the frame of the first map."""
         return compose(self.atlas.pose, self.slam.robots[0].pose)
 
-    def step(self, frame: Frame) -> Report:
+    def step(self, frame: Frame) -> StepReport:
         """Process one frame; then close the map if it is full."""
         report = self.slam.step(frame)
         if len(self.slam.landmarks) >= self.max_landmarks:

@@ -20,14 +20,14 @@ import numpy as np
 
 from slambook.figures import colors, draw_ellipse, figure
 from slambook.trees import CAR, LASER, NearestNeighbor, drive
-from slamlib.data.files import check_writable, complete, write_whole
-from slamlib.data.records import Control, Features, Frame, Scan
-from slamlib.data.setup import RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, optional
 from slamlib.evaluation.consistency import rmse
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array
+from slamlib.plain_data.files import check_writable, complete, write_whole
+from slamlib.records.inputs import Control, Features, Frame, Scan
+from slamlib.rigs.setup import RobotSetup, SensorSetup
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam
 

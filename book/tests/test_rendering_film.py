@@ -8,10 +8,10 @@ from slambook import rendering
 from slambook.rendering.effects import Chip, blurred, falloff
 from slambook.rendering.judging import patches, strong_corners, zncc
 
-from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.geometry.pose import compose
 from slamlib.motions import CONSTANT_VELOCITY, ODOMETRY
+from slamlib.rigs.setup import Rig
 from slamlib.tests.rooms import pixels_of
 
 SMALL = {"image": (160.0, 120.0), "parameters": {"intrinsics": (79.5, 59.5, 130.0, 130.0), "distortion": (-0.1, 0.01)}}

@@ -8,10 +8,10 @@ from slambook import rendering
 from slambook.rendering import saving
 
 from book.tests.test_rendering_film import PATH, SMALL, shot
-from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import read_trajectory
 from slamlib.geometry.pose import Pose, compose
+from slamlib.rigs.setup import Rig
 
 pytest.importorskip("cv2")
 

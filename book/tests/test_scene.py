@@ -17,13 +17,13 @@ from slambook.scene.roles import DARK, MAP, ROLES, THEMES, themed
 from slambook.scene.scene import bounds, map_scene
 from slambook.scene.view import NAMED, NEAR, OrbitView, rings
 
-from slamlib.data.plain import read
-from slamlib.data.setup import SensorSetup
-from slamlib.data.snapshots import MapView
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS
+from slamlib.plain_data.fields import read
+from slamlib.records.snapshots import MapView
+from slamlib.rigs.setup import SensorSetup
 from slamlib.sensors import SENSORS
 from slamlib.tests import scenes
 
@@ -188,7 +188,7 @@ def test_every_type_of_landmark_is_drawn_by_the_same_code(name):
 
 def test_no_type_is_named_in_the_drawing_and_nothing_of_the_filter_is_known():
     names = {*POINTS, *LINES, *SENSORS, *MOTIONS}
-    allowed = {"data", "errors", "evaluation", "experiments", "geometry", "manifolds"}
+    allowed = {"plain_data", "records", "rigs", "errors", "evaluation", "experiments", "geometry", "manifolds"}
     distribution = "slamlib.kalman.chi_square"
     for file in PACKAGE.glob("*.py"):
         tree = ast.parse(file.read_text("utf-8"))

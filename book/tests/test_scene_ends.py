@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from slambook.scene import SensorOptions, map_scene, sensor_scene
 
-from slamlib.data.setup import Rig
 from slamlib.experiments.presets import preset
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.landmarks import LINES
 from slamlib.observation.segments import CONVERGED_RATIO, endpoints_converged
+from slamlib.rigs.setup import Rig
 from slamlib.slam import snapshot
 from slamlib.slam.snapshot import endpoints_in_image
 from slamlib.tests import scenes

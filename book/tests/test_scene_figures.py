@@ -19,8 +19,8 @@ from slambook.scene.image_scene import OUTCOMES, regions
 from slambook.scene.packing import KINDS
 from slambook.scene.player import WEIGHT
 
-from slamlib.data.setup import SensorSetup
 from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.rigs.setup import SensorSetup
 from slamlib.tests import scenes
 
 ROOT = Path(__file__).parents[2]

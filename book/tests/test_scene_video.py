@@ -115,7 +115,7 @@ def test_a_window_waits_for_a_key(matplotlib):
 
 
 def test_a_sensor_without_an_image_has_limits_that_hold_all(matplotlib):
-    from slamlib.data.setup import SensorSetup
+    from slamlib.rigs.setup import SensorSetup
 
     prediction = {"type": "rangeBearing", "euler": (0, 0, 0), "image": None, "std": (0.1,), "parameters": {}}
     setup = SensorSetup(name="sonar", **prediction)

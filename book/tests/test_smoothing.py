@@ -12,13 +12,13 @@ from slambook.smoothing.factors import LOSSES
 from slambook.smoothing.least_squares import by_cholmod, by_superlu
 
 from book.experiments.consistency import by_range_and_bearing
-from slamlib.data.records import Features, RobotMeasurement, Scan, World
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
+from slamlib.records.inputs import Features, RobotMeasurement, Scan, World
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.simulation import simulate
 from slamlib.slam import Options, Slam
 from slamlib.tests.test_seams import gps

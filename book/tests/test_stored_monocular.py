@@ -15,7 +15,7 @@ from book.tests.stored_results import comes_out_again
 from book.tools import assets
 from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory
-from slamlib.vision.run import options_for
+from slamlib.vision.opening import options_for
 
 CUBE = Path(os.environ.get("SLAMLIB_DATA") or "no-data") / "mono_visp_cube" / "frames"
 RENEW = "run `make {}` and `python -m book.tools.notebooks run book/chapters/monocular.ipynb`"

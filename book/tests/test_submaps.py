@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from slambook.submaps import Atlas, Submap, SubmapSlam
 
-from slamlib.data.setup import Rig, SensorSetup
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import Consistency, band, nees, rmse
 from slamlib.experiments import presets
 from slamlib.geometry.pose import Pose, compose, from_frame
+from slamlib.rigs.setup import Rig, SensorSetup
 from slamlib.slam import Options
 
 EYES = SensorSetup(

@@ -11,11 +11,11 @@ from slambook.trees import drive
 
 from book.experiments.stored import kept
 from book.tools import layout
+from slamlib.checks import CheckError, check_sensor
 from slamlib.codegen import check_model
-from slamlib.data.records import Control, Features, Frame, Scan
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import compose, to_frame
-from slamlib.testing import CheckError, check_sensor
+from slamlib.records.inputs import Control, Features, Frame, Scan
 
 io = pytest.importorskip("scipy.io", reason="SciPy writes and reads MATLAB's files")
 pytest.importorskip("sympy", reason="the car's model is compiled when it is needed")

@@ -7,7 +7,7 @@ from typing import Any
 
 import yaml
 
-from slamlib.data import files
+from slamlib.plain_data import files
 
 ROOT = Path(__file__).resolve().parents[2]
 BOOK = ROOT / "book"

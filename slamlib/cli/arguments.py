@@ -8,10 +8,10 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
-from slamlib.data.plain import read_fields
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.experiments.presets import PRESETS, Preset, preset
 from slamlib.landmarks import LINES, POINTS
+from slamlib.plain_data.fields import read_fields
 from slamlib.slam import Options
 
 OPTION = "any option of `slamlib list options`, such as gate=0.999 or inverse_distance=1,0.5"

@@ -11,10 +11,10 @@ import numpy as np
 
 from slamlib.cli import arguments as shared
 from slamlib.cli import runner
-from slamlib.data.files import check_writable
 from slamlib.evaluation.consistency import share_inside
 from slamlib.experiments.monte_carlo import Experiment, monte_carlo
 from slamlib.landmarks import LINES
+from slamlib.plain_data.files import check_writable
 from slamlib.slam.transport import TRANSPORTS
 
 DOF = 6

@@ -8,10 +8,10 @@ from collections.abc import Iterable, Mapping
 from importlib.metadata import entry_points
 from typing import Protocol
 
-from slamlib.data.records import Truth, World
-from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
+from slamlib.records.inputs import Truth, World
+from slamlib.records.snapshots import Snapshot
 
 GROUP = "slamlib.drawing"
 ErrorSeries = Mapping[str, Mapping[str, Array]]  # by name, a robot's or a path's: arrays (n,) of times [s] and errors

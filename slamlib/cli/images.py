@@ -20,8 +20,8 @@ from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
 from slamlib.experiments.progress import progress
 from slamlib.landmarks import POINTS
 from slamlib.vision.considered import Errors, Singles, single_errors
+from slamlib.vision.opening import load
 from slamlib.vision.results import summary, summary_warnings, table
-from slamlib.vision.run import load
 from slamlib.vision.sequence_run import ImageStep, SequenceKind, SequenceRun
 from slamlib.vision.two_views import direction_error
 

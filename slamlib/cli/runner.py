@@ -15,12 +15,12 @@ from types import FrameType
 from typing import Generic, Protocol, TypeVar
 
 from slamlib.cli.drawing import ErrorSeries, drawing
-from slamlib.data.files import check_writable, write_whole
-from slamlib.data.records import Truth, World
-from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import beside
 from slamlib.experiments.progress import progress
+from slamlib.plain_data.files import check_writable, write_whole
+from slamlib.records.inputs import Truth, World
+from slamlib.records.snapshots import Snapshot
 
 EXIT_ERROR = 2
 STOPPED: dict[int, str] = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}

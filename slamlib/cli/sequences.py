@@ -9,15 +9,15 @@ import numpy as np
 
 from slamlib.cli.arguments import assignments, at_least, count, number
 from slamlib.cli.images import Add, ImageCommand, given_options
-from slamlib.data.plain import read
-from slamlib.data.setup import SensorSetup
 from slamlib.datasets import opening
 from slamlib.errors import SlamlibError, entry
 from slamlib.motions import MOTIONS
+from slamlib.plain_data.fields import read
+from slamlib.rigs.setup import SensorSetup
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.vision.active_search import ActiveSearchSettings
 from slamlib.vision.considered import OFFSET, Errors, erroneous
-from slamlib.vision.run import (
+from slamlib.vision.opening import (
     IMAGES,
     PAIRS,
     camera_rig,

@@ -15,11 +15,11 @@ import sympy
 import slamlib
 from slamlib.codegen.emit import module
 from slamlib.codegen.proof import random_arguments
-from slamlib.data.files import write_whole
 from slamlib.errors import entry
 from slamlib.models import FORMULA_PARTS, Model
 from slamlib.models.in_memory import load
 from slamlib.models.numerical import scaled_differences
+from slamlib.plain_data.files import write_whole
 from slamlib.registry import modules_of
 
 PACKAGE = Path(slamlib.__file__).parent

@@ -7,9 +7,9 @@ import numpy as np
 import sympy
 
 from slamlib.codegen.trace import symbols_for, trace
-from slamlib.data.plain import OneOf
 from slamlib.errors import ShapeError
 from slamlib.models import Argument, Model, fingerprint
+from slamlib.plain_data.fields import OneOf
 
 
 class Derivation:

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.plain import read, written
 from slamlib.datasets.calibrations import read_calibration, read_lens, read_pair
 from slamlib.datasets.dataset import ImageSource, Numbers
 from slamlib.datasets.formats import DATASETS
@@ -19,6 +18,7 @@ from slamlib.datasets.sources import cameras_at, open_source
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import matched_times
 from slamlib.manifolds import Indices
+from slamlib.plain_data.fields import read, written
 
 CAMERAS = ((0, 1), (2, 3))  # left and right; KITTI's 2 and 3 are the coloured ones
 MAX_TIME_SHARE = 0.1  # of the interval: largest difference of the times of one pair

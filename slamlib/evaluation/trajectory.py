@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import write_whole
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import best_pivot, from_rotation
 from slamlib.manifolds import Array, Indices, finite, read_only_copy
+from slamlib.plain_data.files import write_whole
 
 
 @dataclass(frozen=True, eq=False)

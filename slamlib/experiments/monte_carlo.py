@@ -18,7 +18,6 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import read_archive, write_archive
 from slamlib.errors import SlamlibError, optional
 from slamlib.evaluation.consistency import Consistency
 from slamlib.experiments.cluster import on_cluster
@@ -26,6 +25,7 @@ from slamlib.experiments.presets import Preset
 from slamlib.experiments.progress import progress
 from slamlib.experiments.runs import Run
 from slamlib.manifolds import Array
+from slamlib.plain_data.files import read_archive, write_archive
 
 
 @dataclass(frozen=True, eq=False)

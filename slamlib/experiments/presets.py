@@ -19,11 +19,11 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from slamlib.data.files import write_whole
-from slamlib.data.plain import Count, FileName, OneOf, Plain, Range, Whole, check
-from slamlib.data.records import Frame, Truth, World
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, entry
+from slamlib.plain_data.fields import Count, FileName, OneOf, Plain, Range, Whole, check
+from slamlib.plain_data.files import write_whole
+from slamlib.records.inputs import Frame, Truth, World
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.sensors.scaramuzza import polynomials
 from slamlib.simulation import NOISE_IN, WORLDS, Faults, join, simulate, world
 from slamlib.slam import Options, Slam

@@ -8,18 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import check_columns, complete
-from slamlib.data.html_table import html_table
-from slamlib.data.plain import read_fields
-from slamlib.data.records import Frame, Truth, World
-from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.evaluation.comparison import magnitudes, pose_error
 from slamlib.experiments.presets import Preset
 from slamlib.experiments.presets import preset as named
 from slamlib.manifolds import Array
 from slamlib.observation import FAMILIES
-from slamlib.slam import Options, Report, Slam
+from slamlib.plain_data.fields import read_fields
+from slamlib.plain_data.files import check_columns, complete
+from slamlib.plain_data.tables import html_table
+from slamlib.records.inputs import Frame, Truth, World
+from slamlib.records.snapshots import Snapshot
+from slamlib.slam import Options, Slam, StepReport
 
 COLUMNS = ("errors", "sigmas", "nees", "nis", "nis_dof", "landmarks", "size", "seconds")
 
@@ -87,7 +87,7 @@ class Step:
 
     frame: Frame
     truth: Truth
-    report: Report
+    report: StepReport
 
 
 def run(preset: Preset | str, /, **changes: Any) -> Result:
@@ -155,7 +155,7 @@ class Run:
             pass
         return self.result()
 
-    def _remember(self, truth: Truth, report: Report, seconds: float) -> None:
+    def _remember(self, truth: Truth, report: StepReport, seconds: float) -> None:
         self._initialized += len(report.initialized)
         self._deleted += len(report.deleted)
         errors, sigmas, nees = [], [], []

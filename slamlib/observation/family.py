@@ -14,12 +14,12 @@ from typing import Any, Generic, NamedTuple, TypeVar
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.data.plain import Finite, Plain, Positive
 from slamlib.entities import Landmark, RigSensor
 from slamlib.entities.landmark import landmark_means, state_rows
 from slamlib.entities.linearization import Linearization
 from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array, Indices, Mask, read_only
+from slamlib.plain_data.fields import Finite, Plain, Positive
 from slamlib.sensors.sensor import Calibration
 
 

@@ -11,7 +11,6 @@ from typing import Annotated, Any
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.data.plain import NotNegative, OneOf, Range
 from slamlib.entities import Landmark, RigSensor
 from slamlib.entities.landmark import landmark_means, state_rows
 from slamlib.errors import SingularPointError, SlamlibError
@@ -23,6 +22,7 @@ from slamlib.landmarks.linearity import THRESHOLD, beyond_infinity, should_conve
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation.family import Family, FamilyOptions, product, state_columns, viewpoint
+from slamlib.plain_data.fields import NotNegative, OneOf, Range
 from slamlib.sensors.sensor import Calibration
 
 PLACEHOLDER_POINT = np.array([0.25, 0.5, 1, 1])  # for points that cannot be measured: so their rows are finite

@@ -6,7 +6,6 @@ from typing import Annotated, Any, NamedTuple
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.data.plain import Finite, NotNegative, OneOf, Positive, Range
 from slamlib.entities import Landmark, RigSensor
 from slamlib.entities.landmark import landmark_means, state_rows
 from slamlib.errors import SlamlibError
@@ -25,6 +24,7 @@ from slamlib.observation.family import (
 )
 from slamlib.observation.lines import RESIDUALS, distort_segments, initialize_line, rays_of
 from slamlib.observation.points import PLACEHOLDER_POINT, NamedJacobians
+from slamlib.plain_data.fields import Finite, NotNegative, OneOf, Positive, Range
 from slamlib.sensors.sensor import Calibration
 
 CONVERGED_RATIO = 0.1  # of a segment's length: the largest standard deviation of an endpoint of a converged line

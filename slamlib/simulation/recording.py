@@ -29,11 +29,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slamlib.data.files import complete, read_archive, write_archive
-from slamlib.data.records import Control, Features, Frame, Scan, Truth, World
-from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
 from slamlib.observation import FAMILIES
+from slamlib.plain_data.files import complete, read_archive, write_archive
+from slamlib.records.inputs import Control, Features, Frame, Scan, Truth, World
+from slamlib.rigs.setup import Rig
 from slamlib.simulation.worlds import check_world
 
 FORMAT, VERSION = "slamlib recording", 1

@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slamlib.data.plain import Share, check
-from slamlib.data.records import Features, Scan, World
-from slamlib.data.setup import SensorSetup
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import Pose, compose
 from slamlib.manifolds import Array, Indices, Manifold, Mask, read_only_copy
 from slamlib.observation import FAMILIES, Family
+from slamlib.plain_data.fields import Share, check
+from slamlib.records.inputs import Features, Scan, World
+from slamlib.rigs.setup import SensorSetup
 from slamlib.simulation.occlusion import hidden, longest_seen
 
 if TYPE_CHECKING:

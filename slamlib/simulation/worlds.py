@@ -10,11 +10,11 @@ from typing import Annotated, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slamlib.data.plain import Count, Finite, Positive, Range, read_fields
-from slamlib.data.records import Features, World
 from slamlib.errors import ShapeError, SlamlibError, entry
 from slamlib.manifolds import Array, numbers
 from slamlib.observation import FAMILIES
+from slamlib.plain_data.fields import Count, Finite, Positive, Range, read_fields
+from slamlib.records.inputs import Features, World
 
 QUARTER = np.array([[0.0, 1.0], [-1.0, 0.0]])  # rows times this: a quarter turn to the left
 

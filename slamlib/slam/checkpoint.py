@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import read_archive, write_archive
 from slamlib.entities import Landmark, State
 from slamlib.manifolds import Array
 from slamlib.observation import parametrization
+from slamlib.plain_data.files import read_archive, write_archive
 from slamlib.slam.data_association.front_end import FrontEnd
 
 FORMAT, VERSION = "slamlib filter", 4

@@ -10,21 +10,21 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.belief import Belief
-from slamlib.data.files import complete
-from slamlib.data.records import Control, Features, Frame, Scan
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
-from slamlib.data.snapshots import Map, RobotView, Snapshot
 from slamlib.entities import Landmark, RigSensor, Robot, State
 from slamlib.entities.linearization import FirstEstimates, Linearization
 from slamlib.errors import ShapeError, SingularPointError, SlamlibError, entry
 from slamlib.geometry.pose import Pose, compose
 from slamlib.manifolds import Array, finite, numbers
 from slamlib.observation import FAMILIES, Family, parametrization
+from slamlib.plain_data.files import complete
+from slamlib.records.inputs import Control, Features, Frame, Scan
+from slamlib.records.snapshots import Map, RobotView, Snapshot
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.slam import checkpoint, transport
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput, KnownAssociation, match
 from slamlib.slam.data_association.selection import select
-from slamlib.slam.map_management import Report, is_bad, out_of_window, prune_candidate
+from slamlib.slam.map_management import StepReport, is_bad, out_of_window, prune_candidate
 from slamlib.slam.measurement_update import RobotUpdate, convert, update_by_robot, update_in_batch, update_sequentially
 from slamlib.slam.options import Options
 from slamlib.slam.prediction import Predictions, predict_measurements
@@ -134,7 +134,7 @@ class Slam:
         dt: float = 1.0,
         update: bool = True,
         first: bool = False,
-    ) -> Report:
+    ) -> StepReport:
         """Process one frame: all robots move; then each sensor updates the map and initializes new landmarks.
 
         frame: a Frame; or, for one robot with one sensor, its control (c,), with the noise of its setup, and what was
@@ -144,7 +144,7 @@ class Slam:
         """
         frame = self._frame(frame, seen, dt)
         self._check(frame)
-        report = Report()
+        report = StepReport()
         self.number = frame.number
         self.predict(frame.controls, frame.dt)
         self.absolute = [
@@ -263,7 +263,7 @@ class Slam:
                 prediction.landmark.last_seen = self.number
         convert(self.belief, sensor, matched, options)
 
-    def _delete(self, predictions: Predictions, report: Report) -> None:
+    def _delete(self, predictions: Predictions, report: StepReport) -> None:
         """Delete landmarks seldom found where predicted or often outliers, out of the window, or beyond infinity."""
         bad = {p.landmark for p in predictions if p.chosen and is_bad(p.landmark, self.options)}
         bad.update(out_of_window(self.landmarks, self.number, self.options))
@@ -275,7 +275,7 @@ class Slam:
             self.prune(landmark)
             report.deleted.append(landmark.id)
 
-    def _initialize(self, i: int, scan: Scan, count: int, report: Report) -> None:
+    def _initialize(self, i: int, scan: Scan, count: int, report: StepReport) -> None:
         """Initialize up to `count` landmarks of each family by what one sensor has measured."""
         sensor = self.sensors[i]
         inputs = FrontEndInput(scan, sensor, self.predictions[i])
@@ -288,7 +288,7 @@ class Slam:
             for detected in self.front_ends[i].detect(inputs, family.name, known, usable, count):
                 self._initialize_one(i, family, detected, report)
 
-    def _initialize_one(self, i: int, family: Family[Any], detected: Detected, report: Report) -> None:
+    def _initialize_one(self, i: int, family: Family[Any], detected: Detected, report: StepReport) -> None:
         """Initialize one landmark; at the capacity another one is pruned for it, or it is refused."""
         sensor, (number, value, signature) = self.sensors[i], detected
         kind = family.new_kind(self.options, sensor.landmark)

@@ -4,8 +4,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Annotated, Any
 
-from slamlib.data.plain import Count, OneOf, Plain, Share, Whole
 from slamlib.entities import Landmark
+from slamlib.plain_data.fields import Count, OneOf, Plain, Share, Whole
 
 # The rank of a landmark, by the name of a rule: the lowest is pruned first.
 PRUNING_RULES: dict[str, Callable[[Landmark], Any]] = {
@@ -29,7 +29,7 @@ class UpkeepOptions(Plain):
 
 
 @dataclass(frozen=True)
-class Report:
+class StepReport:
     """What one step did: ids of the landmarks initialized, deleted, and refused because the map was full."""
 
     initialized: list[int] = field(default_factory=list)

@@ -10,13 +10,13 @@ from typing import Annotated
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.data.plain import Range
-from slamlib.data.records import RobotMeasurement
 from slamlib.entities import POSE, RigSensor, Robot
 from slamlib.entities.landmark import group_by_kind
 from slamlib.entities.linearization import Linearization
 from slamlib.manifolds import Array, Euclidean, Indices
 from slamlib.observation.family import FamilyOptions
+from slamlib.plain_data.fields import Range
+from slamlib.records.inputs import RobotMeasurement
 from slamlib.slam.data_association.gates import gate, innovation_squares
 from slamlib.slam.prediction import LANDMARK_KIND, Predictions, innovations
 

@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from typing import Annotated
 
-from slamlib.data.plain import Count, OneOf, check
 from slamlib.observation import FAMILIES
 from slamlib.observation.points import PointOptions
 from slamlib.observation.segments import LineOptions
+from slamlib.plain_data.fields import Count, OneOf, check
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.selection import SELECTIONS
 from slamlib.slam.map_management import UpkeepOptions

@@ -6,13 +6,13 @@ from typing import Any
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.data.records import Scan
-from slamlib.data.snapshots import MapView, MeasurementView, RobotView, SensorView, Snapshot
 from slamlib.entities import POSE, Landmark, RigSensor, Robot, State
 from slamlib.entities.landmark import group_by_kind
 from slamlib.manifolds import Array
 from slamlib.observation.family import Family, columns_jacobian, state_columns, viewpoint
 from slamlib.observation.segments import project_endpoints
+from slamlib.records.inputs import Scan
+from slamlib.records.snapshots import MapView, MeasurementView, RobotView, SensorView, Snapshot
 from slamlib.slam.prediction import Predictions
 
 COLUMNS = {"chosen": bool, "matched": bool, "inlier": bool, "nis": float}

@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Frame, Truth
-from slamlib.data.setup import Rig
 from slamlib.entities import Landmark
 from slamlib.evaluation.consistency import rmse
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
+from slamlib.records.inputs import Frame, Truth
+from slamlib.rigs.setup import Rig
 from slamlib.slam import Slam
 
 POSITION, ORIENTATION = slice(0, 3), slice(3, 6)

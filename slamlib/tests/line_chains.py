@@ -7,14 +7,14 @@ from functools import partial
 
 import numpy as np
 
+from slamlib.checks.judge import Judge
+from slamlib.checks.line_pairs import visible_segments
+from slamlib.checks.models import derivatives, model_properties, named
 from slamlib.errors import SingularPointError
 from slamlib.geometry.pose import ORIGIN, Pose, compose
 from slamlib.models import Argument
 from slamlib.observation import lines
 from slamlib.sensors.sensor import Calibration
-from slamlib.testing.judge import Judge
-from slamlib.testing.line_pairs import visible_segments
-from slamlib.testing.models import derivatives, model_properties, named
 
 FINITE = "in degenerate cases all numbers are finite, or it is refused"
 FRAMES = [Argument("robot", Pose), Argument("extrinsics", Pose)]

@@ -3,9 +3,9 @@
 import numpy as np
 from slambook import rendering
 
-from slamlib.data.setup import pose_of
 from slamlib.geometry.pose import compose
 from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.rigs.setup import pose_of
 from slamlib.sensors.omni import OMNI
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration

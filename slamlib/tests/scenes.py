@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from slamlib.data.records import Features, Scan, Truth, World
-from slamlib.data.setup import SensorSetup
-from slamlib.data.snapshots import MapView, MeasurementView, RobotView, SensorView, Snapshot
 from slamlib.geometry.quaternion import exponential
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.observation.points import observe
+from slamlib.records.inputs import Features, Scan, Truth, World
+from slamlib.records.snapshots import MapView, MeasurementView, RobotView, SensorView, Snapshot
+from slamlib.rigs.setup import SensorSetup
 
 
 def measurements(ids: np.ndarray, *columns, **more) -> MeasurementView:

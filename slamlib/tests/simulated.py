@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.simulation import world
 
 CLOISTER = world("thickCloister", n=7)

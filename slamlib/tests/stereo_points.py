@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from slamlib.data.records import Control, Features, Frame, Scan
-from slamlib.data.setup import RobotSetup, SensorSetup
 from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.motions import ODOMETRY
+from slamlib.records.inputs import Control, Features, Frame, Scan
+from slamlib.rigs.setup import RobotSetup, SensorSetup
 from slamlib.slam import Options, Slam
 from slamlib.tests.shared_noise import SharedNoise
 from slamlib.tests.stereo import LENS, MOUNT, calibration, points_seen, seen_from

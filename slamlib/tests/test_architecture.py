@@ -75,8 +75,8 @@ def test_a_new_type_is_one_written_and_one_generated_file(tag, tmp_path):
 # A run with planes, in the scratch copy: records, simulation, filter, snapshot, recording and checkpoint know them.
 WITH_PLANES = """
 import numpy as np
-from slamlib.data.records import Features, World
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
+from slamlib.records.inputs import Features, World
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.observation import FAMILIES
 from slamlib.simulation import load, save, simulate
 from slamlib.slam import Options, Slam
@@ -137,6 +137,7 @@ def test_only_the_named_modules_are_generated_and_nothing_is_removed(tmp_path):
 
 LAYERS = [  # each may import those above it, and itself
     {"errors"},
+    {"plain_data"},
     {"symbolic"},
     {"analytic", "manifolds"},
     {"models"},
@@ -145,11 +146,11 @@ LAYERS = [  # each may import those above it, and itself
     {"belief"},
     {"geometry"},
     {"landmarks", "sensors", "motions"},
-    {"data"},
+    {"records", "rigs"},
     {"entities"},
     {"observation"},
     {"evaluation"},
-    {"slam", "simulation", "testing"},
+    {"slam", "simulation", "checks"},
     {"experiments", "datasets"},
     {"vision"},
     {"cli", "codegen"},
@@ -159,13 +160,10 @@ NEVER = {  # beyond the layers: the algebra knows no types, simulator and filter
     "belief": {"models", "analytic"},
     "simulation": {"slam"},
     "slam": {"simulation"},
-    "testing": {"slam", "simulation"},
+    "checks": {"slam", "simulation"},
     "datasets": {"slam", "experiments"},
 }
-LAZY = {
-    "codegen": {"sympy", "IPython"},
-    "symbolic": {"sympy"},
-}  # heavy packages that a part may import when it is loaded
+LAZY = {"codegen": {"sympy", "IPython"}, "symbolic": {"sympy"}}  # heavy packages that a part may load with itself
 HEAVY = {"sympy", "matplotlib", "scipy", "IPython", "cv2", "skimage", "joblib"}
 
 
@@ -256,7 +254,7 @@ def test_no_type_is_named_outside_its_own_file():
     from slamlib.sensors import SENSORS
 
     names = {*POINTS, *LINES, *SENSORS}
-    for part in ("observation", "belief", "kalman", "testing", "models"):
+    for part in ("observation", "belief", "kalman", "checks", "models"):
         for file in files(part):
             tree = ast.parse(file.read_text("utf-8"))
             tree.body = [n for n in tree.body if not (isinstance(n, ast.ClassDef) and n.name.endswith("Options"))]

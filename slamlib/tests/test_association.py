@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
-from slamlib.data.records import Features, Scan
 from slamlib.kalman.chi_square import chi2_cdf
+from slamlib.records.inputs import Features, Scan
 from slamlib.slam.data_association.front_end import FrontEndInput, KnownAssociation
 from slamlib.slam.data_association.gates import gate, mahalanobis_squared
 from slamlib.slam.data_association.selection import SELECTIONS

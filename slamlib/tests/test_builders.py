@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import slamlib as sl
-from slamlib.data.builders import RobotFields, SensorFields
-from slamlib.data.records import Control
-from slamlib.data.setup import Rig
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
+from slamlib.records.inputs import Control
+from slamlib.rigs.builders import RobotFields, SensorFields
+from slamlib.rigs.setup import Rig
 
 K = np.array([[500.0, 0, 330], [0, 510, 250], [0, 0, 1]])
 LENS = {"intrinsics": (330.0, 250.0, 500.0, 510.0), "distortion": (-0.2, 0.1)}

@@ -7,6 +7,10 @@ import pytest
 import sympy
 
 from slamlib.analytic import exp, log, sqrt
+from slamlib.checks import CheckError, check_landmark, check_pair, check_sensor, line_pairs
+from slamlib.checks.judge import Judge
+from slamlib.checks.models import JACOBIAN, derivatives
+from slamlib.checks.sensors import visible_points
 from slamlib.codegen import assert_same, derive
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import Pose
@@ -21,10 +25,6 @@ from slamlib.observation import lines
 from slamlib.observation.points import NamedJacobians
 from slamlib.sensors import SENSORS, Calibration
 from slamlib.slam import Options
-from slamlib.testing import CheckError, check_landmark, check_pair, check_sensor, line_pairs
-from slamlib.testing.judge import Judge
-from slamlib.testing.models import JACOBIAN, derivatives
-from slamlib.testing.sensors import visible_points
 from slamlib.tests.line_chains import check_chains
 from slamlib.tests.test_every_type import example
 

@@ -17,7 +17,7 @@ from slamlib.evaluation.trajectory import read_trajectory
 from slamlib.slam import Options
 from slamlib.tests.test_cli_hostile import ROS, WRONG, called, changed, places
 from slamlib.vision.active_search import ActiveSearchSettings
-from slamlib.vision.run import IMAGES, PAIRS, load
+from slamlib.vision.opening import IMAGES, PAIRS, load
 from slamlib.vision.stereo.detect import StereoSettings
 
 FEW = settings(

@@ -13,7 +13,7 @@ from slamlib.cli import main, runner
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
 from slamlib.tests.interruptions import interrupted_at
 from slamlib.tests.pictures import DATA, windows
-from slamlib.vision.run import load
+from slamlib.vision.opening import load
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads and writes the pictures")
 COUNT, DT = 24, 1 / 30

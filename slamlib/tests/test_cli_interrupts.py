@@ -14,10 +14,10 @@ import pytest
 from slambook import rendering
 
 from slamlib.cli import main
-from slamlib.data.files import atomic_write, check_writable, write_whole
 from slamlib.errors import SlamlibError
 from slamlib.experiments.runs import Run
-from slamlib.vision.run import IMAGES, PAIRS, load
+from slamlib.plain_data.files import atomic_write, check_writable, write_whole
+from slamlib.vision.opening import IMAGES, PAIRS, load
 
 STOPS, FEW = 20, 3  # at most; at least, where a resumed run is quicker than the one whose calls were counted
 
@@ -227,7 +227,7 @@ def test_a_full_disk_behind_the_output():
 
 
 def test_what_a_killed_process_left_is_removed(tmp_path):
-    text = "import sys, os, signal; from slamlib.data.files import atomic_write\n"
+    text = "import sys, os, signal; from slamlib.plain_data.files import atomic_write\n"
     text += "with atomic_write(sys.argv[1]) as p: p.write_text('half'); os.kill(os.getpid(), signal.SIGKILL)"
     target = tmp_path / "a [b].npz"
     target.write_text("old")

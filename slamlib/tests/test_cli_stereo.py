@@ -17,8 +17,8 @@ from slamlib.geometry.pose import relative
 from slamlib.geometry.quaternion import rotation
 from slamlib.tests.interruptions import interrupted_at
 from slamlib.tests.pictures import windows
-from slamlib.vision.run import PAIRS
-from slamlib.vision.run import load as load_kind
+from slamlib.vision.opening import PAIRS
+from slamlib.vision.opening import load as load_kind
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads, rectifies and searches the pictures")
 COUNT, DT, BASELINE = 12, 1 / 15, 0.12

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.experiments.presets import preset
 from slamlib.geometry.euler import to_quaternion
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.slam import Slam
 
 

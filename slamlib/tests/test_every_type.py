@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 import slamlib.sensors
+from slamlib.checks import check_landmark, check_pair, check_sensor
 from slamlib.errors import SlamlibError
 from slamlib.landmarks import LINES, POINTS
 from slamlib.sensors import SENSORS, Calibration
-from slamlib.testing import check_landmark, check_pair, check_sensor
 from slamlib.tests.line_chains import check_chains
 
 DEFAULTS = {  # by a parameter's name and by how many numbers its model takes

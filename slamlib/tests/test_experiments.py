@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band
 from slamlib.experiments import monte_carlo as monte_carlo_module
@@ -14,6 +13,7 @@ from slamlib.experiments.monte_carlo import NAMES, monte_carlo, seeds
 from slamlib.experiments.presets import Preset, preset
 from slamlib.experiments.runs import Run
 from slamlib.motions import MOTIONS, ODOMETRY
+from slamlib.rigs.setup import Rig
 from slamlib.tests.interruptions import interrupted_after
 
 SHORT = replace(preset("points"), frames=8)

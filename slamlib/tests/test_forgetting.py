@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from slamlib.data.records import Features, Scan
 from slamlib.entities import Landmark
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.experiments.presets import preset
+from slamlib.records.inputs import Features, Scan
 from slamlib.slam import Options, Slam
 from slamlib.slam.map_management import is_bad, out_of_window, prune_candidate
 

@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 from slambook import rendering
 
-from slamlib.data.records import Frame, Scan
-from slamlib.data.setup import SensorSetup
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import compose
+from slamlib.records.inputs import Frame, Scan
+from slamlib.rigs.setup import SensorSetup
 from slamlib.slam import Options, Slam
 from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.vision.active_search import ActiveSearch, ActiveSearchSettings
-from slamlib.vision.front_end import Backoff
+from slamlib.vision.image_front_end import Backoff
 
 FRAMES, DT = 45, 1 / 30
 OPTIONS = Options(updates=12, max_new_first=12, max_new=3, min_matched_ratio=0.5, inverse_distance=(0.4, 0.4))

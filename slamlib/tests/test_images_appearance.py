@@ -5,8 +5,8 @@ import json
 import numpy as np
 import pytest
 
-from slamlib.data.plain import read, written
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
+from slamlib.plain_data.fields import read, written
 from slamlib.tests.pictures import grid, photograph
 from slamlib.tests.test_images_warping import CAMERAS, FIRST, IDEAL, drawn, posed
 from slamlib.vision.appearance import Appearance, predict, recognizable, view_change

@@ -6,12 +6,12 @@ import re
 import numpy as np
 import pytest
 
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets.calibrations import read_calibration, read_lens
 from slamlib.datasets.formats.tum import LENSES as TUM
 from slamlib.datasets.lens import Lens, fitted
 from slamlib.datasets.rectification import undistortion
 from slamlib.errors import SlamlibError
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.tests.pictures import DATA, KALIBR
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads and undistorts")

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from slambook.stereo_films import stereo_film
 
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets.calibrations import read_pair
 from slamlib.datasets.lens import Lens, PairCalibration
 from slamlib.datasets.opening import open_pairs, reopen
@@ -17,8 +16,9 @@ from slamlib.datasets.rectification import rectification, rectified_setup, why_n
 from slamlib.datasets.sources import of_pictures
 from slamlib.errors import SlamlibError
 from slamlib.geometry.quaternion import rotation
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.tests.pictures import KALIBR
-from slamlib.vision.run import PAIRS, load, open_stereo, stereo_run
+from slamlib.vision.opening import PAIRS, load, open_stereo, stereo_run
 from slamlib.vision.stereo import StereoSettings
 from slamlib.vision.stereo.features import check_pair, extract_features
 

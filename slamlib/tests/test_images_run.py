@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from slamlib.data.setup import SensorSetup
 from slamlib.datasets.pictures import TimedImage
 from slamlib.datasets.sources import of_pictures
 from slamlib.errors import SlamlibError
@@ -14,8 +13,9 @@ from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import compose, to_frame
 from slamlib.geometry.quaternion import exponential
+from slamlib.rigs.setup import SensorSetup
+from slamlib.vision.opening import IMAGES, camera_rig, image_run, load, options_for
 from slamlib.vision.results import COLUMNS, PARTS, lasting, summary, summary_warnings, table
-from slamlib.vision.run import IMAGES, camera_rig, image_run, load, options_for
 from slamlib.vision.sequence_run import TrackingLostError
 from slamlib.vision.target import Target
 

@@ -9,21 +9,21 @@ import numpy as np
 import pytest
 from slambook import rendering
 
-from slamlib.data.records import Frame, Scan
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError
 from slamlib.landmarks import endpoints, hmg_point
 from slamlib.landmarks.segments import length
 from slamlib.observation.lines import undistort_segments
+from slamlib.records.inputs import Frame, Scan
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.slam import Options, Slam
 from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.tests.pictures import cube
 from slamlib.tests.rooms import flat, pinhole, upright
 from slamlib.vision.active_search import ActiveSearch
 from slamlib.vision.edges import PROFILE, EdgeStrip, axes, directed, edge_strip, fitted, refined, segments_of
-from slamlib.vision.front_end import CombinedFrontEnd
+from slamlib.vision.image_front_end import CombinedFrontEnd
 from slamlib.vision.line_search import SegmentSearch, SegmentSettings, across_covariances, lines_of
-from slamlib.vision.run import make_front_end
+from slamlib.vision.opening import make_front_end
 
 pytest.importorskip("cv2", reason="OpenCV, whose detector begins the segments, is not installed")
 WIDTH, HEIGHT = 160, 120

@@ -16,8 +16,8 @@ from slamlib.sensors.pinhole import distort_radius
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Slam
 from slamlib.vision.active_search import ActiveSearch
+from slamlib.vision.opening import options_for
 from slamlib.vision.relocalization import close_loop, relocalize
-from slamlib.vision.run import options_for
 from slamlib.vision.target import Target, focal_length
 from slamlib.vision.two_views import direction_error, turning_rate, two_view_target
 

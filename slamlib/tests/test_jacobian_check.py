@@ -5,10 +5,10 @@ import re
 import numpy as np
 import pytest
 
+from slamlib.checks import CheckError, check_jacobian
 from slamlib.errors import NonFiniteError, ShapeError
 from slamlib.geometry.quaternion import left_matrix
 from slamlib.models.numerical import complex_differences, differences
-from slamlib.testing import CheckError, check_jacobian
 
 X, P = np.array([1.0, 2.0, 0.3]), np.array([4.0, 6.0])
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
-from slamlib.data.records import RobotMeasurement
 from slamlib.experiments.presets import preset
 from slamlib.kalman.chi_square import chi2_quantile
+from slamlib.records.inputs import RobotMeasurement
 from slamlib.slam.measurement_update import update_by_robot
 from slamlib.tests.test_seams import compass, gps
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
+from slamlib.checks.sensors import unmeasured, visible_points
 from slamlib.entities import Landmark
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, UnknownNameError
 from slamlib.experiments.presets import preset
@@ -22,7 +23,6 @@ from slamlib.observation.points import initialize, observe
 from slamlib.registry import Registry
 from slamlib.sensors import SENSORS, Calibration, sensor
 from slamlib.slam import Options
-from slamlib.testing.sensors import unmeasured, visible_points
 from slamlib.tests.test_every_type import example
 
 PAIRS = list(itertools.product(POINTS, SENSORS))

@@ -7,9 +7,9 @@ from typing import Annotated, Any
 import numpy as np
 import pytest
 
-from slamlib.data.plain import OneOf, Range, check, read, written
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.experiments.presets import PRESETS, Preset, preset
+from slamlib.plain_data.fields import OneOf, Range, check, read, written
 
 
 @dataclass(frozen=True)

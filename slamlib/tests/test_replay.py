@@ -10,8 +10,8 @@ from itertools import accumulate
 import numpy as np
 import pytest
 
-from slamlib.data.records import Control, Features, Frame, Scan
 from slamlib.experiments.presets import preset
+from slamlib.records.inputs import Control, Features, Frame, Scan
 from slamlib.slam import Options
 from slamlib.slam.data_association import selection
 from slamlib.tests import reference

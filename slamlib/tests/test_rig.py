@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from slamlib.data.setup import IMAGE, PARAMETERS, Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.rigs.setup import IMAGE, PARAMETERS, Rig, RobotSetup, SensorSetup
 from slamlib.sensors import SENSORS
 
 

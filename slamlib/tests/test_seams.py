@@ -6,8 +6,6 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
-from slamlib.data.records import Frame, RobotMeasurement, Scan
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.entities.linearization import Linearization
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.experiments.presets import preset
@@ -17,6 +15,8 @@ from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.models import model
 from slamlib.motions import Motion
 from slamlib.observation.family import columns_jacobian, viewpoint
+from slamlib.records.inputs import Frame, RobotMeasurement, Scan
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.simulation import simulate
 from slamlib.slam import Options, Slam
 

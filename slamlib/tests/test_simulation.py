@@ -10,13 +10,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from slamlib import simulation
-from slamlib.data.records import World
-from slamlib.data.setup import Rig
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.geometry.pose import Pose, compose
 from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS, odometry
 from slamlib.observation.points import observe
+from slamlib.records.inputs import World
+from slamlib.rigs.setup import Rig
 from slamlib.sensors import SENSORS
 from slamlib.simulation import Faults, controls, join, simulate, world
 from slamlib.tests.simulated import ALL_SENSORS, CAMERA, CLOISTER, OMNI, RANGE, STEREO, WALKER, rig_of, same_runs

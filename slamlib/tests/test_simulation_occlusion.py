@@ -5,7 +5,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.simulation import simulate, world
 from slamlib.simulation.occlusion import hidden, longest_seen, shadows
 

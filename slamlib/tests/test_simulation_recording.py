@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from slamlib.data.records import Frame, Scan
-from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
+from slamlib.records.inputs import Frame, Scan
+from slamlib.rigs.setup import Rig
 from slamlib.simulation import Faults, Recording, join, load, save, simulate, world
 from slamlib.tests.simulated import CAMERA, CLOISTER, LENS, RANGE, WALKER, same_runs
 

@@ -9,8 +9,6 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
-from slamlib.data.records import World
-from slamlib.data.setup import RobotSetup
 from slamlib.evaluation.consistency import Consistency
 from slamlib.geometry.pose import Pose, relative
 from slamlib.kalman.chi_square import chi2_quantile
@@ -18,6 +16,8 @@ from slamlib.landmarks import POINTS
 from slamlib.landmarks.segments import length
 from slamlib.motions import CONSTANT_VELOCITY
 from slamlib.observation.points import observe
+from slamlib.records.inputs import World
+from slamlib.rigs.setup import RobotSetup
 from slamlib.simulation import Faults, controls, simulate, world
 from slamlib.tests.simulated import ALL_SENSORS, CAMERA, CLOISTER, LENS, WALKER, rig_of
 

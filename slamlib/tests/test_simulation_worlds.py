@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from slamlib.data.records import Features, World
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.records.inputs import Features, World
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.simulation import WORLDS, controls, join, simulate, world
 from slamlib.simulation.worlds import cloister, gallery_radius, house, numbered, thick_cloister
 from slamlib.tests.reference import cases

@@ -8,13 +8,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.evaluation.consistency import band, rmse, share_inside
 from slamlib.experiments.presets import PRESETS, preset
 from slamlib.geometry.pose import Pose
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.landmarks import LINES, POINTS
 from slamlib.observation.lines import RESIDUALS
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.tests.compared import ORIENTATION, POSITION, compared, is_healthy, shaken
 
 

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from slamlib.data.records import Control, Features, Frame, Scan
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.experiments.presets import PRESETS, preset
+from slamlib.records.inputs import Control, Features, Frame, Scan
 from slamlib.slam import Options
 from slamlib.tests.compared import is_healthy
 

@@ -8,10 +8,10 @@ from slambook import rendering
 from slambook.rendering import stereo_rig
 from slambook.stereo_films import Tracks, pixel_noise, stereo_film
 
-from slamlib.data.setup import Rig
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import compose
 from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.rigs.setup import Rig
 from slamlib.tests.stereo import LENS, calibration, points_seen, seen_from
 from slamlib.vision.stereo import (
     StereoFeatureExtractor,

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 from slambook.stereo_films import stereo_film
 
-from slamlib.data.plain import read, written
-from slamlib.data.records import Control
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.evaluation.consistency import nees
 from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.motions import ODOMETRY
 from slamlib.observation.family import viewpoint
+from slamlib.plain_data.fields import read, written
+from slamlib.records.inputs import Control
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.slam import Options, Slam
 from slamlib.tests.shared_noise import derivatives
 from slamlib.tests.stereo import MOUNT, calibration, points_seen, seen_from

@@ -6,18 +6,18 @@ import numpy as np
 import pytest
 from slambook.stereo_films import stereo_film
 
-from slamlib.data.plain import read, written
-from slamlib.data.records import Frame, Scan
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import Pose, compose
 from slamlib.landmarks.euc_point import EUC_POINT
+from slamlib.plain_data.fields import read, written
+from slamlib.records.inputs import Frame, Scan
 from slamlib.sensors.pinhole import PINHOLE
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam
 from slamlib.tests.stereo import calibration
 from slamlib.vision.stereo import StereoSearch, StereoSettings
-from slamlib.vision.stereo.front_end import LandmarkView, LandmarkViews
 from slamlib.vision.stereo.odometry import checkerboard_half
+from slamlib.vision.stereo.stereo_search import LandmarkView, LandmarkViews
 
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 OPTIONS = Options(points="eucPnt", updates=40, max_new_first=40, max_new=5)

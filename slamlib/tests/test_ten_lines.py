@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import slamlib as sl
-from slamlib.data.records import Control, Frame
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
+from slamlib.records.inputs import Control, Frame
 
 EXAMPLE = Path(sl.__file__).parents[1] / "examples" / "camera.py"
 

@@ -8,8 +8,6 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
-from slamlib.data.records import Control, RobotMeasurement
-from slamlib.data.setup import Rig, SensorSetup
 from slamlib.entities.linearization import FirstEstimates, Linearization
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band
@@ -19,6 +17,8 @@ from slamlib.experiments.runs import map_errors
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS
+from slamlib.records.inputs import Control, RobotMeasurement
+from slamlib.rigs.setup import Rig, SensorSetup
 from slamlib.slam import Slam
 from slamlib.slam.prediction import predict_measurements
 from slamlib.slam.transport import TRANSPORTS, carried, generator, generators, unobservable

@@ -9,9 +9,9 @@ from slambook import rendering
 
 from slamlib.cli import main
 from slamlib.codegen import check_model
-from slamlib.data.setup import SensorSetup
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.observation.lines import image_line, undistort_segments
+from slamlib.rigs.setup import SensorSetup
 from slamlib.sensors import davison, fisheye, omni, pinhole
 from slamlib.sensors.sensor import Calibration
 from slamlib.tests.differences import differences

@@ -10,17 +10,17 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from slamlib.data.plain import Count, Positive, Range, Share, Whole, check
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN
 from slamlib.manifolds import Array, Image
+from slamlib.plain_data.fields import Count, Positive, Range, Share, Whole, check
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import FrontEndInput, Usable
 from slamlib.slam.data_association.gates import gate
 from slamlib.vision.appearance import Appearance, predict, recognizable
 from slamlib.vision.corners import QUALITY, Corner, best_corner
-from slamlib.vision.front_end import ImageFrontEnd
 from slamlib.vision.grid import Grid
+from slamlib.vision.image_front_end import ImageFrontEnd
 from slamlib.vision.patches import cut
 from slamlib.vision.search import Match, register, search
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slamlib.data.plain import Whole, check
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.manifolds import Array, Mask, numbers
+from slamlib.plain_data.fields import Whole, check
 
 Cell = tuple[int, int]
 

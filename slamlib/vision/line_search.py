@@ -20,7 +20,7 @@ from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import FrontEndInput, Usable
 from slamlib.slam.data_association.gates import gate
 from slamlib.vision.edges import PROFILE, STEP, Edge, EdgeStrip, axes, edge_strip, fitted, line, refined, segments_of
-from slamlib.vision.front_end import ImageFrontEnd
+from slamlib.vision.image_front_end import ImageFrontEnd
 
 SAME = 1.0  # [px]: two fits closer than this are of the same edge
 TWINS = 1.5  # [px]: two landmarks whose edges are closer than this are the same

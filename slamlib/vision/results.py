@@ -8,7 +8,7 @@ import numpy as np
 from slamlib.evaluation import comparison
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.manifolds import Array
-from slamlib.slam import Report, Slam
+from slamlib.slam import Slam, StepReport
 
 PARTS = ("filter", "search", "detection", "reading")
 COLUMNS = (
@@ -53,7 +53,7 @@ class ImageResult:
         return int((self.columns["inliers"][1:] == 0).sum())
 
 
-def counts(slam: Slam, report: Report) -> dict[str, float]:
+def counts(slam: Slam, report: StepReport) -> dict[str, float]:
     """A filter's numbers of its last frame for the columns, without times."""
     predictions = slam.predictions[0]
     inliers = [prediction for prediction in predictions if prediction.inlier]

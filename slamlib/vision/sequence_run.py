@@ -1,7 +1,7 @@
 """The filter on a sequence of images, one at a time, with a history; it can be saved and resumed at each of them.
 
 Runs on single images and on stereo pairs differ by a SequenceKind and a MotionSource only; both, and loading, are in
-slamlib.vision.run. A stereo pair is one image (2, h, w).
+slamlib.vision.opening. A stereo pair is one image (2, h, w).
 """
 
 import time
@@ -13,16 +13,16 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Control, Frame, Scan
-from slamlib.data.snapshots import Snapshot
 from slamlib.datasets.dataset import ImageSource
 from slamlib.datasets.pictures import TimedImage
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.manifolds import Array
 from slamlib.observation.family import viewpoint
-from slamlib.slam import Options, Report, Slam
-from slamlib.vision.front_end import MotionSource
+from slamlib.records.inputs import Control, Frame, Scan
+from slamlib.records.snapshots import Snapshot
+from slamlib.slam import Options, Slam, StepReport
+from slamlib.vision.image_front_end import MotionSource
 from slamlib.vision.relocalization import LOST, close_loop, relocalize
 from slamlib.vision.results import COLUMNS, ImageResult, counts, lasting, whitened
 from slamlib.vision.target import Target
@@ -58,12 +58,12 @@ class ImageStep:
 
     frame: Frame
     picture: TimedImage
-    report: Report
+    report: StepReport
     row: dict[str, float]
 
 
 class SequenceRun:
-    """A run in progress. Iterate over it; `save` between two steps, slamlib.vision.run.load resumes it exactly."""
+    """A run in progress. Iterate over it; `save` between two steps, slamlib.vision.opening.load resumes it exactly."""
 
     def __init__(
         self,
@@ -163,7 +163,7 @@ class SequenceRun:
         """Whether there is a measurement already: the first landmarks are initialized from the known start."""
         return any(row[LANDMARKS] for row in self.history) if self.has_map else bool(self.history)
 
-    def _process(self, frame: Frame, elapsed: float) -> tuple[Frame, Report]:
+    def _process(self, frame: Frame, elapsed: float) -> tuple[Frame, StepReport]:
         """The frame as the filter took it, and its report; an empty map gets as many landmarks as a first frame."""
         control = self.motion.control(image := frame.scans[0].image, elapsed, self.slam)
         told = control is not None and self._can_move()

@@ -7,8 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Scan
-from slamlib.data.setup import Rig
 from slamlib.datasets.pictures import opencv
 from slamlib.entities import Landmark
 from slamlib.errors import SlamlibError
@@ -18,6 +16,8 @@ from slamlib.geometry.pose import compose, inverse, to_frame
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array, finite
+from slamlib.records.inputs import Scan
+from slamlib.rigs.setup import Rig
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import FrontEndInput
 from slamlib.slam.filter import Slam

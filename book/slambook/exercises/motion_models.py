@@ -3,13 +3,13 @@
 import numpy as np
 
 from slambook.exercises.kit import Candidate, Rng, cases, covariance, exercise, holds, parts, same
-from slamlib.data.records import World
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.geometry.pose import ORIGIN, Pose, compose
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.models.numerical import differences
 from slamlib.motions import Motion
 from slamlib.motions.odometry import step
+from slamlib.records.inputs import World
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.simulation import simulate
 
 

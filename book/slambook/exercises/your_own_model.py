@@ -3,11 +3,11 @@
 import numpy as np
 
 from slambook.exercises.kit import Candidate, Rejected, Rng, cases, exercise, holds, parts, same
+from slamlib.checks import CheckError, check_landmark
 from slamlib.geometry.pose import ORIGIN
 from slamlib.landmarks import PointLandmark
 from slamlib.manifolds import Euclidean
 from slamlib.models.numerical import differences
-from slamlib.testing import CheckError, check_landmark
 
 
 @exercise("your_own_model.1", "a prior in another coordinate")

@@ -9,8 +9,8 @@ from slambook.figures.axes import Axes
 from slambook.figures.canvas import Canvas
 from slambook.figures.colors import standing_alone
 from slambook.figures.paths import Box
-from slamlib.data.files import write_whole
 from slamlib.errors import SlamlibError, UnknownCallError
+from slamlib.plain_data.files import write_whole
 
 PAD, BETWEEN = 3.0, 8.0  # points around all, and between neighbours
 

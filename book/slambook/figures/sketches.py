@@ -32,7 +32,10 @@ def ellipse(
 
 
 def draw_ellipse(ax: Any, mean: Array, covariance: Array, **style: Any) -> None:
-    """Draw the outline; `probability` or `sigmas` as for ellipse, the rest as for plot."""
+    """Draw the outline; `probability` or `sigmas` as for ellipse, the rest as for plot.
+
+    color: as for plot; without it the next of `colors.CYCLE`. The ellipses of maps have those of `scene.roles`.
+    """
     size = {k: style.pop(k) for k in ("probability", "sigmas") if k in style}
     ax.plot(*ellipse(mean, covariance, **size), **style)
 

@@ -9,12 +9,12 @@ from slambook.rendering.effects import Chip, Effects
 from slambook.rendering.paths import CameraPath
 from slambook.rendering.quads import Room
 from slambook.rendering.renderer import Renderer
-from slamlib.data.records import Control, Frame, Scan, Truth
-from slamlib.data.setup import Numbers, Rig, RobotSetup, SensorSetup
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.geometry.pose import Pose, compose, relative
 from slamlib.geometry.quaternion import logarithm
 from slamlib.manifolds import Array, read_only_copy
+from slamlib.records.inputs import Control, Frame, Scan, Truth
+from slamlib.rigs.setup import Numbers, Rig, RobotSetup, SensorSetup
 from slamlib.simulation.sensors import drawn, root, streams
 
 ASTRAY = 6.0  # standard deviations: the largest distance of a path's start from its rig's start

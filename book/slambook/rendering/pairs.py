@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from slamlib.data.records import Frame, Scan
-from slamlib.data.setup import Rig, SensorSetup
 from slamlib.datasets.pictures import pair
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import relative
+from slamlib.records.inputs import Frame, Scan
+from slamlib.rigs.setup import Rig, SensorSetup
 
 
 def stereo_rig(rig: Rig, std: tuple[float, ...] = (0.15, 0.15, 0.15)) -> Rig:

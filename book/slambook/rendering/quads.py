@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from slambook.rendering.textures import Texture
-from slamlib.data.records import World
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, finite, read_only_copy
+from slamlib.records.inputs import World
 from slamlib.simulation.worlds import numbered
 
 SAME = 1e-6  # [m]: corners that are nearer to one another are one

@@ -13,12 +13,12 @@ import numpy as np
 
 from slambook.figures.images import png
 from slambook.rendering.film import Film
-from slamlib.data.files import write_whole
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory, write_tum
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array
+from slamlib.plain_data.files import write_whole
 
 
 def save_film(folder: str | Path, film: Film) -> Path:

@@ -7,8 +7,8 @@ from slambook.scene.map_file import write as write_map
 from slambook.scene.video import animate as write_video
 from slambook.scene.video import ready as check_video
 from slambook.scene.window import Window
-from slamlib.data.records import World
-from slamlib.data.snapshots import Snapshot
+from slamlib.records.inputs import World
+from slamlib.records.snapshots import Snapshot
 
 __all__ = ["check_map", "check_plot", "check_video", "open_window", "write_map", "write_plot", "write_video"]
 

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 
 from slambook.scene.parts import extra
-from slamlib.data.files import atomic_write
-from slamlib.data.plain import OneOf
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
+from slamlib.plain_data.fields import OneOf
+from slamlib.plain_data.files import atomic_write
 
 ENDINGS = (".svg", ".png", ".pdf")
 PANELS = {"position": "position error [m]", "orientation": "orientation error [°]", "nees": f"NEES, {Pose.dof} dof"}

@@ -14,11 +14,11 @@ from slambook.scene.photographs import Photograph, photograph
 from slambook.scene.roles import HALO, OUTLINE, ROLES, Role, over_image
 from slambook.scene.scene import bounds, map_scene
 from slambook.scene.view import NAMED, OrbitView
-from slamlib.data.plain import read
-from slamlib.data.records import Truth, World
-from slamlib.data.snapshots import Snapshot
 from slamlib.geometry.pose import from_frame
 from slamlib.manifolds import Array
+from slamlib.plain_data.fields import read
+from slamlib.records.inputs import Truth, World
+from slamlib.records.snapshots import Snapshot
 
 SHELL = 0.7  # width of the outlines of uncertainty, in that of the lines of their role
 WIDE = 320  # pixels: the widest image that a figure holds, if nobody asks for another

@@ -9,10 +9,10 @@ from slambook.scene.image_scene import OUTCOMES, beside, converged, delivered, n
 from slambook.scene.layers import lower
 from slambook.scene.options import SensorOptions
 from slambook.scene.photographs import Photograph, photograph
-from slamlib.data.snapshots import MeasurementView, SensorView, Snapshot
 from slamlib.errors import SlamlibError
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array
+from slamlib.records.snapshots import MeasurementView, SensorView, Snapshot
 
 ROUND = 1  # decimals of a pixel
 WIDE = 200  # pixels: the widest images that are sent, if nobody asks for others

@@ -11,10 +11,10 @@ import numpy as np
 from slambook.scene.layers import Flat, strung
 from slambook.scene.options import SensorOptions
 from slambook.scene.view import rings
-from slamlib.data.snapshots import MeasurementView, SensorView, Snapshot
 from slamlib.errors import SlamlibError
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array, Mask
+from slamlib.records.snapshots import MeasurementView, SensorView, Snapshot
 
 AWAY = 8.0  # pixels from a segment to its label, along its normal
 RING = 0.022  # of the image's width: the least radius of a search region as it is drawn

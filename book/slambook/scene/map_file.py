@@ -10,10 +10,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slamlib.data.files import write_whole
-from slamlib.data.snapshots import Snapshot
 from slamlib.errors import entry
 from slamlib.manifolds import Array
+from slamlib.plain_data.files import write_whole
+from slamlib.records.snapshots import Snapshot
 
 _UPPER = np.triu_indices(3)
 

@@ -5,8 +5,8 @@ from math import inf
 from typing import Annotated
 
 from slambook.scene.view import NAMED
-from slamlib.data.plain import OneOf, Range, check
 from slamlib.errors import SlamlibError
+from slamlib.plain_data.fields import OneOf, Range, check
 
 Finite = Annotated[float, Range(gt=-inf, lt=inf)]
 Positive = Annotated[float, Range(gt=0)]

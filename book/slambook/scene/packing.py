@@ -12,10 +12,10 @@ from slambook.scene.layers import Layer, lower
 from slambook.scene.options import MapOptions
 from slambook.scene.scene import ABOVE, bounds, ends_of, map_scene, size_of
 from slambook.scene.view import NAMED
-from slamlib.data.records import Truth, World
-from slamlib.data.snapshots import Snapshot
 from slamlib.geometry.pose import from_frame
 from slamlib.manifolds import Array
+from slamlib.records.inputs import Truth, World
+from slamlib.records.snapshots import Snapshot
 
 KINDS = ("new point", "point", "new line", "line")
 FINE = 1500  # units of length, at least, along the diagonal of what is shown

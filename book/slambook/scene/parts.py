@@ -13,8 +13,8 @@ from slambook.scene.layers import Flat
 from slambook.scene.options import SensorOptions
 from slambook.scene.photographs import Photograph, patched, photograph, strip
 from slambook.scene.roles import HALO, OUTLINE, SENSOR, Role, themed
-from slamlib.data.snapshots import SensorView, Snapshot
 from slamlib.errors import optional
+from slamlib.records.snapshots import SensorView, Snapshot
 
 Box = tuple[float, float, float, float]  # left, bottom, width, height, in shares of the figure
 ABOVE = 0.025  # of the figure's height: from the top of axes to their key

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from slambook.figures.images import png_uri
-from slamlib.data.snapshots import MeasurementView, SensorView
 from slamlib.errors import ShapeError
 from slamlib.manifolds import Array, Image
+from slamlib.records.snapshots import MeasurementView, SensorView
 
 LEVELS = 32  # of grey in a small picture: what is flat packs well, and no eye misses the rest
 CELL = 28  # pixels across a patch in a strip

@@ -21,10 +21,10 @@ from slambook.scene.options import MapOptions, SensorOptions
 from slambook.scene.packing import packed
 from slambook.scene.player_page import Player
 from slambook.scene.roles import HALO, MAP, OUTLINE, SENSOR, Role, over_image
-from slamlib.data.plain import read
-from slamlib.data.records import Truth, World
-from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
+from slamlib.plain_data.fields import read
+from slamlib.records.inputs import Truth, World
+from slamlib.records.snapshots import Snapshot
 
 SECOND = 3.6  # inches: width of the sensor's view, which stands beside the map or below it
 WEIGHT = 200_000  # characters of data at most, beside the script and the still picture

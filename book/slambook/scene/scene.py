@@ -9,10 +9,10 @@ import numpy as np
 
 from slambook.scene.layers import Layer, strung
 from slambook.scene.options import MapOptions
-from slamlib.data.records import Truth, World
-from slamlib.data.snapshots import MapView, Snapshot
 from slamlib.geometry.pose import compose, from_frame
 from slamlib.manifolds import Array, Image
+from slamlib.records.inputs import Truth, World
+from slamlib.records.snapshots import MapView, Snapshot
 
 Lines = tuple[tuple[tuple[float, float, float], ...], ...]
 # Polylines in units of a robot's size. Of a robot, in its axes: front, left, up.

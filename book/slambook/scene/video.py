@@ -17,12 +17,12 @@ from slambook.scene.options import MapOptions
 from slambook.scene.parts import extra
 from slambook.scene.scene import bounds
 from slambook.scene.window import Window
-from slamlib.data.files import atomic_write
-from slamlib.data.records import Truth, World
-from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.experiments.progress import progress
 from slamlib.manifolds import Array
+from slamlib.plain_data.files import atomic_write
+from slamlib.records.inputs import Truth, World
+from slamlib.records.snapshots import Snapshot
 
 Writer = Callable[[Path, Iterable[Array], float], None]
 

@@ -17,11 +17,11 @@ from slambook.scene.options import MapOptions, SensorOptions
 from slambook.scene.parts import Part, SensorPart, extra
 from slambook.scene.roles import MAP, themed
 from slambook.scene.scene import bounds, map_scene
-from slamlib.data.plain import read
-from slamlib.data.records import Truth, World
-from slamlib.data.snapshots import Snapshot
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
+from slamlib.plain_data.fields import read
+from slamlib.records.inputs import Truth, World
+from slamlib.records.snapshots import Snapshot
 
 MAP_BESIDE, MAP_ALONE, SENSORS = (0.01, 0.02, 0.58, 0.86), (0.01, 0.02, 0.98, 0.86), (0.645, 0.02, 0.345, 0.86)
 GAP = 0.025

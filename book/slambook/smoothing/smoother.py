@@ -27,11 +27,11 @@ import numpy as np
 
 from slambook.smoothing.factors import LOSSES, Group, absolute, motion, prior
 from slambook.smoothing.least_squares import Factor, Minimum, Values, Variable, minimize
-from slamlib.data.records import Frame
 from slamlib.entities import POSE, Landmark
 from slamlib.errors import SlamlibError, entry
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
+from slamlib.records.inputs import Frame
 from slamlib.slam import Slam
 
 LOOSE = (1e4, 1e2, 1.0)  # factors of the standard deviation of what has none

@@ -31,7 +31,7 @@ DESK = """import base64, json
 import numpy as np
 from slamlib.datasets.opening import open_sequence
 from slamlib.datasets.sources import open_source
-from slamlib.vision.run import camera_rig, image_run
+from slamlib.vision.opening import camera_rig, image_run
 DESK = "pictures/tum_fr1_xyz"
 source, camera = open_sequence(DESK, DESK + "/camera.txt", undistort=True)
 run = image_run(source.part(count=20), camera_rig(camera), rng=np.random.default_rng(1))

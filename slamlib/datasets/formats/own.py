@@ -8,12 +8,12 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from slamlib.data.plain import Range, read, read_fields
-from slamlib.data.setup import SensorSetup
 from slamlib.datasets.dataset import CalibrationReader, Cameras
 from slamlib.datasets.lens import FISHEYE, RADIAL, Lens, Numbers, placed
 from slamlib.errors import SlamlibError
 from slamlib.geometry.quaternion import rotation
+from slamlib.plain_data.fields import Range, read, read_fields
+from slamlib.rigs.setup import SensorSetup
 
 KEYS = {"parameters", "sensors", "intrinsics", "baseline"}
 # The model that OpenCV has for a type of camera, and the coefficients that it can undistort.

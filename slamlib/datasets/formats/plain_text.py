@@ -4,9 +4,9 @@ import re
 from functools import partial
 from pathlib import Path
 
-from slamlib.data.plain import OneOf
 from slamlib.datasets.dataset import CalibrationReader, Cameras
 from slamlib.datasets.lens import Lens
+from slamlib.plain_data.fields import OneOf
 
 ORDER = ("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
 NAMES = (*ORDER, "width", "height")

@@ -7,9 +7,9 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from slamlib.data.records import Scan
 from slamlib.entities import RigSensor
 from slamlib.manifolds import Array, Mask
+from slamlib.records.inputs import Scan
 from slamlib.slam.prediction import PredictedMeasurement, Predictions
 
 Detected = tuple[int, Array, Any]  # of a new landmark: its id, its first measurement (m,), its signature

@@ -1,4 +1,7 @@
-"""Gate: which measurements are near enough to what was predicted. Chapter ekf_slam."""
+"""The gate: how near a measurement must be to what was predicted, in squared Mahalanobis distance. Chapter ekf_slam.
+
+The update compares (`slam.measurement_update`, `PredictedMeasurement.apply_gate`); the probability is `Options.gate`.
+"""
 
 import math
 

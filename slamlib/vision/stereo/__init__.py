@@ -9,9 +9,9 @@ from slamlib.datasets.pictures import pair
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures, circular_matches, mutual_nearest
 from slamlib.vision.stereo.fitting import triangulate
-from slamlib.vision.stereo.front_end import StereoSearch
 from slamlib.vision.stereo.motion_source import MOTION_SOURCES, StereoMotionSource
 from slamlib.vision.stereo.odometry import RelativeMotion, VisualOdometry, motion_between
+from slamlib.vision.stereo.stereo_search import StereoSearch
 
 __all__ = [
     "MOTION_SOURCES",

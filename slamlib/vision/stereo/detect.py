@@ -13,10 +13,10 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from slamlib.data.plain import Count, Finite, Magnitude, Positive, Range, Share, Whole, check
 from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Array, Image
+from slamlib.plain_data.fields import Count, Finite, Magnitude, Positive, Range, Share, Whole, check
 from slamlib.vision.patches import parabola
 
 WINDOW = 5  # px, of the structure tensor, whose smaller eigenvalue is the strength of a corner

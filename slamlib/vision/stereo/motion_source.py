@@ -6,19 +6,19 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.plain import read, written
-from slamlib.data.records import Control
-from slamlib.data.setup import Rig
 from slamlib.manifolds import Array, Image, Mask
+from slamlib.plain_data.fields import read, written
+from slamlib.records.inputs import Control
+from slamlib.rigs.setup import Rig
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.filter import Slam
-from slamlib.vision.front_end import MotionSource, Stopwatch
+from slamlib.vision.image_front_end import MotionSource, Stopwatch
 from slamlib.vision.results import NEAR
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import StereoFeatures
 from slamlib.vision.stereo.fitting import fit
-from slamlib.vision.stereo.front_end import StereoSearch
 from slamlib.vision.stereo.odometry import MIN_MATCHES, RelativeMotion, VisualOdometry, as_control
+from slamlib.vision.stereo.stereo_search import StereoSearch
 
 UNINFORMATIVE = 1e4  # factor of a covariance that makes a control uninformative
 NEAR_SIGMAS = 3.5  # standard deviations: a feature so near to a predicted landmark may be that landmark

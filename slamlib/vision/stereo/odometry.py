@@ -5,14 +5,14 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.plain import unpacked, written
-from slamlib.data.records import Control
 from slamlib.datasets.pictures import opencv
 from slamlib.geometry.pose import ORIGIN, compose, inverse
 from slamlib.geometry.quaternion import exponential, logarithm, plus
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array, Image, Indices, Mask
 from slamlib.observation.points import observe
+from slamlib.plain_data.fields import unpacked, written
+from slamlib.records.inputs import Control
 from slamlib.sensors.sensor import Calibration
 from slamlib.vision.stereo.features import StereoFeatureExtractor, StereoFeatures, track_features, within_region
 from slamlib.vision.stereo.fitting import Fit, fit, triangulate

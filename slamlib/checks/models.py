@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 
+from slamlib.checks.judge import Case, Judge
 from slamlib.errors import SingularPointError
 from slamlib.manifolds import Array, Product
 from slamlib.models.numerical import central_difference, complex_step
-from slamlib.testing.judge import Case, Judge
 
 Place = Sequence[Array]  # one array for each argument
 VALUE = "the generated value is the definition's"

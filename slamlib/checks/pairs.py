@@ -5,14 +5,14 @@ from typing import Any
 import numpy as np
 
 from slamlib.belief import Belief
+from slamlib.checks.judge import Case, Judge
+from slamlib.checks.sensors import unmeasured, visible_points
 from slamlib.errors import SingularPointError
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.manifolds import Array
 from slamlib.observation.points import initialize, observe
 from slamlib.sensors.sensor import Calibration
-from slamlib.testing.judge import Case, Judge
-from slamlib.testing.sensors import unmeasured, visible_points
 
 DEFINED = "a measurement makes a landmark"
 REFUSED = "a measurement that it cannot represent is refused, not reversed"

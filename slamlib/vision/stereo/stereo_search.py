@@ -6,14 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Scan
 from slamlib.datasets.pictures import checked
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Mask
+from slamlib.records.inputs import Scan
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import FrontEndInput, Usable
 from slamlib.slam.data_association.gates import gate
-from slamlib.vision.front_end import ImageFrontEnd
+from slamlib.vision.image_front_end import ImageFrontEnd
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import (
     StereoFeatureExtractor,

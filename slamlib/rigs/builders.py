@@ -14,10 +14,10 @@ from typing import Any, TypedDict, Unpack
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slamlib.data.setup import UNSPECIFIED, ZERO, Numbers, RobotSetup, SensorSetup
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.manifolds import Array, finite, numbers
 from slamlib.motions import Motion
+from slamlib.rigs.setup import UNSPECIFIED, ZERO, Numbers, RobotSetup, SensorSetup
 from slamlib.sensors import sensor
 
 Image = tuple[float, float] | None

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slamlib.data.html_table import html_table
-from slamlib.data.records import Scan
 from slamlib.geometry.euler import from_rotation
 from slamlib.geometry.pose import compose
 from slamlib.geometry.quaternion import rotation
 from slamlib.manifolds import Array, Image, Mask
+from slamlib.plain_data.tables import html_table
+from slamlib.records.inputs import Scan
 
 
 @dataclass(frozen=True, eq=False, repr=False)

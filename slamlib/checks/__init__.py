@@ -1,6 +1,6 @@
 """The package's own checks of a landmark or a sensor, for those in the package and for a reader's own.
 
-    from slamlib.testing import check_landmark, check_sensor
+    from slamlib.checks import check_landmark, check_sensor
     check_landmark(MY_POINT)
 
 Each prints a line for every property that holds, and raises CheckError with all that do not: which property, which
@@ -10,15 +10,15 @@ every type.
 
 from typing import Any
 
+from slamlib.checks.jacobian import check_jacobian
+from slamlib.checks.judge import CheckError, Finding, Judge
+from slamlib.checks.landmarks import line_properties, point_properties
+from slamlib.checks.line_pairs import line_pair_properties
+from slamlib.checks.pairs import DEFINED, pair_properties
+from slamlib.checks.sensors import sensor_properties
 from slamlib.errors import SlamlibError
 from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.sensors.sensor import Calibration
-from slamlib.testing.jacobian import check_jacobian
-from slamlib.testing.judge import CheckError, Finding, Judge
-from slamlib.testing.landmarks import line_properties, point_properties
-from slamlib.testing.line_pairs import line_pair_properties
-from slamlib.testing.pairs import DEFINED, pair_properties
-from slamlib.testing.sensors import sensor_properties
 
 __all__ = ["CheckError", "Finding", "check_jacobian", "check_landmark", "check_pair", "check_sensor"]
 

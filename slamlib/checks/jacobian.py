@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slamlib.checks.judge import Judge
+from slamlib.checks.models import DIFFERENCE, JACOBIAN
 from slamlib.errors import NonFiniteError, ShapeError
 from slamlib.manifolds import Array
 from slamlib.models.numerical import complex_differences, differences
-from slamlib.testing.judge import Judge
-from slamlib.testing.models import DIFFERENCE, JACOBIAN
 
 Mask = NDArray[np.bool_]
 SHOWN = 4  # wrong entries that a message names

@@ -17,17 +17,17 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.files import check_columns, complete
-from slamlib.data.plain import read, read_fields
-from slamlib.data.setup import Rig, RobotSetup, SensorSetup
 from slamlib.datasets import opening
 from slamlib.datasets.dataset import ImageSource
 from slamlib.errors import SlamlibError, entry
+from slamlib.plain_data.fields import read, read_fields
+from slamlib.plain_data.files import check_columns, complete
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam, checkpoint
 from slamlib.slam.data_association.front_end import FrontEnd
 from slamlib.vision.active_search import ActiveSearch, ActiveSearchSettings
-from slamlib.vision.front_end import CombinedFrontEnd, MotionSource
+from slamlib.vision.image_front_end import CombinedFrontEnd, MotionSource
 from slamlib.vision.line_search import SegmentSearch
 from slamlib.vision.sequence_run import SequenceKind, SequenceRun
 from slamlib.vision.stereo.detect import StereoSettings

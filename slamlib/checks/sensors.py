@@ -4,12 +4,12 @@ import itertools
 
 import numpy as np
 
+from slamlib.checks.judge import Judge
+from slamlib.checks.models import DEFINED, interface, model_properties, named
 from slamlib.errors import SingularPointError
 from slamlib.manifolds import Array
 from slamlib.observation.lines import image_line, without_distortion
 from slamlib.sensors.sensor import Calibration
-from slamlib.testing.judge import Judge
-from slamlib.testing.models import DEFINED, interface, model_properties, named
 
 SEES = "sees points in some direction"
 MEASURABLE = "what is visible can be measured"

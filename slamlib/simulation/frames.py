@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.records import Control, Frame, Truth, World
-from slamlib.data.setup import Rig, RobotSetup
 from slamlib.errors import ShapeError, SlamlibError, entry
 from slamlib.manifolds import Array, finite, numbers, read_only_copy
+from slamlib.records.inputs import Control, Frame, Truth, World
+from slamlib.rigs.setup import Rig, RobotSetup
 from slamlib.simulation.sensors import Faults, SimulatedSensor, Streams, drawn, root, streams
 from slamlib.simulation.worlds import check_world
 

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.data.plain import read, written
-from slamlib.data.records import Control, Scan
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Image, Mask
+from slamlib.plain_data.fields import read, written
+from slamlib.records.inputs import Control, Scan
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Slam
 from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput, Usable

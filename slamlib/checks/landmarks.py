@@ -5,13 +5,13 @@ from typing import Any
 
 import numpy as np
 
+from slamlib.checks.judge import Judge
+from slamlib.checks.models import DEFINED, interface, model_properties
 from slamlib.errors import SingularPointError
 from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.manifolds import Array
-from slamlib.testing.judge import Judge
-from slamlib.testing.models import DEFINED, interface, model_properties
 
 ROUND_TRIP = "from_frame, then to_frame gives the point back, as a ratio"
 FORWARD = "a point in front stays in front"

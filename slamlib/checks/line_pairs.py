@@ -2,6 +2,9 @@
 
 import numpy as np
 
+from slamlib.checks.judge import Case, Judge
+from slamlib.checks.pairs import DEFINED, corrected, follows
+from slamlib.checks.sensors import visible_points
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.landmarks.line_innovation import distances
@@ -10,9 +13,6 @@ from slamlib.manifolds import Array
 from slamlib.observation.lines import initialize_line, observe_line, undistort_segments
 from slamlib.observation.points import NamedJacobians
 from slamlib.sensors.sensor import Calibration
-from slamlib.testing.judge import Case, Judge
-from slamlib.testing.pairs import DEFINED, corrected, follows
-from slamlib.testing.sensors import visible_points
 
 NO_LINES = "a sensor that sees no lines says so"
 THROUGH = "a line just initialized goes through both endpoints of its segment"

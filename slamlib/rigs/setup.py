@@ -8,13 +8,13 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from slamlib.data.html_table import html_table
-from slamlib.data.plain import Count, Finite, Length, OneOf, Plain, Positive, Range, call_of, check
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.euler import to_quaternion
 from slamlib.kalman import linalg
 from slamlib.manifolds import Array, finite
 from slamlib.motions import MOTIONS, Motion, motion
+from slamlib.plain_data.fields import Count, Finite, Length, OneOf, Plain, Positive, Range, call_of, check
+from slamlib.plain_data.tables import html_table
 from slamlib.sensors import SENSORS, sensor
 from slamlib.sensors.sensor import Calibration
 

@@ -1,1 +1,0 @@
-"""The filter's inputs (records), outputs (snapshots), and setup (rig of robots and sensors)."""
