@@ -51,11 +51,12 @@ def test_the_description_holds_where_no_repository_is(bare):
     text = said(bare, "-c", "import importlib.metadata; print(importlib.metadata.metadata('slamlib').get_payload())")
     assert text.startswith("# slamlib")
     assert not re.findall(r"\]\((?!https://)", text)  # pictures and links into the repository
-    first, checked, run = re.findall(r"```python\n(.*?)```", text, flags=re.S)
+    first, checked, run, fed = re.findall(r"```python\n(.*?)```", text, flags=re.S)
     assert "(1000, 3, 6) (1000, 3, 3)" in said(bare, "-c", f"{first}print(J.pose.shape, J.point.shape)")
     assert "the property holds" in said(bare, "-c", checked)
     short = run.replace("sl.presets.points()", "dataclasses.replace(sl.presets.points(), frames=3)")
     assert said(bare, "-c", f"import dataclasses\n{short}").count("[") == 2
+    assert "  7 eucPnt    9.000   4.000" in said(bare, "-c", fed)
 
 
 def test_mypy_sees_the_types_of_what_is_installed(bare, tmp_path):

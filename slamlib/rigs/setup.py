@@ -227,6 +227,10 @@ class Rig(Plain):
     @classmethod
     def of(cls, *parts: "Rig | RobotSetup | SensorSetup") -> "Rig":
         """The rig of robots and sensors, in this order. Raises SlamlibError."""
+        for part in parts:
+            if not isinstance(part, Rig | RobotSetup | SensorSetup):
+                what = f"a rig is made of robots and sensors, not of {type(part).__name__}"
+                raise SlamlibError(f"{what}; options are given by name: Slam(rig, options=...)")
         robots = (robot for part in parts for robot in part.robots)
         return cls(tuple(robots), tuple(sensor for part in parts for sensor in part.sensors))
 

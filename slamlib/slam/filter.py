@@ -186,10 +186,11 @@ class Slam:
 
     def _scan(self, sensor: RigSensor, seen: Mapping[int, ArrayLike]) -> Scan:
         """Measurements by the numbers of their landmarks as a scan: how many numbers each is says of which family."""
-        names: dict[int, str] = {}
-        for family in self.families.values():
-            if family.supports(sensor) and family.new_kind(self.options, sensor.landmark) is not None:
-                names.setdefault(family.size(sensor.calibration), family.name)
+        measured_by = [family for family in self.families.values() if family.supports(sensor)]
+        measured_by.sort(key=lambda family: family.new_kind(self.options, sensor.landmark) is None)
+        names: dict[int, str] = {}  # of two families of so many numbers, the one of which landmarks are initialized
+        for family in measured_by:
+            names.setdefault(family.size(sensor.calibration), family.name)
         rows: dict[str, dict[int, Array]] = defaultdict(dict)
         for number, measured in seen.items():
             value = np.atleast_1d(numbers(measured, "step", f"measurement of {number}"))

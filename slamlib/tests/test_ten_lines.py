@@ -71,6 +71,7 @@ def test_segments_are_told_from_points_by_their_numbers():
     [
         (((0.1, 0), SEEN), ShapeError, r"step: control should have shape \(6,\)"),
         ((None, {7: (1.0, 2.0)}), ShapeError, r"measures 3 numbers \(points\) of a landmark, and of 7 got \(2,\)"),
+        ((None, {7: [(1.0, 2.0, 3.0)]}), ShapeError, r"and of 7 got \(1, 3\)"),
         ((None, {7: (1.0, 2.0, np.nan)}), SlamlibError, "nan"),
         ((None, {"seven": (1.0, 2.0, 3.0)}), SlamlibError, "integers"),
     ],
@@ -87,6 +88,11 @@ def test_what_does_not_fit_changes_nothing(arguments, error, words):
         slam.step(Frame(2, 0.1, (None,), (slam.scans[0],)), SEEN)
     assert slam.number == 1
     assert np.array_equal(slam.belief.matrix, before.covariance)
+
+
+def test_options_are_given_by_name():
+    with pytest.raises(SlamlibError, match=r"made of robots and sensors, not of Options; options are given by name"):
+        sl.Slam(sl.robot(), sl.relative_position(noise=0.1), sl.Options())
 
 
 def test_several_robots_or_sensors_need_frames():
