@@ -47,7 +47,7 @@ Film = tuple[rendering.Film, list[tuple[Frame, Truth]]]
 
 def camera_of(truth: Truth) -> Array:
     """True pose (7,) of the camera."""
-    camera: Array = compose(truth.robots[0][:7], truth.extrinsics[0])
+    camera: Array = compose(truth.poses[0], truth.extrinsics[0])
     return camera
 
 
@@ -165,7 +165,7 @@ def run(film: Film, options: Options, front_end: Any) -> Outcome:
             if k.id in report.initialized and k.abscissas is not None
         }
     spent = time.perf_counter() - began
-    times, real = DT * np.arange(len(poses), dtype=float), np.array([t.robots[0][:7] for _, t in steps])
+    times, real = DT * np.arange(len(poses), dtype=float), np.array([t.poses[0] for _, t in steps])
     found = align_trajectory(Trajectory(times, np.array(poses)), Trajectory(times, real))
     seconds = {"all": spent, **front_end.seconds}
     born_as = {k: truth for k, truth in truths.items() if truth is not None}

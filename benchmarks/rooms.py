@@ -52,7 +52,7 @@ def followed(made: rendering.Film, apart: int) -> Array:
         if frame.number % 10 == apart and frame.number - apart in kept:
             image, before = kept[frame.number - apart]
             corners = strong_corners(image)
-            camera = compose(truth.robots[0][:7], truth.extrinsics[0])
+            camera = compose(truth.poses[0], truth.extrinsics[0])
             pixels = calibration.project(EUC_POINT.to_frame(camera, made.truth_of(before, corners)))
             inside = calibration.inside(pixels, 9)
             found.append(zncc(patches(image, corners[inside]), patches(frame.scans[0].image, pixels[inside])))

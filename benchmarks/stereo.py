@@ -51,7 +51,7 @@ def street() -> Iterator[str]:
 def room(frames: int, path: str) -> Iterator[str]:
     """Plain visual odometry in the room, with the noise that the street has too."""
     rig, film, _ = stereo_film(frames, path, std=0.2)
-    poses = np.array([truth.robots[0][:7] for _, truth in film])
+    poses = np.array([truth.poses[0] for _, truth in film])
     images = [frame.scans[0].image for frame, _ in film]
     yield from table(rig.sensors[0].calibration, rig.sensors[0].extrinsics, images, poses)
 

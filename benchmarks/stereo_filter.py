@@ -61,7 +61,7 @@ def filtered(case: Case, rig: Rig, frames: list[tuple[Frame, Array]]) -> Run:
 def in_the_room(case: Case, path: str, frames: int, seed: int) -> tuple[Run, float]:
     """Through the room of that seed; and the length of the path [m]."""
     rig, film, _ = stereo_film(frames, path, seed, case.std)
-    run = filtered(case, rig, [(frame, truth.robots[0][:7]) for frame, truth in film])
+    run = filtered(case, rig, [(frame, truth.poses[0]) for frame, truth in film])
     true = np.array([truth.robots[0][:3] for _, truth in film])
     return run, float(np.linalg.norm(np.diff(true, axis=0), axis=1).sum())
 

@@ -29,6 +29,7 @@ if TYPE_CHECKING:  # for completion and types; HOMES says the same when the prog
     from slamlib.experiments.runs import run as run
     from slamlib.geometry import quaternion as quaternion
     from slamlib.geometry.pose import Pose as Pose
+    from slamlib.geometry.pose2 import Pose2 as Pose2
     from slamlib.kalman.chi_square import chi2_quantile as chi2_quantile
     from slamlib.landmarks import LINES as LINES
     from slamlib.landmarks import POINTS as POINTS
@@ -60,6 +61,7 @@ HOMES = {  # of each name the module that has it, or that is it
     "Options": "slam",
     "POINTS": "landmarks",
     "Pose": "geometry.pose",
+    "Pose2": "geometry.pose2",
     "Rig": "rigs.setup",
     "RobotSetup": "rigs.setup",
     "Run": "experiments.runs",

@@ -103,6 +103,19 @@ class Euclidean:
         return f"Euclidean({self.size})"
 
 
+@dataclass(frozen=True)
+class Angle(Euclidean):
+    """Angles: the difference of two is wrapped to [-pi, pi]. Chapter depth_stereo_range, eq. (dp-wrap)."""
+
+    def minus(self, point: Array, origin: Array) -> Array:
+        """Return point - origin, in [-pi, pi] [rad]."""
+        difference = np.asarray(point) - np.asarray(origin)
+        return np.asarray(difference - 2 * np.pi * np.round(difference.real / (2 * np.pi)))
+
+    def __repr__(self) -> str:
+        return f"Angle({self.size})"
+
+
 @dataclass(frozen=True, repr=False)
 class CustomManifold:
     """Unit vectors of `size` numbers with `dof` degrees of freedom, with the models of plus and minus."""
@@ -150,6 +163,8 @@ class Product:
         [1.0, 0.0, 0.0, 0.0, 0.0, 1.571]
         >>> bool(np.allclose(sl.Pose.plus(ahead, sl.Pose.minus(turned, ahead)), turned))
         True
+        >>> sl.Pose2.minus(np.array([1, 2, 3.1]), np.array([0, 2, -3.1])).round(3).tolist()  # in the plane
+        [1.0, 0.0, -0.083]
     """
 
     def __init__(self, name: str, *parts: Manifold) -> None:

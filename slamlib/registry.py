@@ -71,7 +71,7 @@ class Registry(Mapping[str, Any]):
     type of one's own is added with `add`. Raises UnknownNameError for a name that is not there, with the nearest one.
 
         >>> import slamlib as sl
-        >>> sorted(sl.MOTIONS), sl.MOTIONS["constVel"].manifold.dof
+        >>> sorted(sl.MOTIONS)[:2], sl.MOTIONS["constVel"].manifold.dof
         (['constVel', 'odometry'], 12)
         >>> sl.POINTS["idpPnt"].manifold.size, sl.LINES["plkLin"].manifold.size, sl.SENSORS["stereo"].parameters
         (6, 6, ('intrinsics', 'baseline'))

@@ -58,7 +58,7 @@ def frames_of(texture: str, path: str, frames: int, seed: int) -> tuple[Any, lis
         rendering.default_room(texture), rig, way, frames=frames, dt=DT, rng=np.random.default_rng(seed)
     )
     steps = list(film)
-    return rig, [frame for frame, _ in steps], np.array([truth.robots[0][:7] for _, truth in steps])
+    return rig, [frame for frame, _ in steps], np.array([truth.poses[0] for _, truth in steps])
 
 
 def run(
@@ -131,7 +131,7 @@ def around(seed: int, closes: bool = False) -> dict[str, Any]:
         if closes:
             close_loop(slam, np.asarray(frame.scans[0].image))
         poses.append(slam.robots[0].pose.copy())
-        true.append(truth.robots[0][:7])
+        true.append(truth.poses[0])
         old.append(sum(k.inlier and k.landmark.first_seen < frame.number - OLD for k in slam.predictions[0]))
     times = ROUND_DT * np.arange(ROUND, dtype=float)
     *paths, reference = (Trajectory(times, np.array(p)) for p in (poses, smoother.solve().poses[:, 0], true))

@@ -82,7 +82,7 @@ def filmed(start: str, seed: int, away: bool | None = None) -> tuple[Any, list[A
         film = rendering.film(room, rig, path, frames=FRAMES, dt=DT, rng=np.random.default_rng([seed, 1]))
         for frame, truth in list(film)[part]:
             images.append(np.asarray(frame.scans[0].image))
-            poses.append(compose(truth.robots[0][:7], rig.sensors[0].extrinsics))
+            poses.append(compose(truth.poses[0], rig.sensors[0].extrinsics))
     return rig, images, np.array(poses)
 
 

@@ -113,7 +113,7 @@ def run(film: Film, chosen: Way, options: Options = OPTIONS, at_once: bool = Fal
     sensor = rig.sensors[0]
     settings = StereoSettings(update_interval=chosen.update_interval, max_in_view=30)
     motion_source: StereoMotionSource = chosen.motion_source(sensor.calibration, sensor.extrinsics, settings)
-    slam = moved_by(motion_source, rig, options, pairs[0][1].robots[0][:7])
+    slam = moved_by(motion_source, rig, options, pairs[0][1].poses[0])
     smoother = Smoother(slam) if at_once else None
     for i, (frame, truth) in enumerate(pairs):
         frame = advance(slam, motion_source, frame, frame.dt if i else 0.0)
@@ -123,7 +123,7 @@ def run(film: Film, chosen: Way, options: Options = OPTIONS, at_once: bool = Fal
         nis += [prediction.nis for prediction in inliers]
         old.append(sum(prediction.landmark.first_seen < slam.number - OLD for prediction in inliers))
         robot = slam.robots[0]
-        rows.append((truth.robots[0][:7], robot.pose, slam.belief.covariance(robot.block)[:6, :6]))
+        rows.append((truth.poses[0], robot.pose, slam.belief.covariance(robot.block)[:6, :6]))
     true, *estimate = (np.array(column)[1:] for column in zip(*rows, strict=True))
     estimates, fit, size = [estimate], float(np.mean(nis)) / 3, len(slam.landmarks)
     if smoother is not None:
@@ -139,7 +139,7 @@ def odometry(film: Film) -> dict[str, float]:
     """The same film by visual odometry alone: the motions of all features, one after another, and nothing else."""
     rig, pairs = film
     source = VisualOdometry(StereoFeatureExtractor(rig.sensors[0].calibration), rig.sensors[0].extrinsics)
-    real = np.array([truth.robots[0][:7] for _, truth in pairs])
+    real = np.array([truth.poses[0] for _, truth in pairs])
     images = (frame.scans[0].image for frame, _ in pairs)
     found = np.array([pose for pose, _ in stereo_films.odometry(source, images, real[0])])
     errors = np.array([Pose.minus(a, b) for a, b in zip(real, found, strict=True)])[1:]

@@ -115,7 +115,7 @@ def room() -> dict[str, Any]:
     """All variants past the wall of the room."""
     rig, film, _ = stereo_film(FRAMES, "sideways", std=0.2)
     images = [frame.scans[0].image for frame, _ in film]
-    truth = np.array([t.robots[0][:7] for _, t in film])
+    truth = np.array([t.poses[0] for _, t in film])
     sensor = rig.sensors[0]
     return {n: variant(sensor.calibration, sensor.extrinsics, images, truth, s) for n, s in VARIANTS.items()}
 
@@ -153,7 +153,7 @@ def around(seed: int, frames: int = ROUND) -> dict[str, Any]:
     """Half way round the room by plain odometry: every eighth position error and its standard deviation [m]."""
     rig, film, made = stereo_film(frames, "round", seed, STD)
     sensor = rig.sensors[0]
-    truth = np.array([t.robots[0][:7] for _, t in film])
+    truth = np.array([t.poses[0] for _, t in film])
     motion_source = VisualOdometry(StereoFeatureExtractor(sensor.calibration), sensor.extrinsics)
     pose, P, rows, fits, library, tracks = truth[0], np.zeros((6, 6)), [], [], Library(sensor, made), Tracks()
     for number, (frame, there) in enumerate(film):
@@ -203,7 +203,7 @@ class Library:
     def tried(self, seen: StereoFeatures, truth: Any) -> list[int]:
         """Points kept, features seen; matches and wrong ones among all; comparisons, matches, wrong ones near."""
         cost = hamming_distances(self.bits, seen.descriptors(0))
-        expected = observe(EUC_POINT, self.sensor.calibration, truth.robots[0][:7], self.sensor.extrinsics, self.places)
+        expected = observe(EUC_POINT, self.sensor.calibration, truth.poses[0], self.sensor.extrinsics, self.places)
         pixels = np.where(expected.visible[:, None], expected.value, np.nan)
         there = within_region(pixels, seen.values, FAR)
         near = np.where(there, cost, np.inf)

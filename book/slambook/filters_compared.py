@@ -91,7 +91,7 @@ def _filtered(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array
             slam.step(frame)
             if smoother:
                 smoother.record(frame)
-            true.append([state[:7] for state in truth.robots])
+            true.append(list(truth.poses))
             estimates.append([robot.pose for robot in slam.robots])
             covariances.append([slam.belief.covariance(robot.block)[:DOF, :DOF] for robot in slam.robots])
     finally:

@@ -15,10 +15,9 @@ from slamlib.entities import Landmark
 from slamlib.geometry.pose import Pose, compose, from_frame
 from slamlib.geometry.quaternion import exponential
 from slamlib.kalman.chi_square import chi2_quantile
-from slamlib.manifolds import Array, Euclidean, Mask, Product
+from slamlib.manifolds import Angle, Array, Euclidean, Mask, Product
 from slamlib.models import model
 from slamlib.motions import Motion
-from slamlib.sensors.range_bearing import Angle
 from slamlib.sensors.sensor import Calibration, Sensor
 from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput
 from slamlib.slam.data_association.gates import mahalanobis_squared

@@ -82,7 +82,7 @@ def test_a_stereo_pair_sees_the_same_points(room):
     ((frame, truth),) = film
     left = strong_corners(frame.scans[0].image, border=25)
     points = film.truth_of(truth, left)
-    right = pixels_of(rig.sensors[1].calibration, compose(truth.robots[0][:7], truth.extrinsics[1]), points)
+    right = pixels_of(rig.sensors[1].calibration, compose(truth.poses[0], truth.extrinsics[1]), points)
     disparity, depth = left[:, 0] - right[:, 0], points[:, 0] - truth.robots[0][0]
     assert np.allclose(disparity, 130 * 0.12 / depth, rtol=0.35)  # nearly: the lens distorts, the hand turns
     likeness = zncc(patches(frame.scans[0].image, left), patches(frame.scans[1].image, right))
@@ -110,7 +110,7 @@ def test_corners_can_be_followed(textures):
         image = frame.scans[0].image
         if frame.number % 10 == 1 and before is not None:
             corners = strong_corners(before[0])
-            camera = compose(truth.robots[0][:7], truth.extrinsics[0])
+            camera = compose(truth.poses[0], truth.extrinsics[0])
             pixels = pixels_of(calibration, camera, film.truth_of(before[1], corners))
             inside = calibration.inside(pixels, 9)
             assert inside.sum() > 60

@@ -43,7 +43,7 @@ def recorded(p, change=lambda frame, truth: frame):
         frame = change(frame, truth)
         slam.step(frame)
         smoother.record(frame)
-        true.append(truth.robots[0][:7])
+        true.append(truth.poses[0])
         filtered.append(slam.robots[0].pose)
     return smoother, slam, np.array(true), np.array(filtered)
 
@@ -66,7 +66,7 @@ CASES = {
 
 def by_gps(frame, truth):
     """The frame, with the true position of the robot."""
-    return replace(frame, absolute=(RobotMeasurement("gps", gps, gps(truth.robots[0][:7]), 0.01 * np.eye(3)),))
+    return replace(frame, absolute=(RobotMeasurement("gps", gps, gps(truth.poses[0]), 0.01 * np.eye(3)),))
 
 
 @pytest.mark.parametrize("name", CASES)

@@ -70,12 +70,13 @@ def _new_run(given: argparse.Namespace) -> Run:
 
 def summary(result: Result) -> dict[str, Any]:
     """The result as plain data: lengths in metres, angles in degrees, times in milliseconds."""
-    low, high = band(DOF)
     robots = [
         {
             **_deviation(setup.name, result.errors[-1, i], result.sigmas[-1, i]),
             "nees": float(result.nees[-1, i]),
-            "nees_inside": share_inside(known, (low, high)) if len(known) else None,
+            "nees_dof": result.dof[i],
+            "nees_band": list(band(result.dof[i])),
+            "nees_inside": share_inside(known, band(result.dof[i])) if len(known) else None,
         }
         for i, setup in enumerate(result.preset.rig.robots)
         for known in [result.nees[np.isfinite(result.nees[:, i]), i]]
@@ -89,7 +90,6 @@ def summary(result: Result) -> dict[str, Any]:
         "extrinsics": [
             {**_deviation(setup.name, *found), "nees": float(nees)} for setup, found, nees in sensors if setup.estimated
         ],
-        "nees_band": [low, high],
         "nis_per_dof": float(result.nis.sum() / max(result.nis_dof.sum(), 1)),
         "landmarks": int(result.landmarks[-1]),
         "initialized": result.initialized,
@@ -118,18 +118,18 @@ def table(result: Result) -> str:
     """The result as a text table."""
     s = summary(result)
     rows = [("preset", f"{s['preset']}, seed {s['seed']}, {s['frames']} frames")]
-    low, high = s["nees_band"]
     at = f"at frame {s['frames']}"
     for pose, what in [(robot, "error") for robot in s["robots"]] + [(e, "extrinsics error") for e in s["extrinsics"]]:
         place = f"{100 * pose['position_error']:.1f} cm (sigma {100 * pose['position_sigma']:.1f} cm)"
         turn = f"{pose['attitude_error']:.2f} degrees (sigma {pose['attitude_sigma']:.2f})"
         rows.append((f"{pose['name']}: {what}", f"{place}, {turn}, {at}"))
     for robot in s["robots"]:
+        low, high = robot["nees_band"]
         share = "the motion has no noise: the pose is known exactly"
         if robot["nees_inside"] is not None:
             share = f"{robot['nees']:.2f}, {at}; {robot['nees_inside']:.0%} of the steps inside [{low:.2f}, {high:.2f}]"
             share += " (1 run, 95 %)"
-        rows.append((f"{robot['name']}: NEES, {DOF} dof", share))
+        rows.append((f"{robot['name']}: NEES, {robot['nees_dof']} dof", share))
     rows += [(f"{e['name']}: extrinsics NEES, {DOF} dof", f"{e['nees']:.2f}, {at}") for e in s["extrinsics"]]
     rows.append(("NIS per degree of freedom", f"{s['nis_per_dof']:.2f}"))
     rows.append(("landmarks", f"{s['landmarks']} in the map, {s['initialized']} initialized, {s['deleted']} deleted"))

@@ -11,12 +11,15 @@ from slamlib.manifolds import Array, Indices
 from slamlib.motions import Motion
 from slamlib.sensors.sensor import Calibration
 
-POSE = Pose.dof  # degrees of freedom of a pose, the first of every robot's state
+POSE = Pose.dof  # degrees of freedom of a pose
 
 
 @dataclass(eq=False)
 class Robot:
-    """A robot in the map; its state starts with its pose. noise: covariance of the process noise without a control."""
+    """A robot in the map; its motion says what pose follows from its state.
+
+    noise: covariance of the process noise without a control.
+    """
 
     name: str
     motion: Motion
@@ -26,7 +29,12 @@ class Robot:
     @property
     def pose(self) -> Array:
         """Pose (7,) in the world."""
-        return self.block.mean[:7]
+        return self.motion.pose(self.block.mean)
+
+    @property
+    def columns(self) -> Indices:
+        """Rows of the joint covariance on which the pose depends."""
+        return self.block.start + np.arange(self.motion.pose_dof)
 
 
 @dataclass(eq=False)
@@ -58,8 +66,8 @@ class RigSensor:
     @property
     def columns(self) -> Indices:
         """Rows of the joint covariance of the robot's pose, and of the extrinsics if they are estimated."""
-        starts = [self.robot.block.start] + ([] if self.block is None else [self.block.start])
-        return (np.array(starts)[:, None] + np.arange(POSE)).ravel()
+        robot = self.robot.columns
+        return robot if self.block is None else np.concatenate([robot, self.block.start + np.arange(POSE)])
 
     @property
     def blocks(self) -> list[Block]:

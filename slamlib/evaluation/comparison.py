@@ -150,10 +150,17 @@ def _nees(estimate: Trajectory, reference: Trajectory, noise: Sequence[float]) -
     return {"nees": nees, **magnitudes(errors, sigmas)}
 
 
-def pose_error(true: Array, estimate: Array, covariance: Array) -> tuple[Array, Array, float]:
-    """Error (6,) of a pose (7,), true minus estimate in the tangent space, its standard deviations (6,), its NEES."""
-    error = Pose.minus(true, estimate)
-    return error, np.sqrt(covariance.diagonal()), nees_where_uncertain(error, covariance)
+def pose_error(
+    true: Array, estimate: Array, covariance: Array, free: Array | None = None
+) -> tuple[Array, Array, float]:
+    """Error (6,) of a pose (7,), true minus estimate in the tangent space, its standard deviations (6,), its NEES.
+
+    free (6, f): the directions in which the pose can be, of which the NEES is; None: all.
+    """
+    error, sigma = Pose.minus(true, estimate), np.sqrt(covariance.diagonal())
+    if free is None or len(free) == free.shape[1]:
+        return error, sigma, nees_where_uncertain(error, covariance)
+    return error, sigma, nees_where_uncertain(free.T @ error, free.T @ covariance @ free)
 
 
 def magnitudes(errors: Array, sigmas: Array) -> dict[str, Array]:

@@ -32,9 +32,9 @@ from slamlib.plain_data.files import read_archive, write_archive
 class Experiment:
     """Many runs of one preset: per run and frame (k, n), and for each of r robots.
 
-    nees (k, n, r), 6 degrees of freedom; errors, sigmas (k, n, r): position errors [m] and their standard deviations by
-    the filter; nis, nis_dof (k, n). landmarks, initialized, deleted (k,); seconds (k,): processor time, median of a
-    frame; map_error (k,): median distance [m] of the map's landmarks from the truth.
+    nees (k, n, r), of `preset.rig.dof` degrees of freedom; errors, sigmas (k, n, r): position errors [m] and their
+    standard deviations by the filter; nis, nis_dof (k, n). landmarks, initialized, deleted (k,); seconds (k,):
+    processor time, median of a frame; map_error (k,): median distance [m] of the map's landmarks from the truth.
     """
 
     preset: Preset
@@ -51,7 +51,7 @@ class Experiment:
 
     def consistency(self, robot: int = 0) -> Consistency:
         """NEES of a robot's pose, averaged over the runs at each frame, with its band."""
-        return Consistency.of(self.nees[:, :, robot], 6)
+        return Consistency.of(self.nees[:, :, robot], self.preset.rig.dof[robot])
 
 
 FORMAT = "slamlib finished run"

@@ -20,6 +20,7 @@ from slamlib.plain_data.tables import html_table
 from slamlib.records.inputs import Frame, Truth, World
 from slamlib.records.snapshots import Snapshot
 from slamlib.slam import Options, Slam, StepReport
+from slamlib.slam.snapshot import robot_view
 
 COLUMNS = ("errors", "sigmas", "nees", "nis", "nis_dof", "landmarks", "size", "seconds")
 
@@ -29,8 +30,8 @@ class Result:
     """Results of a run: per frame (n,), and for each of r robots.
 
     errors (n, r, 6): true pose minus estimate, in the tangent space; sigmas (n, r, 6): their estimated standard
-    deviations; nees (n, r), 6 degrees of freedom. extrinsics (s, 2, 6): errors and deviations of the sensors' at the
-    end, extrinsics_nees (s,) their NEES; zero where they are given. nis (n,) and its degrees of freedom nis_dof (n,):
+    deviations; nees (n, r), of `dof` degrees of freedom. extrinsics (s, 2, 6): errors and deviations of the sensors' at
+    the end, extrinsics_nees (s,) their NEES; zero where they are given. nis (n,), of nis_dof (n,) degrees of freedom:
     of all inliers. landmarks, size, seconds (n,): of the map, of the state, and of the processor. initialized,
     deleted: in the whole run. map_errors: by family, distances [m] (k,) of the final map's landmarks from the truth.
     """
@@ -56,18 +57,28 @@ class Result:
         return (
             f"Result of {self.preset.name}: {len(self.nees)} frames, {self.landmarks[-1]} landmarks; "
             f"{self.preset.rig.robots[0].name}: at the end {error:.3g} m from the truth (sigma {sigma:.3g} m), "
-            f"mean NEES {self.nees[:, 0].mean():.3g} of 6"
+            f"mean NEES {self.nees[:, 0].mean():.3g} of {self.dof[0]}"
         )
+
+    @property
+    def dof(self) -> tuple[int, ...]:
+        """Degrees of freedom of each robot's pose: 6, or 3 in the plane."""
+        return self.preset.rig.dof
 
     def _repr_html_(self) -> str:
         """A row for each robot: where it ends, how far from the truth and how far by its own account, and its NEES."""
         found = magnitudes(self.errors[-1], self.sigmas[-1])
-        columns = ("at the end", "error [m]", "sigma [m]", "error [deg]", "sigma [deg]", "mean NEES (6 expected)")
+        columns = ("at the end", "error [m]", "sigma [m]", "error [deg]", "sigma [deg]", "mean NEES", "of")
         names = ("position", "position_sigma", "orientation", "orientation_sigma")
         return html_table(
             columns,
             [
-                (robot.name, *(f"{found[name][i]:.3g}" for name in names), f"{self.nees[:, i].mean():.3g}")
+                (
+                    robot.name,
+                    *(f"{found[name][i]:.3g}" for name in names),
+                    f"{self.nees[:, i].mean():.3g}",
+                    f"{self.dof[i]}",
+                )
                 for i, robot in enumerate(self.preset.rig.robots)
             ],
         )
@@ -159,9 +170,9 @@ class Run:
         self._initialized += len(report.initialized)
         self._deleted += len(report.deleted)
         errors, sigmas, nees = [], [], []
-        for robot, state in zip(self.slam.robots, truth.robots, strict=True):
-            P = self.slam.belief.covariance(robot.block)[:6, :6]
-            error, sigma, value = pose_error(state[:7], robot.pose, P)
+        for robot, pose in zip(self.slam.robots, truth.poses, strict=True):
+            P = robot_view(self.slam.belief, robot).pose_covariance
+            error, sigma, value = pose_error(pose, robot.pose, P, robot.motion.free)
             errors.append(error.tolist())
             sigmas.append(sigma.tolist())
             nees.append(value)

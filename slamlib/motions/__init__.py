@@ -1,4 +1,7 @@
-"""Motion models: odometry, constant velocity, and the report's composition. Tangled from chapter motion_models."""
+"""Motion models: odometry, constant velocity, the report's composition; odometry and the unicycle in the plane.
+
+Tangled from chapter motion_models.
+"""
 
 from slamlib.motions.constant_velocity import CONSTANT_VELOCITY
 from slamlib.motions.motion import Motion

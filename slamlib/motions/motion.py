@@ -1,10 +1,14 @@
 """The interface of a motion model."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
-from slamlib.geometry.pose import compose
-from slamlib.manifolds import Manifold
+import numpy as np
+
+from slamlib.errors import SlamlibError
+from slamlib.geometry.pose import ORIGIN, Pose, compose
+from slamlib.manifolds import Array, Manifold
 from slamlib.models import Model
 from slamlib.registry import TypeDescription
 
@@ -14,6 +18,8 @@ class Motion(TypeDescription):
     """A motion: name, manifold of the robot's state, size of the control, and the model step(state, control, dt).
 
     moved(motion, state): the state after a rigid motion (7,) of the world; the default is that of a pose.
+    pose_of(state): the robot's pose (7,) in space, of a state that does not begin with one, as in the plane;
+    from_pose(pose): the state of such a pose, at rest. Without them a state's first seven numbers are its pose.
     angles: which numbers of the control are angles; a setup gives those in degrees. Default: of six the last three.
     """
 
@@ -23,3 +29,60 @@ class Motion(TypeDescription):
     step: Model
     moved: Any = compose
     angles: tuple[int, ...] = (3, 4, 5)
+    pose_of: Model | None = None
+    from_pose: Model | None = None
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if (self.pose_of is None) != (self.from_pose is None) or (
+            self.pose_of is None and self.manifold.size < Pose.size
+        ):
+            raise SlamlibError(
+                f"Motion {self.name!r}: a state that does not begin with a pose in space has models of both, "
+                "pose_of(state) and from_pose(pose)"
+            )
+
+    @property
+    def pose_dof(self) -> int:
+        """How many degrees of freedom of a state, the first ones, its pose depends on."""
+        return Pose.dof if self.pose_of is None else self.manifold.dof
+
+    @cached_property
+    def free(self) -> Array:
+        """Basis (6, f) of the directions in which a pose can be: all six, or three in the plane."""
+        if self.pose_of is None or self.from_pose is None:
+            return _IDENTITY
+        U, s, _ = np.linalg.svd(self.pose_jacobian(self.from_pose(ORIGIN)))
+        return U[:, : int((s > 1e-9).sum())]
+
+    def pose(self, state: Array) -> Array:
+        """The robot's pose (..., 7) in space, of states (..., size)."""
+        return state[..., : Pose.size] if self.pose_of is None else self.pose_of(state)
+
+    def pose_jacobian(self, state: Array) -> Array:
+        """Jacobian (6, pose_dof) of the pose with respect to the first degrees of freedom of a state (size,)."""
+        return _IDENTITY if self.pose_of is None else self.pose_of.jac(state)[1][0]
+
+    def in_space(self, state: Array, covariance: Array) -> tuple[Array, Array] | None:
+        """Pose (7,) of a state and its covariance (6, 6), of rank pose_dof; None if the state begins with them."""
+        if self.pose_of is None:
+            return None
+        J = self.pose_jacobian(state)
+        return self.pose(state), J @ covariance @ J.T
+
+    def at(self, pose: Array, velocity: Array) -> tuple[Array, Array]:
+        """The state (size,) with a pose (7,) and velocities (6,), and its Jacobian (dof, 12) by both.
+
+        Velocities that it lacks are left out. Raises SlamlibError for a pose that it cannot have.
+        """
+        if self.pose_of is None or self.from_pose is None:
+            return np.concatenate([pose, velocity])[: self.manifold.size], np.eye(self.manifold.dof, 12)
+        state, J = self.from_pose.jac(pose)
+        nearest = self.pose_of(state)
+        if np.abs(Pose.minus(nearest, pose)).max() > 1e-9:
+            what = f"by {self.name} no robot can have the pose {pose.round(6).tolist()}"
+            raise SlamlibError(f"{what}; the nearest is {nearest.round(6).tolist()}")
+        return state, np.pad(J[0], ((0, 0), (0, 6)))
+
+
+_IDENTITY = np.eye(Pose.dof)

@@ -69,8 +69,28 @@ class Control:
         _keep(self, "Control")
 
 
+class ByFamily:
+    """Features by the name of their family, those of slamlib.observation.FAMILIES."""
+
+    features: dict[str, Features]
+
+    def of(self, family: str) -> Features:
+        """The features of a family; none if there are none of them."""
+        return self.features.get(family, NO_FEATURES)
+
+    @property
+    def points(self) -> Features:
+        """The points."""
+        return self.of("points")
+
+    @property
+    def segments(self) -> Features:
+        """The segments."""
+        return self.of("segments")
+
+
 @dataclass(frozen=True, eq=False)
-class Scan:
+class Scan(ByFamily):
     """One sensor's measurements in one frame: features by the name of their family, and an image if it has one.
 
     Families are those of slamlib.observation.FAMILIES: "points" (n, m), "segments" (k, 4) [px], ...
@@ -78,20 +98,6 @@ class Scan:
 
     features: dict[str, Features] = field(default_factory=dict)
     image: Any = None  # one picture (h, w), a pair (2, h, w), or None
-
-    def of(self, family: str) -> Features:
-        """The features of a family; none if it has none of them."""
-        return self.features.get(family, NO_FEATURES)
-
-    @property
-    def points(self) -> Features:
-        """The measured points."""
-        return self.of("points")
-
-    @property
-    def segments(self) -> Features:
-        """The measured segments."""
-        return self.of("segments")
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,14 +135,22 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Truth:
-    """Ground truth at one frame: the robots' states, and the sensors' extrinsics (7,)."""
+    """Ground truth at one frame: the robots' states, the sensors' extrinsics (7,), and the robots' poses (7,).
+
+    poses: of states that begin with them it may be left out.
+    """
 
     robots: tuple[Array, ...]
     extrinsics: tuple[Array, ...]
+    poses: tuple[Array, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not self.poses:
+            object.__setattr__(self, "poses", tuple(np.asarray(state)[:7] for state in self.robots))
 
 
 @dataclass(frozen=True, eq=False)
-class World:
+class World(ByFamily):
     """Everything there is to observe: features by the name of their family, and opaque triangles (f, 3, 3) [m].
 
     Families are those of slamlib.observation.FAMILIES: "points" (n, 3), "segments" (n, 6), two endpoints each, ... in
@@ -153,17 +167,3 @@ class World:
         ids = np.concatenate([features.ids for features in self.features.values()])
         if not np.diff(np.sort(ids)).all():
             raise SlamlibError("World: things of two families share an id; number segments after the points")
-
-    def of(self, family: str) -> Features:
-        """The features of a family; none if there are none of them."""
-        return self.features.get(family, NO_FEATURES)
-
-    @property
-    def points(self) -> Features:
-        """The points (n, 3) [m]."""
-        return self.of("points")
-
-    @property
-    def segments(self) -> Features:
-        """The segments (n, 6) [m]."""
-        return self.of("segments")

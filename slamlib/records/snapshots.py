@@ -15,21 +15,25 @@ from slamlib.records.inputs import Scan
 
 @dataclass(frozen=True, eq=False, repr=False)
 class RobotView:
-    """An estimated robot: name, state (size,) whose first seven numbers are the pose, covariance (dof, dof)."""
+    """An estimated robot: name, state (size,), covariance (dof, dof).
+
+    in_space: its pose (7,) and the covariance (6, 6) of that; None: the first numbers of the state are the pose.
+    """
 
     name: str
     state: Array
     covariance: Array
+    in_space: tuple[Array, Array] | None = None
 
     @property
     def pose(self) -> Array:
         """Pose (7,)."""
-        return self.state[:7]
+        return self.state[:7] if self.in_space is None else self.in_space[0]
 
     @property
     def pose_covariance(self) -> Array:
         """Covariance (6, 6) of the pose: position [m] in world axes, rotation vector [rad] in the robot's."""
-        return self.covariance[:6, :6]
+        return self.covariance[:6, :6] if self.in_space is None else self.in_space[1]
 
     @property
     def mean(self) -> Array:
@@ -43,10 +47,11 @@ class RobotView:
 
     def __repr__(self) -> str:
         """Where it is, and how surely."""
+        std = standard_deviations(self.pose_covariance)
         euler = np.degrees(from_rotation(rotation(self.pose[3:]))).round(1) + 0.0  # no -0.0
         return (
-            f"{self.name}: position {_listed(self.pose[:3], '.3f')} m, std {_listed(self.std[:3], '.3g')}; "
-            f"roll, pitch, yaw {_listed(euler, '.1f')} deg, std {_listed(np.degrees(self.std[3:6]), '.2g')}"
+            f"{self.name}: position {_listed(self.pose[:3], '.3f')} m, std {_listed(std[:3], '.3g')}; "
+            f"roll, pitch, yaw {_listed(euler, '.1f')} deg, std {_listed(np.degrees(std[3:]), '.2g')}"
         )
 
 

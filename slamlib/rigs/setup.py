@@ -84,14 +84,23 @@ class RobotSetup:
     @property
     def state(self) -> Array:
         """Mean (size,) of the initial state."""
-        pose = pose_of(self.position, self.euler, self.name)
-        return np.concatenate([pose, _mixed(self.velocity, self.name, "velocity")])[: self.model.manifold.size]
+        return self._start[0]
 
     @property
     def covariance(self) -> Array:
         """Covariance (dof, dof) of the initial state."""
         std = [_pose_std(self.position_std, self.orientation_std), _mixed(self.velocity_std, self.name, "velocity_std")]
-        return np.diag((np.concatenate(std) ** 2)[: self.model.manifold.dof])
+        J = self._start[1]
+        return J * np.concatenate(std) ** 2 @ J.T
+
+    @property
+    def _start(self) -> tuple[Array, Array]:
+        """The initial state, and its Jacobian (dof, 12) by pose and velocities."""
+        pose = pose_of(self.position, self.euler, self.name)
+        try:
+            return self.model.at(pose, _mixed(self.velocity, self.name, "velocity"))
+        except SlamlibError as error:
+            raise SlamlibError(f"{self.name}: {error}") from None
 
     @property
     def nominal(self) -> Array:
@@ -224,13 +233,18 @@ class Rig(Plain):
             if not 0 <= s.robot < len(self.robots):
                 raise SlamlibError(f"{s.name} sits on robot {s.robot}; robots are counted 0 to {len(self.robots) - 1}")
 
+    @property
+    def dof(self) -> tuple[int, ...]:
+        """Degrees of freedom of each robot's pose: 6, or 3 in the plane."""
+        return tuple(robot.model.free.shape[1] for robot in self.robots)
+
     @classmethod
     def of(cls, *parts: "Rig | RobotSetup | SensorSetup") -> "Rig":
         """The rig of robots and sensors, in this order. Raises SlamlibError."""
-        for part in parts:
-            if not isinstance(part, Rig | RobotSetup | SensorSetup):
-                what = f"a rig is made of robots and sensors, not of {type(part).__name__}"
-                raise SlamlibError(f"{what}; options are given by name: Slam(rig, options=...)")
+        others = [type(part).__name__ for part in parts if not isinstance(part, Rig | RobotSetup | SensorSetup)]
+        if others:
+            what = f"a rig is made of robots and sensors, not of {', '.join(others)}"
+            raise SlamlibError(f"{what}; options are given by name: Slam(rig, options=...)")
         robots = (robot for part in parts for robot in part.robots)
         return cls(tuple(robots), tuple(sensor for part in parts for sensor in part.sensors))
 

@@ -1,24 +1,11 @@
 """Range and bearing: distance [m], yaw and pitch [rad] of a point; the sensor's axes are front, left, up."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from slamlib.analytic import arctan2, cos, sin, sqrt
-from slamlib.manifolds import Euclidean, Product
+from slamlib.manifolds import Angle, Euclidean, Product
 from slamlib.models import model
 from slamlib.sensors.sensor import Sensor
-
-
-@dataclass(frozen=True)
-class Angle(Euclidean):
-    """Angles: the difference of two is wrapped to [-pi, pi]. Chapter depth_stereo_range, eq. (dp-wrap)."""
-
-    def minus(self, point, origin):
-        """Return point - origin, in [-pi, pi] [rad]."""
-        difference = np.asarray(point) - np.asarray(origin)
-        return difference - 2 * np.pi * np.round(difference.real / (2 * np.pi))
-
 
 RangeBearing = Product("range, yaw and pitch", Euclidean(1), Angle(1), Euclidean(1))
 

@@ -30,6 +30,11 @@ class SimulatedRobot:
         self.root = root(setup.noise)
         self.state = read_only_copy(drawn(self.motion.manifold, setup.state, setup.covariance, streams["start"]))
 
+    @property
+    def pose(self) -> Array:
+        """Its pose (7,)."""
+        return self.motion.pose(self.state)
+
     def move(self, number: int, dt: float) -> Control:
         """Move one step; return the control given to the estimator, with its noise covariance."""
         wanted = self.plan(number)
@@ -111,6 +116,7 @@ def simulate(
 def _frame(number: int, dt: float, robots: list[SimulatedRobot], sensors: list[SimulatedSensor]) -> tuple[Frame, Truth]:
     """Move all robots, then let all sensors measure."""
     controls = tuple(robot.move(number, dt) for robot in robots)
-    scans = tuple(sensor.scan(robots[sensor.robot].state[:7]) for sensor in sensors)
-    truth = Truth(tuple(r.state for r in robots), tuple(s.extrinsics for s in sensors))
+    scans = tuple(sensor.scan(robots[sensor.robot].pose) for sensor in sensors)
+    states, poses = tuple(robot.state for robot in robots), tuple(robot.pose for robot in robots)
+    truth = Truth(states, tuple(sensor.extrinsics for sensor in sensors), poses)
     return Frame(number, dt, controls, scans), truth

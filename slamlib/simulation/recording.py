@@ -103,7 +103,11 @@ def load(path: str | Path) -> Recording:
         if header["truth"]:
             states = zip(*(arrays[f"truth.robot{i}"] for i in range(len(rig.robots))), strict=True)
             all_extrinsics = zip(*(arrays[f"truth.mount{j}"] for j in range(len(rig.sensors))), strict=True)
-            truths = [Truth(tuple(s), tuple(e)) for s, e in zip(states, all_extrinsics, strict=True)]
+            motions = [setup.model for setup in rig.robots]
+            truths = [
+                Truth(tuple(s), tuple(e), tuple(motion.pose(x) for motion, x in zip(motions, s, strict=True)))
+                for s, e in zip(states, all_extrinsics, strict=True)
+            ]
     return Recording(rig, world, frames, tuple(truths))
 
 

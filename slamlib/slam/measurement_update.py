@@ -10,11 +10,11 @@ from typing import Annotated
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.entities import POSE, RigSensor, Robot
+from slamlib.entities import RigSensor, Robot
 from slamlib.entities.landmark import group_by_kind
 from slamlib.entities.linearization import Linearization
 from slamlib.manifolds import Array, Euclidean, Indices
-from slamlib.observation.family import FamilyOptions
+from slamlib.observation.family import FamilyOptions, by_state
 from slamlib.plain_data.fields import Range
 from slamlib.records.inputs import RobotMeasurement
 from slamlib.slam.data_association.gates import gate, innovation_squares
@@ -116,12 +116,14 @@ def update_by_robot(
 ) -> RobotUpdate:
     """Gate a measurement of a robot's own pose, and update all blocks by it if it passes. Raises ShapeError."""
     value, J = measured.model.jac(robot.pose)
+    state = robot.block.mean
     if linearization is not None:
-        J = measured.model.jac(linearization.at(robot.block)[:7])[1]
+        state = linearization.at(robot.block)
+        J = measured.model.jac(robot.motion.pose(state))[1]
     result = measured.model.result
     z = ((result.manifold if result else None) or Euclidean(len(value))).minus(measured.value, value)
     limit = gate(options.gate, len(z))
     with belief.sequential_update() as sequence:
-        columns = robot.block.start + np.arange(POSE)
-        found = sequence.update(columns, J[0], z, measured.covariance, limit)
+        H = by_state(robot.motion, state, J[0])
+        found = sequence.update(robot.columns, H, z, measured.covariance, limit)
     return RobotUpdate(measured.name, z, found.covariance, found.nis, found.nis < limit)

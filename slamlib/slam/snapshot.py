@@ -21,7 +21,8 @@ Families = Mapping[str, Family[Any]]
 
 def robot_view(belief: Belief, robot: Robot) -> RobotView:
     """A robot as it is estimated now."""
-    return RobotView(robot.name, robot.block.mean.copy(), belief.covariance(robot.block))
+    state, P = robot.block.mean.copy(), belief.covariance(robot.block)
+    return RobotView(robot.name, state, P, robot.motion.in_space(state, P))
 
 
 def map_views(state: State, families: Families) -> dict[str, MapView]:

@@ -72,7 +72,7 @@ def compared(
         report = slam.step(given)
         alone.predict(given.controls, given.dt)
         errors, reckoned = (
-            np.array([Pose.minus(x[:7], robot.pose) for x, robot in zip(truth.robots, s.robots, strict=True)])
+            np.array([Pose.minus(pose, robot.pose) for pose, robot in zip(truth.poses, s.robots, strict=True)])
             for s in (slam, alone)
         )
         squares = [e @ np.linalg.solve(P, e) for e, P in zip(errors, poses(slam), strict=True)]

@@ -30,7 +30,7 @@ def room(tmp_path_factory):
     poses = []
     for i, (frame, truth) in enumerate(film):
         cv2.imwrite(str(folder / "left" / f"{i}.png"), frame.scans[0].image)
-        poses.append(truth.robots[0][:7])
+        poses.append(truth.poses[0])
     (folder / "calibration.json").write_text(json.dumps(rig.to_dict()))
     truth = Trajectory(DT * np.arange(COUNT), np.array(poses)).sensor_trajectory(rig.sensors[0].extrinsics)
     write_tum(folder / "truth.txt", truth)

@@ -218,7 +218,7 @@ def of_runs(outlier_rejection, rate, runs=4):
         slam = Slam(p.rig, options=p.options, front_ends=[end])
         for frame, truth in p.simulate():
             slam.step(frame)
-            e, P = Pose.minus(truth.robots[0][:7], slam.robots[0].pose), slam.belief.covariance(slam.robots[0].block)
+            e, P = Pose.minus(truth.poses[0], slam.robots[0].pose), slam.belief.covariance(slam.robots[0].block)
             nees.append(e @ np.linalg.solve(P, e))
             for prediction in slam.predictions[0]:
                 if prediction.matched:

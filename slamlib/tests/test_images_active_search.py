@@ -45,7 +45,7 @@ def done(film):
     for frame, truth in film.steps:
         slam.step(frame)
         chosen = [prediction for prediction in slam.predictions[0] if prediction.chosen]
-        rows.append([slam.robots[0].pose.copy(), truth.robots[0][:7], chosen])
+        rows.append([slam.robots[0].pose.copy(), truth.poses[0], chosen])
     return SimpleNamespace(slam=slam, poses=np.array([r[0] for r in rows]), truth=np.array([r[1] for r in rows]),
                            chosen=[prediction for r in rows for prediction in r[2]])  # fmt: skip
 
@@ -65,7 +65,7 @@ def test_the_room_is_tracked_and_the_path_recovered_up_to_scale(done):
 def on_one_surface(film, truth, pixel, half=6):
     """Whether the patch around a pixel shows one rectangle of the room only."""
     around = pixel + half * np.stack(np.meshgrid([-1, 0, 1], [-1, 0, 1]), -1).reshape(-1, 2)
-    _, surface = film.renderer.cast(compose(truth.robots[0][:7], truth.extrinsics[0]), around)
+    _, surface = film.renderer.cast(compose(truth.poses[0], truth.extrinsics[0]), around)
     return len(set(np.asarray(surface).tolist())) == 1
 
 

@@ -32,7 +32,7 @@ def film(name, frames, start=0, seed=1):
         rendering.default_room("drawn"), rig, way, frames=start + frames, dt=DT, rng=np.random.default_rng(seed)
     )
     steps = list(made)[start:]
-    return rig, [frame for frame, _ in steps], np.array([truth.robots[0][:7] for _, truth in steps])
+    return rig, [frame for frame, _ in steps], np.array([truth.poses[0] for _, truth in steps])
 
 
 def pictures(frames):

@@ -160,7 +160,7 @@ def test_disparities_in_the_room_are_right(film):
     frame, truth = frames[0]
     rig_sensor = rig.sensors[0]
     seen = StereoFeatureExtractor(rig_sensor.calibration).extract(frame.scans[0].image)
-    camera = compose(truth.robots[0][:7], rig_sensor.extrinsics)
+    camera = compose(truth.poses[0], rig_sensor.extrinsics)
     points = made.truth_of(truth, seen.values[:, :2])
     expected = rig_sensor.calibration.project(EUC_POINT.to_frame(camera, points))
     error = seen.values[:, 2] - expected[:, 2]
@@ -175,7 +175,7 @@ def test_followed_features_are_the_same_points(film):
     old, new = (extractor.extract(frame.scans[0].image) for frame, _ in frames)
     pairs, values = track_features(old, new, extractor.settings)
     before = made.truth_of(frames[0][1], old.values[pairs[:, 0], :2])
-    camera = compose(frames[1][1].robots[0][:7], extrinsics)
+    camera = compose(frames[1][1].poses[0], extrinsics)
     expected = rig.sensors[0].calibration.project(EUC_POINT.to_frame(camera, before))
     error = np.linalg.norm(values[:, :2] - expected[:, :2], axis=1)
     assert len(pairs) > 60

@@ -175,7 +175,7 @@ def go(slam, motion_source, frames):
 def test_every_way_goes_through_the_room(film, name):
     slam, motion_source = started(film, name)
     go(slam, motion_source, film[1])
-    error = Pose.minus(film[1][-1][1].robots[0][:7], slam.robots[0].pose)
+    error = Pose.minus(film[1][-1][1].poses[0], slam.robots[0].pose)
     covariance = slam.belief.covariance(slam.robots[0].block)[:6, :6]
     assert sum(prediction.inlier for prediction in slam.predictions[0]) > 10  # beside the odometry the map counts
     assert np.linalg.norm(error[:3]) < 0.003  # [m], after 0.18 m
@@ -241,7 +241,7 @@ def test_a_black_picture_is_a_motion_that_nobody_could_tell(film):
     assert slam.belief.covariance(slam.robots[0].block).trace() > 2 * spread
     go(slam, motion_source, film[1][6:12])
     assert motion_source.found is not None
-    error = Pose.minus(film[1][11][1].robots[0][:7], slam.robots[0].pose)
+    error = Pose.minus(film[1][11][1].poses[0], slam.robots[0].pose)
     assert np.linalg.norm(error[:3]) < 0.01
 
 

@@ -101,7 +101,7 @@ def test_halves_share_no_measurement():
 def test_odometry_in_the_room_stays_near():
     rig, frames, _ = stereo_film(25)
     sensor = rig.sensors[0]
-    true = np.array([truth.robots[0][:7] for _, truth in frames])
+    true = np.array([truth.poses[0] for _, truth in frames])
     odometry, pose = VisualOdometry(StereoFeatureExtractor(sensor.calibration), sensor.extrinsics), true[0]
     tracks = Tracks()
     for i, (frame, _) in enumerate(frames):

@@ -49,7 +49,7 @@ def dark(frame):
 def test_the_camera_is_where_the_filter_says(film):
     rig, frames, _ = film
     slam = run(filter_of(rig), frames)
-    error = Pose.minus(frames[-1][1].robots[0][:7], slam.robots[0].pose)
+    error = Pose.minus(frames[-1][1].poses[0], slam.robots[0].pose)
     predictions = slam.predictions[0]
     assert np.linalg.norm(error[:3]) < 0.005  # [m], after 0.25 m
     assert np.degrees(np.linalg.norm(error[3:])) < 0.1
@@ -63,7 +63,7 @@ def test_landmarks_are_where_the_room_is(film):
         report = slam.step(frame)
         for landmark in slam.landmarks:
             if landmark.id in report.initialized:
-                camera = compose(truth.robots[0][:7], rig.sensors[0].extrinsics)
+                camera = compose(truth.poses[0], rig.sensors[0].extrinsics)
                 pixel = slam.front_ends[0].calibration.project(EUC_POINT.to_frame(camera, landmark.block.mean))
                 begun[landmark.id] = made.truth_of(truth, pixel[None, :2])[0]
                 first[landmark.id] = np.linalg.norm(landmark.block.mean - begun[landmark.id])

@@ -83,6 +83,8 @@ def _robot(slam: Slam, landmarks: list[Landmark], image: Image) -> tuple[Array, 
         cv2 = opencv("to relocalize")
     except SlamlibError:
         return None
+    if slam.robots[0].motion.pose_of is not None:
+        return None  # a robot in the plane cannot be put at any pose
     sensor, matches = slam.sensors[0], list(_matches(cv2, landmarks, np.asarray(image, np.float32)))
     if len(matches) < FEWEST:
         return None

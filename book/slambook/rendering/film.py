@@ -85,7 +85,7 @@ class Film:
 
     def truth_of(self, truth: Truth, pixels: Array, sensor: int = 0) -> Array:
         """The points (n, 3) [m] of the room that a sensor sees at pixels (n, 2) of a frame; nan where nothing is."""
-        camera = compose(truth.robots[0][:7], truth.extrinsics[sensor])
+        camera = compose(truth.poses[0], truth.extrinsics[sensor])
         return self.renderers[sensor].seen(camera, pixels)
 
     def _light(self, sensor: int, extrinsics: Array, time: float) -> Array:

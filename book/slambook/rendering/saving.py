@@ -40,7 +40,7 @@ def save_film(folder: str | Path, film: Film) -> Path:
         times.append(frame.number * frame.dt)
         for camera, scan in enumerate(frame.scans):
             write_whole(root / f"image_{camera}" / f"{frame.number:06d}.png", png(scan.image))
-            poses[camera].append(compose(truth.robots[0][:7], truth.extrinsics[camera]))
+            poses[camera].append(compose(truth.poses[0], truth.extrinsics[camera]))
     for camera, path in enumerate(poses):
         write_tum(root / f"groundtruth_{camera}.txt", Trajectory(np.array(times), np.array(path)))
     write_whole(root / "calibration.json", json.dumps(film.rig.to_dict(), indent=2) + "\n")

@@ -90,7 +90,7 @@ class Packing:
             "said": f"frame {snapshot.number}, {snapshot.time:.1f} s, {len(rows)} landmarks",
             "heading": round(float(np.degrees(np.arctan2(ahead[1], ahead[0]))), 1),
             "at": self.whole([r.pose[:3] for r in snapshot.robots]),
-            "true": self.whole([np.asarray(state)[:3] for state in truth.robots]) if truth is not None else [],
+            "true": self.whole([pose[:3] for pose in truth.poses]) if truth is not None else [],
             "lines": {role: self.polylines(layers[role].lines) for role in ("truth", "sensor", "robot")},
             "balls": [self.ball(*ball) for ball in zip(robots.means, robots.shapes, strict=True)],
             "landmarks": {i: row for i, row in rows.items() if before.get(i) != row},

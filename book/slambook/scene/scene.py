@@ -75,7 +75,7 @@ def bounds(
     distance, for the others may be anywhere, and as far as they are not much farther away than most.
     """
     robots = [r.pose[:3] for s in (*path[:: max(len(path) // 50, 1)], snapshot) for r in s.robots]
-    true = [np.asarray(state)[:3] for state in truth.robots] if truth is not None else []
+    true = [pose[:3] for pose in truth.poses] if truth is not None else []
     seen = [_known(snapshot)] if world is None else [world.points.values, world.segments.values.reshape(-1, 3)]
     points = np.concatenate([np.reshape([*robots, *true], (-1, 3)), *seen])
     low, high = points.min(axis=0), points.max(axis=0)
@@ -122,9 +122,9 @@ def _ground(corners: Array) -> Layer:
 def _truth(snapshot: Snapshot, truth: Truth | None, path: Sequence[Truth], size: float) -> Layer:
     lines = list(_tracks([[state[:3] for state in t.robots] for t in path]))
     if truth is not None:
-        lines += [line for state in truth.robots for line in _placed(np.asarray(state)[:7], WEDGE, size)]
+        lines += [line for pose in truth.poses for line in _placed(pose, WEDGE, size)]
         for view, extrinsics in zip(snapshot.sensors, truth.extrinsics, strict=True):
-            lines += _sensor(compose(np.asarray(truth.robots[view.robot])[:7], extrinsics), view.image, size)
+            lines += _sensor(compose(truth.poses[view.robot], extrinsics), view.image, size)
     return Layer("truth", lines=strung(lines, 3))
 
 

@@ -106,6 +106,10 @@ class Smoother:
     def __init__(self, slam: Slam) -> None:
         if slam.landmarks or slam.time:
             raise SlamlibError("Smoother: the filter has begun already; make the smoother before its first frame")
+        if any(robot.motion.pose_of is not None for robot in slam.robots):
+            raise SlamlibError(
+                "Smoother: it takes robots whose state begins with a pose in space; those in the plane not yet"
+            )
         self._slam, self._time = slam, 0.0
         self._free = [i for i, sensor in enumerate(slam.sensors) if sensor.block is not None]
         blocks = [robot.block for robot in slam.robots] + [sensor.block for sensor in slam.sensors if sensor.block]

@@ -62,8 +62,10 @@ def hypothesis_innovations(sensor: RigSensor, predictions: Predictions, joint: J
     own = joint.S[np.arange(n), :, np.arange(n)]
     steps = np.einsum("knd,nd->nk", joint.gain, np.linalg.solve(own, joint.z[..., None])[..., 0])
     moved_sensor = steps[:, np.searchsorted(joint.touched, sensor.columns)]  # (n, 6), or (n, 12) with its extrinsics
-    extrinsics = sensor.extrinsics if sensor.block is None else Pose.plus(sensor.extrinsics, moved_sensor[:, POSE:])
-    camera = compose(Pose.plus(sensor.robot.pose, moved_sensor[:, :POSE]), extrinsics)[:, None]
+    robot, own = sensor.robot, moved_sensor[:, : sensor.robot.motion.pose_dof]
+    extrinsics = sensor.extrinsics if sensor.block is None else Pose.plus(sensor.extrinsics, moved_sensor[:, -POSE:])
+    moved_robot = Pose.plus(robot.pose, own @ robot.motion.pose_jacobian(robot.block.mean).T)
+    camera = compose(moved_robot, extrinsics)[:, None]
     in_frame: dict[str, list[tuple[list[int], Array]]] = defaultdict(list)
     for at in group_by_kind(range(n), lambda i: predictions[i].landmark.kind):
         landmarks = [predictions[i].landmark for i in at]
