@@ -63,6 +63,11 @@ def test_what_is_updated_looks_as_if_it_were_made_anew(matplotlib):
     assert np.array_equal(updated.pixels(), anew.pixels())
 
 
+def test_a_window_keeps_the_places_of_its_parts_in_the_style_of_the_book(matplotlib):
+    with matplotlib.style.context("slambook.book"):  # which lays figures out by itself
+        assert Window(RUN[0], sensors=()).pixels().shape[-1] == 3
+
+
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_a_window_in_both_themes_with_two_sensors_and_with_none(matplotlib, theme, tmp_path):
     two = Window(RUN[0], world=WORLD, sensors=(0, "camera"), theme=theme, size=(6.4, 3.6))

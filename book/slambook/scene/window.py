@@ -90,11 +90,11 @@ class Window:
                     f"matplotlib opens no window here (its backend is {plot.get_backend()}): choose another with "
                     "matplotlib.use, or leave show out and save the pictures"
                 )
-            figure = plot.figure(figsize=size, dpi=dpi)
+            figure = plot.figure(figsize=size, dpi=dpi, layout="none")  # the parts have their places
             figure.stale_callback = None  # each frame is drawn here, once
             plot.show(block=False)
             return figure
-        figure = extra("matplotlib.figure", "a picture").Figure(figsize=size, dpi=dpi)
+        figure = extra("matplotlib.figure", "a picture").Figure(figsize=size, dpi=dpi, layout="none")
         extra("matplotlib.backends.backend_agg", "a picture").FigureCanvasAgg(figure)
         return figure
 
