@@ -60,8 +60,7 @@ class Route:
     @property
     def steps(self) -> list[str]:
         """The steps, in the order in which they begin; one that begins twice is there twice."""
-        names = {function: name for name, function in STEPS.items()}
-        return [names[call.function] for call in self.calls if call.function in names]
+        return [name for name, _ in self.by_step()][1:]
 
     def by_step(self) -> Iterator[tuple[str, list[Call]]]:
         """Each step, and the calls from its beginning to that of the next one."""

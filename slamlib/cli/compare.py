@@ -17,7 +17,6 @@ from slamlib.landmarks import LINES
 from slamlib.plain_data.files import check_writable
 from slamlib.slam.transport import TRANSPORTS
 
-DOF = 6
 EXAMPLES = """examples:
   slamlib compare ahmPnt idpPnt hmgPnt --runs 20 --jobs 2 --folder finished
   slamlib compare plkLin aplLin --preset lines --frames 200
@@ -82,6 +81,7 @@ def summary(name: str, found: Experiment) -> dict[str, Any]:
         "map_error_median": float(np.nanmedian(found.map_error)),
         "nees_median": float(np.median(statistic.average)),
         "nees_last": float(statistic.average[-1]),
+        "nees_dof": found.preset.rig.dof[0],
         "nees_band": list(statistic.limits),
         "inside_first_half": share_inside(statistic.average[: half or 1], statistic.limits),
         "inside": statistic.inside,
@@ -97,7 +97,7 @@ def table(rows: list[dict[str, Any]]) -> str:
     head = (
         f"Preset {rows[0]['preset']}: {rows[0]['runs']} runs of {rows[0]['frames']} frames.\n"
         "At the last frame: position error (rms) and sigma, median error of the map.\n"
-        f"NEES of the pose: {DOF} degrees of freedom, averaged over the runs at each frame; "
+        f"NEES of the pose: {rows[0]['nees_dof']} degrees of freedom, averaged over the runs at each frame; "
         f"95 % band [{low:.2f}, {high:.2f}]; share of the frames inside it."
     )
     several = len({row["error"] for row in rows}) > 1

@@ -75,11 +75,11 @@ def summary(result: Result) -> dict[str, Any]:
             **_deviation(setup.name, result.errors[-1, i], result.sigmas[-1, i]),
             "nees": float(result.nees[-1, i]),
             "nees_dof": result.dof[i],
-            "nees_band": list(band(result.dof[i])),
-            "nees_inside": share_inside(known, band(result.dof[i])) if len(known) else None,
+            "nees_band": list(limits),
+            "nees_inside": share_inside(known, limits) if len(known) else None,
         }
         for i, setup in enumerate(result.preset.rig.robots)
-        for known in [result.nees[np.isfinite(result.nees[:, i]), i]]
+        for known, limits in [(result.nees[np.isfinite(result.nees[:, i]), i], band(result.dof[i]))]
     ]
     sensors = zip(result.preset.rig.sensors, result.extrinsics, result.extrinsics_nees, strict=True)
     return {

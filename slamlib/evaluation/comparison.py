@@ -158,9 +158,9 @@ def pose_error(
     free (6, f): the directions in which the pose can be, of which the NEES is; None: all.
     """
     error, sigma = Pose.minus(true, estimate), np.sqrt(covariance.diagonal())
-    if free is None or len(free) == free.shape[1]:
-        return error, sigma, nees_where_uncertain(error, covariance)
-    return error, sigma, nees_where_uncertain(free.T @ error, free.T @ covariance @ free)
+    if free is not None:
+        return error, sigma, nees_where_uncertain(free.T @ error, free.T @ covariance @ free)
+    return error, sigma, nees_where_uncertain(error, covariance)
 
 
 def magnitudes(errors: Array, sigmas: Array) -> dict[str, Array]:

@@ -63,6 +63,13 @@ class Motion(TypeDescription):
         """Jacobian (6, pose_dof) of the pose with respect to the first degrees of freedom of a state (size,)."""
         return _IDENTITY if self.pose_of is None else self.pose_of.jac(state)[1][0]
 
+    def by_state(self, by_pose: Array, state: Array) -> Array:
+        """A Jacobian (m, 6 + n) w.r.t. the robot's pose, and more, as one w.r.t. its state (size,), and more."""
+        if self.pose_of is None:
+            return by_pose  # the pose is the beginning of the state
+        by_robot = by_pose[..., : Pose.dof] @ self.pose_jacobian(state)
+        return np.concatenate([by_robot, by_pose[..., Pose.dof :]], axis=-1)
+
     def in_space(self, state: Array, covariance: Array) -> tuple[Array, Array] | None:
         """Pose (7,) of a state and its covariance (6, 6), of rank pose_dof; None if the state begins with them."""
         if self.pose_of is None:

@@ -17,9 +17,8 @@ from slamlib.belief import Belief
 from slamlib.entities import Landmark, RigSensor
 from slamlib.entities.landmark import landmark_means, state_rows
 from slamlib.entities.linearization import Linearization
-from slamlib.geometry.pose import Pose, compose
+from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array, Indices, Mask, read_only
-from slamlib.motions import Motion
 from slamlib.plain_data.fields import Finite, Plain, Positive
 from slamlib.sensors.sensor import Calibration
 
@@ -99,19 +98,11 @@ def viewpoint(sensor: RigSensor, robot: Array | None = None) -> Viewpoint:
     motion, state = sensor.robot.motion, sensor.robot.block.mean
     now, by = _composed(pose.tobytes(), sensor.extrinsics.tobytes(), is_estimated)
     if linearization is None:
-        return Viewpoint(sensor, now, now, by_state(motion, state, by), None)
+        return Viewpoint(sensor, now, now, motion.by_state(by, state), None)
     extrinsics = sensor.given_extrinsics if sensor.block is None else linearization.at(sensor.block)
     state = linearization.at(sensor.robot.block)
     at, by = _composed(motion.pose(state).tobytes(), extrinsics.tobytes(), is_estimated)
-    return Viewpoint(sensor, now, at, by_state(motion, state, by), linearization)
-
-
-def by_state(motion: Motion, state: Array, by_pose: Array) -> Array:
-    """A Jacobian (m, 6 + n) w.r.t. a robot's pose, and more, as one w.r.t. the robot's state, and more."""
-    if motion.pose_of is None:
-        return by_pose  # the pose is the beginning of the state
-    by_robot = by_pose[..., : Pose.dof] @ motion.pose_jacobian(state)
-    return np.concatenate([by_robot, by_pose[..., Pose.dof :]], axis=-1)
+    return Viewpoint(sensor, now, at, motion.by_state(by, state), linearization)
 
 
 @lru_cache(maxsize=8)  # by the numbers themselves: one frame asks several times between two measurement updates

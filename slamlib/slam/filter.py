@@ -16,7 +16,6 @@ from slamlib.errors import ShapeError, SingularPointError, SlamlibError, entry
 from slamlib.geometry.pose import Pose, compose
 from slamlib.manifolds import Array, finite, numbers
 from slamlib.observation import FAMILIES, Family, parametrization
-from slamlib.observation.family import by_state
 from slamlib.plain_data.files import complete
 from slamlib.records.inputs import Control, Features, Frame, Scan
 from slamlib.records.snapshots import Map, RobotView, Snapshot
@@ -306,7 +305,7 @@ class Slam:
             self.prune(given_up)
             report.deleted.append(given_up.id)
         blocks, robot = sensor.blocks, sensor.robot
-        jacobians = [by_state(robot.motion, robot.block.mean, jacobians[0]), *jacobians[1:]]
+        jacobians = [robot.motion.by_state(jacobians[0], robot.block.mean), *jacobians[1:]]
         pads = [np.pad(J, ((0, 0), (0, b.dof - J.shape[1]))) for b, J in zip(blocks, jacobians, strict=False)]
         block = self.belief.add(kind.manifold, x, noise, given=blocks, jacobians=pads)
         if self.linearization is not None:

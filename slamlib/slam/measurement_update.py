@@ -14,7 +14,7 @@ from slamlib.entities import RigSensor, Robot
 from slamlib.entities.landmark import group_by_kind
 from slamlib.entities.linearization import Linearization
 from slamlib.manifolds import Array, Euclidean, Indices
-from slamlib.observation.family import FamilyOptions, by_state
+from slamlib.observation.family import FamilyOptions
 from slamlib.plain_data.fields import Range
 from slamlib.records.inputs import RobotMeasurement
 from slamlib.slam.data_association.gates import gate, innovation_squares
@@ -124,6 +124,6 @@ def update_by_robot(
     z = ((result.manifold if result else None) or Euclidean(len(value))).minus(measured.value, value)
     limit = gate(options.gate, len(z))
     with belief.sequential_update() as sequence:
-        H = by_state(robot.motion, state, J[0])
+        H = robot.motion.by_state(J[0], state)
         found = sequence.update(robot.columns, H, z, measured.covariance, limit)
     return RobotUpdate(measured.name, z, found.covariance, found.nis, found.nis < limit)
