@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, Field, fields
 from functools import cached_property
 from types import ModuleType
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 from slamlib.errors import SlamlibError, entry
-from slamlib.manifolds import Manifold
+from slamlib.manifolds import Array, Manifold
 from slamlib.models import Formula, Model
 
 
@@ -34,6 +34,16 @@ BY_NAME = {  # of fields whose declared type says less
     "limits": TUPLE,
     "angles": TUPLE,
 }
+
+
+class Moved(Protocol):
+    """moved(motion, state), how a state moves with the world: a Model, or Parts of several."""
+
+    def __call__(self, motion: Array, state: Array, /) -> Array: ...
+
+    def jac_where(self, motion: Array, state: Array, /) -> Array: ...
+
+    def __hash__(self) -> int: ...
 
 
 class TypeDescription:

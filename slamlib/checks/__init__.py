@@ -8,8 +8,6 @@ definition, which argument, where, and by how much. Chapter your_own_model uses 
 every type.
 """
 
-from typing import Any
-
 from slamlib.checks.jacobian import check_jacobian
 from slamlib.checks.judge import CheckError, Finding, Judge
 from slamlib.checks.landmarks import line_properties, point_properties
@@ -23,7 +21,7 @@ from slamlib.sensors.sensor import Calibration
 __all__ = ["CheckError", "Finding", "check_jacobian", "check_landmark", "check_pair", "check_sensor"]
 
 
-def check_landmark(kind: Any, *, silent: bool = False, seed: int = 0) -> None:
+def check_landmark(kind: PointLandmark | LineLandmark, *, silent: bool = False, seed: int = 0) -> None:
     """Check a parametrization of points or lines: print the properties that hold, raise CheckError with the others."""
     judge = Judge(getattr(kind, "name", "?"), seed)
     if isinstance(kind, PointLandmark):

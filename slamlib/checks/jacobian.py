@@ -2,10 +2,9 @@
 
 import inspect
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from slamlib.checks.judge import Judge
 from slamlib.checks.models import DIFFERENCE, JACOBIAN
@@ -14,6 +13,7 @@ from slamlib.manifolds import Array
 from slamlib.models.numerical import complex_differences, differences
 
 Mask = NDArray[np.bool_]
+Written = ArrayLike | tuple[ArrayLike | None, ...]  # one Jacobian, or one for each argument
 SHOWN = 4  # wrong entries that a message names
 SLIPS = {  # what wrong entries are, as a multiple of what they should be
     -1.0: "has the wrong sign",
@@ -25,7 +25,9 @@ SLIPS = {  # what wrong entries are, as a multiple of what they should be
 }
 
 
-def check_jacobian(f: Callable[..., Any], J: Any, *place: Any, silent: bool = False) -> None:
+def check_jacobian(
+    f: Callable[..., ArrayLike], J: Written | Callable[..., Written], *place: object, silent: bool = False
+) -> None:
     """Check the Jacobian of a plain function at one place, by the complex step where the function allows it.
 
         check_jacobian(f, J, x, p)
@@ -55,7 +57,7 @@ def check_jacobian(f: Callable[..., Any], J: Any, *place: Any, silent: bool = Fa
     if len(given) > len(place):
         raise ShapeError(f"{name} was given {len(place)} arguments, and J has {len(given)} Jacobians: one for each")
     judge, arguments = Judge(name), named(f, place)
-    where = {n: a for n, a in arguments.items() if np.asarray(a).dtype.kind in "fiub"}
+    where = {n: array for n, a in arguments.items() if (array := np.asarray(a)).dtype.kind in "fiub"}
     for i, (argument, found) in enumerate(zip(arguments, given)):  # noqa: B905 - later arguments may have none
         if found is None:
             continue
@@ -73,7 +75,7 @@ def check_jacobian(f: Callable[..., Any], J: Any, *place: Any, silent: bool = Fa
     judge.conclude(silent)
 
 
-def named(f: Callable[..., Any], place: tuple[Any, ...]) -> dict[str, Any]:
+def named(f: Callable[..., ArrayLike], place: tuple[object, ...]) -> dict[str, object]:
     """The arguments by the names that the function gives them."""
     try:
         names = list(inspect.signature(f).bind(*place).arguments)
@@ -84,7 +86,9 @@ def named(f: Callable[..., Any], place: tuple[Any, ...]) -> dict[str, Any]:
     )
 
 
-def derivative(f: Callable[..., Any], place: tuple[Any, ...], index: int, value: Array) -> tuple[Array, str, Array]:
+def derivative(
+    f: Callable[..., ArrayLike], place: tuple[object, ...], index: int, value: Array
+) -> tuple[Array, str, Array]:
     """The Jacobian w.r.t. one argument, how it was found, and how far each entry may be off."""
     at = np.asarray(place[index], dtype=float)
 

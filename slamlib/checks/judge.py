@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import SlamlibError
-from slamlib.manifolds import Array
+from slamlib.manifolds import Array, Mask
 from slamlib.models.numerical import scaled_differences
 
 
@@ -93,11 +93,13 @@ class Case:
             self.judge.findings[key] = Finding(what, self.definition, argument, where, how, error)
         return False
 
-    def require(self, what: str, condition: Any, how: str, argument: str = "") -> bool:
+    def require(self, what: str, condition: bool | np.bool_ | Mask, how: str, argument: str = "") -> bool:
         """Check a condition; `how` describes the failure."""
         return self.hold(what) if condition else self.fail(what, how, argument)
 
-    def compare(self, what: str, found: Any, wanted: Any, argument: str = "", tolerance: Any = 1e-9) -> bool:
+    def compare(
+        self, what: str, found: ArrayLike, wanted: ArrayLike, argument: str = "", tolerance: float | Array = 1e-9
+    ) -> bool:
         """Check that two arrays agree, to `tolerance` of the largest wanted entry, absolutely if that is below one."""
         found, wanted = np.asarray(found), np.asarray(wanted)
         if found.shape != wanted.shape:

@@ -1,7 +1,6 @@
 """Properties that every parametrization must have: of points, and of lines."""
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 import numpy as np
 
@@ -63,7 +62,9 @@ def point_properties(judge: Judge, kind: PointLandmark) -> None:
         _moved(judge, kind, made, seen)
 
 
-def _moved(judge: Judge, kind: Any, made: Sequence[tuple[Array, ...]], seen: list[tuple[Array, Array]]) -> None:
+def _moved(
+    judge: Judge, kind: PointLandmark | LineLandmark, made: Sequence[tuple[Array, ...]], seen: list[tuple[Array, Array]]
+) -> None:
     """Check the motion of the world, for a parametrization that says it; made: arguments of from_frame."""
     if kind.moved is None:
         return

@@ -7,8 +7,10 @@ import numpy as np
 
 from slamlib.checks.judge import Case, Judge
 from slamlib.errors import SingularPointError
-from slamlib.manifolds import Array, Product
+from slamlib.manifolds import Array, Manifold, Product
+from slamlib.models import Formula, Jacobians
 from slamlib.models.numerical import central_difference, complex_step
+from slamlib.registry import TypeDescription
 
 Place = Sequence[Array]  # one array for each argument
 VALUE = "the generated value is the definition's"
@@ -20,7 +22,7 @@ BATCH = "a batch is a loop"
 SINGLE = "works in float32, within its precision"
 
 
-def interface(judge: Judge, owner: Any, takes: Mapping[str, Mapping[str, int | None]]) -> bool:
+def interface(judge: Judge, owner: TypeDescription, takes: Mapping[str, Mapping[str, int | None]]) -> bool:
     """The owner's definitions take arguments of these names and sizes (None: of any), in this order."""
     for definition, wanted in takes.items():
         found = {a.name: a.size if wanted.get(a.name) else None for a in getattr(owner, definition).arguments}
@@ -30,7 +32,13 @@ def interface(judge: Judge, owner: Any, takes: Mapping[str, Mapping[str, int | N
 
 
 def model_properties(
-    judge: Judge, model: Any, name: str, places: Sequence[Place], nasty: Iterable[Place] = (), *, chain: bool = False
+    judge: Judge,
+    model: Formula,
+    name: str,
+    places: Sequence[Place],
+    nasty: Iterable[Place] = (),
+    *,
+    chain: bool = False,
 ) -> None:
     """At ordinary arguments the model must be defined; in degenerate cases it may raise SingularPointError.
 
@@ -53,12 +61,14 @@ def model_properties(
             _single(judge, model, name, places)
 
 
-def named(model: Any, place: Place) -> dict[str, Array]:
+def named(model: Formula, place: Place) -> dict[str, Array]:
     """The arguments as a dictionary, for messages."""
     return dict(zip(model.parameters, place, strict=True))
 
 
-def derivatives(case: Case, model: Any, place: Place, value: Array, jacobians: Any, *, chain: bool = False) -> None:
+def derivatives(
+    case: Case, model: Any, place: Place, value: Array, jacobians: Jacobians, *, chain: bool = False
+) -> None:
     """The value is the definition's, if there is one, and each Jacobian the numerical derivative, where that is finite.
 
     chain: with steps as large as the argument, and beside the Jacobian's largest entry also where that is below one, as
@@ -80,7 +90,7 @@ def derivatives(case: Case, model: Any, place: Place, value: Array, jacobians: A
                 case.compare(what, getattr(jacobians, argument.name) / size, numerical / size, argument.name, limit)
 
 
-def _batch(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> None:
+def _batch(judge: Judge, model: Formula, name: str, places: Sequence[Place]) -> None:
     """All arguments as one batch of two rows, and one first argument with many others."""
     places = list(places[: len(places) // 2 * 2])
     stacked = [np.stack([np.asarray(p[i]) for p in places]) for i in range(len(places[0]))]
@@ -100,7 +110,7 @@ def _batch(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> None
             case.compare(BATCH, flat, wanted, argument)
 
 
-def _single(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> None:
+def _single(judge: Judge, model: Formula, name: str, places: Sequence[Place]) -> None:
     for place in places:
         rounded = [np.asarray(a, dtype=np.float32) for a in place]
         exact = [_onto(a.manifold, r.astype(float)) for a, r in zip(model.arguments, rounded, strict=True)]
@@ -116,7 +126,7 @@ def _single(judge: Judge, model: Any, name: str, places: Sequence[Place]) -> Non
             case.compare(SINGLE, found, [wanted, *by][k], argument, 5e-5)
 
 
-def _onto(manifold: Any, value: Array) -> Array:
+def _onto(manifold: Manifold | None, value: Array) -> Array:
     """A value rounded to single precision, put back onto its space: the rounded quaternion of unit length."""
     if isinstance(manifold, Product):
         return np.concatenate(list(map(_onto, manifold.parts, manifold.split(value))))

@@ -1,7 +1,5 @@
 """Properties that every pair of a parametrization and a sensor must have, on a robot: initialize, observe, update."""
 
-from typing import Any
-
 import numpy as np
 
 from slamlib.belief import Belief
@@ -11,7 +9,7 @@ from slamlib.errors import SingularPointError
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.manifolds import Array
-from slamlib.observation.points import initialize, observe
+from slamlib.observation.points import NamedJacobians, initialize, observe
 from slamlib.sensors.sensor import Calibration
 
 DEFINED = "a measurement makes a landmark"
@@ -47,7 +45,7 @@ def pair_properties(judge: Judge, kind: PointLandmark, calibration: Calibration)
         corrected(case, kind, landmark, G, G.measurement @ R @ G.measurement.T, [H.robot, H.landmark], R)
 
 
-def follows(case: Case, what: str, H: Any, G: Any, wanted: Array) -> None:
+def follows(case: Case, what: str, H: NamedJacobians, G: NamedJacobians, wanted: Array) -> None:
     """Check that a new landmark, observed again, moves with its measurement, as `wanted`, and with nothing else.
 
     H: Jacobians of the predicted measurement; G: those of the new landmark, of which the arguments that H lacks are not
@@ -61,7 +59,13 @@ def follows(case: Case, what: str, H: Any, G: Any, wanted: Array) -> None:
 
 
 def corrected(
-    case: Case, kind: PointLandmark | LineLandmark, landmark: Array, G: Any, own: Array, H: list[Array], R: Array
+    case: Case,
+    kind: PointLandmark | LineLandmark,
+    landmark: Array,
+    G: NamedJacobians,
+    own: Array,
+    H: list[Array],
+    R: Array,
 ) -> None:
     """Add a landmark to a belief with the robot, known to about a centimetre, and do one measurement update.
 

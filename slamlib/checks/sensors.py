@@ -131,7 +131,7 @@ def _undo(judge: Judge, calibration: Calibration, measured: list[tuple[Array, ..
             found = H[0] @ G[i] + (H[i - hidden] if i > hidden else 0)
             wanted = np.eye(len(y)) if i == 0 else np.zeros_like(found)
             case.compare(INVERSE, found, wanted, argument, 1e-6)
-        columns = np.column_stack([*(np.asarray(g) / _size(g) for g in G[: 1 + hidden]), point])
+        columns = np.column_stack([*(np.asarray(g) / _size(g) for g in tuple(G)[: 1 + hidden]), point])
         least = np.linalg.svd(columns, compute_uv=False)
         reached = int((least > 1e-8 * least[0]).sum()) - 1
         case.require(COMPLETE, reached == 3, f"they reach {reached} of the 3 dimensions of space")

@@ -3,11 +3,13 @@
 fr1, fr2 and fr3 are the colour cameras of TUM RGB-D, by name: no file is needed.
 """
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
+from slamlib.datasets.dataset import Camera
 from slamlib.datasets.formats import DATASETS, READERS
 from slamlib.datasets.lens import Lens, PairCalibration
 from slamlib.errors import SlamlibError
@@ -16,6 +18,8 @@ NO_BASELINE = (
     "the baseline is missing: the distance of the right camera from the left one. Write a JSON file with "
     '{"intrinsics": [u0, v0, au, av], "baseline": metres}, or give a file of both cameras'
 )
+
+Found = TypeVar("Found")  # what is asked of a camera
 
 
 def read_calibration(path: str | Path, camera: int = 0) -> dict[str, Any]:
@@ -46,7 +50,7 @@ def read_pair(paths: list[str] | list[Path], cameras: tuple[int, int] = (0, 1)) 
     return pair
 
 
-def _read(path: str | Path, camera: int, what: Any) -> Any:
+def _read(path: str | Path, camera: int, what: Callable[[Camera], Found]) -> Found:
     """The value of what(camera), for a camera of the file, which has setup() and lens."""
     named = {name: lens for dataset in DATASETS.values() for name, lens in dataset.lenses.items()}
     if str(path) in named and not Path(path).exists():

@@ -6,7 +6,7 @@ Both are found by walking that folder, so another data set, or another calibrati
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -104,7 +104,17 @@ class Dataset:
     lenses: Mapping[str, Lens] = field(default_factory=dict)
 
 
-Cameras = Mapping[int | None, Callable[[], Any]]
+class Camera(Protocol):
+    """A camera of a calibration file: a Lens, or another one."""
+
+    @property
+    def lens(self) -> Lens: ...
+
+    def setup(self) -> dict[str, Any]:
+        """Plain data of its SensorSetup."""
+
+
+Cameras = Mapping[int | None, Callable[[], Camera]]
 
 
 @dataclass(frozen=True)

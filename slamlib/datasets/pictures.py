@@ -105,7 +105,7 @@ def pair(left: Array, right: Array) -> Array:
     return checked(np.stack([left, right]))
 
 
-def checked(image: Any, calibration: Calibration | None = None) -> Array:
+def checked(image: Image | None, calibration: Calibration | None = None) -> Array:
     """The pair (2, h, w) itself. Raises SlamlibError for anything else, or a size other than the calibration's."""
     array = np.asarray(image)
     if array.ndim != 3 or len(array) != 2 or array.dtype != np.uint8:

@@ -59,7 +59,7 @@ class Remapping:
     def __init__(
         self, lenses: Sequence[Lens], turns: Sequence[Array], ideal: Callable[[float], Lens], size: tuple[int, int]
     ) -> None:
-        def places(zoom: float) -> list[Any]:
+        def places(zoom: float) -> list[tuple[Array, Array]]:
             new = ideal(zoom).matrix
             return [_maps(lens, new, size, turn) for lens, turn in zip(lenses, turns, strict=True)]
 
@@ -128,7 +128,7 @@ def _turns(transform: Array) -> tuple[list[Array], float]:
     return [new, new @ transform[:3, :3]], float(np.linalg.norm(transform[:3, 3]))
 
 
-def _maps(lens: Lens, new: Array, size: tuple[int, int], turn: Array) -> Any:
+def _maps(lens: Lens, new: Array, size: tuple[int, int], turn: Array) -> tuple[Array, Array]:
     """Pixels of the old image for those of the new one: columns and rows, (h, w) each.
 
     new: its camera matrix (3, 3). turn (3, 3): takes rays of the old camera to those of the new one.

@@ -26,7 +26,7 @@ class Landmark:
     """
 
     id: int
-    kind: Any
+    kind: Any  # of the class that its family has: PointLandmark, LineLandmark, ...; a Parametrization
     block: Block
     first_seen: int
     searched: int = 1
@@ -34,7 +34,7 @@ class Landmark:
     inliers: int = 1
     abscissas: Array | None = None
     sensor: int = 0
-    signature: Any = field(default=None, repr=False)
+    signature: Any = field(default=None, repr=False)  # read by that front end alone
     last_seen: int = 0
     first_measured: Array | None = field(default=None, repr=False)
 
@@ -42,7 +42,7 @@ class Landmark:
         self.last_seen = max(self.last_seen, self.first_seen)
 
 
-def group_by_kind(items: Iterable[T], kind: Callable[[T], Any] = KIND) -> list[list[T]]:
+def group_by_kind(items: Iterable[T], kind: Callable[[T], object] = KIND) -> list[list[T]]:
     """Group landmarks, or whatever has a kind, so that each kind is computed in one batch."""
     found: dict[int, list[T]] = defaultdict(list)
     for item in items:

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.alignment import align_trajectory, check_pairs
 from slamlib.evaluation.consistency import band, nees_where_uncertain, share_inside
-from slamlib.evaluation.trajectory import Trajectory, angles, associate, read_trajectory
+from slamlib.evaluation.trajectory import Rows, Trajectory, angles, associate, read_trajectory
 from slamlib.geometry.pose import Pose, compose, inverse, relative
 from slamlib.manifolds import Array, finite
 
@@ -124,7 +124,7 @@ def statistics(values: Array) -> dict[str, float]:
     return {name: float(value) for name, value in found.items()}
 
 
-def _motion_errors(estimate: Trajectory, reference: Trajectory, i: Any, j: Any) -> tuple[Array, Array]:
+def _motion_errors(estimate: Trajectory, reference: Trajectory, i: Rows, j: Rows) -> tuple[Array, Array]:
     """Lengths and angles [degrees] (n,) of the errors of the motions from the poses i to the poses j."""
     motions = [relative(path.poses[i], path.poses[j]) for path in (reference, estimate)]
     error = compose(inverse(motions[0]), motions[1])

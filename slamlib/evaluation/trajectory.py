@@ -3,17 +3,19 @@
 Alignment with a reference, and the remaining errors, are in slamlib.evaluation.alignment.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import best_pivot, from_rotation
-from slamlib.manifolds import Array, Indices, finite, read_only_copy
+from slamlib.manifolds import Array, Indices, Mask, finite, read_only_copy
 from slamlib.plain_data.files import write_whole
+
+Rows = slice | Sequence[int] | Indices | Mask  # some of the poses
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +50,7 @@ class Trajectory:
     def __len__(self) -> int:
         return len(self.times)
 
-    def __getitem__(self, rows: Any) -> "Trajectory":
+    def __getitem__(self, rows: Rows) -> "Trajectory":
         """Select poses, in the order of their times."""
         return Trajectory(
             self.times[rows], self.poses[rows], None if self.covariances is None else self.covariances[rows]

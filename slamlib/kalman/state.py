@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -115,7 +114,7 @@ class BeliefSnapshot:
     covariance: Array
     manifolds: tuple[Manifold, ...] = field(repr=False)
     blocks: tuple[Block, ...] = field(repr=False)
-    belief: Any = field(repr=False)
+    belief: object = field(repr=False)  # compared by identity alone
 
 
 def checked_mean(manifold: Manifold, mean: ArrayLike, function: str) -> Array:

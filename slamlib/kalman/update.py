@@ -8,14 +8,13 @@ product of many rows costs far less than many products of two rows.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, entry
 from slamlib.kalman import linalg
-from slamlib.kalman.state import Retraction, StateLayout
+from slamlib.kalman.state import Block, Retraction, StateLayout
 from slamlib.manifolds import Array, Indices, finite, numbers, ranges
 
 
@@ -23,7 +22,7 @@ from slamlib.manifolds import Array, Indices, finite, numbers, ranges
 class LinearizedMeasurement:
     """A linearized measurement: Jacobians (m, dof) w.r.t. each block it depends on, innovation (m,), noise (m, m)."""
 
-    blocks: Sequence[Any]
+    blocks: Sequence[Block]
     jacobians: Sequence[ArrayLike]
     innovation: Array
     noise: Array

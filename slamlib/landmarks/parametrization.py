@@ -1,11 +1,24 @@
 """The interface of parametrizations of landmarks: points and straight lines."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Protocol
 
 from slamlib.manifolds import Manifold
 from slamlib.models import Model
-from slamlib.registry import TypeDescription
+from slamlib.registry import Moved, TypeDescription
+
+
+class Parametrization(Protocol):
+    """What a parametrization of landmarks of any family has."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def manifold(self) -> Manifold: ...
+
+    @property
+    def moved(self) -> Moved | None: ...
 
 
 @dataclass(frozen=True)
@@ -23,7 +36,7 @@ class PointLandmark(TypeDescription):
     to_frame: Model
     from_frame: Model
     to_point: Model
-    moved: Any = None
+    moved: Moved | None = None
 
 
 @dataclass(frozen=True)
@@ -44,4 +57,4 @@ class LineLandmark(TypeDescription):
     point_at: Model
     abscissas: tuple[float, float]
     constrain: Model | None = None
-    moved: Any = None
+    moved: Moved | None = None

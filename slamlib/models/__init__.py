@@ -5,6 +5,6 @@ memory, fingerprints, implicit models, numerical derivatives.
 """
 
 from slamlib.models.argument import Argument, AtMost
-from slamlib.models.formula import FORMULA_PARTS, Formula, Model, calling, model
+from slamlib.models.formula import FORMULA_PARTS, Formula, Jacobians, Model, calling, model
 
-__all__ = ["FORMULA_PARTS", "Argument", "AtMost", "Formula", "Model", "calling", "model"]
+__all__ = ["FORMULA_PARTS", "Argument", "AtMost", "Formula", "Jacobians", "Model", "calling", "model"]

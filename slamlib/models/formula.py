@@ -10,10 +10,10 @@ import importlib
 import inspect
 from abc import ABC, abstractmethod
 from collections import namedtuple
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextvars import ContextVar
 from types import ModuleType
-from typing import Any, TypeAlias
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -26,11 +26,22 @@ from slamlib.models.compiler import compile_in_memory
 from slamlib.models.kernel import Kernel
 
 Spec: TypeAlias = int | tuple[int, ...] | Manifold
-Jacobians: TypeAlias = Any  # a namedtuple with an array for each argument, called as that is
 _defining: ContextVar[bool] = ContextVar("_defining", default=False)
 # what it is to call a model, with its arguments, inside another model's definition
 calling: ContextVar[Callable[..., Array]] = ContextVar("calling", default=lambda model, given: model.definition(*given))
 FORMULA_PARTS = ("geometry", "landmarks", "motions", "observation", "sensors")
+
+
+class Jacobians(Protocol):
+    """A named tuple with an array for each argument, called as that is."""
+
+    def __getattr__(self, name: str) -> Array: ...
+
+    def __getitem__(self, place: int) -> Array: ...
+
+    def __len__(self) -> int: ...
+
+    def __iter__(self) -> Iterator[Array]: ...
 
 
 def model(*, returns: Spec | None = None, **arguments: Spec) -> Callable[[Callable[..., Array]], "Model"]:
@@ -64,7 +75,7 @@ class Formula(ABC):
     def __init__(self, name: str, arguments: list[Argument]) -> None:
         self.name, self.arguments = name, arguments
         self.parameters = [a.name for a in arguments]
-        self._jacobians = namedtuple(f"{name}_jacobians", self.parameters)  # type: ignore[misc]
+        self._jacobians: Any = namedtuple(f"{name}_jacobians", self.parameters)  # type: ignore[misc]
 
     @abstractmethod
     def __call__(self, *args: ArrayLike, **kwargs: ArrayLike) -> Array:
@@ -135,7 +146,7 @@ class Model(Formula):
         value, *jacobians = self._evaluate("_jac", self._bind(args, kwargs))
         return value, self._jacobians(*jacobians)
 
-    def jac_where(self, first: Sequence[float], *others: ArrayLike) -> Array:
+    def jac_where(self, first: Sequence[float] | Array, *others: ArrayLike) -> Array:
         """The Jacobian (..., result, argument) w.r.t. the first argument alone, at a point for which code is kept."""
         return self._run(self._kernel_where(tuple(first)), [np.asarray(other) for other in others])[0]
 

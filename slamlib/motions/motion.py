@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -10,7 +9,7 @@ from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, Pose, compose
 from slamlib.manifolds import Array, Manifold
 from slamlib.models import Model
-from slamlib.registry import TypeDescription
+from slamlib.registry import Moved, TypeDescription
 
 
 @dataclass(frozen=True)
@@ -27,7 +26,7 @@ class Motion(TypeDescription):
     manifold: Manifold
     control: int
     step: Model
-    moved: Any = compose
+    moved: Moved | None = compose
     angles: tuple[int, ...] = (3, 4, 5)
     pose_of: Model | None = None
     from_pose: Model | None = None

@@ -9,7 +9,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import Any, Generic, NamedTuple, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from slamlib.entities import Landmark, RigSensor
 from slamlib.entities.landmark import landmark_means, state_rows
 from slamlib.entities.linearization import Linearization
 from slamlib.geometry.pose import compose
+from slamlib.landmarks.parametrization import Parametrization
 from slamlib.manifolds import Array, Indices, Mask, read_only
 from slamlib.plain_data.fields import Finite, Plain, Positive
 from slamlib.sensors.sensor import Calibration
@@ -35,6 +36,36 @@ class FamilyOptions(Plain):
 
 
 FamilyOptionsT = TypeVar("FamilyOptionsT", bound=FamilyOptions)  # the options of one family
+
+
+class ViewJacobians(Protocol):
+    """Jacobians of what is seen of landmarks: w.r.t. the sensor's pose (n, q, 6), and the landmark (n, q, dof)."""
+
+    @property
+    def camera(self) -> Array: ...
+
+    @property
+    def landmark(self) -> Array: ...
+
+
+class Calibrated(Protocol):
+    """A sensor, of the filter or simulated, as far as its calibration is concerned."""
+
+    @property
+    def calibration(self) -> Calibration: ...
+
+
+class TrueSensor(Calibrated, Protocol):
+    """A simulated sensor: its `shortest` segments [px], and what the world's faces leave to see from its pose (7,)."""
+
+    @property
+    def shortest(self) -> float: ...
+
+    def hidden(self, points: Array, camera: Array) -> Mask:
+        """Mask (n,) of the points (n, 3) that are hidden."""
+
+    def longest_seen(self, segments: Array, camera: Array) -> tuple[Array, Mask]:
+        """The longest visible part (k, 2, 3) of each segment, and the mask (k,) of those visible at all."""
 
 
 class PredictedBatch(NamedTuple):
@@ -146,16 +177,16 @@ class Family(ABC, Generic[FamilyOptionsT]):
 
     name: str
     kinds: type
-    parametrizations: Mapping[str, Any]
+    parametrizations: Mapping[str, Parametrization]
     world_size: int = 3
-    exact: Any = None
+    exact: Parametrization | None = None
     parts: int = 1
 
     def chosen(self, options: FamilyOptionsT) -> str | None:
         """The name of the parametrization of new landmarks in the options, or None for none."""
         return (options.others or {}).get(self.name)
 
-    def new_kind(self, options: FamilyOptionsT, own: str | None = None) -> Any:
+    def new_kind(self, options: FamilyOptionsT, own: str | None = None) -> Parametrization | None:
         """The parametrization of new landmarks, or None for none; own: the sensor's own choice, of whatever family."""
         name = own if own in self.parametrizations else self.chosen(options)
         return self.parametrizations[name] if name else None
@@ -164,7 +195,7 @@ class Family(ABC, Generic[FamilyOptionsT]):
         """Numbers in a measurement of one landmark."""
         return calibration.sensor.size
 
-    def supports(self, sensor: RigSensor) -> bool:
+    def supports(self, sensor: Calibrated) -> bool:
         """Whether a sensor, which has `calibration`, measures landmarks of this family: here, every sensor."""
         return True
 
@@ -173,7 +204,9 @@ class Family(ABC, Generic[FamilyOptionsT]):
         return np.ones(len(values), dtype=bool)
 
     @abstractmethod
-    def observe(self, kind: Any, calibration: Calibration, camera: Array, means: Array) -> tuple[Array, Mask, Any]:
+    def observe(
+        self, kind: Any, calibration: Calibration, camera: Array, means: Array
+    ) -> tuple[Array, Mask, ViewJacobians]:
         """What the innovation is computed from, (n, q), for landmarks seen from a sensor's pose (7,): the predicted
         measurement, or what `residual` takes; the mask of those in view; and the Jacobians w.r.t. the pose (n, q, 6)
         and the landmark (n, q, dof), as `jacobians.camera` and `jacobians.landmark`."""
@@ -231,7 +264,7 @@ class Family(ABC, Generic[FamilyOptionsT]):
     ) -> tuple[Array, Array, list[Array]]:
         """Mean (size,), own noise (dof, dof) and Jacobians (dof, 6) w.r.t. robot and extrinsics of a new landmark."""
 
-    def abscissas(self, kind: Any) -> Array | None:
+    def abscissas(self, kind: Parametrization) -> Array | None:
         """The abscissas of a new landmark's two endpoints, by its parametrization; None for one without endpoints."""
         return np.array(kind.abscissas, dtype=float) if hasattr(kind, "abscissas") else None
 
@@ -255,7 +288,7 @@ class Family(ABC, Generic[FamilyOptionsT]):
     def check(self, name: str, calibration: Calibration) -> None:
         """Raise SlamlibError if a sensor of this name cannot be simulated with landmarks of the family."""
 
-    def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:
+    def simulate(self, sensor: TrueSensor, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:
         """Simulate a sensor's measurements at a pose (7,): rows (k,) of the landmarks in view, values (k, m).
 
         places (n, world_size): the true landmarks; noise (n, m), or (n, parts, m): of each, in view or not.
@@ -263,3 +296,6 @@ class Family(ABC, Generic[FamilyOptionsT]):
         value, visible, _ = self.observe(self.exact, sensor.calibration, camera, places)
         rows = np.flatnonzero(visible)
         return rows, sensor.calibration.sensor.manifold.plus(value[rows], noise[rows])
+
+
+AnyFamily: TypeAlias = Family[Any]  # of a filter's families each takes its own part of the options

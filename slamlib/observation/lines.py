@@ -6,7 +6,6 @@ in images that a lens bends.
 """
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from slamlib.geometry.pose import compose
 from slamlib.landmarks.line_innovation import angles, distances, oriented, rho_theta
 from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import Array
+from slamlib.models import Jacobians, Model
 from slamlib.observation.points import NamedJacobians, Observation, through
 from slamlib.sensors.sensor import Calibration
 
@@ -79,7 +79,7 @@ def _check_lines(calibration: Calibration, task: str) -> None:
 # -- residuals of segments -------------------------------------------------------------------------------------------
 
 
-def rays_of(calibration: Calibration, segment: Array) -> tuple[Array, Array, Any]:
+def rays_of(calibration: Calibration, segment: Array) -> tuple[Array, Array, Jacobians]:
     """Unit rays (..., 6) of the endpoints of segments (..., 4), and their Jacobians (..., 6, 4) w.r.t. the pixels.
 
     Third the Jacobians of the endpoints' homogeneous points (..., 2, 4) w.r.t. all that they depend on.
@@ -115,9 +115,15 @@ def distort_segments(calibration: Calibration, segment: Array) -> Array:
     return calibration.project(rays).reshape(segment.shape)
 
 
+def _line_model(calibration: Calibration) -> Model:
+    """The model of the images of lines, of a sensor that has one."""
+    assert calibration.sensor.project_line is not None, "checked before lines are measured"
+    return calibration.sensor.project_line
+
+
 def ideal_parameters(calibration: Calibration) -> dict[str, Array]:
     """The parameters that project_line takes; the others are the lens's distortion, which lines' images are free of."""
-    project_line: Any = calibration.sensor.project_line
+    project_line = _line_model(calibration)
     return {n: calibration.given[n] for n in project_line.parameters if n in calibration.given}
 
 
@@ -132,9 +138,9 @@ def _distorts(calibration: Calibration) -> bool:
     return any(v.any() for n, v in calibration.given.items() if n not in ideal)
 
 
-def image_line(calibration: Calibration, line: Array) -> tuple[Array, Any]:
+def image_line(calibration: Calibration, line: Array) -> tuple[Array, Jacobians]:
     """Image lines (..., 3) of lines (..., 6) of the camera's frame, and the Jacobians w.r.t. line and parameters."""
-    project_line: Any = calibration.sensor.project_line
+    project_line = _line_model(calibration)
     return project_line.jac(line, **ideal_parameters(calibration))
 
 

@@ -6,7 +6,7 @@ landmark --to_frame--> homogeneous point in the sensor's frame --project--> meas
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from types import SimpleNamespace
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 
@@ -21,7 +21,8 @@ from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import THRESHOLD, beyond_infinity, should_convert, to_euclidean
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import Array, Indices, Mask
-from slamlib.observation.family import Family, FamilyOptions, product, state_columns, viewpoint
+from slamlib.models import Jacobians
+from slamlib.observation.family import Family, FamilyOptions, TrueSensor, product, state_columns, viewpoint
 from slamlib.plain_data.fields import NotNegative, OneOf, Range
 from slamlib.sensors.sensor import Calibration
 
@@ -120,7 +121,7 @@ def initialize(
     return landmark, jacobians
 
 
-def _check_point(kind: Any, calibration: Any, function: str) -> None:
+def _check_point(kind: object, calibration: object, function: str) -> None:
     if not isinstance(calibration, Calibration):
         raise SlamlibError(f"{function}: the second argument is a Calibration, not {type(calibration).__name__}")
     if not isinstance(kind, PointLandmark):
@@ -141,7 +142,7 @@ def _seen_again(kind: PointLandmark, camera: Array, point: Array, landmark: Arra
         )
 
 
-def through(by_camera: Any, by_pose: Array) -> dict[str, Array]:
+def through(by_camera: Jacobians, by_pose: Array) -> dict[str, Array]:
     """Jacobians w.r.t. the robot and the extrinsics, from a Jacobian w.r.t. the camera's pose."""
     both = product(by_pose, np.concatenate([by_camera.outer, by_camera.inner], axis=-1))
     return {"robot": both[..., :6], "extrinsics": both[..., 6:]}
@@ -176,7 +177,7 @@ class PointFamily(Family[PointOptions]):
 
     def observe(
         self, kind: PointLandmark, calibration: Calibration, camera: Array, means: Array
-    ) -> tuple[Array, Mask, Any]:
+    ) -> tuple[Array, Mask, NamedJacobians]:
         """As `observe_from`."""
         found = observe_from(kind, calibration, camera, means)
         return found.value, found.visible, found.jacobians
@@ -239,7 +240,7 @@ class PointFamily(Family[PointOptions]):
         converged = np.array([landmark.kind is EUC_POINT for landmark in landmarks], dtype=bool)
         return geometry, covariance, converged
 
-    def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:
+    def simulate(self, sensor: TrueSensor, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:
         """Measurements of points in view and not occluded, with noise, if they are still in the image with it."""
         calibration = sensor.calibration
         inside = EUC_POINT.to_frame(camera, places)

@@ -1,7 +1,7 @@
 """Straight lines as a family of landmarks: measured as segments, estimated as infinite lines with two endpoints."""
 
 from dataclasses import dataclass, field
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
@@ -15,10 +15,12 @@ from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.parametrization import LineLandmark
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.observation.family import (
+    Calibrated,
     Family,
     FamilyOptions,
     Innovation,
     PredictedBatch,
+    TrueSensor,
     Viewpoint,
     viewpoint,
 )
@@ -75,7 +77,7 @@ class LineFamily(Family[LineOptions]):
         found = self.batch_innovation(sensor, expected, expected.value)
         return found.H, found.R
 
-    def supports(self, sensor: RigSensor) -> bool:
+    def supports(self, sensor: Calibrated) -> bool:
         """Lines need a camera that maps them to straight lines, and has an image."""
         return sensor.calibration.sensor.project_line is not None and sensor.calibration.image is not None
 
@@ -101,10 +103,10 @@ class LineFamily(Family[LineOptions]):
 
     def observe(
         self, kind: LineLandmark, calibration: Calibration, camera: Array, means: Array
-    ) -> tuple[Array, Mask, Any]:
+    ) -> tuple[Array, Mask, NamedJacobians]:
         """Lines (n, 6) in the sensor's frame; an infinite line is never out of view."""
         line, J = kind.to_frame.jac(camera, means)
-        visible: Any = np.True_ if line.ndim == 1 else np.ones(line.shape[:-1], dtype=bool)
+        visible: Mask = np.ones(line.shape[:-1], dtype=bool)[()]
         return line, visible, NamedJacobians(camera=J.pose, landmark=J.landmark)
 
     def residual(self, sensor: RigSensor, inner: Array, by: Array, measured: Array, options: LineOptions) -> Innovation:
@@ -167,7 +169,7 @@ class LineFamily(Family[LineOptions]):
         if calibration.sensor.project_line is not None and calibration.image is None:
             raise SlamlibError(f"{name}: segments are cut at the border of the image; give the setup an image")
 
-    def simulate(self, sensor: Any, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:
+    def simulate(self, sensor: TrueSensor, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:
         """Clip to the image's border in the ideal image; then distort, then add noise to the clipped endpoints.
 
         The toolbox adds the noise before it clips, at endpoints that may lie far outside: what is left of it at the

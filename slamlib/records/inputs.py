@@ -51,7 +51,7 @@ class Features:
 NO_FEATURES = Features.none(0)
 
 
-def _keep(record: Any, name: str) -> None:
+def _keep(record: "Control | RobotMeasurement", name: str) -> None:
     """Check the value (m,) of a record and its noise (m, m), and keep read-only copies."""
     value = finite(record.value, (None,), name, "value")
     object.__setattr__(record, "value", read_only_copy(value))

@@ -9,7 +9,8 @@ measurement. All other arguments are fields of the setup that is returned, among
 the robot's frame. Where no euler is given, cameras look ahead, and sensors of other types have the robot's axes.
 """
 
-from typing import Any, TypedDict, Unpack
+from collections.abc import Iterable, Mapping
+from typing import TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,11 +18,11 @@ from numpy.typing import ArrayLike
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.manifolds import Array, finite, numbers
 from slamlib.motions import Motion
-from slamlib.rigs.setup import UNSPECIFIED, ZERO, Numbers, RobotSetup, SensorSetup
+from slamlib.rigs.setup import ZERO, Numbers, RobotSetup, SensorSetup
 from slamlib.sensors import sensor
 
-Image = tuple[float, float] | None
-CENTRED: Any = UNSPECIFIED  # the image whose middle is the principal point
+Image = tuple[float, float] | tuple[()] | None
+CENTRED: tuple[()] = ()  # the image whose middle is the principal point
 
 
 class RobotFields(TypedDict, total=False):
@@ -111,7 +112,7 @@ def davison(
     >>> sl.davison([320, 240, 400, 400], 0.1).calibration.project([0.5, 0, 2, 1]).round(1).tolist()
     [419.4, 240.0]
     """
-    parameters = {"intrinsics": intrinsics(K, "davison"), "distortion": distortion}
+    parameters: dict[str, ArrayLike] = {"intrinsics": intrinsics(K, "davison"), "distortion": distortion}
     return _sensor("davison", "davison", parameters, noise, setup, image)
 
 
@@ -197,7 +198,7 @@ def stereo(
         >>> pair.calibration.project([0.5, 0, 2, 1]).round(1).tolist()
         [420.0, 240.0, 24.0]
     """
-    parameters = {"intrinsics": intrinsics(K, "stereo"), "baseline": baseline}
+    parameters: dict[str, ArrayLike] = {"intrinsics": intrinsics(K, "stereo"), "baseline": baseline}
     return _sensor("stereo", "stereo", parameters, noise, setup, image)
 
 
@@ -247,23 +248,29 @@ def intrinsics(K: ArrayLike, function: str) -> Array:
 
 
 def _sensor(
-    name: str, kind: str, parameters: dict[str, Any], noise: ArrayLike, setup: SensorFields, image: Image = None
+    name: str,
+    kind: str,
+    parameters: Mapping[str, ArrayLike],
+    noise: ArrayLike,
+    setup: SensorFields,
+    image: Image = None,
 ) -> SensorSetup:
     """The setup of a sensor of this type."""
     _check_names(name, setup, SensorFields)
     type_ = sensor(kind)
     std, covariance = _std_or_covariance(noise, type_.size, name)
     if image is CENTRED:
-        u0, v0 = parameters["intrinsics"][:2].tolist()
+        u0, v0 = np.asarray(parameters["intrinsics"])[:2].tolist()
         image = (2 * u0, 2 * v0)
-    own: dict[str, Any] = {"name": name} if type_.pixels else {"name": name, "euler": ZERO}
+    own: SensorFields = {"name": name} if type_.pixels else {"name": name, "euler": ZERO}
+    fields: SensorFields = {**own, **setup}
     made = SensorSetup(
         type=kind,
         std=tuple(std.tolist()),
         noise=None if covariance is None else _rows(covariance),
         image=image,
         parameters={key: tuple(np.atleast_1d(numbers(value, name, key)).tolist()) for key, value in parameters.items()},
-        **{**own, **setup},
+        **fields,
     )
     _ = made.extrinsics, made.covariance, made.calibration  # made when asked for: what is wrong with it is said here
     return made
@@ -289,7 +296,7 @@ def _rows(matrix: Array) -> tuple[Numbers, ...]:
     return tuple(map(tuple, matrix.tolist()))
 
 
-def _check_names(builder: str, setup: Any, known: Any) -> None:
+def _check_names(builder: str, setup: Iterable[str], known: type) -> None:
     """Raise UnknownNameError for an argument that the builder does not pass on."""
     for name in setup:
         if name not in known.__annotations__:

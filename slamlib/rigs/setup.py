@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Annotated, Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.geometry.euler import to_quaternion
@@ -186,7 +187,7 @@ class SensorSetup:
     def calibration(self) -> Calibration:
         """The calibrated sensor. Raises SlamlibError for an invalid calibration."""
         kind = sensor(self.type)
-        noise: Any = self.noise
+        noise: ArrayLike | None = self.noise
         if noise is None:
             if len(self.std) not in (1, kind.size):
                 raise ShapeError(f"{self.name}: std is one number, or {kind.size}, got {self.std}")

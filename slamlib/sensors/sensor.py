@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.kalman.linalg import covariance
 from slamlib.manifolds import Array, Manifold, Mask, as_manifold, finite, numbers, read_only_copy
-from slamlib.models import Formula, Model
+from slamlib.models import Formula, Jacobians, Model
 from slamlib.registry import TypeDescription
 
 
@@ -105,7 +105,7 @@ class Calibration:
         if sensor.check is not None:
             sensor.check(self)
 
-    def __setattr__(self, name: str, value: Any) -> None:
+    def __setattr__(self, name: str, value: object) -> None:
         if "given" in vars(self):  # it is complete
             raise SlamlibError(f"a calibration cannot be changed: make another one with the {name} that you want")
         super().__setattr__(name, value)
@@ -124,12 +124,12 @@ class Calibration:
         model, parameters = self._project
         return model(point, *parameters)
 
-    def project_jac(self, point: Array) -> tuple[Array, Any]:
+    def project_jac(self, point: Array) -> tuple[Array, Jacobians]:
         """Measurements (..., m), and Jacobians w.r.t. the point and each parameter as it was given."""
         model, parameters = self._project
         return model.jac(point, *parameters)
 
-    def back_project_jac(self, measurement: Array, *unmeasured: Array) -> tuple[Array, Any]:
+    def back_project_jac(self, measurement: Array, *unmeasured: Array) -> tuple[Array, Jacobians]:
         """Homogeneous points (..., 4), and Jacobians w.r.t. measurement, unmeasured number, and each parameter."""
         return self.sensor.back_project.jac(measurement, *unmeasured, **self.given)
 

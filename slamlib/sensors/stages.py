@@ -1,12 +1,10 @@
 """A back-projection in two stages: an implicit model, then an explicit one, and the chain rule between them."""
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.manifolds import Array
-from slamlib.models import Argument, Formula, Model
+from slamlib.models import Argument, Formula, Jacobians, Model
 from slamlib.models.implicit import Implicit
 
 
@@ -29,7 +27,7 @@ class BackProjection(Formula):
         pixel, rest, parameters = self._split(args, kwargs)
         return self.outer(self.inner(pixel, *parameters), rest)
 
-    def jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Any]:
+    def jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Jacobians]:
         """The point, and its Jacobians w.r.t. each argument."""
         pixel, rest, parameters = self._split(args, kwargs)
         ray, inner = self.inner.jac(pixel, *parameters)
@@ -38,7 +36,7 @@ class BackProjection(Formula):
         measured = [np.concatenate([by_pixel, outer[1]], axis=-1)] if self.measures_all else [by_pixel, outer[1]]
         return point, self._jacobians(*measured, *by_parameters)
 
-    def _split(self, args: Any, kwargs: Any) -> tuple[Array, Array, list[Array]]:
+    def _split(self, args: tuple[ArrayLike, ...], kwargs: dict[str, ArrayLike]) -> tuple[Array, Array, list[Array]]:
         measurement, *given = self._bind(args, kwargs)
         self.arguments[0].check(measurement, self.name)
         numbers = measurement.astype(float, copy=False)

@@ -4,9 +4,9 @@ True motion follows the filter's own motion models, with noise drawn into the tr
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.errors import ShapeError, SlamlibError, entry
 from slamlib.manifolds import Array, finite, numbers, read_only_copy
@@ -19,6 +19,7 @@ from slamlib.simulation.worlds import check_world
 NOISE_IN = {"truth": (1.0, 0.0), "control": (0.0, 1.0)}
 
 Plan = Callable[[int], Array]
+Given = ArrayLike | Callable[[int], ArrayLike] | None  # a robot's controls, as `simulate` takes them
 
 
 class SimulatedRobot:
@@ -44,7 +45,7 @@ class SimulatedRobot:
         return Control(wanted + in_control * noise, self.covariance)
 
 
-def _plan(given: Any, robot: RobotSetup, frames: int) -> Plan:
+def _plan(given: Given, robot: RobotSetup, frames: int) -> Plan:
     """A function from the frame's number (from 1) to a robot's nominal control (c,)."""
     size = robot.model.control
     if given is None:
@@ -69,7 +70,7 @@ def simulate(
     noise_in: str = "truth",
     faults: Faults = Faults(),  # noqa: B008 - frozen
     occlusion: bool = False,
-    controls: Sequence[Any] | None = None,
+    controls: Sequence[Given] | None = None,
     minimum_length: float = 1.0,
 ) -> Iterator[tuple[Frame, Truth]]:
     """Generate frames with their ground truth; dt [s] between them. Frame 1 is one motion after the start.
@@ -94,7 +95,7 @@ def simulate(
     if not 0 < dt < np.inf:
         raise SlamlibError(f"simulate: dt is a time above zero [s], got {dt}")
     shares = entry("noise_in", noise_in, NOISE_IN)
-    given: Sequence[Any] = [None] * len(rig.robots) if controls is None else controls
+    given: Sequence[Given] = [None] * len(rig.robots) if controls is None else controls
     if len(given) != len(rig.robots):
         raise SlamlibError(
             f"controls holds one entry for each of the {len(rig.robots)} robots (None: its setup's own), got "

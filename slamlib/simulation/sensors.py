@@ -6,14 +6,15 @@ that is drawn at random has a stream of its own.
 
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import Pose, compose
 from slamlib.manifolds import Array, Indices, Manifold, Mask, read_only_copy
-from slamlib.observation import FAMILIES, Family
+from slamlib.observation import FAMILIES
+from slamlib.observation.family import AnyFamily
 from slamlib.plain_data.fields import Share, check
 from slamlib.records.inputs import Features, Scan, World
 from slamlib.rigs.setup import SensorSetup
@@ -133,9 +134,9 @@ class SimulatedSensor:
         camera = compose(robot, self.extrinsics)
         return Scan({name: self._features(family, camera) for name, family in FAMILIES.items()})
 
-    def _features(self, family: Family[Any], camera: Array) -> Features:
+    def _features(self, family: AnyFamily, camera: Array) -> Features:
         things, size = self.world.of(family.name), len(self.root)
-        if not len(things) or not family.supports(self):  # type: ignore[arg-type]  # both have a calibration
+        if not len(things) or not family.supports(self):
             return Features.none(family.size(self.calibration))
         shape = (len(things), size) if family.parts == 1 else (len(things), family.parts, size)
         noise = self.streams[family.name].standard_normal(shape) @ self.root

@@ -26,7 +26,7 @@ def write(path: str | Path, header: dict[str, Any], arrays: dict[str, Array]) ->
     write_archive(path, FORMAT, VERSION, header, arrays)
 
 
-def read(path: str | Path) -> tuple[dict[str, Any], dict[str, Any]]:
+def read(path: str | Path) -> tuple[dict[str, Any], dict[str, Array]]:
     """Return the header and the arrays of a file. Raises SlamlibError for any other file, or an incomplete one."""
     return read_archive(path, FORMAT, VERSION, "run it anew and save it")
 

@@ -14,8 +14,10 @@ from slamlib.entities import Landmark, RigSensor, Robot, State
 from slamlib.entities.linearization import FirstEstimates, Linearization
 from slamlib.errors import ShapeError, SingularPointError, SlamlibError, entry
 from slamlib.geometry.pose import Pose, compose
+from slamlib.landmarks.parametrization import Parametrization
 from slamlib.manifolds import Array, finite, numbers
-from slamlib.observation import FAMILIES, Family, parametrization
+from slamlib.observation import FAMILIES, parametrization
+from slamlib.observation.family import AnyFamily
 from slamlib.plain_data.files import complete
 from slamlib.records.inputs import Control, Features, Frame, Scan
 from slamlib.records.snapshots import Map, RobotView, Snapshot
@@ -56,7 +58,7 @@ class Slam:
         self.front_ends: list[FrontEnd] = list(front_ends or [KnownAssociation()] * len(self.sensors))
         if len(self.front_ends) != len(self.sensors):
             raise SlamlibError(f"Slam: {len(self.sensors)} sensors need as many front ends, got {len(self.front_ends)}")
-        self.families: dict[str, Family[Any]] = dict(FAMILIES)
+        self.families: dict[str, AnyFamily] = dict(FAMILIES)
         self.number, self.time = 0, 0.0
         self.frame_counts = [0] * len(self.sensors)
         self.scans: list[Scan | None] = [None] * len(self.sensors)
@@ -282,17 +284,19 @@ class Slam:
         inputs = FrontEndInput(scan, sensor, self.predictions[i])
         self.frame_counts[i] += 1
         for family in self.families.values():
-            if family.new_kind(self.options, sensor.landmark) is None or not family.supports(sensor):
+            kind = family.new_kind(self.options, sensor.landmark)
+            if kind is None or not family.supports(sensor):
                 continue
             known = {landmark.id for landmark in self.landmarks}
             usable = partial(family.usable, sensor, options=self.options)
             for detected in self.front_ends[i].detect(inputs, family.name, known, usable, count):
-                self._initialize_one(i, family, detected, report)
+                self._initialize_one(i, family, kind, detected, report)
 
-    def _initialize_one(self, i: int, family: Family[Any], detected: Detected, report: StepReport) -> None:
+    def _initialize_one(
+        self, i: int, family: AnyFamily, kind: Parametrization, detected: Detected, report: StepReport
+    ) -> None:
         """Initialize one landmark; at the capacity another one is pruned for it, or it is refused."""
         sensor, (number, value, signature) = self.sensors[i], detected
-        kind = family.new_kind(self.options, sensor.landmark)
         try:
             x, noise, jacobians = family.initialize(sensor, kind, value, self.options)
         except SingularPointError:

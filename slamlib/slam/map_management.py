@@ -2,13 +2,13 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import Annotated, Any
+from typing import Annotated
 
 from slamlib.entities import Landmark
 from slamlib.plain_data.fields import Count, OneOf, Plain, Share, Whole
 
 # The rank of a landmark, by the name of a rule: the lowest is pruned first.
-PRUNING_RULES: dict[str, Callable[[Landmark], Any]] = {
+PRUNING_RULES: dict[str, Callable[[Landmark], tuple[float, ...]]] = {
     # the last frame as an inlier; of equals, the number of inliers
     "least-recently-seen": lambda landmark: (landmark.last_seen, landmark.inliers),
     # the share of searches that gave an inlier; of equals, the last frame as an inlier

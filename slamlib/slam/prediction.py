@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from operator import attrgetter
-from typing import Any
 
 import numpy as np
 
@@ -12,7 +11,7 @@ from slamlib.entities import Landmark, RigSensor
 from slamlib.entities.landmark import group_by_kind
 from slamlib.kalman.linalg import principal_blocks
 from slamlib.manifolds import Array, Indices
-from slamlib.observation.family import Family, FamilyOptions, Innovation, PredictedBatch, viewpoint
+from slamlib.observation.family import AnyFamily, FamilyOptions, Innovation, PredictedBatch, viewpoint
 
 LANDMARK_KIND = attrgetter("landmark.kind")  # of a prediction
 
@@ -25,7 +24,7 @@ class PredictedMeasurement:
     here by an image front end for display: the best match's score, the patch searched for and the one found, both grey.
     """
 
-    family: Family[Any]
+    family: AnyFamily
     landmark: Landmark
     batch: PredictedBatch
     row: int
@@ -71,7 +70,7 @@ Predictions = list[PredictedMeasurement]
 def predict_measurements(
     belief: Belief,
     sensor: RigSensor,
-    families: Mapping[str, Family[Any]],
+    families: Mapping[str, AnyFamily],
     landmarks: list[Landmark],
     options: FamilyOptions,
     robot: Array | None = None,

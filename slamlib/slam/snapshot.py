@@ -1,7 +1,6 @@
 """A snapshot of the filter: copies of its estimates, and of its sensors' predictions and measurements."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
@@ -9,14 +8,13 @@ from slamlib.belief import Belief
 from slamlib.entities import POSE, Landmark, RigSensor, Robot, State
 from slamlib.entities.landmark import group_by_kind
 from slamlib.manifolds import Array
-from slamlib.observation.family import Family, columns_jacobian, state_columns, viewpoint
+from slamlib.observation.family import AnyFamily, columns_jacobian, state_columns, viewpoint
 from slamlib.observation.segments import project_endpoints
 from slamlib.records.inputs import Scan
 from slamlib.records.snapshots import MapView, MeasurementView, RobotView, SensorView, Snapshot
 from slamlib.slam.prediction import Predictions
 
-COLUMNS = {"chosen": bool, "matched": bool, "inlier": bool, "nis": float}
-Families = Mapping[str, Family[Any]]
+Families = Mapping[str, AnyFamily]
 
 
 def robot_view(belief: Belief, robot: Robot) -> RobotView:
@@ -57,22 +55,22 @@ def snapshot_of(
 
 
 def _measurement_view(
-    belief: Belief, sensor: RigSensor, family: Family[Any], predictions: Predictions
+    belief: Belief, sensor: RigSensor, family: AnyFamily, predictions: Predictions
 ) -> MeasurementView:
     own = [prediction for prediction in predictions if prediction.family.name == family.name]
     landmarks, d = [prediction.landmark for prediction in own], len(own[0].S) if own else 2
     size = family.size(sensor.calibration)
     endpoints, endpoint_covariances = endpoints_in_image(belief, sensor, landmarks)
-    columns: dict[str, Any] = {
-        name: np.array([getattr(p, name) for p in own], dtype) for name, dtype in COLUMNS.items()
-    }
     return MeasurementView(
         ids=np.array([landmark.id for landmark in landmarks], dtype=int),
         kinds=tuple(landmark.kind.name for landmark in landmarks),
         expected=np.array([prediction.value for prediction in own]).reshape(len(own), size),
         covariance=np.array([prediction.S for prediction in own]).reshape(len(own), d, d),
         measured=np.array([prediction.measured for prediction in own]).reshape(len(own), size),
-        **columns,
+        chosen=np.array([prediction.chosen for prediction in own], dtype=bool),
+        matched=np.array([prediction.matched for prediction in own], dtype=bool),
+        inlier=np.array([prediction.inlier for prediction in own], dtype=bool),
+        nis=np.array([prediction.nis for prediction in own], dtype=float),
         endpoints=endpoints,
         endpoint_covariances=endpoint_covariances,
         scores=np.array([prediction.score for prediction in own], dtype=float),

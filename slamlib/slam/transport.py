@@ -7,12 +7,11 @@ world are made one of the new means: the covariance is that of the right-invaria
 
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
-from typing import Any
 
 import numpy as np
 
 from slamlib.entities import POSE, RigSensor, Robot, State
-from slamlib.entities.unobservable import check_moved, generator
+from slamlib.entities.unobservable import Movable, check_moved, generator
 from slamlib.geometry.pose import ORIGIN, compose
 from slamlib.kalman.linalg import Carry
 from slamlib.kalman.state import Block
@@ -20,7 +19,7 @@ from slamlib.manifolds import Array, Indices
 from slamlib.slam.measurement_update import Projection, unprojected
 
 
-def check(robots: Iterable[Robot], kinds: Iterable[Any], error: str) -> None:
+def check(robots: Iterable[Robot], kinds: Iterable[Movable], error: str) -> None:
     """Check, before they are used, all motions, and the parametrizations of new landmarks. Raises SlamlibError."""
     if error != "local":
         for kind in (*(robot.motion for robot in robots), *kinds):

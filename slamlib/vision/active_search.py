@@ -10,13 +10,15 @@ from typing import Annotated, Any
 
 import numpy as np
 
+from slamlib.entities import Landmark
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN
 from slamlib.manifolds import Array, Image
 from slamlib.plain_data.fields import Count, Positive, Range, Share, Whole, check
 from slamlib.sensors.sensor import Calibration
-from slamlib.slam.data_association.front_end import FrontEndInput, Usable
+from slamlib.slam.data_association.front_end import Detected, FrontEndInput, Usable
 from slamlib.slam.data_association.gates import gate
+from slamlib.slam.prediction import PredictedMeasurement, Predictions
 from slamlib.vision.appearance import Appearance, predict, recognizable
 from slamlib.vision.corners import QUALITY, Corner, best_corner
 from slamlib.vision.grid import Grid
@@ -25,7 +27,7 @@ from slamlib.vision.patches import cut
 from slamlib.vision.search import Match, register, search
 
 
-def _point(landmark: Any) -> Array:
+def _point(landmark: Landmark) -> Array:
     """The estimated position of a landmark, a homogeneous point (4,) in the world frame."""
     return landmark.kind.to_frame(ORIGIN, landmark.block.mean)
 
@@ -59,11 +61,10 @@ class ActiveSearchSettings:
             raise SlamlibError(f"ActiveSearchSettings: patch is odd, got {self.patch}")
 
 
-class ActiveSearch(ImageFrontEnd):
+class ActiveSearch(ImageFrontEnd[Appearance, ActiveSearchSettings]):
     """A front end for the points of one camera with an image."""
 
     size, signature_type = 2, Appearance
-    settings: ActiveSearchSettings
 
     def __init__(
         self, calibration: Calibration, rng: np.random.Generator, settings: ActiveSearchSettings | None = None
@@ -76,7 +77,7 @@ class ActiveSearch(ImageFrontEnd):
         self.grid = Grid(self.shape[::-1], self.settings.cells, self.settings.skip_outer)
         self.found: dict[int, Match] = {}
 
-    def searchable(self, inputs: FrontEndInput) -> list[Any]:
+    def searchable(self, inputs: FrontEndInput) -> Predictions:
         """2a: the predictions whose template lies in the image, and is seen similarly enough to a stored view."""
         values = np.array([prediction.value for prediction in inputs.predictions]).reshape(-1, 2)
         points = np.array([_point(prediction.landmark) for prediction in inputs.predictions]).reshape(-1, 4)
@@ -85,20 +86,22 @@ class ActiveSearch(ImageFrontEnd):
         mask &= self.calibration.inside(values, self.settings.patch // 2 + 1)
         return self.ready(compress(inputs.predictions, mask))
 
-    def find(self, inputs: FrontEndInput, predictions: list[Any]) -> Iterator[tuple[int, Array]]:
+    def find(self, inputs: FrontEndInput, predictions: Predictions) -> Iterator[tuple[int, Array]]:
         """Row and pixel (2,) of each landmark with an accepted match. 2c, 2h."""
         image = np.asarray(inputs.scan.image)
         self.found.clear()
         self.predict_appearances(inputs, predictions)
         for row, prediction in enumerate(predictions):
-            found = None if prediction.predicted_patch is None else self.scan(image, prediction)
+            if (template := prediction.predicted_patch) is None:
+                continue
+            found = self.scan(image, prediction)
             if found is not None and self.accepted(found):
                 self.found[prediction.landmark.id] = found
                 # To sub-pixel accuracy: where the template fits best up to a gain and an offset.
-                pixel = register(image, prediction.predicted_patch, found.pixel)
+                pixel = register(image, template, found.pixel)
                 yield row, found.pixel if pixel is None else pixel
 
-    def predict_appearances(self, inputs: FrontEndInput, predictions: list[Any]) -> None:
+    def predict_appearances(self, inputs: FrontEndInput, predictions: Predictions) -> None:
         """2e: predict each template as seen from the present pose; None where it cannot be predicted."""
         looks_like = [prediction.landmark.signature for prediction in predictions]
         points = np.array([_point(prediction.landmark) for prediction in predictions]).reshape(-1, 4)
@@ -106,9 +109,10 @@ class ActiveSearch(ImageFrontEnd):
         for prediction, template in zip(predictions, templates, strict=True):
             prediction.predicted_patch = template
 
-    def scan(self, image: Image, prediction: Any) -> Match | None:
+    def scan(self, image: Image, prediction: PredictedMeasurement) -> Match | None:
         """2d and 2f: the best match of the template in the ellipse of the predicted measurement, or None."""
         s = self.settings
+        assert prediction.predicted_patch is not None, "find skips those without a template"
         reach = np.sqrt(gate(s.probability, 2) * prediction.S.diagonal().max())
         S = prediction.S * min(1.0, s.largest / reach) ** 2
         found = search(image, prediction.predicted_patch, prediction.value, S, probability=s.probability)
@@ -120,7 +124,9 @@ class ActiveSearch(ImageFrontEnd):
         """2g: whether the score is high enough, and no other peak of the region nearly as high."""
         return found.score >= self.settings.threshold and found.second <= self.settings.max_second_ratio * found.score
 
-    def new_landmarks(self, inputs: FrontEndInput, usable: Usable, count: int) -> Iterator[tuple[Array, Any]]:
+    def new_landmarks(
+        self, inputs: FrontEndInput, usable: Usable, count: int
+    ) -> Iterator[tuple[Array, Appearance | None]]:
         """Pixel and appearance of up to `count` landmarks, each in a cell of its own without landmarks. 1a to 1h."""
         image = np.asarray(inputs.scan.image)
         self.renew(image, inputs)
@@ -160,7 +166,7 @@ class ActiveSearch(ImageFrontEnd):
             if found is not None and landmark.signature.needs_renewal(found, camera, _point(landmark)):
                 landmark.signature = landmark.signature.renewed(image, found, prediction.predicted_patch, camera)
 
-    def initialize_at(self, inputs: FrontEndInput, family: str, values: Array) -> list[tuple[int, Array, Any] | None]:
+    def initialize_at(self, inputs: FrontEndInput, family: str, values: Array) -> list[Detected | None]:
         """Detect landmarks at given pixels (n, 2), whatever their texture; None where no patch can be cut."""
         signatures = [self.signature(inputs.scan.image, inputs, Corner(pixel, 0.0)) for pixel in values]
         return [None if s is None else (self.new_id(set()), p, s) for p, s in zip(values, signatures, strict=True)]

@@ -4,7 +4,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Generic, Protocol, TypeVar
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from slamlib.records.inputs import Control, Scan
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Slam
 from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput, Usable
+from slamlib.slam.prediction import PredictedMeasurement, Predictions
 
 
 class Stopwatch(dict[str, float]):
@@ -48,7 +49,18 @@ class Backoff:
         return Backoff(self.misses + 1, min(2**self.misses, max_backoff))
 
 
-class ImageFrontEnd:
+class SearchSettings(Protocol):
+    """What every front end on images has among its settings."""
+
+    @property
+    def max_backoff(self) -> int: ...
+
+
+Signature = TypeVar("Signature")  # of a front end's landmarks
+Settings = TypeVar("Settings", bound=SearchSettings)  # of a front end
+
+
+class ImageFrontEnd(Generic[Signature, Settings]):
     """Base of a front end on one sensor's image; a subclass defines `searchable`, and two methods called here.
 
     find(inputs, predictions): rows of the predictions whose landmarks are found, each with its measurement (m,).
@@ -61,11 +73,12 @@ class ImageFrontEnd:
     """
 
     size: int
-    signature_type: Any
-    find: Callable[[FrontEndInput, list[Any]], Iterable[tuple[int, Array]]]
-    new_landmarks: Callable[[FrontEndInput, Usable, int], Iterable[tuple[Array, Any]]]
+    signature_type: type[Signature]
+    searchable: Callable[[FrontEndInput], Predictions]
+    find: Callable[[FrontEndInput, Predictions], Iterable[tuple[int, Array]]]
+    new_landmarks: Callable[[FrontEndInput, Usable, int], Iterable[tuple[Array, Signature | None]]]
 
-    def __init__(self, calibration: Calibration, settings: Any) -> None:
+    def __init__(self, calibration: Calibration, settings: Settings) -> None:
         self.calibration, self.settings = calibration, settings
         self.seconds = Stopwatch("search", "detection")
         self.last = 0
@@ -85,11 +98,11 @@ class ImageFrontEnd:
             name = type(self).__name__
             raise SlamlibError(f"{name}: an image of (height, width) = {self.shape} is expected, got {found}")
 
-    def ready(self, predictions: Iterable[Any]) -> list[Any]:
+    def ready(self, predictions: Iterable[PredictedMeasurement]) -> Predictions:
         """The predictions of landmarks that are not in search backoff; called once per frame."""
         return [p for p in predictions if self.backoff.get(p.landmark.id, Backoff()).is_over()]
 
-    def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
+    def match(self, inputs: FrontEndInput, family: str, predictions: Predictions) -> tuple[Array, Mask]:
         """Measurements (n, m) of the predictions' landmarks, nan where not found, and the mask (n,) of those found.
 
         Landmarks not found are in search backoff, the longer the more often in a row; the others are not.
@@ -124,21 +137,43 @@ class ImageFrontEnd:
         self.last = state["last"]
         self.backoff = {int(number): Backoff(**backoff) for number, backoff in state["backoff"].items()}
 
-    def pack(self, signature: Any) -> Any:
+    def pack(self, signature: Signature | None) -> Any:
         """A landmark's signature as plain data."""
         return written(signature)
 
-    def unpack(self, packed: Any) -> Any:
+    def unpack(self, packed: Any) -> Signature:
         """The signature that `pack` packed."""
         return read(self.signature_type, packed)
+
+
+class FamilyFrontEnd(FrontEnd, Protocol):
+    """A front end of one family's landmarks, as an ImageFrontEnd is."""
+
+    last: int
+
+    @property
+    def settings(self) -> SearchSettings: ...
+
+    @property
+    def seconds(self) -> Stopwatch: ...
+
+    @property
+    def signature_type(self) -> type: ...
+
+
+class PointFrontEnd(FamilyFrontEnd, Protocol):
+    """A front end of points, as ActiveSearch is."""
+
+    def initialize_at(self, inputs: FrontEndInput, family: str, values: Array) -> list[Detected | None]:
+        """Landmarks at given measurements (n, 2); None where there can be none."""
 
 
 class CombinedFrontEnd:
     """Two front ends for one camera, of points and of segments: each family has its own."""
 
-    def __init__(self, points: Any, segments: ImageFrontEnd) -> None:
+    def __init__(self, points: PointFrontEnd, segments: FamilyFrontEnd) -> None:
         self.points, self.settings = points, points.settings
-        self.front_ends: dict[str, Any] = {"points": points, "segments": segments}
+        self.front_ends: dict[str, FamilyFrontEnd] = {"points": points, "segments": segments}
 
     @property
     def seconds(self) -> dict[str, float]:
@@ -149,11 +184,11 @@ class CombinedFrontEnd:
         """Raise SlamlibError for a scan that they cannot process."""
         self.points.check(scan)
 
-    def searchable(self, inputs: FrontEndInput) -> list[Any]:
+    def searchable(self, inputs: FrontEndInput) -> Predictions:
         """The predictions that their front ends can search for."""
         return [p for name, f in self.front_ends.items() for p in f.searchable(_own(inputs, name))]
 
-    def match(self, inputs: FrontEndInput, family: str, predictions: list[Any]) -> tuple[Array, Mask]:
+    def match(self, inputs: FrontEndInput, family: str, predictions: Predictions) -> tuple[Array, Mask]:
         """Measurements (n, m) and mask (n,) from the family's front end."""
         return self.front_ends[family].match(_own(inputs, family), family, predictions)
 

@@ -8,10 +8,11 @@ region is an ellipse in the plane of these two numbers, as that of a point is on
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import compress
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from slamlib.entities import RigSensor
 from slamlib.errors import SlamlibError
 from slamlib.landmarks.segments import length
 from slamlib.manifolds import Array, Image, Mask
@@ -19,6 +20,7 @@ from slamlib.observation.lines import distort_segments, undistort_segments
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import FrontEndInput, Usable
 from slamlib.slam.data_association.gates import gate
+from slamlib.slam.prediction import PredictedMeasurement, Predictions
 from slamlib.vision.edges import PROFILE, STEP, Edge, EdgeStrip, axes, edge_strip, fitted, line, refined, segments_of
 from slamlib.vision.image_front_end import ImageFrontEnd
 
@@ -67,11 +69,10 @@ class SegmentSettings:
     max_backoff: int = 16
 
 
-class SegmentSearch(ImageFrontEnd):
+class SegmentSearch(ImageFrontEnd[EdgeLook, SegmentSettings]):
     """A front end for the segments of one camera with an image."""
 
     size, signature_type = 4, EdgeLook
-    settings: SegmentSettings
 
     def __init__(self, calibration: Calibration, settings: SegmentSettings | None = None) -> None:
         """Raise SlamlibError for a sensor without an image, or without a projection of lines."""
@@ -79,7 +80,7 @@ class SegmentSearch(ImageFrontEnd):
             raise SlamlibError(f"SegmentSearch: {calibration.sensor.name} has no image of straight lines")
         super().__init__(calibration, settings or SegmentSettings())
 
-    def searchable(self, inputs: FrontEndInput) -> list[Any]:
+    def searchable(self, inputs: FrontEndInput) -> Predictions:
         """The predictions whose region is narrow enough to distinguish edges, and that are not in search backoff."""
         s, limit = self.settings, gate(self.settings.probability, 2)
         regions = across_covariances(inputs.predictions, inputs.sensor)
@@ -87,7 +88,7 @@ class SegmentSearch(ImageFrontEnd):
         count = np.pi * limit * np.sqrt(np.linalg.det(regions)) / STEP**2
         return self.ready(compress(inputs.predictions, (half <= s.largest) & (count <= s.most)))
 
-    def find(self, inputs: FrontEndInput, predictions: list[Any]) -> Iterable[tuple[int, Array]]:
+    def find(self, inputs: FrontEndInput, predictions: Predictions) -> Iterable[tuple[int, Array]]:
         """Row and segment (4,) of each landmark that is found; of two on one edge, the one with the higher score."""
         image, regions = np.asarray(inputs.scan.image, dtype=float), across_covariances(predictions, inputs.sensor)
         expected = self.undistorted([prediction.value for prediction in predictions])
@@ -103,7 +104,7 @@ class SegmentSearch(ImageFrontEnd):
                 kept.append((row, edge))
         return [(row, edge.segment) for row, edge in kept]
 
-    def find_edge(self, image: Image, prediction: Any, ideal: Array, region: Array) -> Edge | None:
+    def find_edge(self, image: Image, prediction: PredictedMeasurement, ideal: Array, region: Array) -> Edge | None:
         """The edge of the region that matches the landmark; None if there is none, or if it is ambiguous."""
         s, limit = self.settings, gate(self.settings.probability, 2)
         half = np.sqrt(limit * np.diag(region).max()) + PROFILE[-1] + 2
@@ -121,11 +122,11 @@ class SegmentSearch(ImageFrontEnd):
         least = max(s.threshold, max(rivals, default=0.0) / s.max_second_ratio)
         return edges[best] if prediction.score >= least else None
 
-    def undistorted(self, segments: Any) -> Array:
+    def undistorted(self, segments: ArrayLike) -> Array:
         """Segments (n, 4) [px] without the lens distortion."""
         return undistort_segments(self.calibration, np.reshape(segments, (-1, 4)))[0]
 
-    def new_landmarks(self, inputs: FrontEndInput, usable: Usable, count: int) -> Iterator[tuple[Array, Any]]:
+    def new_landmarks(self, inputs: FrontEndInput, usable: Usable, count: int) -> Iterator[tuple[Array, EdgeLook]]:
         """Segment and EdgeLook of up to `count` new edges, the longest that match no prediction."""
         s, image = self.settings, np.asarray(inputs.scan.image)
         count = min(count, s.max_in_view - len(inputs.predictions))
@@ -146,7 +147,7 @@ class SegmentSearch(ImageFrontEnd):
                     return
 
 
-def across_covariances(predictions: list[Any], sensor: Any) -> Array:
+def across_covariances(predictions: Predictions, sensor: RigSensor) -> Array:
     """Covariances (n, 2, 2) [px^2] of the displacements across of predicted endpoints, from those of the innovations.
 
     An innovation z is linear in small displacements a of the endpoints, z = J a, so cov(a) = J^-1 S J^-T.

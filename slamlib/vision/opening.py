@@ -148,13 +148,23 @@ def image_run(
 
 
 def open_stereo(
-    *places: Any, settings: StereoSettings | None = None, **options: Any
+    source: str | None = None,
+    left: str | None = None,
+    right: str | None = None,
+    calibration: list[str] | None = None,
+    *,
+    settings: StereoSettings | None = None,
+    cameras: tuple[int, int] | None = None,
+    fps: float | None = None,
+    rectify: bool = False,
 ) -> tuple[ImageSource, dict[str, Any], StereoSettings]:
     """As slamlib.datasets.opening.open_rectified_pairs, and the settings with the offset [px] of disparities.
 
     The first pair is read, to check its rows and the sign of its disparities. Raises SlamlibError.
     """
-    pairs, camera, offset = opening.open_rectified_pairs(*places, **options)
+    pairs, camera, offset = opening.open_rectified_pairs(
+        source, left, right, calibration, cameras=cameras, fps=fps, rectify=rectify
+    )
     chosen = settings or StereoSettings()
     chosen = replace(chosen, offset=chosen.offset or offset)
     first = next(iter(pairs))

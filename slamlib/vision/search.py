@@ -5,12 +5,11 @@ for two numbers with correlation r, the share pi / 4 sqrt(1 - r^2) of the rectan
 """
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from slamlib.errors import CovarianceError, SlamlibError
-from slamlib.manifolds import Array, Image, finite
+from slamlib.manifolds import Array, Image, Indices, Mask, finite
 from slamlib.slam.data_association.gates import gate
 from slamlib.vision.patches import ROUNDING, as_floats, centred, cut, grey, top
 
@@ -121,7 +120,7 @@ def register(image: Image, template: Array, start: Array, steps: int = 10) -> Ar
 
 def ellipse(
     image: tuple[int, ...], size: tuple[int, ...], centre: Array, S: Array, limit: float
-) -> tuple[tuple[int, int], Array] | None:
+) -> tuple[tuple[int, int], Mask] | None:
     """The pixels nearest to positions with z' S^-1 z <= limit, if their window `size` (h, w) is in the image (h, w).
 
     As the pixel (u, v) of the upper left corner, and a mask (rows, columns) from there; None if there is none. An
@@ -135,7 +134,7 @@ def ellipse(
     v0, v1 = _whole(y - down, y + down, size[0] // 2, image[0])
     if v1 < v0:
         return None
-    rows = np.arange(v0, v1 + 1) - y
+    rows = np.arange(int(v0), int(v1) + 1) - y
     # A row's pixels extend half a pixel up and down: the height in this range where the ellipse is widest counts.
     widest, low, high = b * np.sqrt(limit / a), np.maximum(rows - 0.5, -down), np.minimum(rows + 0.5, down)
     right = _end(np.clip(widest, low, high), b / c, limit, c, a - b * b / c)
@@ -152,7 +151,7 @@ def _end(y: Array, lean: float, limit: float, c: float, rest: float) -> Array:
     return lean * y + np.sqrt(np.maximum(limit - y * y / c, 0) * rest)
 
 
-def _whole(low: Array, high: Array, half: int, length: int) -> tuple[Any, Any]:
+def _whole(low: Array, high: Array, half: int, length: int) -> tuple[Indices, Indices]:
     """First and last of the pixels nearest to positions from low to high, `half` pixels from the image borders."""
     first, last = np.maximum(np.ceil(low - 0.5), half), np.minimum(np.floor(high + 0.5), length - 1 - half)
     return first.astype(int), last.astype(int)

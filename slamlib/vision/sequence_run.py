@@ -255,6 +255,6 @@ class SequenceRun:
                 )
 
 
-def _identity(picture: TimedImage) -> list[Any]:
+def _identity(picture: TimedImage) -> list[str | int]:
     """What distinguishes an image from others, as plain data: its name and a checksum of its pixels."""
     return [picture.name, zlib.crc32(picture.image.tobytes())]

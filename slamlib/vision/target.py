@@ -141,7 +141,7 @@ class Target:
                 f"{found.count(None)} of the target's {len(found)} points lie too near the image's border: "
                 f"at least {LEAST} must be left"
             )
-        pixel_of: dict[Any, Array] = {}
+        pixel_of: dict[Landmark, Array] = {}
         stds = np.broadcast_to(self.std, len(found))
         for one, point, pixel, std in zip(found, self.points, self.pixels, stds, strict=True):
             if one is not None:

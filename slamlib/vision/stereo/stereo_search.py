@@ -7,12 +7,14 @@ from typing import Any
 import numpy as np
 
 from slamlib.datasets.pictures import checked
+from slamlib.entities import Landmark
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Mask
 from slamlib.records.inputs import Scan
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import FrontEndInput, Usable
 from slamlib.slam.data_association.gates import gate
+from slamlib.slam.prediction import Predictions
 from slamlib.vision.image_front_end import ImageFrontEnd
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import (
@@ -56,7 +58,7 @@ class LandmarkViews:
         return LandmarkViews(first + rest[-(most - 1) :] if most > 1 else first)
 
 
-class StereoSearch(ImageFrontEnd):
+class StereoSearch(ImageFrontEnd[LandmarkViews, StereoSettings]):
     """Measures (u, v, disparity) [px] in the pair that is a scan's image, an array (2, h, w) of uint8.
 
     A landmark keeps its id as long as it is in the map: however long it was out of view, it is matched by its
@@ -64,7 +66,6 @@ class StereoSearch(ImageFrontEnd):
     """
 
     size, signature_type = 3, LandmarkViews
-    settings: StereoSettings
 
     def __init__(
         self, calibration: Calibration, settings: StereoSettings | None = None, *, half: int | None = None
@@ -88,7 +89,7 @@ class StereoSearch(ImageFrontEnd):
         """Raise SlamlibError for a scan whose image is no pair of the calibration's size."""
         checked(scan.image, self.calibration)
 
-    def searchable(self, inputs: FrontEndInput) -> list[Any]:
+    def searchable(self, inputs: FrontEndInput) -> Predictions:
         """The predictions with a view from about this distance, not in search backoff."""
         s = self.settings
         able = [
@@ -102,7 +103,7 @@ class StereoSearch(ImageFrontEnd):
         self.found, self.initialized = {}, []
         return [p for p in self.ready(able) if self.is_due(p.landmark, self.frame)]
 
-    def is_due(self, landmark: Any, frame: int) -> bool:
+    def is_due(self, landmark: Landmark, frame: int) -> bool:
         """Whether a landmark is measured in a frame, counted from 1."""
         return bool((frame + landmark.id) % self.settings.update_interval == 0)
 
@@ -110,7 +111,7 @@ class StereoSearch(ImageFrontEnd):
         """Mask (n,) of the measurements (n, .) in this front end's half of the image."""
         return np.ones(len(values), dtype=bool) if self.half is None else checkerboard_half(values) == self.half
 
-    def find(self, inputs: FrontEndInput, predictions: list[Any]) -> Iterator[tuple[int, Array]]:
+    def find(self, inputs: FrontEndInput, predictions: Predictions) -> Iterator[tuple[int, Array]]:
         """Row and measurement (3,) of each landmark that is found."""
         seen = self.extractor.extract(inputs.scan.image)
         views = [prediction.landmark.signature.nearest(prediction.value[2]) for prediction in predictions]
@@ -124,7 +125,7 @@ class StereoSearch(ImageFrontEnd):
         self.found = {predictions[i].landmark.id: j for i, j in pairs[good].tolist()}
         return zip(pairs[good, 0].tolist(), values[good], strict=True)
 
-    def costs(self, seen: StereoFeatures, predictions: list[Any], views: list[LandmarkView]) -> Array:
+    def costs(self, seen: StereoFeatures, predictions: Predictions, views: list[LandmarkView]) -> Array:
         """Hamming distances (n, m) of predictions and features; inf where a feature is outside of the gate."""
         if not predictions or not len(seen):
             return np.zeros((len(predictions), len(seen)))
@@ -138,7 +139,7 @@ class StereoSearch(ImageFrontEnd):
         allowed[:, self.reserved] = np.inf
         return allowed
 
-    def new_landmarks(self, inputs: FrontEndInput, usable: Usable, count: int) -> Iterator[tuple[Array, Any]]:
+    def new_landmarks(self, inputs: FrontEndInput, usable: Usable, count: int) -> Iterator[tuple[Array, LandmarkViews]]:
         """Value (3,) and views of up to `count` new landmarks, the strongest, separated from all in view."""
         seen = self.extractor.extract(inputs.scan.image)
         self.renew(seen, inputs)
