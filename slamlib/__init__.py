@@ -35,12 +35,14 @@ if TYPE_CHECKING:  # for completion and types; HOMES says the same when the prog
     from slamlib.landmarks import POINTS as POINTS
     from slamlib.models import model as model
     from slamlib.motions import MOTIONS as MOTIONS
+    from slamlib.rigs.builders import bearing_only as bearing_only
     from slamlib.rigs.builders import camera as camera
     from slamlib.rigs.builders import davison as davison
     from slamlib.rigs.builders import depth_camera as depth_camera
     from slamlib.rigs.builders import fisheye as fisheye
     from slamlib.rigs.builders import omnidirectional as omnidirectional
     from slamlib.rigs.builders import range_bearing as range_bearing
+    from slamlib.rigs.builders import range_only as range_only
     from slamlib.rigs.builders import relative_position as relative_position
     from slamlib.rigs.builders import robot as robot
     from slamlib.rigs.builders import stereo as stereo
@@ -69,6 +71,7 @@ HOMES = {  # of each name the module that has it, or that is it
     "SensorSetup": "rigs.setup",
     "Slam": "slam",
     "band": "evaluation.consistency",
+    "bearing_only": "rigs.builders",
     "camera": "rigs.builders",
     "check_jacobian": "checks",
     "chi2_quantile": "kalman.chi_square",
@@ -84,6 +87,7 @@ HOMES = {  # of each name the module that has it, or that is it
     "presets": "experiments.presets",
     "quaternion": "geometry.quaternion",
     "range_bearing": "rigs.builders",
+    "range_only": "rigs.builders",
     "relative_position": "rigs.builders",
     "robot": "rigs.builders",
     "run": "experiments.runs",

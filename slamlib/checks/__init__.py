@@ -50,8 +50,8 @@ def check_pair(
 ) -> bool:
     """Check a parametrization with a sensor on a robot: initialize, observe again, update. As check_landmark.
 
-    False if the pair does not exist: a parametrization of points refuses every point that the sensor measures, or the
-    sensor has no images of lines.
+    False if the pair does not exist: a parametrization of points refuses every point that the sensor measures, only
+    one of them is of the plane, or the sensor has no images of lines.
     """
     judge = Judge(f"{kind.name} seen by {calibration.sensor.name}", seed)
     if isinstance(kind, LineLandmark):

@@ -9,6 +9,7 @@ from slamlib.checks.models import DEFINED, interface, model_properties
 from slamlib.errors import SingularPointError
 from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import ORIGIN, Pose
+from slamlib.geometry.pose2 import from_space, in_space
 from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
 from slamlib.manifolds import Array
 
@@ -27,6 +28,7 @@ UNNOTICED = "a motion of the world is not noticed from a pose that moves along"
 GENERATOR = "the Jacobian of `moved` is its derivative, where nothing has moved yet"
 INHERITED = "a new landmark moves along with the pose that it is seen from"
 
+AXIS = np.array([0, 0, 1, 0.3])  # a point on the optical axis
 FORWARDS = np.array([1.0, 2, 3, 0.5, -0.5, 0.5, -0.5])  # a camera with its optical axis along the world's x axis
 
 
@@ -36,11 +38,12 @@ def point_properties(judge: Judge, kind: PointLandmark) -> None:
     if not interface(judge, kind, {"to_frame": place | own, "from_frame": place | {"point": 4}, "to_point": own}):
         return
     rng = judge.rng
-    poses = [ORIGIN, FORWARDS, *(Pose.random(rng) for _ in range(6))]
+    poses = [ORIGIN, upright(FORWARDS) if kind.plane else FORWARDS, *(pose_for(kind, rng) for _ in range(6))]
     points = [_homogeneous(rng) for _ in poses]
-    axis = np.array([0, 0, 1, 0.3])
-    made = [*zip(poses, points, strict=True), (poses[2], axis), (poses[3], axis)]
+    made = [*zip(poses, points, strict=True), (poses[2], AXIS), (poses[3], AXIS)]
     nasty = [(pose, point) for pose in poses[:4] for point in _nasty_points(rng)]
+    if kind.plane:
+        made, nasty = _on_the_floor(made), _on_the_floor(nasty)
     model_properties(judge, kind.from_frame, f"{kind.name}.from_frame", made, nasty)
     if judge.lacks(DEFINED):
         return
@@ -60,6 +63,27 @@ def point_properties(judge: Judge, kind: PointLandmark) -> None:
                 case.compare(EUCLIDEAN, h[:3] / h[3], frames.to_frame(pose, kind.to_point(landmark)))
         _infinity(judge, kind, poses)
         _moved(judge, kind, made, seen)
+
+
+def pose_for(kind: PointLandmark, rng: np.random.Generator) -> Array:
+    """A random pose (7,) from which a landmark may be initialized: in the plane upright, on the floor."""
+    pose = Pose.random(rng)
+    return upright(pose) if kind.plane else pose
+
+
+def upright(pose: Array) -> Array:
+    """The pose on the floor that is nearest to a pose (7,)."""
+    return in_space(from_space(pose))
+
+
+def _on_the_floor(places: list[tuple[Array, Array]]) -> list[tuple[Array, Array]]:
+    """The poses, with homogeneous points at their height: a camera's axes right and front become left and front."""
+    found = []
+    for pose, (x, _, z, w) in places:
+        length = np.hypot(x, z)
+        if length > 0:
+            found.append((pose, np.array([z / length, 0.0 - x / length, 0, w])))
+    return found
 
 
 def _moved(
@@ -125,6 +149,8 @@ def _infinity(judge: Judge, kind: PointLandmark, poses: list[Array]) -> None:
     for pose in poses[2:]:
         point = _homogeneous(judge.rng)
         point[3] = 0
+        if kind.plane:
+            ((_, point),) = _on_the_floor([(pose, point)])
         case, position = (judge.at(f"{kind.name}.{n}", pose=pose, point=point) for n in ("to_frame", "to_point"))
         landmark = _value(kind.from_frame, pose, point)
         if landmark is None:

@@ -134,7 +134,8 @@ def _undo(judge: Judge, calibration: Calibration, measured: list[tuple[Array, ..
         columns = np.column_stack([*(np.asarray(g) / _size(g) for g in tuple(G)[: 1 + hidden]), point])
         least = np.linalg.svd(columns, compute_uv=False)
         reached = int((least > 1e-8 * least[0]).sum()) - 1
-        case.require(COMPLETE, reached == 3, f"they reach {reached} of the 3 dimensions of space")
+        wanted, where = (2, "the plane") if sensor.plane else (3, "space")
+        case.require(COMPLETE, reached == wanted, f"they reach {reached} of the {wanted} dimensions of {where}")
 
 
 def _size(matrix: Array) -> Array:

@@ -29,6 +29,7 @@ class PointLandmark(TypeDescription):
     is at infinity. from_frame(pose, point): the landmark of a homogeneous point (4,) in that frame; a camera's ray has
     |h| = 1, so that w is the inverse distance [1/m]. to_point(landmark): Euclidean point (3,) in the world [m].
     moved(motion, landmark): the landmark after a rigid motion (7,) of the world; a consistent filter needs it.
+    plane: it holds points of the floor alone, z = 0 in the world, for sensors that measure in the plane.
     """
 
     name: str
@@ -37,6 +38,7 @@ class PointLandmark(TypeDescription):
     from_frame: Model
     to_point: Model
     moved: Moved | None = None
+    plane: bool = False
 
 
 @dataclass(frozen=True)

@@ -186,9 +186,9 @@ class Family(ABC, Generic[FamilyOptionsT]):
         """The name of the parametrization of new landmarks in the options, or None for none."""
         return (options.others or {}).get(self.name)
 
-    def new_kind(self, options: FamilyOptionsT, own: str | None = None) -> Parametrization | None:
-        """The parametrization of new landmarks, or None for none; own: the sensor's own choice, of whatever family."""
-        name = own if own in self.parametrizations else self.chosen(options)
+    def new_kind(self, options: FamilyOptionsT, sensor: RigSensor) -> Parametrization | None:
+        """The parametrization of the landmarks that a sensor initializes, its own or the options'; None for none."""
+        name = sensor.landmark if sensor.landmark in self.parametrizations else self.chosen(options)
         return self.parametrizations[name] if name else None
 
     def size(self, calibration: Calibration) -> int:

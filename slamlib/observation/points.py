@@ -20,12 +20,15 @@ from slamlib.landmarks import POINTS
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.linearity import THRESHOLD, beyond_infinity, should_convert, to_euclidean
 from slamlib.landmarks.parametrization import PointLandmark
+from slamlib.landmarks.plane_idp_point import PLANE_IDP_POINT
+from slamlib.landmarks.plane_point import PLANE_POINT
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.models import Jacobians
 from slamlib.observation.family import Family, FamilyOptions, TrueSensor, product, state_columns, viewpoint
 from slamlib.plain_data.fields import NotNegative, OneOf, Range
-from slamlib.sensors.sensor import Calibration
+from slamlib.sensors.sensor import Calibration, Sensor
 
+EUCLIDEAN = {False: EUC_POINT, True: PLANE_POINT}  # what a point is converted to, in space or in the plane
 PLACEHOLDER_POINT = np.array([0.25, 0.5, 1, 1])  # for points that cannot be measured: so their rows are finite
 
 
@@ -106,6 +109,8 @@ def initialize(
         raise SlamlibError(f"initialize: a {calibration.sensor.name} needs {what}; got {len(unmeasured)} arrays")
     for argument, array in zip(calibration.sensor.back_project.arguments, (measurement, *unmeasured), strict=False):
         argument.check(np.asarray(array), "initialize")
+    if calibration.sensor.plane != kind.plane:
+        raise SlamlibError(f"initialize: {_not_of_the_plane(kind, calibration.sensor)}")
     camera, by_camera = compose.jac(robot, extrinsics)
     point, by_sensor = calibration.back_project_jac(measurement, *unmeasured)
     if unmeasured and (point[..., 3] < 0).any():
@@ -129,6 +134,13 @@ def _check_point(kind: object, calibration: object, function: str) -> None:
             f"{function}: a {calibration.sensor.name} is asked for {getattr(kind, 'name', kind)!r}, which is no point; "
             f"points are in slamlib.landmarks.POINTS, lines are for slamlib.observation.lines.{function}_line"
         )
+
+
+def _not_of_the_plane(kind: PointLandmark, sensor: Sensor) -> str:
+    """Why one cannot initialize the other, of which only one is of the plane."""
+    if sensor.plane:
+        return f"a {sensor.name} measures no height, and {kind.name} is a point in space: use one of the plane"
+    return f"a {sensor.name} measures in space, and {kind.name} lies on the floor: use a point in space"
 
 
 def _seen_again(kind: PointLandmark, camera: Array, point: Array, landmark: Array) -> None:
@@ -170,6 +182,21 @@ class PointFamily(Family[PointOptions]):
         """The name of the parametrization of new points, or None for none."""
         return options.points
 
+    def new_kind(self, options: PointOptions, sensor: RigSensor) -> PointLandmark | None:
+        """As of every family; a sensor of the plane has points of the plane where the options say some in space.
+
+        Raises SlamlibError for points of the plane and a sensor in space, and for a choice of its own that it cannot
+        initialize.
+        """
+        kind, type_ = super().new_kind(options, sensor), sensor.calibration.sensor
+        if not isinstance(kind, PointLandmark) or not type_.initializes:
+            return None
+        if kind.plane == type_.plane:
+            return kind
+        if kind.plane or sensor.landmark is not None:
+            raise SlamlibError(f"{sensor.name}: {_not_of_the_plane(kind, type_)}")
+        return PLANE_IDP_POINT if type_.unmeasured else PLANE_POINT
+
     def usable(self, sensor: RigSensor, values: Array, options: PointOptions) -> Mask:
         """Mask (n,) of the measurements (n, m) that may initialize a landmark: not too near the image's border."""
         image = sensor.calibration.image
@@ -205,7 +232,8 @@ class PointFamily(Family[PointOptions]):
     ) -> None:
         """After a measurement update: convert points that are known well enough to Euclidean ones. Chapter points."""
         kind = landmarks[0].kind
-        if not options.convert or kind is EUC_POINT:
+        euclidean = EUCLIDEAN[kind.plane]
+        if not options.convert or kind is euclidean:
             return
         view = viewpoint(sensor)
         columns, dof = state_columns(sensor, landmarks), landmarks[0].block.dof
@@ -215,13 +243,15 @@ class PointFamily(Family[PointOptions]):
         ripe = should_convert(kind, means, P, view.pose, options.convert_below, T)
         for landmark, is_ripe in zip(landmarks, ripe.tolist(), strict=True):
             if is_ripe:
-                belief.replace(landmark.block, EUC_POINT.manifold, *to_euclidean(kind, landmark.block.mean))
-                landmark.kind = EUC_POINT
+                point, by = to_euclidean(kind, landmark.block.mean)  # on the floor without its height
+                size = euclidean.manifold.size
+                belief.replace(landmark.block, euclidean.manifold, point[:size], by[:size])
+                landmark.kind = euclidean
 
     def invalid(self, belief: Belief, landmarks: list[Landmark]) -> set[Landmark]:
         """The landmarks, of one kind, that lie beyond infinity, where no point can be. Chapter points."""
         kind = landmarks[0].kind
-        if kind is EUC_POINT:
+        if kind is EUCLIDEAN[kind.plane]:
             return set()
         means = landmark_means(landmarks)
         if (kind.to_frame(ORIGIN, means)[:, 3] >= 0).all():
@@ -237,7 +267,7 @@ class PointFamily(Family[PointOptions]):
             if h[3] > 0:
                 by = (J.landmark[:3] - np.outer(h[:3], J.landmark[3]) / h[3]) / h[3]
                 geometry[i], covariance[i] = h[:3] / h[3], by @ belief.covariance(landmark.block) @ by.T
-        converged = np.array([landmark.kind is EUC_POINT for landmark in landmarks], dtype=bool)
+        converged = np.array([landmark.kind is EUCLIDEAN[landmark.kind.plane] for landmark in landmarks], dtype=bool)
         return geometry, covariance, converged
 
     def simulate(self, sensor: TrueSensor, camera: Array, places: Array, noise: Array) -> tuple[Indices, Array]:

@@ -203,18 +203,48 @@ def stereo(
 
 
 def range_bearing(noise: ArrayLike, **setup: Unpack[SensorFields]) -> SensorSetup:
-    """A laser scanner, radar or sonar, which measures distance, yaw and pitch (3,) [m, rad, rad] of points.
+    """A laser scanner, radar or sonar: distance, yaw and pitch [m, rad, rad] of points; in the plane without the pitch.
 
-    noise: standard deviations (3,) or covariance (3, 3). limits: "near", "far" [m], "yaw", "pitch" [rad]. Raises
-    SlamlibError.
+    noise: two standard deviations or a covariance (2, 2) for one in the plane; three or (3, 3) for one in space.
+    limits: "near", "far" [m], "bearing" [rad] in the plane, "yaw", "pitch" [rad] in space. Raises SlamlibError.
 
         >>> import numpy as np
         >>> import slamlib as sl
-        >>> laser = sl.range_bearing(noise=[0.05, *np.radians([0.5, 0.5])], limits={"far": 30.0})
-        >>> laser.calibration.project([3, 4, -12, 1]).round(3).tolist()
+        >>> laser = sl.range_bearing(noise=[0.05, np.radians(0.5)], limits={"far": 30.0})
+        >>> laser.calibration.project([3, 4, 0, 1]).round(3).tolist()
+        [5.0, 0.927]
+        >>> sonar = sl.range_bearing(noise=[0.05, *np.radians([0.5, 0.5])])
+        >>> sonar.calibration.project([3, 4, -12, 1]).round(3).tolist()
         [13.0, 0.927, 1.176]
     """
-    return _sensor("range and bearing", "rangeBearing", {}, noise, setup)
+    in_plane = np.shape(numbers(noise, "range and bearing", "noise")) in ((2,), (2, 2))
+    return _sensor("range and bearing", "planeRangeBearing" if in_plane else "rangeBearing", {}, noise, setup)
+
+
+def bearing_only(noise: ArrayLike, **setup: Unpack[SensorFields]) -> SensorSetup:
+    """A sensor in the plane that measures bearings [rad] alone, to the left of its front. As `range_bearing`.
+
+    limits: "bearing" [rad].
+
+        >>> import numpy as np
+        >>> import slamlib as sl
+        >>> sl.bearing_only(noise=np.radians(1.0)).calibration.project([3, 4, 0, 1]).round(3).tolist()
+        [0.927]
+    """
+    return _sensor("bearing only", "planeBearing", {}, noise, setup)
+
+
+def range_only(noise: ArrayLike, **setup: Unpack[SensorFields]) -> SensorSetup:
+    """A sensor in the plane that measures distances [m] alone, as radio beacons give them. As `range_bearing`.
+
+    It updates landmarks that another sensor has initialized: of one distance a point may lie in any direction, which no
+    Gaussian describes. limits: "near", "far" [m].
+
+        >>> import slamlib as sl
+        >>> sl.range_only(noise=0.1).calibration.project([3, 4, 0, 1]).tolist()
+        [5.0]
+    """
+    return _sensor("range only", "planeRange", {}, noise, setup)
 
 
 def relative_position(noise: ArrayLike, **setup: Unpack[SensorFields]) -> SensorSetup:

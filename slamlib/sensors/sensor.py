@@ -27,7 +27,9 @@ class Sensor(TypeDescription):
     raises SlamlibError for invalid parameters. limits: the names of those that bound its view, such as
     "near" [m], and may be left out; None: any. project_line(line, **parameters it has): homogeneous image
     line (3,) of a line in Pluecker coordinates (6,). pixels: the first two numbers of a measurement are a pixel, which
-    an image can bound. A model may also be an object with the same calls, as Implicit is.
+    an image can bound. A model may also be an object with the same calls, as Implicit is. plane: it measures along its
+    x-y plane and knows nothing of a point's height, so that it initializes points of the plane alone. initializes:
+    False where no Gaussian describes what is not measured, such as a direction: then it initializes no landmarks.
     """
 
     name: str
@@ -39,6 +41,8 @@ class Sensor(TypeDescription):
     project_line: Model | None = None
     pixels: bool = False
     limits: tuple[str, ...] | None = None
+    plane: bool = False
+    initializes: bool = True
 
     @cached_property
     def size(self) -> int:

@@ -83,7 +83,7 @@ class Slam:
 
     @options.setter
     def options(self, options: Options) -> None:
-        kinds = [family.new_kind(options, s.landmark) for family in self.families.values() for s in self.sensors]
+        kinds = [family.new_kind(options, s) for family in self.families.values() for s in self.sensors]
         transport.check(self.robots, [kind for kind in kinds if kind is not None], options.error)
         if options.error != self._options.error:
             self.linearization = FirstEstimates() if options.error == "first-estimates" else None
@@ -189,7 +189,7 @@ class Slam:
     def _scan(self, sensor: RigSensor, seen: Mapping[int, ArrayLike]) -> Scan:
         """Measurements by the numbers of their landmarks as a scan: how many numbers each is says of which family."""
         measured_by = [family for family in self.families.values() if family.supports(sensor)]
-        measured_by.sort(key=lambda family: family.new_kind(self.options, sensor.landmark) is None)
+        measured_by.sort(key=lambda family: family.new_kind(self.options, sensor) is None)
         names: dict[int, str] = {}  # of two families of so many numbers, the one of which landmarks are initialized
         for family in measured_by:
             names.setdefault(family.size(sensor.calibration), family.name)
@@ -284,7 +284,7 @@ class Slam:
         inputs = FrontEndInput(scan, sensor, self.predictions[i])
         self.frame_counts[i] += 1
         for family in self.families.values():
-            kind = family.new_kind(self.options, sensor.landmark)
+            kind = family.new_kind(self.options, sensor)
             if kind is None or not family.supports(sensor):
                 continue
             known = {landmark.id for landmark in self.landmarks}

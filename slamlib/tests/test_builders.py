@@ -27,6 +27,9 @@ def test_every_type_of_sensor_has_a_builder():
         sl.depth_camera(K),
         sl.stereo(K, 0.1),
         sl.range_bearing(0.1),
+        sl.range_bearing((0.1, 0.01), name="laser"),
+        sl.bearing_only(0.01),
+        sl.range_only(0.1),
         sl.relative_position(0.1),
     )
     assert {setup.type for setup in built} == set(sl.SENSORS)

@@ -14,7 +14,9 @@ import pytest
 import slamlib.sensors
 from slamlib.checks import check_landmark, check_pair, check_sensor
 from slamlib.errors import SlamlibError
+from slamlib.geometry.pose import ORIGIN
 from slamlib.landmarks import LINES, POINTS
+from slamlib.observation.points import initialize
 from slamlib.sensors import SENSORS, Calibration
 from slamlib.tests.line_chains import check_chains
 
@@ -87,11 +89,22 @@ def test_an_image_bounds_pixels_and_is_refused_where_there_are_none(name):
 def test_the_folders_are_not_empty_and_every_type_has_partners():
     assert len(POINTS) >= 5
     assert len(SENSORS) >= 1
-    exists = np.array(
-        [[check_pair(kind, example(sensor), silent=True) for sensor in SENSORS.values()] for kind in POINTS.values()]
-    )
-    assert exists.sum(0).min() >= len(POINTS) - 1, "a sensor has partners among nearly all the points"
-    assert exists.any(1).all(), "every point is seen by some sensor"
+    for plane in (False, True):
+        points = [kind for kind in POINTS.values() if kind.plane == plane]
+        sensors = [example(sensor) for sensor in SENSORS.values() if sensor.plane == plane]
+        exists = np.array([[check_pair(kind, sensor, silent=True) for sensor in sensors] for kind in points])
+        assert exists.sum(0).min() >= len(points) - 1, "a sensor has partners among nearly all the points of its world"
+        assert exists.any(1).all(), "every point is seen by some sensor"
+
+
+def test_a_sensor_of_the_plane_and_a_point_in_space_make_no_landmark():
+    for kind, sensor in itertools.product(POINTS.values(), SENSORS.values()):
+        if kind.plane != sensor.plane:
+            calibration = example(sensor)
+            assert not check_pair(kind, calibration, silent=True)
+            wanted = "measures no height" if sensor.plane else "lies on the floor"
+            with pytest.raises(SlamlibError, match=wanted):
+                initialize(kind, calibration, ORIGIN, ORIGIN, np.ones(sensor.size), *[np.ones(1)] * sensor.unmeasured)
 
 
 def test_every_line_is_seen_by_the_sensors_with_images_of_lines_and_by_no_other():
