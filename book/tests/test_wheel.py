@@ -75,9 +75,9 @@ def test_mypy_sees_the_types_of_what_is_installed(bare, tmp_path):
 
 
 @pytest.mark.parametrize("example", sorted((layout.ROOT / "examples").glob("*.py")), ids=lambda file: file.stem)
-def test_an_example_is_ten_to_twenty_lines_and_runs_on_the_wheel(example, bare):
+def test_an_example_is_ten_to_thirty_lines_and_runs_on_the_wheel(example, bare):
     lines = [line for line in example.read_text("utf-8").splitlines() if line.strip()]
-    assert 10 <= len(lines) <= 20
+    assert 10 <= len(lines) <= 30
     assert said(bare, example, extras_named=re.findall(r"extra `(\w+)`", lines[0]))
 
 

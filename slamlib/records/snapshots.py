@@ -175,7 +175,7 @@ class Map(Mapping[int, MappedLandmark]):
         """Number, type, means, standard deviations; a segment has two rows."""
         for number, found in self._found.items():
             for mean, std in zip(found.mean.reshape(-1, 3), found.std.reshape(-1, 3), strict=True):
-                yield str(number), found.kind, *(f"{x:.3f}" for x in mean), *(f"{x:.3f}" for x in std)
+                yield str(number), found.kind, *(f"{round(x, 3) + 0.0:.3f}" for x in (*mean.tolist(), *std.tolist()))
 
     def __repr__(self) -> str:
         """A line for each landmark."""

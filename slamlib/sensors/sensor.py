@@ -44,6 +44,14 @@ class Sensor(TypeDescription):
     plane: bool = False
     initializes: bool = True
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.initializes and any(a.size != 1 for a in self.back_project.arguments if a.name == "unmeasured"):
+            raise SlamlibError(
+                f"Sensor {self.name!r}: a filter has a prior for one unmeasured number, the inverse distance; a sensor "
+                "that leaves more unmeasured says initializes=False, and updates what others have initialized"
+            )
+
     @cached_property
     def size(self) -> int:
         """Number of numbers in a measurement."""

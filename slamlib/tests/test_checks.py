@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy
 
-from slamlib.analytic import exp, log, sqrt
+from slamlib.analytic import cos, exp, log, sin, sqrt
 from slamlib.checks import CheckError, check_landmark, check_pair, check_sensor, line_pairs
 from slamlib.checks.judge import Judge
 from slamlib.checks.models import JACOBIAN, derivatives
@@ -467,3 +467,19 @@ def test_a_type_without_a_file_is_added_by_its_name(monkeypatch):
     again = dataclasses.replace(own, moved=None)
     POINTS.add(again)  # the cell that defines it was run once more
     assert POINTS["ownPnt"] is again
+
+
+@model(measurement=1, unmeasured=2)
+def somewhere_that_way(measurement, unmeasured):
+    """The point of an azimuth, with elevation and inverse distance unmeasured."""
+    azimuth, (elevation, inverse_distance) = measurement[0], unmeasured
+    level = cos(elevation)
+    return np.array([level * cos(azimuth), level * sin(azimuth), sin(elevation), inverse_distance])
+
+
+def test_a_sensor_that_leaves_two_numbers_open_says_that_it_initializes_nothing():
+    azimuth = dataclasses.replace(SENSORS["planeBearing"], name="azimuth", plane=False, initializes=False)
+    azimuth = dataclasses.replace(azimuth, back_project=somewhere_that_way)
+    check_sensor(Calibration(azimuth, [[0.01]]), silent=True)
+    with pytest.raises(SlamlibError, match="'azimuth': a filter has a prior for one unmeasured number"):
+        dataclasses.replace(azimuth, initializes=True)
