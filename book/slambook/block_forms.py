@@ -18,7 +18,13 @@ from slamlib.manifolds import Array, Indices
 from slamlib.models import Model
 
 Part = tuple[str, int]  # its letter, and the number of its columns
-SPLITS = {  # by the manifold, by the module of a landmark, or by the name of an argument
+SPLITS = {  # by module and argument, by the manifold, by the module of a landmark, or by the name of an argument
+    "plane_range.measurement": "r1",
+    "plane_range.unmeasured": r"\beta1",
+    "plane_bearing.measurement": r"\beta1",
+    "range and bearing": r"r1 \beta1",
+    "anchor, azimuth and inverse distance": r"x_01 y_01 \psi1 \rho1",
+    "plane_point": "x1 y1",
     "pose": "t3 q3",
     "pose and velocities": r"t3 q3 v3 \omega3",
     "framed point": r"t_03 q_03 u2 \rho1",
@@ -48,7 +54,7 @@ def parts(model: Model, name: str, size: int, manifold: Any) -> list[Part]:
     own = model.module.rsplit(".", 1)[-1]
     landmark = name == "landmark" or (name == "value" and model.name in ("from_frame", "constrain"))
     last = name if name != "value" else "point" if size == 4 else "line"
-    for key in (str(manifold), own if landmark else "", last):
+    for key in (f"{own}.{name}", str(manifold), own if landmark else "", last):
         found = [(text[:-1], int(text[-1])) for text in SPLITS.get(key, "").split()]
         if sum(count for _, count in found) == size and own not in ("quaternion", "euler", "euler_composition"):
             return found

@@ -19,7 +19,7 @@ MARK = "% The tables below are generated: edit rosetta.csv, then run python -m b
 HEADER = ["group", "there", "kind", "what it is", "slamlib"]
 NOT_YET, NOT_NEEDED = "not yet: ", "not needed: "
 PAIRS = (
-    "Every sensor measures every point; lines are for sensors that project them. In the toolbox the omnidirectional "
+    "In space every sensor measures every point; lines are for sensors that project them. In the toolbox the omnidirectional "
     "camera knows `ahmPnt` and `eucPnt` only, and nothing measures an `fhmPnt`. A cell says how many numbers are "
     "measured, and how many are left to a prior; *no* is refused with an error. Generated from the types."
 )
@@ -62,11 +62,11 @@ def text() -> str:
 
 
 def pairs() -> str:
-    """Which sensor measures which landmark, from the package's own types."""
-    names = sorted(SENSORS)
+    """Which sensor measures which landmark, from the package's own types; the toolbox has none of the plane."""
+    names = sorted(name for name, sensor in SENSORS.items() if not sensor.plane)
     lines = ["", "## Which pairs exist", "", PAIRS, ""]
     lines += [f"| landmark | {' | '.join(f'`{n}`' for n in names)} |", "|---" * (len(names) + 1) + "|"]
-    for name in POINTS:
+    for name in (kind.name for kind in POINTS.values() if not kind.plane):
         lines.append(f"| `{name}` | {' | '.join(_measured(SENSORS[n]) for n in names)} |")
     for name in LINES:
         cells = ["4 + 2" if SENSORS[n].project_line else "no" for n in names]

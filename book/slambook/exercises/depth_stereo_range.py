@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slambook.exercises.kit import Candidate, Rng, array_of, cases, covariance, exercise, given, same
+from slambook.exercises.kit import Candidate, Rng, array_of, cases, covariance, exercise, given, holds, same
 from slamlib.manifolds import Array
 from slamlib.models.numerical import differences
 
@@ -58,3 +58,19 @@ def points_from_ranges(candidate: Candidate, rng: Rng) -> None:
         same(seen, points, "they are the points")
         wall = np.column_stack([rng.uniform(-2, 2, (20, 2)), np.full(20, 2.5)])
         same(found(wall)[:, 2], wall[:, 2], "a flat wall stays flat")
+
+
+@exercise("depth_stereo_range.5", "where two ranges meet", seed=105)
+def two_places(candidate: Candidate, rng: Rng) -> None:
+    """Both have both ranges, and the first lies to the left; ways in every direction."""
+    for _ in cases(range(6)):
+        a, way = rng.uniform(-5, 5, 2), rng.uniform(2, 6) * np.array([np.cos(t := rng.uniform(-3, 3)), np.sin(t)])
+        beacon = a + rng.uniform(-1, 2) * way + rng.choice([-1, 1]) * rng.uniform(0.3, 1) * np.array([-way[1], way[0]])
+        r, s = np.linalg.norm(beacon - a), np.linalg.norm(beacon - a - way)
+        given(f"a = {a.round(3)}, b = {(a + way).round(3)}, r = {r:.3f}, s = {s:.3f} m")
+        found = array_of(candidate(a, a + way, float(r), float(s)), (2, 2), "the two places")
+        same(np.linalg.norm(found - a, axis=1), [r, r], "both have the first range from a")
+        same(np.linalg.norm(found - a - way, axis=1), [s, s], "both have the second range from b")
+        sides = way[0] * (found - a)[:, 1] - way[1] * (found - a)[:, 0]
+        holds(sides[0] > 0, "the first lies to the left of the way")
+        holds(sides[1] < 0, "the second lies to the right of it")

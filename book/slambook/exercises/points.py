@@ -57,3 +57,19 @@ def depth_or_distance(candidate: Candidate) -> None:
         same(point[:2] / point[2], [u, v], "h goes through the image of the point")
         holds(point[3] > 0, "w is positive", f"found w = {point[3]:.4g}")
         same(point[2] / point[3] / depth, 1, "h / w lies at the depth")
+
+
+@exercise("points.5", "a bearing-only point becomes a place on the floor", seed=115)
+def to_plane(candidate: Candidate, rng: Rng) -> None:
+    """The place lies on the ray at its distance; covariance against differences of the candidate's own place."""
+    for azimuth in cases((0.0, 0.7, 2.5, -1.9), "an azimuth of {:g} rad"):
+        landmark = np.array([*rng.uniform(-3, 3, 2), azimuth, rng.uniform(0.1, 0.6)])
+        root = rng.standard_normal((4, 4)) / 10
+        P = root @ root.T
+        place, found = parts(candidate(landmark, P), {"the place": (2,), "the covariance": (2, 2)})
+        away = place - landmark[:2]
+        same(np.linalg.norm(away) * landmark[3], 1, "rho is the inverse of its distance from the anchor")
+        same(away * landmark[3], [np.cos(azimuth), np.sin(azimuth)], "it lies in the direction of the azimuth")
+        covariance(found, 2)
+        J = differences(lambda x: candidate(x, np.eye(4))[0], landmark)
+        same(found, J @ P @ J.T, "the covariance moves with the place's own Jacobian", tolerance=1e-6)

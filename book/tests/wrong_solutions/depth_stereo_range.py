@@ -83,3 +83,35 @@ def horizontal(u, v, ranges, intrinsics):
     u0, v0, au, av = intrinsics
     a, b = (u - u0) / au, (v - v0) / av
     return (ranges / np.sqrt(1 + a**2))[:, None] * np.stack([a, b, np.ones(len(u))], axis=-1)
+
+
+def _along(a, b, r, s):
+    length = np.linalg.norm(b - a)
+    ahead = (b - a) / length
+    return length, ahead, np.array([-ahead[1], ahead[0]]), (length**2 + r**2 - s**2) / (2 * length)
+
+
+@wrong("depth_stereo_range.5", "the right one first")
+def right_first(a, b, r, s):
+    _, ahead, left, x = _along(a, b, r, s)
+    return a + x * ahead + np.sqrt(r**2 - x**2) * np.array([-left, left])
+
+
+@wrong("depth_stereo_range.5", "in the axes of the way, not of the map")
+def own_axes(a, b, r, s):
+    _, _, _, x = _along(a, b, r, s)
+    y = np.sqrt(r**2 - x**2)
+    return a + np.array([[x, y], [x, -y]])
+
+
+@wrong("depth_stereo_range.5", "the beacon is abeam of the middle, as if the ranges were equal")
+def middle(a, b, r, s):
+    length, ahead, left, _ = _along(a, b, r, s)
+    y = np.sqrt(abs(r**2 - length**2 / 4))
+    return a + length / 2 * ahead + y * np.array([left, -left])
+
+
+@wrong("depth_stereo_range.5", "the ranges exchanged")
+def ranges_exchanged(a, b, r, s):
+    _, ahead, left, x = _along(a, b, s, r)
+    return a + x * ahead + np.sqrt(abs(s**2 - x**2)) * np.array([left, -left])

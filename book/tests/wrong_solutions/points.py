@@ -72,3 +72,37 @@ def upside_down(ideal, depth):
     ray = np.array([*ideal, 1.0])
     length = np.linalg.norm(ray)
     return np.array([*(ray / length), length / depth])
+
+
+def _ray(landmark):
+    ahead = np.array([np.cos(landmark[2]), np.sin(landmark[2])])
+    return ahead, np.array([-ahead[1], ahead[0]]), landmark[3]
+
+
+@wrong("points.5", "the azimuth moves the place by itself, not by its lever")
+def no_lever(landmark, P):
+    ahead, left, rho = _ray(landmark)
+    J = np.c_[np.eye(2), left, -ahead / rho**2]
+    return landmark[:2] + ahead / rho, J @ P @ J.T
+
+
+@wrong("points.5", "the anchor is taken for known")
+def known_anchor(landmark, P):
+    ahead, left, rho = _ray(landmark)
+    J = np.c_[left / rho, -ahead / rho**2]
+    return landmark[:2] + ahead / rho, J @ P[2:, 2:] @ J.T
+
+
+@wrong("points.5", "a greater inverse distance moves the place away, without a correlation nobody notices")
+def other_sign(landmark, P):
+    ahead, left, rho = _ray(landmark)
+    J = np.c_[np.eye(2), left / rho, ahead / rho**2]
+    return landmark[:2] + ahead / rho, J @ P @ J.T
+
+
+@wrong("points.5", "the azimuth counted from the y axis, as a compass does")
+def as_a_compass(landmark, P):
+    ahead, left, rho = _ray(landmark)
+    ahead, left = ahead[::-1], -left[::-1]
+    J = np.c_[np.eye(2), left / rho, -ahead / rho**2]
+    return landmark[:2] + ahead / rho, J @ P @ J.T
