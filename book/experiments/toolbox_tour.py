@@ -70,7 +70,7 @@ def cases() -> dict[str, Preset]:
     base = with_options(points(), points="idpPnt", reproject=False)
     house = with_options(lines(), reproject=False)
     return {
-        **{f"points {name}": with_options(base, points=name) for name in sorted(POINTS)},
+        **{f"points {name}": with_options(base, points=name) for name in sorted(POINTS) if not POINTS[name].plane},
         **{f"lines {name}": with_options(house, lines=name) for name in sorted(LINES)},
         **theory(),
         **switches(replace(base, frames=SHORT)),
