@@ -132,7 +132,7 @@ def _motion_errors(estimate: Trajectory, reference: Trajectory, i: Rows, j: Rows
 
 
 def _nees(estimate: Trajectory, reference: Trajectory, noise: Sequence[float]) -> dict[str, Array]:
-    """NEES (n,) of the poses, their errors and standard deviations, by the motion that fits the first poses best.
+    """NEES (n,) of the poses and its dof, their errors and deviations, by the motion that fits the first poses best.
 
     A filter's covariance is of its pose relative to where it started, not to where a best alignment of all puts it. But
     one pose of a reference may be wrong by more than the filter is (0.5 degrees are 0.5 m after 60 m): the first second
@@ -147,7 +147,7 @@ def _nees(estimate: Trajectory, reference: Trajectory, noise: Sequence[float]) -
     errors, sigmas, nees = map(np.array, zip(*found, strict=True))
     if len(first) > 1:
         nees[first] = np.nan
-    return {"nees": nees, **magnitudes(errors, sigmas)}
+    return {"nees": nees, "nees_dof": np.full(len(nees), DOF), **magnitudes(errors, sigmas)}
 
 
 def pose_error(

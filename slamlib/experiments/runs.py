@@ -84,12 +84,14 @@ class Result:
         )
 
     def series(self) -> dict[str, dict[str, Array]]:
-        """By robot the errors of each frame (n,), with their standard deviations and NEES, for a plot."""
-        times = self.preset.dt * np.arange(1.0, len(self.nees) + 1)
-        return {
-            setup.name: {"times": times, "nees": self.nees[:, i], **magnitudes(self.errors[:, i], self.sigmas[:, i])}
-            for i, setup in enumerate(self.preset.rig.robots)
-        }
+        """By robot the errors of each frame (n,), with their standard deviations, NEES and its dof, for a plot."""
+        n = len(self.nees)
+        times = self.preset.dt * np.arange(1.0, n + 1)
+        found = {}
+        for i, setup in enumerate(self.preset.rig.robots):
+            nees = {"nees": self.nees[:, i], "nees_dof": np.full(n, self.dof[i])}
+            found[setup.name] = {"times": times, **nees, **magnitudes(self.errors[:, i], self.sigmas[:, i])}
+        return found
 
 
 @dataclass(frozen=True)
