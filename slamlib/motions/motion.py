@@ -59,22 +59,24 @@ class Motion(TypeDescription):
         return state[..., : Pose.size] if self.pose_of is None else self.pose_of(state)
 
     def pose_jacobian(self, state: Array) -> Array:
-        """Jacobian (6, pose_dof) of the pose with respect to the first degrees of freedom of a state (size,)."""
+        """Jacobian (..., 6, pose_dof) of the pose w.r.t. the first degrees of freedom of states (..., size)."""
         return _IDENTITY if self.pose_of is None else self.pose_of.jac(state)[1][0]
 
     def by_state(self, by_pose: Array, state: Array) -> Array:
-        """A Jacobian (m, 6 + n) w.r.t. the robot's pose, and more, as one w.r.t. its state (size,), and more."""
+        """Jacobians (..., m, 6 + n) w.r.t. the robot's pose, and more, as those w.r.t. its state (..., size), and more.
+
+        Of the state's degrees of freedom only the first pose_dof are there.
+        """
         if self.pose_of is None:
             return by_pose  # the pose is the beginning of the state
         by_robot = by_pose[..., : Pose.dof] @ self.pose_jacobian(state)
         return np.concatenate([by_robot, by_pose[..., Pose.dof :]], axis=-1)
 
-    def in_space(self, state: Array, covariance: Array) -> tuple[Array, Array] | None:
-        """Pose (7,) of a state and its covariance (6, 6), of rank pose_dof; None if the state begins with them."""
-        if self.pose_of is None:
-            return None
-        J = self.pose_jacobian(state)
-        return self.pose(state), J @ covariance @ J.T
+    def in_space(self, state: Array, covariance: Array) -> tuple[Array, Array]:
+        """Poses (..., 7) of states (..., size), and their covariances (..., 6, 6) by the states' (..., dof, dof)."""
+        k, J = self.pose_dof, self.pose_jacobian(state)
+        P = covariance[..., :k, :k]
+        return self.pose(state), P if self.pose_of is None else J @ P @ J.swapaxes(-1, -2)
 
     def at(self, pose: Array, velocity: Array) -> tuple[Array, Array]:
         """The state (size,) with a pose (7,) and velocities (6,), and its Jacobian (dof, 12) by both.

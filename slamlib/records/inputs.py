@@ -135,18 +135,11 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Truth:
-    """Ground truth at one frame: the robots' states, the sensors' extrinsics (7,), and the robots' poses (7,).
-
-    poses: of states that begin with them it may be left out.
-    """
+    """Ground truth at one frame: the robots' states, the sensors' extrinsics (7,), and the robots' poses (7,)."""
 
     robots: tuple[Array, ...]
     extrinsics: tuple[Array, ...]
-    poses: tuple[Array, ...] = ()
-
-    def __post_init__(self) -> None:
-        if not self.poses:
-            object.__setattr__(self, "poses", tuple(np.asarray(state)[:7] for state in self.robots))
+    poses: tuple[Array, ...]
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,25 +15,16 @@ from slamlib.records.inputs import Scan
 
 @dataclass(frozen=True, eq=False, repr=False)
 class RobotView:
-    """An estimated robot: name, state (size,), covariance (dof, dof).
+    """An estimated robot: name, state (size,), covariance (dof, dof), and the pose (7,) that follows from the state.
 
-    in_space: its pose (7,) and the covariance (6, 6) of that; None: the first numbers of the state are the pose.
+    pose_covariance (6, 6): of the position [m] in world axes, and the rotation vector [rad] in the robot's.
     """
 
     name: str
     state: Array
     covariance: Array
-    in_space: tuple[Array, Array] | None = None
-
-    @property
-    def pose(self) -> Array:
-        """Pose (7,)."""
-        return self.state[:7] if self.in_space is None else self.in_space[0]
-
-    @property
-    def pose_covariance(self) -> Array:
-        """Covariance (6, 6) of the pose: position [m] in world axes, rotation vector [rad] in the robot's."""
-        return self.covariance[:6, :6] if self.in_space is None else self.in_space[1]
+    pose: Array
+    pose_covariance: Array
 
     @property
     def mean(self) -> Array:

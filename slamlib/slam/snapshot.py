@@ -5,8 +5,9 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.entities import POSE, Landmark, RigSensor, Robot, State
+from slamlib.entities import Landmark, RigSensor, Robot, State
 from slamlib.entities.landmark import group_by_kind
+from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.observation.family import AnyFamily, columns_jacobian, state_columns, viewpoint
 from slamlib.observation.segments import project_endpoints
@@ -20,7 +21,7 @@ Families = Mapping[str, AnyFamily]
 def robot_view(belief: Belief, robot: Robot) -> RobotView:
     """A robot as it is estimated now."""
     state, P = robot.block.mean.copy(), belief.covariance(robot.block)
-    return RobotView(robot.name, state, P, robot.motion.in_space(state, P))
+    return RobotView(robot.name, state, P, *robot.motion.in_space(state, P))
 
 
 def map_views(state: State, families: Families) -> dict[str, MapView]:
@@ -47,7 +48,7 @@ def snapshot_of(
     robots = tuple(robot_view(belief, robot) for robot in state.robots)
     sensors = []
     for sensor, scan, predicted in zip(state.sensors, scans, predictions, strict=True):
-        covariance = np.zeros((POSE, POSE)) if sensor.block is None else belief.covariance(sensor.block)
+        covariance = np.zeros((Pose.dof, Pose.dof)) if sensor.block is None else belief.covariance(sensor.block)
         views = {f.name: _measurement_view(belief, sensor, f, predicted) for f in families.values()}
         robot, image = state.robots.index(sensor.robot), sensor.calibration.image
         sensors.append(SensorView(sensor.name, robot, sensor.extrinsics.copy(), covariance, image, scan, views))

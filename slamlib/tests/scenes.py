@@ -52,7 +52,7 @@ def truth(number: int, setup: SensorSetup | None = None) -> Truth:
     turn = np.radians(-90 + 0.9 * number)
     position = 5.1 * np.array([np.cos(turn), np.sin(turn), 0.0])
     pose = np.concatenate([position, exponential(np.array([0, 0, turn + np.pi / 2]))])
-    return Truth((pose,), ((setup or SensorSetup(position=(0, 0, 0.6))).extrinsics,))
+    return Truth((pose,), ((setup or SensorSetup(position=(0, 0, 0.6))).extrinsics,), (pose,))
 
 
 def random_covariances(rng: np.random.Generator, count: int, std: float) -> np.ndarray:
@@ -66,7 +66,8 @@ def snapshot(number: int = 40, seed: int = 1, setup: SensorSetup | None = None) 
     setup, real, all_there = setup or SensorSetup(position=(0, 0, 0.6)), truth(number, setup), world()
     pose = real.robots[0].copy()
     pose[:3] += 0.05 * rng.normal(size=3)
-    robot = RobotView("robot", pose, np.diag([0.05, 0.03, 0.02, 0.01, 0.01, 0.02]) ** 2)
+    P = np.diag([0.05, 0.03, 0.02, 0.01, 0.01, 0.02]) ** 2
+    robot = RobotView("robot", pose, P, pose, P)
     count = len(all_there.points)
     converged = np.arange(count) % 3 > 0
     shapes = random_covariances(rng, count, 0.06)

@@ -74,14 +74,15 @@ class Film:
             Chip(self.effects, r.tiles.size, s["points"], s["faults"])
             for r, s in zip(self.renderers, own[1:], strict=True)
         ]
-        size = setup.model.manifold.size
         for number in range(1, self.frames + 1):
-            before, after = (self.path.state((number - i) * self.dt) for i in (1, 0))
-            control = TOLD[setup.model.name](before[:7], after[:7], setup, own[0]["control"])
+            before, after = (self.path.pose((number - i) * self.dt) for i in (1, 0))
+            control = TOLD[setup.model.name](before, after, setup, own[0]["control"])
             light = (self._light(j, extrinsics, number * self.dt) for j, extrinsics in enumerate(all_extrinsics))
             images = [chip.expose(seen, self.dt) for chip, seen in zip(chips, light, strict=True)]
             scans = tuple(Scan(image=image) for image in images)
-            yield Frame(number, self.dt, (control,), scans), Truth((read_only_copy(after[:size]),), all_extrinsics)
+            state, _ = setup.model.at(after, self.path.velocity(number * self.dt))
+            truth = Truth((read_only_copy(state),), all_extrinsics, (read_only_copy(after),))
+            yield Frame(number, self.dt, (control,), scans), truth
 
     def truth_of(self, truth: Truth, pixels: Array, sensor: int = 0) -> Array:
         """The points (n, 3) [m] of the room that a sensor sees at pixels (n, 2) of a frame; nan where nothing is."""
@@ -122,13 +123,13 @@ def rig_along_path(
     as in RobotSetup; std [px], image (width, height) and parameters as in SensorSetup. The default std is that of
     correlation with sub-pixel steps in the rooms' pictures.
     """
-    state = path.state(0)
+    velocity = path.velocity(0)
     robot = RobotSetup(
         name="hand",
         motion=motion,
-        position=tuple(state[:3].tolist()),
+        position=tuple(path.pose(0)[:3].tolist()),
         euler=tuple(np.degrees(path.knots[0, 3:]).tolist()),
-        velocity=tuple(np.concatenate([state[7:10], np.degrees(state[10:])]).tolist()),
+        velocity=tuple(np.concatenate([velocity[:3], np.degrees(velocity[3:])]).tolist()),
         velocity_std=velocity_std,
         control_std=control_std,
     )
@@ -165,8 +166,9 @@ def _check(rig: Rig, path: CameraPath, frames: int, dt: float, rng: np.random.Ge
     setup = rig.robots[0]
     if setup.motion not in TOLD:
         raise UnknownNameError.of("motion to film", setup.motion, TOLD)
-    off = np.abs(Pose.minus(path.pose(0), setup.state[:7]))
-    if (off > ASTRAY * np.sqrt(np.diag(setup.covariance)[:6]) + 1e-6).any():
+    start, P = setup.model.in_space(setup.state, setup.covariance)
+    off = np.abs(Pose.minus(path.pose(0), start))
+    if (off > ASTRAY * np.sqrt(np.diag(P)) + 1e-6).any():
         raise SlamlibError(
             f"film: the rig starts at {setup.position} m, {setup.euler} degrees, and the path at "
             f"{path.knots[0, :3].round(3).tolist()} m: use rig_along_path(path), or give the setup the path's start"

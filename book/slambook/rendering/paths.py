@@ -42,10 +42,14 @@ class CameraPath:
         place, _ = self._at(time)
         return np.concatenate([place[:3], to_quaternion(place[3:])])
 
-    def state(self, time: float) -> Array:
-        """Pose, velocity [m/s] in world axes, and angular velocity [rad/s] in the frame's own (13,)."""
+    def velocity(self, time: float) -> Array:
+        """Velocity [m/s] in world axes, and angular velocity [rad/s] in the frame's own (6,)."""
         place, change = self._at(time)
-        return np.concatenate([place[:3], to_quaternion(place[3:]), change[:3], _spin(place[3:], change[3:])])
+        return np.concatenate([change[:3], _spin(place[3:], change[3:])])
+
+    def state(self, time: float) -> Array:
+        """Pose and velocities (13,)."""
+        return np.concatenate([self.pose(time), self.velocity(time)])
 
     def _at(self, time: float) -> tuple[Array, Array]:
         """The six numbers at a time, and their derivatives."""
