@@ -13,14 +13,17 @@ from slambook.smoothing.least_squares import by_cholmod, by_superlu
 
 from book.experiments.consistency import by_range_and_bearing
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.consistency import band
+from slamlib.evaluation.consistency import band, share_inside
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
+from slamlib.motions import MOTIONS
 from slamlib.records.inputs import Features, RobotMeasurement, Scan, World
 from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.simulation import simulate
 from slamlib.slam import Options, Slam
+from slamlib.slam.snapshot import robot_view
+from slamlib.tests import test_plane, test_plane_motions
 from slamlib.tests.test_seams import gps
 
 pytest.importorskip("scipy.sparse")
@@ -53,6 +56,19 @@ def flying():
     return replace(p, rig=Rig((FLYING,), p.rig.sensors), noise_in="truth")
 
 
+def in_the_plane(motion, **changes):
+    """A robot that drives on an arc, and is not sure where it starts; what its sensor is else."""
+    p = test_plane_motions.preset(MOTIONS[motion])
+    (robot,), (sensor,) = p.rig.robots, p.rig.sensors
+    robot = replace(robot, position_std=(0.3, 0.3, 0), orientation_std=(0, 0, 3))
+    return replace(p, rig=Rig((robot,), (replace(sensor, **changes),)), frames=60)
+
+
+def mounted_in_the_plane():
+    p = in_the_plane("unicycle", estimated=True, position_std=(0.02,), orientation_std=(1.0,))
+    return replace(p, options=replace(p.options, points="idpPnt", convert=False))
+
+
 CASES = {
     "odometry": lambda: with_options("points", points="idpPnt", convert=False),
     "converted": lambda: with_options("points", points="ahmPnt"),
@@ -61,6 +77,8 @@ CASES = {
     "lines": lambda: with_options("lines", lines="aplLin", max_new=3),
     "lines of two points": lambda: with_options("lines", lines="hmgLin", max_new=3),
     "constant velocity": flying,
+    "plane": partial(in_the_plane, "planeOdometry"),
+    "plane, extrinsics": mounted_in_the_plane,
 }
 
 
@@ -106,29 +124,36 @@ def test_the_jacobians_are_those_of_the_residuals(name):
         else:
             apart[0].append(column)
     h = 1e-5
-    scale = np.abs(J).max(1)
+    scale = np.maximum(np.abs(J).max(1), 1e-3)  # next to nothing: the height of a robot in the plane
     for group in together:
         step = np.isin(np.arange(size), group).astype(float)
         numeric = (residuals(h * step) - residuals(-h * step)) / (2 * h)
         np.testing.assert_allclose(numeric / scale, J[:, group].sum(1) / scale, atol=2e-6)
 
 
-def linear():
-    """A robot that knows its orientation to a few microradians, and measures relative positions: all is linear."""
-    turn = float(np.degrees(2e-6))
-    robot = RobotSetup(control=(0.1, 0, 0, 0, 0, 2), control_std=(0.02,) * 3 + (turn,) * 3, position_std=(0.3,),
-                       orientation_std=(turn,))  # fmt: skip
+TURN = float(np.degrees(2e-6))
+ROBOTS = {  # that know their orientation to a few microradians
+    "space": RobotSetup(control=(0.1, 0, 0, 0, 0, 2), control_std=(0.02,) * 3 + (TURN,) * 3, position_std=(0.3,),
+                        orientation_std=(TURN,)),
+    "plane": RobotSetup(motion="planeOdometry", control=(0.1, 0, 2), control_std=(0.02, 0.02, TURN),
+                        position_std=(0.3, 0.3, 0), orientation_std=(0, 0, TURN)),
+}  # fmt: skip
+
+
+def linear(robot):
+    """A robot that measures relative positions: all is linear."""
     sensor = SensorSetup(type="relativePosition", std=(0.05,), euler=(0, 0, 0), limits={"far": 5.0})
     p = with_options("points", points="eucPnt", gate=1.0, updates=99, max_new=99, max_new_first=99)
     return replace(p, rig=Rig((robot,), (sensor,)), frames=40, noise_in="truth")
 
 
-def test_where_all_is_linear_the_last_pose_is_the_filters():
-    smoother, slam, *_ = recorded(linear())
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_where_all_is_linear_the_last_pose_is_the_filters(robot):
+    smoother, slam, *_ = recorded(linear(ROBOTS[robot]))
     found = smoother.solve()
     assert len(found.landmarks) > 10
     np.testing.assert_allclose(found.poses[-1, 0], slam.robots[0].pose, atol=1e-8)
-    covariance = slam.belief.covariance(slam.robots[0].block)
+    covariance = robot_view(slam.belief, slam.robots[0]).pose_covariance
     np.testing.assert_allclose(found.covariance(), covariance, atol=1e-9)
     for landmark in slam.landmarks:
         position, P = found.point(landmark.id)
@@ -187,6 +212,48 @@ def test_ten_runs_are_consistent_and_no_worse_than_the_filter(name):
     assert low < np.mean(everywhere) < high
     smoothed, filter_ = np.mean(off, axis=0)
     assert smoothed < 1.02 * filter_
+
+
+def test_in_the_plane_it_is_that_of_a_robot_in_space_which_cannot_leave_it():
+    smoothers = []
+    for rig, lift in ((test_plane.PRESET.rig, lambda frame: frame), (test_plane.lifted_rig(), test_plane.lifted)):
+        slam = Slam(rig, options=test_plane.PRESET.options)
+        smoothers.append(Smoother(slam))
+        for frame, _ in test_plane.PRESET.simulate():
+            slam.step(lift(frame))
+            smoothers[-1].record(lift(frame))
+    plane, space = (smoother.solve() for smoother in smoothers)
+    assert plane.minimum.converged
+    assert plane.dof == space.dof
+    assert plane.minimum.size == space.minimum.size - 3 * 61
+    assert abs(plane.costs[-1] - space.costs[-1]) < 1e-3
+    assert np.abs(Pose.minus(plane.poses, space.poses)).max() < 1e-6
+    P, Q = (found.covariance(np.arange(60)) for found in (plane, space))
+    assert np.abs(P - Q).max() < 1e-6 * np.abs(Q).max()
+    assert plane.landmarks.keys() == space.landmarks.keys()
+    for number in plane.landmarks:
+        for one, other in zip(plane.point(number), space.point(number), strict=True):
+            np.testing.assert_allclose(one, other, atol=1e-6)
+
+
+@pytest.mark.parametrize(("motion", "seeds"), [("planeOdometry", 1), ("unicycle", 2)])
+def test_in_the_plane_nees_is_of_three_degrees_of_freedom(motion, seeds):
+    """The average of 25 runs at each of 40 frames, after the first four; nothing is refused by a gate."""
+    p, average, off, costs, free = test_plane_motions.preset(MOTIONS[motion]), 0.0, [], [], MOTIONS[motion].free
+    p = replace(p, options=replace(p.options, gate=1.0))
+    for seed in np.random.default_rng(seeds).integers(2**32, size=25).tolist():
+        smoother, _, true, filtered = recorded(replace(p, seed=seed))
+        found = smoother.solve()
+        e, P = Pose.minus(true, found.poses[:, 0]), found.covariance(np.arange(40))
+        assert np.abs(e[:, 2:5]).max() < 1e-9
+        average += nees(e @ free, free.T @ P @ free)[4:] / 25
+        off.append([np.sqrt((x[:, :3] ** 2).sum(1).mean()) for x in (e, Pose.minus(true, filtered))])
+        costs.append(found.costs[-1] / found.dof)
+    smoothed, filter_ = np.mean(off, axis=0)
+    print(f"NEES {average.mean():.2f}, {smoothed:.3f} m off, the filter {filter_:.3f} m; cost {np.mean(costs):.3f} dof")
+    assert share_inside(average, band(3, 25, 0.999)) == 1
+    assert 0.97 < np.mean(costs) < 1.03
+    assert smoothed < filter_
 
 
 def with_gross_errors(rng):
@@ -311,7 +378,7 @@ def test_a_deleted_landmark_still_tells_where_the_robot_was():
     )
 
 
-@pytest.mark.parametrize("name", ["odometry", "extrinsics"])
+@pytest.mark.parametrize("name", ["odometry", "extrinsics", "plane, extrinsics"])
 def test_a_filter_that_was_loaded_again_has_all_factors(name, tmp_path):
     p, found = replace(CASES[name](), frames=12), []
     for resumed in (False, True):

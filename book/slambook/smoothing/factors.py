@@ -6,17 +6,17 @@ numbers than the state (constant velocity, a car), the other directions are held
 held by EXACT. That valley is narrow and winding: where the steps get stuck in it, `loose` widens both.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from slambook.smoothing.least_squares import EXACT, Factor, Terms, Values, Variable
-from slamlib.entities import POSE, RigSensor
-from slamlib.geometry.pose import compose
-from slamlib.manifolds import Array, Euclidean, Indices, Mask
-from slamlib.motions import ODOMETRY
+from slamlib.entities import RigSensor
+from slamlib.geometry.pose import Pose, compose
+from slamlib.manifolds import Array, Euclidean, Indices, Manifold, Mask
+from slamlib.motions import ODOMETRY, Motion
 from slamlib.sensors.sensor import Calibration
 
 SLACK = 1e-3  # standard deviation where a control has no noise, relative to what its noise does there one step later
@@ -42,17 +42,30 @@ def whitening(covariance: Array, exact: float = EXACT) -> Array:
 
 
 def prior(variable: Variable, mean: Array, covariance: Array) -> Factor:
-    """The variable's first item, known beforehand: a pose, and velocities, with this mean and covariance."""
-    W, first = whitening(covariance), np.zeros(1, dtype=int)
+    """The variable's first item, known beforehand: a state, or extrinsics, with this mean and covariance."""
+    W, first, turns = whitening(covariance), np.zeros(1, dtype=int), list(rotations(variable.manifold))
 
     def terms(values: Values) -> Terms:
         e = variable.manifold.minus(values[variable.index][0], mean)
         J = np.eye(len(e))
-        turned = ODOMETRY.step.jac(mean[:7], np.concatenate([np.zeros(3), e[3:POSE]]), 0.0)[1].control
-        J[3:POSE, 3:POSE] = np.linalg.inv(turned[3:, 3:])
+        for stored, at in turns:
+            pose, turn = (np.concatenate([np.zeros(3), numbers]) for numbers in (mean[stored], e[at]))
+            J[at, at] = np.linalg.inv(ODOMETRY.step.jac(pose, turn, 0.0)[1].control[3:, 3:])
         return Terms(float(((W @ e) ** 2).sum()), (W @ e)[None], [(variable, first, (W @ J)[None])])
 
     return terms
+
+
+def rotations(manifold: Manifold, stored: int = 0, start: int = 0) -> Iterator[tuple[slice, slice]]:
+    """Where quaternions stand in a point, and their rotation vectors in a difference of two.
+
+    What else is in a difference is a sum: a step of the first point adds to it.
+    """
+    if manifold.size > manifold.dof and not hasattr(manifold, "parts"):
+        yield slice(stored, stored + manifold.size), slice(start, start + manifold.dof)
+    for part in getattr(manifold, "parts", ()):
+        yield from rotations(part, stored, start)
+        stored, start = stored + part.size, start + part.dof
 
 
 def motion(
@@ -91,23 +104,24 @@ def motion(
     return terms
 
 
-def absolute(variable: Variable, model: Any, rows: Sequence[tuple[int, Any]]) -> Factor:
-    """A robot's measurements of itself by one model: (item, RobotMeasurement)."""
+def absolute(variable: Variable, motion: Motion, model: Any, rows: Sequence[tuple[int, Any]]) -> Factor:
+    """A robot's measurements of itself by one model of its pose: (item, RobotMeasurement)."""
     items = np.array([item for item, _ in rows])
     measured, W = np.array([m.value for _, m in rows]), whitening(np.array([m.covariance for _, m in rows]))
     space = (model.result.manifold if model.result else None) or Euclidean(measured.shape[1])
 
     def terms(values: Values) -> Terms:
-        predicted, J = model.jac(values[variable.index][items, :7])
+        states = values[variable.index][items]
+        predicted, J = model.jac(motion.pose(states))
         r = (W @ space.minus(measured, predicted)[..., None])[..., 0]
-        return Terms(float((r**2).sum()), r, [(variable, items, padded(-W @ J[0], variable.width))])
+        return Terms(float((r**2).sum()), r, [(variable, items, padded(-W @ motion.by_state(J[0], states), variable))])
 
     return terms
 
 
-def padded(J: Array, width: int) -> Array:
-    """Jacobians (n, m, 6) w.r.t. a pose as those w.r.t. a state (n, m, width) that begins with it."""
-    return np.pad(J, ((0, 0), (0, 0), (0, width - J.shape[-1])))
+def padded(J: Array, robot: Variable) -> Array:
+    """Jacobians (n, m, k) w.r.t. the first degrees of freedom of a robot's states as those w.r.t. all, (n, m, dof)."""
+    return np.pad(J, ((0, 0), (0, 0), (0, robot.width - J.shape[-1])))
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,10 +149,14 @@ class Group:
         limits = {name: OPEN.get(name, limit) for name, limit in given.limits.items()}
         return Calibration(given.sensor, given.noise, image=given.image, limits=limits, **given.given)
 
+    def _states(self, values: Values) -> Array:
+        """The robot's states (n, size)."""
+        return values[self.robot.index][self.items]
+
     def _arguments(self, values: Values) -> tuple[Array, Any, Array]:
-        """The sensor's poses (n, 7), their Jacobians w.r.t. robot and extrinsics, and the landmarks (n, size)."""
+        """The sensor's poses (n, 7), their Jacobians w.r.t. robot's pose and extrinsics, the landmarks (n, size)."""
         inner = self.sensor.given_extrinsics if self.extrinsics is None else values[self.extrinsics.index][0]
-        cameras, J = compose.jac(values[self.robot.index][self.items, :7], inner)
+        cameras, J = compose.jac(self.sensor.robot.motion.pose(self._states(values)), inner)
         return cameras, J, values[self.landmarks.index][self.rows]
 
     def seen(self, values: Values) -> Mask:
@@ -151,17 +169,18 @@ class Group:
         """Terms weighted by the loss; the cost is infinite where a measurement cannot be made."""
         if not self.seen(values).all():
             return NOWHERE
-        cameras, outer, means = self._arguments(values)
+        (cameras, outer, means), motion = self._arguments(values), self.sensor.robot.motion
         inner, _, J = self.family.observe(self.landmarks.kind, self.calibration, cameras, means)
         by = np.concatenate([J.camera @ outer.outer, J.camera @ outer.inner, J.landmark], axis=-1)
+        by, k = motion.by_state(by, self._states(values)), motion.pose_dof
         z, H, R = self.family.residual(self.sensor, inner, by, self.measured, self.options)
         W = whitening(R)
         r = (W @ z[..., None])[..., 0]
         costs, weights = loss((r**2).sum(-1))
         root = np.sqrt(weights)[:, None]
         H = -root[..., None] * (W @ H)
-        parts = [(self.robot, self.items, padded(H[..., :POSE], self.robot.width))]
-        parts.append((self.landmarks, self.rows, H[..., 2 * POSE :]))
+        parts = [(self.robot, self.items, padded(H[..., :k], self.robot))]
+        parts.append((self.landmarks, self.rows, H[..., k + Pose.dof :]))
         if self.extrinsics is not None:
-            parts.append((self.extrinsics, np.zeros_like(self.items), H[..., POSE : 2 * POSE]))
+            parts.append((self.extrinsics, np.zeros_like(self.items), H[..., k : k + Pose.dof]))
         return Terms(float(costs.sum()), root * r, parts)

@@ -40,7 +40,7 @@ class Variable:
     @property
     def width(self) -> int:
         """Number of directions, and of columns, of each: a point has 3, a line 4, however many numbers hold it."""
-        return self.manifold.dof if self.kind is None else 4 if self.is_line else 3
+        return self.manifold.dof if self.kind is None else min(self.manifold.dof, 4 if self.is_line else 3)
 
     def columns(self, items: Indices) -> Indices:
         """Columns (k, width) of items (k,)."""

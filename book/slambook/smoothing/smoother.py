@@ -27,10 +27,11 @@ import numpy as np
 
 from slambook.smoothing.factors import LOSSES, Group, absolute, motion, prior
 from slambook.smoothing.least_squares import Factor, Minimum, Values, Variable, minimize
-from slamlib.entities import POSE, Landmark
+from slamlib.entities import Landmark
 from slamlib.errors import SlamlibError, entry
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
+from slamlib.motions import Motion
 from slamlib.records.inputs import Frame
 from slamlib.slam import Slam
 
@@ -41,11 +42,13 @@ LOOSE = (1e4, 1e2, 1.0)  # factors of the standard deviation of what has none
 class Smoothed:
     """The smoothed estimate of n frames.
 
-    states: for each robot (n + 1, size), the first before frame 1; extrinsics (s, 7); landmarks: parametrization and
-    mean by the id of those in the filter's map; left_out: number of measurements; minimum: how it was found.
+    states: for each robot (n + 1, size), the first before frame 1; motions: of the robots; extrinsics (s, 7);
+    landmarks: parametrization and mean by the id of those in the filter's map; left_out: number of measurements;
+    minimum: how it was found.
     """
 
     states: tuple[Array, ...]
+    motions: tuple[Motion, ...]
     extrinsics: Array
     landmarks: dict[int, tuple[Any, Array]]
     left_out: int
@@ -55,7 +58,8 @@ class Smoothed:
     @property
     def poses(self) -> Array:
         """Poses (n, r, 7) of the robots at the n frames."""
-        return np.stack([states[1:, :7] for states in self.states], axis=1)
+        own = zip(self.motions, self.states, strict=True)
+        return np.stack([motion.pose(states[1:]) for motion, states in own], axis=1)
 
     @property
     def costs(self) -> tuple[float, ...]:
@@ -72,8 +76,10 @@ class Smoothed:
         frames, count = np.asarray(frames), len(self.poses)
         if frames.dtype.kind not in "iu" or (frames < -count).any() or (frames >= count).any():
             raise SlamlibError(f"covariance: frames are whole numbers from {-count} to {count - 1}, got {frames}")
-        own = self.minimum.marginals(self.minimum.variables[robot], frames.ravel() % count + 1)
-        return own[:, :POSE, :POSE].reshape(*frames.shape, POSE, POSE)
+        items = frames.ravel() % count + 1
+        P = self.minimum.marginals(self.minimum.variables[robot], items)
+        _, P = self.motions[robot].in_space(self.states[robot][items], P)
+        return P.reshape(*frames.shape, *P.shape[1:])
 
     def point(self, number: int) -> tuple[Array, Array]:
         """The point (3,) [m] of an id, and its marginal covariance (3, 3). Raises SlamlibError for what is no point."""
@@ -106,10 +112,6 @@ class Smoother:
     def __init__(self, slam: Slam) -> None:
         if slam.landmarks or slam.time:
             raise SlamlibError("Smoother: the filter has begun already; make the smoother before its first frame")
-        if any(robot.motion.pose_of is not None for robot in slam.robots):
-            raise SlamlibError(
-                "Smoother: it takes robots whose state begins with a pose in space; those in the plane not yet"
-            )
         self._slam, self._time = slam, 0.0
         self._free = [i for i, sensor in enumerate(slam.sensors) if sensor.block is not None]
         blocks = [robot.block for robot in slam.robots] + [sensor.block for sensor in slam.sensors if sensor.block]
@@ -142,7 +144,7 @@ class Smoother:
 
     def resume(self, slam: Slam) -> None:
         """Go on with the filter that has been saved and loaded in the place of the one before. Raises SlamlibError."""
-        if slam.rig != self._slam.rig:
+        if slam.rig.to_dict() != self._slam.rig.to_dict():  # motions by their names, as a file has them
             raise SlamlibError("resume: the filter that was loaded has another rig")
         if slam.time != self._time:
             raise SlamlibError(
@@ -181,14 +183,17 @@ class Smoother:
         present = {lm.id: places[lm] for lm in self._slam.landmarks if lm in places}
         landmarks = {number: (v.kind, best.values[v.index][row]) for number, (v, row) in present.items()}
         left_out = len(self._matches) - len(matches)
-        return Smoothed(tuple(best.values[: len(self._states)]), extrinsics, landmarks, left_out, best, present)
+        states, motions = tuple(best.values[: len(self._states)]), tuple(r.motion for r in self._slam.robots)
+        return Smoothed(states, motions, extrinsics, landmarks, left_out, best, present)
 
     def _motions(self, variables: list[Variable], values: Values, loose: float = 1.0) -> list[Factor]:
         """What is known of the robots without landmarks: the start, the motions, their measurements of themselves."""
         found = [prior(variable, *start) for variable, start in zip(variables, self._start, strict=False)]
         for variable, robot, controls in zip(variables, self._slam.robots, self._controls, strict=False):
             found.append(motion(variable, robot.motion.step, controls, values[variable.index], loose))
-        return found + [absolute(variables[i], model, rows) for (i, model), rows in self._absolute.items()]
+        for (i, model), rows in self._absolute.items():
+            found.append(absolute(variables[i], self._slam.robots[i].motion, model, rows))
+        return found
 
     def _usable(self, matches: list[Recorded]) -> list[Recorded]:
         """The matches that their sensor can make at the initial values, of landmarks with enough of them."""
