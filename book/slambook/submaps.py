@@ -11,12 +11,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from slamlib.belief import Belief, LinearizedMeasurement
-from slamlib.entities import POSE
 from slamlib.errors import SlamlibError
-from slamlib.geometry.pose import ORIGIN, Pose, compose, from_frame
+from slamlib.geometry.pose import ORIGIN, compose, from_frame
 from slamlib.geometry.quaternion import rotation
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array, Euclidean, Product
+from slamlib.motions import Motion
 from slamlib.records.inputs import Frame
 from slamlib.rigs.setup import ZERO, Rig
 from slamlib.slam.data_association.front_end import FrontEnd
@@ -25,18 +25,14 @@ from slamlib.slam.map_management import StepReport
 from slamlib.slam.options import Options
 
 
-def _submap_manifold(points: int) -> Product:
-    return Product("submap", Pose, Euclidean(3 * points)) if points else Product("submap", Pose)
-
-
 @dataclass(frozen=True, eq=False)
 class Submap:
-    """A finished map: the robot's last pose (7,) and points (n, 3) [m] in its frame, the points' ids (n,).
+    """A finished map: the robot's last state (size,), which is its pose, and points (n, 3) [m], the points' ids (n,).
 
-    covariance (6 + 3n, 6 + 3n): joint, of the pose's tangent vector and the points.
+    In the map's frame. covariance (dof + 3n, dof + 3n): joint, of the state's tangent vector and the points.
     """
 
-    pose: Array
+    state: Array
     ids: Array
     points: Array
     covariance: Array
@@ -47,53 +43,64 @@ class Submap:
         known = [landmark for landmark in slam.landmarks if landmark.kind.name == "eucPnt"]
         robot = slam.robots[0].block
         starts = np.array([lm.block.start for lm in known], dtype=int)
-        rows = np.concatenate([robot.start + np.arange(POSE), (starts[:, None] + np.arange(3)).ravel()])
+        rows = np.concatenate([robot.start + np.arange(robot.dof), (starts[:, None] + np.arange(3)).ravel()])
         points = np.array([lm.block.mean for lm in known]).reshape(-1, 3)
         ids = np.array([lm.id for lm in known], dtype=int)
-        return cls(slam.robots[0].pose, ids, points, slam.belief.matrix[np.ix_(rows, rows)])
+        return cls(robot.mean, ids, points, slam.belief.matrix[np.ix_(rows, rows)])
 
 
 class Atlas:
-    """Submaps joined in the frame of the first: a belief with one block for each, its last pose and its points."""
+    """Submaps joined in the frame of the first: a belief with one block for each, its last state and its points."""
 
-    def __init__(self) -> None:
-        self.belief = Belief()
+    def __init__(self, motion: Motion) -> None:
+        """motion: the robot's, whose state is its pose."""
+        self.motion, self.dof, self.belief = motion, motion.manifold.dof, Belief()
         self.blocks: list[Block] = []
         self.ids: list[Array] = []
 
     @property
     def pose(self) -> Array:
         """The robot's pose (7,) at the end of the last map, where the next one starts."""
-        return self.blocks[-1].mean[:7] if self.blocks else ORIGIN
+        return self.motion.pose(self.state(-1)) if self.blocks else ORIGIN
+
+    def state(self, number: int) -> Array:
+        """The robot's state (size,) at the end of one map, in the first map's frame."""
+        return self.blocks[number].mean[: self.motion.manifold.size]
 
     def points(self, number: int) -> Array:
         """Points (n, 3) [m] of one map, in the first map's frame."""
-        return self.blocks[number].mean[7:].reshape(-1, 3)
+        return self.blocks[number].mean[self.motion.manifold.size :].reshape(-1, 3)
 
-    def covariance(self) -> Array:
-        """Covariance (6, 6) of `pose`."""
-        return self.belief.covariance(self.blocks[-1])[:POSE, :POSE]
+    def covariance(self, number: int = -1) -> Array:
+        """Covariance (6, 6) of the robot's pose at the end of one map, by default of `pose`."""
+        P = self.belief.covariance(self.blocks[number])[: self.dof, : self.dof]
+        return self.motion.in_space(self.state(number), P)[1]
 
     def join(self, submap: Submap) -> None:
         """Append the map that started where the last one ended: y = base (+) x, and its Jacobians. Eq. (ms-join).
 
         x is independent of everything in the atlas: its covariance acts as the noise.
         """
-        base = self.pose
-        pose, J = compose.jac(base, submap.pose)
+        motion, d, (base, _) = self.motion, self.dof, self.motion.at(self.pose, np.zeros(6))
+        pose, J = compose.jac(self.pose, motion.pose(submap.state))
+        state, by_pose = motion.at(pose, np.zeros(6))
         n, points = len(submap.ids), submap.points
-        by_base, by_map = np.zeros((POSE + 3 * n, POSE)), np.zeros((POSE + 3 * n,) * 2)
-        by_base[:POSE], by_map[:POSE, :POSE] = J.outer, J.inner
+        by_base, by_map = np.zeros((d + 3 * n, d)), np.zeros((d + 3 * n,) * 2)
+        by_base[:d] = by_pose[:, :6] @ motion.by_state(J.outer, base)
+        by_map[:d, :d] = by_pose[:, :6] @ motion.by_state(J.inner, submap.state)
         if n:
-            points, J = from_frame.jac(base, points)
-            by_base[POSE:] = J.pose.reshape(-1, POSE)
-            by_map[POSE:, POSE:] = np.kron(np.eye(n), rotation(base[3:]))  # J.point: the same for all points
+            points, J = from_frame.jac(self.pose, points)
+            by_base[d:] = motion.by_state(J.pose, base).reshape(-1, d)
+            by_map[d:, d:] = np.kron(np.eye(n), rotation(self.pose[3:]))  # J.point: the same for all points
         given = self.blocks[-1:]
-        jacobians = [np.pad(by_base, ((0, 0), (0, block.dof - POSE))) for block in given]
+        jacobians = [np.pad(by_base, ((0, 0), (0, block.dof - d))) for block in given]
         own = by_map @ submap.covariance @ by_map.T
-        mean = np.concatenate([pose, points.ravel()])
-        self.blocks.append(self.belief.add(_submap_manifold(n), mean, own, given=given, jacobians=jacobians))
+        mean = np.concatenate([state, points.ravel()])
+        self.blocks.append(self.belief.add(self._manifold(n), mean, own, given=given, jacobians=jacobians))
         self.ids.append(submap.ids)
+
+    def _manifold(self, points: int) -> Product:
+        return Product("submap", self.motion.manifold, *[Euclidean(3 * points)] * bool(points))
 
     def shared(self) -> list[tuple[int, int, int, int]]:
         """(map, row, later map, row) of points of the same id, each paired with its first appearance."""
@@ -124,16 +131,16 @@ class Atlas:
         blocks = [self.blocks[first], self.blocks[later]]
         jacobians = [np.zeros((3, block.dof)) for block in blocks]
         for J, row, sign in zip(jacobians, (i, j), (-1, 1), strict=True):
-            J[:, POSE + 3 * row : POSE + 3 * row + 3] = sign * np.eye(3)
+            J[:, self.dof + 3 * row : self.dof + 3 * row + 3] = sign * np.eye(3)
         innovation = self.points(first)[i] - self.points(later)[j]
         return LinearizedMeasurement(blocks, jacobians, innovation, np.zeros((3, 3)))
 
     def _drop(self, number: int, rows: list[int]) -> None:
         """Delete points of one map."""
         block, kept = self.blocks[number], np.setdiff1d(np.arange(len(self.ids[number])), rows)
-        places = np.concatenate([np.arange(POSE), (POSE + 3 * kept[:, None] + np.arange(3)).ravel()]).astype(int)
-        mean = np.concatenate([block.mean[:7], self.points(number)[kept].ravel()])
-        self.belief.replace(block, _submap_manifold(len(kept)), mean, np.eye(block.dof)[places])
+        places = [np.arange(self.dof), (self.dof + 3 * kept[:, None] + np.arange(3)).ravel()]
+        mean = np.concatenate([self.state(number), self.points(number)[kept].ravel()])
+        self.belief.replace(block, self._manifold(len(kept)), mean, np.eye(block.dof)[np.concatenate(places)])
         self.ids[number] = self.ids[number][kept]
 
 
@@ -156,7 +163,7 @@ class SubmapSlam:
         Raises SlamlibError for several robots, for a robot whose state is more than a pose, and for estimated
         extrinsics: the maps would not be independent of each other.
         """
-        if len(rig.robots) != 1 or rig.robots[0].model.manifold.dof != POSE:
+        if len(rig.robots) != 1 or rig.robots[0].model.manifold.dof != rig.dof[0]:
             raise SlamlibError("SubmapSlam: a rig of one robot whose state is its pose is wanted (motion='odometry')")
         if any(sensor.estimated for sensor in rig.sensors):
             raise SlamlibError(
@@ -165,7 +172,7 @@ class SubmapSlam:
         if max_landmarks < 1:
             raise SlamlibError(f"SubmapSlam: max_landmarks (of one map) should be 1 or more, got {max_landmarks}")
         self.rig, self.options, self.max_landmarks = rig, options or Options(), max_landmarks
-        self.front_ends, self.atlas = front_ends, Atlas()
+        self.front_ends, self.atlas = front_ends, Atlas(rig.robots[0].model)
         self.slam = self._new_filter(rig)
 
     @property
