@@ -16,6 +16,7 @@ from slamlib.manifolds import Array
 from slamlib.records.inputs import Frame, Truth
 from slamlib.rigs.setup import Rig
 from slamlib.slam import Options, Slam
+from slamlib.slam.snapshot import robot_view
 from slamlib.vision.stereo import MOTION_SOURCES, StereoFeatureExtractor, StereoSettings, VisualOdometry
 from slamlib.vision.stereo.motion_source import SplitFeatures, StereoMotionSource
 
@@ -92,8 +93,7 @@ def moved_by(motion_source: StereoMotionSource, rig: Rig, options: Options, pose
     robots = (replace(rig.robots[0], motion=motion_source.motion),)
     slam = Slam(replace(rig, robots=robots), options=options, front_ends=[motion_source.front_end])
     if pose is not None:
-        block = slam.robots[0].block
-        block.mean = np.concatenate([pose, block.mean[7:]])
+        slam.robots[0].block.mean, _ = slam.rig.robots[0].start_at(pose, np.zeros(6))
     return slam
 
 
@@ -123,7 +123,7 @@ def run(film: Film, chosen: Way, options: Options = OPTIONS, at_once: bool = Fal
         nis += [prediction.nis for prediction in inliers]
         old.append(sum(prediction.landmark.first_seen < slam.number - OLD for prediction in inliers))
         robot = slam.robots[0]
-        rows.append((truth.poses[0], robot.pose, slam.belief.covariance(robot.block)[:6, :6]))
+        rows.append((truth.poses[0], robot.pose, robot_view(slam.belief, robot).pose_covariance))
     true, *estimate = (np.array(column)[1:] for column in zip(*rows, strict=True))
     estimates, fit, size = [estimate], float(np.mean(nis)) / 3, len(slam.landmarks)
     if smoother is not None:

@@ -24,6 +24,7 @@ from slamlib.kalman.linalg import principal_blocks
 from slamlib.manifolds import Array
 from slamlib.records.inputs import Scan
 from slamlib.slam import Slam
+from slamlib.slam.snapshot import robot_view
 from slamlib.slam.transport import TRANSPORTS
 
 FILTERS, WITH_ANCHORS, ALL_DATA = ("local", "world", "oracle"), "anchors", "all data"
@@ -93,7 +94,7 @@ def _filtered(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array
                 smoother.record(frame)
             true.append(list(truth.poses))
             estimates.append([robot.pose for robot in slam.robots])
-            covariances.append([slam.belief.covariance(robot.block)[:DOF, :DOF] for robot in slam.robots])
+            covariances.append([robot_view(slam.belief, robot).pose_covariance for robot in slam.robots])
     finally:
         del TRANSPORTS[WITH_ANCHORS]
     return np.array(true), np.array(estimates), np.array(covariances), smoother

@@ -14,7 +14,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from slamlib.entities import POSE, RigSensor
+from slamlib.entities import RigSensor
 from slamlib.entities.linearization import FirstEstimates, HasMotion
 from slamlib.entities.unobservable import generator
 from slamlib.errors import SlamlibError
@@ -62,10 +62,10 @@ class Oracle(FirstEstimates):
 
         It is that of equivariance, J N(robot) = N(landmark). feature: of the world, which the landmark is.
         """
-        robot = self._true(sensor.robot.block)
-        here, there = (compose(pose[:7], sensor.extrinsics) for pose in (sensor.robot.pose, robot))
+        robot, motion = self._true(sensor.robot.block), sensor.robot.motion
+        here, there = (compose(pose, sensor.extrinsics) for pose in (sensor.robot.pose, motion.pose(robot)))
         self._new = nearest(kind, kind.moved(compose(there, inverse(here)), mean), noise, feature)
-        by: Array = generator(kind, self._new) @ np.linalg.inv(generator(sensor.robot.motion, robot)[:POSE])
+        by: Array = generator(kind, self._new) @ np.linalg.inv(generator(motion, robot)[: motion.pose_dof])
         return by
 
 

@@ -17,6 +17,7 @@ from slamlib.geometry.pose import Pose, to_frame
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array, Indices
 from slamlib.slam import Slam
+from slamlib.slam.snapshot import robot_view
 from slamlib.vision.results import lasting, whitened
 
 GATE = chi2_quantile(0.99, 3)
@@ -30,7 +31,8 @@ def meet(slam: Slam, observer: int, observed: int, measured: Array) -> bool:
     there, J = to_frame.jac(slam.sensors[observer].camera, two.pose[:3])
     expected, (H,) = calibration.sensor.project.jac(np.append(there, 1.0))
     H = H[:, :3]
-    jacobians = [H @ J.pose, np.hstack([H @ J.point, np.zeros((3, 3))])]
+    by_poses = zip((one, two), (H @ J.pose, np.hstack([H @ J.point, np.zeros((3, 3))])), strict=True)
+    jacobians = [robot.motion.by_state(by_pose, robot.block.mean) for robot, by_pose in by_poses]
     innovation = calibration.sensor.manifold.minus(measured, expected)
     S = slam.belief.innovation_covariance([one.block, two.block], jacobians, calibration.noise)
     is_inlier = bool(innovation @ np.linalg.solve(S, innovation) < GATE)
@@ -74,7 +76,7 @@ def run(
         for meeting in recording.meetings.get(frame.number, []) if meetings else ():
             met += [1, meet(slam, *meeting)]
         poses.append([robot.pose for robot in slam.robots])
-        covariances.append([slam.belief.covariance(robot.block)[:6, :6] for robot in slam.robots])
+        covariances.append([robot_view(slam.belief, robot).pose_covariance for robot in slam.robots])
     times = np.cumsum([frame.dt for frame in recording.frames])
     figures = {"frames": len(times), "seconds": times[-1], "landmarks": len(slam.landmarks), "matched": int(matched[0])}
     figures |= {"inliers": matched[1] / matched[0], "met": met.tolist()}

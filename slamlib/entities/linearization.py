@@ -7,7 +7,6 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from slamlib.entities.unobservable import generator
-from slamlib.geometry.pose import Pose
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array
 from slamlib.motions import Motion
@@ -68,8 +67,8 @@ class FirstEstimates(Linearization):
 
     def motion(self, robot: HasMotion, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
         """Jacobians of the motion, the first one changed so that it takes N of one first estimate to N of the next."""
-        F, G = super().motion(robot, state, control, dt)
+        (F, G), k = super().motion(robot, state, control, dt), robot.motion.pose_dof
         before, after = (generator(robot.motion, x) for x in (self.at(robot.block), state))
         F = F.copy()
-        F[:, : Pose.dof] += (after - F @ before) @ np.linalg.inv(before[: Pose.dof])
+        F[:, :k] += (after - F @ before) @ np.linalg.inv(before[:k])
         return F, G

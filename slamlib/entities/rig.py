@@ -5,13 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.entities.linearization import Linearization
-from slamlib.geometry.pose import Pose, compose
+from slamlib.geometry.pose import compose
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array, Indices
 from slamlib.motions import Motion
 from slamlib.sensors.sensor import Calibration
-
-POSE = Pose.dof  # degrees of freedom of a pose
 
 
 @dataclass(eq=False)
@@ -66,8 +64,8 @@ class RigSensor:
     @property
     def columns(self) -> Indices:
         """Rows of the joint covariance of the robot's pose, and of the extrinsics if they are estimated."""
-        robot = self.robot.columns
-        return robot if self.block is None else np.concatenate([robot, self.block.start + np.arange(POSE)])
+        robot, own = self.robot.columns, self.block
+        return robot if own is None else np.concatenate([robot, own.start + np.arange(own.dof)])
 
     @property
     def blocks(self) -> list[Block]:

@@ -90,18 +90,20 @@ class RobotSetup:
     @property
     def covariance(self) -> Array:
         """Covariance (dof, dof) of the initial state."""
-        std = [_pose_std(self.position_std, self.orientation_std), _mixed(self.velocity_std, self.name, "velocity_std")]
-        J = self._start[1]
-        return J * np.concatenate(std) ** 2 @ J.T
+        return self._start[1]
 
     @property
     def _start(self) -> tuple[Array, Array]:
-        """The initial state, and its Jacobian (dof, 12) by pose and velocities."""
         pose = pose_of(self.position, self.euler, self.name)
+        return self.start_at(pose, _pose_std(self.position_std, self.orientation_std))
+
+    def start_at(self, pose: Array, std: Array) -> tuple[Array, Array]:
+        """State and covariance of a start at another pose (7,), with standard deviations (6,). Raises SlamlibError."""
         try:
-            return self.model.at(pose, _mixed(self.velocity, self.name, "velocity"))
+            state, J = self.model.at(pose, _mixed(self.velocity, self.name, "velocity"))
         except SlamlibError as error:
             raise SlamlibError(f"{self.name}: {error}") from None
+        return state, J * np.concatenate([std, _mixed(self.velocity_std, self.name, "velocity_std")]) ** 2 @ J.T
 
     @property
     def nominal(self) -> Array:

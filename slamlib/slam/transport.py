@@ -10,7 +10,7 @@ from contextlib import AbstractContextManager, contextmanager, nullcontext
 
 import numpy as np
 
-from slamlib.entities import POSE, RigSensor, Robot, State
+from slamlib.entities import RigSensor, Robot, State
 from slamlib.entities.unobservable import Movable, check_moved, generator
 from slamlib.geometry.pose import ORIGIN, compose
 from slamlib.kalman.linalg import Carry
@@ -38,10 +38,14 @@ def generators(state: State) -> Array:
 
 
 def trade(size: int, sensor: RigSensor, extrinsics: Block) -> Array:
-    """N (size, 6) of the motions of robot and extrinsics against each other, which leave the sensor where it is."""
-    N = np.zeros((size, 6))
-    N[sensor.robot.block.start + np.arange(POSE)] = compose.jac(sensor.robot.pose, ORIGIN)[1].inner
-    N[extrinsics.slice] = -compose.jac(ORIGIN, extrinsics.mean)[1].outer
+    """N (size, f) of the motions of robot and extrinsics against each other, which leave the sensor where it is.
+
+    As many as the robot is free to make: six, or three in the plane.
+    """
+    robot, free = sensor.robot, sensor.robot.motion.free
+    N, by_pose = np.zeros((size, free.shape[1])), robot.motion.at(robot.pose, np.zeros(6))[1]
+    N[robot.columns] = by_pose[: len(robot.columns), :6] @ compose.jac(robot.pose, ORIGIN)[1].inner @ free
+    N[extrinsics.slice] = -compose.jac(ORIGIN, extrinsics.mean)[1].outer @ free
     return N
 
 

@@ -9,8 +9,9 @@ from slambook import rendering
 
 from slamlib.datasets.pictures import TimedImage
 from slamlib.datasets.sources import of_pictures
-from slamlib.geometry.pose import compose, relative, to_frame
+from slamlib.geometry.pose import Pose, compose, relative, to_frame
 from slamlib.geometry.quaternion import rotation
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.sensors.omni import OMNI, powers
 from slamlib.sensors.pinhole import distort_radius
 from slamlib.sensors.sensor import Calibration
@@ -159,6 +160,30 @@ def test_a_kidnapped_camera_is_found_by_its_map_and_the_map_is_not_changed(start
     blank = robot.block.mean.copy()
     assert not relocalize(slam, np.zeros_like(image))
     assert (robot.block.mean == blank).all()
+
+
+@pytest.mark.parametrize(("motion", "is_found"), [("odometry", True), ("constVel", True), ("unicycle", False)])
+def test_a_robot_in_the_plane_is_not_put_at_any_pose(motion, is_found, monkeypatch):
+    """The same points in the same pixels: a robot in space is found by them, with the velocities of its start."""
+    wall = np.column_stack([np.full((40, 1), 3.0), np.random.default_rng(1).uniform(-1, 1, (40, 2))])
+    true = np.array([0.2, 0.3, 0.1, 1, 0, 0, 0])
+    setup = RobotSetup(motion=motion, position=(1, 0, 0), velocity=(0.1, 0.2, 0.3, 0, 0, 9), velocity_std=(0.5,) * 6)
+    slam = Slam(Rig((setup,), (SensorSetup(),)))
+    (robot,), before = slam.robots, slam.belief.matrix.copy()
+    pixels = slam.sensors[0].calibration.project(
+        np.column_stack([to_frame(compose(true, slam.sensors[0].extrinsics), wall), np.ones(40)])
+    )
+    monkeypatch.setattr("slamlib.vision.relocalization._matches", lambda *_: zip(wall, pixels, strict=True))
+    assert relocalize(slam, np.zeros((480, 640))) == is_found
+    if is_found:
+        assert np.abs(Pose.minus(robot.pose, true)).max() < 1e-3
+        assert np.array_equal(robot.block.mean[7:], setup.state[7:])
+        P, Q = slam.belief.covariance(robot.block), setup.covariance
+        assert np.sqrt(np.diag(P)[3:6]) == pytest.approx(np.radians([1, 1, 1]))
+        assert np.array_equal(P[6:, 6:], Q[6:, 6:])
+    else:
+        assert np.array_equal(robot.block.mean, setup.state)
+        assert np.array_equal(slam.belief.matrix, before)
 
 
 def test_a_map_whose_patches_are_all_found_in_one_spot_is_not_recognized(started, monkeypatch):

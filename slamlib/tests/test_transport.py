@@ -18,10 +18,11 @@ from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS
 from slamlib.records.inputs import Control, RobotMeasurement
-from slamlib.rigs.setup import Rig, SensorSetup
+from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.slam import Slam
 from slamlib.slam.prediction import predict_measurements
-from slamlib.slam.transport import TRANSPORTS, carried, generator, generators, unobservable
+from slamlib.slam.transport import TRANSPORTS, carried, generator, generators, trade, unobservable
+from slamlib.tests import test_plane_motions
 
 MOVED = [name for name, kind in {**POINTS, **LINES}.items() if kind.moved is not None]
 
@@ -93,6 +94,25 @@ def test_neither_robot_nor_extrinsics_are_told_apart_by_their_own_sensor():
     assert np.linalg.matrix_rank(N) == 12
     for p in slam.project(1):
         H, columns = p.batch.jacobian[p.row], p.batch.columns[p.row]
+        assert np.abs(H @ N[columns]).max() < 1e-9 * np.abs(H).max() * np.abs(N[columns]).max()
+
+
+@pytest.mark.parametrize("motion", ["odometry", "planeOdometry", "unicycle"])
+def test_robot_and_extrinsics_are_traded_in_as_many_directions_as_the_robot_is_free_to_move_in(motion):
+    p = test_plane_motions.preset(MOTIONS["unicycle"])
+    robot = RobotSetup(motion=motion, position=(0, -5, 0), euler=(0, 0, 70))
+    sensor = replace(p.rig.sensors[0], euler=(20, 10, 30), estimated=True, position_std=(0.1,), orientation_std=(1,))
+    slam = Slam(Rig((robot,), (sensor,)), options=p.options)
+    ((frame, _),) = replace(p, frames=1).simulate()
+    slam.step(replace(frame, controls=(None,)))
+    (own,) = slam.sensors
+    N = trade(slam.belief.size, own, own.block)
+    (dof,) = slam.rig.dof
+    assert N.shape == (slam.belief.size, dof)
+    assert np.linalg.matrix_rank(N[own.robot.columns]) == dof
+    assert len(slam.project()) > 5
+    for predicted in slam.project():
+        H, columns = predicted.batch.jacobian[predicted.row], predicted.batch.columns[predicted.row]
         assert np.abs(H @ N[columns]).max() < 1e-9 * np.abs(H).max() * np.abs(N[columns]).max()
 
 

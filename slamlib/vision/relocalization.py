@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.datasets.pictures import opencv
-from slamlib.entities import POSE, Landmark
+from slamlib.entities import Landmark
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, Pose, compose, inverse
 from slamlib.manifolds import Array, Image
@@ -32,13 +32,12 @@ POSITION_STD, ORIENTATION_STD = 0.02, 1.0  # of the pose found: a share of the p
 def relocalize(slam: Slam, image: Image) -> bool:
     """Whether the camera was found: then its robot's pose is the one found, at rest, independent of the map.
 
-    Needs points with patches, and OpenCV: without either nothing is found, and nothing is changed.
+    Needs points with patches, OpenCV, and a robot that can be at any pose, which one in the plane cannot: without them
+    nothing is found, and nothing is changed.
     """
     if (found := _robot(slam, slam.landmarks, image)) is None:
         return False
-    mean, P = slam.rig.robots[0].state, slam.rig.robots[0].covariance
-    mean[:7], stds = found
-    P[:POSE, :POSE] = np.diag(stds**2)
+    mean, P = slam.rig.robots[0].start_at(*found)
     slam.belief.predict(slam.robots[0].block, mean, np.zeros_like(P), P)  # F = 0: nothing of the old pose is left
     return True
 
@@ -66,7 +65,7 @@ def close_loop(slam: Slam, image: Image) -> bool:
     for landmark in slam.landmarks:
         share[landmark.block.slice] = np.clip((landmark.last_seen - since) / (number - since), 0, 1)
     N = generators(slam.state)
-    N = N @ np.linalg.inv(N[sensor.robot.block.start + np.arange(POSE)])
+    N = N @ np.linalg.inv(N[sensor.robot.columns])
     z = Pose.minus(robot, sensor.robot.pose)
     Q = np.repeat((z.reshape(2, 3) ** 2).mean(axis=1), 3)  # and K: diagonals
     K = Q / (Q + stds**2)
@@ -83,8 +82,8 @@ def _robot(slam: Slam, landmarks: list[Landmark], image: Image) -> tuple[Array, 
         cv2 = opencv("to relocalize")
     except SlamlibError:
         return None
-    if slam.robots[0].motion.pose_of is not None:
-        return None  # a robot in the plane cannot be put at any pose
+    if slam.rig.dof[0] < Pose.dof:
+        return None  # the robot cannot be put at any pose
     sensor, matches = slam.sensors[0], list(_matches(cv2, landmarks, np.asarray(image, np.float32)))
     if len(matches) < FEWEST:
         return None

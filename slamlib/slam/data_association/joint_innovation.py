@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.belief import Belief
-from slamlib.entities import POSE, RigSensor
+from slamlib.entities import RigSensor
 from slamlib.entities.landmark import group_by_kind, landmark_means
 from slamlib.geometry.pose import Pose, compose
 from slamlib.manifolds import Array, Indices
@@ -62,9 +62,9 @@ def hypothesis_innovations(sensor: RigSensor, predictions: Predictions, joint: J
     own = joint.S[np.arange(n), :, np.arange(n)]
     steps = np.einsum("knd,nd->nk", joint.gain, np.linalg.solve(own, joint.z[..., None])[..., 0])
     moved_sensor = steps[:, np.searchsorted(joint.touched, sensor.columns)]  # (n, 6), or (n, 12) with its extrinsics
-    robot, own = sensor.robot, moved_sensor[:, : sensor.robot.motion.pose_dof]
-    extrinsics = sensor.extrinsics if sensor.block is None else Pose.plus(sensor.extrinsics, moved_sensor[:, -POSE:])
-    moved_robot = Pose.plus(robot.pose, own @ robot.motion.pose_jacobian(robot.block.mean).T)
+    robot, k = sensor.robot, sensor.robot.motion.pose_dof
+    extrinsics = sensor.extrinsics if sensor.block is None else Pose.plus(sensor.extrinsics, moved_sensor[:, k:])
+    moved_robot = Pose.plus(robot.pose, moved_sensor[:, :k] @ robot.motion.pose_jacobian(robot.block.mean).T)
     camera = compose(moved_robot, extrinsics)[:, None]
     in_frame: dict[str, list[tuple[list[int], Array]]] = defaultdict(list)
     for at in group_by_kind(range(n), lambda i: predictions[i].landmark.kind):
