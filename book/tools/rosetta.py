@@ -20,9 +20,8 @@ HEADER = ["group", "there", "kind", "what it is", "slamlib"]
 NOT_YET, NOT_NEEDED = "not yet: ", "not needed: "
 PAIRS = (
     "In space every sensor measures every point; lines are for sensors that project them. In the toolbox the "
-    "omnidirectional camera knows `ahmPnt` and `eucPnt` only, and nothing measures an `fhmPnt`. A cell says how "
-    "many numbers are measured, and how many are left to a prior; *no* is refused with an error. Generated from the "
-    "types."
+    "omnidirectional camera knows `ahmPnt` and `eucPnt` only, and nothing measures an `fhmPnt`. A cell says how many "
+    "numbers are measured, and how many are left to a prior; *no* is refused with an error. Generated from the types."
 )
 CHAPTER = re.compile(r"chapter (\w+)")
 
