@@ -134,8 +134,8 @@ def _undo(judge: Judge, calibration: Calibration, measured: list[tuple[Array, ..
         columns = np.column_stack([*(np.asarray(g) / _size(g) for g in tuple(G)[: 1 + hidden]), point])
         least = np.linalg.svd(columns, compute_uv=False)
         reached = int((least > 1e-8 * least[0]).sum()) - 1
-        wanted, where = (2, "the plane") if sensor.plane else (3, "space")
-        case.require(COMPLETE, reached == wanted, f"they reach {reached} of the {wanted} dimensions of {where}")
+        whole, where = (2, "the plane") if sensor.plane else (3, "space")
+        case.require(COMPLETE, reached == whole, f"they reach {reached} of the {whole} dimensions of {where}")
 
 
 def _size(matrix: Array) -> Array:
