@@ -18,8 +18,12 @@ from slamlib.slam.transport import TRANSPORTS
 class Options(UpkeepOptions, UpdateOptions, LineOptions, PointOptions):
     """All options of the filter. The names in parentheses are those of the toolbox.
 
-    points, lines: parametrization of new landmarks, or None for none of them (init.initType). others: the same for
-        other families of landmarks, by the family's name (slamlib.observation.FAMILIES).
+    Each is declared beside what it rules: in slam/map_management.py, slam/measurement_update.py, observation/segments.py
+    and observation/points.py; those of `Slam` itself are here.
+
+    points, lines: parametrization of new landmarks, or None for none of them (init.initType). Of points in space a
+        sensor in the plane makes planePnt, or planeIdpPnt if it measures bearings alone. others: the same for other
+        families of landmarks, by the family's name (slamlib.observation.FAMILIES).
     capacity: largest number of landmarks, or None for no limit (map.numLmks).
     pruning: how the map stays within the capacity: None refuses new landmarks; "least-recently-seen" prunes the one
         not seen for longest; "least-reliable" the one with the smallest share of searches that gave an inlier.

@@ -1,4 +1,7 @@
-"""A palette that colour-blind readers can tell apart, and how it is put on; light and dark are the page's style."""
+"""A palette that colour-blind readers can tell apart, and how it is put on; light and dark are the page's style.
+
+Which colour a landmark, an ellipse, a robot of a map has is said in slambook.scene.roles.
+"""
 
 import re
 from dataclasses import asdict, dataclass
