@@ -18,8 +18,8 @@ from slamlib.slam.transport import TRANSPORTS
 class Options(UpkeepOptions, UpdateOptions, LineOptions, PointOptions):
     """All options of the filter. The names in parentheses are those of the toolbox.
 
-    Each is declared beside what it rules: in slam/map_management.py, slam/measurement_update.py, observation/segments.py
-    and observation/points.py; those of `Slam` itself are here.
+    Each is declared beside what it rules: in slam/map_management.py, slam/measurement_update.py, and of the families in
+    observation/; those of `Slam` itself are here.
 
     points, lines: parametrization of new landmarks, or None for none of them (init.initType). Of points in space a
         sensor in the plane makes planePnt, or planeIdpPnt if it measures bearings alone. others: the same for other
