@@ -1,8 +1,6 @@
-"""A car, its laser, and a front end for trees that nobody has numbered: what the example Victoria Park adds to slamlib.
+"""A front end for trees that nobody has numbered, and what the wheels of a car amount to: of the example Victoria Park.
 
-The models are a reader's own, as in chapter your_own_model: their code is generated in memory when it is first needed.
-The car drives in the plane: height, roll and pitch of its pose have no uncertainty, so that they, and the height of
-the trees in the laser's plane, stay zero, and cost nothing but their rows.
+The front end is a reader's own, as in chapter data_association; robot and sensor are slamlib's, in the plane.
 """
 
 from collections.abc import Callable
@@ -10,60 +8,29 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from slamlib.analytic import arctan2, cos, sin, sqrt
 from slamlib.entities import Landmark
-from slamlib.geometry.pose import Pose, compose, from_frame
-from slamlib.geometry.quaternion import exponential
+from slamlib.geometry.pose import from_frame
 from slamlib.kalman.chi_square import chi2_quantile
-from slamlib.manifolds import Angle, Array, Euclidean, Mask, Product
-from slamlib.models import model
-from slamlib.motions import Motion
-from slamlib.sensors.sensor import Calibration, Sensor
+from slamlib.manifolds import Array, Mask
 from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput
 from slamlib.slam.data_association.gates import mahalanobis_squared
 from slamlib.slam.prediction import Predictions
 
-AXLES, WHEEL = 283, 76  # [cm]: distance of the axles; of the measured wheel from the middle of the rear axle
-RangeYaw = Product("range and yaw", Euclidean(1), Angle(1))
+AXLES, WHEEL = 2.83, 0.76  # [m]: distance of the axles; of the measured wheel from the middle of the rear axle
 
 
-@model(state=Pose, control=2, dt=(), returns=Pose)
-def drive(state: Array, control: Array, dt: Array) -> Array:
-    """Pose of the rear axle's middle after dt [s] of wheel speed [m/s] and steering angle to the left [rad].
+def driven(wheel: Array) -> tuple[Array, Array]:
+    """Speed [m/s] and rate of turn [rad/s] (..., 2) of the rear axle's middle, with their Jacobians (..., 2, 2).
 
-    It moves straight, at half of the turn: for short steps. The speed is that of a wheel left of the middle, which is
-    slower in a turn to the left.
+    wheel (..., 2): the speed of the left rear wheel [m/s], slower in a turn to the left, and the steering angle to the
+    left [rad].
     """
-    tangent = sin(control[1]) / cos(control[1])
-    ahead = control[0] * dt / (1 - tangent * WHEEL / AXLES)
-    half = exponential(np.array([0, 0, 1]) * ahead * tangent * 50 / AXLES)
-    turn, way = np.concatenate([np.zeros(3), half]), np.concatenate([np.array([1, 0, 0]) * ahead, half])
-    return compose(compose(state, turn), way)
-
-
-@model(point=4, returns=RangeYaw)
-def project(point: Array) -> Array:
-    """Range [m] and yaw to the left [rad] of a point, in the laser's plane."""
-    x, y, _, w = point
-    return np.array([sqrt(x * x + y * y) / w, arctan2(y, x)])
-
-
-@model(measurement=RangeYaw)
-def back_project(measurement: Array) -> Array:
-    """Unit ray in the laser's plane, and inverse distance [1/m]."""
-    distance, yaw = measurement
-    return np.array([cos(yaw), sin(yaw), 0, 1 / distance])
-
-
-def visible(point: Array, calibration: Calibration) -> Mask:
-    """Mask of the points ahead of the laser, nearer than the limit `far` [m]."""
-    x, y, _, w = np.moveaxis(np.asarray(point), -1, 0)
-    seen: Mask = (x > 0) & (w > 0) & (np.hypot(x, y) < calibration.limits["far"] * w)
-    return seen
-
-
-CAR = Motion("car", Pose, control=2, step=drive, angles=(1,))
-LASER = Sensor("laser", project, back_project, (), visible, limits=("far",))
+    measured, tangent = wheel[..., 0], np.tan(wheel[..., 1])
+    gain = 1 / (1 - tangent * WHEEL / AXLES)
+    by_tangent = np.stack([measured * gain**2 * WHEEL / AXLES, measured * gain**2 / AXLES], axis=-1)
+    by_steering = by_tangent * (1 + tangent**2)[..., None]
+    by_wheel = np.stack([gain, gain * tangent / AXLES], axis=-1)
+    return measured[..., None] * by_wheel, np.stack([by_wheel, by_steering], axis=-1)
 
 
 @dataclass(eq=False)

@@ -19,16 +19,17 @@ from typing import Any
 import numpy as np
 
 from slambook.figures import colors, draw_ellipse, figure
-from slambook.trees import CAR, LASER, NearestNeighbor, drive
+from slambook.trees import NearestNeighbor, driven
 from slamlib.errors import SlamlibError, optional
 from slamlib.evaluation.consistency import rmse
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import compose
+from slamlib.geometry.pose2 import in_space
 from slamlib.manifolds import Array
+from slamlib.motions.unicycle import UNICYCLE
 from slamlib.plain_data.files import check_writable, complete, write_whole
 from slamlib.records.inputs import Control, Features, Frame, Scan
-from slamlib.rigs.setup import RobotSetup, SensorSetup
-from slamlib.sensors.sensor import Calibration
+from slamlib.rigs.builders import range_bearing, robot
 from slamlib.slam import Options, Slam
 
 FILES = {"victoria_park.mat": ("time", "u", "TLsr", "zt"), "aa3_gpsx.mat": ("timeGps", "La_m", "Lo_m")}
@@ -44,10 +45,14 @@ FOLDER holds two files; {SOURCE}.
 """
 # Of wheel speed [m/s] and steering [deg], of the average over one second: slip and the play of the steering, generous.
 CONTROL_STD = (0.3, 1.0)
-LASER_AT, LASER_STD, FAR = (3.78, 0.5, 0.0), (0.3, 1.5), 80.0  # [m] of the rear axle's middle; [m], [deg]; [m]
+LASER_AT, LASER_STD, FAR = (
+    (3.78, 0.5, 0.0),
+    (0.3, np.radians(1.5)),
+    80.0,
+)  # [m] of the rear axle's middle; [m, rad]; [m]
 GATE = 0.99
 OPTIONS = Options(
-    points="eucPnt", updates=1000, max_new_first=100, max_new=100, reproject=False, gate=GATE,
+    points="planePnt", updates=1000, max_new_first=100, max_new=100, reproject=False, gate=GATE,
     outlier_rejection="joint", min_searches=20, min_matched_ratio=0.05, min_inlier_ratio=0.3,
 )  # fmt: skip
 POINTS = 500  # of a path, as it is stored
@@ -71,14 +76,14 @@ def load(folder: str | Path) -> ParkRecording:
         # Between two scans there are eight controls. The filter gets their mean: its arc ends within 1.5 mm of theirs.
         edges = np.concatenate([started[:1], ends[kept]])
         done = np.cumsum(park["u"][:, :-1] * np.diff(started), axis=1)
-        driven = np.array([np.interp(edges, started, np.concatenate([[0.0], row])) for row in done])
+        sums = np.array([np.interp(edges, started, np.concatenate([[0.0], row])) for row in done])
         steps, noise = np.diff(edges), np.diag([CONTROL_STD[0], np.radians(CONTROL_STD[1])]) ** 2
         frames = []
-        for number, (i, dt, u) in enumerate(zip(kept, steps, (np.diff(driven) / steps).T, strict=True), 1):
+        for number, (i, dt, u, J) in enumerate(zip(kept, steps, *driven((np.diff(sums) / steps).T), strict=True), 1):
             distance, bearing, _ = park["zt"].ravel()[i].reshape(3, -1)
             trees = np.column_stack([distance, bearing - np.pi / 2])[distance < FAR]  # 90 degrees are straight ahead
             scan = Scan({"points": Features(np.arange(len(trees)), trees)})
-            control = Control(u, noise / dt)  # of a mean: less noise where it is of a longer time
+            control = Control(u, J @ noise @ J.T / dt)  # of a mean: less noise where it is of a longer time
             frames.append(Frame(number, float(dt), (control,), (scan,)))
         fixes = np.column_stack([gps["timeGps"].ravel() / 1000, gps["Lo_m"].ravel(), gps["La_m"].ravel()])
         return ParkRecording(frames, ends[kept], fixes)
@@ -97,31 +102,29 @@ def _variables(path: Path, names: tuple[str, ...]) -> dict[str, Any]:
 
 def park_slam() -> Slam:
     """The filter: the car starts at the origin, and is sure of it."""
-    laser = SensorSetup("laser", type="rangeBearing", position=LASER_AT, euler=(0, 0, 0))
-    slam = Slam(RobotSetup("car", motion=CAR), laser, options=OPTIONS, front_ends=[NearestNeighbor(GATE)])
-    std = np.array([LASER_STD[0], np.radians(LASER_STD[1])])
-    slam.sensors[0].calibration = Calibration(LASER, np.diag(std**2), limits={"far": FAR})
-    return slam
+    limits = {"far": FAR, "bearing": np.pi / 2}
+    laser = range_bearing(LASER_STD, name="laser", position=LASER_AT, limits=limits)
+    return Slam(robot("unicycle", name="car"), laser, options=OPTIONS, front_ends=[NearestNeighbor(GATE)])
 
 
 def run(recording: ParkRecording, scans: int | None = None) -> dict[str, Any]:
     """The filter on the first `scans` scans: figures, and to draw them `path`, `dead_reckoning`, `trees` and `gps`."""
     slam, began = park_slam(), time.perf_counter()
-    times, path, nis, odometry, measured = recording.times[:scans], [], [], [slam.robots[0].pose], 0
+    times, path, nis, odometry, measured = recording.times[:scans], [], [], [slam.robots[0].block.mean], 0
     for frame in progress(recording.frames[:scans], len(times), "scans"):
         slam.step(frame)
         measured += len(frame.scans[0].points)
         path.append(slam.sensors[0].camera[:2])
         nis += [p.nis for p in slam.predictions[0] if p.inlier]
-        odometry.append(drive(odometry[-1], frame.controls[0].value, frame.dt))  # type: ignore[union-attr]
+        odometry.append(UNICYCLE.step(odometry[-1], frame.controls[0].value, frame.dt))  # type: ignore[union-attr]
     seconds = time.perf_counter() - began
-    by_wheels = compose(np.array(odometry[1:]), slam.sensors[0].extrinsics)[:, :2]
+    by_wheels = compose(in_space(np.array(odometry[1:])), slam.sensors[0].extrinsics)[:, :2]
     fixes = recording.fixes[(recording.fixes[:, 0] >= times[0]) & (recording.fixes[:, 0] <= times[-1])]
     if len(fixes) < 3 or not (nis and slam.landmarks):
         raise SlamlibError(f"{len(times)} scans are too few to compare with the GPS: 50 are enough")
     (off, gps), (off_by_wheels, _) = (compared(times, way, fixes) for way in (np.array(path), by_wheels))
     thin = slice(None, None, -(-len(times) // POINTS))
-    trees = [(lm.block.mean[:2], slam.belief.covariance(lm.block)[:2, :2]) for lm in slam.landmarks]
+    trees = [(lm.block.mean, slam.belief.covariance(lm.block)) for lm in slam.landmarks]
     figures: dict[str, Any] = dict(
         scans=len(times), time=times[-1] - times[0], length=np.linalg.norm(np.diff(path, axis=0), axis=1).sum(),
         measurements=measured, used=len(nis), nis=np.mean(nis), nis_dof=2, seconds=seconds,

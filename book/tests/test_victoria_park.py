@@ -7,23 +7,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 from slambook import victoria_park
-from slambook.trees import drive
+from slambook.trees import AXLES, WHEEL, driven
 
 from book.experiments.stored import kept
 from book.tools import layout
-from slamlib.checks import CheckError, check_sensor
-from slamlib.codegen import check_model
 from slamlib.errors import SlamlibError
-from slamlib.geometry.pose import compose, to_frame
+from slamlib.geometry.pose2 import compose, to_frame
+from slamlib.motions.unicycle import UNICYCLE
 from slamlib.records.inputs import Control, Features, Frame, Scan
 
 io = pytest.importorskip("scipy.io", reason="SciPy writes and reads MATLAB's files")
-pytest.importorskip("sympy", reason="the car's model is compiled when it is needed")
 REAL = Path(os.environ.get("SLAMLIB_DATA") or "no-data") / "landmarks_victoria_park"
 STORED = layout.BOOK / "chapters" / "data" / "victoria_park_run.json"
 RENEW = "run `python -m slambook.victoria_park --json book/chapters/data/victoria_park_run.json`"
-START = np.array([0.0, 0, 0, 1, 0, 0, 0])
-LASER_POSE = np.array([*victoria_park.LASER_AT, 1, 0, 0, 0])
+LASER_POSE = np.array([*victoria_park.LASER_AT[:2], 0])
 
 
 def park(folder, seed=1, seconds=65.0, clutter=0.05):
@@ -31,19 +28,19 @@ def park(folder, seed=1, seconds=65.0, clutter=0.05):
     rng = np.random.default_rng(seed)
     angles = np.linspace(0, 2 * np.pi, 24, endpoint=False)
     radii = np.where(np.arange(24) % 2, 22.0, 8.0) + rng.uniform(-2, 2, 24)
-    trees = np.column_stack([radii * np.cos(angles), 15 + radii * np.sin(angles), 0 * angles])
+    trees = np.column_stack([radii * np.cos(angles), 15 + radii * np.sin(angles)])
     times = 10 + np.arange(0, seconds, 0.025)
     true = np.tile([2.2, np.arctan(2.83 / 15)], (len(times), 1))
     slow = np.sin(times / 7)[:, None] * [0.05, np.radians(0.3)]  # what the encoders say wrongly, slowly changing
     noise = rng.standard_normal(true.shape) * [0.2, np.radians(1)]
     scan_times = np.arange(9.9, times[-1], 0.2)  # the first one is before the car's first control
-    pose, k, scans, path = START, 0, [], []
+    pose, k, scans, path = np.zeros(3), 0, [], []
     for time in scan_times:
         while k + 1 < len(times) and times[k + 1] <= time:
-            pose, k = drive(pose, true[k], times[k + 1] - times[k]), k + 1
-        laser = compose(drive(pose, true[k], max(0.0, time - times[k])), LASER_POSE)
+            pose, k = UNICYCLE.step(pose, driven(true[k])[0], times[k + 1] - times[k]), k + 1
+        laser = compose(UNICYCLE.step(pose, driven(true[k])[0], max(0.0, time - times[k])), LASER_POSE)
         path.append(laser[:2])
-        x, y, _ = to_frame(laser, trees).T
+        x, y = to_frame(laser, trees).T
         seen = (x > 0) & (np.hypot(x, y) < 30) & (rng.random(24) < 0.8)
         found = np.column_stack([np.hypot(x, y), np.arctan2(y, x)])[seen]
         found += rng.standard_normal(found.shape) * [0.1, np.radians(0.5)]
@@ -60,7 +57,7 @@ def park(folder, seed=1, seconds=65.0, clutter=0.05):
     north, east = np.array(path)[fixed].T + rng.standard_normal((2, len(fixed))) / 10  # turned: x is to the north
     gps = {"timeGps": np.round(1000 * scan_times[fixed])[:, None], "La_m": north[:, None] + 100, "Lo_m": -east[:, None]}
     io.savemat(folder / "aa3_gpsx.mat", gps)
-    return trees[:, :2]
+    return trees
 
 
 @pytest.mark.parametrize("seed", [1, 2])
@@ -78,16 +75,22 @@ def test_a_small_park_is_mapped_without_anybody_numbering_its_trees(tmp_path, se
     assert len(result["path"]) <= victoria_park.POINTS
 
 
-def test_the_car_drives_circles_about_its_rear_axle_and_the_laser_is_a_sensor():
-    check_model(drive)
-    with pytest.raises(CheckError, match=r"one property[\s\S]* 2 of the 3 dimensions"):  # of a plane
-        check_sensor(victoria_park.park_slam().sensors[0].calibration, silent=True)
-    radius, wheel = 10.0, 0.76  # of the rear axle's middle [m]; the measured wheel runs inside of a turn to the left
-    control = np.array([2 * (radius - wheel) / radius, np.arctan(2.83 / radius)])
-    pose = START
-    for _ in range(100):  # a quarter of the circle, at 2 m/s
-        pose = drive(pose, control, np.pi / 2 * radius / 2 / 100)
-    assert pose == pytest.approx([radius, radius, 0, np.sqrt(0.5), 0, 0, np.sqrt(0.5)], abs=1e-3)
+def test_the_car_drives_circles_about_its_rear_axle_by_its_inner_wheel():
+    radius = 10.0  # of the rear axle's middle [m]; the measured wheel runs inside of a turn to the left
+    wheel = np.array([2 * (radius - WHEEL) / radius, np.arctan(AXLES / radius)])
+    control, _ = driven(wheel)
+    assert control == pytest.approx([2, 2 / radius])
+    quarter = UNICYCLE.step(np.zeros(3), control, np.pi / 2 * radius / 2)
+    assert quarter == pytest.approx([radius, radius, np.pi / 2])
+    outer = np.array([2 * (radius + WHEEL) / radius, -wheel[1]])  # in a turn to the right it runs outside
+    assert driven(outer)[0] == pytest.approx([2, -2 / radius])
+
+
+def test_the_noise_of_wheel_and_steering_becomes_that_of_the_control():
+    wheels = np.array([[2.0, 0.3], [0.7, -0.4], [-1.0, 0.1], [3.0, 0.0]])
+    _, by_wheel = driven(wheels)
+    near = np.stack([driven(wheels + step)[0] - driven(wheels - step)[0] for step in 1e-6 * np.eye(2)], axis=-1)
+    assert by_wheel == pytest.approx(near / 2e-6, abs=1e-8)
 
 
 def test_the_real_park_begins_as_it_is_stored():
