@@ -68,7 +68,7 @@ class FirstEstimates(Linearization):
     def motion(self, robot: HasMotion, state: Array, control: Array, dt: float) -> tuple[Array, Array]:
         """Jacobians of the motion, the first one changed so that it takes N of one first estimate to N of the next."""
         (F, G), k = super().motion(robot, state, control, dt), robot.motion.pose_dof
-        before, after = (generator(robot.motion, x) for x in (self.at(robot.block), state))
+        before, after = (generator(robot.motion, x) @ robot.motion.free for x in (self.at(robot.block), state))
         F = F.copy()
         F[:, :k] += (after - F @ before) @ np.linalg.inv(before[:k])
         return F, G

@@ -5,7 +5,8 @@ Taking a part from a frame into the world and moving the world are one thing: th
 
 import numpy as np
 
-from slamlib.geometry.pose import Pose
+from slamlib.geometry.pose import Pose, from_frame
+from slamlib.geometry.pose2 import Pose2, compose, from_space
 from slamlib.geometry.quaternion import rotation
 from slamlib.models import model
 
@@ -20,6 +21,18 @@ def vector(motion, vector):
 def number(motion, number):
     """A distance, or a pixel, stays. Chapter frames_and_quaternions, eq. (fq-moved)."""
     return number
+
+
+@model(motion=Pose, point=2)
+def plane_point(motion, point):
+    """A point of the floor, by a motion along the floor. Chapter frames_and_quaternions, eq. (fq-moved)."""
+    return from_frame(motion, np.array([*point, 0]))[:2]
+
+
+@model(motion=Pose, pose=Pose2, returns=Pose2)
+def plane_pose(motion, pose):
+    """A pose in the plane, by a motion along the floor. Chapter frames_and_quaternions, eq. (fq-moved)."""
+    return compose(from_space(motion), pose)
 
 
 class Parts:

@@ -3,6 +3,7 @@
 import numpy as np
 
 from slamlib.analytic import arctan2, cos, sin, sqrt
+from slamlib.geometry.moved import Parts, number, plane_pose
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks.parametrization import PointLandmark
@@ -35,4 +36,5 @@ def to_point(landmark):
     return np.array([x + cos(azimuth) / inverse_distance, y + sin(azimuth) / inverse_distance, 0])
 
 
-PLANE_IDP_POINT = PointLandmark("planeIdpPnt", AnchoredInPlane, to_frame, from_frame, to_point, plane=True)
+MOVED = Parts(plane_pose, number)  # anchor and azimuth are a pose in the plane
+PLANE_IDP_POINT = PointLandmark("planeIdpPnt", AnchoredInPlane, to_frame, from_frame, to_point, MOVED, plane=True)

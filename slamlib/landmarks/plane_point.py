@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from slamlib.geometry.moved import plane_point
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.pose import from_frame as into_world
 from slamlib.geometry.pose import to_frame as into_frame
@@ -30,4 +31,4 @@ def to_point(landmark):
     return np.array([x, y, 0])
 
 
-PLANE_POINT = PointLandmark("planePnt", as_manifold(2), to_frame, from_frame, to_point, plane=True)
+PLANE_POINT = PointLandmark("planePnt", as_manifold(2), to_frame, from_frame, to_point, plane_point, plane=True)

@@ -1,5 +1,6 @@
 """Odometry in the plane: the control is a small displacement and a small turn, measured in the robot's own frame."""
 
+from slamlib.geometry.moved import plane_pose
 from slamlib.geometry.pose2 import Pose2, compose, from_space, in_space
 from slamlib.models import model
 from slamlib.motions.motion import Motion
@@ -12,5 +13,5 @@ def step(state, control, dt):
 
 
 PLANE_ODOMETRY = Motion(
-    "planeOdometry", Pose2, 3, step, moved=None, angles=(2,), pose_of=in_space, from_pose=from_space
+    "planeOdometry", Pose2, 3, step, moved=plane_pose, angles=(2,), pose_of=in_space, from_pose=from_space
 )

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from slamlib.geometry.moved import plane_pose
 from slamlib.geometry.pose2 import Pose2, compose, exponential, from_space, in_space
 from slamlib.models import model
 from slamlib.motions.motion import Motion
@@ -14,4 +15,4 @@ def step(state, control, dt):
     return compose(state, exponential(np.array([speed * dt, 0, rate * dt])))
 
 
-UNICYCLE = Motion("unicycle", Pose2, 2, step, moved=None, angles=(1,), pose_of=in_space, from_pose=from_space)
+UNICYCLE = Motion("unicycle", Pose2, 2, step, moved=plane_pose, angles=(1,), pose_of=in_space, from_pose=from_space)

@@ -27,14 +27,17 @@ def check(robots: Iterable[Robot], kinds: Iterable[Movable], error: str) -> None
 
 
 def generators(state: State) -> Array:
-    """N (size, 6): the change of all blocks' errors by a motion (tau [m], phi [rad]) of the world."""
+    """N (size, f): the change of all blocks' errors by a motion (tau [m], phi [rad]) of the world.
+
+    As many as all robots can make with it: six, or three where one of them is in the plane.
+    """
     N = np.zeros((state.belief.size, 6))
     for robot in state.robots:
         N[robot.block.slice] = generator(robot.motion, robot.block.mean)
     layout = state.layout
     for group in state.kinds():
         N[group.rows] = generator(group.landmarks[0].kind, group.means(layout))
-    return N
+    return N @ min((robot.motion.free for robot in state.robots), key=lambda free: free.shape[1])
 
 
 def trade(size: int, sensor: RigSensor, extrinsics: Block) -> Array:
@@ -49,8 +52,13 @@ def trade(size: int, sensor: RigSensor, extrinsics: Block) -> Array:
     return N
 
 
+def left_inverse(N: Array) -> Array:
+    """L (r, n) with L N = I, for N (n, r) of rank r: the inverse where it has as many rows."""
+    return np.linalg.inv(N) if N.shape[0] == N.shape[1] else np.linalg.pinv(N)
+
+
 def unobservable(state: State, sensor: RigSensor) -> Array:
-    """What this sensor's measurements cannot tell (size, 6), or (size, 12) where its extrinsics are estimated."""
+    """What this sensor's measurements cannot tell (size, f); more columns where its extrinsics are estimated."""
     N, extrinsics = generators(state), sensor.block
     return N if extrinsics is None else np.concatenate([N, trade(len(N), sensor, extrinsics)], axis=1)
 
@@ -64,7 +72,7 @@ def carried(state: State, sensor: RigSensor) -> Iterator[Projection]:
     """
     rows: Indices = sensor.columns
     before = unobservable(state, sensor)
-    motion = np.linalg.inv(before[rows])
+    motion = left_inverse(before[rows])
 
     def project(columns: Indices, H: Array) -> Array:
         H = H.copy()
