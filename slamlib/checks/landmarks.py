@@ -62,7 +62,7 @@ def point_properties(judge: Judge, kind: PointLandmark) -> None:
                 h = kind.to_frame(pose, landmark)
                 case.compare(EUCLIDEAN, h[:3] / h[3], frames.to_frame(pose, kind.to_point(landmark)))
         _infinity(judge, kind, poses)
-        _moved(judge, kind, made, seen)
+        _moved(judge, kind, made, seen, upright if kind.plane else np.asarray)
 
 
 def pose_for(kind: PointLandmark, rng: np.random.Generator) -> Array:
@@ -87,14 +87,21 @@ def _on_the_floor(places: list[tuple[Array, Array]]) -> list[tuple[Array, Array]
 
 
 def _moved(
-    judge: Judge, kind: PointLandmark | LineLandmark, made: Sequence[tuple[Array, ...]], seen: list[tuple[Array, Array]]
+    judge: Judge,
+    kind: PointLandmark | LineLandmark,
+    made: Sequence[tuple[Array, ...]],
+    seen: list[tuple[Array, Array]],
+    possible: Callable[[Array], Array] = np.asarray,
 ) -> None:
-    """Check the motion of the world, for a parametrization that says it; made: arguments of from_frame."""
+    """Check the motion of the world, for a parametrization that says it.
+
+    made: arguments of from_frame. possible: of a pose (7,) the nearest by which the landmark's world can move.
+    """
     if kind.moved is None:
         return
     steps = 1e-6 * np.concatenate([np.eye(6), -np.eye(6)])
     for pose, landmark in seen:
-        case, motion = judge.at(f"{kind.name}.moved", landmark=landmark, pose=pose), Pose.random(judge.rng)
+        case, motion = judge.at(f"{kind.name}.moved", landmark=landmark, pose=pose), possible(Pose.random(judge.rng))
         from_there = kind.to_frame(frames.compose(motion, pose), kind.moved(motion, landmark))
         case.compare(UNNOTICED, from_there, kind.to_frame(pose, landmark), "motion")
         near = [kind.moved(Pose.plus(ORIGIN, step), landmark) for step in steps]
