@@ -46,12 +46,11 @@ class Run:
 def filtered(case: Case, rig: Rig, frames: list[tuple[Frame, Array]]) -> Run:
     """The filter through frames with the true poses (7,) beside them, started at the first of these."""
     slam, motion_source = started(case, rig, frames[0][1])
-    block = slam.robots[0].block
     errors, squares, nis, spent = [], [], list[list[float]](), dict[str, float]()
     for i, (frame, true) in enumerate(frames):
         step(slam, motion_source, frame, frame.dt if i else 0.0, spent)
         errors.append(Pose.minus(true, slam.robots[0].pose))
-        squares.append(float(nees(errors[-1], slam.belief.covariance(block)[:6, :6])) if i else np.nan)
+        squares.append(float(nees(errors[-1], slam.robot.pose_covariance)) if i else np.nan)
         nis.append([prediction.nis for prediction in slam.predictions[0] if prediction.inlier])
     inliers, every = np.mean([len(n) for n in nis]), np.concatenate([np.array(n) for n in nis])
     return Run(np.array(errors)[1:], np.array(squares)[1:], float(inliers), float(every.mean() / 3),

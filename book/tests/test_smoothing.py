@@ -12,12 +12,15 @@ from slambook.smoothing.factors import LOSSES
 from slambook.smoothing.least_squares import by_cholmod, by_superlu
 
 from book.experiments.consistency import by_range_and_bearing
+from slamlib.analytic import arctan2, cos, sin
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band, share_inside
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
-from slamlib.motions import MOTIONS
+from slamlib.manifolds import Angle
+from slamlib.models import model
+from slamlib.motions import MOTIONS, Motion
 from slamlib.records.inputs import Features, RobotMeasurement, Scan, World
 from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.simulation import simulate
@@ -69,6 +72,33 @@ def mounted_in_the_plane():
     return replace(p, options=replace(p.options, points="idpPnt", convert=False))
 
 
+@model(state=Angle(1), control=1, dt=(), returns=Angle(1))
+def rolled(state, control, dt):
+    """Further round."""
+    return state + control
+
+
+@model(state=Angle(1), returns=Pose)
+def on_the_ring(state):
+    """On a ring of 5 m, looking outwards."""
+    (a,) = state
+    return np.array([5 * cos(a), 5 * sin(a), 0, cos(a / 2), 0, 0, sin(a / 2)])
+
+
+@model(pose=Pose, returns=Angle(1))
+def round_the_ring(pose):
+    """How far round."""
+    return np.array([arctan2(pose[1], pose[0])])
+
+
+def on_rails():
+    """A state of one number; how the pose depends on it depends on where it is."""
+    p = test_plane_motions.preset(MOTIONS["unicycle"])
+    ring = Motion("ring", Angle(1), 1, rolled, moved=None, angles=(0,), pose_of=on_the_ring, from_pose=round_the_ring)
+    robot = RobotSetup(motion=ring, position=(5, 0, 0), control=(9,), control_std=(1,), position_std=(0, 0.3, 0))
+    return replace(p, rig=Rig((robot,), p.rig.sensors), frames=30)
+
+
 CASES = {
     "odometry": lambda: with_options("points", points="idpPnt", convert=False),
     "converted": lambda: with_options("points", points="ahmPnt"),
@@ -79,6 +109,7 @@ CASES = {
     "constant velocity": flying,
     "plane": partial(in_the_plane, "planeOdometry"),
     "plane, extrinsics": mounted_in_the_plane,
+    "rails": on_rails,
 }
 
 
@@ -234,6 +265,17 @@ def test_in_the_plane_it_is_that_of_a_robot_in_space_which_cannot_leave_it():
     for number in plane.landmarks:
         for one, other in zip(plane.point(number), space.point(number), strict=True):
             np.testing.assert_allclose(one, other, atol=1e-6)
+
+
+def test_on_rails_the_covariance_lies_along_them_at_each_frame():
+    smoother, _, true, _ = recorded(on_rails())
+    found = smoother.solve()
+    P, e = found.covariance(np.arange(30)), Pose.minus(true, found.poses[:, 0])
+    across = found.poses[:, 0, :3] / 5
+    assert np.abs(P[:, :3, :3] @ across[:, :, None]).max() < 1e-9 * P.max()
+    position, heading = np.trace(P[:, :3, :3], axis1=1, axis2=2), P[:, 5, 5]
+    assert (np.linalg.norm(e[:, :3], axis=1) < 3 * np.sqrt(position)).all()
+    np.testing.assert_allclose(position, 25 * heading, rtol=1e-9)
 
 
 @pytest.mark.parametrize(("motion", "seeds"), [("planeOdometry", 1), ("unicycle", 2)])
