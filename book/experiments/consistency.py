@@ -65,7 +65,11 @@ def cases() -> dict[str, Preset]:
     euclidean = by_range_and_bearing(base)
     large = {n: replace(with_options(PRESETS[n](), reproject=False), noise_in="truth") for n in LARGE}
     return {
-        **{name: with_options(base, points=name) for name in sorted(POINTS) if name != "eucPnt"},
+        **{
+            name: with_options(base, points=name)
+            for name in sorted(POINTS)
+            if name != "eucPnt" and not POINTS[name].plane
+        },
         "eucPnt": euclidean,
         **{name: with_options(house, lines=name) for name in sorted(LINES)},
         **{name + NARROW: with_options(house, lines=name, line_priors={name: PRIOR}) for name in ("aplLin", "plkLin")},

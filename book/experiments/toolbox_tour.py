@@ -23,7 +23,7 @@ from slambook.filters_compared import beside
 from book.tools import layout
 from slamlib.evaluation.consistency import band, rmse, share_inside
 from slamlib.experiments.monte_carlo import Experiment, monte_carlo, seeds
-from slamlib.experiments.presets import PRESETS, Preset, lines, points
+from slamlib.experiments.presets import OF_TOOLBOX, Preset, lines, points
 from slamlib.landmarks import LINES, POINTS
 from slamlib.rigs.setup import Rig, SensorSetup
 
@@ -75,7 +75,7 @@ def cases() -> dict[str, Preset]:
         **theory(),
         **switches(replace(base, frames=SHORT)),
         # the first frames, for comparing the sensors; whole loops are those of points and lines
-        **{f"preset {n}": replace(with_options(f(), reproject=False), frames=BEGINNING) for n, f in PRESETS.items()},
+        **{f"preset {f.__name__}": replace(with_options(f(), reproject=False), frames=BEGINNING) for f in OF_TOOLBOX},
         **{f"prior {name}": with_options(base, points=name, **TOOLBOX) for name in ("idpPnt", "hmgPnt")},
     }
 

@@ -18,6 +18,8 @@ from slambook.scene.scene import bounds, map_scene
 from slambook.scene.view import NAMED, NEAR, OrbitView, rings
 
 from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.experiments.presets import preset
+from slamlib.experiments.runs import Run
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS
@@ -101,6 +103,25 @@ def test_an_ellipsoid_that_reaches_to_the_viewer_is_its_longest_axis():
     assert finite[:, 1] == pytest.approx(0, abs=1e-12)
     assert sorted(finite[:, 0]) == pytest.approx([1 / 35, 2.0])
     assert not len(view.outlines(np.full((1, 3), np.nan), np.full((1, 3, 3), np.nan)))
+
+
+def test_a_map_in_the_plane_is_seen_from_above_and_any_other_from_aside():
+    flat, shown = preset("plane").slam().snapshot(), scenes.snapshot()
+    for snapshot, elevation in ((flat, 90.0), (shown, 35.0)):
+        corners = bounds(snapshot, preset("plane").world, None, (), MapOptions())
+        assert view_of(MapOptions(), snapshot, corners, 1.4).elevation == elevation
+        assert view_of(MapOptions(view="side"), snapshot, corners, 1.4).elevation == 0
+    run = Run(replace(preset("plane"), frames=3))
+    truths = [step.truth for step in run]
+    snapshot, world = run.slam.snapshot(), run.preset.world
+    drawn = {layer.role: layer for layer in map_scene(snapshot, world=world, truth=truths[-1], true_path=truths)}
+    assert np.nanmax(np.abs(drawn["truth"].lines[:3, 2])) == 0  # the true path lies on the floor
+    north = drawn["label"].places[:, 1] - snapshot.points.geometry[:, 1]
+    assert (north > 0).all()
+    assert np.array_equal(drawn["label"].places[:, 2], snapshot.points.geometry[:, 2])
+    view = view_of(MapOptions(), snapshot, bounds(snapshot, world, None, (), MapOptions()), 1.4)
+    whole = world.points.values + np.array([0, 0.3, 0])  # with the room for their numbers
+    assert np.abs(view.points(whole) / [1.4, 1]).max() < 1
 
 
 def test_the_views_that_follow_and_orbit():

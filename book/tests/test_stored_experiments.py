@@ -10,7 +10,7 @@ from book.experiments import stored as results
 from book.experiments import toolbox_tour
 from book.tests.stored_results import comes_out_again
 from slamlib.experiments.monte_carlo import monte_carlo
-from slamlib.experiments.presets import PRESETS
+from slamlib.experiments.presets import OF_TOOLBOX
 from slamlib.landmarks import LINES, POINTS
 
 RENEW = "run `make experiments` and `python -m book.tools.notebooks run` for chapter toolbox_tour"
@@ -24,7 +24,8 @@ def stored():
 
 
 def test_form_of_the_file_has_every_preset_and_parametrization_with_enough_runs(stored):
-    wanted = [("preset", PRESETS), ("points", [n for n, kind in POINTS.items() if not kind.plane]), ("lines", LINES)]
+    of_space = [name for name in POINTS if not POINTS[name].plane]
+    wanted = [("preset", [f.__name__ for f in OF_TOOLBOX]), ("points", of_space), ("lines", LINES)]
     assert {f"{group} {name}" for group, names in wanted for name in names} <= set(stored["cases"])
     assert stored["runs"] >= 100
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.experiments.presets import PRESETS, Preset, preset
+from slamlib.experiments.presets import Preset, preset
 from slamlib.landmarks import LINES, POINTS
 from slamlib.plain_data.fields import read_fields
 from slamlib.slam import Options
@@ -83,11 +83,9 @@ def _json(text: str) -> str:
 
 def base(name: str) -> Preset:
     """The preset of a name, or of a JSON or TOML file. Raises SlamlibError with the choices."""
-    if name in PRESETS:
-        return preset(name)
     if Path(name).suffix in (".json", ".toml"):
         return Preset.load(name)
-    raise UnknownNameError.of("preset", name, PRESETS)
+    return preset(name)
 
 
 def changed(chosen: Preset, given: argparse.Namespace) -> Preset:

@@ -13,7 +13,7 @@ from slamlib.cli import arguments as shared
 from slamlib.cli import runner
 from slamlib.evaluation.consistency import share_inside
 from slamlib.experiments.monte_carlo import Experiment, monte_carlo
-from slamlib.landmarks import LINES
+from slamlib.landmarks import LINES, POINTS
 from slamlib.plain_data.files import check_writable
 from slamlib.slam.transport import TRANSPORTS
 
@@ -21,6 +21,7 @@ EXAMPLES = """examples:
   slamlib compare ahmPnt idpPnt hmgPnt --runs 20 --jobs 2 --folder finished
   slamlib compare plkLin aplLin --preset lines --frames 200
   slamlib compare hmgPnt idpPnt --errors local world
+  slamlib compare planePnt planeIdpPnt --runs 10
   slamlib compare ahmPnt hmgPnt --runs 1000 --scheduler tcp://host:8786 --folder finished
 """
 
@@ -28,7 +29,7 @@ EXAMPLES = """examples:
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `slamlib compare`."""
     parser.add_argument("landmarks", nargs="+", help="parametrizations, of `slamlib list points` or `lines`")
-    parser.add_argument("--preset", help="default: points for points, lines for lines")
+    parser.add_argument("--preset", help="default: points for points, plane for those in the plane, lines for lines")
     parser.add_argument("--errors", nargs="+", choices=TRANSPORTS, metavar="NAME",
         help="also compare filters, by the error whose covariance they keep: " + ", ".join(TRANSPORTS))  # fmt: skip
     parser.add_argument("--runs", type=shared.count, default=20, help="independent runs of each (default 20)")
@@ -49,7 +50,7 @@ def execute(given: argparse.Namespace) -> int:
     if given.folder:
         check_writable(Path(given.folder) / "run.npz")
     for name, error in product(given.landmarks, given.errors or [None]):
-        base = shared.base(given.preset or ("lines" if name in LINES else "points"))
+        base = shared.base(given.preset or _usual_preset(name))
         preset = shared.with_landmark(shared.changed(base, given), name)
         if error:
             preset = replace(preset, options=replace(preset.options, error=error))
@@ -67,6 +68,13 @@ def execute(given: argparse.Namespace) -> int:
     return 0
 
 
+def _usual_preset(landmark: str) -> str:
+    """The preset in which landmarks of this parametrization are compared."""
+    if landmark in LINES:
+        return "lines"
+    return "plane" if landmark in POINTS and POINTS[landmark].plane else "points"
+
+
 def summary(name: str, found: Experiment) -> dict[str, Any]:
     """The result as plain data: lengths in metres, times in milliseconds."""
     statistic = found.consistency()
@@ -75,7 +83,7 @@ def summary(name: str, found: Experiment) -> dict[str, Any]:
         "landmark": name,
         "error": found.preset.options.error,
         "runs": statistic.runs,
-        "frames": statistic.average.size,
+        "frames": found.nees.shape[1],
         "position_error_rms": float(np.sqrt((found.errors[:, -1, 0] ** 2).mean())),
         "position_sigma": float(np.sqrt((found.sigmas[:, -1, 0] ** 2).mean())),
         "map_error_median": float(np.nanmedian(found.map_error)),

@@ -17,6 +17,7 @@ from slamlib.manifolds import Array
 EXAMPLES = """examples:
   slamlib run points
   slamlib run points --landmark hmgPnt --seed 7 --video run.mp4
+  slamlib run plane --video lap.mp4
   slamlib run stereo --calibrate --save run.npz
   slamlib run --resume run.npz --frames 800
   slamlib preset points > mine.toml; slamlib run mine.toml

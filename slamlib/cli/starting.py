@@ -27,11 +27,16 @@ def execute(given: argparse.Namespace) -> int:
 def toml(table: dict[str, Any], path: str = "") -> Iterator[str]:
     """The lines of a table of plain data; tables in it, and lists of them, have headers of their own."""
     below = {name: value for name, value in table.items() if isinstance(_first(value), dict)}
-    yield from (f"{name} = {_inline(value)}" for name, value in table.items() if name not in below)
+    yield from (f"{_key(name)} = {_inline(value)}" for name, value in table.items() if name not in below)
     for name, value in below.items():
         for each in (value,) if isinstance(value, dict) else value:
             header = f"[{path}{name}]" if isinstance(value, dict) else f"[[{path}{name}]]"
             yield from ("", header, *toml(each, f"{path}{name}."))
+
+
+def _key(name: str) -> str:
+    """A name as a key; one that a person chose may have blanks."""
+    return name if name.isidentifier() else json.dumps(name)
 
 
 def _first(value: object) -> object:

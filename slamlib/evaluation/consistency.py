@@ -15,6 +15,8 @@ from slamlib.kalman import linalg
 from slamlib.kalman.chi_square import chi2_quantile, positive
 from slamlib.manifolds import Array, finite
 
+EXACT = 1e-12  # of a correlation matrix, whose eigenvalues have the mean 1: what is smaller is rounding
+
 
 def nees(error: Array, covariance: Array) -> Array:
     """Normalized estimation error squared e' P^-1 e; error (..., n), covariance (..., n, n). Expected value n.
@@ -29,11 +31,17 @@ def nees(error: Array, covariance: Array) -> Array:
 
 
 def nees_where_uncertain(error: Array, covariance: Array) -> float:
-    """NEES of one error (n,); nan where it is known exactly, as a pose is at a start without uncertainty."""
-    try:
-        return float(error @ np.linalg.solve(covariance, error))
-    except np.linalg.LinAlgError:
+    """NEES of one error (n,); nan where something of it is known exactly, as a pose is at a start without uncertainty.
+
+    Known exactly is what has no variance but rounding: the first control of a unicycle has two errors, its pose three.
+    """
+    variances = covariance.diagonal()
+    if not (variances > 0).all():
         return float("nan")
+    std = np.sqrt(variances)
+    if np.linalg.eigvalsh(covariance / np.outer(std, std))[0] < EXACT:
+        return float("nan")
+    return float(error @ np.linalg.solve(covariance, error))
 
 
 def nis(innovation: Array, covariance: Array) -> Array:

@@ -50,8 +50,12 @@ class Experiment:
     map_error: Array
 
     def consistency(self, robot: int = 0) -> Consistency:
-        """NEES of a robot's pose, averaged over the runs at each frame, with its band."""
-        return Consistency.of(self.nees[:, :, robot], self.preset.rig.dof[robot])
+        """NEES of a robot's pose, averaged over the runs at each frame, with its band.
+
+        Frames in which the pose is partly known exactly have none, and are left out.
+        """
+        nees = self.nees[:, :, robot]
+        return Consistency.of(nees[:, np.isfinite(nees).all(0)], self.preset.rig.dof[robot])
 
 
 FORMAT = "slamlib finished run"

@@ -1,10 +1,11 @@
-"""The seeds' experiments as plain data: copy one, change it with `dataclasses.replace`, and run it.
+"""Experiments as plain data: copy one, change it with `dataclasses.replace`, and run it.
 
-Numbers are those of the toolbox's userData files and of its quick start, except where a comment says otherwise.
+Numbers are those of the toolbox's userData files and of its quick start, except where a comment says otherwise; the two
+in the plane are the book's own.
 
     >>> import slamlib as sl
     >>> sorted(sl.presets.PRESETS)[:4]
-    ['default', 'lines', 'omni', 'points']
+    ['default', 'five_minutes', 'lines', 'omni']
     >>> sl.presets.stereo().rig
     Rig: robots robot (odometry); sensors left (pinHole), right (pinHole)
 """
@@ -20,10 +21,11 @@ from typing import Annotated, Any
 import numpy as np
 
 from slamlib.errors import SlamlibError, entry
+from slamlib.manifolds import Array
 from slamlib.plain_data.fields import Count, FileName, OneOf, Plain, Range, Whole, check
 from slamlib.plain_data.files import write_whole
 from slamlib.records.inputs import Frame, Truth, World
-from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
+from slamlib.rigs.setup import ZERO, Numbers, Rig, RobotSetup, SensorSetup
 from slamlib.sensors.scaramuzza import polynomials
 from slamlib.simulation import NOISE_IN, WORLDS, Faults, join, simulate, world
 from slamlib.slam import Options, Slam
@@ -34,7 +36,8 @@ class Preset(Plain):
     """An experiment: the world, the robots and sensors, the filter's options, and the duration.
 
     worlds: (name, arguments) of each part of the world (slamlib.simulation.WORLDS). noise_in: "control" or "truth", see
-    slamlib.simulation.simulate. dt [s]. seed: of all random numbers.
+    slamlib.simulation.simulate. dt [s]. seed: of all random numbers. legs: by a robot's name what it drives, over and
+    over: for so many frames each, a control as in its setup; robots that are not named keep the one of their setup.
     """
 
     name: Annotated[str, FileName()]
@@ -47,12 +50,16 @@ class Preset(Plain):
     faults: Faults = field(default_factory=Faults)
     occlusion: bool = False
     seed: Count = 1
+    legs: dict[str, tuple[tuple[Whole, Numbers], ...]] | None = None
 
     def __post_init__(self) -> None:
         check(self)
         for sensor in self.rig.sensors:
             if not all(sensor.std):
                 raise SlamlibError(f"{sensor.name}: std should be above 0, for the filter, got {sensor.std}")
+        robots = {robot.name: robot for robot in self.rig.robots}
+        for name, legs in (self.legs or {}).items():
+            driven(entry("robot of the legs", name, robots), legs)
 
     def __repr__(self) -> str:
         """What is run, without all the numbers: `to_dict` has these."""
@@ -75,6 +82,7 @@ class Preset(Plain):
             noise_in=self.noise_in,
             faults=self.faults,
             occlusion=self.occlusion,
+            controls=[driven(robot, (self.legs or {}).get(robot.name, ())) for robot in self.rig.robots],
             minimum_length=self.options.minimum_length,
         )
 
@@ -98,8 +106,15 @@ class Preset(Plain):
         return cls.from_dict(data)
 
 
+def driven(robot: RobotSetup, legs: tuple[tuple[int, Numbers], ...]) -> Callable[[int], Array] | None:
+    """A robot's control (c,) by the frame's number (from 1), leg after leg and over again; None: no legs."""
+    table = [row for frames, control in legs for row in [replace(robot, control=control).nominal] * frames]
+    return (lambda number: table[(number - 1) % len(table)]) if table else None
+
+
 ROBOT = RobotSetup(position=(0.0, -5.0, 0.0), control=(0.08, 0, 0, 0, 0, 0.9), control_std=(0.005,) * 3 + (0.05,) * 3)
 CAMERA = SensorSetup(position=(0.0, 0.0, 0.6))
+LASER = SensorSetup(type="planeRangeBearing", name="range and bearing", euler=ZERO, limits={"far": 4.0})
 
 
 def default() -> Preset:
@@ -174,11 +189,35 @@ def points_and_lines() -> Preset:
     return Preset("points_and_lines", Rig((ROBOT,), (camera, looking_in)), options, worlds)
 
 
-PRESETS: dict[str, Callable[[], Preset]] = {
-    f.__name__: f for f in (default, points, lines, omni, stereo, self_calibration, two_robots, points_and_lines)
-}
+def plane() -> Preset:
+    """In the plane: a lap and more among the 36 points of a cloister, by range and bearing; it closes the loop."""
+    robot = replace(ROBOT, motion="unicycle", control=(0.8, 9.0), control_std=(0.05, 1.5))
+    sensor = replace(LASER, std=(0.1, float(np.radians(2.0))))
+    around = (("cloister", {"n": 7}),)
+    return Preset("plane", Rig((robot,), (sensor,)), worlds=around, frames=120, dt=0.4, noise_in="truth")
+
+
+def five_minutes() -> Preset:
+    """SLAM in five minutes, the chapter: two laps of a rounded square past eight landmarks in the plane."""
+    robot = RobotSetup(motion="planeOdometry", control_std=(0.03, 0.0, 0.5))
+    sensor = replace(LASER, std=(0.1, float(np.radians(1.0))))
+    landmarks = (3, -2), (7, -2.2), (9.8, 1), (9.9, 5), (7, 9.2), (3, 9.3), (-0.8, 8), (-1.5, 4.5)
+    return Preset(
+        "five_minutes",
+        Rig((robot,), (sensor,)),
+        Options(gate=1.0, selection="order", max_new=10),  # as the chapter's filter does it
+        (("listed", {"points": landmarks}),),
+        frames=160,
+        dt=1.0,
+        noise_in="truth",
+        legs={"robot": ((15, (0.4, 0.0, 0.0)), (5, (0.4, 0.0, 18.0)))},
+    )
+
+
+OF_TOOLBOX = default, points, lines, omni, stereo, self_calibration, two_robots, points_and_lines
+PRESETS: dict[str, Callable[[], Preset]] = {f.__name__: f for f in (*OF_TOOLBOX, plane, five_minutes)}
 
 
 def preset(name: str) -> Preset:
-    """The preset of this name. Raises UnknownNameError."""
-    return entry("preset", name, PRESETS)()
+    """The preset of this name, in which hyphens count as underscores. Raises UnknownNameError."""
+    return entry("preset", name.replace("-", "_"), PRESETS)()

@@ -57,13 +57,19 @@ class Result:
         return (
             f"Result of {self.preset.name}: {len(self.nees)} frames, {self.landmarks[-1]} landmarks; "
             f"{self.preset.rig.robots[0].name}: at the end {error:.3g} m from the truth (sigma {sigma:.3g} m), "
-            f"mean NEES {self.nees[:, 0].mean():.3g} of {self.dof[0]}"
+            f"mean NEES {self.mean_nees[0]:.3g} of {self.dof[0]}"
         )
 
     @property
     def dof(self) -> tuple[int, ...]:
         """Degrees of freedom of each robot's pose: 6, or 3 in the plane."""
         return self.preset.rig.dof
+
+    @property
+    def mean_nees(self) -> tuple[float, ...]:
+        """NEES of each robot's pose, averaged over the frames in which no part of it is known exactly."""
+        known = [own[np.isfinite(own)] for own in self.nees.T]
+        return tuple(float(own.mean()) if own.size else float("nan") for own in known)
 
     def _repr_html_(self) -> str:
         """A row for each robot: where it ends, how far from the truth and how far by its own account, and its NEES."""
@@ -76,7 +82,7 @@ class Result:
                 (
                     robot.name,
                     *(f"{found[name][i]:.3g}" for name in names),
-                    f"{self.nees[:, i].mean():.3g}",
+                    f"{self.mean_nees[i]:.3g}",
                     f"{self.dof[i]}",
                 )
                 for i, robot in enumerate(self.preset.rig.robots)

@@ -80,7 +80,7 @@ class SensorView:
     """An estimated sensor, with its scan, predictions and measurements.
 
     extrinsics (7,) on robot number `robot`, with covariance (6, 6), zero where they are given; image (width, height) or
-    None; predictions: by the family's name.
+    None; predictions: by the family's name. plane: it measures in the plane and tells no heights.
     """
 
     name: str
@@ -90,6 +90,7 @@ class SensorView:
     image: Image | None
     scan: Scan | None
     predictions: dict[str, MeasurementView]
+    plane: bool = False
 
     @property
     def points(self) -> MeasurementView:
@@ -204,6 +205,11 @@ class Snapshot:
     def segments(self) -> MapView:
         """The lines of the map, as segments."""
         return self.landmarks["segments"]
+
+    @property
+    def plane(self) -> bool:
+        """Whether all that was measured lies in the plane, so that a map from above shows everything."""
+        return all(sensor.plane for sensor in self.sensors)
 
     def camera(self, sensor: int) -> Array:
         """Pose (7,) of a sensor in the world."""

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from slamlib.errors import ShapeError, SlamlibError, entry
 from slamlib.manifolds import Array, numbers
 from slamlib.observation import FAMILIES
-from slamlib.plain_data.fields import Count, Finite, Positive, Range, read_fields
+from slamlib.plain_data.fields import Count, Finite, Length, Positive, Range, read_fields
 from slamlib.records.inputs import Features, World
 
 QUARTER = np.array([[0.0, 1.0], [-1.0, 0.0]])  # rows times this: a quarter turn to the left
@@ -53,6 +53,7 @@ def join(*worlds: World) -> World:
 
 Steps = Annotated[int, Range(ge=4, le=10_000)]
 Number = Annotated[int, Range(ge=1, le=1_000_000)]
+Place = Annotated[tuple[Finite, ...], Length((2, 3))]
 
 
 def cloister(x: Finite = -6, X: Finite = 6, y: Finite = -6, Y: Finite = 6, n: Steps = 9) -> World:
@@ -143,6 +144,11 @@ def cloud(n: Number = 100, size: Positive = 10.0, h: Positive = 2.0, seed: Count
     return numbered(rng.uniform([-size / 2, -size / 2, 0], [size / 2, size / 2, h], (n, 3)))
 
 
+def listed(points: tuple[Place, ...] = ()) -> World:
+    """Points of one's own, as they are listed: (x, y) on the floor, or (x, y, z) [m]."""
+    return numbered([(*place, 0.0)[:3] for place in points])
+
+
 WORLDS: dict[str, Callable[..., World]] = {
     "cloister": cloister,
     "thickCloister": thick_cloister,
@@ -150,6 +156,7 @@ WORLDS: dict[str, Callable[..., World]] = {
     "gallery": gallery,
     "town": town,
     "cloud": cloud,
+    "listed": listed,
 }
 
 

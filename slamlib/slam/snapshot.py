@@ -50,8 +50,9 @@ def snapshot_of(
     for sensor, scan, predicted in zip(state.sensors, scans, predictions, strict=True):
         covariance = np.zeros((Pose.dof, Pose.dof)) if sensor.block is None else belief.covariance(sensor.block)
         views = {f.name: _measurement_view(belief, sensor, f, predicted) for f in families.values()}
-        robot, image = state.robots.index(sensor.robot), sensor.calibration.image
-        sensors.append(SensorView(sensor.name, robot, sensor.extrinsics.copy(), covariance, image, scan, views))
+        robot, calibration = state.robots.index(sensor.robot), sensor.calibration
+        own = sensor.name, robot, sensor.extrinsics.copy(), covariance, calibration.image, scan, views
+        sensors.append(SensorView(*own, plane=calibration.sensor.plane))
     return Snapshot(number, time, robots, tuple(sensors), map_views(state, families), belief.size)
 
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.entities import Landmark
+from slamlib.evaluation.comparison import pose_error
 from slamlib.evaluation.consistency import rmse
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
@@ -14,6 +15,7 @@ from slamlib.manifolds import Array
 from slamlib.records.inputs import Frame, Truth
 from slamlib.rigs.setup import Rig
 from slamlib.slam import Slam
+from slamlib.slam.snapshot import robot_view
 
 POSITION, ORIENTATION = slice(0, 3), slice(3, 6)
 
@@ -23,9 +25,9 @@ class Compared:
     """A finished run of n frames and r robots.
 
     errors, reckoned (n, r, 6): true poses minus those of the filter, and of dead reckoning by the same controls; nees
-    (n, r): of the filter's; sigma, reckoned_sigma (r,): at the end, the root of the trace of the orientation's
-    covariance. map_errors, first_map_errors (k,): distances [m] of the final map's landmarks, in its order, from the
-    truth, at the end and when each was initialized.
+    (n, r): of the filter's, nan where a pose is partly known exactly; sigma, reckoned_sigma (r,): at the end, the root
+    of the trace of the orientation's covariance. map_errors, first_map_errors (k,): distances [m] of the final map's
+    landmarks, in its order, from the truth, at the end and when each was initialized.
     """
 
     slam: Slam
@@ -55,9 +57,11 @@ class Compared:
 
 def shaken(p: Preset, *, turns: float = 10.0, **changes: Any) -> Preset:
     """The preset, of which the robots turn `turns` times as unpredictably: dead reckoning is soon degrees off."""
-    noise = np.array([1, 1, 1, turns, turns, turns])
-    robots = tuple(replace(r, control_std=tuple((noise * r.control_std).tolist())) for r in p.rig.robots)
-    return replace(p, rig=Rig(robots, p.rig.sensors), **changes)
+    robots = []
+    for robot in p.rig.robots:
+        noise = np.where(np.isin(np.arange(robot.model.control), robot.model.angles), turns, 1.0)
+        robots.append(replace(robot, control_std=tuple((noise * robot.control_std).tolist())))
+    return replace(p, rig=Rig(tuple(robots), p.rig.sensors), **changes)
 
 
 def compared(
@@ -75,7 +79,10 @@ def compared(
             np.array([Pose.minus(pose, robot.pose) for pose, robot in zip(truth.poses, s.robots, strict=True)])
             for s in (slam, alone)
         )
-        squares = [e @ np.linalg.solve(P, e) for e, P in zip(errors, poses(slam), strict=True)]
+        squares = [
+            pose_error(true, robot.pose, P, robot.motion.free)[2]
+            for true, robot, P in zip(truth.poses, slam.robots, poses(slam), strict=True)
+        ]
         rows.append((errors, reckoned, squares))
         begun |= distances(slam, p, [lm for lm in slam.landmarks if lm.id in report.initialized])
     now = distances(slam, p, slam.landmarks)
@@ -90,7 +97,7 @@ def compared(
 
 def poses(slam: Slam) -> list[Array]:
     """Covariance (6, 6) of each robot's pose."""
-    return [slam.belief.covariance(robot.block)[:6, :6] for robot in slam.robots]
+    return [robot_view(slam.belief, robot).pose_covariance for robot in slam.robots]
 
 
 def distances(slam: Slam, p: Preset, landmarks: list[Landmark]) -> dict[int, float]:

@@ -12,7 +12,7 @@ from slambook.scene.layers import Flat
 from slambook.scene.options import MapOptions, SensorOptions
 from slambook.scene.photographs import Photograph, photograph
 from slambook.scene.roles import HALO, OUTLINE, ROLES, Role, over_image
-from slambook.scene.scene import bounds, map_scene
+from slambook.scene.scene import above, bounds, map_scene, size_of
 from slambook.scene.view import NAMED, OrbitView
 from slamlib.geometry.pose import from_frame
 from slamlib.manifolds import Array
@@ -56,20 +56,28 @@ def map_figure(
     return fig
 
 
+def asked_view(options: MapOptions, snapshot: Snapshot) -> str | tuple[float, ...]:
+    """The view that the options ask for, or that suits the map."""
+    return options.view or ("top" if snapshot.plane else "view")
+
+
 def view_of(options: MapOptions, snapshot: Snapshot, corners: Array, aspect: float) -> OrbitView:
     """The view that the options ask for, after the orbit of so many frames as the snapshot has behind it."""
+    if snapshot.plane:  # room for the numbers of what lies farthest north
+        corners = np.stack([corners[0], corners[1] + 2 * above(snapshot, size_of(corners, options))])
     middle = tuple(float(v) for v in corners.mean(axis=0))
     box = np.stack(np.meshgrid(*corners.T), axis=-1).reshape(-1, 3)
     if any(options.orbit):  # what the box passes through when it turns about the vertical: it fits from all sides
         half, turn = (corners[1] - corners[0]) / 2, np.radians(np.arange(0, 360, 15))
         ring = middle[:2] + np.stack([np.cos(turn), np.sin(turn)], axis=1) * np.hypot(half[0], half[1])
         box = np.concatenate([np.column_stack([ring, np.full(len(ring), z)]) for z in corners[:, 2]])
-    if isinstance(options.view, str):
-        azimuth, elevation, follows = NAMED[options.view]
+    asked = asked_view(options, snapshot)
+    if isinstance(asked, str):
+        azimuth, elevation, follows = NAMED[asked]
         view = OrbitView(azimuth, elevation, target=middle, perspective=options.perspective).fitted(box, aspect)
         view = following(view, snapshot.robots[0].pose) if follows else view
     else:
-        azimuth, elevation, field, *distance = (float(v) for v in options.view)
+        azimuth, elevation, field, *distance = (float(v) for v in asked)
         view = OrbitView(azimuth, elevation, field, middle, perspective=options.perspective)
         view = replace(view, distance=distance[0]) if distance else view.fitted(box, aspect)
     return view.moved(*(snapshot.number * np.asarray(options.orbit)))

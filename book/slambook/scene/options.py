@@ -18,13 +18,13 @@ class MapOptions:
     """Of the map.
 
     view: "top", "side", "front", "view" (from above and aside), "normal" (behind the first robot, following it), or
-    (azimuth [deg], elevation [deg], field of view [deg], and if wanted distance [m]). perspective: False for a parallel
-    projection. orbit: how many degrees of azimuth and elevation the viewer moves from frame to frame. limits: half the
-    side [m] of the square around the origin that is shown; None: what there is. size: of a robot [m]; None: to fit.
-    sigmas: of the ellipsoids.
+    (azimuth [deg], elevation [deg], field of view [deg], and if wanted distance [m]); None: "top" of a map in the
+    plane, else "view". perspective: False for a parallel projection. orbit: how many degrees of azimuth and elevation
+    the viewer moves from frame to frame. limits: half the side [m] of the square around the origin that is shown; None:
+    what there is. size: of a robot [m]; None: to fit. sigmas: of the ellipsoids.
     """
 
-    view: str | tuple[Finite, ...] = "view"
+    view: str | tuple[Finite, ...] | None = None
     perspective: bool = True
     orbit: tuple[Finite, Finite] = (0.0, 0.0)
     limits: Positive | None = None
@@ -40,7 +40,7 @@ class MapOptions:
         check(self)
         if isinstance(self.view, str):
             OneOf(NAMED).check(self.view, "MapOptions.view")
-        elif len(self.view) not in (3, 4) or not 0 < self.view[2] < 150:
+        elif self.view is not None and (len(self.view) not in (3, 4) or not 0 < self.view[2] < 150):
             raise SlamlibError(
                 "MapOptions.view should be (azimuth, elevation, field of view above 0 and below 150 [deg], and if "
                 f"wanted distance [m]), got {self.view}"

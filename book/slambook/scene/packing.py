@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from slambook.figures.paths import pieces
-from slambook.scene.figures import view_of
+from slambook.scene.figures import asked_view, view_of
 from slambook.scene.layers import Layer, lower
 from slambook.scene.options import MapOptions
-from slambook.scene.scene import ABOVE, bounds, ends_of, map_scene, size_of
+from slambook.scene.scene import above, bounds, ends_of, map_scene, size_of
 from slambook.scene.view import NAMED
 from slamlib.geometry.pose import from_frame
 from slamlib.manifolds import Array
@@ -51,7 +51,7 @@ def packed(
     return {
         "pad": PAD,
         "perspective": options.perspective,
-        "above": pack.whole(ABOVE * size_of(corners, options)),
+        "above": pack.whole(above(snapshots[-1], size_of(corners, options))),
         "kinds": KINDS,
         "views": pack.views(snapshots[-1], aspect),
         "still": still,
@@ -118,7 +118,7 @@ class Packing:
 
     def views(self, last: Snapshot, aspect: float) -> dict[str, Any]:
         """The named views by their names, first the one that the reader asked for."""
-        asked, found = self.options.view, dict[str, Any]()
+        asked, found = asked_view(self.options, last), dict[str, Any]()
         for name in [asked, *(n for n in NAMED if n != asked)]:
             view = view_of(replace(self.options, view=name, orbit=(0.0, 0.0)), last, self.corners, aspect)
             azimuth, _, follows = NAMED[name] if isinstance(name, str) else (view.azimuth, 0, False)

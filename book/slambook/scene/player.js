@@ -127,7 +127,7 @@ window.slamlibPlayer = function (figure) {
       for (let i = 0; i < numbers.length; i += 9) ends.push(numbers.slice(i, i + 3));
       if (name === "label") {
         const middle = ends[0].map((v, i) => (v + ends[ends.length - 1][i]) / 2);
-        found.words.push([[middle[0], middle[1], middle[2] + data.above], id.slice(1)]);
+        found.words.push([middle.map((x, axis) => x + data.above[axis]), id.slice(1)]);
         continue;
       }
       if (ends.length > 1) found.lines.push(ends); else found.marks.push(ends[0]);

@@ -120,7 +120,7 @@ def _ground(corners: Array) -> Layer:
 
 
 def _truth(snapshot: Snapshot, truth: Truth | None, path: Sequence[Truth], size: float) -> Layer:
-    lines = list(_tracks([[state[:3] for state in t.robots] for t in path]))
+    lines = list(_tracks([[pose[:3] for pose in t.poses] for t in path]))
     if truth is not None:
         lines += [line for pose in truth.poses for line in _placed(pose, WEDGE, size)]
         for view, extrinsics in zip(snapshot.sensors, truth.extrinsics, strict=True):
@@ -168,11 +168,16 @@ def _robots(snapshot: Snapshot, path: Sequence[Snapshot], size: float, options: 
     return Layer("robot", lines=lines, means=means, shapes=shapes if options.ellipsoids else shapes * np.nan)
 
 
+def above(snapshot: Snapshot, size: float) -> Array:
+    """From what is named to its label (3,): upwards, or north in a map in the plane, which is seen from above."""
+    return ABOVE * size * np.array([0, 1, 0] if snapshot.plane else [0, 0, 1])
+
+
 def _labels(snapshot: Snapshot, size: float) -> Layer:
     """The numbers of the landmarks, above each point and above the middle of each segment."""
-    places, words = [], []
+    places, words, raised = [], [], above(snapshot, size)
     for view in snapshot.landmarks.values():
         for number, geometry in zip(view.ids, view.geometry, strict=True):
-            places.append(np.reshape(geometry, (-1, 3)).mean(axis=0) + np.array([0, 0, ABOVE * size]))
+            places.append(np.reshape(geometry, (-1, 3)).mean(axis=0) + raised)
             words.append(str(number))
     return Layer("label", places=np.reshape(places, (-1, 3)), words=tuple(words))
