@@ -1,6 +1,7 @@
 """Properties that every parametrization must have: of points, and of lines."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -62,11 +63,11 @@ def point_properties(judge: Judge, kind: PointLandmark) -> None:
                 h = kind.to_frame(pose, landmark)
                 case.compare(EUCLIDEAN, h[:3] / h[3], frames.to_frame(pose, kind.to_point(landmark)))
         _infinity(judge, kind, poses)
-        _moved(judge, kind, made, seen, upright if kind.plane else np.asarray)
+        _moved(judge, kind, made, seen, partial(pose_for, kind))
 
 
 def pose_for(kind: PointLandmark, rng: np.random.Generator) -> Array:
-    """A random pose (7,) from which a landmark may be initialized: in the plane upright, on the floor."""
+    """A random pose (7,) from which a landmark may be initialized, or motion: in the plane upright, on the floor."""
     pose = Pose.random(rng)
     return upright(pose) if kind.plane else pose
 
@@ -91,17 +92,17 @@ def _moved(
     kind: PointLandmark | LineLandmark,
     made: Sequence[tuple[Array, ...]],
     seen: list[tuple[Array, Array]],
-    possible: Callable[[Array], Array] = np.asarray,
+    draw: Callable[[np.random.Generator], Array] = Pose.random,
 ) -> None:
-    """Check the motion of the world, for a parametrization that says it.
+    """Check the motion of the world, for a parametrization that says it; made: arguments of from_frame.
 
-    made: arguments of from_frame. possible: of a pose (7,) the nearest by which the landmark's world can move.
+    draw: draws a motion of the world.
     """
     if kind.moved is None:
         return
     steps = 1e-6 * np.concatenate([np.eye(6), -np.eye(6)])
     for pose, landmark in seen:
-        case, motion = judge.at(f"{kind.name}.moved", landmark=landmark, pose=pose), possible(Pose.random(judge.rng))
+        case, motion = judge.at(f"{kind.name}.moved", landmark=landmark, pose=pose), draw(judge.rng)
         from_there = kind.to_frame(frames.compose(motion, pose), kind.moved(motion, landmark))
         case.compare(UNNOTICED, from_there, kind.to_frame(pose, landmark), "motion")
         near = [kind.moved(Pose.plus(ORIGIN, step), landmark) for step in steps]

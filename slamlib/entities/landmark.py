@@ -44,10 +44,14 @@ class Landmark:
 
 def group_by_kind(items: Iterable[T], kind: Callable[[T], object] = KIND) -> list[list[T]]:
     """Group landmarks, or whatever has a kind, so that each kind is computed in one batch."""
-    found: dict[int, list[T]] = defaultdict(list)
-    for item in items:
-        found[id(kind(item))].append(item)
-    return list(found.values())
+    found = list(items)
+    keys = list(map(id, map(kind, found)))
+    if len(set(keys)) == 1:  # mostly the case
+        return [found]
+    groups: dict[int, list[T]] = defaultdict(list)
+    for key, item in zip(keys, found, strict=True):
+        groups[key].append(item)
+    return list(groups.values())
 
 
 def landmark_means(landmarks: list[Landmark]) -> Array:

@@ -137,6 +137,8 @@ def test_where_one_robot_stays_on_the_floor_the_world_moves_along_the_floor():
     for prediction in seen:
         H, columns = prediction.batch.jacobian[prediction.row], prediction.batch.columns[prediction.row]
         assert np.abs(H @ N[columns]).max() < 1e-9 * np.abs(H).max() * np.abs(N[columns]).max()
+        with carried(slam.state, slam.sensors[1]) as project:  # of any Jacobian, what tells the motion is taken away
+            assert np.abs(project(columns, H + 1) @ N[columns]).max() < 1e-9 * np.abs(N[columns]).max()
 
 
 @pytest.mark.parametrize("n", [20, 200])
