@@ -3,7 +3,8 @@
 import slamlib as sl
 
 robot = sl.robot(motion="unicycle", noise=(0.05, 0.01))  # of a step's speed [m/s] and rate of turn [rad/s]
-slam = sl.Slam(robot, sl.range_bearing(noise=(0.1, 0.02)))
+laser = sl.range_bearing(noise=(0.1, 0.02))  # two numbers [m, rad]: it is one in the plane
+slam = sl.Slam(robot, laser)
 
 recording = [((1.0, 0.2), {1: (4.0, 0.4), 2: (3.0, -0.9)}), ((1.0, 0.2), {1: (3.1, 0.35), 2: (2.6, -1.3)})]
 for u, seen in recording:  # seen: {number: (range, bearing)}

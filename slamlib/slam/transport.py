@@ -54,7 +54,8 @@ def trade(size: int, sensor: RigSensor, extrinsics: Block) -> Array:
 
 def left_inverse(N: Array) -> Array:
     """L (r, n) with L N = I, for N (n, r) of rank r: the inverse where it has as many rows."""
-    return np.linalg.inv(N) if N.shape[0] == N.shape[1] else np.asarray(np.linalg.pinv(N), dtype=float)
+    invert = np.linalg.inv if N.shape[0] == N.shape[1] else np.linalg.pinv
+    return np.asarray(invert(N), dtype=float)
 
 
 def unobservable(state: State, sensor: RigSensor) -> Array:
