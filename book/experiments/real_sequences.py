@@ -167,15 +167,19 @@ def judged(recording: recordings.Sightings, estimate: recording_runs.Estimate) -
     return recording_runs.judged(recording, estimate) | {"map": recording_runs.judged_map(recording, estimate)}
 
 
-def landmarks(read: Callable[[Path], recordings.Sightings]) -> Callable[[Path, str], Row]:
-    """What runs a recording of numbered landmarks, and all its data at once, and judges the estimates."""
+def landmarks(read: Callable[[Path], recordings.Sightings], **others: dict[str, Any]) -> Callable[[Path, str], Row]:
+    """What runs a recording of numbered landmarks, and all its data at once, and judges the estimates.
+
+    others: by the name of a case, options of the filter in it.
+    """
 
     def run_it(folder: Path, name: str) -> Row:
         recording = read(folder)
         row, (own, best) = recording_runs.run(recording)
         row |= judged(recording, own) | {"smoothing": judged(recording, best)}
-        _, (estimate,) = recording_runs.run(recording, smooth=False, error="world")
-        row["world"] = judged(recording, estimate)
+        for name, said in others.items():
+            figures, (estimate,) = recording_runs.run(recording, smooth=False, **said)
+            row[name] = judged(recording, estimate) | {"inliers": figures["inliers"]}
         return row
 
     return run_it
@@ -187,7 +191,7 @@ def robots(folder: Path, name: str) -> Row:
     together = {key: recording_runs.run(whole, key == "meetings", False) for key in ("one map", "meetings")}
     row: Row = {"met": together["meetings"][0]["met"], "robots": []}
     row |= {f"map, {key}": recording_runs.judged_map(whole, one) for key, (_, (one,)) in together.items()}
-    for i in range(len(whole.starts)):
+    for i in range(len(whole.truths)):
         own = recordings.mrclam(folder, (i + 1,))
         figures, both = recording_runs.run(own)
         cases = {key: recording_runs.judged(own, one) for key, one in zip(smooth, both, strict=True)}
@@ -210,8 +214,8 @@ RUNS: dict[str, Callable[[Path, str], Row]] = {
     "visp-cube": pictures(cube),
     "euroc-mh01": pictures(euroc, {"intrinsics": (1, 1, 1.4, 1.4), "offset": (0.1,)}, 0.002, 0.1),
     "kitti-odometry": pictures(kitti, {"intrinsics": (1, 1, 2.1, 2.1), "offset": (0.1,)}, 0.02, 0.1),
-    "starry-night": landmarks(recordings.starry_night),
-    "lost-in-the-woods": landmarks(recordings.woods),
+    "starry-night": landmarks(recordings.starry_night, world={"error": "world"}),
+    "lost-in-the-woods": landmarks(recordings.woods, world={"error": "world"}, gated={"gate": 0.99}),
     "mrclam-6": robots,
     "kitti-07-tracks": lambda folder, name: street_tracks.figures(),
 }

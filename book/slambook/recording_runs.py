@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slambook.recordings import PLANE, Sightings
+from slambook.recordings import Sightings
 from slambook.smoothing import Smoother
 from slamlib.evaluation.alignment import align
 from slamlib.evaluation.comparison import compared
@@ -14,30 +14,31 @@ from slamlib.evaluation.consistency import band, nees, rmse, share_inside
 from slamlib.evaluation.trajectory import Trajectory, associate
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import Pose, to_frame
-from slamlib.kalman.chi_square import chi2_quantile
+from slamlib.landmarks import POINTS
 from slamlib.manifolds import Array, Indices
+from slamlib.observation.family import viewpoint
 from slamlib.slam import Slam
+from slamlib.slam.data_association.gates import gate
 from slamlib.slam.snapshot import robot_view
 from slamlib.vision.results import lasting, whitened
 
-GATE = chi2_quantile(0.99, 3)
 KNOWN = 40  # poses, evenly spread, whose covariances are taken of what was smoothed
 
 
 def meet(slam: Slam, observer: int, observed: int, measured: Array) -> bool:
-    """A robot has measured range and bearing of another: an update of two poses, if it passes the gate."""
-    one, two = (slam.robots[i] for i in (observer, observed))
-    calibration = slam.sensors[observer].calibration
-    there, J = to_frame.jac(slam.sensors[observer].camera, two.pose[:3])
-    expected, (H,) = calibration.sensor.project.jac(np.append(there, 1.0))
-    H = H[:, :3]
-    by_poses = zip((one, two), (H @ J.pose, np.hstack([H @ J.point, np.zeros((3, 3))])), strict=True)
-    jacobians = [robot.motion.by_state(by_pose, robot.block.mean) for robot, by_pose in by_poses]
+    """A robot's sensor has measured another robot: an update of two poses, if it passes the gate."""
+    view, other = viewpoint(slam.sensors[observer]), slam.robots[observed]
+    blocks, calibration = [view.sensor.robot.block, other.block], view.sensor.calibration
+    there, J = to_frame.jac(view.pose, other.pose[:3])
+    expected, by = calibration.project_jac(np.append(there, 1.0))
+    H = by.point[:, :3]
+    by_other = np.pad(H @ J.point, ((0, 0), (0, 3)))  # its orientation is not seen
+    jacobians = [H @ J.pose @ view.jacobian, other.motion.by_state(by_other, other.block.mean)]
     innovation = calibration.sensor.manifold.minus(measured, expected)
-    S = slam.belief.innovation_covariance([one.block, two.block], jacobians, calibration.noise)
-    is_inlier = bool(innovation @ np.linalg.solve(S, innovation) < GATE)
+    S = slam.belief.innovation_covariance(blocks, jacobians, calibration.noise)
+    is_inlier = bool(innovation @ np.linalg.solve(S, innovation) < gate(slam.options.gate, len(innovation)))
     if is_inlier:
-        slam.belief.update([one.block, two.block], jacobians, innovation, calibration.noise)
+        slam.belief.update(blocks, jacobians, innovation, calibration.noise)
     return is_inlier
 
 
@@ -65,13 +66,14 @@ def run(
     slam = recording.slam(**said)
     smoother = Smoother(slam) if smooth else None
     poses, covariances, matched, met, began = [], [], np.zeros(2, int), np.zeros(2, int), time.process_time()
-    now, product = dict[int, Array](), np.zeros(2)
+    now, product, squares = dict[int, Array](), np.zeros(2), np.zeros(2)
     for frame in progress(recording.frames, len(recording.frames), "frames"):
         slam.step(frame)
         if smoother:
             smoother.record(frame)
         before, now = now, whitened(slam)
         product += [*lasting(now, before).values()]
+        squares += [sum(float(z @ z) for z in now.values()), sum(map(len, now.values()))]
         matched += [sum(getattr(p, n) for own in slam.predictions for p in own) for n in ("matched", "inlier")]
         for meeting in recording.meetings.get(frame.number, []) if meetings else ():
             met += [1, meet(slam, *meeting)]
@@ -81,9 +83,10 @@ def run(
     figures = {"frames": len(times), "seconds": times[-1], "landmarks": len(slam.landmarks), "matched": int(matched[0])}
     figures |= {"inliers": matched[1] / matched[0], "met": met.tolist()}
     if product[1]:
-        figures["correlation"] = product[0] / product[1]  # of the first sensor's innovations, from frame to frame
+        # Of the first sensor's innovations, from frame to frame, in units of what they really are.
+        figures["correlation"] = product[0] / product[1] / (squares[0] / squares[1])
     figures["frames_per_second"] = len(times) / (time.process_time() - began)
-    points = {lm.id: (lm.block.mean[:3], slam.belief.covariance(lm.block)[:3, :3]) for lm in slam.landmarks}
+    points = {lm.id: in_world(lm.kind, lm.block.mean, slam.belief.covariance(lm.block)) for lm in slam.landmarks}
     own, known = ([*np.swapaxes(rows, 0, 1)] for rows in (poses, covariances))
     found = [Estimate(times, own, np.arange(len(times)), known, points)]
     if smoother:
@@ -93,31 +96,37 @@ def run(
     return figures, found
 
 
+def in_world(kind: Any, mean: Array, covariance: Array) -> tuple[Array, Array]:
+    """The place (3,) of a point of this kind, and its covariance (3, 3)."""
+    place, J = kind.to_point.jac(mean)
+    return place, J.landmark @ covariance @ J.landmark.T
+
+
 def judged(recording: Sightings, found: Estimate, robot: int = 0, frames: Any = slice(None)) -> dict[str, Any]:
-    """Errors of a robot's poses, of these frames alone; NEES of what is free, after the first second."""
-    truth, poses, dof = recording.truths[robot], found.poses[robot], len(recording.free)
+    """Errors of a robot's poses, of these frames alone; NEES of where it can be at all, after the first second."""
+    truth, poses, free = recording.truths[robot], found.poses[robot], recording.rig.robots[robot].model.free
     rows = np.arange(len(poses))[frames]
     errors = compared(Trajectory(found.times, poses)[rows], truth, 0.0, True)[0]
     known = Trajectory(found.times[found.known], poses[found.known], found.covariances[robot])
     known = known[np.isin(found.known, rows)]
     i, j = associate(known, truth, 0.02)
     late = known.times[i] > 1
-    e = Pose.minus(truth.poses[j], known.poses[i])[late][:, recording.free]
-    P = np.asarray(known.covariances)[i][late][:, recording.free][:, :, recording.free]
-    values, limits = nees(e, P), band(dof)
+    e = Pose.minus(truth.poses[j], known.poses[i])[late] @ free
+    P = free.T @ np.asarray(known.covariances)[i][late] @ free
+    values, dof = nees(e, P), free.shape[1]
     return {
         "poses": errors["poses"], "length": errors["path_length"], "ate": errors["ate"],
         "rpe": [errors["rpe"][name]["rmse"] for name in ("position", "orientation")],
         "orientation": errors["orientation_rms"],
         "nees": {"dof": dof, "count": len(values), "mean": values.mean(), "median": np.median(values),
-                 "inside": share_inside(values, limits)},
+                 "inside": share_inside(values, band(dof))},
     }  # fmt: skip
 
 
 def judged_map(recording: Sightings, found: Estimate) -> dict[str, Any]:
     """Errors [m] of the points that the truth has: as they stand, and after a rigid motion; their NEES."""
     ids = sorted(set(found.points) & set(recording.points))
-    size = 2 if recording.free == PLANE else 3
+    size = POINTS[str(recording.options.points)].manifold.dof  # two of a point of the floor: x, y
     mean, P = (np.array([found.points[i][part] for i in ids]) for part in (0, 1))
     true = np.array([recording.points[i] for i in ids])
     off = align(mean, true, scale=False)(mean) - true

@@ -14,18 +14,16 @@ import numpy as np
 from slamlib.errors import optional
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry import euler, quaternion
-from slamlib.geometry.pose import Pose, relative
+from slamlib.geometry.pose2 import compose, in_space, inverse
 from slamlib.manifolds import Array
 from slamlib.records.inputs import Control, Features, Frame, Scan
+from slamlib.rigs import builders
 from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
-from slamlib.sensors import SENSORS
-from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options, Slam
 
-PLANE, SPACE = (0, 1, 5), (0, 1, 2, 3, 4, 5)  # of a pose's errors, what is unknown
-# All that is seen is used, and nothing is deleted: a bar code or a mark is right, wherever else it was not read.
+# All that passes the gate is used, and nothing is deleted: a bar code is right, wherever else it was not read.
 OPTIONS = Options(
-    points="eucPnt", updates=1000, max_new_first=1000, max_new=1000, min_matched_ratio=0.0, min_inlier_ratio=0.0
+    points="planePnt", updates=1000, max_new_first=1000, max_new=1000, min_matched_ratio=0.0, min_inlier_ratio=0.0
 )
 # Of MRCLAM, chosen once for all five robots: rates [m^2/s, rad^2/s] of a robot that stands, and by its speed squared;
 # standard deviations [m, rad] of a measurement.
@@ -36,47 +34,27 @@ SLIP, BY_SPEED, SEEN_STD = (2e-4, 2e-3), 0.02, (0.2, np.radians(2.0))
 class Sightings:
     """A recording: what a filter gets, and the truth.
 
-    starts: a robot's true first pose (7,) each. sensors: calibration and extrinsics, one per robot. truths: of each
-    robot, where it is known. points: true places (3,) by number, or none. meetings: by frame, what robots measured of
-    each other: (observer, observed, range and bearing). free: the numbers of a pose's errors that are unknown.
+    rig: the robots at their true first poses, with a sensor each. truths: of each robot, where it is known. points:
+    true places (3,) by number, or none. meetings: by frame, what robots measured of each other: (observer, observed,
+    measurement by the observer's sensor).
     """
 
     frames: list[Frame]
-    starts: Sequence[Array]
-    sensors: Sequence[tuple[Calibration, Array]]
+    rig: Rig
     truths: Sequence[Trajectory]
     points: dict[int, Array] = field(default_factory=dict)
     meetings: dict[int, list[tuple[int, int, Array]]] = field(default_factory=dict)
-    free: tuple[int, ...] = PLANE
     options: Options = OPTIONS
 
     def slam(self, **said: Any) -> Slam:
         """The filter before the first frame; said: options that are others than the recording's."""
-        robots = tuple(
-            RobotSetup(str(i), position=tuple(start[:3]), euler=tuple(np.degrees(euler.from_quaternion(start[3:]))))
-            for i, start in enumerate(self.starts)
-        )
-        setups = tuple(SensorSetup(str(i), robot=i, type="rangeBearing") for i in range(len(robots)))
-        slam = Slam(Rig(robots, setups), options=replace(self.options, **said))
-        for rig_sensor, (calibration, extrinsics) in zip(slam.sensors, self.sensors, strict=True):
-            rig_sensor.calibration, rig_sensor.given_extrinsics = calibration, extrinsics
-        return slam
+        return Slam(self.rig, options=replace(self.options, **said))
 
 
-def planar(x: Any, y: Any, heading: Any) -> Array:
-    """Poses (..., 7) in the plane."""
-    half, zero = np.asarray(heading) / 2, np.zeros_like(np.asarray(x, float))
-    return np.stack([x, y, zero, np.cos(half), zero, zero, np.sin(half)], axis=-1)
-
-
-def level(distance: Any, bearing: Any) -> Array:
-    """Measurements (n, 3) of a scanner in the plane: the pitch is zero."""
-    return np.column_stack([distance, bearing, 0 * np.asarray(bearing)])
-
-
-def scanner(distance: float, bearing: float) -> Calibration:
-    """A scanner in the plane, by its standard deviations [m, rad]."""
-    return Calibration(SENSORS["rangeBearing"], np.diag([distance, bearing, bearing]) ** 2)
+def robot_at(pose: Array, motion: str, name: str = "robot") -> RobotSetup:
+    """A robot that starts at a pose (7,), exactly known."""
+    angles = np.degrees(euler.from_quaternion(pose[3:]))
+    return builders.robot(motion, name=name, position=tuple(pose[:3].tolist()), euler=tuple(angles.tolist()))
 
 
 def matlab(path: Path) -> dict[str, Any]:
@@ -86,20 +64,23 @@ def matlab(path: Path) -> dict[str, Any]:
 
 
 def woods(folder: Path) -> Sightings:
-    """Barfoot's "lost in the woods": a robot with a scanner among 17 tubes, with the noise that the file states."""
+    """Barfoot's "lost in the woods": a robot with a scanner among 17 tubes, with the noise that the file states.
+
+    Without a gate: no measurement is of another tube, and by this noise one of 99 % refuses so many that it gets lost.
+    """
     m = {name: np.squeeze(value) for name, value in matlab(folder / "dataset2.mat").items() if name[0] != "_"}
-    poses = planar(m["x_true"], m["y_true"], m["th_true"])
-    Q = np.diag([m["v_var"], 0, 0, 0, 0, m["om_var"]])
-    frames = []
+    poses = in_space(np.column_stack([m["x_true"], m["y_true"], m["th_true"]]))
+    noise, frames = np.diag([m["v_var"], m["om_var"]]), []
     for k, dt in enumerate(np.diff(m["t"]), 1):
         seen = np.flatnonzero(m["r"][k])
-        scan = Scan({"points": Features(seen, level(m["r"][k, seen], m["b"][k, seen]))})
-        control = Control(dt * np.array([m["v"][k], 0, 0, 0, 0, m["om"][k]]), dt**2 * Q)
-        frames.append(Frame(k, float(dt), (control,), (scan,)))
+        scan = Scan({"points": Features(seen, np.column_stack([m["r"][k, seen], m["b"][k, seen]]))})
+        frames.append(Frame(k, float(dt), (Control(np.array([m["v"][k], m["om"][k]]), noise),), (scan,)))
     valid = m["true_valid"] > 0
-    sensor = scanner(np.sqrt(m["r_var"]), np.sqrt(m["b_var"])), planar(m["d"], 0.0, 0.0)
+    scanner = builders.range_bearing(np.sqrt([m["r_var"], m["b_var"]]), position=(float(m["d"]), 0.0, 0.0))
     points = {j: np.array([*place, 0.0]) for j, place in enumerate(m["l"])}
-    return Sightings(frames, [poses[0]], [sensor], [Trajectory((m["t"] - m["t"][0])[valid], poses[valid])], points)
+    truth = Trajectory((m["t"] - m["t"][0])[valid], poses[valid])
+    rig, options = Rig((robot_at(poses[0], "unicycle"),), (scanner,)), replace(OPTIONS, gate=1.0)
+    return Sightings(frames, rig, [truth], points, options=options)
 
 
 def tracked(times: Array, velocities: Array, noise: Array, pixels: Array) -> list[Frame]:
@@ -114,12 +95,14 @@ def tracked(times: Array, velocities: Array, noise: Array, pixels: Array) -> lis
     return frames
 
 
-def stereo(variances: Any, intrinsics: Any, baseline: float, turn: Array, place: Array) -> tuple[Calibration, Array]:
+def stereo(variances: Any, intrinsics: Any, baseline: float, turn: Array, place: Array) -> SensorSetup:
     """Two cameras: variances (4,) of u, v on the left and on the right; turn: from the body's axes to the camera's."""
     J = np.array([[1, 0, 0, 0], [0, 0.5, 0, 0.5], [1, 0, -1, 0]])  # of u, the mean v, and the disparity
-    lens = {"intrinsics": intrinsics, "baseline": [baseline]}
-    pose = np.concatenate([place, quaternion.from_rotation(turn.T, quaternion.best_pivot(turn.T))])
-    return Calibration(SENSORS["stereo"], J @ np.diag(variances) @ J.T, **lens), pose
+    angles = np.degrees(euler.from_quaternion(quaternion.from_rotation(turn.T, quaternion.best_pivot(turn.T))))
+    position, noise = tuple(place.tolist()), J @ np.diag(variances) @ J.T
+    return builders.stereo(
+        intrinsics, baseline, image=None, noise=noise, position=position, euler=tuple(angles.tolist())
+    )
 
 
 def starry_night(folder: Path) -> Sightings:
@@ -130,8 +113,9 @@ def starry_night(folder: Path) -> Sightings:
     velocities = np.concatenate([m["v_vk_vk_i"], m["w_vk_vk_i"]]).T
     frames = tracked(times, velocities, noise, m["y_k_j"].transpose(1, 2, 0))
     camera = stereo(m["y_var"], [m["cu"], m["cv"], m["fu"], m["fv"]], m["b"], m["C_c_v"], m["rho_v_c_v"])
-    points = dict(enumerate(m["rho_i_pj_i"].T))
-    return Sightings(frames, [poses[0]], [camera], [Trajectory(times, poses)], points, free=SPACE)
+    points, options = dict(enumerate(m["rho_i_pj_i"].T)), replace(OPTIONS, points="eucPnt")
+    rig = Rig((robot_at(poses[0], "odometry"),), (camera,))
+    return Sightings(frames, rig, [Trajectory(times, poses)], points, options=options)
 
 
 def mrclam(folder: Path, robots: Sequence[int] = (1, 2, 3, 4, 5)) -> Sightings:
@@ -147,20 +131,21 @@ def mrclam(folder: Path, robots: Sequence[int] = (1, 2, 3, 4, 5)) -> Sightings:
     for k, (now, dt) in enumerate(zip(instants, np.diff(instants, prepend=begin), strict=True), 1):
         scans = []
         for i, m in enumerate(seen):
-            found = {codes.get(int(code), 0): level(*z)[0] for _, code, *z in m[m[:, 0] == now]}
+            found = {codes.get(int(code), 0): np.array(z) for _, code, *z in m[m[:, 0] == now]}
             tubes = {subject: z for subject, z in found.items() if subject > len(rows)}
             met = [(i, robots.index(subject), z) for subject, z in found.items() if subject in robots]
             meetings[k] = meetings.get(k, []) + met
-            scans.append(Scan({"points": Features(np.array([*tubes], int), np.reshape([*tubes.values()], (-1, 3)))}))
+            scans.append(Scan({"points": Features(np.array([*tubes], int), np.reshape([*tubes.values()], (-1, 2)))}))
         frames.append(Frame(k, float(dt), tuple(own[k - 1] for own in controls), tuple(scans)))
     truths = []
     for t, x, y, heading in (g.T for g in true):
         at = np.concatenate([[begin], np.unique(t[t > begin])])
         columns = (np.interp(at, t, column) for column in (x, y, np.unwrap(heading)))
-        truths.append(Trajectory(at - begin, planar(*columns)))
-    sensor = scanner(*SEEN_STD), planar(0.0, 0.0, 0.0)
+        truths.append(Trajectory(at - begin, in_space(np.column_stack([*columns]))))
+    starts = [robot_at(truth.poses[0], "planeOdometry", f"robot {i}") for i, truth in zip(robots, truths, strict=True)]
+    cameras = [builders.range_bearing(SEEN_STD, name=f"camera {i}", robot=k) for k, i in enumerate(robots)]
     points = {int(n): np.array([x, y, 0.0]) for n, x, y, *_ in np.loadtxt(folder / "Landmark_Groundtruth.dat")}
-    return Sightings(frames, [t.poses[0] for t in truths], [sensor] * len(robots), truths, points, meetings)
+    return Sightings(frames, Rig(tuple(starts), tuple(cameras)), truths, points, meetings)
 
 
 def driven(odometry: Array, instants: Array) -> list[Control]:
@@ -170,10 +155,9 @@ def driven(odometry: Array, instants: Array) -> list[Control]:
     heading = np.concatenate([[0.0], np.cumsum(w[:-1] * dt)])
     middle = heading[:-1] + w[:-1] * dt / 2
     way = np.cumsum((v[:-1] * dt)[:, None] * np.column_stack([np.cos(middle), np.sin(middle)]), axis=0)
-    x, y = np.concatenate([np.zeros((1, 2)), way]).T
-    poses = planar(*(np.interp(instants, times, column) for column in (x, y, heading)))
-    steps, spans = Pose.minus(poses[1:], poses[:-1]), np.diff(instants)
-    steps[:, :3] = relative(poses[:-1], poses[1:])[:, :3]
-    speeds = np.column_stack([np.hypot(*steps[:, :2].T), steps[:, 5]]) / spans[:, None]
+    places = np.column_stack([np.concatenate([np.zeros((1, 2)), way]), heading])
+    poses = np.column_stack([np.interp(instants, times, column) for column in places.T])
+    steps, spans = compose(inverse(poses[:-1]), poses[1:]), np.diff(instants)
+    speeds = np.column_stack([np.hypot(*steps[:, :2].T), steps[:, 2]]) / spans[:, None]
     rates = spans[:, None] * (SLIP + BY_SPEED * speeds**2)
-    return [Control(u, np.diag([q, q, 0, 0, 0, p])) for u, (q, p) in zip(steps, rates, strict=True)]
+    return [Control(u, np.diag([q, q, p])) for u, (q, p) in zip(steps, rates, strict=True)]
