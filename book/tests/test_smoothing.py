@@ -26,7 +26,7 @@ from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.simulation import simulate
 from slamlib.slam import Options, Slam
 from slamlib.slam.snapshot import robot_view
-from slamlib.tests import test_plane, test_plane_motions
+from slamlib.tests import test_plane, test_plane_maps, test_plane_motions
 from slamlib.tests.test_seams import gps
 
 pytest.importorskip("scipy.sparse")
@@ -109,6 +109,10 @@ CASES = {
     "constant velocity": flying,
     "plane": partial(in_the_plane, "planeOdometry"),
     "plane, extrinsics": mounted_in_the_plane,
+    "points of the plane": lambda: replace(test_plane_maps.PRESET, frames=20),
+    "bearings in the plane": lambda: replace(
+        test_plane_maps.PRESET, rig=Rig((test_plane_maps.SLOW,), test_plane_maps.RIGS["bearing only"])
+    ),
     "rails": on_rails,
 }
 
@@ -221,10 +225,10 @@ def nees(errors, covariances):
     return np.einsum("ni,nij,nj->n", errors, np.linalg.inv(covariances), errors)
 
 
-@pytest.mark.parametrize("name", ["points", "self_calibration", "constant velocity"])
+@pytest.mark.parametrize("name", ["points", "self_calibration", "constant velocity", "points of the plane"])
 def test_ten_runs_are_consistent_and_no_worse_than_the_filter(name):
-    p = flying() if name == "constant velocity" else replace(with_options(name, convert=False), noise_in="truth")
-    places = p.world.points
+    p = CASES[name]() if name in CASES else replace(with_options(name, convert=False), noise_in="truth")
+    places, free = p.world.points, p.rig.robots[0].model.free
     there = dict(zip(places.ids.tolist(), places.values, strict=True))
     last, everywhere, off, away = [], [], [], []
     for seed in range(10):
@@ -232,13 +236,13 @@ def test_ten_runs_are_consistent_and_no_worse_than_the_filter(name):
         found = smoother.solve()
         assert found.minimum.converged
         e = Pose.minus(true, found.poses[:, 0])
-        series = nees(e[4:], found.covariance(np.arange(4, 60)))
+        series = nees(e[4:] @ free, free.T @ found.covariance(np.arange(4, 60)) @ free)
         last.append(series[-1])
         everywhere.append(series.mean())
         off.append([np.sqrt((x[:, :3] ** 2).sum(1).mean()) for x in (e, Pose.minus(true, filtered))])
         away += [np.linalg.norm(kind.to_point(x) - there[i]) for i, (kind, x) in found.landmarks.items()]
     assert np.median(away) < 0.1  # [m]; with no measurement there is no map
-    low, high = band(6, 10, 0.999)
+    low, high = band(free.shape[1], 10, 0.999)
     assert low < np.mean(last) < high
     assert low < np.mean(everywhere) < high
     smoothed, filter_ = np.mean(off, axis=0)

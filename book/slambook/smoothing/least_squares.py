@@ -38,9 +38,15 @@ class Variable:
         return hasattr(self.kind, "abscissas")
 
     @property
+    def is_level(self) -> bool:
+        """Whether these are points of the floor, whose homogeneous numbers in the world have a zero for the height."""
+        return bool(getattr(self.kind, "plane", False))
+
+    @property
     def width(self) -> int:
-        """Number of directions, and of columns, of each: a point has 3, a line 4, however many numbers hold it."""
-        return self.manifold.dof if self.kind is None else min(self.manifold.dof, 4 if self.is_line else 3)
+        """Number of directions, and of columns, of each, however many numbers hold it: a point has 3, a line 4."""
+        own = 4 if self.is_line else 3 - self.is_level
+        return self.manifold.dof if self.kind is None else min(self.manifold.dof, own)
 
     def columns(self, items: Indices) -> Indices:
         """Columns (k, width) of items (k,)."""
@@ -51,11 +57,14 @@ class Variable:
         if self.width == self.manifold.dof:
             return np.broadcast_to(np.eye(self.width), (len(values), self.width, self.width))
         y, J = self.kind.to_frame.jac(ORIGIN, values)
+        by_landmark = J.landmark
+        if self.is_level:
+            y, by_landmark = np.delete(y, 2, axis=-1), np.delete(by_landmark, 2, axis=-2)
         # A line's numbers (n, v) also stay on n . v = 0, whose gradient is (v, n).
         fixed = np.stack([y, np.roll(y, 3, axis=-1)][: 1 + self.is_line], axis=-1)
         gradients = np.linalg.qr(fixed, mode="complete")[0][..., fixed.shape[-1] :]
         held = fixed[..., 1:] if getattr(self.kind, "constrain", None) else fixed[..., :0]
-        rows = J.landmark.swapaxes(-1, -2) @ np.concatenate([held, gradients], axis=-1)
+        rows = by_landmark.swapaxes(-1, -2) @ np.concatenate([held, gradients], axis=-1)
         return np.linalg.qr(rows)[0][..., held.shape[-1] :]
 
     def moved(self, values: Array, step: Array) -> Array:
