@@ -5,8 +5,10 @@ Taking a part from a frame into the world and moving the world are one thing: th
 
 import numpy as np
 
-from slamlib.geometry.pose import Pose, from_frame
-from slamlib.geometry.pose2 import Pose2, compose, from_space
+from slamlib.geometry.pose import Pose
+from slamlib.geometry.pose import from_frame as into_world
+from slamlib.geometry.pose2 import Pose2, from_space
+from slamlib.geometry.pose2 import compose as compose2
 from slamlib.geometry.quaternion import rotation
 from slamlib.models import model
 
@@ -26,13 +28,13 @@ def number(motion, number):
 @model(motion=Pose, point=2)
 def plane_point(motion, point):
     """A point of the floor, by a motion along the floor. Chapter frames_and_quaternions, eq. (fq-moved)."""
-    return from_frame(motion, np.array([*point, 0]))[:2]
+    return into_world(motion, np.array([*point, 0]))[:2]
 
 
 @model(motion=Pose, pose=Pose2, returns=Pose2)
 def plane_pose(motion, pose):
     """A pose in the plane, by a motion along the floor. Chapter frames_and_quaternions, eq. (fq-moved)."""
-    return compose(from_space(motion), pose)
+    return compose2(from_space(motion), pose)
 
 
 class Parts:
