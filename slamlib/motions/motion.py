@@ -1,13 +1,13 @@
 """The interface of a motion model."""
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, Pose, compose
-from slamlib.manifolds import Array, Manifold
+from slamlib.manifolds import Array, Manifold, read_only
 from slamlib.models import Model
 from slamlib.registry import Moved, TypeDescription
 
@@ -56,11 +56,11 @@ class Motion(TypeDescription):
 
     def pose(self, state: Array) -> Array:
         """The robot's pose (..., 7) in space, of states (..., size)."""
-        return state[..., : Pose.size] if self.pose_of is None else self.pose_of(state)
+        return state[..., : Pose.size] if self.pose_of is None else _posed(self.pose_of, state)[0]
 
     def pose_jacobian(self, state: Array) -> Array:
         """Jacobian (..., 6, pose_dof) of the pose w.r.t. the first degrees of freedom of states (..., size)."""
-        return _IDENTITY if self.pose_of is None else self.pose_of.jac(state)[1][0]
+        return _IDENTITY if self.pose_of is None else _posed(self.pose_of, state)[1]
 
     def by_state(self, by_pose: Array, state: Array) -> Array:
         """Jacobians (..., m, 6 + n) w.r.t. the robot's pose, and more, as those w.r.t. its state (..., size), and more.
@@ -94,3 +94,17 @@ class Motion(TypeDescription):
 
 
 _IDENTITY = np.eye(Pose.dof)
+
+
+def _posed(pose_of: Model, states: Array) -> tuple[Array, Array]:
+    """Poses (..., 7) of states (..., size), and their Jacobians (..., 6, dof)."""
+    if states.ndim == 1 and states.dtype == float:
+        return _posed_one(pose_of, states.tobytes())
+    poses, J = pose_of.jac(states)
+    return poses, J[0]
+
+
+@lru_cache(maxsize=32)  # by the numbers themselves: one frame asks several times between two measurement updates
+def _posed_one(pose_of: Model, state: bytes) -> tuple[Array, Array]:
+    pose, J = pose_of.jac(np.frombuffer(state))
+    return read_only(pose), read_only(J[0])
