@@ -191,7 +191,7 @@ def test_a_robot_that_turned_further_than_half_around_between_two_instants_is_sa
 SEEN = {"planeOdometry": [np.hypot(3.1, 1), np.arctan2(1, 3.1)], "odometry": [np.hypot(3.1, 1), np.arctan2(1, 3.1), 0]}
 
 
-def two_robots(motion, mount=(0.0, 0.0, 0.0)):
+def two_robots(motion, extrinsics=(0.0, 0.0, 0.0)):
     """Two robots that stand, the second of which is known badly, and what the first measures of it."""
     far, measured = np.array([3.0, 1, 0, 1, 0, 0, 0]), np.array(SEEN[motion])
     starts = (
@@ -199,7 +199,7 @@ def two_robots(motion, mount=(0.0, 0.0, 0.0)):
         recordings.robot_at(far, motion, "two"),
     )
     noise = (0.1, 0.01, 0.01)[: len(measured)]
-    sensors = [builders.range_bearing(noise, name=f"sensor {i}", robot=i, position=mount) for i in range(2)]
+    sensors = [builders.range_bearing(noise, name=f"sensor {i}", robot=i, position=extrinsics) for i in range(2)]
     slam = recordings.Sightings([], Rig(starts, tuple(sensors)), []).slam(points="idpPnt")
     for robot in slam.robots:
         free = np.diag([0.04, 0.04, 0, 0, 0, 1e-4]) if robot.block.dof == 6 else np.diag([0.04, 0.04, 1e-4])
