@@ -23,7 +23,7 @@ import numpy as np
 from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Array
 from slamlib.plain_data.fields import Count, FileName, OneOf, Plain, Range, Whole, check
-from slamlib.plain_data.files import write_whole
+from slamlib.plain_data.files import read_text, write_whole
 from slamlib.records.inputs import Frame, Truth, World
 from slamlib.rigs.setup import ZERO, Numbers, Rig, RobotSetup, SensorSetup
 from slamlib.sensors.scaramuzza import polynomials
@@ -98,10 +98,10 @@ class Preset(Plain):
     def load(cls, path: str | Path) -> "Preset":
         """Read a preset as JSON (from `save` or by hand) or, by the file's suffix, TOML. Raises SlamlibError."""
         source = Path(path)
+        text = read_text(source)
         try:
-            text = source.read_text("utf-8")
             data = tomllib.loads(text) if source.suffix == ".toml" else json.loads(text)
-        except (OSError, ValueError) as error:
+        except (RecursionError, ValueError) as error:
             raise SlamlibError(f"{path} cannot be read as a preset: {error}") from None
         return cls.from_dict(data)
 

@@ -1,5 +1,6 @@
-"""Files that are written atomically, and archives of arrays with a header of plain data."""
+"""Files: texts in whatever encoding they come, atomic writes, and archives of arrays with a header of plain data."""
 
+import codecs
 import errno
 import glob
 import hashlib
@@ -15,6 +16,28 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import SlamlibError
+
+
+# The marks that Windows editors, and PowerShell's >, put before a text.
+_MARKS = {codecs.BOM_UTF8: "utf-8", codecs.BOM_UTF16_LE: "utf-16-le", codecs.BOM_UTF16_BE: "utf-16-be"}
+
+
+def read_text(path: str | Path) -> str:
+    """The text of a file: UTF-8, or what its byte order mark says; line ends become newlines.
+
+    A comment may hold bytes of another encoding: they become replacement characters. Raises SlamlibError for a file
+    that cannot be read, and for one of binary data.
+    """
+    try:
+        data = Path(path).expanduser().read_bytes()
+    except (OSError, ValueError, RuntimeError) as error:
+        why = (error.strerror if isinstance(error, OSError) else None) or error
+        raise SlamlibError(f"{path} cannot be read: {why}") from None
+    mark = next((mark for mark in _MARKS if data.startswith(mark)), b"")
+    text = data[len(mark) :].decode(_MARKS.get(mark, "utf-8"), errors="replace")
+    if "\0" in text:
+        raise SlamlibError(f"{path} is no text: it holds binary data (or is it UTF-16 without a byte order mark?)")
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 @contextmanager

@@ -10,6 +10,7 @@ import pytest
 from slamlib.errors import SlamlibError, UnknownNameError
 from slamlib.experiments.presets import PRESETS, Preset, preset
 from slamlib.plain_data.fields import OneOf, Range, check, read, written
+from slamlib.plain_data.files import read_text
 
 
 @dataclass(frozen=True)
@@ -92,3 +93,21 @@ def test_nested_plain_data_of_a_preset_is_checked():
 def test_without_a_limit_a_number_is_finite():
     with pytest.raises(SlamlibError, match="finite"):
         Range(gt=-np.inf, lt=np.inf).check(np.nan, "x")
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
+def test_a_text_is_read_in_the_encoding_that_its_mark_says(tmp_path, encoding):
+    path = tmp_path / "text.txt"
+    path.write_bytes("größe: 1\r\nnext\r".encode(encoding))
+    assert read_text(path) == "größe: 1\nnext\n"
+
+
+def test_a_comment_in_another_encoding_does_no_harm_and_binary_data_are_no_text(tmp_path):
+    path = tmp_path / "text.txt"
+    path.write_bytes("# Größe\n1 2\n".encode("latin-1"))
+    assert read_text(path).splitlines()[1] == "1 2"
+    path.write_bytes(bytes(range(256)))
+    with pytest.raises(SlamlibError, match="binary"):
+        read_text(path)
+    with pytest.raises(SlamlibError, match="cannot be read: No such file"):
+        read_text(tmp_path / "none.txt")

@@ -16,6 +16,7 @@ from slamlib.geometry.pose import compose, inverse, to_frame
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array, finite
+from slamlib.plain_data.files import read_text
 from slamlib.records.inputs import Scan
 from slamlib.rigs.setup import Rig
 from slamlib.sensors.sensor import Calibration
@@ -69,10 +70,11 @@ class Target:
     @classmethod
     def load(cls, path: str | Path) -> "Target":
         """Load from JSON: {"points": [[x, y, z], ...], "pixels": [[u, v], ...], "std": s}. Raises SlamlibError."""
+        text = read_text(path)
         try:
-            data = json.loads(Path(path).read_text("utf-8"))
+            data = json.loads(text)
             return cls(data["points"], data["pixels"], data.get("std", 0.0))
-        except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
             wanted = 'JSON with "points" (n, 3), "pixels" (n, 2) and perhaps "std"'
             raise SlamlibError(f"{path} is no target: {wanted} is expected ({type(error).__name__}: {error})") from None
 
