@@ -17,7 +17,6 @@ import numpy as np
 
 from slamlib.errors import SlamlibError
 
-
 # The marks that Windows editors, and PowerShell's >, put before a text.
 _MARKS = {codecs.BOM_UTF8: "utf-8", codecs.BOM_UTF16_LE: "utf-16-le", codecs.BOM_UTF16_BE: "utf-16-be"}
 
