@@ -1,10 +1,14 @@
 """The command `slamlib`: runs experiments, compares parametrizations, lists the available components."""
 
 import argparse
+import os
 import signal
 import sys
 from collections.abc import Sequence
 from typing import Protocol
+
+# Matrices are small here, and NumPy's and SciPy's copies of BLAS wait for each other's threads: one is faster by far.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 

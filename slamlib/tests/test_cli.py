@@ -2,6 +2,7 @@
 
 import io
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -228,6 +229,21 @@ def test_python_m_slamlib():
 class Terminal(io.StringIO):
     def isatty(self):
         return True
+
+
+@pytest.mark.parametrize(("said", "used"), [({}, "1"), ({"OPENBLAS_NUM_THREADS": "3"}, "3")])
+def test_the_command_loads_numpy_with_one_thread_of_blas_unless_told_otherwise(said, used):
+    watch = """
+import os, sys
+class Watch:
+    def find_spec(self, name, *of):
+        if name == "numpy": print(os.environ.get("OPENBLAS_NUM_THREADS"))
+sys.meta_path.insert(0, Watch())
+import slamlib.cli
+"""
+    known = {name: value for name, value in os.environ.items() if name != "OPENBLAS_NUM_THREADS"} | said
+    call = [sys.executable, "-c", watch]
+    assert subprocess.run(call, capture_output=True, text=True, check=True, env=known).stdout.split() == [used]
 
 
 def test_progress_draws_on_terminals_only():
