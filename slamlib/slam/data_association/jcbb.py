@@ -55,11 +55,13 @@ class _Node:
 
 
 class _Search:
-    """Search for the fewest innovations (n, d) to remove; keeps the best such set found so far."""
+    """Search for the fewest innovations (n, d) to remove; keeps the best such set found so far.
 
-    def __init__(self, z: Array, S: Array, dof: Array, limit: Threshold, max_nodes: int) -> None:
+    factor (n d, n d): lower Cholesky factor of their joint covariance.
+    """
+
+    def __init__(self, z: Array, factor: Array, dof: Array, limit: Threshold, max_nodes: int) -> None:
         n, d = z.shape
-        factor = linalg.cholesky(S.reshape(n * d, n * d), "jcbb", "the joint covariance of the innovations")
         white = linalg.solve_lower(factor, np.eye(n * d))
         A = white.T @ white
         a = A @ z.ravel()
@@ -117,7 +119,11 @@ def jcbb(z: Array, S: Array, dof: Array, limit: Threshold, max_nodes: int = MAX_
     unless more than `max_nodes` nodes of the tree are needed: then the best set found so far, at worst the greedy one
     (always remove what lowers the square most), which is compatible and rarely another one. Raises CovarianceError.
     """
-    search = _Search(z, S, dof, limit, max_nodes)
+    factor = linalg.cholesky(S.reshape(z.size, z.size), "jcbb", "the joint covariance of the innovations")
+    white = linalg.solve_lower(factor, z.ravel())
+    if white @ white < limit(int(dof.sum())):  # as in most frames: there is nothing to search for
+        return np.ones(len(z), dtype=bool)
+    search = _Search(z, factor, dof, limit, max_nodes)
     greedy, drop = search.greedy()
     for count in range(1, len(greedy) + 1):
         if count == len(greedy):
