@@ -20,7 +20,7 @@ from slamlib.observation.family import viewpoint
 from slamlib.slam import Slam
 from slamlib.slam.data_association.gates import gate
 from slamlib.slam.snapshot import robot_view
-from slamlib.vision.results import lasting, whitened
+from slamlib.vision.results import innovation_correlation, lasting, whitened
 
 KNOWN = 40  # poses, evenly spread, whose covariances are taken of what was smoothed
 
@@ -66,14 +66,13 @@ def run(
     slam = recording.slam(**said)
     smoother = Smoother(slam) if smooth else None
     poses, covariances, matched, met, began = [], [], np.zeros(2, int), np.zeros(2, int), time.process_time()
-    now, product, squares = dict[int, Array](), np.zeros(2), np.zeros(2)
+    now, products = dict[int, Array](), []
     for frame in progress(recording.frames, len(recording.frames), "frames"):
         slam.step(frame)
         if smoother:
             smoother.record(frame)
         before, now = now, whitened(slam)
-        product += [*lasting(now, before).values()]
-        squares += [sum(float(z @ z) for z in now.values()), sum(map(len, now.values()))]
+        products.append([*lasting(now, before).values()])
         matched += [sum(getattr(p, n) for own in slam.predictions for p in own) for n in ("matched", "inlier")]
         for meeting in recording.meetings.get(frame.number, []) if meetings else ():
             met += [1, meet(slam, *meeting)]
@@ -82,9 +81,8 @@ def run(
     times = np.cumsum([frame.dt for frame in recording.frames])
     figures = {"frames": len(times), "seconds": times[-1], "landmarks": len(slam.landmarks), "matched": int(matched[0])}
     figures |= {"inliers": matched[1] / matched[0], "met": met.tolist()}
-    if product[1]:
-        # Of the first sensor's innovations, from frame to frame, in units of what they really are.
-        figures["correlation"] = product[0] / product[1] / (squares[0] / squares[1])
+    if lasts := innovation_correlation(np.array(products)):  # of the first sensor's innovations
+        figures["correlation"] = lasts[0]
     figures["frames_per_second"] = len(times) / (time.process_time() - began)
     points = {lm.id: in_world(lm.kind, lm.block.mean, slam.belief.covariance(lm.block)) for lm in slam.landmarks}
     own, known = ([*np.swapaxes(rows, 0, 1)] for rows in (poses, covariances))

@@ -359,7 +359,7 @@ def test_a_window_shows_every_frame(room, monkeypatch):
         (["--search", "patsch=1"], "unknown key of search 'patsch'; did you mean 'patch'?"),
         (["--search", "patch"], "--search takes NAME=VALUE"),
         (["--start", "24"], "none is left"),
-        (["--scale", "nowhere.json"], "is no target"),
+        (["--scale", "nowhere.json"], "nowhere.json cannot be read"),
         (["--camera", "1"], "no camera 1; it has 0"),
         (["--video", "film.avi"], "ending of a video"),
         (["--resume", "nowhere.npz"], "leave --source out"),

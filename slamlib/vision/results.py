@@ -13,13 +13,13 @@ from slamlib.slam import Slam, StepReport
 PARTS = ("filter", "search", "detection", "reading")
 COLUMNS = (
     *("time", "searched", "matched", "inliers", "nis", "nis_dof", "landmarks", "initialized", "deleted"),
-    *("lasting", "lasting_dof", "near"),
+    *("lasting", "lasting_now", "lasting_before", "near"),
     *PARTS,
 )
 NEAR = 40.0  # baselines: nearer points tell how long a step was, the others where it turned (Mur-Artal, Tardos 2017)
 LASTING, FEW_NEAR = 0.3, 6.0  # the largest correlation of innovations, the least near points, of a run without warnings
 OVERCONFIDENT = 10.0  # the largest median NEES, per degree of freedom, of a run without a warning
-Whitened = dict[int, Array]  # innovations in units of their standard deviations, uncorrelated; by landmark
+Whitened = dict[int, Array]  # innovations in units of the standard deviations they were predicted with; by landmark
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,8 +28,9 @@ class ImageResult:
 
     time [s] of the image; searched, matched, inliers: landmarks searched for, found, and accepted; nis and its degrees
     of freedom nis_dof: of all inliers; landmarks: in the map; initialized, deleted; lasting: product of the whitened
-    innovations of this frame and the last, of lasting_dof numbers, zero on average where the errors of a landmark's
-    measurements are independent; near: inliers nearer than NEAR, nan for a single camera; PARTS, and perhaps
+    innovations of this frame and the last, of the landmarks that are inliers in both, zero on average where the errors
+    of a landmark's measurements are independent; lasting_now, lasting_before: their own squares; near: inliers nearer
+    than NEAR, nan for a single camera; PARTS, and perhaps
     more of them: processor time [s].
     """
 
@@ -80,16 +81,37 @@ def whitened(slam: Slam) -> Whitened:
 
 
 def lasting(now: Whitened, before: Whitened) -> dict[str, float]:
-    """The two columns of the innovations of a frame and the one before."""
+    """The three columns of the innovations of a frame and the one before."""
     pairs = [(value, before[number]) for number, value in now.items() if number in before]
-    return {"lasting": sum(float(a @ b) for a, b in pairs), "lasting_dof": sum(len(a) for a, _ in pairs)}
+    return {
+        "lasting": sum(float(a @ b) for a, b in pairs),
+        "lasting_now": sum(float(a @ a) for a, _ in pairs),
+        "lasting_before": sum(float(b @ b) for _, b in pairs),
+    }
+
+
+def innovation_correlation(products: Array) -> tuple[float, float] | None:
+    """The correlation of innovations with those of the next frame, -1 to 1, and its standard error; None without pairs.
+
+    products (n, 3): `lasting`'s columns of each frame. With N, A, B their sums, r = N / sqrt(A B), whatever factor the
+    filter's covariances are off by. Innovations of one frame are correlated, by the camera's error that they share: so
+    frames are the independent units, and the error is that of a ratio of their sums (the delta method).
+    """
+    N, A, B = products.sum(0).tolist()
+    if not A * B > 0:
+        return None
+    size = float(np.sqrt(A * B))
+    r = N / size
+    return r, float(np.linalg.norm(products[:, 0] / size - r * (products[:, 1] / A + products[:, 2] / B) / 2))
 
 
 def summary(result: ImageResult) -> dict[str, Any]:
     """Plain data: lengths in the run's unit, times in milliseconds (medians over the frames)."""
     c = result.columns
     searched, matched, inliers = (float(c[name].sum()) for name in ("searched", "matched", "inliers"))
-    lasting_dof = c["lasting_dof"].sum()
+    lasts, off = innovation_correlation(
+        np.stack([c[name] for name in ("lasting", "lasting_now", "lasting_before")], axis=-1)
+    ) or (None, None)
     nis = float(c["nis"].sum() / c["nis_dof"].sum()) if inliers else None
     tracked = c["inliers"][1:] if len(c["time"]) > 1 else c["inliers"]
     return {
@@ -102,8 +124,8 @@ def summary(result: ImageResult) -> dict[str, Any]:
         "matched_share": matched / searched if searched else None,
         "inlier_share": inliers / matched if matched else None,
         "nis_per_dof": nis,
-        "innovation_correlation": float(c["lasting"].sum() / lasting_dof / nis) if nis and lasting_dof else None,
-        "innovation_correlation_std": float(lasting_dof**-0.5) if lasting_dof else None,
+        "innovation_correlation": lasts,
+        "innovation_correlation_std": off,
         "near_mean": None if np.isnan(c["near"]).any() else float(c["near"][1:].mean()) if len(tracked) > 1 else None,
         "landmarks": int(c["landmarks"][-1]),
         "initialized": int(c["initialized"].sum()),
@@ -140,7 +162,7 @@ def table(s: dict[str, Any]) -> list[tuple[str, str]]:
     nis = "no match" if s["nis_per_dof"] is None else f"{s['nis_per_dof']:.2f} (without those that the gate rejects)"
     known = []
     if s["innovation_correlation"] is not None:
-        by = f"{s['innovation_correlation']:.2f}, +- {s['innovation_correlation_std']:.2f} by chance"
+        by = f"{s['innovation_correlation']:.2f}, +- {s['innovation_correlation_std']:.2f} (standard error)"
         known.append(("innovations, next frame", f"correlated by {by}; 0 if errors do not last"))
     if s["near_mean"] is not None:
         known.append(("near points", f"{s['near_mean']:.1f} per frame, nearer than {NEAR:g} baselines"))
