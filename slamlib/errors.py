@@ -33,7 +33,7 @@ class CovarianceError(SlamlibError):
 
 
 class UnitError(SlamlibError):
-    """A quaternion is not of unit length."""
+    """A quaternion is not of unit length, or an angle not in radians."""
 
 
 class SingularPointError(SlamlibError):

@@ -3,9 +3,11 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
+from numbers import Real
 from typing import Any, Protocol, TypeAlias, TypeVar
 
 import numpy as np
+from numpy.ma import MaskedArray
 from numpy.typing import ArrayLike, NDArray
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError, UnitError
@@ -18,14 +20,53 @@ AnyArray = TypeVar("AnyArray", bound=NDArray[Any])
 
 
 def numbers(value: ArrayLike, function: str, argument: str) -> Array:
-    """Convert to an array of floats; raises SlamlibError for text, complex numbers and lists of unequal lengths."""
+    """Convert to an array of floats.
+
+    Raises SlamlibError for text, complex numbers, lists of unequal lengths, and arrays in which something is masked.
+    """
+    if isinstance(value, MaskedArray) and (hidden := np.argwhere(np.ma.getmaskarray(value))).size:
+        where = tuple(int(i) for i in hidden[0])
+        raise SlamlibError(f"{function}: {argument} is masked at index {where}: leave out what is not known")
     try:
         array = np.asarray(value)
+        if array.dtype.kind == "O":
+            if not all(isinstance(entry, Real) for entry in array.flat):
+                raise TypeError(_no_number(array))
+            array = array.astype(float)
         if array.dtype.kind in "cSUMm":
             raise TypeError(f"it holds {array.dtype}")
         return array.astype(float, copy=False)
     except (TypeError, ValueError) as error:
         raise SlamlibError(f"{function}: {argument} should be an array of real numbers: {error}") from None
+
+
+def real(array: NDArray[Any], function: str, argument: str) -> NDArray[Any]:
+    """An array of objects that are all numbers, such as a data frame's, as one of floats; others, of symbols, as it is.
+
+    Raises SlamlibError where it holds None or text.
+    """
+    if array.dtype.char != "O":
+        return array
+    if any(isinstance(entry, str | bytes | type(None)) for entry in array.flat):
+        return numbers(array, function, argument)  # which says what is wrong
+    plain = all(isinstance(entry, int | float | np.number) for entry in array.flat)
+    return array.astype(float) if plain else array
+
+
+def _no_number(array: NDArray[Any]) -> str:
+    """What of an array of objects is no real number."""
+    place = next(place for place in np.ndindex(array.shape) if not isinstance(array[place], Real))
+    where = f" at index {place}" if array.ndim else ""
+    return f"it holds {array[place]!r} ({type(array[place]).__name__}){where}"
+
+
+def whole_rows(*arrays: ArrayLike) -> Mask | None:
+    """Mask (n,) of the rows in which no array is masked; None where none of them is a masked array."""
+    masked = [np.ma.getmaskarray(a) for a in arrays if isinstance(a, MaskedArray)]
+    if not masked:
+        return None
+    keep: Mask = ~np.logical_or.reduce([mask.reshape(len(mask), -1).any(1) for mask in masked])
+    return keep
 
 
 def finite(value: ArrayLike, shape: tuple[int | None, ...] | None, function: str, argument: str) -> Array:
@@ -41,7 +82,7 @@ def finite(value: ArrayLike, shape: tuple[int | None, ...] | None, function: str
             raise ShapeError(f"{function}: {argument} should have shape {form}, but has shape {array.shape}")
     if not np.isfinite(array).all():
         where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
-        raise NonFiniteError(f"{function}: {argument} holds {array[where]} at index {where}; remove or mask it")
+        raise NonFiniteError(f"{function}: {argument} holds {array[where]} at index {where}; leave it out")
     return array
 
 
@@ -228,3 +269,21 @@ def as_manifold(spec: "int | Manifold") -> Manifold:
     if not hasattr(spec, "minus"):
         raise SlamlibError(f"{spec!r} is no space: give an int, or an object with size, dof, plus and minus")
     return spec
+
+
+def angles_of(manifold: Manifold) -> Indices:
+    """Which numbers of a space of vectors are angles [rad]: those in which a whole turn makes no difference."""
+    turn = np.full(manifold.size, 2 * np.pi)
+    flat = manifold.size == manifold.dof
+    return np.flatnonzero(np.abs(manifold.minus(turn, 0 * turn)) < 1) if flat else np.zeros(0, dtype=int)
+
+
+def check_turns(values: Array, angles: Indices, what: str) -> None:
+    """Raise UnitError where a measured angle in the rows (n, m) is beyond a turn: it will be in degrees."""
+    beyond = np.argwhere(np.abs(values[:, angles]) > 2 * np.pi)
+    if len(beyond):
+        row, column = int(beyond[0, 0]), int(angles[beyond[0, 1]])
+        raise UnitError(
+            f"{what} number {column} of row {row} is the angle {values[row, column]:g}, above a turn: angles are in "
+            "radians (np.radians)"
+        )

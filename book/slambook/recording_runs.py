@@ -17,6 +17,7 @@ from slamlib.geometry.pose import Pose, to_frame
 from slamlib.landmarks import POINTS
 from slamlib.manifolds import Array, Indices
 from slamlib.observation.family import viewpoint
+from slamlib.records.ids import Id
 from slamlib.slam import Slam
 from slamlib.slam.data_association.gates import gate
 from slamlib.slam.snapshot import robot_view
@@ -53,7 +54,7 @@ class Estimate:
     poses: list[Array]
     known: Indices
     covariances: list[Array]
-    points: dict[int, tuple[Array, Array]]
+    points: dict[Any, tuple[Array, Array]]
 
 
 def run(
@@ -66,7 +67,7 @@ def run(
     slam = recording.slam(**said)
     smoother = Smoother(slam) if smooth else None
     poses, covariances, matched, met, began = [], [], np.zeros(2, int), np.zeros(2, int), time.process_time()
-    now, products = dict[int, Array](), []
+    now, products = dict[Id, Array](), []
     for frame in progress(recording.frames, len(recording.frames), "frames"):
         slam.step(frame)
         if smoother:

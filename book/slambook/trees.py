@@ -12,6 +12,7 @@ from slamlib.entities import Landmark
 from slamlib.geometry.pose import from_frame
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array, Mask
+from slamlib.records.ids import Id
 from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput
 from slamlib.slam.data_association.gates import mahalanobis_squared
 from slamlib.slam.prediction import Predictions
@@ -84,7 +85,7 @@ class NearestNeighbor(FrontEnd):
         return np.vstack([values, [np.nan, np.nan]])[rows], rows >= 0
 
     def detect(
-        self, inputs: FrontEndInput, family: str, known: set[int], usable: Callable[[Array], Mask], count: int
+        self, inputs: FrontEndInput, family: str, known: set[Id], usable: Callable[[Array], Mask], count: int
     ) -> list[Detected]:
         """Measurements of new landmarks that have been measured often enough."""
         self.tentative = [t for t in self.tentative if self.scan - t.scan <= self.window]

@@ -11,6 +11,7 @@ import numpy as np
 from slamlib.kalman import state
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array, Indices
+from slamlib.records.ids import Id
 
 T = TypeVar("T")
 KIND = attrgetter("kind")  # of a landmark
@@ -25,7 +26,7 @@ class Landmark:
     which it was initialized; last_seen: the frame of its last inlier. first_measured: what initialized it.
     """
 
-    id: int
+    id: Id
     kind: Any  # of the class that its family has: PointLandmark, LineLandmark, ...; a Parametrization
     block: Block
     first_seen: int

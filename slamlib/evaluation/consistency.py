@@ -9,6 +9,7 @@ and Kirubarajan (2001), section 5.4.
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.ma import MaskedArray
 
 from slamlib.errors import CovarianceError, ShapeError, SlamlibError
 from slamlib.kalman import linalg
@@ -21,7 +22,9 @@ EXACT = 1e-12  # of a correlation matrix, whose eigenvalues have the mean 1: wha
 def nees(error: Array, covariance: Array) -> Array:
     """Normalized estimation error squared e' P^-1 e; error (..., n), covariance (..., n, n). Expected value n.
 
-    Raises CovarianceError where P is not positive definite, ShapeError, NonFiniteError.
+    Of a masked array the numbers that are not masked count, with their marginal covariance: so many are then expected;
+    a row without any is masked in the result. Raises CovarianceError where P is not positive definite, ShapeError,
+    NonFiniteError.
 
         >>> import slamlib as sl
         >>> float(sl.nees([0.3, 0.4], [[0.1, 0], [0, 0.1]]).round(3))  # a consistent filter has 2 on average
@@ -47,7 +50,8 @@ def nees_where_uncertain(error: Array, covariance: Array) -> float:
 def nis(innovation: Array, covariance: Array) -> Array:
     """Normalized innovation squared z' S^-1 z; innovation (..., m), covariance (..., m, m). Expected value m.
 
-    Raises CovarianceError where S is not positive definite, ShapeError, NonFiniteError.
+    Masked arrays are treated as `nees` does. Raises CovarianceError where S is not positive definite, ShapeError,
+    NonFiniteError.
 
         >>> import slamlib as sl
         >>> float(sl.nis([3, 4], [[4, 0], [0, 4]]).round(3))  # 5 px off, where 2 px are expected along each axis
@@ -57,6 +61,12 @@ def nis(innovation: Array, covariance: Array) -> Array:
 
 
 def _squared(vector: Array, matrix: Array, function: str) -> Array:
+    if isinstance(vector, MaskedArray) and vector.ndim and np.shape(matrix)[-2:] == vector.shape[-1:] * 2:
+        hidden = np.ma.getmaskarray(vector)  # an error of zero, with a variance of its own, adds nothing
+        aside = hidden[..., :, None] | hidden[..., None, :]
+        squares = _squared(vector.filled(0.0), np.where(aside, np.eye(vector.shape[-1]), matrix), function)
+        gone = np.broadcast_to(hidden.all(-1), squares.shape)
+        return np.ma.array(squares, mask=gone) if gone.any() else squares
     vector, matrix = finite(vector, None, function, "vector"), finite(matrix, None, function, "covariance")
     n = vector.shape[-1] if vector.ndim else 0
     if matrix.shape[-2:] != (n, n) or n == 0:

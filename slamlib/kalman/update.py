@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, entry
 from slamlib.kalman import linalg
 from slamlib.kalman.state import Block, Retraction, StateLayout
-from slamlib.manifolds import Array, Indices, finite, numbers, ranges
+from slamlib.manifolds import Array, Indices, finite, numbers, ranges, whole_rows
 
 
 @dataclass(frozen=True)
@@ -26,6 +26,18 @@ class LinearizedMeasurement:
     jacobians: Sequence[ArrayLike]
     innovation: Array
     noise: Array
+
+    def unmasked(self) -> "LinearizedMeasurement | None":
+        """Itself without the masked numbers of its innovation, their Jacobians and noises; None if all are masked."""
+        keep = whole_rows(self.innovation) if np.ndim(self.innovation) == 1 else None
+        if keep is None:
+            return self
+        if not keep.any():
+            return None
+        noise = np.ma.getdata(self.noise)
+        noise = noise[np.ix_(keep, keep)] if noise.ndim == 2 else noise[keep] if noise.ndim == 1 else noise
+        jacobians = [np.asarray(J)[keep] for J in self.jacobians]
+        return LinearizedMeasurement(self.blocks, jacobians, np.ma.getdata(self.innovation)[keep], noise)
 
     def checked_innovation(self, function: str, what: str) -> Array:
         """Return the innovation, checked to be one or more finite numbers; errors call it `what`."""
@@ -82,8 +94,11 @@ class StackedMeasurements:
 
         own: raises where a block is not one of the belief.
         """
-        if not len(measurements):
-            raise SlamlibError(f"{function}: no measurement given; leave the call out when nothing was seen")
+        given = [measurement.unmasked() for measurement in measurements]
+        measurements = [kept for kept in given if kept is not None]
+        if not measurements:
+            none = "all that is given is masked" if given else "no measurement given"
+            raise SlamlibError(f"{function}: {none}; leave the call out when nothing was seen")
         noises: dict[tuple[int, int], Array] = {}  # landmarks mostly share one R, which is checked once
         innovations, jacobians = [], []
         for i, measurement in enumerate(measurements):
@@ -180,8 +195,10 @@ class SequentialUpdate:
     def propose(self, columns: Indices, H: Array, innovation: Array, R: Array) -> Proposal:
         """What a measurement would do at the present means; nothing is changed until it is applied.
 
-        columns (k,), H (d, k), innovation (d,), R (d, d). Raises CovarianceError.
+        columns (k,), H (d, k), innovation (d,), R (d, d). Raises CovarianceError, and SlamlibError where it is masked.
         """
+        if isinstance(innovation, np.ma.MaskedArray):
+            innovation = numbers(innovation, "update", "innovation")
         taken = self._store[: self._count]
         HP = H @ self._P.take(columns, axis=0)
         if self._count:

@@ -4,8 +4,9 @@ import cmath
 import math
 
 import numpy as np
+from numpy.ma import MaskedArray
 
-from slamlib.errors import NonFiniteError, ShapeError
+from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
 from slamlib.manifolds import Array, Manifold, as_manifold
 
 
@@ -38,11 +39,13 @@ class Argument:
         if expected != value.shape[value.ndim - len(self.shape) :] or value.ndim < len(self.shape):
             raise ShapeError.of(owner, self.name, self.shape, value.shape)
         what = f"{owner}: argument '{self.name}'"
+        if isinstance(value, MaskedArray) and np.ma.getmaskarray(value).any():
+            raise SlamlibError(f"{what} is masked in part: leave out what is not known")
         if value.dtype.kind not in "fiubc":
             raise ShapeError(f"{what} should hold numbers, but has dtype {value.dtype}")
         few = value.size < 10 and cmath.isfinite(sum(value.ravel().tolist()))  # for a few numbers Python is faster
         if not few and not np.isfinite(value).all():
             where = tuple(int(i) for i in np.argwhere(~np.isfinite(value))[0])
-            raise NonFiniteError(f"{what} holds {value[where]} at index {where}; remove or mask it")
+            raise NonFiniteError(f"{what} holds {value[where]} at index {where}; leave it out")
         if self.manifold is not None and self.is_manifold and value.dtype.kind != "c":
             self.manifold.check(value, what)

@@ -16,14 +16,16 @@ from types import ModuleType
 from typing import Any, Protocol, TypeAlias
 
 import numpy as np
+from numpy.ma import MaskedArray
 from numpy.typing import ArrayLike
 
 from slamlib.errors import SlamlibError, StaleCodeError
-from slamlib.manifolds import Array, Manifold
+from slamlib.manifolds import Array, Manifold, real
 from slamlib.models import fingerprint, in_memory
 from slamlib.models.argument import Argument
 from slamlib.models.compiler import compile_in_memory
 from slamlib.models.kernel import Kernel
+from slamlib.models.masked import over_unmasked
 
 Spec: TypeAlias = int | tuple[int, ...] | Manifold
 _defining: ContextVar[bool] = ContextVar("_defining", default=False)
@@ -93,7 +95,7 @@ class Formula(ABC):
                 f"{self.name} takes ({', '.join(names)}); got {len(args)} by position and {sorted(kwargs)} by name"
             )
         given = (*args, *[kwargs[n] for n in names[len(args) :]]) if kwargs else args
-        return [np.asarray(a) for a in given]
+        return [a if isinstance(a, MaskedArray) else np.asarray(a) for a in given]
 
 
 class Model(Formula):
@@ -137,8 +139,12 @@ class Model(Formula):
         Raises ShapeError, NonFiniteError, UnitError for bad arguments, SingularPointError where no value exists.
         """
         arguments = self._bind(args, kwargs)
-        if _defining.get() or "O" in [a.dtype.char for a in arguments]:
+        if _defining.get():
             return calling.get()(self, arguments)
+        if "O" in [a.dtype.char for a in arguments]:  # symbols; or what a data frame gives
+            arguments = [real(a, self.name, n) for n, a in zip(self.parameters, arguments, strict=True)]
+            if "O" in [a.dtype.char for a in arguments]:
+                return calling.get()(self, arguments)
         return self._evaluate("", arguments)[0]
 
     def jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Jacobians]:
@@ -196,6 +202,9 @@ class Model(Formula):
         return self._run(fitting._kernel(kind), arguments)
 
     def _run(self, kernel: Kernel, arguments: list[Array]) -> list[Array]:
+        if any(isinstance(a, MaskedArray) for a in arguments):
+            specs = self.arguments[-len(arguments) :]
+            return over_unmasked(lambda plain: self._run(kernel, plain), self.name, specs, arguments)
         found = kernel.single(arguments)
         if found is None:
             for argument, value in zip(self.arguments[-len(arguments) :], arguments, strict=True):

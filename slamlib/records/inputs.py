@@ -4,14 +4,15 @@ A filter gets frames, and cannot tell whether a simulator, a file or a camera ma
 there is one, is passed separately, to the evaluation alone.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import InitVar, dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
 from slamlib.kalman.linalg import covariance
-from slamlib.manifolds import Array, Indices, finite, numbers, read_only, read_only_copy
+from slamlib.manifolds import Array, angles_of, check_turns, finite, numbers, read_only_copy, whole_rows
+from slamlib.records.ids import Id, Ids, ids_of, joined
 
 if TYPE_CHECKING:
     from slamlib.models import Model
@@ -19,24 +20,40 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Features:
-    """Measured features: ids (n,), unique integers, and one row of numbers for each, values (n, m)."""
+    """Measured features: ids (n,), unique integers or strings, and one row of numbers for each, values (n, m).
 
-    ids: Indices
+    Rows of masked arrays in which anything is masked are left out, and those of the id `unknown`: data sets write -1,
+    say, where they do not know what was measured. Raises SlamlibError.
+
+        >>> import slamlib as sl
+        >>> from slamlib.records.inputs import Features
+        >>> Features([7, -1, 8, -1], [[1, 0], [2, 0], [3, 0], [4, 0]], unknown=-1).ids.tolist()
+        [7, 8]
+    """
+
+    ids: Ids
     values: Array
+    unknown: InitVar[Id | None] = None
 
-    def __post_init__(self) -> None:
-        ids, values = np.asarray(self.ids), numbers(self.values, "Features", "values")
-        if ids.size == 0:
-            ids = ids.astype(np.int64)
-        if ids.ndim != 1 or not np.issubdtype(ids.dtype, np.integer):
-            raise SlamlibError(f"Features: ids are a list of integers, not {ids.dtype} of shape {ids.shape}")
+    def __post_init__(self, unknown: Id | None) -> None:
+        keep = whole_rows(self.ids, self.values)
+        given, rows = (
+            (self.ids, self.values) if keep is None else (np.asarray(self.ids)[keep], np.ma.getdata(self.values)[keep])
+        )
+        ids, values = ids_of(given, "Features: ids"), numbers(rows, "Features", "values")
+        if unknown is not None and len(values) == len(ids):
+            known = [value != unknown for value in ids.tolist()]
+            ids, values = ids[known], values[known]
         if values.ndim != 2 or len(values) != len(ids):
             raise ShapeError(f"Features: {len(ids)} ids need values of shape ({len(ids)}, m), got {values.shape}")
         if not np.isfinite(values).all():
             raise NonFiniteError("Features: values hold nan or infinity; leave such rows out")
-        if not np.diff(np.sort(ids)).all():
-            raise SlamlibError("Features: an id appears twice; what is seen twice in one image has two ids")
-        object.__setattr__(self, "ids", read_only(np.array(ids, np.int64)))
+        if len(set(ids.tolist())) < len(ids):
+            raise SlamlibError(
+                "Features: an id appears twice; what is seen twice in one image has two ids (and where an id says that "
+                "what was measured is not known, as -1 may: Features(ids, values, unknown=-1) leaves those rows out)"
+            )
+        object.__setattr__(self, "ids", ids)
         object.__setattr__(self, "values", read_only_copy(values))
 
     def __len__(self) -> int:
@@ -116,6 +133,9 @@ class RobotMeasurement:
 
     def __post_init__(self) -> None:
         _keep(self, self.name)
+        manifold = self.model.result.manifold if self.model.result else None
+        if manifold is not None:
+            check_turns(self.value[None], angles_of(manifold), f"{self.name}:")
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,6 +177,6 @@ class World(ByFamily):
         given = {"points": Features.none(3), "segments": Features.none(6), **self.features}
         object.__setattr__(self, "features", given)
         object.__setattr__(self, "faces", read_only_copy(finite(self.faces, (None, 3, 3), "World", "faces")))
-        ids = np.concatenate([features.ids for features in self.features.values()])
-        if not np.diff(np.sort(ids)).all():
+        ids = joined(features.ids for features in self.features.values())
+        if len(set(ids)) < len(ids):
             raise SlamlibError("World: things of two families share an id; number segments after the points")

@@ -10,6 +10,7 @@ from slamlib.geometry.pose import compose
 from slamlib.geometry.quaternion import rotation
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.plain_data.tables import html_table
+from slamlib.records.ids import Id, Ids
 from slamlib.records.inputs import Scan
 
 
@@ -59,7 +60,7 @@ class MeasurementView:
     nan where there is none, and for each prediction the predicted patch and the one found, as grey images or None.
     """
 
-    ids: Array
+    ids: Ids
     kinds: tuple[str, ...]
     expected: Array
     covariance: Array
@@ -112,7 +113,7 @@ class MapView:
     worst direction, to a tenth of the length between them.
     """
 
-    ids: Array
+    ids: Ids
     kinds: tuple[str, ...]
     geometry: Array
     covariance: Array
@@ -131,7 +132,7 @@ class MappedLandmark:
     std: Array
 
 
-class Map(Mapping[int, MappedLandmark]):
+class Map(Mapping[Id, MappedLandmark]):
     """The estimated landmarks of all families, by their numbers; a notebook shows them as a table.
 
     >>> import slamlib as sl
@@ -154,10 +155,10 @@ class Map(Mapping[int, MappedLandmark]):
             )
         }
 
-    def __getitem__(self, number: int) -> MappedLandmark:
+    def __getitem__(self, number: Id) -> MappedLandmark:
         return self._found[number]
 
-    def __iter__(self) -> Iterator[int]:
+    def __iter__(self) -> Iterator[Id]:
         return iter(self._found)
 
     def __len__(self) -> int:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from slamlib.errors import ShapeError, SlamlibError, UnknownNameError
 from slamlib.kalman.linalg import covariance
-from slamlib.manifolds import Array, Manifold, Mask, as_manifold, finite, numbers, read_only_copy
+from slamlib.manifolds import Array, Indices, Manifold, Mask, angles_of, as_manifold, finite, numbers, read_only_copy
 from slamlib.models import Formula, Jacobians, Model
 from slamlib.registry import TypeDescription
 
@@ -67,6 +67,11 @@ class Sensor(TypeDescription):
         """Manifold of measurements: their difference is manifold.minus(measured, predicted)."""
         result = getattr(self.project, "result", None)
         return result.manifold if result is not None else as_manifold(self.size)
+
+    @cached_property
+    def angles(self) -> Indices:
+        """Which numbers of a measurement are angles [rad]."""
+        return angles_of(self.manifold)
 
 
 class Calibration:

@@ -32,6 +32,7 @@ from numpy.typing import NDArray
 from slamlib.errors import SlamlibError
 from slamlib.observation import FAMILIES
 from slamlib.plain_data.files import complete, read_archive, write_archive
+from slamlib.records.ids import joined, packed, unpacked
 from slamlib.records.inputs import Control, Features, Frame, Scan, Truth, World
 from slamlib.rigs.setup import Rig
 from slamlib.simulation.worlds import check_world
@@ -73,7 +74,7 @@ def save(path: str | Path, frames: Iterable[tuple[Frame, Truth | None]], *, rig:
     check_world(world, "save")
     for x, family in FAMILIES.items():
         things = world.features.get(x, Features.none(family.world_size))
-        arrays |= {f"world.{x}.ids": things.ids, f"world.{x}.values": things.values}
+        arrays |= {f"world.{x}.ids": packed(things.ids.tolist()), f"world.{x}.values": things.values}
     for i, setup in enumerate(rig.robots):
         arrays |= _from_controls(f"robot{i}", [f.controls[i] for f in own], setup.model.control)
         if truths:
@@ -93,7 +94,7 @@ def load(path: str | Path) -> Recording:
     with complete(path):
         rig = Rig.from_dict(header["rig"])
         names = [x for x in FAMILIES if f"world.{x}.ids" in arrays]  # all families that there were when it was written
-        seen = {x: Features(arrays[f"world.{x}.ids"], arrays[f"world.{x}.values"]) for x in names}
+        seen = {x: Features(unpacked(arrays[f"world.{x}.ids"]), arrays[f"world.{x}.values"]) for x in names}
         world = World(seen, arrays["world.faces"])
         controls = zip(*(_to_controls(arrays, f"robot{i}") for i in range(len(rig.robots))), strict=True)
         scans = zip(*(_to_scans(arrays, f"sensor{j}", names) for j in range(len(rig.sensors))), strict=True)
@@ -138,7 +139,7 @@ def _from_features(name: str, features: list[Features], none: Features) -> Array
     parts = [none, *features]
     return {
         f"{name}.first": np.cumsum([0, *(len(f) for f in features)], dtype=np.int64),
-        f"{name}.ids": np.concatenate([f.ids for f in parts]),
+        f"{name}.ids": packed(joined(f.ids for f in parts)),
         f"{name}.values": np.concatenate([f.values for f in parts]),
     }
 
@@ -152,5 +153,6 @@ def _to_scans(arrays: Arrays, sensor: str, families: list[str]) -> list[Scan]:
     seen = []
     for x in families:
         first, ids, values = (arrays[f"{sensor}.{x}.{part}"] for part in ("first", "ids", "values"))
+        ids = unpacked(ids)
         seen.append([Features(ids[a:b], values[a:b]) for a, b in pairwise(first)])
     return [Scan(dict(zip(families, features, strict=True))) for features in zip(*seen, strict=True)]

@@ -15,10 +15,11 @@ from slamlib.entities.linearization import FirstEstimates, Linearization
 from slamlib.errors import ShapeError, SingularPointError, SlamlibError, entry
 from slamlib.geometry.pose import Pose, compose
 from slamlib.landmarks.parametrization import Parametrization
-from slamlib.manifolds import Array, finite, numbers
+from slamlib.manifolds import Array, check_turns, finite, numbers
 from slamlib.observation import FAMILIES, parametrization
 from slamlib.observation.family import AnyFamily
 from slamlib.plain_data.files import complete
+from slamlib.records.ids import Id, array_of
 from slamlib.records.inputs import Control, Features, Frame, Scan
 from slamlib.records.snapshots import Map, RobotView, Snapshot
 from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
@@ -131,7 +132,7 @@ class Slam:
     def step(
         self,
         frame: Frame | Control | ArrayLike | None,
-        seen: Mapping[int, ArrayLike] | None = None,
+        seen: Mapping[Id, ArrayLike] | None = None,
         *,
         dt: float = 1.0,
         update: bool = True,
@@ -163,13 +164,14 @@ class Slam:
         return report
 
     def predict(self, controls: Sequence[Control | None], dt: float) -> None:
-        """Move all robots by `dt` [s] without a frame: no sensor measures."""
+        """Move all robots by `dt` [s] without a frame: no sensor measures. Raises SlamlibError; nothing is changed."""
+        self._check_time(dt, "predict")
         self.time += dt
         for robot, control in zip(self.robots, controls, strict=True):
             self._predict(robot, control, dt)
 
     def _frame(
-        self, given: Frame | Control | ArrayLike | None, seen: Mapping[int, ArrayLike] | None, dt: float
+        self, given: Frame | Control | ArrayLike | None, seen: Mapping[Id, ArrayLike] | None, dt: float
     ) -> Frame:
         """The frame given; or, of a control and what was seen, the one after the present. Raises SlamlibError."""
         if isinstance(given, Frame):
@@ -186,14 +188,14 @@ class Slam:
             control = Control(finite(control, (robot.motion.control,), "step", "control"), robot.noise)
         return Frame(self.number + 1, dt, (control,), (self._scan(sensor, seen or {}),))
 
-    def _scan(self, sensor: RigSensor, seen: Mapping[int, ArrayLike]) -> Scan:
+    def _scan(self, sensor: RigSensor, seen: Mapping[Id, ArrayLike]) -> Scan:
         """Measurements by the numbers of their landmarks as a scan: how many numbers each is says of which family."""
         measured_by = [family for family in self.families.values() if family.supports(sensor)]
         measured_by.sort(key=lambda family: family.new_kind(self.options, sensor) is None)
         names: dict[int, str] = {}  # of two families of so many numbers, the one of which landmarks are initialized
         for family in measured_by:
             names.setdefault(family.size(sensor.calibration), family.name)
-        rows: dict[str, dict[int, Array]] = defaultdict(dict)
+        rows: dict[str, dict[Id, Array]] = defaultdict(dict)
         for number, measured in seen.items():
             value = np.atleast_1d(numbers(measured, "step", f"measurement of {number}"))
             if value.ndim != 1 or len(value) not in names:
@@ -201,7 +203,7 @@ class Slam:
                 what = f"{sensor.name} measures {wanted} of a landmark"
                 raise ShapeError(f"step: {what}, and of {number} got {value.shape}")
             rows[names[len(value)]][number] = value
-        return Scan({name: Features(np.array(list(of)), np.array(list(of.values()))) for name, of in rows.items()})
+        return Scan({name: Features(array_of([*of]), np.array([*of.values()])) for name, of in rows.items()})
 
     def project(self, sensor: int = 0, motion: Array | None = None) -> Predictions:
         """Predict the measurements of a sensor (by its index); nothing is changed.
@@ -212,7 +214,16 @@ class Slam:
         robot = None if motion is None else compose(own.robot.pose, motion)
         return predict_measurements(self.belief, own, self.families, self.landmarks, self.options, robot)
 
+    def _check_time(self, dt: float, what: str) -> None:
+        """Raise SlamlibError unless dt is a time [s]: zero where two sensors measure at once, never below."""
+        if not isinstance(dt, int | float | np.number) or not 0 <= dt < np.inf:
+            raise SlamlibError(
+                f"{what}: dt is the time since the frame before, 0 or more [s], got {dt!r}; of a list of times it is "
+                "their differences, and the first frame's is 0"
+            )
+
     def _check(self, frame: Frame) -> None:
+        self._check_time(frame.dt, f"frame {frame.number}")
         given, wanted = (len(frame.controls), len(frame.scans)), (len(self.robots), len(self.sensors))
         if given != wanted:
             raise SlamlibError(
@@ -233,6 +244,9 @@ class Slam:
                     raise SlamlibError(
                         f"frame {frame.number}: {sensor.name} measures {size} numbers for each of {name}, got {given}"
                     )
+                if given == sensor.calibration.sensor.size:
+                    what = f"frame {frame.number}: {sensor.name} measures {name}, and"
+                    check_turns(features.values, sensor.calibration.sensor.angles, what)
         for measurement in frame.absolute:
             if not 0 <= measurement.robot < len(self.robots):
                 raise SlamlibError(f"frame {frame.number}: {measurement.name} is of robot {measurement.robot}, of none")

@@ -6,6 +6,7 @@ from typing import Annotated
 
 from slamlib.entities import Landmark
 from slamlib.plain_data.fields import Count, OneOf, Plain, Share, Whole
+from slamlib.records.ids import Id
 
 # The rank of a landmark, by the name of a rule: the lowest is pruned first.
 PRUNING_RULES: dict[str, Callable[[Landmark], tuple[float, ...]]] = {
@@ -32,9 +33,9 @@ class UpkeepOptions(Plain):
 class StepReport:
     """What one step did: ids of the landmarks initialized, deleted, and refused because the map was full."""
 
-    initialized: list[int] = field(default_factory=list)
-    deleted: list[int] = field(default_factory=list)
-    refused: list[int] = field(default_factory=list)
+    initialized: list[Id] = field(default_factory=list)
+    deleted: list[Id] = field(default_factory=list)
+    refused: list[Id] = field(default_factory=list)
 
 
 def out_of_window(landmarks: Iterable[Landmark], number: int, options: UpkeepOptions) -> list[Landmark]:

@@ -11,6 +11,7 @@ from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.observation.family import AnyFamily, columns_jacobian, state_columns, viewpoint
 from slamlib.observation.segments import project_endpoints
+from slamlib.records.ids import array_of
 from slamlib.records.inputs import Scan
 from slamlib.records.snapshots import MapView, MeasurementView, RobotView, SensorView, Snapshot
 from slamlib.slam.prediction import Predictions
@@ -29,7 +30,7 @@ def map_views(state: State, families: Families) -> dict[str, MapView]:
     views = {}
     for family in families.values():
         own = [lm for lm in state.landmarks if isinstance(lm.kind, family.kinds)]
-        ids, kinds = np.array([lm.id for lm in own], dtype=int), tuple(lm.kind.name for lm in own)
+        ids, kinds = array_of([lm.id for lm in own]), tuple(lm.kind.name for lm in own)
         views[family.name] = MapView(ids, kinds, *family.geometry(state.belief, own))
     return views
 
@@ -64,7 +65,7 @@ def _measurement_view(
     size = family.size(sensor.calibration)
     endpoints, endpoint_covariances = endpoints_in_image(belief, sensor, landmarks)
     return MeasurementView(
-        ids=np.array([landmark.id for landmark in landmarks], dtype=int),
+        ids=array_of([landmark.id for landmark in landmarks]),
         kinds=tuple(landmark.kind.name for landmark in landmarks),
         expected=np.array([prediction.value for prediction in own]).reshape(len(own), size),
         covariance=np.array([prediction.S for prediction in own]).reshape(len(own), d, d),

@@ -15,6 +15,7 @@ from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN
 from slamlib.manifolds import Array, Image
 from slamlib.plain_data.fields import Count, Positive, Range, Share, Whole, check
+from slamlib.records.ids import Id
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import Detected, FrontEndInput, Usable
 from slamlib.slam.data_association.gates import gate
@@ -75,7 +76,7 @@ class ActiveSearch(ImageFrontEnd[Appearance, ActiveSearchSettings]):
         super().__init__(calibration, settings or ActiveSearchSettings())
         self.rng = rng
         self.grid = Grid(self.shape[::-1], self.settings.cells, self.settings.skip_outer)
-        self.found: dict[int, Match] = {}
+        self.found: dict[Id, Match] = {}
 
     def searchable(self, inputs: FrontEndInput) -> Predictions:
         """2a: the predictions whose template lies in the image, and is seen similarly enough to a stored view."""

@@ -11,6 +11,7 @@ import numpy as np
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Image, Mask
 from slamlib.plain_data.fields import read, written
+from slamlib.records.ids import Id
 from slamlib.records.inputs import Control, Scan
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Slam
@@ -82,7 +83,7 @@ class ImageFrontEnd(Generic[Signature, Settings]):
         self.calibration, self.settings = calibration, settings
         self.seconds = Stopwatch("search", "detection")
         self.last = 0
-        self.backoff: dict[int, Backoff] = {}
+        self.backoff: dict[Id, Backoff] = {}
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -118,14 +119,14 @@ class ImageFrontEnd(Generic[Signature, Settings]):
                 self.backoff[prediction.landmark.id] = before.increased(self.settings.max_backoff)
         return measured, found
 
-    def detect(self, inputs: FrontEndInput, family: str, known: set[int], usable: Usable, count: int) -> list[Detected]:
+    def detect(self, inputs: FrontEndInput, family: str, known: set[Id], usable: Usable, count: int) -> list[Detected]:
         """Up to `count` new landmarks (id, measurement, signature)."""
         with self.seconds.timed("detection"):
             return [(self.new_id(known), *new) for new in self.new_landmarks(inputs, usable, count)]
 
-    def new_id(self, known: set[int]) -> int:
+    def new_id(self, known: set[Id]) -> int:
         """A number that no landmark has had; known: ids of the landmarks in the map."""
-        self.last = max(self.last, *known, 0) + 1
+        self.last = max(self.last, *(number for number in known if isinstance(number, int)), 0) + 1
         return self.last
 
     def dump(self) -> Any:
@@ -192,7 +193,7 @@ class CombinedFrontEnd:
         """Measurements (n, m) and mask (n,) from the family's front end."""
         return self.front_ends[family].match(_own(inputs, family), family, predictions)
 
-    def detect(self, inputs: FrontEndInput, family: str, known: set[int], usable: Usable, count: int) -> list[Detected]:
+    def detect(self, inputs: FrontEndInput, family: str, known: set[Id], usable: Usable, count: int) -> list[Detected]:
         """New landmarks of the family's front end, with ids that neither front end has given before."""
         given = {f.last for f in self.front_ends.values()}
         return self.front_ends[family].detect(_own(inputs, family), family, known | given, usable, count)

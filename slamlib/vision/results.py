@@ -8,6 +8,7 @@ import numpy as np
 from slamlib.evaluation import comparison
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.manifolds import Array
+from slamlib.records.ids import Id
 from slamlib.slam import Slam, StepReport
 
 PARTS = ("filter", "search", "detection", "reading")
@@ -19,7 +20,7 @@ COLUMNS = (
 NEAR = 40.0  # baselines: nearer points tell how long a step was, the others where it turned (Mur-Artal, Tardos 2017)
 LASTING, FEW_NEAR = 0.3, 6.0  # the largest correlation of innovations, the least near points, of a run without warnings
 OVERCONFIDENT = 10.0  # the largest median NEES, per degree of freedom, of a run without a warning
-Whitened = dict[int, Array]  # innovations in units of the standard deviations they were predicted with; by landmark
+Whitened = dict[Id, Array]  # innovations in units of the standard deviations they were predicted with; by landmark
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,14 +17,13 @@ from slamlib.datasets.dataset import ImageSource
 from slamlib.datasets.pictures import TimedImage
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import Trajectory
-from slamlib.manifolds import Array
 from slamlib.observation.family import viewpoint
 from slamlib.records.inputs import Control, Frame, Scan
 from slamlib.records.snapshots import Snapshot
 from slamlib.slam import Options, Slam, StepReport
 from slamlib.vision.image_front_end import MotionSource
 from slamlib.vision.relocalization import LOST, close_loop, relocalize
-from slamlib.vision.results import COLUMNS, ImageResult, counts, lasting, whitened
+from slamlib.vision.results import COLUMNS, ImageResult, Whitened, counts, lasting, whitened
 from slamlib.vision.target import Target
 from slamlib.vision.tracking_loss import TrackingLoss, TrackingLostError
 
@@ -87,7 +86,7 @@ class SequenceRun:
         self.path: list[list[float]] = []
         self.covariances: list[list[list[float]]] = []
         self.tracking_loss = TrackingLoss()
-        self.innovations: dict[int, Array] = {}
+        self.innovations: Whitened = {}
         self.is_intact = True  # False while a frame is being processed
         self.picture: TimedImage | None = None  # the last one processed
 

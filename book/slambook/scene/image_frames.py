@@ -12,6 +12,7 @@ from slambook.scene.photographs import Photograph, photograph
 from slamlib.errors import SlamlibError
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array
+from slamlib.records.ids import Id
 from slamlib.records.snapshots import MeasurementView, SensorView, Snapshot
 
 ROUND = 1  # decimals of a pixel
@@ -68,26 +69,29 @@ class ImageFrames:
     def _rounded(self, values: Array) -> Any:
         return np.round(np.asarray(values, dtype=float), self.decimals).tolist()
 
-    def _points(self, view: SensorView, known: set[int]) -> list[list[float]]:
+    def _points(self, view: SensorView, known: set[Id]) -> list[list[float]]:
         """Rows: landmark number, outcome, whether converged, prediction, factor of the gate's ellipse, measurement."""
         predictions, rows = view.points, []
         if not len(predictions.ids):
             return []
+        ids = predictions.ids.tolist()
         shapes = self.options.ellipses * regions(view, self.pair, self.options)
         for i, outcome in enumerate(_outcomes(predictions)):
             factor = lower(shapes[i])
             measured = self._rounded(predictions.measured[i, self.pair]) if predictions.matched[i] else []
             numbers = [*self._rounded(predictions.expected[i, self.pair]), *self._rounded(factor), *measured]
-            rows.append([int(predictions.ids[i]), outcome, int(int(predictions.ids[i]) in known), *numbers])
+            number = ids[i]
+            rows.append([_label(number), outcome, int(number in known), *numbers])
         return rows
 
-    def _segments(self, predictions: MeasurementView, known: set[int]) -> list[list[Any]]:
+    def _segments(self, predictions: MeasurementView, known: set[Id]) -> list[list[Any]]:
         """Rows: landmark number, outcome, whether converged, label's position, prediction, endpoints, measurement.
 
         endpoints: the position of each one in view, and the factor of its ellipse.
         """
         if not len(predictions.ids):
             return []
+        ids = predictions.ids.tolist()
         places, rows = beside(predictions.expected.reshape(-1, 2, 2)), []
         radius = np.sqrt(chi2_quantile(self.options.gate, 2)) * self.options.ellipses
         for i, outcome in enumerate(_outcomes(predictions)):
@@ -96,10 +100,15 @@ class ImageFrames:
             endpoints = [
                 [*self._rounded(e), *self._rounded(radius * lower(P))] for e, P in both if np.isfinite(e).all()
             ]
-            number = int(predictions.ids[i])
+            number = ids[i]
             where = [*self._rounded(places[i]), *self._rounded(predictions.expected[i])]
-            rows.append([number, outcome, int(number in known), *where, endpoints, *measured])
+            rows.append([_label(number), outcome, int(number in known), *where, endpoints, *measured])
         return rows
+
+
+def _label(number: Id) -> Id:
+    """An id as a page shows it: its numbers are exact up to 2^53 alone."""
+    return number if isinstance(number, str) or abs(number) < 2**53 else str(number)
 
 
 def _outcomes(predictions: MeasurementView) -> list[int]:

@@ -14,6 +14,7 @@ from slambook.scene.view import rings
 from slamlib.errors import SlamlibError
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array, Mask
+from slamlib.records.ids import Id
 from slamlib.records.snapshots import MeasurementView, SensorView, Snapshot
 
 AWAY = 8.0  # pixels from a segment to its label, along its normal
@@ -65,17 +66,18 @@ def sensor_scene(
     return tuple(layers)
 
 
-def converged(snapshot: Snapshot) -> set[int]:
-    """The numbers of the landmarks that have converged."""
-    return {int(i) for view in snapshot.landmarks.values() for i, c in zip(view.ids, view.converged, strict=True) if c}
+def converged(snapshot: Snapshot) -> set[Id]:
+    """The ids of the landmarks that have converged."""
+    views = snapshot.landmarks.values()
+    return {i for view in views for i, c in zip(view.ids.tolist(), view.converged, strict=True) if c}
 
 
-def _means(view: SensorView, pair: list[int], known: set[int]) -> tuple[Array, Mask]:
+def _means(view: SensorView, pair: list[int], known: set[Id]) -> tuple[Array, Mask]:
     """Predicted points and endpoints of segments in view (n, 2), and the mask of those converged."""
     endpoints = view.segments.endpoints.reshape(-1, 2)
     marks = np.concatenate([numbers_of(view.points.expected, pair), endpoints])
-    ids = [*view.points.ids, *np.repeat(view.segments.ids, 2)]
-    found = np.array([int(i) in known for i in ids], dtype=bool)
+    ids = [*view.points.ids.tolist(), *np.repeat(view.segments.ids, 2).tolist()]
+    found = np.array([i in known for i in ids], dtype=bool)
     shown = np.isfinite(marks).all(axis=1)
     return marks[shown], found[shown]
 

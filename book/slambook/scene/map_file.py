@@ -4,6 +4,7 @@ A point is one vertex, a segment is two, its endpoints; lengths in metres, in th
 """
 
 import json
+import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -13,6 +14,7 @@ import numpy as np
 from slamlib.errors import entry
 from slamlib.manifolds import Array
 from slamlib.plain_data.files import write_whole
+from slamlib.records.ids import Id
 from slamlib.records.snapshots import Snapshot
 
 _UPPER = np.triu_indices(3)
@@ -22,7 +24,7 @@ class Vertex(NamedTuple):
     """A point (3,) of a landmark with its covariance (3, 3); number: 0, and 1 for a segment's second endpoint."""
 
     family: str
-    id: int
+    id: Id
     kind: str
     converged: bool
     number: int
@@ -47,7 +49,7 @@ def vertices(snapshot: Snapshot) -> Iterator[Vertex]:
 
 def _json(snapshot: Snapshot) -> str:
     """One object a landmark; null for a point at infinity."""
-    landmarks: dict[tuple[str, int], dict[str, Any]] = {}
+    landmarks: dict[tuple[str, Id], dict[str, Any]] = {}
     for v in vertices(snapshot):
         about = {"family": v.family, "id": v.id, "kind": v.kind, "converged": v.converged, "vertices": []}
         found = landmarks.setdefault((v.family, v.id), about)
@@ -61,26 +63,45 @@ def _csv(snapshot: Snapshot) -> str:
     """One row a vertex; nan for a coordinate of a point at infinity."""
     head = "family,id,kind,converged,vertex,x,y,z,xx,xy,xz,yy,yz,zz"
     rows = (
-        f"{v.family},{v.id},{v.kind},{int(v.converged)},{v.number},"
+        f"{v.family},{_quoted(v.id)},{v.kind},{int(v.converged)},{v.number},"
         + ",".join(f"{value:.12g}" for value in (*v.position, *v.covariance[_UPPER]))
         for v in vertices(snapshot)
     )
     return "\n".join([head, *rows]) + "\n"
 
 
+def _quoted(number: Id) -> str:
+    """An id as a field of CSV: a string in quotes, if a comma, a quote or a line's end is in it."""
+    text = str(number)
+    return '"' + text.replace('"', '""') + '"' if re.search('[,"\\n\\r]', text) else text
+
+
 def _ply(snapshot: Snapshot) -> str:
-    """Vertices with the largest standard deviation of each, edges for segments; landmarks at infinity are left out."""
+    """Vertices with the largest standard deviation of each, edges for segments; landmarks at infinity are left out.
+
+    An id that is no 32-bit integer, the only ones of this format, becomes a number from 0 on, which a comment explains.
+    """
     found = list(vertices(snapshot))
     left_out = {(v.family, v.id) for v in found if not v.is_finite}
     drawn = [v for v in found if (v.family, v.id) not in left_out]
+    ids = list(dict.fromkeys(v.id for v in drawn))
+    fit = all(isinstance(number, int) and -(2**31) <= number < 2**31 for number in ids)
+    number_of = {number: number if fit else place for place, number in enumerate(ids)}
+    names = [] if fit else [f"comment id {place} is {json.dumps(number)}" for number, place in number_of.items()]
     edges = [f"{i - 1} {i}" for i, v in enumerate(drawn) if v.number]
     head = [
         "ply", "format ascii 1.0", "comment slamlib: a map [m]; std is the largest standard deviation of the position",
+        *names,
         f"element vertex {len(drawn)}", *(f"property double {name}" for name in ("x", "y", "z", "std")),
         "property int id", f"element edge {len(edges)}", "property int vertex1", "property int vertex2", "end_header",
     ]  # fmt: skip
     rows = [
-        " ".join([*(f"{x:.9g}" for x in v.position), f"{np.sqrt(np.linalg.eigvalsh(v.covariance)[-1]):.6g} {v.id}"])
+        " ".join(
+            [
+                *(f"{x:.9g}" for x in v.position),
+                f"{np.sqrt(np.linalg.eigvalsh(v.covariance)[-1]):.6g} {number_of[v.id]}",
+            ]
+        )
         for v in drawn
     ]
     return "\n".join([*head, *rows, *edges]) + "\n"

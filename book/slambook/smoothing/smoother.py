@@ -32,6 +32,7 @@ from slamlib.errors import SlamlibError, entry
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.motions import Motion
+from slamlib.records.ids import Id
 from slamlib.records.inputs import Frame
 from slamlib.slam import Slam
 
@@ -50,10 +51,10 @@ class Smoothed:
     states: tuple[Array, ...]
     motions: tuple[Motion, ...]
     extrinsics: Array
-    landmarks: dict[int, tuple[Any, Array]]
+    landmarks: dict[Id, tuple[Any, Array]]
     left_out: int
     minimum: Minimum = field(repr=False)
-    _places: dict[int, tuple[Variable, int]] = field(repr=False)
+    _places: dict[Id, tuple[Variable, int]] = field(repr=False)
 
     @property
     def poses(self) -> Array:
@@ -81,7 +82,7 @@ class Smoothed:
         _, P = self.motions[robot].in_space(self.states[robot][items], P)
         return P.reshape(*frames.shape, *P.shape[1:])
 
-    def point(self, number: int) -> tuple[Array, Array]:
+    def point(self, number: Id) -> tuple[Array, Array]:
         """The point (3,) [m] of an id, and its marginal covariance (3, 3). Raises SlamlibError for what is no point."""
         kind, mean = self.landmarks.get(number, (None, None))
         if mean is None or kind is None or not hasattr(kind, "to_point"):

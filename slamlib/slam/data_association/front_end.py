@@ -9,10 +9,11 @@ import numpy as np
 
 from slamlib.entities import RigSensor
 from slamlib.manifolds import Array, Mask
+from slamlib.records.ids import Id
 from slamlib.records.inputs import Scan
 from slamlib.slam.prediction import PredictedMeasurement, Predictions
 
-Detected = tuple[int, Array, Any]  # of a new landmark: its id, its first measurement (m,), its signature
+Detected = tuple[Id, Array, Any]  # of a new landmark: its id, its first measurement (m,), its signature
 Usable = Callable[[Array], Mask]  # which of the values (n, m) may initialize a landmark: a mask (n,)
 
 
@@ -40,7 +41,7 @@ class FrontEnd(Protocol):
     def match(self, inputs: FrontEndInput, family: str, predictions: list[PredictedMeasurement]) -> tuple[Array, Mask]:
         """Measurements (n, m) of the landmarks searched for, nan where not found, and the mask (n,) of those found."""
 
-    def detect(self, inputs: FrontEndInput, family: str, known: set[int], usable: Usable, count: int) -> list[Detected]:
+    def detect(self, inputs: FrontEndInput, family: str, known: set[Id], usable: Usable, count: int) -> list[Detected]:
         """Return up to `count` usable measurements of new landmarks; known: ids of the landmarks in the map."""
 
     def check(self, scan: Scan) -> None:
@@ -83,7 +84,7 @@ class KnownAssociation(FrontEnd):
             measured[matched] = features.values[rows[matched]]
         return measured, matched
 
-    def detect(self, inputs: FrontEndInput, family: str, known: set[int], usable: Usable, count: int) -> list[Detected]:
+    def detect(self, inputs: FrontEndInput, family: str, known: set[Id], usable: Usable, count: int) -> list[Detected]:
         """Return the features with the lowest ids that are not known."""
         features = inputs.scan.of(family)
         fresh = sorted((number, row) for row, number in enumerate(features.ids.tolist()) if number not in known)

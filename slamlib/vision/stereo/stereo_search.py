@@ -10,6 +10,7 @@ from slamlib.datasets.pictures import checked
 from slamlib.entities import Landmark
 from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array, Mask
+from slamlib.records.ids import Id
 from slamlib.records.inputs import Scan
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import FrontEndInput, Usable
@@ -80,7 +81,7 @@ class StereoSearch(ImageFrontEnd[LandmarkViews, StereoSettings]):
         super().__init__(calibration, settings or StereoSettings())
         self.half = half
         self.extractor = StereoFeatureExtractor(calibration, self.settings)
-        self.found: dict[int, int] = {}  # rows of the present features, by the ids of the landmarks matched
+        self.found: dict[Id, int] = {}  # rows of the present features, by the ids of the landmarks matched
         self.reserved = np.zeros(0, dtype=int)  # rows of the present features that are left to an odometry
         self.initialized: list[int] = []  # rows of the present features that initialized a landmark
         self.frame = 0
@@ -105,7 +106,7 @@ class StereoSearch(ImageFrontEnd[LandmarkViews, StereoSettings]):
 
     def is_due(self, landmark: Landmark, frame: int) -> bool:
         """Whether a landmark is measured in a frame, counted from 1."""
-        return bool((frame + landmark.id) % self.settings.update_interval == 0)
+        return bool((frame + int(landmark.id)) % self.settings.update_interval == 0)
 
     def in_own_half(self, values: Array) -> Mask:
         """Mask (n,) of the measurements (n, .) in this front end's half of the image."""
