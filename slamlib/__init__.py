@@ -31,6 +31,7 @@ if TYPE_CHECKING:  # for completion and types; HOMES says the same when the prog
     from slamlib.geometry.pose import Pose as Pose
     from slamlib.geometry.pose2 import Pose2 as Pose2
     from slamlib.kalman.chi_square import chi2_quantile as chi2_quantile
+    from slamlib.kalman.chi_square import chi2_sf as chi2_sf
     from slamlib.landmarks import LINES as LINES
     from slamlib.landmarks import POINTS as POINTS
     from slamlib.models import model as model
@@ -75,6 +76,7 @@ HOMES = {  # of each name the module that has it, or that is it
     "camera": "rigs.builders",
     "check_jacobian": "checks",
     "chi2_quantile": "kalman.chi_square",
+    "chi2_sf": "kalman.chi_square",
     "davison": "rigs.builders",
     "depth_camera": "rigs.builders",
     "derive": "codegen",

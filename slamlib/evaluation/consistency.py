@@ -112,7 +112,7 @@ def band(dof: int, runs: int = 1, probability: float = 0.95) -> tuple[float, flo
     if not 0 < probability < 1:
         raise SlamlibError(f"band: probability should lie between 0 and 1, got {probability}")
     tail = (1 - probability) / 2
-    return chi2_quantile(tail, dof * runs) / runs, chi2_quantile(1 - tail, dof * runs) / runs
+    return chi2_quantile(tail, dof * runs) / runs, chi2_quantile(tail, dof * runs, upper=True) / runs
 
 
 def share_inside(series: Array, limits: tuple[float, float]) -> float:

@@ -5,7 +5,7 @@ import pytest
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
 from slamlib.evaluation.consistency import Consistency, band, nees, nis, rmse, share_inside
-from slamlib.kalman.chi_square import chi2_cdf, chi2_quantile
+from slamlib.kalman.chi_square import chi2_cdf, chi2_quantile, chi2_sf
 from slamlib.tests.beliefs import random_covariance
 
 stats = pytest.importorskip("scipy.stats")
@@ -33,7 +33,24 @@ def test_far_lower_tails(p, dof):
     assert chi2_quantile(p, dof) == pytest.approx(stats.chi2.ppf(p, dof), rel=1e-10)
 
 
+@pytest.mark.parametrize("dof", [0.5, 1, 2, 3, 6, 40, 1000])
+@pytest.mark.parametrize("tail", [1e-3, 1e-9, 1e-15, 1e-50, 1e-300])
+def test_far_upper_tails_keep_ten_digits(tail, dof):
+    x = stats.chi2.isf(tail, dof)
+    assert chi2_quantile(tail, dof, upper=True) == pytest.approx(x, rel=1e-10)
+    assert chi2_sf(x, dof) == pytest.approx(tail, rel=1e-10)
+    near_one = 1 - max(tail, 1e-15)  # the tail of this double is known, too
+    assert chi2_quantile(near_one, dof) == pytest.approx(stats.chi2.isf(1 - near_one, dof), rel=1e-10)
+
+
+def test_both_tails_are_one():
+    for x, dof in [(1e-3, 2), (3.0, 3), (5.0, 1), (700.0, 700), (40.0, 0.5)]:
+        assert chi2_cdf(x, dof) + chi2_sf(x, dof) == 1.0
+    assert chi2_quantile(0.3, 4, upper=True) == chi2_quantile(0.7, 4)
+
+
 def test_the_ends_of_the_distribution():
+    assert [chi2_sf(x, 3) for x in (-1.0, 0.0, 1e308, np.inf)] == [1, 1, 0, 0]
     assert [chi2_cdf(x, 3) for x in (-1.0, 0.0, 5e-324, 1e308, np.inf)] == [0, 0, 0, 1, 1]
     assert chi2_quantile(np.nextafter(1, 0), 3) > 70
 
