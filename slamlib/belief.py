@@ -15,7 +15,7 @@ from contextlib import contextmanager
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slamlib.errors import SlamlibError
+from slamlib.errors import ShapeError, SlamlibError
 from slamlib.kalman import linalg
 from slamlib.kalman.state import BeliefSnapshot, Block, Retraction, StateLayout, checked_mean
 from slamlib.kalman.update import LinearizedMeasurement, SequentialUpdate, StackedMeasurements, UpdateResult
@@ -221,9 +221,10 @@ class Belief:
         The rows are those of `block.slice`; none may appear twice.
         """
         z = numbers(innovation, "update_rows", "innovation")
+        columns = self._rows(columns)
         m, k = z.size, len(columns)
         z, H = finite(z, (m,), "update_rows", "innovation"), finite(H, (m, k), "update_rows", "H")
-        R = finite(R, (m, m), "update_rows", "R")
+        R = linalg.covariance(R, m, "update_rows", "R")
         return self._update("batch", StackedMeasurements(z, H, R, columns))
 
     @contextmanager
@@ -240,6 +241,17 @@ class Belief:
                 yield sequence
         finally:
             sequence.finish()
+
+    def _rows(self, columns: Indices) -> Indices:
+        """The rows (k,) of the covariance that a measurement depends on, checked. Raises ShapeError, SlamlibError."""
+        rows = np.asarray(columns)
+        if rows.ndim != 1 or rows.dtype.kind not in "iu":
+            raise ShapeError(f"update_rows: columns are whole numbers (k,), got {rows.dtype} of shape {rows.shape}")
+        if len(rows) and not (rows.min() >= 0 and rows.max() < self.size):
+            raise SlamlibError(f"update_rows: columns are from 0 to {self.size - 1}, got {rows.min()} to {rows.max()}")
+        if (np.bincount(rows, minlength=1) > 1).any():
+            raise SlamlibError(f"update_rows: row {int(np.bincount(rows).argmax())} appears twice among the columns")
+        return rows
 
     def _own(self, blocks: Sequence[Block]) -> None:
         if isinstance(blocks, Block):

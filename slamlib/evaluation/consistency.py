@@ -79,8 +79,8 @@ def _squared(vector: Array, matrix: Array, function: str) -> Array:
         raise ShapeError(
             f"{function}: leading axes of the vector {vector.shape} and the covariance {matrix.shape} do not match"
         ) from None
-    scale = np.abs(matrix).max((-2, -1), keepdims=True)
-    if (np.abs(matrix - matrix.swapaxes(-1, -2)) > 1e-9 * scale).any():
+    std = np.sqrt(np.abs(np.diagonal(matrix, axis1=-2, axis2=-1)))  # rows may be of different units
+    if (np.abs(matrix - matrix.swapaxes(-1, -2)) > 1e-9 * std[..., :, None] * std[..., None, :]).any():
         raise CovarianceError(f"{function}: the covariance is not symmetric, as it must be")
     factor = linalg.cholesky(matrix, function, "covariance")
     white = np.linalg.solve(factor, vector[..., None])[..., 0]

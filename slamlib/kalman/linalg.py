@@ -33,24 +33,52 @@ def check_overflow(function: str, *results: Array) -> None:
 def covariance(value: ArrayLike, size: int, function: str, argument: str) -> Array:
     """Check a symmetric, positive semi-definite (size, size); a number or vector of variances becomes a diagonal.
 
-    Asymmetry up to 1e-9, and negative eigenvalues down to -1e-9, of the largest entry are taken as rounding.
+    Rows may be of different units: each entry is judged beside the standard deviations of its row and its column.
+    Asymmetry up to 1e-9 of their product, and eigenvalues of the correlations down to -1e-9, are taken as rounding.
     Raises CovarianceError, ShapeError, NonFiniteError.
     """
     array = numbers(value, function, argument)
     if array.shape in ((), (size,)):
         array = np.diag(np.broadcast_to(array, (size,)))
     array = finite(array, (size, size), function, argument)
-    scale = np.abs(array).max(initial=0)
     half = array / 2
-    if np.abs(half - half.T).max(initial=0) > 0.5e-9 * scale:
-        advice = "use (P + P.T) / 2 if only rounding is to blame"
-        raise CovarianceError(f"{function}: {argument} is not symmetric, as a covariance must be; {advice}")
+    skew = np.abs(half - half.T)
     array = half + half.T
-    least = 0.0 if _factor(array) is not None else np.linalg.eigvalsh(array)[0]
-    if not least >= -1e-9 * scale:
-        advice = "a covariance has none (were standard deviations passed, or a difference of covariances?)"
-        raise CovarianceError(f"{function}: {argument} has the negative eigenvalue {least:.3g}; {advice}")
+    if skew.any():
+        std = np.sqrt(np.abs(array.diagonal()))
+        if (skew > 0.5e-9 * np.outer(std, std) + _rounding_of(array)).any():
+            advice = "use (P + P.T) / 2 if only rounding is to blame"
+            raise CovarianceError(f"{function}: {argument} is not symmetric, as a covariance must be; {advice}")
+    if _factor(array) is None:
+        _check_semidefinite(array, f"{function}: {argument}")
     return array
+
+
+def _rounding_of(array: Array) -> float:
+    """What an entry of a matrix may be off by, where it was computed from numbers as large as the largest."""
+    return _ROUNDING * len(array) * float(np.abs(array).max(initial=0))
+
+
+def _check_semidefinite(array: Array, what: str) -> None:
+    """Raise CovarianceError for a symmetric matrix (n, n) that is no covariance, in whatever units its rows are."""
+    advice = "a covariance has none (were standard deviations passed, or a difference of covariances?)"
+    variances, slack = array.diagonal(), _rounding_of(array)
+    if (variances < -slack).any():
+        i = int(variances.argmin())
+        raise CovarianceError(f"{what} has the negative variance {variances[i]:.3g} at index {i}; {advice}")
+    std = np.sqrt(np.maximum(variances, 0))
+    free = std > 0
+    alone = np.abs(array[~free]).max(initial=0)
+    if alone > slack:
+        i, j = np.argwhere(np.abs(array) * ~free[:, None] == alone)[0].tolist()
+        raise CovarianceError(f"{what} has no variance at index {i}, and yet a covariance {alone:.3g} with {j}")
+    correlations = array[np.ix_(free, free)] / np.outer(std[free], std[free])
+    least = np.linalg.eigvalsh(correlations)[0] if free.any() else 0.0
+    if not least >= -1e-9 * len(array):
+        raise CovarianceError(
+            f"{what} has the negative eigenvalue {np.linalg.eigvalsh(array)[0]:.3g} ({least:.3g} of its correlations); "
+            f"{advice}"
+        )
 
 
 def _factor(matrix: Array) -> Array | None:

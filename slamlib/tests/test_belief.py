@@ -426,7 +426,7 @@ WRONG = {
     "add: negative": (
         lambda b, x: b.add(2, Z2, NEGATIVE),
         CovarianceError,
-        "covariance has the negative eigenvalue -1",
+        "covariance has the negative variance -1 at index 1",
     ),
     "add: skewed": (lambda b, x: b.add(2, Z2, SKEWED), CovarianceError, "add: covariance is not symmetric"),
     "add: unit": (lambda b, x: b.add(Circle(), [2, 0], 1), UnitError, "add: mean"),
@@ -471,7 +471,7 @@ WRONG = {
     "correct: not a list": (lambda b, x: b.update(x[0], I2, Z2, I2), SlamlibError, "give a list of blocks"),
     "add: not a list": (lambda b, x: b.add(2, Z2, I2, given=x[0], jacobians=I2), SlamlibError, "give a list of blocks"),
     "correct: R": (lambda b, x: b.update(x[:1], [I2], Z2, np.eye(3)), ShapeError, r"R .* \(2, 2\), but .* \(3, 3\)"),
-    "correct: R < 0": (lambda b, x: b.update(x[:1], [I2], Z2, -I2), CovarianceError, "R has the negative eigenvalue"),
+    "correct: R < 0": (lambda b, x: b.update(x[:1], [I2], Z2, -I2), CovarianceError, "R has the negative variance"),
     "correct: S": (
         lambda b, x: b.update(x[:1], [I2[[0, 0]]], Z2, np.zeros((2, 2))),
         CovarianceError,
@@ -752,3 +752,57 @@ def test_add_as_the_toolbox_does():
         P = linalg.replace_rows(belief.matrix, slice(n, n), given["P_LX"], given["P_LL"])
         order = np.concatenate([used, expected["r"].ravel().astype(int) - 1])
         assert np.allclose(P, expected["P_after"][np.ix_(order, order)], rtol=1e-12, atol=1e-12)
+
+
+UNITS = np.array([1e4, 1e-2, 1.0])  # standard deviations in units of three kinds
+
+
+@pytest.mark.parametrize(
+    ("correlations", "said"),
+    [
+        (np.diag([1.0, -1.0, 1.0]), "the negative variance -0.0001 at index 1"),
+        ([[1, 0, 0], [0, 1, 1.1], [0, 1.1, 1]], r"negative eigenvalue .*-0.1 of its correlations"),
+        ([[1, 0.5, 0], [0.4, 1, 0], [0, 0, 1]], "not symmetric"),
+        ([[1, 0.5, 0], [0.5, 0, 0], [0, 0, 1]], "no variance at index 1, and yet a covariance 50 with 0"),
+    ],
+)
+def test_a_covariance_is_judged_in_the_units_of_its_rows(correlations, said):
+    P = np.array(correlations) * np.outer(UNITS, UNITS)
+    belief = Belief()
+    with pytest.raises(CovarianceError, match=said):
+        belief.add(3, np.zeros(3), P)
+    block = belief.add(3, np.zeros(3), np.diag(UNITS**2))
+    before = belief.matrix.copy()
+    for call in (
+        lambda: belief.update_rows(np.arange(3), np.eye(3), np.zeros(3), P),
+        lambda: belief.update([block], [np.eye(3)], np.zeros(3), P),
+        lambda: belief.predict(block, np.zeros(3), np.eye(3), P),
+    ):
+        with pytest.raises(CovarianceError, match=said):
+            call()
+        assert np.array_equal(belief.matrix, before)
+
+
+def test_singular_covariances_of_mixed_units_are_taken():
+    rng = np.random.default_rng(8)
+    for _ in range(300):
+        n, rank = rng.integers(2, 7), rng.integers(1, 4)
+        A = rng.standard_normal((n, rank)) * 10.0 ** rng.uniform(-6, 6, (n, 1))
+        block = Belief().add(int(n), np.zeros(n), A @ A.T)
+        assert block.dof == n
+
+
+@pytest.mark.parametrize(
+    ("columns", "said"),
+    [
+        ([0, 0], "row 0 appears twice"),
+        ([0, 3], "from 0 to 2, got 0 to 3"),
+        ([-1, 0], "got -1"),
+        ([0.0, 1.0], "float64"),
+    ],
+)
+def test_rows_that_are_none_are_refused(columns, said):
+    belief = Belief()
+    belief.add(3, np.zeros(3), np.eye(3))
+    with pytest.raises(SlamlibError, match=said):
+        belief.update_rows(np.array(columns), np.eye(2), np.zeros(2), np.eye(2))

@@ -191,7 +191,7 @@ GOOD = {"noise": 1.0, "image": (640, 480), "intrinsics": [320, 240, 400, 410], "
 @pytest.mark.parametrize(
     ("change", "error", "message"),
     [
-        ({"noise": -1}, CovarianceError, "noise has the negative eigenvalue"),
+        ({"noise": -1}, CovarianceError, "noise has the negative variance"),
         ({"noise": np.eye(3)}, ShapeError, r"noise should have shape \(2, 2\)"),
         ({"noise": [[1, 2], [3, 1]]}, CovarianceError, "noise is not symmetric"),
         ({"noise": [[1, 2], [3]]}, SlamlibError, "noise should be an array"),
