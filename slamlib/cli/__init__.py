@@ -4,8 +4,9 @@ import argparse
 import os
 import signal
 import sys
+import warnings
 from collections.abc import Sequence
-from typing import Protocol
+from typing import Protocol, TextIO
 
 # Matrices are small here, and NumPy's and SciPy's copies of BLAS wait for each other's threads: one is faster by far.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -59,7 +60,9 @@ def parser() -> argparse.ArgumentParser:
 def main(words: Sequence[str] | None = None) -> int:
     """Run the command; return the exit status: 0, 2 for an error of the user, 130 if interrupted, 143 if terminated."""
     try:
-        with signals(_stop, signal.SIGTERM), np.errstate(all="ignore"):  # what is not finite is refused, by its name
+        # What is not finite is refused, by its name.
+        with signals(_stop, signal.SIGTERM), np.errstate(all="ignore"), warnings.catch_warnings():
+            warnings.showwarning = _say
             given = parser().parse_args(_joined(sys.argv[1:] if words is None else words))
             status: int = given.execute(given)
         sys.stdout.flush()
@@ -74,6 +77,18 @@ def main(words: Sequence[str] | None = None) -> int:
         print(f"slamlib: {STOPPED[number]}", file=sys.stderr)
         return 128 + number
     return status
+
+
+def _say(
+    message: Warning | str,
+    category: type,
+    filename: str,
+    lineno: int,
+    file: TextIO | None = None,
+    line: str | None = None,
+) -> None:
+    """A warning is one line, without its place in the code."""
+    print(f"slamlib: {message}", file=sys.stderr)
 
 
 def _stop(number: int, frame: object) -> None:

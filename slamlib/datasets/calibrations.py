@@ -3,20 +3,29 @@
 fr1, fr2 and fr3 are the colour cameras of TUM RGB-D, by name: no file is needed.
 """
 
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
 
-from slamlib.datasets.dataset import Camera
+from slamlib.datasets.dataset import CalibrationReader, Camera
 from slamlib.datasets.formats import DATASETS, READERS
 from slamlib.datasets.lens import Lens, PairCalibration
 from slamlib.errors import SlamlibError
+from slamlib.plain_data.files import read_text
+from slamlib.plain_data.parsing import parsed
 
 NO_BASELINE = (
     "the baseline is missing: the distance of the right camera from the left one. Write a JSON file with "
     '{"intrinsics": [u0, v0, au, av], "baseline": metres}, or give a file of both cameras'
+)
+BASELINES = 0.001, 5.0  # m, of pairs of cameras: others are mostly of another unit
+UNIT = (
+    "are its lengths in millimetres ({1:g} m), or in centimetres ({2:g} m)? slamlib's are in metres: divide what the "
+    "file says of the translation; if {0:g} m is right, write slamlib's own JSON of the rectified pair, "
+    '{{"intrinsics": [u0, v0, au, av], "baseline": {0:g}}}'
 )
 
 Found = TypeVar("Found")  # what is asked of a camera
@@ -38,32 +47,57 @@ def read_lens(path: str | Path, camera: int = 0) -> Lens:
 def read_pair(paths: list[str] | list[Path], cameras: tuple[int, int] = (0, 1)) -> PairCalibration:
     """The calibration in one file, or in one for each camera; cameras: their numbers in files of several.
 
-    Raises SlamlibError for an unreadable file, and if the baseline is missing.
+    Raises SlamlibError for an unreadable file, and if the baseline is missing, or is of another unit than the metre.
     """
     if len(paths) > 2:
         raise SlamlibError(f"a calibration is one file, or one for each of two cameras, not {len(paths)}")
     pair = PairCalibration(*map(read_lens, paths * (3 - len(paths)), cameras))
+    where = " and ".join(map(str, paths))
     if pair.right.transform is None:
-        raise SlamlibError(f"{' and '.join(map(str, paths))}: {NO_BASELINE}")
-    if not np.linalg.norm(pair.transform[:3, 3]) > 0:
-        raise SlamlibError(f"{' and '.join(map(str, paths))}: both cameras have the same position; {NO_BASELINE}")
+        raise SlamlibError(f"{where}: {NO_BASELINE}")
+    baseline = float(np.linalg.norm(pair.transform[:3, 3]))
+    if not baseline > 0:
+        raise SlamlibError(f"{where}: both cameras have the same position; {NO_BASELINE}")
+    if not BASELINES[0] <= baseline <= BASELINES[1]:
+        unusual = f"{where}: the baseline is {baseline:g} m"
+        if all(_recognized(path)[0].in_metres for path in paths):
+            warnings.warn(f"{unusual}, which is taken as it is", stacklevel=2)
+        else:
+            raise SlamlibError(f"{unusual}: {UNIT.format(baseline, baseline / 1000, baseline / 100)}")
     return pair
+
+
+def _named() -> dict[str, Lens]:
+    """The lenses that need no file, by their names."""
+    return {name: lens for dataset in DATASETS.values() for name, lens in dataset.lenses.items()}
+
+
+def _recognized(path: str | Path) -> tuple[CalibrationReader, str]:
+    """The format of a file, and its text. Raises SlamlibError for a file of another kind."""
+    try:
+        text = read_text(path)
+    except SlamlibError as error:
+        raise SlamlibError(f"the calibration {error}; {', '.join(_named())} need no file") from None
+    reader = next((reader for reader in READERS.values() if reader.fits(text)), None)
+    if reader is None:
+        raise SlamlibError(f"{path} is no calibration that slamlib knows{_reason(text)}: {', '.join(READERS)}")
+    return reader, text
+
+
+def _reason(text: str) -> str:
+    """What is wrong with a text, or the names that it has, in brackets."""
+    try:
+        data = parsed(text)
+    except SlamlibError as error:
+        return f" ({error})"
+    return f" (it has {', '.join(data)})" if isinstance(data, dict) and data else ""
 
 
 def _read(path: str | Path, camera: int, what: Callable[[Camera], Found]) -> Found:
     """The value of what(camera), for a camera of the file, which has setup() and lens."""
-    named = {name: lens for dataset in DATASETS.values() for name, lens in dataset.lenses.items()}
-    if str(path) in named and not Path(path).exists():
-        return what(named[str(path)])
-    try:
-        text = Path(path).read_text("utf-8")
-    except (OSError, ValueError) as error:
-        why = error.strerror if isinstance(error, OSError) else error
-        names = ", ".join(named)
-        raise SlamlibError(f"the calibration {path} cannot be read: {why}; {names} need no file") from None
-    reader = next((reader for reader in READERS.values() if reader.fits(text)), None)
-    if reader is None:
-        raise SlamlibError(f"{path} is no calibration that slamlib knows: {', '.join(READERS)}")
+    if str(path) in _named() and not Path(path).exists():
+        return what(_named()[str(path)])
+    reader, text = _recognized(path)
     try:
         cameras = reader.read(Path(path), text)
         number = camera if camera in cameras else None

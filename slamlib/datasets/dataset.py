@@ -115,6 +115,14 @@ class Camera(Protocol):
 
 
 Cameras = Mapping[int | None, Callable[[], Camera]]
+# What tools write beside a calibration, of how it was made: patterns of names, as slamlib.plain_data.entries compares.
+METADATA = (
+    "*error*", "*rms*", "*deviation*", "*stddev*", "std*", "*uncertainty*", "*covariance*", "*pattern*", "*square*",
+    "*board*", "*marker*", "*dictionary*", "*grid*", "*time*", "*date*", "*flags", "nframes", "nrofframes", "nviews",
+    "nimages", "num*", "*count", "aspectratio", "fix*", "zerotangent*", "assumezero*", "perview*", "perimage*",
+    "extrinsic*", "rvec*", "tvec*", "*imagepoints*", "*objectpoints*", "*version", "fps", "framerate", "rate*",
+    "focallength*", "serial*", "cameraid", "id", "comment*",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -122,13 +130,15 @@ class CalibrationReader:
     """A format of calibration files, recognised by their content.
 
     fits(text): whether a file is of this format. read(path, text): by the number of each camera (None in a file of
-    one, without number), a function that returns its lens, or another camera with setup() and lens. Both may raise
-    SlamlibError, AttributeError, IndexError, KeyError, TypeError or ValueError.
+    one, without number), a function that returns its lens, or another camera with setup() and lens. This may raise
+    SlamlibError, AttributeError, IndexError, KeyError, TypeError or ValueError. in_metres: whether the format says what
+    its lengths are in, so that an unusual one is meant.
     """
 
     name: str
     fits: Callable[[str], bool]
     read: Callable[[Path, str], Cameras]
+    in_metres: bool = False
 
 
 def table(path: Path, columns: int, separator: str | None) -> list[tuple[float, list[str]]]:

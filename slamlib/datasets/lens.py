@@ -1,30 +1,32 @@
-"""Lenses as calibration files describe them, of one camera or of a pair, and their models of distortion.
+"""Lenses as calibration files describe them, of one camera or of a pair.
 
 slamlib's pin-hole has radial distortion only: the factor 1 + d1 r^2 + d2 r^4 + ... on points of the plane z = 1
 (chapter pinhole), which is OpenCV's k1, k2, k3 with its p1 = p2 = 0; its fisheye is OpenCV's. In all of them, pixel
 (0, 0) is the centre of the upper left pixel.
 """
 
+import warnings
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from slamlib.datasets.lens_models import MODELS, RADIAL
 from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Array
+from slamlib.plain_data.entries import Numbers
 
-Numbers = tuple[float, ...]
-RADIAL, FISHEYE = "radial-tangential", "equidistant"
-# How many coefficients: Brown's in OpenCV's order k1 k2 p1 p2 k3 k4 k5 k6; k1 to k4 of Kannala and Brandt (2006).
-MODELS = {RADIAL: 8, FISHEYE: 4}
+RIGID = 0.01  # how far a rotation's columns may be from orthonormal: files round, and some are of single precision
+FOCALS = 0.5, 2.0  # ratio of the two focal lengths; a pixel's sides differ by less
+CENTRED, ASIDE = 0.1, 0.3  # distance from the image's middle, in its sizes, of a principal point and of something else
 
 
 @dataclass(frozen=True)
 class Lens:
     """intrinsics (u0, v0, au, av) [px]; image (width, height) [px], or None where the file does not say.
 
-    model: a name of MODELS; distortion: its coefficients in OpenCV's order. transform: pose of the camera in the frame
+    model: a name of lens_models.MODELS; distortion: its coefficients. transform: pose of the camera in the frame
     that the file gives it in (another camera, a body), as a 4 x 4 matrix, row by row, or None. extra: more fields of
     its SensorSetup, as its std.
     """
@@ -37,9 +39,12 @@ class Lens:
     extra: dict[str, Any] = field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
+        for name in ("intrinsics", "image", "distortion", "transform"):  # numbers of Python's, for messages and files
+            if (given := getattr(self, name)) is not None:
+                object.__setattr__(self, name, tuple(map(float, given)))
         if len(self.intrinsics) != 4 or not np.isfinite(self.intrinsics).all() or not min(self.intrinsics[2:]) > 0:
             raise SlamlibError(f"intrinsics are (u0, v0, au, av), two of them focal lengths above 0: {self.intrinsics}")
-        max_coefficients = entry("model of a lens", self.model, MODELS)
+        max_coefficients = entry("model of a lens", self.model, MODELS).coefficients
         if len(self.distortion) > max_coefficients or not np.isfinite(self.distortion).all():
             raise SlamlibError(
                 f"{self.model}: at most {max_coefficients} finite coefficients are wanted, got {self.distortion}"
@@ -51,17 +56,14 @@ class Lens:
         return self
 
     @property
-    def radial(self) -> Numbers | None:
-        """The coefficients of slamlib's pin-hole, or None if it cannot represent the lens."""
-        k1, k2, p1, p2, k3, *rest = (*self.distortion, *(0.0,) * (5 - len(self.distortion)))
-        found: Numbers = (k1, k2, k3)
-        while found and not found[-1]:
-            found = found[:-1]
-        return None if self.model != RADIAL or p1 or p2 or any(rest) else found
+    def is_pinhole(self) -> bool:
+        """Whether it is a pin-hole without distortion."""
+        return MODELS[self.model].sensor == "pinHole" and not any(self.distortion)
 
     def setup(self) -> dict[str, Any]:
         """Plain data of a SensorSetup: a pin-hole or a fisheye. Raises SlamlibError for any other lens."""
-        distortion = self.distortion if self.model == FISHEYE else self.radial
+        model = MODELS[self.model]
+        distortion = model.own(self.distortion)
         if distortion is None:
             raise SlamlibError(
                 f"this lens ({self.model}, coefficients {', '.join(f'{d:g}' for d in self.distortion)}) is no pin-hole "
@@ -70,7 +72,15 @@ class Lens:
             )
         parameters = {"intrinsics": self.intrinsics, "distortion": distortion or (0.0,)}
         size = {} if self.image is None else {"image": self.image}
-        return {"type": "fisheye" if self.model == FISHEYE else "pinHole", **size, "parameters": parameters}
+        return {"type": model.sensor, **size, "parameters": parameters}
+
+    def pixels(self, rays: Array) -> Array:
+        """Pixels (..., 2) of rays (..., 3) in the camera's frame; nan of what the lens cannot see."""
+        model, (u, v, a, b) = MODELS[self.model], self.intrinsics
+        k = (*self.distortion, *(0.0,) * (model.coefficients - len(self.distortion)))
+        with np.errstate(invalid="ignore", divide="ignore"):
+            x, y = model.image(rays[..., 0], rays[..., 1], rays[..., 2], k)
+        return np.stack([u + a * x, v + b * y], axis=-1)
 
     @property
     def matrix(self) -> Array:
@@ -100,6 +110,60 @@ def placed(position: ArrayLike, turn: ArrayLike = ((1, 0, 0), (0, 1, 0), (0, 0, 
     return tuple(pose.ravel().tolist())
 
 
+def rigid(matrix: ArrayLike, name: str, *, inverse: bool = False) -> Numbers:
+    """A rigid motion (4, 4), or its inverse, row by row. Raises SlamlibError, which says its name, for another one."""
+    found = np.reshape(np.asarray(matrix, dtype=float), (4, 4))
+    turn = found[:3, :3]
+    is_rotation = np.abs(turn @ turn.T - np.eye(3)).max() < RIGID and np.linalg.det(turn) > 0
+    if not (is_rotation and np.allclose(found[3], (0, 0, 0, 1))):
+        raise SlamlibError(f"{name} is no rigid motion: its 3 x 3 numbers are no rotation, or its last row not 0 0 0 1")
+    return tuple((np.linalg.inv(found) if inverse else found).ravel().tolist())
+
+
+def lens_of(fx: float, fy: float, cx: float, cy: float, **others: Any) -> Lens:
+    """A lens by its focal lengths and its principal point, in the order of most tools; others: fields of Lens.
+
+    Raises SlamlibError for focal lengths that no two sides of a pixel have.
+    """
+    if fy < 0 < fx:
+        warnings.warn(
+            f"fy = {fy:g} is read as {-fy:g}: the camera's y axis is said to point up, as in ICL-NUIM, whose pictures "
+            "are upright all the same; what is compared with its trajectory needs the other sign of y",
+            stacklevel=2,
+        )
+        fy = -fy
+    found = Lens((cx, cy, fx, fy), **others)
+    if not FOCALS[0] <= fx / fy <= FOCALS[1]:
+        raise SlamlibError(
+            f"the focal lengths {fx:g} and {fy:g} px differ by a factor of {max(fx / fy, fy / fx):.3g}, and pixels are "
+            "nearly square: is one of them wrong, or their order? If it is right, write it as slamlib's own JSON, "
+            '{"parameters": {"intrinsics": [u0, v0, au, av], ...}}'
+        )
+    return found
+
+
+def focals_and_centre(matrix: Numbers) -> tuple[float, float, float, float]:
+    """fx, fy, cx, cy of a camera matrix of nine numbers, row by row. Raises SlamlibError for any other matrix."""
+    if len(matrix) != 9:
+        raise SlamlibError(f"a camera matrix has 9 numbers, got {len(matrix)}")
+    fx, skew, cx, b, fy, cy, *last = matrix
+    if last[:2] != [0, 0] and (cx, cy) == (0, 0):
+        raise SlamlibError(
+            "the camera matrix is transposed, as MATLAB writes it: transpose it, and subtract 1 from its principal "
+            "point, since MATLAB counts pixels from 1"
+        )
+    if last != [0, 0, 1] or b:
+        raise SlamlibError(f"a camera matrix is (fx 0 cx, 0 fy cy, 0 0 1), got {matrix}")
+    check_skew(skew, fx)
+    return fx, fy, cx, cy
+
+
+def check_skew(skew: float, focal: float) -> None:
+    """Raise SlamlibError for axes of pixels that are not at right angles."""
+    if abs(skew) > 1e-3 * abs(focal):
+        raise SlamlibError(f"the pixels are skewed by {skew:g} px: slamlib has no skew; calibrate with it fixed to 0")
+
+
 def fitted(setup: dict[str, Any], size: tuple[int, int], what: str) -> dict[str, Any]:
     """A setup with the size (width, height) of the pictures. Raises SlamlibError if it is for other images.
 
@@ -111,12 +175,19 @@ def fitted(setup: dict[str, Any], size: tuple[int, int], what: str) -> dict[str,
             f"the calibration is of pictures of {image[0]:g}x{image[1]:g} pixels, and those of {what} have "
             f"{size[0]}x{size[1]}: calibrate these, or scale the calibration as the pictures were scaled"
         )
-    centre = np.array(setup.get("parameters", {}).get("intrinsics", (np.nan, np.nan))[:2]) / size
+    given = setup.get("parameters", {}).get("intrinsics", (np.nan, np.nan))
+    # Distances from the image's middle, in its sizes, of what should be the principal point, and of the other two.
+    centre, others = np.resize(given, 4).reshape(2, 2) / size
+    off, off_others = np.abs(centre - 0.5).max(), np.abs(others - 0.5).max()
     spare = 0.0 if image is not None else 0.3
-    if (np.abs(centre - 0.5) > 0.5 - spare).any():
+    exchanged = len(given) == 4 and off > ASIDE and off_others < CENTRED
+    if off > 0.5 - spare or exchanged:
         say = "" if image else "; if they are cropped from larger images, give their width and height in the file"
+        ask = f"is it of pictures of another size?{say}"
+        if exchanged:
+            ask = f"are the intrinsics {tuple(given)} (fx, fy, cx, cy)? slamlib's order is (u0, v0, au, av)"
         raise SlamlibError(
             f"the calibration's principal point ({centre[0] * size[0]:.1f}, {centre[1] * size[1]:.1f}) does not fit "
-            f"pictures of {size[0]}x{size[1]} pixels ({what}): is it of pictures of another size?{say}"
+            f"pictures of {size[0]}x{size[1]} pixels ({what}): {ask}"
         )
     return {**setup, "image": (float(size[0]), float(size[1]))}

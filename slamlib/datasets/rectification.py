@@ -1,4 +1,4 @@
-"""Undistortion of images and rectification of pairs, by OpenCV's remapping.
+"""Undistortion of images and rectification of pairs: where each lens has the pixels, and OpenCV's remapping.
 
 In a rectified pair rows correspond, and the right camera is to the right alone: both cameras are rotated about their
 centres. The new x axis is the baseline, the new z axis as near as possible to both optical axes: Fusiello, Trucco and
@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.datasets.lens import FISHEYE, MODELS, Lens, PairCalibration, placed
+from slamlib.datasets.lens import Lens, PairCalibration, placed
 from slamlib.datasets.pictures import opencv
 from slamlib.errors import SlamlibError
 from slamlib.geometry.quaternion import best_pivot, from_rotation
@@ -19,6 +19,7 @@ from slamlib.manifolds import Array
 
 PURPOSE = "to undistort images"
 ZOOMS = 0.1, 10.0  # of focal lengths
+INSIDE = 8  # px, between the pixels inside an image that are looked at, beside all those of its border
 SLANT, ASIDE, UNLIKE = 0.002, 0.01, 0.002  # rad; share of the baseline; share of the focal length
 
 
@@ -27,7 +28,7 @@ def why_not_rectified(pair: PairCalibration) -> str | None:
     x, *aside = pair.transform[:3, 3].tolist()
     (_, v, a, b), (_, v_right, a_right, b_right) = pair.left.intrinsics, pair.right.intrinsics
     turned = float(np.linalg.norm(pair.transform[:3, :3] - np.eye(3))) / np.sqrt(2)
-    if any((*pair.left.distortion, *pair.right.distortion)):
+    if not (pair.left.is_pinhole and pair.right.is_pinhole):
         return "the lenses distort"
     if turned > SLANT:
         return f"the cameras are turned against each other by {np.degrees(turned):.2f} degrees"
@@ -59,16 +60,17 @@ class Remapping:
     def __init__(
         self, lenses: Sequence[Lens], turns: Sequence[Array], ideal: Callable[[float], Lens], size: tuple[int, int]
     ) -> None:
-        def places(zoom: float) -> list[tuple[Array, Array]]:
+        pixels = np.stack(np.meshgrid(*map(np.arange, size)), axis=-1).astype(float)
+        borders = pixels[[0, -1]], pixels[:, [0, -1]], pixels[::INSIDE, ::INSIDE]
+        checked = np.concatenate([part.reshape(-1, 2) for part in borders])
+
+        def places(zoom: float, of: Array) -> list[Array]:
             new = ideal(zoom).matrix
-            return [_maps(lens, new, size, turn) for lens, turn in zip(lenses, turns, strict=True)]
+            return [_places(lens, new, turn, of) for lens, turn in zip(lenses, turns, strict=True)]
 
         def fits(zoom: float) -> bool:
-            w, h = size
-            return all(
-                columns.min() >= 0 and rows.min() >= 0 and columns.max() <= w - 1 and rows.max() <= h - 1
-                for columns, rows in places(zoom)
-            )
+            last = np.subtract(size, 1)
+            return all(((place >= 0) & (place <= last)).all() for place in places(zoom, checked))
 
         low, high = ZOOMS  # bisected: where one fits, all larger ones do
         if not fits(high):
@@ -77,7 +79,9 @@ class Remapping:
         while high / low > 1 + 1e-4:
             middle = float(np.sqrt(low * high))
             low, high = (low, middle) if fits(middle) else (middle, high)
-        self.lens, self._maps = ideal(high), places(high)
+        self.lens = ideal(high)
+        found = (np.moveaxis(place.astype(np.float32), -1, 0) for place in places(high, pixels))
+        self._maps = [tuple(map(np.ascontiguousarray, each)) for each in found]
         self.original = np.concatenate([np.zeros(3), from_rotation(turns[0], best_pivot(turns[0]))])
 
     def __call__(self, image: Array) -> Array:
@@ -128,12 +132,10 @@ def _turns(transform: Array) -> tuple[list[Array], float]:
     return [new, new @ transform[:3, :3]], float(np.linalg.norm(transform[:3, 3]))
 
 
-def _maps(lens: Lens, new: Array, size: tuple[int, int], turn: Array) -> tuple[Array, Array]:
-    """Pixels of the old image for those of the new one: columns and rows, (h, w) each.
+def _places(lens: Lens, new: Array, turn: Array, pixels: Array) -> Array:
+    """Pixels (..., 2) of the old image for pixels (..., 2) of the new one, whose camera matrix is new (3, 3).
 
-    new: its camera matrix (3, 3). turn (3, 3): takes rays of the old camera to those of the new one.
+    turn (3, 3): takes rays of the old camera to those of the new one.
     """
-    cv2 = opencv(PURPOSE)
-    distortion = np.pad(np.array(lens.distortion, dtype=float), (0, MODELS[lens.model] - len(lens.distortion)))
-    maps = (cv2.fisheye if lens.model == FISHEYE else cv2).initUndistortRectifyMap
-    return maps(lens.matrix, distortion, turn, new, size, cv2.CV_32FC1)
+    rays = np.concatenate([pixels, np.ones_like(pixels[..., :1])], axis=-1) @ np.linalg.inv(new).T
+    return lens.pixels(rays @ turn)

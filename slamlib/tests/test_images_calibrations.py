@@ -15,6 +15,7 @@ from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.tests.pictures import DATA, KALIBR
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads and undistorts")
+yaml = pytest.importorskip("yaml", reason="PyYAML reads the calibrations in YAML")
 EUROC = """# General sensor definitions.
 sensor_type: camera
 T_BS:
@@ -82,6 +83,52 @@ def test_euroc_and_kalibr(tmp_path):
         read_lens(chain, 2)
 
 
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda text: "\ufeff" + text,
+        lambda text: text.replace("\n", "\r\n"),
+        lambda text: text.replace(": ", ":\t"),
+        lambda text: text.replace("\n", " # caf\u00e9\n"),
+        lambda text: yaml.dump(yaml.safe_load(text)),
+        lambda text: yaml.dump(yaml.safe_load(text), default_flow_style=True),
+        lambda text: text.replace("coefficients", "parameters"),
+        lambda text: json.dumps(yaml.safe_load(text)),
+    ],
+)
+@pytest.mark.parametrize("text", [EUROC, KALIBR])
+def test_one_lens_is_read_however_it_is_written(tmp_path, change, text):
+    expected = read_lens(write(tmp_path, text), 1)
+    assert read_lens(write(tmp_path, change(text)), 1) == expected
+    (tmp_path / "utf16").write_bytes(change(text).encode("utf-16"))
+    assert read_lens(tmp_path / "utf16", 1) == expected
+
+
+@pytest.mark.parametrize(
+    ("camera", "intrinsics", "model", "coefficients", "expected"),
+    [
+        ("omni", (1.2, 700, 701, 376, 240), "radtan", (-0.1, 0.02, 0.001, 0), ("unified", (1.2, -0.1, 0.02, 0.001, 0))),
+        ("omni", (1.2, 700, 701, 376, 240), "none", (), ("unified", (1.2,))),
+        ("ds", (-0.2, 0.55, 700, 701, 376, 240), "none", (0, 0), ("double-sphere", (-0.2, 0.55))),
+        ("eucm", (0.6, 1.1, 700, 701, 376, 240), "none", (), ("extended-unified", (0.6, 1.1))),
+        ("pinhole", (700, 701, 376, 240), "fov", (0.9,), ("fov", (0.9,))),
+    ],
+)
+def test_kalibrs_other_lenses(tmp_path, camera, intrinsics, model, coefficients, expected):
+    entries = {"camera_model": camera, "intrinsics": list(intrinsics), "resolution": [752, 480]}
+    entries |= {
+        "distortion_model": model,
+        "distortion_coeffs": list(coefficients),
+        "rostopic": "/a",
+        "cam_overlaps": [1],
+    }
+    path = write(tmp_path, yaml.dump({"cam0": entries}))
+    assert read_lens(path) == Lens((376, 240, 700, 701), (752, 480), *expected)
+    for wrong in ({"distortion_model": "equidistan"}, {"camera_model": "dss"}, {"intrinsics": [1, 2]}, {"shift": 0.1}):
+        with pytest.raises(SlamlibError, match=r"calib\.txt \(Kalibr\)"):
+            read_lens(write(tmp_path, yaml.dump({"cam0": entries | wrong})))
+
+
 def test_kitti(tmp_path):
     path = write(tmp_path, KITTI)
     assert read_calibration(path)["parameters"]["intrinsics"] == (607.1928, 185.2157, 718.856, 718.856)
@@ -128,7 +175,9 @@ def test_ros_messages(tmp_path):
     )
     assert "\n- 500.5\n- 0.0\n" in second  # as ROS 2 prints it
     assert read_calibration(write(tmp_path, second)) == expected
-    assert read_lens(write(tmp_path, MESSAGE.replace("D:", "X:"))).distortion == ()
+    assert read_lens(write(tmp_path, re.sub("D:.*\n", "", MESSAGE))).distortion == ()
+    with pytest.raises(SlamlibError, match="X is not known, and holds numbers"):
+        read_lens(write(tmp_path, MESSAGE.replace("D:", "X:")))
     wide = MESSAGE.replace("0.1, 0.0, 0.0, 0.0]", "0.1, 0.01, 0.0]")
     for name in ("equidistant", "fisheye"):
         found = read_calibration(write(tmp_path, wide.replace("plumb_bob", name)))
@@ -159,13 +208,14 @@ COLMAP = """# Camera list with one line of data per camera:
         ("SIMPLE_RADIAL_FISHEYE 640 480 300 320.5 240.5 0.01", "fisheye", (300, 300), (0.01,)),
         ("RADIAL_FISHEYE 640 480 300 320.5 240.5 0.01 0.02", "fisheye", (300, 300), (0.01, 0.02)),
         ("OPENCV_FISHEYE 640 480 300 301 320.5 240.5 0.01 0.02 0 0.1", "fisheye", (300, 301), (0.01, 0.02, 0, 0.1)),
+        ("SIMPLE_FISHEYE 640 480 300 320.5 240.5", "fisheye", (300, 300), (0.0,)),
     ],
 )
 def test_colmap(tmp_path, row, kind, focals, distortion):
     parameters = {"intrinsics": (320, 240, *focals), "distortion": distortion}  # its pixels' centres are at halves
     expected = {"type": kind, "image": (640, 480), "parameters": parameters}
     assert read_calibration(write(tmp_path, f"{COLMAP}7 {row}\n")) == expected
-    two = write(tmp_path, f"{COLMAP}1 PINHOLE 64 48 50 50 32 24\n2 {row}\n")
+    two = write(tmp_path, f"{COLMAP}\t# indented\n1 PINHOLE 64 48 50 50 32 24  # one\n  2 {row}\n")
     assert read_calibration(two, 2) == expected
     with pytest.raises(SlamlibError, match="no camera 0, but 1, 2"):
         read_lens(two)
@@ -214,6 +264,68 @@ def test_opencv(tmp_path, ending):
     }
 
 
+MATRIX = [[500.0, 0.0, 320.0], [0.0, 501.0, 240.0], [0.0, 0.0, 1.0]]
+
+
+def stored(path, **values):
+    """What cv2.FileStorage writes."""
+    storage = cv2.FileStorage(str(path), cv2.FILE_STORAGE_WRITE)
+    for name, value in values.items():
+        storage.write(name, np.array(value) if isinstance(value, list) else value)
+    storage.release()
+    return path
+
+
+@pytest.mark.parametrize("count", [4, 5, 8, 12, 14])
+@pytest.mark.parametrize("ending", ["yml", "xml", "json"])
+def test_opencv_writes_what_is_read_back(tmp_path, ending, count):
+    k = np.random.default_rng(count).standard_normal((1, count))
+    others = {"calibration_time": "Mon 1 Jan", "board_width": 9, "square_size": 0.025, "flags": 0, "fisheye_model": 0}
+    others |= {"avg_reprojection_error": 0.3, "extrinsic_parameters": np.ones((3, 6)), "rvecs": np.ones((3, 1, 3))}
+    path = stored(tmp_path / f"c.{ending}", Camera_Matrix=MATRIX, Distortion_Coefficients=k, image_Width=640,
+                  image_Height=480, **others)  # fmt: skip
+    assert read_lens(path) == Lens((320, 240, 500, 501), (640, 480), distortion=tuple(k[0]))
+
+
+NAMES = ("dist_coeff", "distCoeffs", "dist", "D", "distortion", "DIST_COEFS", "distortion_parameters", "distCoef")
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("dump", [json.dumps, yaml.dump, lambda data: yaml.dump(data, default_flow_style=True)])
+def test_scripts_write_the_coefficients_under_many_names(tmp_path, name, dump):
+    """With lists, as Python's scripts do; and inside another map."""
+    data = {"camera_matrix": MATRIX, name: [[-0.1, 0.2, 0.0, 0.0, 0.05]], "image_size": [640, 480], "rms": 0.2}
+    expected = Lens((320, 240, 500, 501), (640, 480), distortion=(-0.1, 0.2, 0, 0, 0.05))
+    assert read_lens(write(tmp_path, dump(data))) == expected
+    assert read_lens(write(tmp_path, dump({"calibration": data, "board": {"width": 9}}))) == expected
+    with pytest.raises(SlamlibError, match=f"{name[0]}x{name} is not known, and holds numbers"):
+        read_lens(write(tmp_path, dump({**data, f"{name[0]}x{name}": 5})))
+
+
+def test_numbers_that_are_left_over_in_an_opencv_file_are_refused(tmp_path):
+    for others, message in (
+        ({"distortion_polynomial": [0.1, 0.2]}, "distortion_polynomial is not known.* did you mean 'distortion"),
+        ({"lens": {"k1": 0.1}}, "lens.k1 is not known"),
+        ({"D": [0.1, 0, 0, 0], "dist": [0.2, 0, 0, 0]}, "dist and D differ|D and dist differ"),
+        ({"D": [0.1, 0.2, 0.3]}, "4, 5, 8, 12 or 14 coefficients"),
+        ({"D": "0.1 0 0 0"}, "D should be of finite numbers"),
+        ({"D": [0.1] * 5, "fisheye_model": 1}, "equidistant: at most 4"),
+        ({"lens_model": "fisheye", "distortion_model": "fov"}, "two models of the lens are named"),
+        ({"model": "inverse_brown_conrady"}, "unknown model 'inversebrownconrady'; did you mean 'brownconrady'"),
+    ):
+        with pytest.raises(SlamlibError, match=message):
+            read_lens(write(tmp_path, json.dumps({"camera_matrix": MATRIX, **others})))
+
+
+def test_the_models_that_opencv_files_name(tmp_path):
+    wide = {"K": MATRIX, "D": [0.1, 0.2, 0.0, 0.1]}
+    for others in ({"fisheye_model": 1}, {"fisheye": True}, {"lens_model": "fisheye"}, {"model": "kannala_brandt"}):
+        assert read_lens(write(tmp_path, json.dumps(wide | others))).model == "equidistant"
+    mei = read_lens(stored(tmp_path / "mei.yml", **wide, xi=[1.2]))
+    assert (mei.model, mei.distortion) == ("unified", (1.2, 0.1, 0.2, 0.0, 0.1))
+    assert read_lens(write(tmp_path, json.dumps(wide | {"model": "Logitech C920"}))).model == "radial-tangential"
+
+
 def test_opencvs_two_cameras(tmp_path):
     path = tmp_path / "intrinsics.yml"
     storage = cv2.FileStorage(str(path), cv2.FILE_STORAGE_WRITE)
@@ -232,6 +344,9 @@ def test_opencvs_two_cameras(tmp_path):
         "fx 500\nfy 501\ncx 320\ncy 240\nk1 -0.1\n",
         "# ours\nFX: 500\nfy = 501, \ncx: 320\ncy: 240\nk1: -0.1 # radial\n",
         "500 501 320 240 -0.1 0 0 0\n",
+        "fx = 500\nfy = 501\ncx = 320\ncy = 240\nk1 = -0.1\n",
+        '{"fx": 500, "fy": 501, "ppx": 320, "ppy": 240, "coeffs": [-0.1, 0, 0, 0, 0]}'.replace("coeffs", "dist_coeffs"),
+        "camera:\n  {fx: 500, fy: 501, cx: 320, cy: 240, k1: -0.1}\nrms: 0.2\n",
     ],
 )
 def test_plain_text(tmp_path, text):
@@ -240,6 +355,27 @@ def test_plain_text(tmp_path, text):
         "type": "pinHole",
         "parameters": {"intrinsics": (320, 240, 500, 501), "distortion": (-0.1,)},
     }
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "500 0 320\n0 501 240\n0 0 1\n",
+        "500, 0, 320, 0, 501, 240, 0, 0, 1",
+        "[[500. 0. 320.]\n [0. 501. 240.]\n [0. 0. 1.]]",
+        "500 0 320 0\n0 501 240 0\n0 0 1 0\n0 0 0 1\n",
+        "K = [500, 0, 320;\n0 501 240; 0 0 1];\n",
+    ],
+)
+def test_a_camera_matrix_alone(tmp_path, text):
+    assert read_lens(write(tmp_path, text)) == Lens((320, 240, 500, 501))
+
+
+def test_a_y_axis_that_points_up_is_said(tmp_path):
+    """As ICL-NUIM's calibration has it: its pictures are upright, and its trajectory is of a left-handed frame."""
+    with pytest.warns(UserWarning, match="fy = -480 is read as 480: .* needs the other sign of y"):
+        lens = read_lens(write(tmp_path, "481.20 -480.00 319.50 239.50"))
+    assert lens.intrinsics == (319.5, 239.5, 481.2, 480)
 
 
 def test_the_cameras_of_tum(tmp_path, monkeypatch):
@@ -259,27 +395,37 @@ def test_the_cameras_of_tum(tmp_path, monkeypatch):
     [
         ("nothing to see", "no calibration that slamlib knows"),
         ("", "no calibration that slamlib knows"),
-        ("fx 500\nfy 500\ncx 320\n", "incomplete: 'cy'"),
+        ("fx 500\nfy 500\ncx 320\n", "cy is missing: there is fx, fy, cx"),
         ("fx 500\nfy 500\ncx 320\ncy 240\nkk1 3\n", "did you mean 'k1'"),
         ("fx 0\nfy 500\ncx 320\ncy 240\n", "focal lengths above 0"),
-        ("fx five\nfy 500\ncx 320\ncy 240\n", "incomplete: could not convert"),
-        ("nan 500 320 240", "focal lengths above 0"),
-        (
-            EUROC.replace("pinhole", "omni"),
-            "'omni' is not known, pinhole is: calibrate .* pinhole-equi for a wide lens",
-        ),
-        (EUROC.replace("radial-tangential", "fov"), "unknown model of distortion 'fov'"),
-        ("1 FOV 640 480 500 500 320 240 0.9\n", "unknown camera model of COLMAP 'FOV'"),
+        ("fx five\nfy 500\ncx 320\ncy 240\n", "fx should be of finite numbers, got 'five'"),
+        ("nan 500 320 240", "fx should be of finite numbers, got nan"),
+        ("fx 500\nfy 100\ncx 320\ncy 240\n", "500 and 100 px differ by a factor of 5, .*slamlib's own JSON"),
+        ("fx 500\nfx 501\nfy 500\ncx 320\ncy 240\n", "fx is there twice"),
+        ("500 0 0\n0 500 0\n320 240 1\n", "transposed, as MATLAB writes it"),
+        ("500 2 320\n0 500 240\n0 0 1\n", "the pixels are skewed by 2 px"),
+        (EUROC.replace("pinhole", "omni"), r"omni has the intrinsics \(xi, fu, fv, pu, pv\), got 4 numbers"),
+        (EUROC.replace("pinhole", "spherical"), "unknown camera_model 'spherical'"),
+        (EUROC.replace("radial-tangential", "fov"), "fov: at most 1 finite coefficients"),
+        (EUROC.replace("radial-tangential", "none"), "distortion_model is none, or missing, and the coefficients are"),
+        (EUROC.replace("coefficients", "cofficients"), "did you mean 'distortion_coefficients'"),
+        (EUROC.replace("-1.0", "-2.0"), "T_BS is no rigid motion"),
+        (EUROC + "rate_hz: 30\n", "rate_hz is there twice"),
+        ("1 FOV 640 480 500 500 320 240 0.9\n", "this lens .fov, coefficients 0.9.*--undistort"),
+        ("1 RAD_TAN_THIN_PRISM_FISHEYE 640 480 500\n", "unknown camera model of COLMAP 'RAD_TAN_THIN"),
+        ("1 PINHOLE 64 48 50 50 32 24\n1 PINHOLE 64 48 50 50 32 24\n", "the same number"),
         ("1 PINHOLE 640 480 500 320 240\n", "PINHOLE has 4 parameters, got 3"),
         ("1 PINHOLE 640 480\n", "PINHOLE has 4 parameters, got 0"),
-        ("1 PINHOLE 640 480 500 500 x 240\n", "incomplete: could not convert"),
-        ("distortion_model: plumb_bob\nD: []\nK: [500, 0]\n", r"nine numbers, got 2"),
-        ("distortion_model: plumb_bob\nD: []\nK: [0, 0, 0, 0, 0, 0, 0, 0, 0]\n", "focal lengths above 0"),
-        (EUROC.replace("radial-tangential", "radial"), "unknown model of distortion 'radial'"),
-        (EUROC.replace(", 248.375", ""), "incomplete"),
-        ("P0: 1 2 3\n", "incomplete"),
-        ("%YAML:1.0\n---\ncamera_matrix: [1,\n", "incomplete: OpenCV"),
-        ("%YAML:1.0\n---\nother: 1\n", "no camera matrix"),
+        ("1 PINHOLE 640 480 500 500 x 240\n", "parameters of PINHOLE are numbers: could not convert"),
+        ("distortion_model: plumb_bob\nD: []\nK: [500, 0]\n", "9 numbers, got 2"),
+        ("distortion_model: plumb_bob\nD: []\nK: [0, 0, 0, 0, 0, 0, 0, 0, 1]\n", "focal lengths above 0"),
+        (EUROC.replace("radial-tangential", "radial"), "unknown model of distortion of pinhole 'radial'"),
+        (EUROC.replace(", 248.375", ""), r"pinhole has the intrinsics \(fu, fv, pu, pv\), got 3"),
+        ("P0: 1 2 3\n", "P0 has 12 numbers, got 3"),
+        ("P0: 0 0 607 0 0 0 185 0 0 0 1 0\n", r"focal lengths above 0: \(607.0, 185.0, 0.0, 0.0\)"),
+        (KITTI + "K_00: 1\nk_1: 2\n", "k_1 is not known"),
+        ("%YAML:1.0\n---\ncamera_matrix: [1,\n", r"no calibration that slamlib knows \(it is no YAML, line 4"),
+        ("%YAML:1.0\n---\nother: 1\n", r"no calibration that slamlib knows \(it has other\)"),
     ],
 )
 def test_what_is_no_calibration_is_refused(tmp_path, text, message):
@@ -297,6 +443,10 @@ def test_a_calibration_must_fit_the_pictures():
     for size in ((320, 240), (1280, 960)):
         with pytest.raises(SlamlibError, match="principal point"):
             fitted(without, size, "room")
+    for order, size in (((500, 500, 320, 240), (640, 480)), ((700, 700, 640, 360), (1280, 720))):
+        for image in ({}, {"image": size}):  # the focal lengths come first, by mistake
+            with pytest.raises(SlamlibError, match=r"are the intrinsics .* \(fx, fy, cx, cy\)\? slamlib's order is"):
+                fitted({"parameters": {"intrinsics": order}, **image}, size, "room")
     aside = Lens((600, 240, 500, 500), (640, 480)).setup()
     assert fitted(aside, (640, 480), "x")["image"] == (640.0, 480.0)  # whoever gives the size may have cut it out
     with pytest.raises(SlamlibError, match="principal point"):

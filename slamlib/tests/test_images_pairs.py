@@ -23,6 +23,7 @@ from slamlib.vision.stereo import StereoSettings
 from slamlib.vision.stereo.features import check_pair, extract_features
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV reads, rectifies and searches the pictures")
+yaml = pytest.importorskip("yaml", reason="PyYAML reads the calibrations in YAML")
 K = np.array([[400.0, 0, 310], [0, 405.0, 235], [0, 0, 1]])
 SIZE = (640, 480)
 TURN = cv2.Rodrigues(np.array([0.02, -0.03, 0.01]))[0]
@@ -97,9 +98,92 @@ def test_kalibrs_and_opencvs_files_of_two_cameras(tmp_path):
     np.testing.assert_allclose(read_pair([str(tmp_path / "stereo.yml")]).transform, place(), atol=1e-12)
 
 
+def camera(**more):
+    """One of Kalibr's cameras."""
+    return {"camera_model": "pinhole", "intrinsics": [400.0, 405, 310, 235], "resolution": [640, 480],
+            "distortion_model": "radtan", "distortion_coeffs": [0.0] * 4, **more}  # fmt: skip
+
+
+def test_a_chain_of_kalibr_is_composed_for_every_pair(tmp_path):
+    """Each camera is told in the frame of the one before; the order in the file is of no account."""
+    steps = [place(cv2.Rodrigues(0.1 * np.array([i, 1.0, -1]))[0], [0.1 + 0.05 * i, 0.01, 0.02 * i]) for i in range(3)]
+    chain = {f"cam{i + 1}": camera(T_cn_cnm1=np.linalg.inv(step).tolist()) for i, step in enumerate(steps)}
+    text = yaml.dump({**dict(reversed(chain.items())), "cam0": camera()}, sort_keys=False)
+    path, poses = written(tmp_path, "camchain.yaml", text), [np.eye(4)]
+    for step in steps:
+        poses.append(poses[-1] @ step)
+    for i, j in ((0, 1), (1, 2), (2, 3), (0, 2), (0, 3), (1, 3), (3, 1)):
+        expected = np.linalg.solve(poses[i], poses[j])
+        np.testing.assert_allclose(read_pair([path], (i, j)).transform, expected, atol=1e-12)
+    with pytest.raises(SlamlibError, match="no camera 4, but 0, 1, 2, 3"):
+        read_pair([path], (0, 4))
+    del chain["cam2"]["T_cn_cnm1"]
+    with pytest.raises(SlamlibError, match="the baseline is missing"):
+        read_pair([written(tmp_path, "broken.yaml", yaml.dump({"cam0": camera(), **chain}))], (0, 3))
+
+
+@pytest.mark.parametrize(("name", "turned"), [("T_imu_cam", False), ("T_cam_imu", True)])
+def test_places_by_the_inertial_sensor(tmp_path, name, turned):
+    """OpenVINS has the cameras' poses in its frame, Kalibr the inverses, beside the sensor's own entries."""
+    one, other = place(np.eye(3), [0.3, 0.2, 0.1]), place(np.eye(3), [0.3, 0.2, 0.1]) @ place()
+    given = [np.linalg.inv(pose) if turned else pose for pose in (one, other)]
+    text = {f"cam{i}": camera(**{name: pose.tolist()}, timeshift_cam_imu=0.01) for i, pose in enumerate(given)}
+    path = written(tmp_path, "chain.yaml", "%YAML:1.0\n" + yaml.dump({**text, "imu0": {"update_rate": 200}}))
+    np.testing.assert_allclose(read_pair([path]).transform, place(), atol=1e-12)
+    np.testing.assert_allclose(read_pair([path], (1, 0)).transform, np.linalg.inv(place()), atol=1e-12)
+
+
+SIDES = ("M1 D1 M2 D2", "K0 D0 K1 D1", "mtxL distL mtxR distR", "left_K left_D right_K right_D",
+         "camera_matrix_left dist_coeffs_left camera_matrix_right dist_coeffs_right")  # fmt: skip
+
+
+@pytest.mark.parametrize("names", SIDES)
+def test_two_cameras_side_by_side(tmp_path, names):
+    k, moved = (np.array([-0.1, 0.02, 0, 0.0, 0.0]), np.array([-0.2, 0.02, 0, 0, 0.0])), np.linalg.inv(place())
+    storage = cv2.FileStorage(str(tmp_path / "stereo.yml"), cv2.FILE_STORAGE_WRITE)
+    more = {"R": moved[:3, :3], "T": moved[:3, 3:], "E": K, "R1": TURN, "P2": np.eye(3, 4), "Q": np.eye(4)}
+    for name, value in {**dict(zip(names.split(), (K, k[0], K, k[1]), strict=True)), **more}.items():
+        storage.write(name, value.copy())
+    storage.release()
+    found = read_pair([str(tmp_path / "stereo.yml")])
+    np.testing.assert_allclose(found.transform, place(), atol=1e-12)
+    assert [one.distortion for one in (found.left, found.right)] == [tuple(each) for each in k]
+
+
+def test_two_cameras_in_maps(tmp_path):
+    one = {"camera_matrix": K.tolist(), "dist_coeffs": [[-0.1, 0.02, 0, 0]], "width": 640, "height": 480}
+    text = {
+        "right": {**one, "dist_coeffs": [-0.2, 0, 0, 0]},
+        "left": one,
+        "R": np.eye(3).tolist(),
+        "T": [[-0.2], [0], [0]],
+    }
+    found = read_pair([written(tmp_path, "stereo.json", json.dumps(text))])
+    assert (found.left.distortion[0], found.right.distortion[0], found.right.image) == (-0.1, -0.2, (640, 480))
+    np.testing.assert_allclose(found.transform, place(np.eye(3), [0.2, 0, 0]), atol=1e-12)
+    apart = {"left": one, "right": one, "extrinsics": {"R": np.eye(3).tolist(), "T": [-0.2, 0, 0]}}
+    assert read_pair([written(tmp_path, "apart.yaml", yaml.dump(apart))]).transform[0, 3] == pytest.approx(0.2)
+
+
+@pytest.mark.parametrize(("baseline", "message"), [
+    (120, r"the baseline is 120 m: are its lengths in millimetres \(0.12 m\), or in centimetres \(1.2 m\)\?"),
+    (0.0005, "the baseline is 0.0005 m"),
+])  # fmt: skip
+def test_an_unusual_baseline_is_asked_for_and_taken_from_slamlibs_own_files(tmp_path, baseline, message):
+    kitti = f"P0: 700 0 600 0 0 700 180 0 0 0 1 0\nP1: 700 0 600 {-700 * baseline} 0 700 180 0 0 0 1 0\n"
+    with pytest.raises(SlamlibError, match=message) as refused:
+        read_pair([written(tmp_path, "calib.txt", kitti)])
+    assert f'"baseline": {baseline:g}' in str(refused.value)
+    own = written(tmp_path, "own.json", f'{{"intrinsics": [600, 180, 700, 700], "baseline": {baseline}}}')
+    with pytest.warns(UserWarning, match=f"own.json: the baseline is {baseline:g} m, which is taken as it is"):
+        assert read_pair([own]).transform[0, 3] == pytest.approx(baseline)
+
+
 @pytest.mark.parametrize(
     ("left", "right"),
     [
+        (lens((-0.05, 0.01), model="equidistant"), lens((0.9,), model="fov")),
+        (lens((-0.1, 0.6), model="double-sphere"), lens((-0.1, 0.02, 0.0, 0.0))),
         (lens((-0.1, 0.02, 0.001, -0.0005)), lens((-0.12, 0.03, 0.0, 0.001), K + 3 * np.eye(3))),
         (lens((-0.01, 0.02, -0.01, 0.003), model="equidistant"), lens((-0.1, 0.02, 0.0, 0.0))),
     ],
@@ -136,9 +220,12 @@ def new_axes():
 
 
 def projected(one, points):
+    """Pixels, by OpenCV where it has the model, and in other tests, by the papers' inverses, otherwise."""
     calls = {"radial-tangential": cv2.projectPoints, "equidistant": cv2.fisheye.projectPoints}
-    found = calls[one.model](points[:, None], np.zeros(3), np.zeros(3), one.matrix, np.array(one.distortion))[0]
-    return found.reshape(-1, 2)
+    if one.model not in calls:
+        return one.pixels(points)
+    k = np.pad(one.distortion, (0, max(0, 4 - len(one.distortion))))
+    return calls[one.model](points[:, None], np.zeros(3), np.zeros(3), one.matrix, k)[0].reshape(-1, 2)
 
 
 def as_map(values):

@@ -1,7 +1,5 @@
-"""slamlib's own calibrations, JSON or TOML: a SensorSetup (of any camera, or "stereo"), a Rig, a rectified pair."""
+"""slamlib's own calibrations, JSON, TOML or YAML: a SensorSetup (any camera, or stereo), a Rig, a rectified pair."""
 
-import json
-import tomllib
 from dataclasses import dataclass
 from functools import partial
 from typing import Annotated, Any
@@ -9,9 +7,11 @@ from typing import Annotated, Any
 import numpy as np
 
 from slamlib.datasets.dataset import CalibrationReader, Cameras
-from slamlib.datasets.lens import FISHEYE, RADIAL, Lens, Numbers, placed
+from slamlib.datasets.lens import Lens, placed
+from slamlib.datasets.lens_models import FISHEYE, RADIAL
 from slamlib.errors import SlamlibError
 from slamlib.geometry.quaternion import rotation
+from slamlib.plain_data.entries import Numbers, named_values
 from slamlib.plain_data.fields import Range, read, read_fields
 from slamlib.rigs.setup import SensorSetup
 
@@ -37,7 +37,7 @@ class RectifiedPair:
     def lens(self, right: bool) -> Lens:
         """One of the two."""
         u, *others = self.intrinsics
-        transform = placed((self.baseline, 0, 0)) if right and self.baseline else None
+        transform = None if right and not self.baseline else placed((right * (self.baseline or 0.0), 0, 0))
         said = {} if self.std is None else {"std": self.std}
         return Lens((u + right * self.offset, *others), self.image, transform=transform, extra=said)
 
@@ -72,23 +72,12 @@ class OwnCamera:
         return Lens(sensor.parameters["intrinsics"], self.data.get("image"), model, distortion, transform)
 
 
-def _data(text: str) -> dict[str, Any] | None:
-    for loads in (json.loads, tomllib.loads):
-        try:
-            data = loads(text)
-        except ValueError:
-            continue
-        return data if isinstance(data, dict) else None
-    return None
-
-
 def _fits(text: str) -> bool:
-    data = _data(text)
-    return text.lstrip().startswith("{") if data is None else bool(KEYS & data.keys())
+    return bool(KEYS & named_values(text).keys())
 
 
 def _read(path: object, text: str) -> Cameras:
-    data = _data(text) or json.loads(text)
+    data = named_values(text)
     setups = data.get("sensors", [data])
     stereo = next((setup for setup in setups if setup.get("type") == "stereo"), None)
     if stereo is not None or not {"parameters", "sensors"} & data.keys():
@@ -112,4 +101,4 @@ def _half(setup: dict[str, Any], right: bool) -> Lens:
     return Lens(tuple(given["intrinsics"].tolist()), sensor.image, transform=transform, extra=said)
 
 
-CALIBRATION = CalibrationReader("slamlib", _fits, _read)
+CALIBRATION = CalibrationReader("slamlib", _fits, _read, in_metres=True)

@@ -1,42 +1,85 @@
-"""Calibrations in plain text: rows such as "fx 500", "width 640", "k1 -0.3"; or "fx fy cx cy [k1 k2 p1 p2 [k3]]"."""
+"""Calibrations in plain text: rows such as "fx 500", "width 640", "k1 -0.3"; or "fx fy cx cy [k1 k2 p1 p2 [k3]]".
+
+The same names are read from JSON, TOML and YAML; and a camera matrix alone, of 3 x 3 numbers, or in one of 4 x 4.
+"""
 
 import re
 from functools import partial
 from pathlib import Path
+from typing import Any
 
-from slamlib.datasets.dataset import CalibrationReader, Cameras
-from slamlib.datasets.lens import Lens
-from slamlib.plain_data.fields import OneOf
+from slamlib.datasets.dataset import METADATA, CalibrationReader, Cameras
+from slamlib.datasets.formats.opencv import DISTORTION, model_of, size_of
+from slamlib.datasets.lens import Lens, focals_and_centre, lens_of
+from slamlib.datasets.lens_models import FISHEYE
+from slamlib.plain_data.entries import Entries, Numbers, named_values
+from slamlib.plain_data.parsing import named, value_of
 
-ORDER = ("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
-NAMES = (*ORDER, "width", "height")
+PINHOLE = ("fx",), ("fy",), ("cx", "ppx"), ("cy", "ppy")
+COEFFICIENTS = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
 
 
 def _fits(text: str) -> bool:
-    """Whether the text has only names with numbers, fx among them, or one row of four, eight or nine numbers."""
-    rows = _rows(text)
-    if len(rows) == 1 and len(rows[0]) in (4, 8, 9):
-        return True
-    return bool(rows) and all(len(row) == 2 for row in rows) and "fx" in [row[0].lower() for row in rows]
+    return bool(_matrix(text) or _rows_of_names(text) or _maps(text))
 
 
 def _read(path: Path, text: str) -> Cameras:
-    return {None: partial(_lens, _rows(text))}
+    matrix, rows, maps = _matrix(text), _rows_of_names(text), _maps(text)
+    if matrix:
+        return {None: lambda: lens_of(*focals_and_centre(matrix))}
+    if rows:
+        return {None: partial(_lens, Entries(named(rows)))}
+    others = {name: value for name, value in named_values(text).items() if not {"", name} & maps.keys()}
+    Entries(others).close(METADATA)
+    cameras: Cameras = {n: partial(_lens, Entries(data, name)) for n, (name, data) in enumerate(maps.items())}
+    return cameras if len(cameras) > 1 else {None: cameras[0]}
 
 
-def _lens(rows: list[list[str]]) -> Lens:
-    named = dict(zip(ORDER, rows[0], strict=False)) if len(rows) == 1 else {name.lower(): n for name, n in rows}
-    for name in named:
-        OneOf(NAMES).check(name, "name")
-    given = {name: float(value) for name, value in named.items()}
-    size = (given["width"], given["height"]) if {"width", "height"} <= given.keys() else None
-    coefficients = tuple(given.get(name, 0.0) for name in ORDER[4:])
-    return Lens((given["cx"], given["cy"], given["fx"], given["fy"]), size, distortion=coefficients)
+def _lens(entries: Entries) -> Lens:
+    fx, fy, cx, cy = (entries.number(*names) for names in PINHOLE)
+    model, given = model_of(entries), entries.numbers(*DISTORTION, needed=False)
+    names = COEFFICIENTS if model != FISHEYE else ("k1", "k2", "k3", "k4")
+    coefficients = given or tuple(entries.number(name, default=0.0) for name in names)
+    size = size_of(entries)
+    entries.close(METADATA)
+    return lens_of(fx, fy, cx, cy, image=size, model=model, distortion=coefficients)
 
 
 def _rows(text: str) -> list[list[str]]:
-    lines = (re.sub(r"[:=,;]", " ", line.partition("#")[0]).split() for line in text.splitlines())
+    lines = (re.sub(r"[:=,;\[\]]", " ", line.partition("#")[0]).split() for line in text.splitlines())
     return [line for line in lines if line]
+
+
+def _rows_of_names(text: str) -> list[tuple[str, Any]]:
+    """Names and values of rows that have both, fx among them, or of one row of four, eight or nine numbers."""
+    rows = _rows(text)
+    if len(rows) == 1 and len(rows[0]) in (4, 8, 9):
+        return list(zip((*(names[0] for names in PINHOLE), *COEFFICIENTS), map(value_of, rows[0]), strict=False))
+    if any(len(row) != 2 for row in rows) or "fx" not in [row[0].lower() for row in rows]:
+        return []
+    return [(name.lower(), value_of(word)) for name, word in rows]
+
+
+def _matrix(text: str) -> Numbers | None:
+    """The numbers of a 3 x 3 matrix, or of a 4 x 4 one that is one inside; None of a text of another kind."""
+    rows = [list(map(value_of, row)) for row in _rows(text)]
+    if not all(isinstance(number, int | float) for row in rows for number in row):
+        return None
+    flat = tuple(float(number) for row in rows for number in row)
+    if [*map(len, rows)] == [4] * 4 and flat[3::4] == flat[12:] == (0, 0, 0, 1):
+        return flat[0:3] + flat[4:7] + flat[8:11]
+    in_one_row = len(flat) == 9 and flat[3] == flat[6] == flat[7] == 0
+    return flat if [*map(len, rows)] == [3] * 3 or (len(rows) == 1 and in_one_row) else None
+
+
+def _maps(text: str) -> dict[str, dict[str, Any]]:
+    """The maps with fx and fy, by their names: that of the whole text (''), or those in it."""
+    data = named_values(text)
+    return {"": data} if _is_lens(data) else {name: value for name, value in data.items() if _is_lens(value)}
+
+
+def _is_lens(value: Any) -> bool:
+    return isinstance(value, dict) and {"fx", "fy"} <= value.keys()
 
 
 CALIBRATION = CalibrationReader("plain text", _fits, _read)

@@ -1,39 +1,44 @@
-"""ROS: what its package camera_calibration saves (camera_matrix, ...), or a printed message camera_info (K, D, ...)."""
+"""ROS: what its package camera_calibration saves (camera_matrix, ...), or a printed message camera_info (K, D, ...).
 
-import re
+Of a pair, a file for each: R turns the camera's rays to the rectified ones, and P has the baseline, -fx times it.
+"""
+
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from slamlib.datasets.dataset import CalibrationReader, Cameras
-from slamlib.datasets.formats.euroc import MODELS, word_of
-from slamlib.datasets.lens import Lens, Numbers
-from slamlib.errors import SlamlibError, entry
+import numpy as np
+
+from slamlib.datasets.dataset import METADATA, CalibrationReader, Cameras
+from slamlib.datasets.formats.opencv import MATRIX, camera_lens
+from slamlib.datasets.lens import Lens, placed, rigid
+from slamlib.plain_data.entries import Entries, Numbers, alike, named_values
+
+UNUSED = (*METADATA, "header", "roi", "binning*", "seq", "stamp")
 
 
 def _fits(text: str) -> bool:
-    message = re.search(r"^distortion_model:", text, re.M) and re.search(r"^[Kk]:", text, re.M)
-    return bool(message or re.search(r"^camera_matrix:\s*$", text, re.M)) and not text.startswith("%YAML")
+    names = set(map(alike, named_values(text)))
+    return "distortionmodel" in names and bool(set(map(alike, MATRIX)) & names)
 
 
 def _read(path: Path, text: str) -> Cameras:
-    return {None: partial(_lens, text)}
+    return {None: partial(_lens, Entries(named_values(text)))}
 
 
-def _lens(text: str) -> Lens:
-    matrix, coefficients = _numbers(text, "camera_matrix|[Kk]"), _numbers(text, "distortion_coefficients|[Dd]")
-    if len(matrix) != 9:
-        raise SlamlibError(f"a camera matrix (camera_matrix, K) has nine numbers, got {len(matrix)}")
-    au, _, u0, _, av, v0, *_ = matrix
-    width, height = (float(word_of(text, f"(?:image_)?{name}", "nan")) for name in ("width", "height"))
-    model = entry("model of distortion", word_of(text, "distortion_model", "plumb_bob").lower(), MODELS)
-    return Lens((u0, v0, au, av), (width, height) if width == width else None, model, coefficients)
+def _lens(entries: Entries) -> Lens:
+    found = replace(camera_lens(entries), transform=_pose(entries))
+    entries.close(UNUSED)
+    return found
 
 
-def _numbers(text: str, name: str) -> Numbers:
-    """The numbers of a field: after "data:" in it, in brackets, or in rows that begin with a dash."""
-    found = re.search(rf"^(?:{name}):(.*?)(?=^[A-Za-z]|\Z)", re.sub("#.*", "", text), re.M | re.S)
-    inside = found[1].rpartition("data:")[2] if found else ""
-    return tuple(map(float, re.sub(r"[\[\],]|^\s*-\s", " ", inside, flags=re.M).split()))
+def _pose(entries: Entries) -> Numbers | None:
+    """In the frame of the rectified left camera; None where R and P are not whole: a single camera needs neither."""
+    turn = entries.numbers("rectification_matrix", "R", needed=False)
+    projection = entries.numbers("projection_matrix", "P", needed=False)
+    if len(turn) != 9 or len(projection) != 12 or not projection[0]:
+        return None
+    return rigid(placed((-projection[3] / projection[0], 0, 0), np.reshape(turn, (3, 3))), "R")
 
 
 CALIBRATION = CalibrationReader("ROS", _fits, _read)
