@@ -56,7 +56,7 @@ camera.json of a pin-hole, in pixels:
     def options(self, what: Add, how: Add) -> None:
         """Add the arguments of one camera's images, and of the filter, with all motions of slamlib."""
         what("--source", metavar="PATH", help="a folder, a quoted glob, a video, or a data set's folder")
-        formats = "slamlib's, ROS's, OpenCV's, Kalibr's, EuRoC's, KITTI's, COLMAP's, plain text; or fr1, fr2, fr3"
+        formats = "a file of slamlib's own or of another tool (see slamlib list calibrations); or fr1, fr2, fr3"
         what("--calibration", metavar="FILE", help=formats)
         what("--camera", type=at_least(0), default=0, metavar="N", help="number of the camera (default 0)")
         what("--undistort", action="store_true", help="remove the lens distortion from the images (OpenCV)")
@@ -136,8 +136,8 @@ pair.json of a rectified pair, in pixels and metres:
         for side in ("left", "right"):
             what(f"--{side}", metavar="GLOB", help=f"the {side} images: a folder, a quoted glob, or a video")
         what("--calibration", metavar="FILE", nargs="+",
-            help="of both cameras: KITTI's, slamlib's, Kalibr's, OpenCV's or plain JSON, or two files (EuRoC's); a "
-                 "data set's folder may contain it")  # fmt: skip
+            help="a file of both cameras, or one of each, of slamlib's own or of another tool (see slamlib list "
+                 "calibrations); a data set's folder may contain it")  # fmt: skip
         what("--cameras", nargs=2, type=at_least(0), metavar=("L", "R"), help="their numbers (default 0 1, or 2 3)")
         what("--rectify", action="store_true",
             help="the images are not rectified: rectify them (OpenCV; always done for EuRoC)")  # fmt: skip

@@ -22,11 +22,12 @@ NO_BASELINE = (
     '{"intrinsics": [u0, v0, au, av], "baseline": metres}, or give a file of both cameras'
 )
 BASELINES = 0.001, 5.0  # m, of pairs of cameras: others are mostly of another unit
-UNIT = (
-    "are its lengths in millimetres ({1:g} m), or in centimetres ({2:g} m)? slamlib's are in metres: divide what the "
-    "file says of the translation; if {0:g} m is right, write slamlib's own JSON of the rectified pair, "
-    '{{"intrinsics": [u0, v0, au, av], "baseline": {0:g}}}'
+UNIT = "are its lengths in millimetres ({:g} m), or in centimetres ({:g} m)? "
+IN_METRES = (
+    "slamlib's lengths are in metres: bring the file's to metres; if {0:g} m is right, write slamlib's own JSON of the "
+    'rectified pair, {{"intrinsics": [u0, v0, au, av], "baseline": {0:g}}}'
 )
+NAMED = 8  # how many names of a file of another kind are shown
 
 Found = TypeVar("Found")  # what is asked of a camera
 
@@ -63,7 +64,8 @@ def read_pair(paths: list[str] | list[Path], cameras: tuple[int, int] = (0, 1)) 
         if all(_recognized(path)[0].in_metres for path in paths):
             warnings.warn(f"{unusual}, which is taken as it is", stacklevel=2)
         else:
-            raise SlamlibError(f"{unusual}: {UNIT.format(baseline, baseline / 1000, baseline / 100)}")
+            question = UNIT.format(baseline / 1000, baseline / 100) if baseline > BASELINES[1] else ""
+            raise SlamlibError(f"{unusual}: {question}{IN_METRES.format(baseline)}")
     return pair
 
 
@@ -90,7 +92,8 @@ def _reason(text: str) -> str:
         data = parsed(text)
     except SlamlibError as error:
         return f" ({error})"
-    return f" (it has {', '.join(data)})" if isinstance(data, dict) and data else ""
+    names = list(data) if isinstance(data, dict) else []
+    return f" (it has {', '.join(names[:NAMED])}{', ...' * (len(names) > NAMED)})" if names else ""
 
 
 def _read(path: str | Path, camera: int, what: Callable[[Camera], Found]) -> Found:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Iterator
 from difflib import get_close_matches
 from fnmatch import fnmatchcase
-from math import isfinite
+from sys import float_info
 from typing import Any
 
 from slamlib.errors import SlamlibError
@@ -117,7 +117,7 @@ def _flat(value: Any, name: str) -> Iterator[float]:
     if isinstance(value, list | tuple):
         for inner in value:
             yield from _flat(inner, name)
-    elif isinstance(value, int | float) and value is not True and value is not False and isfinite(value):
+    elif isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= float_info.max:
         yield float(value)
     else:
         raise SlamlibError(f"{name} should be of finite numbers, got {_shown(value)}")

@@ -34,7 +34,7 @@ def parsed(text: str) -> Any:
 def value_of(word: str) -> Any:
     """The number, True, False or None that a word stands for, or else the word."""
     if _NUMBER.fullmatch(word):
-        return int(word) if word.lstrip("+-").isdecimal() else float(word)
+        return int(word) if word.lstrip("+-").isdecimal() and len(word) < 19 else float(word)  # or infinity
     return _WORDS.get(word.lower(), word)
 
 

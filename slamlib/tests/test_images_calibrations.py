@@ -410,6 +410,7 @@ def test_the_cameras_of_tum(tmp_path, monkeypatch):
         (EUROC.replace("radial-tangential", "none"), "distortion_model is none, or missing, and the coefficients are"),
         (EUROC.replace("coefficients", "cofficients"), "did you mean 'distortion_coefficients'"),
         (EUROC.replace("-1.0", "-2.0"), "T_BS is no rigid motion"),
+        (EUROC.replace("-1.0", "1.0"), "T_BS is no rigid motion"),
         (EUROC + "rate_hz: 30\n", "rate_hz is there twice"),
         ("1 FOV 640 480 500 500 320 240 0.9\n", "this lens .fov, coefficients 0.9.*--undistort"),
         ("1 RAD_TAN_THIN_PRISM_FISHEYE 640 480 500\n", "unknown camera model of COLMAP 'RAD_TAN_THIN"),

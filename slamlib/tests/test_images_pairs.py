@@ -131,6 +131,9 @@ def test_places_by_the_inertial_sensor(tmp_path, name, turned):
     path = written(tmp_path, "chain.yaml", "%YAML:1.0\n" + yaml.dump({**text, "imu0": {"update_rate": 200}}))
     np.testing.assert_allclose(read_pair([path]).transform, place(), atol=1e-12)
     np.testing.assert_allclose(read_pair([path], (1, 0)).transform, np.linalg.inv(place()), atol=1e-12)
+    del text["cam1"][name]
+    with pytest.raises(SlamlibError, match="the baseline is missing"):
+        read_pair([written(tmp_path, "half.yaml", yaml.dump(text))])
 
 
 SIDES = ("M1 D1 M2 D2", "K0 D0 K1 D1", "mtxL distL mtxR distR", "left_K left_D right_K right_D",
@@ -230,6 +233,15 @@ def projected(one, points):
 
 def as_map(values):
     return values[None].astype(np.float32)
+
+
+def test_a_pair_with_one_lens_that_distorts_is_not_rectified():
+    """Nor is one with a fisheye, though its coefficients are zero."""
+    for bent in (lens((-0.1,)), lens((0.0,), model="equidistant"), lens((0.9,), model="fov")):
+        aside = tuple(place(np.eye(3), [0.1, 0, 0]).ravel())
+        for one, other in ((bent, lens()), (lens((0.0,) * 5), bent)):
+            assert why_not_rectified(PairCalibration(one, replace(other, transform=aside))) == "the lenses distort"
+    assert why_not_rectified(PairCalibration(lens((0.0,) * 5), replace(lens(), transform=aside))) is None
 
 
 def test_two_principal_points_are_an_offset_of_the_disparities():

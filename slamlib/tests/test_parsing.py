@@ -111,7 +111,7 @@ def test_maps_inside_are_entered():
 def test_what_is_missing_is_said_with_the_nearest_that_is_there():
     with pytest.raises(SlamlibError, match="intrinsics is missing: is 'intrinsic' meant for it"):
         Entries({"intrinsic": [1]}).numbers("intrinsics")
-    for value in ("x", None, [1, float("nan")], True, {"rows": 1}):
+    for value in ("x", None, [1, float("nan")], True, {"rows": 1}, 10**400, parsed(f"k: {'9' * 5000}")["k"]):
         with pytest.raises(SlamlibError, match=r"^k "):
             Entries({"k": value}).number("k")
     with pytest.raises(SlamlibError, match="k has 2 numbers, got 3"):

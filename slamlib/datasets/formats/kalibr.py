@@ -73,11 +73,10 @@ def _lens(chain: dict[int, Entries], number: int) -> Lens:
 def _poses(chain: dict[int, Entries]) -> dict[int, Numbers | None]:
     """Of every camera in the frame of the first one, or of the inertial sensor; None of those without such a place."""
     steps, to, back = ({n: e.numbers(name, count=16, needed=False) for n, e in chain.items()} for name in _PLACED)
-    if not any(steps.values()):
-        return {
-            n: rigid(back[n] or to[n], f"cam{n}'s place", inverse=not back[n]) if back[n] or to[n] else None
-            for n in chain
-        }
+    if any(not steps[n] for n in sorted(chain)[1:]):  # the chain is broken, or there is none
+        given = {n: rigid(back[n] or to[n], f"cam{n}'s place", inverse=not back[n]) for n in chain if back[n] or to[n]}
+        if given:
+            return {n: given.get(n) for n in chain}
     found: dict[int, Numbers | None] = {min(chain): placed((0, 0, 0))}
     for n in sorted(chain)[1:]:
         before, step = found.get(n - 1), steps[n]
