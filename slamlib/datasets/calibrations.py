@@ -54,7 +54,7 @@ def read_pair(paths: list[str] | list[Path], cameras: tuple[int, int] = (0, 1)) 
         raise SlamlibError(f"a calibration is one file, or one for each of two cameras, not {len(paths)}")
     pair = PairCalibration(*map(read_lens, paths * (3 - len(paths)), cameras))
     where = " and ".join(map(str, paths))
-    if pair.right.transform is None:
+    if None in (pair.left.transform, pair.right.transform):
         raise SlamlibError(f"{where}: {NO_BASELINE}")
     baseline = float(np.linalg.norm(pair.transform[:3, 3]))
     if not baseline > 0:

@@ -131,9 +131,9 @@ def test_places_by_the_inertial_sensor(tmp_path, name, turned):
     path = written(tmp_path, "chain.yaml", "%YAML:1.0\n" + yaml.dump({**text, "imu0": {"update_rate": 200}}))
     np.testing.assert_allclose(read_pair([path]).transform, place(), atol=1e-12)
     np.testing.assert_allclose(read_pair([path], (1, 0)).transform, np.linalg.inv(place()), atol=1e-12)
-    del text["cam1"][name]
-    with pytest.raises(SlamlibError, match="the baseline is missing"):
-        read_pair([written(tmp_path, "half.yaml", yaml.dump(text))])
+    for half in ({**text, "cam1": camera()}, {**text, "cam0": camera()}):  # the other one's place is not in its frame
+        with pytest.raises(SlamlibError, match="the baseline is missing"):
+            read_pair([written(tmp_path, "half.yaml", yaml.dump(half))])
 
 
 SIDES = ("M1 D1 M2 D2", "K0 D0 K1 D1", "mtxL distL mtxR distR", "left_K left_D right_K right_D",

@@ -73,12 +73,13 @@ def _lens(chain: dict[int, Entries], number: int) -> Lens:
 def _poses(chain: dict[int, Entries]) -> dict[int, Numbers | None]:
     """Of every camera in the frame of the first one, or of the inertial sensor; None of those without such a place."""
     steps, to, back = ({n: e.numbers(name, count=16, needed=False) for n, e in chain.items()} for name in _PLACED)
-    if any(not steps[n] for n in sorted(chain)[1:]):  # the chain is broken, or there is none
+    first, *others = sorted(chain)
+    if not all(steps[n] for n in others) or not others:  # the chain is broken, or there is none
         given = {n: rigid(back[n] or to[n], f"cam{n}'s place", inverse=not back[n]) for n in chain if back[n] or to[n]}
-        if given:
+        if given or not others:
             return {n: given.get(n) for n in chain}
-    found: dict[int, Numbers | None] = {min(chain): placed((0, 0, 0))}
-    for n in sorted(chain)[1:]:
+    found: dict[int, Numbers | None] = {first: placed((0, 0, 0))}
+    for n in others:
         before, step = found.get(n - 1), steps[n]
         if before and step:
             step = rigid(step, f"T_cn_cnm1 of cam{n}", inverse=True)

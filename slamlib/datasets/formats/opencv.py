@@ -95,9 +95,9 @@ def _has_matrix(data: Any, sides: Iterable[str] = ("",)) -> bool:
 
 
 def _may_be(name: str, value: Any) -> bool:
-    """Whether a value is meant for a matrix: k1 may be a number, and intrinsics the four of another format."""
+    """Whether a value is meant for a matrix: k1 may be a number, and intrinsics some numbers of another format."""
     if isinstance(value, list):
-        return len(value) in (3, 9) or "intrinsic" not in alike(name)
+        return len(value) == 9 or "intrinsic" not in alike(name) or any(isinstance(row, list) for row in value)
     return "data" in value if isinstance(value, dict) else "matrix" in alike(name)
 
 

@@ -96,7 +96,7 @@ def _half(setup: dict[str, Any], right: bool) -> Lens:
     """The left or the right lens of a stereo sensor."""
     sensor = SensorSetup(**read_fields(SensorSetup, setup, "stereo"))
     given = sensor.calibration.given  # checked
-    transform = placed((given["baseline"][0], 0, 0)) if right else None
+    transform = placed((right * given["baseline"][0], 0, 0))
     said = {"std": sensor.std, "noise": sensor.noise, "limits": sensor.limits}
     return Lens(tuple(given["intrinsics"].tolist()), sensor.image, transform=transform, extra=said)
 
