@@ -1,6 +1,7 @@
-"""Trajectories: times and poses, the files that other tools read, and association by time.
+"""Trajectories: times and poses, their files, and association by time.
 
-Alignment with a reference, and the remaining errors, are in slamlib.evaluation.alignment.
+What other tools write is in slamlib.evaluation.trajectory_files; alignment with a reference, and the remaining errors,
+are in slamlib.evaluation.alignment.
 """
 
 from collections.abc import Sequence
@@ -10,8 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from slamlib.errors import ShapeError, SlamlibError
+from slamlib.evaluation.trajectory_files import PoseTable, read_poses, text_rows
 from slamlib.geometry.pose import Pose, compose
-from slamlib.geometry.quaternion import best_pivot, from_rotation
 from slamlib.manifolds import Array, Indices, Mask, finite, read_only_copy
 from slamlib.plain_data.files import write_whole
 
@@ -23,12 +24,14 @@ class Trajectory:
     """times (n,) [s], increasing, and the poses (n, 7) of one frame, such as a camera's, in the world; n at least 1.
 
     Quaternions are normalized. covariances (n, 6, 6), or None where they are not known: of the position [m] along the
-    world's axes and the rotation vector [rad] in the moving frame. Raises SlamlibError for anything else.
+    world's axes and the rotation vector [rad] in the moving frame. notes: what was mended when its file was read, in
+    sentences. Raises SlamlibError for anything else.
     """
 
     times: Array
     poses: Array
     covariances: Array | None = None
+    notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         times = finite(self.times, (None,), "Trajectory", "times")
@@ -39,8 +42,11 @@ class Trajectory:
             place = int(np.argmin(np.diff(times) > 0))
             raise SlamlibError(f"Trajectory: times must grow, got {times[place]} and then {times[place + 1]}")
         length = np.linalg.norm(poses[:, 3:], axis=1, keepdims=True)
-        if (np.abs(length - 1) > 0.01).any():
-            raise SlamlibError("Trajectory: poses are (x, y, z, w, x, y, z), their last four numbers of length one")
+        if len(bad := np.flatnonzero(np.abs(length - 1) > 0.01)):
+            raise SlamlibError(
+                "Trajectory: poses are (x, y, z, qw, qx, qy, qz), the last four numbers of length one, and those at "
+                f"index {bad[0]} of length {length[bad[0], 0]:.4g}"
+            )
         object.__setattr__(self, "times", read_only_copy(times))
         object.__setattr__(self, "poses", read_only_copy(np.concatenate([poses[:, :3], poses[:, 3:] / length], axis=1)))
         if self.covariances is not None:
@@ -89,7 +95,7 @@ class Trajectory:
 def write_tum(path: str | Path, trajectory: Trajectory) -> None:
     """Write rows of "time x y z qx qy qz qw", TUM RGB-D's format, which evo reads; atomically.
 
-    Covariances go into a second file beside it, which ends in .cov: rows of the time and the upper triangle.
+    Covariances go into a second file beside it, named as it is and .cov: rows of the time and the upper triangle.
     """
     poses = trajectory.poses[:, [0, 1, 2, 4, 5, 6, 3]]
     if trajectory.covariances is not None:
@@ -103,8 +109,8 @@ _UPPER = np.triu_indices(6)
 
 
 def beside(path: str | Path) -> Path:
-    """The file of the covariances of a trajectory's file."""
-    return Path(path).with_suffix(".cov")
+    """The file of the covariances of a trajectory's file: its whole name and .cov, for path_0.5 path_0.5.cov."""
+    return Path(f"{path}.cov").expanduser()
 
 
 def _write_rows(path: str | Path, head: str, times: Array, values: Array) -> None:
@@ -112,55 +118,37 @@ def _write_rows(path: str | Path, head: str, times: Array, values: Array) -> Non
     write_whole(path, f"# {head}\n" + "\n".join(rows) + "\n")
 
 
-def read_trajectory(path: str | Path, times: Array | None = None) -> Trajectory:
-    """Read a trajectory: TUM rows of 8 numbers, KITTI rows of 12 (3 x 4, no times), EuRoC rows with commas (ns).
+def read_trajectory(
+    path: str | Path, times: Array | None = None, *, form: str | None = None, covariances: bool = True
+) -> Trajectory:
+    """Read a trajectory: a header's columns, or those of TUM, EuRoC, KITTI or TartanAir (`trajectory_files`).
 
-    times (n,) [s]: of the rows of KITTI's format, which has none; the others have their own. Covariances are those of
-    the file that `write_tum` writes beside one, if it is there. Raises SlamlibError.
+    times (n,) [s]: of rows that have none (KITTI, TartanAir); the others keep their own. form: the format, where the
+    file does not tell it. covariances: also those of the file that `write_tum` writes beside one, if it is there;
+    False: of a reference. Raises SlamlibError.
     """
-    rows, with_commas = read_rows(path)
-    width = rows.shape[1]
-    if with_commas and width >= 8:
-        times, poses = 1e-9 * rows[:, 0], rows[:, 1:8]
-    elif width == 8:
-        times, poses = rows[:, 0], rows[:, [1, 2, 3, 7, 4, 5, 6]]
-    elif width == 12:
-        turns = rows.reshape(-1, 3, 4)[..., :3]
-        poses = np.concatenate([rows[:, 3::4], from_rotation(turns, best_pivot(turns))], axis=1)
-    else:
-        raise SlamlibError(f"{path} is no trajectory: rows of 8 (TUM) or 12 numbers (KITTI), or EuRoC's, are wanted")
-    if times is None or len(times) != len(poses):
-        why = "give them (times=..., --times FILE)" if times is None else f"{len(times)} are given: as many are wanted"
-        raise SlamlibError(f"{path} has {len(poses)} poses, but no times (KITTI's form): {why}")
-    covariances = None
-    if beside(path).is_file() and beside(path) != Path(path):
-        known, _ = read_rows(beside(path))
-        if known.shape != (len(times), 22) or (np.abs(known[:, 0] - times) > 1e-6).any():
-            raise SlamlibError(f"{beside(path)} does not have the covariances of the poses in {path}: move it away")
-        covariances = np.empty((len(times), 6, 6))
-        covariances[:, *_UPPER] = covariances[:, *_UPPER[::-1]] = known[:, 1:]
+    return of_table(read_poses(path, form), times, covariances)
+
+
+def of_table(table: PoseTable, times: Array | None, covariances: bool) -> Trajectory:
+    """The trajectory of a file's rows; see `read_trajectory`."""
+    when, poses, notes = table.timed(times)
+    known = _covariances(table.path, when) if covariances and beside(table.path).is_file() else None
     try:
-        return Trajectory(times, poses, covariances)
+        return Trajectory(when, poses, known, notes)
     except SlamlibError as error:
-        raise SlamlibError(f"{path}: {error}") from None
+        raise SlamlibError(f"{table.path}: {error}") from None
 
 
-def read_rows(path: str | Path) -> tuple[Array, bool]:
-    """The rows of numbers (n, k) in a file, without comments, and whether commas separate them. Raises SlamlibError."""
-    try:
-        text = Path(path).read_text("utf-8")
-    except (OSError, ValueError) as error:
-        raise SlamlibError(f"{path} cannot be read: {error}") from None
-    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
-    if not lines:
-        raise SlamlibError(f"{path} is no trajectory: there is no row in it")
-    try:
-        rows = np.array([[float(w) for w in line.replace(",", " ").split()] for line in lines])
-    except ValueError as error:
-        raise SlamlibError(f"{path} is no trajectory: its rows are not numbers, as many in each: {error}") from None
-    if len(bad := np.argwhere(~np.isfinite(rows))):
-        raise SlamlibError(f"{path} is no trajectory: nan or infinity in its row {bad[0, 0]}")
-    return rows, "," in lines[0]
+def _covariances(path: str | Path, times: Array) -> Array:
+    """The covariances (n, 6, 6) beside a file whose poses have these times."""
+    rows = text_rows(beside(path))
+    known = rows.numbers(range(len(rows.words[0])))
+    if known.shape != (len(times), 22) or not (np.abs(known[:, 0] - times) <= 1e-6).all():
+        raise SlamlibError(f"{beside(path)} does not have the covariances of the poses in {path}: move it away")
+    found = np.empty((len(times), 6, 6))
+    found[:, *_UPPER] = found[:, *_UPPER[::-1]] = known[:, 1:]
+    return found
 
 
 def associate(one: Trajectory, other: Trajectory, tolerance: float = 0.02) -> tuple[Indices, Indices]:
