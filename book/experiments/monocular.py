@@ -16,7 +16,7 @@ from slambook.smoothing import Smoother
 
 from book.experiments import stored
 from book.tools import layout
-from slamlib.evaluation.alignment import align, align_trajectory
+from slamlib.evaluation.alignment import AlignedTrajectory, align, align_trajectory
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
 from slamlib.manifolds import Array, Mask
@@ -90,10 +90,14 @@ def run(
     spent = time.perf_counter() - began
     times = DT * np.arange(len(frames), dtype=float)
     reference = Trajectory(times, truth)
-    found = align_trajectory(Trajectory(times, np.array(poses)), reference)
-    best = np.nan
+
+    def aligned(path: Array) -> AlignedTrajectory:
+        """As in the chapter, whose path is nearly straight."""
+        return align_trajectory(Trajectory(times, path), reference, rotation_from="orientations")
+
+    found, best = aligned(np.array(poses)), np.nan
     if smoother is not None:
-        best = align_trajectory(Trajectory(times, smoother.solve().poses[:, 0]), reference).relative_ate
+        best = aligned(smoother.solve().poses[:, 0]).relative_ate
     searched, matched, nis, dof = np.array(rows, dtype=float).T
     seconds = {"all": spent, **front_end.seconds}
     return Outcome(found.relative_ate, found.similarity.scale, best, searched, matched, nis, dof, seconds)

@@ -180,7 +180,7 @@ def judged(path: Trajectory, sequence: Sequence) -> dict[str, float]:
     both as shares of the true length; ATE [m]; RPE, from each pair to the next [m, degrees]."""
     i, j = associate(path, sequence.truth, 0.5 * sequence.source.interval)
     mine, true = path[i], sequence.truth[j]
-    errors, _ = compared(path, sequence.truth, sequence.source.interval, True)
+    errors, _ = compared(path, sequence.truth, True)
     step, found = errors["rpe"], errors["parts"] or {}
     reached = [relative(poses[0], poses[-1])[:3] for poses in (mine.poses, true.poses)]
     return {

@@ -127,7 +127,7 @@ def pictures(open_it: Callable[..., Opened], stds: Errors | None = None, *noise:
                 stopped = str(error).split(";")[0]
             spent = time.process_time() - began
             s, path = summary(run.result()), run.trajectory()
-        errors = compared(path, reference, run.source.interval, run.metric)[0]
+        errors = compared(path, reference, run.metric)[0]
         smooth = smoother.solve()
         row = {
             "frames": s["frames"], "of": len(run.source), "stopped": stopped, "metric": run.metric,
@@ -146,10 +146,10 @@ def pictures(open_it: Callable[..., Opened], stds: Errors | None = None, *noise:
                     deque(progress(other, len(other), f"{name}, {label}"), maxlen=0)
                 paths["considered"] = paths.get("considered", path).considering(other.trajectory())
             for key, one in paths.items():
-                row["nees"][key] = compared(one, reference, run.source.interval, run.metric, noise)[0]["nees"]["median"]
+                row["nees"][key] = compared(one, reference, run.metric, noise)[0]["nees"]["median"]
         if len(smooth.poses) == len(path):
             known = Trajectory(path.times, smooth.poses[:, 0]).sensor_trajectory(run.slam.sensors[0].extrinsics)
-            best = compared(known.sensor_trajectory(run.source.original), reference, run.source.interval, run.metric)[0]
+            best = compared(known.sensor_trajectory(run.source.original), reference, run.metric)[0]
             row["smoothing"] = {"ate": best["ate"], "converged": smooth.minimum.converged}
         i, j = associate(path, reference, max(0.02, 0.5 * run.source.interval))
         laid = align_trajectory(path[i], reference[j], scale=not run.metric)

@@ -78,7 +78,7 @@ def judged(sequence: Sequence, motion: str, **settings: Any) -> dict[str, float]
         stopped = len(run.history)
     spent = 1e3 * (time.process_time() - began) / len(run.history)
     path, later = run.trajectory(), replace(truth, times=truth.times - LATE)
-    ate, shifted = (compared(path, there, source.interval, True)[0]["ate"] for there in (truth, later))
+    ate, shifted = (compared(path, there, True)[0]["ate"] for there in (truth, later))
     matched = float(np.mean(run.result().inliers))
     return {"ate": ate, "shifted": shifted, "inliers": matched, "stopped": stopped, "milliseconds": spent}
 

@@ -2,8 +2,8 @@
 
 The street is an excerpt of 51 rectified pairs, almost straight, 59.9 m, where it is at hand (it is not shipped: its
 licence is for non-commercial use). Errors are means over all parts of 5, 10, ..., 40 m: of the translation, in per cent
-of the part's length, and of the rotation, in degrees a metre. ATE: root mean square of the distances after the best
-rigid motion [m].
+of the part's length, and of the rotation, in degrees a metre. ATE: root mean square of the distances [m] after a rigid
+motion, whose rotation is that of the orientations: then it is theirs that ATE shows, too.
 
 1. The calibration. A disparity that is wrong by a constant makes all steps too long or too short. Without the truth,
    the pictures show it by how well matches agree with their motion: z' S^-1 z by its degrees of freedom, and how many
@@ -79,7 +79,7 @@ def street() -> tuple[ImageSource, dict[str, Any], Trajectory]:
 
 def errors(path: Trajectory, truth: Trajectory) -> dict[str, float]:
     """Of a path: shares, degrees a metre, metres, degrees."""
-    found, whole = parts(path, truth), align_trajectory(path, truth, scale=False)
+    found, whole = parts(path, truth), align_trajectory(path, truth, scale=False, rotation_from="orientations")
     assert found is not None
     return {
         "translation": found["translation_mean"],
@@ -153,7 +153,7 @@ def figures(offset: float = CHOSEN, names: list[str] | None = None) -> dict[str,
     later = source.part(INTERPOLATED)
     both = [dict(runs(later, camera, o, names or list(WAYS))) for o in (0.0, offset)]
     paths = [{name: finished(name, run).trajectory() for name, run in part.items()} for part in both]
-    found["nees"] = {name: nees(path, paths[1][name], truth, source.interval) for name, path in paths[0].items()}
+    found["nees"] = {name: nees(path, paths[1][name], truth) for name, path in paths[0].items()}
     return found
 
 
@@ -179,14 +179,14 @@ def turning(truth: Trajectory) -> list[float]:
     return [float(np.sqrt((part**2).mean())) for part in (changes[: INTERPOLATED - 2], changes[INTERPOLATED:])]
 
 
-def nees(path: Trajectory, shifted: Trajectory, truth: Trajectory, interval: float) -> list[float]:
+def nees(path: Trajectory, shifted: Trajectory, truth: Trajectory) -> list[float]:
     """Medians of NEES, 6 dof: by the path's covariances; with those of the reference; with its camera turned as in 3;
     and with the disparities' offset considered. shifted: the path with all disparities larger by its deviation."""
     considered = path.considering(shifted)
     turned = truth.sensor_trajectory(constant_turn(path, truth[INTERPOLATED:]))
     known = ((path, truth), (path, turned), (considered, turned))
     judged = [(path, truth, (0.0, 0.0)), *((p, there, REFERENCE) for p, there in known)]
-    return [compared(p, there, interval, True, noise)[0]["nees"]["median"] for p, there, noise in judged]
+    return [compared(p, there, True, noise)[0]["nees"]["median"] for p, there, noise in judged]
 
 
 def constant_turn(estimate: Trajectory, truth: Trajectory) -> Array:

@@ -186,7 +186,7 @@ def judged(path: Trajectory, d: Drive) -> dict[str, float]:
     [m, degrees]; NEES of 6, placed by the first second, and its share in its band; errors and sigmas at the end [m,
     degrees].
     """
-    found, _ = compared(path, d.truth, 0.1, True)
+    found, _ = compared(path, d.truth, True)
     part, step, nees = found["parts"], found["rpe"], found["nees"]
     return {
         "ate": found["ate"],

@@ -9,7 +9,7 @@ import numpy as np
 from slambook.recordings import Sightings
 from slambook.smoothing import Smoother
 from slamlib.evaluation.alignment import align
-from slamlib.evaluation.comparison import compared
+from slamlib.evaluation.comparison import ComparisonOptions, compared
 from slamlib.evaluation.consistency import band, nees, rmse, share_inside
 from slamlib.evaluation.trajectory import Trajectory, associate
 from slamlib.experiments.progress import progress
@@ -105,7 +105,7 @@ def judged(recording: Sightings, found: Estimate, robot: int = 0, frames: Any = 
     """Errors of a robot's poses, of these frames alone; NEES of where it can be at all, after the first second."""
     truth, poses, free = recording.truths[robot], found.poses[robot], recording.rig.robots[robot].model.free
     rows = np.arange(len(poses))[frames]
-    errors = compared(Trajectory(found.times, poses)[rows], truth, 0.0, True)[0]
+    errors = compared(Trajectory(found.times, poses)[rows], truth, True, how=ComparisonOptions(tolerance=0.02))[0]
     known = Trajectory(found.times[found.known], poses[found.known], found.covariances[robot])
     known = known[np.isin(found.known, rows)]
     i, j = associate(known, truth, 0.02)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.evaluation.trajectory_files import FORMATS
 from slamlib.experiments.presets import Preset, preset
 from slamlib.landmarks import LINES, POINTS
 from slamlib.plain_data.fields import read_fields
@@ -60,6 +61,11 @@ def outputs(add: Callable[..., object]) -> None:
     add("--save", metavar="PATH", help="save the run to a file, also if it is interrupted")
     add("--resume", metavar="PATH", help="continue a saved run instead of starting a new one")
     result(add)
+
+
+def reference_format(add: Callable[..., object]) -> None:
+    """Add the option that says in what format a reference is."""
+    add("--reference-format", choices=FORMATS, help="format of the reference, where its file does not tell it")
 
 
 def reference_std(add: Callable[..., object]) -> None:

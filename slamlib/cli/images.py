@@ -56,8 +56,10 @@ class ImageCommand:
         self.options(group("input options").add_argument, group("filter options").add_argument)
         add = group("output options").add_argument
         add("--trajectory", metavar="FILE", help="write the camera's trajectory in TUM format, for evo; beside it its "
-            "covariances, which `slamlib evaluate` reads too, in a file that ends in .cov")  # fmt: skip
-        add("--reference", metavar="FILE", help="compare with a trajectory of this camera (TUM, EuRoC or KITTI format)")
+            "covariances, which `slamlib evaluate` reads too, in a file named as it is and .cov")  # fmt: skip
+        add("--reference", metavar="FILE", help="compare with a trajectory of this camera (columns of a header, or of "
+            "TUM, EuRoC, KITTI or TartanAir)")  # fmt: skip
+        shared.reference_format(add)
         shared.reference_std(add)
         add("--calibration-std", action="append", default=[], metavar="NAME=STD",
             help="std of a parameter of the calibration, one number or one for each of its own, such as "
@@ -76,7 +78,9 @@ class ImageCommand:
             raise SlamlibError("--video, --live and --map need the filter's map: with --odometry-only there is none")
         errors = single_errors(shared.numbers_by_name(given.calibration_std, "--calibration-std"), run)
         source, warned = run.source, False
-        reference = read_trajectory(given.reference, np.array(source.times)) if given.reference else None
+        times = np.array(source.times)
+        form = given.reference_format
+        reference = read_trajectory(given.reference, times, form=form, covariances=False) if given.reference else None
 
         def warn(step: ImageStep) -> None:
             nonlocal warned
@@ -113,10 +117,10 @@ class ImageCommand:
         runner.export_map(given, run.snapshot)
         try:
             if reference is not None:
-                s["reference"], series = compared(path, reference, run.source.interval, run.metric, given.reference_std)
+                s["reference"], series = compared(path, reference, run.metric, given.reference_std)
                 runner.export_plot(given, lambda: {"camera": series})
                 if s["calibration"] and s["reference"]["nees"]:
-                    without, _ = compared(claimed, reference, run.source.interval, run.metric, given.reference_std)
+                    without, _ = compared(claimed, reference, run.metric, given.reference_std)
                     s["calibration"]["without"]["nees"] = without["nees"]["median"]
         except SlamlibError as error:  # the run is valid without the reference
             ended.status = EXIT_ERROR

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import tee
+from math import isfinite
 from pathlib import Path
 from types import FrameType
 from typing import Generic, Protocol, TypeVar
@@ -26,7 +27,18 @@ EXIT_ERROR = 2
 STOPPED: dict[int, str] = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}
 FILES = ("save", "trajectory", "map", "plot", "json")  # options whose value is a file that is written
 # What a resumed run of any command may be told: how far it goes, what it is compared with, and what is made of it.
-CONTINUED = "resume", "overwrite", "video", "live", "frames", "patience", "reference", "reference_std", *FILES
+CONTINUED = (
+    "resume",
+    "overwrite",
+    "video",
+    "live",
+    "frames",
+    "patience",
+    "reference",
+    "reference_format",
+    "reference_std",
+    *FILES,
+)
 Shown = tuple[Snapshot, Truth | None]
 S = TypeVar("S")  # a step of a run
 StepOut = TypeVar("StepOut", covariant=True)
@@ -88,6 +100,7 @@ def check_files(given: argparse.Namespace) -> None:
     """Raise SlamlibError, before the run, for a file that could not be written after it; make the folders."""
     files = [(name, path) for name in FILES if (path := getattr(given, name, None)) not in (None, "-")]
     files += [(name, str(beside(path))) for name, path in files if name == "trajectory"]  # its covariances
+    _check_apart(given, files)
     for name, path in files:
         if name == "map":
             drawing().check_map(path)
@@ -99,6 +112,32 @@ def check_files(given: argparse.Namespace) -> None:
     if getattr(given, "video", None):
         drawing().check_video(given.video, overwrite=given.overwrite)
         check_writable(Path(given.video).with_name(".video"))
+
+
+def _check_apart(given: argparse.Namespace, files: list[tuple[str, str]]) -> None:
+    """Raise SlamlibError where two outputs would be one file, or one within the other's folder, or one is an input."""
+    videos = [("video", given.video)] if getattr(given, "video", None) else []
+    written = [(name, path, Path(path).resolve()) for name, path in files + videos]
+    for row, (name, path, place) in enumerate(written):
+        for other, _, taken in written[:row]:
+            if place == taken or place in taken.parents or taken in place.parents:
+                what = f"--{other}" if name != other else f"--{other} itself, for these would be its covariances"
+                raise SlamlibError(
+                    f"--{name}: {path} is also where something else goes, by {what}: choose another name"
+                )
+    inputs = {name: value for name, value in vars(given).items() if name not in (*FILES, "video") and _is_file(value)}
+    for name, path, place in written:
+        for option, value in inputs.items():
+            if place == Path(value).expanduser().resolve() and (name, option) != ("save", "resume"):
+                raise SlamlibError(f"--{name}: {path} is read by the command ({option}): choose another name")
+
+
+def _is_file(value: object) -> bool:
+    """Whether the value of an option is the name of a file."""
+    try:
+        return isinstance(value, str) and Path(value).expanduser().is_file()
+    except (OSError, RuntimeError):  # too long for a name, for instance
+        return False
 
 
 def export_map(given: argparse.Namespace, snapshot: Callable[[], Snapshot]) -> None:
@@ -115,10 +154,19 @@ def export_plot(given: argparse.Namespace, series: Callable[[], ErrorSeries]) ->
 
 def print_result(given: argparse.Namespace, result: object, text: str) -> None:
     """Print the result, as text or as JSON; --json FILE writes it, too."""
-    data = json.dumps(result, indent=2)
+    data = json.dumps(_in_json(result), indent=2, allow_nan=False)
     print(data if given.json == "-" else text)
     if given.json not in (None, "-"):
         write_whole(given.json, data + "\n")
+
+
+def _in_json(value: object) -> object:
+    """Plain data with null for what JSON has no number for: nan and infinity."""
+    if isinstance(value, dict):
+        return {name: _in_json(part) for name, part in value.items()}
+    if isinstance(value, list | tuple):
+        return [_in_json(part) for part in value]
+    return None if isinstance(value, float) and not isfinite(value) else value
 
 
 def new_or_resumed(given: argparse.Namespace, new: Callable[[argparse.Namespace], R], load: Callable[[str], R]) -> R:

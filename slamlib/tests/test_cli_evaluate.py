@@ -9,11 +9,12 @@ import pytest
 from slamlib.cli import main
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.alignment import Similarity
-from slamlib.evaluation.comparison import compared
+from slamlib.evaluation.comparison import compared, evaluate
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
 from slamlib.experiments.runs import Run
 from slamlib.geometry.pose import Pose, compose
 from slamlib.geometry.quaternion import exponential, rotation
+from slamlib.tests.test_trajectories import smooth
 
 COUNT, DT = 400, 0.1
 
@@ -140,9 +141,17 @@ def test_kittis_poses_with_their_times(capsys):
     assert printed(["evaluate", "path.txt", "poses.txt", "--times", "times.txt", "--json"], capsys)["ate"] < 1e-9
     Path("empty.txt").write_text("# nothing\n")
     assert main(["evaluate", "path.txt", "poses.txt", "--times", "empty.txt"]) == 2
-    assert "empty.txt is no trajectory: there is no row in it" in capsys.readouterr().err
+    assert "empty.txt is no trajectory: there is no row of numbers in it" in capsys.readouterr().err
     assert main(["evaluate", "path.txt", "poses.txt"]) == 2
-    assert "no times (KITTI's form): give them (times=..., --times FILE)" in capsys.readouterr().err
+    assert "poses.txt has 30 poses, but no times: give them (option times)" in capsys.readouterr().err
+    Path("times.txt").write_text("\ufeff" + "".join(f"{t:.0f}\n" for t in 1e9 * (1.7e9 + there.times[:29])), "utf-8")
+    assert main(["evaluate", "path.txt", "poses.txt", "--times", "times.txt"]) == 2
+    assert "poses.txt has 30 poses, but no times: 29 are given, and as many are wanted" in capsys.readouterr().err
+    assert main(["evaluate", "poses.txt", "poses.txt"]) == 0
+    assert "neither file has times: paired row by row, a second apart" in capsys.readouterr().err
+    np.savetxt("short.txt", rows[:29])
+    assert main(["evaluate", "poses.txt", "short.txt"]) == 2
+    assert "poses.txt has 30 poses, short.txt 29, and neither has times" in capsys.readouterr().err
 
 
 def test_covariances_stand_beside_the_path():
@@ -153,10 +162,96 @@ def test_covariances_stand_beside_the_path():
     assert again[3:9].covariances.shape == (6, 6, 6)
     assert [len(line.split()) for line in Path("path.txt").read_text().splitlines()][1] == 8  # what evo reads
     write_tum("path.txt", truth(49))
-    with pytest.raises(
-        SlamlibError, match=r"path\.cov does not have the covariances of the poses in path\.txt: move it"
-    ):
+    with pytest.raises(SlamlibError, match=r"path\.txt\.cov does not have the covariances of the poses in path\.txt"):
         read_trajectory("path.txt")
+    assert read_trajectory("path.txt", covariances=False).covariances is None
+
+
+def test_a_reference_has_no_covariances_and_paths_have_their_own(capsys):
+    for name, rate in (("path_0.5", 1.0), ("path_0.9", 10.0)):
+        path = estimated(truth(), np.random.default_rng(2), rate)
+        write_tum(name, path)
+    write_tum("truth.txt", truth())
+    write_tum("truth.txt.cov", truth())  # anything
+    sizes = [printed(["evaluate", f"path_0.{k}", "truth.txt", "--json"], capsys)["nees"]["median"] for k in (5, 9)]
+    assert 4 < sizes[0] < 7 < 300 < sizes[1]
+
+
+def test_options_of_the_command_are_those_of_the_function(capsys):
+    there = Trajectory(DT * np.arange(COUNT), smooth(np.random.default_rng(1), DT * np.arange(COUNT)))
+    write_tum("path.txt", Trajectory(there.times - 0.5, there.poses))
+    rows = np.concatenate([1e9 * there.times[:, None], there.poses], axis=1)
+    np.savetxt("truth.csv", rows, delimiter=" ", fmt=["%d", *7 * ["%.9g"]])
+    words = "--offset 0.5 --tolerance 0.01 --align origin --align-first 50 --delta 2 --delta-unit m --all-pairs"
+    options = {"offset": 0.5, "tolerance": 0.01, "align": "origin", "align_first": 50, "delta": 2, "delta_unit": "m"}
+    assert main(["evaluate", "path.txt", "truth.csv"]) == 2
+    assert "state its format (option format, or reference-format" in capsys.readouterr().err
+    found = printed(
+        ["evaluate", "path.txt", "truth.csv", "--reference-format", "euroc", *words.split(), "--json"], capsys
+    )
+    again = evaluate("path.txt", "truth.csv", reference_format="euroc", all_pairs=True, **options).summary
+    assert found == json.loads(json.dumps(again))
+    assert (found["pairs"]["offset"], found["rotation_from"], found["rpe"]["delta_unit"]) == (0.5, "first pose", "m")
+    assert main(["evaluate", "path.txt", "truth.csv", "--reference-format", "euroc", "--offset", "auto"]) == 0
+    output = capsys.readouterr()
+    assert "s added to the path's times" in output.out
+    assert "slamlib: time offset 0.5" in output.err
+    assert (
+        repr(evaluate("path.txt", "truth.csv", reference_format="euroc", offset="auto")).count("time offset 0.5") == 1
+    )
+    for name, value in (("tolerance", -1), ("offset", "soon"), ("align_first", 0)):
+        with pytest.raises(SlamlibError, match=name.replace("_", "-")):
+            evaluate("path.txt", "truth.csv", reference_format="euroc", **{name: value})
+
+
+def test_what_json_has_no_number_for_is_null(capsys):
+    still = Trajectory(DT * np.arange(20), np.tile([0.0, 0, 0, 1, 0, 0, 0], (20, 1)))
+    write_tum("still.txt", still)
+    found = printed(["evaluate", "still.txt", "still.txt", "--json"], capsys)
+    assert found["relative_ate"] is None
+    there = truth(20)
+    write_tum("path.txt", there)
+    text = json.dumps(printed(["evaluate", "path.txt", "path.txt", "--json"], capsys), allow_nan=False)
+    assert '"translation": [' in text
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("evaluate path.txt truth.txt --plot errors.svg --json path.txt.json", None),
+        (
+            "evaluate path.txt truth.json --json truth.json --overwrite",
+            "--json: truth.json is read by the command (refer",
+        ),
+        (
+            "evaluate path.svg truth.txt --plot ./path.svg --overwrite",
+            "--plot: ./path.svg is read by the command (path)",
+        ),
+        (
+            "run points --frames 2 --map a.json --json a.json --overwrite",
+            "--json: a.json is also where something else go",
+        ),
+        (
+            "run images --source path.txt --trajectory a --save a.cov",
+            "--trajectory: a.cov is also where something else",
+        ),
+        (
+            "run images --source path.txt --trajectory path.txt --overwrite",
+            "--trajectory: path.txt is read by the command",
+        ),
+        (
+            "run points --frames 2 --video out --plot out/errors.svg",
+            "--video: out is also where something else goes, by --p",
+        ),
+    ],
+)
+def test_no_output_replaces_another_or_an_input(words, message, capsys):
+    for name in ("path.txt", "path.svg", "truth.txt", "truth.json"):
+        write_tum(name, truth(20))
+    before = {file: file.read_bytes() for file in Path().iterdir()}
+    assert main(words.split()) == (0 if message is None else 2)
+    assert message is None or message in capsys.readouterr().err
+    assert all(file.read_bytes() == content for file, content in before.items())
 
 
 def test_covariances_go_with_the_axes():
@@ -208,7 +303,7 @@ def test_maps_in_three_formats():
         (["run", "images", "--plot", "errors.svg"], "are about errors: they need --reference FILE"),
         (["run", "images", "--reference-std", "0.1", "1"], "are about errors: they need --reference FILE"),
         (["evaluate", "nothing.txt", "nothing.txt"], "nothing.txt cannot be read"),
-        (["evaluate", "words.txt", "words.txt"], "words.txt is no trajectory: its rows are not numbers"),
+        (["evaluate", "words.txt", "words.txt"], "words.txt is no trajectory: there is no row of numbers in it"),
     ],
 )
 def test_mistakes_are_named_before_the_run(words, message, capsys):
@@ -230,15 +325,15 @@ def test_plots_are_pictures_and_not_replaced_unasked(capsys):
 def test_what_is_drawn_beside_deviations_is_their_error():
     """Not that after the best alignment, which a covariance of the pose from its start does not describe."""
     path = estimated(truth(), np.random.default_rng(6))
-    _, series = compared(path, truth(), DT, metric=True)
+    _, series = compared(path, truth(), metric=True)
     own = Pose.minus(truth().poses, path.poses)
     np.testing.assert_allclose(series["position"], np.linalg.norm(own[:, :3], axis=1), atol=1e-12)
     np.testing.assert_allclose(series["orientation"], np.degrees(np.linalg.norm(own[:, 3:], axis=1)), atol=1e-9)
     np.testing.assert_allclose(series["position_sigma"] ** 2, path.covariances[:, :3, :3].trace(axis1=1, axis2=2))
 
 
-def test_one_pose_and_short_paths_have_no_relative_errors():
+def test_one_pose_is_not_compared():
     there = truth(5)
-    assert compared(there, there, DT, metric=True)[0]["parts"] is not None
-    with pytest.raises(SlamlibError, match="no two times are within"):
-        compared(there, Trajectory([100.0], there.poses[:1]), DT, metric=True)
+    assert compared(there, there, metric=True)[0]["parts"] is not None
+    with pytest.raises(SlamlibError, match="only 0 of 5 poses have one of the reference's 1 within"):
+        compared(there, Trajectory([100.0], there.poses[:1]), metric=True)

@@ -69,7 +69,7 @@ def test_a_folder_with_its_table_and_trajectory(room, tmp_path, capsys):
     assert (np.linalg.eigvalsh(path.covariances[1:]) > 0).all()
     out.unlink()  # its covariances are not replaced unasked
     assert main(words(room, "--trajectory", str(out))) == 2
-    assert "path.cov exists: choose another name" in capsys.readouterr().err
+    assert "path.txt.cov exists: choose another name" in capsys.readouterr().err
 
 
 def test_json_and_the_same_seed(room, capsys):
@@ -89,7 +89,7 @@ def test_a_reference_of_other_times_does_not_hide_the_run(room, tmp_path, capsys
     write_tum(tmp_path / "late.txt", Trajectory([1e9, 1e9 + 1], np.tile([0.0, 0, 0, 1, 0, 0, 0], (2, 1))))
     assert main(words(room, "--frames", "3", "--reference", str(tmp_path / "late.txt"), "--json")) == 2
     told = capsys.readouterr()
-    assert "no two times" in told.err
+    assert "only 0 of 3 poses have one of the reference's 2 within" in told.err
     assert json.loads(told.out)["frames"] == 3
 
 

@@ -273,7 +273,7 @@ def test_kittis_poses_as_a_reference(room, tmp_path, capsys):
     assert found(capsys)["reference"]["poses"] == COUNT - 2
     (tmp_path / "poses.txt").write_text(text.split("\n")[0])
     assert main(words(room, "--json", "--reference", "poses.txt")) == 2
-    assert f"1 poses, but no times (KITTI's form): {COUNT} are given" in capsys.readouterr().err
+    assert f"1 poses, but no times: {COUNT} are given" in capsys.readouterr().err
 
 
 def test_lengths_of_parts_fit_the_path():

@@ -148,7 +148,9 @@ def summary_warnings(s: dict[str, Any]) -> list[str]:
     if near is not None and near < FEW_NEAR:
         few = f"only {near:.1f} points per frame are nearer than {NEAR:g} baselines"
         found.append(f"{few}: how far each step went is hardly measured")
-    known = (s.get("reference") or {}).get("nees")
+    reference = s.get("reference") or {"notes": [], "nees": None}
+    found += reference["notes"]
+    known = reference["nees"]
     if known and known["median"] > OVERCONFIDENT * known["dof"]:
         times = (known["median"] / known["dof"]) ** 0.5
         found.append(

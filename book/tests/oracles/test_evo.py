@@ -80,7 +80,7 @@ def test_pairs_by_time(seed):
 def test_the_comparison_as_a_whole(seed, scale):
     """ATE with its statistics, position and orientation, and RPE from each pose to the next."""
     reference, estimate = drawn(seed)
-    found, _ = compared(estimate, reference, 0.0, metric=not scale)
+    found, _ = compared(estimate, reference, metric=not scale)
     assert found["rotation_from"] == "positions"
     one, other = sync.associate_trajectories(theirs(reference), theirs(estimate), max_diff=0.02)
     turn, shift, factor = other.align(one, correct_scale=scale)
