@@ -50,7 +50,12 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def _offset(text: str) -> float | str:
     """An argparse type: a number, or auto."""
-    return text if text == "auto" else float(text)
+    if text == "auto":
+        return text
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"a number of seconds, or auto, is expected, not {text}") from None
 
 
 def execute(given: argparse.Namespace) -> int:

@@ -253,7 +253,7 @@ def _doubts(found: AlignedTrajectory, reference: Trajectory, metric: bool) -> li
     common = from_rotation(turn := nearest_rotation(errors.sum(0)), best_pivot(turn))
     left = product(common * [1, -1, -1, -1], from_rotation(errors, best_pivot(errors)))
     constant, rest = float(angles(common)), float(np.sqrt((angles(left) ** 2).mean()))
-    if constant > max(OTHER_FRAME, 3 * rest):
+    if found.rotation_from != "none" and constant > max(OTHER_FRAME, 3 * rest):
         notes.append(
             f"orientations differ by one turn of {np.degrees(constant):.0f} degrees at all poses: path and reference "
             "are of two frames of the moving body, and relative errors need one"
@@ -408,8 +408,8 @@ def parts(
         "counts": counts.tolist(),
         "translation": translation.tolist(),
         "rotation": turn.tolist(),
-        "translation_mean": float(shares @ translation),
-        "rotation_mean": float(shares @ turn),
+        "translation_mean": float(shares @ np.nan_to_num(translation)),
+        "rotation_mean": float(shares @ np.nan_to_num(turn)),
     }
 
 
