@@ -51,12 +51,12 @@ def _json(snapshot: Snapshot) -> str:
     """One object a landmark; null for a point at infinity."""
     landmarks: dict[tuple[str, Id], dict[str, Any]] = {}
     for v in vertices(snapshot):
-        about = {"family": v.family, "id": v.id, "kind": v.kind, "converged": v.converged, "vertices": []}
-        found = landmarks.setdefault((v.family, v.id), about)
+        about: dict[str, Any] = {"family": v.family, "id": v.id, "kind": v.kind, "converged": v.converged}
+        found = landmarks.setdefault((v.family, v.id), about | {"vertices": []})
         numbers = {"position": v.position.tolist(), "covariance": v.covariance.tolist()}
         found["vertices"].append(numbers if v.is_finite else dict.fromkeys(numbers))
-    about = {"frame": snapshot.number, "time": snapshot.time, "unit": "m", "landmarks": [*landmarks.values()]}
-    return json.dumps(about, indent=1) + "\n"
+    whole = {"frame": snapshot.number, "time": snapshot.time, "unit": "m", "landmarks": [*landmarks.values()]}
+    return json.dumps(whole, indent=1) + "\n"
 
 
 def _csv(snapshot: Snapshot) -> str:
