@@ -165,7 +165,13 @@ def test_two_cameras_in_maps(tmp_path):
     assert (found.left.distortion[0], found.right.distortion[0], found.right.image) == (-0.1, -0.2, (640, 480))
     np.testing.assert_allclose(found.transform, place(np.eye(3), [0.2, 0, 0]), atol=1e-12)
     apart = {"left": one, "right": one, "extrinsics": {"R": np.eye(3).tolist(), "T": [-0.2, 0, 0]}}
-    assert read_pair([written(tmp_path, "apart.yaml", yaml.dump(apart))]).transform[0, 3] == pytest.approx(0.2)
+    for whole in (apart, {"made_by": "a script", "calibration": {"result": apart}}):
+        assert read_pair([written(tmp_path, "apart.yaml", yaml.dump(whole))]).transform[0, 3] == pytest.approx(0.2)
+    counted = {"cam2": one, "cam1": one, "R": np.eye(3).tolist(), "T": [-0.2, 0, 0]}
+    there = read_pair([written(tmp_path, "counted.json", json.dumps(counted))], (1, 2)).transform
+    np.testing.assert_allclose(there, place(np.eye(3), [0.2, 0, 0]), atol=1e-12)
+    with pytest.raises(SlamlibError, match="shift is not known"):
+        read_pair([written(tmp_path, "more.yaml", yaml.dump({"shift": 1, "calibration": apart}))])
 
 
 @pytest.mark.parametrize(("baseline", "message"), [

@@ -13,7 +13,7 @@ from slamlib.datasets.dataset import METADATA, CalibrationReader, Cameras
 from slamlib.datasets.lens import Lens, lens_of, placed, rigid
 from slamlib.datasets.lens_models import DOUBLE_SPHERE, EXTENDED, FISHEYE, FOV, RADIAL, UNIFIED
 from slamlib.errors import SlamlibError, entry
-from slamlib.plain_data.entries import Entries, Numbers, named_values
+from slamlib.plain_data.entries import Entries, Numbers, alike, named_values
 
 UNUSED = (*METADATA, "camoverlaps", "rostopic", "linedelay", "*topic", "imu*")
 # By camera_model: the intrinsics before (fu, fv, pu, pv), and the lens for each distortion_model.
@@ -26,6 +26,7 @@ CAMERAS = {
     "eucm": (("alpha", "beta"), {"none": EXTENDED}),
 }
 _CAMERA = re.compile(r"cam(\d+)")
+_ITS_OWN = {"intrinsics", "cameramodel", "tcncnm1"}  # other tools' cameras may be called cam0, too
 _PLACED = ("T_cn_cnm1", "T_cam_imu", "T_imu_cam")
 
 
@@ -53,7 +54,8 @@ def lens(entries: Entries, transform: Numbers | None) -> Lens:
 
 
 def _fits(text: str) -> bool:
-    return any(map(_CAMERA.fullmatch, named_values(text)))
+    cameras = (value for name, value in named_values(text).items() if _CAMERA.fullmatch(name))
+    return any(isinstance(value, dict) and _ITS_OWN & set(map(alike, value)) for value in cameras)
 
 
 def _read(path: Path, text: str) -> Cameras:

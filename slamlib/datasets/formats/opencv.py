@@ -118,34 +118,46 @@ def _maps(data: dict[str, Any]) -> dict[int, str]:
     return dict(enumerate(sorted(names, key=lambda name: "right" in alike(name))))
 
 
+def _path_to(data: Any) -> list[str] | None:
+    """The names of the maps, from outside, in which the cameras are; None without cameras."""
+    if not isinstance(data, dict):
+        return None
+    if _has_matrix(data) or _sides(data) or _maps(data):
+        return []
+    paths = ((name, _path_to(value)) for name, value in data.items())
+    return next(([name, *inner] for name, inner in paths if inner is not None), None)
+
+
 def _fits(text: str) -> bool:
     data = named_values(text)
-    return "distortion_model" not in data and bool(_has_matrix(data) or _sides(data) or _maps(data))
+    return "distortion_model" not in data and _path_to(data) is not None
 
 
 def _read(path: Path, text: str) -> Cameras:
-    whole = Entries(named_values(text))
+    outside = whole = Entries(named_values(text))
+    for name in _path_to(whole.data) or []:
+        whole = whole.inside(name)
     sides, maps = _sides(whole.data), _maps(whole.data)
     if _has_matrix(whole.data):
         found: dict[int | None, Lens] = {None: camera_lens(whole)}
     else:
-        poses = _poses(whole)
+        poses = dict(zip(sorted({*sides, *maps}), _poses(whole), strict=False))
         found = {n: camera_lens(whole, marks, poses.get(n)) for n, marks in sides.items()}
         found |= {n: camera_lens(whole.inside(name), transform=poses.get(n)) for n, name in maps.items()}
-    whole.close((*UNUSED, *ALONE) if len(found) == 1 else UNUSED)
+    outside.close((*UNUSED, *ALONE) if len(found) == 1 else UNUSED)
     if len(found) == 1:
         found = {None: next(iter(found.values()))}
     return {number: partial(found.__getitem__, number) for number in found}
 
 
-def _poses(whole: Entries) -> dict[int, Numbers]:
+def _poses(whole: Entries) -> list[Numbers]:
     """Of both cameras, in the frame of the first one: the inverse of R, T. None without."""
     place = whole if whole.value(*SHIFT) else whole.inside("extrinsics", "extrinsic", "stereo")
     shift = place.numbers(*SHIFT, count=3, needed=False)
     if not shift:
-        return {}
+        return []
     turn = np.reshape(place.numbers(*TURN, count=9), (3, 3))
-    return {0: placed((0, 0, 0)), 1: rigid(placed(shift, turn), "R", inverse=True)}
+    return [placed((0, 0, 0)), rigid(placed(shift, turn), "R", inverse=True)]
 
 
 CALIBRATION = CalibrationReader("OpenCV", _fits, _read)
