@@ -3,20 +3,20 @@
 Both are found by walking that folder, so another data set, or another calibration tool, needs one new file.
 """
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Protocol
 
-import numpy as np
-
+from slamlib.datasets.brightness import divided
 from slamlib.datasets.lens import Lens
-from slamlib.datasets.pictures import TimedImage, read_image
+from slamlib.datasets.pictures import TimedImage, grey, pixels, whole
+from slamlib.datasets.times import FPS, Times, of_list, of_names, table
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN
 from slamlib.manifolds import Array
 
-FPS = 30.0
 Numbers = range | list[int]
 
 
@@ -28,7 +28,8 @@ class ImageSource:
     ascending) yields some of them. frames: the numbers of its own images in the whole. has_times: whether a list gives
     the times, by which images of two cameras can be paired; otherwise they follow from the numbers. layout: its name;
     where: the absolute path; recipe: plain data to open the same source again. original (7,): pose of the camera that
-    took the images in the frame of the one whose images they are now: a rectification turns it.
+    took the images in the frame of the one whose images they are now: a rectification turns it. guess, unclear: of
+    their times, as of Times. notes: what else is to be said of them, in sentences.
     Iterating raises SlamlibError, which names the picture, for one that cannot be read or has another size.
     """
 
@@ -42,6 +43,9 @@ class ImageSource:
     where: str = "memory"
     recipe: dict[str, Any] = field(default_factory=dict)
     original: Array = field(default_factory=lambda: ORIGIN)
+    guess: str = ""
+    unclear: str = ""
+    notes: tuple[str, ...] = ()
 
     def __len__(self) -> int:
         return len(self.frames)
@@ -75,6 +79,17 @@ class ImageSource:
         if count is None and "frames" not in recipe:
             return self
         return self.part(chosen.start, chosen.step, len(chosen) if count is None else count)
+
+    def timed(self, order: list[int], times: Times) -> "ImageSource":
+        """The images in this order, with these times. Raises SlamlibError for another number of them."""
+        if len(order) != len(self):
+            raise SlamlibError(f"{self.where} has {len(self)} pictures, and {len(order)} times are given")
+        recipe = {**self.recipe, "times": [order, times.values, times.interval]}
+        return replace(
+            self, names=tuple(self.names[i] for i in order), times=times.values, interval=times.interval,
+            read=lambda numbers: self.read([order[number] for number in numbers]), has_times=True, recipe=recipe,
+            guess=times.guess, unclear="",
+        )  # fmt: skip
 
     def through(self, change: Callable[[Array], Array], recipe: dict[str, Any], original: Array) -> "ImageSource":
         """The same images, each changed, as by an undistortion; recipe: plain data that includes the change."""
@@ -141,51 +156,41 @@ class CalibrationReader:
     in_metres: bool = False
 
 
-def table(path: Path, columns: int, separator: str | None) -> list[tuple[float, list[str]]]:
-    """The rows of a list: time, and the words after it; # starts a comment. Raises SlamlibError, naming the line."""
-    rows = []
-    for number, line in enumerate(path.read_text("utf-8", errors="replace").splitlines(), 1):
-        time, *words = [word.strip() for word in line.split(separator)] or [""]
-        if not line.strip() or line.lstrip().startswith("#"):
-            continue
-        if len(words) < columns - 1:
-            raise SlamlibError(f"{path}, line {number}: {columns} columns are wanted, got {line!r}")
-        try:
-            rows.append((float(time), words))
-        except ValueError:
-            raise SlamlibError(f"{path}, line {number}: {time!r} is no time") from None
-    if not rows:
-        raise SlamlibError(f"{path} lists no picture")
-    return rows
+def listed_files(listing: Path, folder: Path, unit: str = "seconds") -> ImageSource:
+    """The images that a list of rows "time, file" names in a folder; unit: of its times, in the list's format."""
+    rows = table(listing, 2)
+    return listed([folder / name for _, (name, *_) in rows], [time for time, _ in rows], listing, unit)
 
 
-def listed_files(listing: Path, folder: Path, separator: str | None, unit: float = 1.0) -> ImageSource:
-    """The images that a list of rows "time, file" names in a folder; unit [s]: of its times."""
-    rows = table(listing, 2, separator)
-    return listed([folder / name for _, (name, *_) in rows], [unit * time for time, _ in rows], listing)
-
-
-def counted(paths: list[Path], fps: float) -> ImageSource:
-    """Images without times, `fps` per second."""
-    return listed(paths, [number / fps for number in range(len(paths))], Path("."), 1 / fps)
-
-
-def listed(paths: list[Path], times: list[float], listing: Path, interval: float | None = None) -> ImageSource:
-    """Images with the times [s] of a list. Raises SlamlibError for times that do not increase, or missing files."""
-    wrong = np.flatnonzero(~(np.diff(times) > 0))
-    if len(wrong):
-        i, j = wrong[0], wrong[0] + 1
-        raise SlamlibError(
-            f"{listing}: times must grow, but {paths[i].name} is of {times[i]} s and {paths[j].name} of {times[j]} s "
-            f"({len(wrong)} such places): sort the rows, and leave out what is there twice"
-        )
+def listed(paths: list[Path], times: list[float], listing: Path, unit: str = "seconds") -> ImageSource:
+    """Images with the times of a list. Raises SlamlibError for times that do not increase, or missing files."""
+    found = of_list(times, [path.name for path in paths], listing, unit)
     missing = [path for path in paths if not path.is_file()]
     if missing:
         raise SlamlibError(f"{listing} lists {len(missing)} files that are not there, the first of them {missing[0]}")
+    return _of_files(paths, found)
+
+
+def counted(paths: list[Path], fps: float | None, usual: float = FPS) -> ImageSource:
+    """Images with the times that their names give, or `fps` of them per second; usual: if it is not given."""
+    order, times = of_names([path.name for path in paths], fps, usual)
+    return _of_files([paths[i] for i in order], times)
+
+
+def _of_files(paths: list[Path], times: Times) -> ImageSource:
+    return encoded(list(map(str, paths)), times, lambda numbers: (whole(paths[number]) for number in numbers))
+
+
+def encoded(places: list[str], times: Times, files: Callable[[Numbers], Iterator[bytes]]) -> ImageSource:
+    """Images from the contents of their files. places: what messages call them; a picture's name is the last part."""
+    names = tuple(re.split(r"[/\\]", place)[-1] for place in places)
+    divisor, notes = divided(places, files)
 
     def read(numbers: Numbers) -> Iterator[TimedImage]:
-        return (TimedImage(paths[number].name, times[number], read_image(paths[number])) for number in numbers)
+        for number, data in zip(numbers, files(numbers), strict=True):
+            yield TimedImage(
+                names[number], times.values[number], grey(pixels(data, places[number]), places[number], divisor)
+            )
 
-    typical = float(np.median(np.diff(times))) if len(times) > 1 else 1 / FPS
-    names = tuple(path.name for path in paths)
-    return ImageSource(names, tuple(times), interval or typical, read, range(len(paths)), interval is None)
+    known = times.values, times.interval, read, range(len(names)), times.stated
+    return ImageSource(names, *known, guess=times.guess, unclear=times.unclear, notes=notes)

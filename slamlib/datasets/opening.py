@@ -1,5 +1,6 @@
 """Sequences with their cameras: checked for consistency, undistorted or rectified, reopened."""
 
+import os
 import re
 from collections.abc import Iterator
 from dataclasses import replace
@@ -14,7 +15,7 @@ from slamlib.datasets.formats import DATASETS
 from slamlib.datasets.lens import Lens, PairCalibration, fitted
 from slamlib.datasets.pictures import TimedImage, pair
 from slamlib.datasets.rectification import rectification, rectified_setup, undistortion, why_not_rectified
-from slamlib.datasets.sources import cameras_at, open_source
+from slamlib.datasets.sources import cameras_at, open_again, open_source
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import matched_times
 from slamlib.manifolds import Indices
@@ -25,13 +26,19 @@ MAX_TIME_SHARE = 0.1  # of the interval: largest difference of the times of one 
 
 
 def open_sequence(
-    source: str, calibration: str, *, camera: int = 0, fps: float | None = None, undistort: bool = False
+    source: str,
+    calibration: str,
+    *,
+    camera: int = 0,
+    fps: float | None = None,
+    times: str | None = None,
+    undistort: bool = False,
 ) -> tuple[ImageSource, dict[str, Any]]:
     """The images, and plain data of their SensorSetup; the first image is read for their size.
 
-    undistort: remove the lens distortion from the images. Raises SlamlibError.
+    fps, times: as of open_source. undistort: remove the lens distortion from the images. Raises SlamlibError.
     """
-    pictures = open_source(source, fps=fps, camera=camera)
+    pictures = open_source(source, fps=fps, camera=camera, times=times)
     size = size_of(pictures)
     if not undistort:
         return pictures, fitted(read_calibration(calibration, camera), size, pictures.where)
@@ -48,17 +55,20 @@ def open_rectified_pairs(
     *,
     cameras: tuple[int, int] | None = None,
     fps: float | None = None,
+    times: str | None = None,
     rectify: bool = False,
 ) -> tuple[ImageSource, dict[str, Any], float]:
     """Rectified pairs, plain data of their stereo SensorSetup, and the offset [px] of their disparities.
 
-    Of a data set's folder, or of a left and a right folder, glob or video. Raises SlamlibError.
+    Of a data set's folder, or of a left and a right folder, glob or video. fps, times: as of open_source, for both.
+    Raises SlamlibError.
     """
+    rate: dict[str, Any] = {"fps": fps, "times": times}
     numbers = cameras or (two_cameras(source) if source else CAMERAS[0])
     if source is not None:
-        pairs = open_pairs(*(open_source(source, fps=fps, camera=camera) for camera in numbers))
+        pairs = open_pairs(*(open_source(source, camera=camera, **rate) for camera in numbers))
     elif left is not None and right is not None:
-        pairs = open_pairs(open_source(left, fps=fps), open_source(right, fps=fps))
+        pairs = open_pairs(open_source(left, **rate), open_source(right, **rate))
     else:
         raise SlamlibError("both --left and --right are needed, or --source for a KITTI or EuRoC folder")
     known = read_pair(calibration or _find_calibration(source, pairs.layout, numbers), numbers)
@@ -101,14 +111,18 @@ def reopen(recipe: dict[str, Any], count: int | None = None) -> ImageSource:
 
     Raises SlamlibError if it does not exist any more, or has become shorter.
     """
-    if "left" in recipe:
-        source = open_pairs(reopen(recipe["left"]), reopen(recipe["right"]))
-    else:
-        source = open_source(recipe["text"], fps=recipe["fps"], camera=recipe["camera"])
+    source = open_pairs(reopen(recipe["left"]), reopen(recipe["right"])) if "left" in recipe else open_again(recipe)
     if "remap" in recipe:
         kind: type[Lens | PairCalibration] = PairCalibration if "left" in recipe else Lens
         source, _ = remapped(source, read(kind, recipe["remap"]), tuple(recipe["size"]))
     return source.again(recipe, count)
+
+
+def moved(recipe: dict[str, Any], *places: str) -> dict[str, Any]:
+    """The recipe of a source that is elsewhere now: its place, or, of pairs, those of the left and the right images."""
+    if "left" not in recipe:
+        return {**recipe, "text": os.path.abspath(os.path.expanduser(places[0]))}
+    return {**recipe, "left": moved(recipe["left"], places[0]), "right": moved(recipe["right"], places[-1])}
 
 
 def _check_size(lens: Lens, size: tuple[int, int], source: ImageSource) -> None:
@@ -157,8 +171,12 @@ def open_pairs(left: ImageSource, right: ImageSource) -> ImageSource:
                 raise SlamlibError(f"{one.name} and {other.name}: {error}") from None
 
     where = left.where if left.where == right.where else f"{left.where}, {right.where}"
-    recipe = {"left": left.recipe, "right": right.recipe}
-    return replace(left, names=names, times=times, read=read, frames=range(len(i)), where=where, recipe=recipe)
+    recipe, notes = {"left": left.recipe, "right": right.recipe}, tuple(dict.fromkeys((*left.notes, *right.notes)))
+    if (alone := len(left) - len(i)) or len(right) > len(i):
+        notes += (f"{alone} left and {len(right) - len(i)} right pictures are left out: they have no partner in time",)
+    return replace(
+        left, names=names, times=times, read=read, frames=range(len(i)), where=where, recipe=recipe, notes=notes
+    )
 
 
 def _by_time(left: ImageSource, right: ImageSource) -> tuple[Indices, Indices]:

@@ -4,10 +4,10 @@ A rectified pair is one image too: an array (2, h, w), the left image and the ri
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
+from pathlib import Path, PurePath
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -15,10 +15,12 @@ from slamlib.errors import SlamlibError, optional
 from slamlib.manifolds import Array, Image
 from slamlib.sensors.sensor import Calibration
 
+P = TypeVar("P", bound=PurePath)
 ENDINGS = (".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp")
+PNG = b"\x89PNG\r\n\x1a\n"
 # Some versions of OpenCV read a truncated file without an error: so its end is checked first.
 _WHOLE: dict[bytes, Callable[[bytes], bool]] = {
-    b"\x89PNG\r\n\x1a\n": lambda data: b"IEND" in data,
+    PNG: lambda data: b"IEND" in data,
     b"\xff\xd8\xff": lambda data: data.rstrip(b"\0").rfind(b"\xff\xd9") > len(data) // 2,
 }
 
@@ -39,59 +41,80 @@ def opencv(purpose: str) -> Any:
 
 def read_image(path: str | Path) -> Array:
     """Grey values (h, w), uint8, of an image file; colours become their luminance. Raises SlamlibError."""
+    return grey(pixels(whole(path), str(path)), str(path))
+
+
+def whole(path: str | Path) -> bytes:
+    """The content of a file. Raises SlamlibError."""
     try:
-        data = Path(path).read_bytes()
+        return Path(path).read_bytes()
     except OSError as error:
         raise SlamlibError(f"{path} cannot be read: {error.strerror}") from None
+
+
+def pixels(data: bytes, name: str) -> Array:
+    """What OpenCV makes of an image file: grey, BGR or BGRA, of its own type. Raises SlamlibError, naming the file."""
     if not data:
-        raise SlamlibError(f"{path} is empty")
+        raise SlamlibError(f"{name} is empty")
     for beginning, is_whole in _WHOLE.items():
         if data.startswith(beginning) and not is_whole(data):
-            raise SlamlibError(f"{path} is truncated: its end is missing; copy it again")
+            raise SlamlibError(f"{name} is truncated: its end is missing; copy it again")
     cv2 = opencv("to read images")
-    pixels = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_UNCHANGED)
-    if pixels is None:
+    try:
+        found = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_UNCHANGED)
+    except cv2.error:  # of sizes beyond its limits, for instance
+        found = None
+    if found is None:
         raise SlamlibError(
-            f"{path} cannot be read as an image: it is truncated, damaged, or of a kind OpenCV cannot read"
+            f"{name} cannot be read as an image: it is truncated, damaged, or of a kind OpenCV cannot read"
         )
-    return grey(pixels, str(path))
+    return found
 
 
-def grey(pixels: Array, name: str) -> Array:
-    """Grey values (h, w), uint8, of what OpenCV read: grey, BGR or BGRA. Raises SlamlibError, naming the picture."""
-    if pixels.dtype != np.uint8:
+def grey(pixels: Array, name: str, divisor: int | None = None) -> Array:
+    """Grey values (h, w), uint8, of what OpenCV read: grey, BGR or BGRA. Raises SlamlibError, naming the picture.
+
+    divisor: of a sequence of 16 bits a value (slamlib.datasets.brightness); what is brighter than its sample is white.
+    """
+    bits, wanted = 8 * pixels.dtype.itemsize, np.dtype(np.uint8 if divisor is None else np.uint16)
+    if pixels.dtype != wanted:
         raise SlamlibError(
-            f"{name} has {8 * pixels.dtype.itemsize} bits a value ({pixels.dtype}); eight are wanted: convert the "
-            "images, with one scale for all of them to keep their brightness (or is this a depth image?)"
+            f"{name} has {bits} bits a value ({pixels.dtype}); {8 * wanted.itemsize} are wanted, as in the first "
+            "picture of a sequence: convert the images, with one scale for all of them to keep "
+            "their brightness (or is this a depth image?)"
         )
-    if pixels.ndim == 2:
-        return pixels
-    channels = pixels.shape[2]
+    channels = 1 if pixels.ndim == 2 else pixels.shape[2]
     if channels not in (1, 3, 4):
         raise SlamlibError(f"{name} has {channels} channels: grey or colour pictures are wanted")
-    if channels == 1:
-        return pixels[..., 0]
-    cv2 = opencv("to read images")
-    return cv2.cvtColor(pixels, cv2.COLOR_BGR2GRAY if channels == 3 else cv2.COLOR_BGRA2GRAY)
+    if channels > 1:
+        cv2 = opencv("to read images")
+        pixels = cv2.cvtColor(pixels, cv2.COLOR_BGR2GRAY if channels == 3 else cv2.COLOR_BGRA2GRAY)
+    found = pixels if pixels.ndim == 2 else pixels[..., 0]
+    return found if divisor is None else np.minimum(found // divisor, 255).astype(np.uint8)
 
 
-def in_natural_order(paths: list[Path]) -> list[Path]:
+def in_natural_order(paths: Iterable[P]) -> list[P]:
     """Sorted by name, numbers in it by their value: 2.png comes before 10.png."""
 
-    def natural(path: Path) -> list[tuple[int, int, str]]:
-        return [(1, int(p), p) if p.isdigit() else (0, 0, p) for p in re.split(r"(\d+)", str(path))]
+    def natural(path: P) -> list[tuple[int, int, str]]:
+        return [(1, int(p), p) if p.isdecimal() else (0, 0, p) for p in re.split(r"(\d+)", str(path))]
 
     return sorted(paths, key=natural)
 
 
 def images_in(folder: Path) -> list[Path]:
     """The images of a folder in natural order; none where there is no folder."""
-    return in_natural_order([path for path in folder.iterdir() if is_image(path)]) if folder.is_dir() else []
+    return in_natural_order(path for path in folder.iterdir() if is_image(path)) if folder.is_dir() else []
 
 
 def is_image(path: Path) -> bool:
     """Whether a file's name ends as an image's does; hidden files are excluded."""
-    return path.suffix.lower() in ENDINGS and not path.name.startswith(".") and path.is_file()
+    return is_image_name(path) and path.is_file()
+
+
+def is_image_name(path: PurePath) -> bool:
+    """Whether a name ends as an image's does, and is not hidden."""
+    return path.suffix.lower() in ENDINGS and not path.name.startswith(".")
 
 
 def pair(left: Array, right: Array) -> Array:

@@ -10,7 +10,7 @@ from slambook import rendering
 from slambook.stereo_films import KITTI
 
 from slamlib.cli import main, runner
-from slamlib.datasets.dataset import table
+from slamlib.datasets.times import table
 from slamlib.evaluation.comparison import lengths_of
 from slamlib.evaluation.trajectory import read_trajectory
 from slamlib.geometry.pose import relative
@@ -301,7 +301,7 @@ def test_lengths_of_parts_fit_the_path():
         (["--source", "{room}", "--odometry-only", "--live"], "with --odometry-only there is none"),
         (["--source", "{room}", "--start", "99"], "none is left"),
         (["--source", "{room}", "--trajectory", "{room}/calibration.json/t.txt"], "cannot be written"),
-        (["--source", "{room}", "--resume", "run.npz"], "leave --source out"),
+        (["--source", "{room}", "--resume", "run.npz"], "leave --option out"),
         (["--resume", "nowhere.npz"], "no such file"),
         (["--source", "{room}", "--reference", "nowhere.txt"], "cannot be read"),
     ],
@@ -347,7 +347,7 @@ def test_pictures_that_do_not_fit_together(room, tmp_path, capsys):
 def test_times_that_do_not_match(room, tmp_path, capsys):
     folder = euroc(room, tmp_path / "euroc")
     listing = folder / "mav0" / "cam1" / "data.csv"
-    rows = table(listing, 2, ",")
+    rows = table(listing, 2)
     listing.write_text("\n".join(f"{int(time) + 10**12},{name}" for time, (name,) in rows))
     assert main(words(folder)) == 2
     assert "the times of the two cameras do not match" in capsys.readouterr().err

@@ -1,5 +1,8 @@
 """Where pictures come from: every layout, in order and lazily; and every kind of bad input, named."""
 
+import struct
+import zipfile
+
 import numpy as np
 import pytest
 
@@ -148,6 +151,128 @@ def test_the_layout_of_kitti(tmp_path):
         open_source(tmp_path)
 
 
+def test_the_layout_of_kitti_s_raw_recordings(tmp_path):
+    for camera in range(2):
+        for i in range(3):
+            put(tmp_path / f"image_{camera:02}" / "data" / f"{i:010}.png", shade(i + 5 * camera))
+        rows = ["2011-09-26 13:02:25.964389445", "2011-09-26 13:02:26.068011778", "2011-09-26 13:02:26.171634111"]
+        (tmp_path / f"image_{camera:02}" / "timestamps.txt").write_text("\n".join(rows) + "\n")
+    source = open_source(tmp_path)
+    assert (source.layout, numbers(source), source.guess) == ("KITTI raw", [0, 1, 2], "")
+    assert [p.time for p in source] == pytest.approx([1317042145.964389445 + 0.103622333 * i for i in range(3)])
+    assert numbers(open_source(tmp_path, camera=1)) == [5, 6, 7]
+    (tmp_path / "image_00" / "timestamps.txt").write_text("1\n2\n3\n")
+    with pytest.raises(SlamlibError, match="dates and times such as"):
+        open_source(tmp_path)
+    (tmp_path / "image_00" / "timestamps.txt").write_text(rows[0])
+    with pytest.raises(SlamlibError, match="1 times for 3 pictures"):
+        open_source(tmp_path)
+
+
+def test_the_layouts_of_tartanair_and_icl_nuim(tmp_path):
+    for i in range(3):
+        put(tmp_path / "tartan" / "image_left" / f"{i:06}_left.png", shade(i))
+        put(tmp_path / "tartan" / "image_right" / f"{i:06}_right.png", shade(i + 5))
+        put(tmp_path / "icl" / "rgb" / f"{i}.png", shade(i))
+        put(tmp_path / "icl" / "depth" / f"{i}.png", deep(16))
+    source = open_source(tmp_path / "tartan")
+    assert (source.layout, numbers(source), source.interval) == ("TartanAir", [0, 1, 2], 0.1)
+    assert numbers(open_source(tmp_path / "tartan", camera=1)) == [5, 6, 7]
+    source = open_source(tmp_path / "icl")
+    assert (source.layout, numbers(source), source.interval) == ("ICL-NUIM", [0, 1, 2], 1 / 30)
+
+
+def test_euroc_without_its_list_and_with_times_in_seconds(tmp_path):
+    for i in range(3):
+        put(tmp_path / "mav0" / "cam0" / "data" / f"{1403636579763555584 + 50000000 * i}.png", shade(i))
+    source = open_source(tmp_path)
+    assert (source.layout, numbers(source), source.has_times) == ("EuRoC", [0, 1, 2], True)
+    assert source.interval == pytest.approx(0.05)
+    rows = [f"{(1403636579763555584 + 50000000 * i) / 1e9},{1403636579763555584 + 50000000 * i}.png" for i in range(3)]
+    (tmp_path / "mav0" / "cam0" / "data.csv").write_text("timestamp,filename\n" + "\n".join(rows))
+    listed = open_source(tmp_path)
+    assert listed.times == pytest.approx(source.times)
+    assert listed.guess == "data.csv: its times are taken for seconds, not nanoseconds: a picture every 0.05 s"
+
+
+def test_a_list_of_files_and_one_with_times(folder):
+    rows = [f"seq/frame{i}.png" for i in (3, 1, 11)]
+    (folder.parent / "list.txt").write_text("# chosen\n" + "\n".join(rows), "utf-16")
+    source = open_source(folder.parent / "list.txt", fps=10)
+    assert (source.layout, numbers(source), source.has_times) == ("list", [3, 1, 11], False)
+    (folder.parent / "times.csv").write_text("".join(f"{0.1 * i},{row}\n" for i, row in enumerate(rows)))
+    source = open_source(folder.parent / "times.csv")
+    assert (numbers(source), source.has_times, source.interval) == ([3, 1, 11], True, pytest.approx(0.1))
+    (folder.parent / "list.txt").write_text("\n".join([*rows, "seq/frame77.png"]))
+    with pytest.raises(SlamlibError, match=r"list.txt lists 1 files that are not there, .*frame77"):
+        open_source(folder.parent / "list.txt")
+
+
+def test_a_zip_is_read_where_it_is(folder):
+    with zipfile.ZipFile(folder.parent / "a.zip", "w") as archive:
+        for path in sorted(folder.iterdir()):
+            archive.write(path, f"film/left/{path.name}")
+    for where in ("a.zip", "a.zip/film/left"):
+        source = open_source(folder.parent / where)
+        assert (source.layout, numbers(source)) == ("ZIP archive", list(range(12)))
+        assert [p.name for p in source.part(9, 2)] == ["frame9.png", "frame11.png"]
+        assert numbers(reopen(source.recipe)) == list(range(12))
+    with pytest.raises(SlamlibError, match="no image in this archive"):
+        open_source(folder.parent / "a.zip" / "right")
+    with zipfile.ZipFile(folder.parent / "a.zip", "a") as archive:
+        archive.write(folder / "frame0.png", "film/right/frame0.png")
+    with pytest.raises(
+        SlamlibError, match=r"images in 2 folders \(film/left, film/right\): name one, as in .*a.zip/film"
+    ):
+        open_source(folder.parent / "a.zip")
+    data = bytearray((folder.parent / "a.zip").read_bytes())
+    data[200:260] = bytes(60)
+    (folder.parent / "b.zip").write_bytes(data)
+    with pytest.raises(SlamlibError, match=r"b.zip/film/left/frame0.png cannot be read"):
+        list(open_source(folder.parent / "b.zip/film/left"))
+    (folder.parent / "b.zip").write_text("none")
+    with pytest.raises(SlamlibError, match="is no ZIP archive"):
+        open_source(folder.parent / "b.zip")
+
+
+def test_brackets_of_a_folder_are_its_own(folder):
+    for name in ("run [1]", "run 1"):
+        put(folder.parent / name / "deeper" / "2.png", shade(len(name)))
+    assert numbers(open_source(f"{folder.parent}/run [1]/*/*.png")) == [7]
+    assert numbers(open_source(f"{folder.parent}/run [12]/**/[0-9].png")) == [5]
+
+
+def test_the_folder_of_its_owner(folder, monkeypatch):
+    monkeypatch.setenv("HOME", str(folder.parent))
+    monkeypatch.setenv("USERPROFILE", str(folder.parent))
+    assert open_source("~/seq").where == str(folder)
+
+
+def test_times_from_a_file(folder):
+    (folder.parent / "times.txt").write_text("\n".join(f"{0.5 * i}" for i in range(12)))
+    source = open_source(folder, times=folder.parent / "times.txt")
+    assert (source.times, source.interval, source.guess) == (tuple(0.5 * i for i in range(12)), 0.5, "")
+    rows = [f"{0.5 * k},frame{i}.png" for k, i in enumerate([3, 0, 11, 7, 1, 2, 4, 5, 6, 8, 9, 10])]
+    (folder.parent / "named.csv").write_text("\n".join(rows))
+    part = open_source(folder, times=folder.parent / "named.csv").part(1, 2)
+    assert numbers(part) == [0, 7, 2, 5, 8, 10]
+    (folder.parent / "named.csv").unlink()  # a recipe remembers
+    again = reopen(part.recipe)
+    assert [(p.name, p.time) for p in again] == [(p.name, p.time) for p in part]
+    (folder / "frame12.png").write_bytes((folder / "frame0.png").read_bytes())
+    with pytest.raises(SlamlibError, match="has 13 pictures, and 12 times are given"):
+        reopen(part.recipe)
+
+
+def test_an_order_that_names_do_not_tell_needs_a_list(tmp_path):
+    for i, name in enumerate(["7.5", "7.25", "9.9"]):
+        put(tmp_path / "a" / f"{name}.png", shade(i))
+    with pytest.raises(SlamlibError, match=r"7\.5\.png and 7\.25\.png: decimal seconds, or"):
+        open_source(tmp_path / "a")
+    (tmp_path / "times.txt").write_text("0.0 7.5.png\n0.1 7.25.png\n0.2 9.9.png\n")
+    assert numbers(open_source(tmp_path / "a", times=tmp_path / "times.txt")) == [0, 1, 2]
+
+
 def film(path, count, codec="MJPG"):
     """A video of shades; skips where this OpenCV cannot write one."""
     writer = cv2.VideoWriter(str(path), cv2.VideoWriter_fourcc(*codec), 12.5, SIZE[::-1])
@@ -170,6 +295,40 @@ def test_a_video(tmp_path):
     assert pictures[1].name == "picture 5"
     assert numbers(source.part(2, 3).part(2)) == [8]
     assert open_source(path, fps=25).interval == 0.04
+
+
+def test_a_film_is_turned_by_its_flag(tmp_path):
+    path = film(tmp_path / "film.mp4", 3, "mp4v")
+    data = bytearray(path.read_bytes())
+    at = data.find(b"tkhd") + 44  # the matrix of the track's header, ISO/IEC 14496-12
+    data[at : at + 36] = struct.pack(">9i", 0, 1 << 16, 0, -1 << 16, 0, 0, 0, 0, 1 << 30)
+    path.write_bytes(data)
+    source = open_source(path)
+    assert source.notes == ("film.mp4 is turned by 90 degrees, as it says",)
+    assert [p.image.shape for p in source] == [SIZE[::-1]] * 3
+
+
+def test_a_film_with_a_varying_rate_has_its_own_times(tmp_path):
+    path = film(tmp_path / "film.mp4", 9, "mp4v")
+    assert open_source(path).times == tuple(i / 12.5 for i in range(9))
+    data = path.read_bytes()
+    at = data.find(b"stts") - 4  # durations of pictures, ISO/IEC 14496-12: one entry, of nine
+    (duration,) = struct.unpack(">I", data[at + 20 : at + 24])
+    table = (
+        struct.pack(">II4sI", 40, 0, b"stts", 0)[:4]
+        + b"stts"
+        + struct.pack(">7I", 0, 3, 4, duration, 1, 5 * duration, 4)
+    )
+    table = struct.pack(">I4s8I", 40, b"stts", 0, 3, 4, duration, 1, 3 * duration, 4, duration // 2)
+    data = bytearray(data[:at] + table + data[at + 24 :])
+    for box in (b"moov", b"trak", b"mdia", b"minf", b"stbl"):
+        start = data.find(box) - 4
+        data[start : start + 4] = struct.pack(">I", struct.unpack(">I", data[start : start + 4])[0] + 16)
+    path.write_bytes(data)
+    source = open_source(path)
+    assert [p.time for p in source] == pytest.approx([0, 0.08, 0.16, 0.24, 0.32, 0.56, 0.60, 0.64, 0.68])
+    assert source.notes == ("film.mp4 has a varying rate: its own times are taken, a picture every 0.08 s",)
+    assert [p.time for p in open_source(path, fps=10).part(4, 1, 3)] == [0.4, 0.5, 0.6]
 
 
 def test_a_video_without_pictures_or_its_end(tmp_path):
@@ -216,10 +375,52 @@ def test_files_that_are_not_whole(tmp_path, ending, share):
         list(open_source(tmp_path))
 
 
+def deep(bits, number=1, shape=SIZE):
+    """A smooth picture of so many bits of sixteen, a bright patch on a dark ground."""
+    v, u = np.mgrid[: shape[0], : shape[1]]
+    wave = np.exp(-((u - 15 - number) ** 2 + (v - 11) ** 2) / 60)
+    return np.rint((2**bits - 1) * wave).astype(np.uint16)
+
+
+@pytest.mark.parametrize(("bits", "divisor"), [(8, 1), (10, 4), (12, 16), (14, 64), (16, 256)])
+@pytest.mark.parametrize("ending", ["png", "pgm", "tif"])
+def test_pictures_of_sixteen_bits_have_one_divisor(tmp_path, bits, divisor, ending):
+    for i in range(20):
+        put(tmp_path / f"{i}.{ending}", deep(bits, i) // (4 - i % 4))  # the fourth, eighth, ... are the brightest
+    source = open_source(tmp_path)
+    assert source.notes == (f"the pictures have 16 bits a value, {bits} in use: all are divided by {divisor}",)
+    for i, picture in enumerate(source):
+        assert np.array_equal(picture.image, deep(bits, i) // (4 - i % 4) // divisor)
+        assert picture.image.dtype == np.uint8
+
+
+@pytest.mark.parametrize("name", ["depth/1.png", "a/depth_1.png", "a/1_disp.png", "holes/1.png"])
+def test_depth_images_are_refused(tmp_path, name):
+    image = np.full(SIZE, 2000, np.uint16)
+    if "holes" in name:
+        image[::2, 2::4] = 0
+    put(tmp_path / name, image)
+    with pytest.raises(SlamlibError, match="is a depth image"):
+        open_source((tmp_path / name).parent)
+    (tmp_path / "depths").mkdir()  # a word within another is no sign
+    put(tmp_path / "depths" / "display.png", np.full(SIZE, 2000, np.uint16))
+    assert open_source(tmp_path / "depths").notes
+
+
+def test_a_circle_before_a_black_ground_has_no_holes(tmp_path):
+    v, u = np.mgrid[:100, :100]
+    put(tmp_path / "1.png", np.where((u - 50) ** 2 + (v - 50) ** 2 < 40**2, 40000, 0).astype(np.uint16))
+    assert "divided by 256" in open_source(tmp_path).notes[0]
+
+
 def test_other_numbers_of_bits_and_sizes_that_change(tmp_path):
-    put(tmp_path / "a" / "1.png", np.zeros(SIZE, np.uint16))
-    with pytest.raises(SlamlibError, match=r"1\.png has 16 bits.*depth image"):
+    put(tmp_path / "a" / "1.png", shade(1))
+    put(tmp_path / "a" / "2.png", deep(16))
+    with pytest.raises(SlamlibError, match=r"2\.png has 16 bits.*depth image"):
         list(open_source(tmp_path / "a"))
+    put(tmp_path / "c" / "1.tif", np.ones(SIZE, np.float32))
+    with pytest.raises(SlamlibError, match=r"1\.tif has 32 bits"):
+        list(open_source(tmp_path / "c"))
     put(tmp_path / "b" / "1.png", shade(1))
     put(tmp_path / "b" / "2.png", shade(1)[:, :-2])
     with pytest.raises(SlamlibError, match=r"1\.png is 32x24, 2\.png is 30x24"):
@@ -247,14 +448,15 @@ def test_lists_that_make_no_sense(tmp_path, rows, message):
 
 ANOTHER = """
 from functools import partial
-from slamlib.datasets.dataset import CalibrationReader, Dataset, listed, table
+from slamlib.datasets.dataset import CalibrationReader, Dataset, listed
 from slamlib.datasets.lens import Lens, placed
+from slamlib.datasets.times import table
 
 def cameras(where):
     return {n: where / f"list_{n}" for n in (0, 1) if (where / f"list_{n}").is_file()}
 
 def opened(listing, fps):
-    rows = table(listing, 2, None)
+    rows = table(listing, 2)
     return listed([listing.parent / name for _, (name,) in rows], [time for time, _ in rows], listing)
 
 def read(path, text):

@@ -6,9 +6,11 @@ Calibrations: a sensor.yaml for each camera, with its pose T_BS in the body's fr
 from functools import partial
 from pathlib import Path
 
-from slamlib.datasets.dataset import METADATA, CalibrationReader, Cameras, Dataset, ImageSource, listed_files
+from slamlib.datasets.dataset import METADATA, CalibrationReader, Cameras, Dataset, ImageSource, counted, listed_files
 from slamlib.datasets.formats.kalibr import lens
 from slamlib.datasets.lens import Lens, rigid
+from slamlib.datasets.pictures import images_in
+from slamlib.errors import SlamlibError
 from slamlib.plain_data.entries import Entries, alike, named_values
 
 UNUSED = (*METADATA, "exposure*")
@@ -20,11 +22,13 @@ def _cameras(where: Path) -> dict[int, Path]:
     places = {n: [where / "mav0" / f"cam{n}", where / f"cam{n}"] for n in range(4)}
     places[0].append(where)
     there = {n: [p / "data.csv" for p in folders if (p / "data").is_dir()] for n, folders in places.items()}
-    return {n: listing for n, some in there.items() for listing in some[:1] if listing.is_file()}
+    # the names of pictures are their times: a copy without the list is read, too
+    return {n: one for n, some in there.items() for one in some[:1] if one.is_file() or images_in(one.parent / "data")}
 
 
 def _open(listing: Path, fps: float | None) -> ImageSource:
-    return listed_files(listing, listing.parent / "data", ",", 1e-9)
+    folder = listing.parent / "data"
+    return listed_files(listing, folder, "nanoseconds") if listing.is_file() else counted(images_in(folder), fps)
 
 
 def _fits(text: str) -> bool:

@@ -4,20 +4,25 @@ import glob
 from collections.abc import Callable
 from pathlib import Path
 
-from slamlib.datasets.dataset import FPS, Dataset, counted
+from slamlib.datasets.dataset import Dataset, counted
 from slamlib.datasets.pictures import images_in, in_natural_order, is_image
 
 
 def _matches(where: Path) -> list[Path]:
-    found = [where] if where.exists() else [Path(name) for name in glob.glob(str(where), recursive=True)]
-    return in_natural_order([path for path in found if is_image(path)])
+    """The images that match; brackets in the name of a folder that is there are its own."""
+    if where.exists():
+        return [where] if is_image(where) else []
+    there = next(folder for folder in where.parents if folder.is_dir())
+    literal = f"{glob.escape(str(there))}/{where.relative_to(there).as_posix()}"
+    found = glob.glob(literal, recursive=True) or glob.glob(str(where), recursive=True)
+    return in_natural_order([path for path in map(Path, found) if is_image(path)])
 
 
 def _dataset(name: str, images: Callable[[Path], list[Path]]) -> Dataset:
     return Dataset(
         name,
         lambda where: {0: where} if images(where) else {},
-        lambda where, fps: counted(images(where), fps or FPS),
+        lambda where, fps: counted(images(where), fps),
         general=True,
     )
 

@@ -20,4 +20,4 @@ def _cameras(where: Path) -> dict[int, Path]:
     return {0: listing} if listing.is_file() else {}
 
 
-TUM = Dataset("TUM RGB-D", _cameras, lambda listing, fps: listed_files(listing, listing.parent, None), lenses=LENSES)
+TUM = Dataset("TUM RGB-D", _cameras, lambda listing, fps: listed_files(listing, listing.parent), lenses=LENSES)

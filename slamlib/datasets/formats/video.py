@@ -1,7 +1,9 @@
 """A video file as a sequence of images, read by OpenCV from its start.
 
 Pictures that are not wanted are passed over one by one: jumping to a number is not exact in many files. Times are the
-number of the picture by the number of pictures a second: files with a varying rate are not worth trusting for less.
+number of the picture by the number of pictures a second; where the file's own times, as those of telephones, differ
+from that, they are its own. To know them it is read once from end to end, unless a rate is given.
+A film with a flag of rotation is turned by it, as players do.
 """
 
 import math
@@ -10,10 +12,14 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from slamlib.datasets.dataset import FPS, Dataset, ImageSource, Numbers
+import numpy as np
+
+from slamlib.datasets.dataset import Dataset, ImageSource, Numbers
 from slamlib.datasets.pictures import TimedImage, grey, is_image, opencv
+from slamlib.datasets.times import FILM, FPS
 from slamlib.errors import SlamlibError
 
+VARIES = 0.1  # of the interval: times that differ from even ones by more are the file's own
 SLACK = 0.02  # the length in a header is often an estimate: this share of it may be missing at the end
 
 
@@ -26,14 +32,18 @@ def _open(where: Path, fps: float | None) -> ImageSource:
     cv2 = opencv("to read videos")
     with _opened(where) as film:
         own, count = film.get(cv2.CAP_PROP_FPS), int(film.get(cv2.CAP_PROP_FRAME_COUNT))
-        if count <= 0:  # unknown in some containers: then they are counted
-            count = sum(1 for _ in iter(film.grab, False))
-        elif not film.grab():
-            count = 0
-    if not count:
+        turned = film.get(cv2.CAP_PROP_ORIENTATION_META)
+        there = _times(film, 1 if fps and count > 0 else None)
+    if not there:
         raise SlamlibError(f"{where} is a video without a single picture that can be read")
+    count = count if count > 0 else len(there)  # unknown in some containers
     rate = fps or (own if math.isfinite(own) and own > 0 else FPS)
-    times = tuple(number / rate for number in range(count))
+    interval, notes = 1 / rate, [f"{where.name} is turned by {turned:g} degrees, as it says"] * bool(turned)
+    times = [number / rate for number in range(count)]
+    if not fps and _vary(there[:count], rate):
+        interval = float(np.median(np.diff(there)))
+        times[: len(there)] = there[:count]
+        notes.append(f"{where.name} has a varying rate: its own times are taken, a picture every {interval:.3g} s")
     names = tuple(f"picture {number}" for number in range(count))
 
     def read(numbers: Numbers) -> Iterator[TimedImage]:
@@ -52,12 +62,31 @@ def _open(where: Path, fps: float | None) -> ImageSource:
                         raise SlamlibError(f"{where}: picture {number} is damaged")
                     yield TimedImage(names[number], times[number], grey(pixels, f"{where}, picture {number}"))
 
-    return ImageSource(names, times, 1 / rate, read, range(count))
+    return ImageSource(names, tuple(times), interval, read, range(count), notes=tuple(notes))
+
+
+def _times(film: Any, most: int | None) -> list[float]:
+    """The file's own times [s] of its pictures, or of its first ones, from the first one on."""
+    found: list[float] = []
+    position = opencv("to read videos").CAP_PROP_POS_MSEC
+    while len(found) != most and film.grab():
+        found.append(film.get(position) / 1000)
+    return [time - found[0] for time in found]
+
+
+def _vary(times: list[float], rate: float) -> bool:
+    """Whether a film's own times are plausible, and not those of its rate."""
+    steps = np.diff(times)
+    if not len(steps) or not (steps > 0).all() or not FILM[0] <= np.median(steps) <= FILM[1]:
+        return False
+    return bool(np.abs(np.array(times) - np.arange(len(times)) / rate).max() > VARIES / rate)
 
 
 @contextmanager
 def _opened(where: Path) -> Iterator[Any]:
-    film = opencv("to read videos").VideoCapture(str(where))
+    cv2 = opencv("to read videos")
+    film = cv2.VideoCapture(str(where))
+    film.set(cv2.CAP_PROP_ORIENTATION_AUTO, 1)  # the default of some versions alone
     try:
         if not film.isOpened():
             raise SlamlibError(
