@@ -63,7 +63,7 @@ def main(words: Sequence[str] | None = None) -> int:
         # What is not finite is refused, by its name.
         with signals(_stop, signal.SIGTERM), np.errstate(all="ignore"), warnings.catch_warnings():
             warnings.showwarning = _say
-            given = parser().parse_args(_joined(sys.argv[1:] if words is None else words))
+            given = parser().parse_args(_joined(_at_home(sys.argv[1:] if words is None else words)))
             status: int = given.execute(given)
         sys.stdout.flush()
     except BrokenPipeError:
@@ -94,6 +94,15 @@ def _say(
 def _stop(number: int, frame: object) -> None:
     """SIGTERM, as Ctrl-C, raises KeyboardInterrupt, so that unfinished files are removed."""
     raise KeyboardInterrupt(number)
+
+
+def _at_home(words: Sequence[str]) -> list[str]:
+    """The words, with ~ at the start of a path replaced: a shell leaves it in quotes, and after an option's =."""
+    found = []
+    for word in words:
+        option, equals, value = word.partition("=") if word.startswith("--") else ("", "", word)
+        found.append(f"{option}{equals}{os.path.expanduser(value)}")
+    return found
 
 
 def _joined(words: Sequence[str]) -> list[str]:

@@ -14,6 +14,7 @@ import numpy as np
 from slamlib.cli import arguments as shared
 from slamlib.cli import runner
 from slamlib.cli.runner import EXIT_ERROR, Job, RunEnd
+from slamlib.datasets.dataset import ImageSource
 from slamlib.errors import SlamlibError, entry
 from slamlib.evaluation.comparison import compared, sigmas_at_end
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
@@ -43,9 +44,11 @@ class ImageCommand:
 
     options(what, how): add the arguments of the input, and of the filter, each to its group. new_run(given, errors):
     the run specified by the arguments, with its calibration's parameters larger by the errors, if there are any.
+    places: the options that say where the pictures are, in a resumed run too.
     """
 
     kind: SequenceKind
+    places: tuple[str, ...]
     EXAMPLES: str
     options: Callable[[Add, Add], None]
     new_run: Callable[..., SequenceRun]
@@ -72,7 +75,7 @@ class ImageCommand:
         runner.check_files(given)
         if (given.plot or any(given.reference_std)) and not given.reference:
             raise SlamlibError("--plot and --reference-std are about errors: they need --reference FILE, a trajectory")
-        run = runner.new_or_resumed(given, self.new_run, lambda path: load(path, self.kind, frames=given.frames))
+        run = runner.new_or_resumed(given, self.new_run, lambda path: self._load(given, path), self.places)
         run.patience = given.patience or run.patience
         if not run.has_map and (given.video or given.live or given.map):
             raise SlamlibError("--video, --live and --map need the filter's map: with --odometry-only there is none")
@@ -94,6 +97,12 @@ class ImageCommand:
             lambda step: (run.snapshot(), None), kind.item, fps, each=warn,
         )  # fmt: skip
         return self._report(run, given, runner.execute(job, given), reference, errors)
+
+    def _load(self, given: argparse.Namespace, path: str) -> SequenceRun:
+        places = tuple(place for name in self.places if (place := getattr(given, name)) is not None)
+        if len(places) == 1 and len(self.places) > 1 and given.source is None:
+            raise SlamlibError("both --left and --right are needed, where the pictures are elsewhere now")
+        return load(path, self.kind, frames=given.frames, places=places)
 
     def _report(
         self, run: SequenceRun, given: argparse.Namespace, ended: RunEnd, reference: Trajectory | None, errors: Singles
@@ -145,7 +154,9 @@ class ImageCommand:
     def _which(self, add: Add) -> None:
         """Add the arguments that select images."""
         of = f"{self.kind.item}s"
-        add("--fps", type=shared.number, help=f"{of} per second, if no file gives their times (default 30)")
+        known = "if no list gives their times (default: as names or the video tell, or 30)"
+        add("--fps", type=shared.number, help=f"{of} per second, {known}")
+        add("--times", metavar="FILE", help=f"times of all {of}, a row each: a time, or a time and the picture's name")
         add("--frames", type=shared.count, metavar="N", help=f"number of {of}")
         add("--start", type=shared.at_least(0), default=0, metavar="N", help="number of the first one (default 0)")
         add("--every", type=shared.count, default=1, metavar="N", help="use every N-th only (default 1)")
@@ -176,6 +187,12 @@ def _image_warnings(run: SequenceRun, inliers: float | None) -> Iterator[str]:
     found = direction_error(run.source, run.slam.sensors[0].calibration, np.array(run.path))
     if found is not None and found[0] > MAX_DIRECTION_ERROR:
         yield REVERSED.format(*found)
+
+
+def say(source: ImageSource) -> None:
+    """Print what is to be said of images that were opened."""
+    for note in filter(None, (*source.notes, source.guess)):
+        print(f"slamlib: {note}", file=sys.stderr)
 
 
 def given_options(given: argparse.Namespace, what: str, *names: str) -> dict[str, Any]:

@@ -169,12 +169,20 @@ def _in_json(value: object) -> object:
     return None if isinstance(value, float) and not isfinite(value) else value
 
 
-def new_or_resumed(given: argparse.Namespace, new: Callable[[argparse.Namespace], R], load: Callable[[str], R]) -> R:
-    """A new run, or the one that --resume names. Raises SlamlibError for an option that only a new one can take."""
+def new_or_resumed(
+    given: argparse.Namespace,
+    new: Callable[[argparse.Namespace], R],
+    load: Callable[[str], R],
+    places: tuple[str, ...] = (),
+) -> R:
+    """A new run, or the one that --resume names. Raises SlamlibError for an option that only a new one can take.
+
+    places: options that say where the input of a resumed run is now.
+    """
     if not given.resume:
         return new(given)
     for name, value in vars(given).items():
-        if name not in (*CONTINUED, "command") and value != given.parser.get_default(name):
+        if name not in (*CONTINUED, *places, "command") and value != given.parser.get_default(name):
             flag = "the preset's name" if name == "preset" else "--" + name.replace("_", "-")
             raise SlamlibError(f"--resume continues the run of its file as it was begun: leave {flag} out")
     return load(given.resume)

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from slamlib.cli.arguments import assignments, at_least, count, number
-from slamlib.cli.images import Add, ImageCommand, given_options
+from slamlib.cli.images import Add, ImageCommand, given_options, say
 from slamlib.datasets import opening
 from slamlib.errors import SlamlibError, entry
 from slamlib.motions import MOTIONS
@@ -39,9 +39,9 @@ FAST_START = "slamlib: the camera turns by {:.0f} deg/s at the start: this is th
 
 
 class ImagesCommand(ImageCommand):
-    """Run the filter on real pictures: a folder, a glob, a video, or TUM RGB-D, EuRoC and KITTI layouts."""
+    """Run the filter on real pictures: a folder, a glob, a video, or a public data set's layout."""
 
-    kind = IMAGES
+    kind, places = IMAGES, ("source",)
     EXAMPLES = """examples:
   slamlib run images --source frames --calibration camera.json --fps 15
   slamlib run images --source film.mp4 --calibration camera.yaml --frames 300 --video map.mp4
@@ -55,7 +55,9 @@ camera.json of a pin-hole, in pixels:
 
     def options(self, what: Add, how: Add) -> None:
         """Add the arguments of one camera's images, and of the filter, with all motions of slamlib."""
-        what("--source", metavar="PATH", help="a folder, a quoted glob, a video, or a data set's folder")
+        what("--source", metavar="PATH",
+             help="a folder, a quoted glob, a video, a ZIP archive, a list of files, or a data set's folder; "
+                  "with --resume: where the pictures are now")  # fmt: skip
         formats = "a file of slamlib's own or of another tool (see slamlib list calibrations); or fr1, fr2, fr3"
         what("--calibration", metavar="FILE", help=formats)
         what("--camera", type=at_least(0), default=0, metavar="N", help="number of the camera (default 0)")
@@ -84,8 +86,9 @@ camera.json of a pin-hole, in pixels:
         if not given.source or not given.calibration:
             raise SlamlibError("--source and --calibration are needed, or --resume PATH; see slamlib run images --help")
         motion = entry("motion", given.motion, {name: name for name in MOTIONS} | ALIASES)
-        opened = {"camera": given.camera, "fps": given.fps, "undistort": given.undistort}
+        opened = {name: getattr(given, name) for name in ("camera", "fps", "times", "undistort")}
         source, camera = opening.open_sequence(given.source, given.calibration, **opened)
+        say(source)
         if given.noise is not None:
             camera["std"] = (given.noise,)
         target = None if given.scale == "free" else Target.load(given.scale)
@@ -118,7 +121,7 @@ camera.json of a pin-hole, in pixels:
 class PairsCommand(ImageCommand):
     """Run the filter on real stereo pairs: KITTI and EuRoC layouts, or a left and a right folder, glob or video."""
 
-    kind = PAIRS
+    kind, places = PAIRS, ("source", "left", "right")
     EXAMPLES = """examples:
   slamlib run stereo-images --source sequences/04 --reference poses/04.txt --trajectory path.txt
   slamlib run stereo-images --source MH_01_easy --frames 200 --video film.mp4
@@ -173,8 +176,9 @@ pair.json of a rectified pair, in pixels and metres:
         cameras = tuple(given.cameras) if given.cameras else None
         source, camera, settings = open_stereo(
             given.source, given.left, given.right, given.calibration,
-            cameras=cameras, fps=given.fps, rectify=given.rectify, settings=settings,
+            cameras=cameras, fps=given.fps, times=given.times, rectify=given.rectify, settings=settings,
         )  # fmt: skip
+        say(source)
         if given.noise is not None:
             if len(given.noise) not in (1, 3) or not min(given.noise) > 0:
                 raise SlamlibError(f"--noise takes one number above 0, or three (u, v, disparity), got {given.noise}")

@@ -84,12 +84,18 @@ class ImageSource:
         """The images in this order, with these times. Raises SlamlibError for another number of them."""
         if len(order) != len(self):
             raise SlamlibError(f"{self.where} has {len(self)} pictures, and {len(order)} times are given")
+
+        def read(numbers: Numbers) -> Iterator[TimedImage]:
+            for number, picture in zip(numbers, self.read([order[number] for number in numbers]), strict=False):
+                yield replace(picture, time=times.values[number])
+
         recipe = {**self.recipe, "times": [order, times.values, times.interval]}
-        return replace(
-            self, names=tuple(self.names[i] for i in order), times=times.values, interval=times.interval,
-            read=lambda numbers: self.read([order[number] for number in numbers]), has_times=True, recipe=recipe,
-            guess=times.guess, unclear="",
-        )  # fmt: skip
+        changed: dict[str, Any] = {
+            "names": tuple(self.names[i] for i in order),
+            "times": times.values,
+            "interval": times.interval,
+        }
+        return replace(self, **changed, read=read, has_times=True, recipe=recipe, guess=times.guess, unclear="")
 
     def through(self, change: Callable[[Array], Array], recipe: dict[str, Any], original: Array) -> "ImageSource":
         """The same images, each changed, as by an undistortion; recipe: plain data that includes the change."""

@@ -204,6 +204,69 @@ def test_more_frames_after_a_resume(room, tmp_path, capsys):
     assert found(capsys)["frames"] == 8
 
 
+def test_a_run_goes_on_where_its_pictures_are_now(room, tmp_path, capsys):
+    shutil.copytree(room / "left", tmp_path / "first")
+    call = ["run", "images", "--source", "first", "--calibration", str(room / "calibration.json")]
+    assert main([*call, "--frames", "5", "--save", "run.npz"]) == 0
+    (tmp_path / "first").rename(tmp_path / "second")
+    capsys.readouterr()
+    assert main(["run", "images", "--resume", "run.npz", "--frames", "3"]) == 2
+    assert "5 pictures are done already, --frames 3 is fewer" in capsys.readouterr().err
+    assert main(["run", "images", "--resume", "run.npz"]) == 2
+    assert "there is nothing" in capsys.readouterr().err
+    assert main(["run", "images", "--resume", "run.npz", "--source", "second", "--frames", "8", "--json"]) == 0
+    told = capsys.readouterr()
+    assert (json.loads(told.out)["frames"], json.loads(told.out)["source"]) == (8, str(tmp_path / "second"))
+    assert "slamlib:" not in told.err
+    cv2.imwrite(str(tmp_path / "second" / "4.png"), np.zeros((240, 320), np.uint8))
+    assert main(["run", "images", "--resume", "run.npz", "--source", "second", "--frames", "8"]) == 2
+    assert "with other pixels" in capsys.readouterr().err
+
+
+def test_a_run_whose_times_have_changed_does_not_go_on(room, tmp_path, capsys):
+    shutil.copytree(room / "left", tmp_path / "rgb")
+    for interval in (0.04, 0.05):
+        (tmp_path / "rgb.txt").write_text("".join(f"{9 + interval * i:.3f} rgb/{i}.png\n" for i in range(COUNT)))
+        if interval == 0.04:
+            call = ["run", "images", "--source", ".", "--calibration", str(room / "calibration.json")]
+            assert main([*call, "--frames", "5", "--save", "run.npz"]) == 0
+    assert main(["run", "images", "--resume", "run.npz", "--frames", "6"]) == 2
+    assert "4.png was of 9.160000 s, and is of 9.200000 s now" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("form", ["--{}=~/{}", "--{} ~/{}"])
+def test_the_folder_of_the_owner_in_quotes_and_after_an_equals_sign(room, tmp_path, monkeypatch, form):
+    home = tmp_path / "home"
+    shutil.copytree(room / "left", home / "left")
+    shutil.copy(room / "calibration.json", home)
+    shutil.copy(room / "truth.txt", home)
+    for variable in ("HOME", "USERPROFILE"):
+        monkeypatch.setenv(variable, str(home))
+    files = {"source": "left", "calibration": "calibration.json", "reference": "truth.txt", "save": "new/run.npz"}
+    files |= {"trajectory": "new/path.txt", "json": "new/found.json", "map": "new/map.csv"}
+    given = [word for name, file in files.items() for word in form.format(name, file).split(" ")]
+    assert main(["run", "images", *given, "--frames", "3"]) == 0
+    assert {f.name for f in (home / "new").iterdir()} >= {"run.npz", "path.txt", "path.cov", "found.json", "map.csv"}
+    assert [f.name for f in tmp_path.iterdir()] == ["home"]
+
+
+def test_what_was_guessed_of_the_times_is_said_once(room, tmp_path, capsys):
+    for i in range(4):
+        (tmp_path / "film").mkdir(exist_ok=True)
+        shutil.copy(room / "left" / f"{i}.png", tmp_path / "film" / f"{1700000000 + i / 30:.3f}.png")
+    call = ["run", "images", "--source", "film", "--calibration", str(room / "calibration.json")]
+    assert main([*call, "--calibration-std", "intrinsics=1"]) == 0
+    assert capsys.readouterr().err.count("taken for their times in seconds: a picture every 0.033 s\n") == 1
+    (tmp_path / "times.txt").write_text("0\n50\n100\n150\n")
+    assert main([*call, "--times", "times.txt", "--json"]) == 0
+    told = capsys.readouterr()
+    assert "times.txt: its times are taken for milliseconds, not seconds: a picture every 0.05 s" in told.err
+    assert json.loads(told.out)["seconds"] == pytest.approx(0.15)
+    (tmp_path / "times.txt").write_text("0\n1\n")
+    assert main([*call, "--times", "times.txt"]) == 2
+    assert "has 2 times, and there are 4 pictures" in capsys.readouterr().err
+
+
 def test_a_picture_that_cannot_be_read_stops_the_run_and_nothing_is_lost(room, tmp_path, capsys):
     shutil.copytree(room / "left", tmp_path / "left")
     (tmp_path / "left" / "7.png").write_bytes((room / "left" / "7.png").read_bytes()[:500])
@@ -362,7 +425,7 @@ def test_a_window_shows_every_frame(room, monkeypatch):
         (["--scale", "nowhere.json"], "nowhere.json cannot be read"),
         (["--camera", "1"], "no camera 1; it has 0"),
         (["--video", "film.avi"], "ending of a video"),
-        (["--resume", "nowhere.npz"], "leave --source out"),
+        (["--resume", "nowhere.npz"], "leave --calibration out"),
         (["--trajectory", "{room}/calibration.json/t.txt"], "cannot be written"),
         (["--save", "."], "it is a folder"),
         (["--reference", "nowhere.txt"], "cannot be read"),

@@ -283,6 +283,22 @@ def test_lengths_of_parts_fit_the_path():
     assert lengths_of(0.0) == ()
 
 
+def test_a_run_of_pairs_goes_on_elsewhere(room, tmp_path, capsys):
+    copied(room, tmp_path / "a", 6)
+    sides = ["--left", "a/left", "--right", "a/right"]
+    call = ["run", "stereo-images", *sides, *QUICK, "--calibration", plain(tmp_path), "--fps", "15"]
+    assert main([*call, "--frames", "3", "--save", "run.npz"]) == 0
+    (tmp_path / "a").rename(tmp_path / "b")
+    capsys.readouterr()
+    again = ["run", "stereo-images", "--resume", "run.npz", "--frames", "5", "--json"]
+    assert main([*again, "--left", "b/left"]) == 2
+    assert "both --left and --right are needed" in capsys.readouterr().err
+    assert main([*again, "--left", "b/right", "--right", "b/left"]) == 2
+    assert "with other pixels" in capsys.readouterr().err
+    assert main([*again, "--left", "b/left", "--right", "b/right"]) == 0
+    assert found(capsys)["frames"] == 5
+
+
 @pytest.mark.parametrize(
     ("more", "message"),
     [
@@ -301,7 +317,8 @@ def test_lengths_of_parts_fit_the_path():
         (["--source", "{room}", "--odometry-only", "--live"], "with --odometry-only there is none"),
         (["--source", "{room}", "--start", "99"], "none is left"),
         (["--source", "{room}", "--trajectory", "{room}/calibration.json/t.txt"], "cannot be written"),
-        (["--source", "{room}", "--resume", "run.npz"], "leave --option out"),
+        (["--source", "{room}", "--resume", "run.npz"], "no such file"),
+        (["--fps", "9", "--resume", "run.npz"], "leave --fps out"),
         (["--resume", "nowhere.npz"], "no such file"),
         (["--source", "{room}", "--reference", "nowhere.txt"], "cannot be read"),
     ],

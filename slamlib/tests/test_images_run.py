@@ -397,7 +397,7 @@ def test_targets_are_read_from_json(tmp_path):
         path.write_text(text)
         with pytest.raises(SlamlibError, match="is no target"):
             Target.load(path)
-    with pytest.raises(SlamlibError, match="cannot be read"):
+    with pytest.raises(SlamlibError, match="absent cannot be read"):
         Target.load(tmp_path / "absent")
 
 

@@ -256,6 +256,7 @@ def test_times_from_a_file(folder):
     (folder.parent / "named.csv").write_text("\n".join(rows))
     part = open_source(folder, times=folder.parent / "named.csv").part(1, 2)
     assert numbers(part) == [0, 7, 2, 5, 8, 10]
+    assert [p.time for p in part] == [0.5, 1.5, 2.5, 3.5, 4.5, 5.5]
     (folder.parent / "named.csv").unlink()  # a recipe remembers
     again = reopen(part.recipe)
     assert [(p.name, p.time) for p in again] == [(p.name, p.time) for p in part]

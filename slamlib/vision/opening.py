@@ -156,6 +156,7 @@ def open_stereo(
     settings: StereoSettings | None = None,
     cameras: tuple[int, int] | None = None,
     fps: float | None = None,
+    times: str | None = None,
     rectify: bool = False,
 ) -> tuple[ImageSource, dict[str, Any], StereoSettings]:
     """As slamlib.datasets.opening.open_rectified_pairs, and the settings with the offset [px] of disparities.
@@ -163,7 +164,7 @@ def open_stereo(
     The first pair is read, to check its rows and the sign of its disparities. Raises SlamlibError.
     """
     pairs, camera, offset = opening.open_rectified_pairs(
-        source, left, right, calibration, cameras=cameras, fps=fps, rectify=rectify
+        source, left, right, calibration, cameras=cameras, fps=fps, times=times, rectify=rectify
     )
     chosen = settings or StereoSettings()
     chosen = replace(chosen, offset=chosen.offset or offset)
@@ -205,11 +206,13 @@ def load(
     source: ImageSource | None = None,
     front_end: Callable[[Calibration], FrontEnd] | None = None,
     frames: int | None = None,
+    places: tuple[str, ...] = (),
 ) -> SequenceRun:
     """Load a saved run, to resume it exactly. Raises SlamlibError for a file without a run of this kind.
 
     source: replaces the one of the saved run. front_end(calibration): makes one like that of the run, if it was given
-    one. frames: total number of images, if not as before.
+    one. frames: total number of images, if not as before. places: where they are now, one place or, of pairs, a left
+    and a right one; the last image that was used must be the same.
     """
     header, _ = checkpoint.read(path)
     saved = header.get("extra", {}).get(kind.name)
@@ -218,6 +221,10 @@ def load(
     with complete(path):
         if source is None and not saved["source"]:
             raise SlamlibError(f"{path}: its {kind.item}s were in memory; give them as source=...")
+        done = len(saved["run"]["history"])
+        if frames is not None and frames < done:
+            raise SlamlibError(f"{path}: {done} {kind.item}s are done already, --frames {frames} is fewer")
+        recipe = opening.moved(saved["source"], *places) if places else saved["source"]
         rig, options, told = Rig.from_dict(header["rig"]), Options.from_dict(header["options"]), saved["motion"]
         if front_end is None:
             motion = kind.source(rig.sensors[0], options, told["name"], told["settings"])
@@ -225,7 +232,7 @@ def load(
             motion = MotionSource(front_end(rig.sensors[0].calibration))
         slam = Slam.load(path, front_ends=[motion.front_end])
         motion.restore(told["state"])
-        run = SequenceRun(source or opening.reopen(saved["source"], frames), slam, motion, kind)
+        run = SequenceRun(source or opening.reopen(recipe, frames), slam, motion, kind)
         run.restore(saved["run"])
         check_columns(run.history, run.columns)
         return run

@@ -28,6 +28,7 @@ from slamlib.vision.target import Target
 from slamlib.vision.tracking_loss import TrackingLoss, TrackingLostError
 
 TIME, LANDMARKS, INLIERS = (COLUMNS.index(name) for name in ("time", "landmarks", "inliers"))
+SAME_TIME = 1e-3  # of the interval
 PLAIN = ("history", "path", "covariances", "patience", "metric", "relocalizes")  # what a run keeps as plain data
 
 
@@ -251,6 +252,12 @@ class SequenceRun:
                 raise SlamlibError(
                     f"the {self.kind.item}s in {self.source.where} have changed since the run was saved: the last one "
                     f"that it used was {last[0]}, and its place has {found[0]} now{pixels}"
+                )
+            before, now = self.history[-1][TIME], self.picture.time
+            if abs(now - before) > SAME_TIME * self.source.interval:
+                raise SlamlibError(
+                    f"the times of the {self.kind.item}s have changed since the run was saved: {last[0]} was of "
+                    f"{before:.6f} s, and is of {now:.6f} s now; start a new run"
                 )
 
 

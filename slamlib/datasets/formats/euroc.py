@@ -10,7 +10,6 @@ from slamlib.datasets.dataset import METADATA, CalibrationReader, Cameras, Datas
 from slamlib.datasets.formats.kalibr import lens
 from slamlib.datasets.lens import Lens, rigid
 from slamlib.datasets.pictures import images_in
-from slamlib.errors import SlamlibError
 from slamlib.plain_data.entries import Entries, alike, named_values
 
 UNUSED = (*METADATA, "exposure*")
