@@ -1,4 +1,10 @@
-"""What the command `slamlib` draws with: the entry point of the group `slamlib.drawing` in pyproject.toml."""
+"""What the command `slamlib` draws with: the entry point of the group `slamlib.drawing` in pyproject.toml.
+
+A kernel tells its shell commands to draw as it does (MPLBACKEND), which they cannot: the variable is left out. Files
+are drawn by Agg, whatever the backend is, and for a window matplotlib finds a backend that opens one here.
+"""
+
+import os
 
 from slambook.scene.error_plot import check as check_plot
 from slambook.scene.error_plot import write as write_plot
@@ -11,6 +17,9 @@ from slamlib.records.inputs import World
 from slamlib.records.snapshots import Snapshot
 
 __all__ = ["check_map", "check_plot", "check_video", "open_window", "write_map", "write_plot", "write_video"]
+
+
+os.environ.pop("MPLBACKEND", None)  # before matplotlib is imported, which refuses a name that it does not know
 
 
 def open_window(snapshot: Snapshot, *, world: World | None) -> Window:

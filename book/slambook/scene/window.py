@@ -85,12 +85,15 @@ class Window:
     def _figure(self, size: tuple[float, float], dpi: float, show: bool) -> Any:
         if show:
             plot = extra("matplotlib.pyplot", "a window")
-            if plot.get_backend().lower() in WINDOWLESS:
+            try:
+                if plot.get_backend().lower() in WINDOWLESS:
+                    raise ImportError(f"its backend is {plot.get_backend()}")
+                figure = plot.figure(figsize=size, dpi=dpi, layout="none")  # the parts have their places
+            except Exception as error:  # each toolkit has its own for a display that is not there
                 raise SlamlibError(
-                    f"matplotlib opens no window here (its backend is {plot.get_backend()}): choose another with "
-                    "matplotlib.use, or leave show out and save the pictures"
-                )
-            figure = plot.figure(figsize=size, dpi=dpi, layout="none")  # the parts have their places
+                    f"matplotlib opens no window here ({error}): choose another backend with matplotlib.use, or leave "
+                    "show (of the command, --live) out and save the pictures"
+                ) from None
             figure.stale_callback = None  # each frame is drawn here, once
             plot.show(block=False)
             return figure
