@@ -58,7 +58,10 @@ def parser() -> argparse.ArgumentParser:
 
 
 def main(words: Sequence[str] | None = None) -> int:
-    """Run the command; return the exit status: 0, 2 for an error of the user, 130 if interrupted, 143 if terminated."""
+    """Run the command; return the exit status: 0, 2 for an error of the user, 130 if interrupted, 143 if terminated.
+
+    It is 1 for an error of slamlib's own, whose traceback Python's development mode (-X dev) shows.
+    """
     try:
         # What is not finite is refused, by its name.
         with signals(_stop, signal.SIGTERM), np.errstate(all="ignore"), warnings.catch_warnings():
@@ -76,6 +79,12 @@ def main(words: Sequence[str] | None = None) -> int:
         number = next(iter((stop.__cause__ or stop).args), signal.SIGINT)  # a codec raises its own from it
         print(f"slamlib: {STOPPED[number]}", file=sys.stderr)
         return 128 + number
+    except Exception as error:
+        if sys.flags.dev_mode:
+            raise
+        said = " ".join(f"{type(error).__name__}: {error}".split())
+        print(f"slamlib: a fault of slamlib's own, {said}; to report it: python -X dev -m slamlib ...", file=sys.stderr)
+        return 1
     return status
 
 

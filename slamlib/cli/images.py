@@ -14,7 +14,6 @@ import numpy as np
 from slamlib.cli import arguments as shared
 from slamlib.cli import runner
 from slamlib.cli.runner import EXIT_ERROR, Job, RunEnd
-from slamlib.datasets.dataset import ImageSource
 from slamlib.errors import SlamlibError, entry
 from slamlib.evaluation.comparison import compared, sigmas_at_end
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
@@ -79,6 +78,9 @@ class ImageCommand:
         run.patience = given.patience or run.patience
         if not run.has_map and (given.video or given.live or given.map):
             raise SlamlibError("--video, --live and --map need the filter's map: with --odometry-only there is none")
+        if not given.resume:
+            for note in filter(None, (*run.source.notes, run.source.guess)):
+                print(f"slamlib: {note}", file=sys.stderr)
         errors = single_errors(shared.numbers_by_name(given.calibration_std, "--calibration-std"), run)
         source, warned = run.source, False
         times = np.array(source.times)
@@ -187,12 +189,6 @@ def _image_warnings(run: SequenceRun, inliers: float | None) -> Iterator[str]:
     found = direction_error(run.source, run.slam.sensors[0].calibration, np.array(run.path))
     if found is not None and found[0] > MAX_DIRECTION_ERROR:
         yield REVERSED.format(*found)
-
-
-def say(source: ImageSource) -> None:
-    """Print what is to be said of images that were opened."""
-    for note in filter(None, (*source.notes, source.guess)):
-        print(f"slamlib: {note}", file=sys.stderr)
 
 
 def given_options(given: argparse.Namespace, what: str, *names: str) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from slamlib.cli.arguments import assignments, at_least, count, number
-from slamlib.cli.images import Add, ImageCommand, given_options, say
+from slamlib.cli.images import Add, ImageCommand, given_options
 from slamlib.datasets import opening
 from slamlib.errors import SlamlibError, entry
 from slamlib.motions import MOTIONS
@@ -88,7 +88,6 @@ camera.json of a pin-hole, in pixels:
         motion = entry("motion", given.motion, {name: name for name in MOTIONS} | ALIASES)
         opened = {name: getattr(given, name) for name in ("camera", "fps", "times", "undistort")}
         source, camera = opening.open_sequence(given.source, given.calibration, **opened)
-        say(source)
         if given.noise is not None:
             camera["std"] = (given.noise,)
         target = None if given.scale == "free" else Target.load(given.scale)
@@ -178,7 +177,6 @@ pair.json of a rectified pair, in pixels and metres:
             given.source, given.left, given.right, given.calibration,
             cameras=cameras, fps=given.fps, times=given.times, rectify=given.rectify, settings=settings,
         )  # fmt: skip
-        say(source)
         if given.noise is not None:
             if len(given.noise) not in (1, 3) or not min(given.noise) > 0:
                 raise SlamlibError(f"--noise takes one number above 0, or three (u, v, disparity), got {given.noise}")

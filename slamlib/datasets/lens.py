@@ -169,7 +169,7 @@ def fitted(setup: dict[str, Any], size: tuple[int, int], what: str) -> dict[str,
 
     what: the images' name. The principal point is checked for pin-holes only.
     """
-    image = setup.get("image")
+    image = setup.get("image") or None  # an empty one is not given
     if image is not None and tuple(image) != size:
         raise SlamlibError(
             f"the calibration is of pictures of {image[0]:g}x{image[1]:g} pixels, and those of {what} have "

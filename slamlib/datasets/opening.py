@@ -20,6 +20,7 @@ from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import matched_times
 from slamlib.manifolds import Indices
 from slamlib.plain_data.fields import read, written
+from slamlib.rigs.setup import SensorSetup
 
 CAMERAS = ((0, 1), (2, 3))  # left and right; KITTI's 2 and 3 are the coloured ones
 MAX_TIME_SHARE = 0.1  # of the interval: largest difference of the times of one pair
@@ -41,7 +42,12 @@ def open_sequence(
     pictures = open_source(source, fps=fps, camera=camera, times=times)
     size = size_of(pictures)
     if not undistort:
-        return pictures, fitted(read_calibration(calibration, camera), size, pictures.where)
+        setup = read_calibration(calibration, camera)
+        try:
+            _ = read(SensorSetup, setup, "camera").calibration  # all of it is there, before a part is used
+        except SlamlibError as error:
+            raise SlamlibError(f"{calibration}: {error}") from None
+        return pictures, fitted(setup, size, pictures.where)
     lens = read_lens(calibration, camera)
     _check_size(lens, size, pictures)
     return remapped(pictures, lens, size)

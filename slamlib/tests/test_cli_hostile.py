@@ -3,6 +3,9 @@
 import contextlib
 import io
 import json
+import os
+import subprocess
+import sys
 import tomllib
 
 import numpy as np
@@ -298,6 +301,31 @@ def test_a_run_of_another_version_is_named(tmp_path, monkeypatch, capsys):
     run.save("old.npz")
     assert main(["run", "--resume", "old.npz", "--frames", "5"]) == 2
     assert "old.npz is incomplete, or has been changed" in capsys.readouterr().err
+
+
+def test_a_fault_of_slamlib_s_own_is_one_line_too(monkeypatch):
+    monkeypatch.setattr("slamlib.cli.starting.base", lambda name: {}["no\nsuch"])
+    status, err = called("preset", "points")
+    assert (status, err.count("\n")) == (1, 1)
+    assert err.startswith("slamlib: a fault of slamlib's own, KeyError: 'no\\nsuch'; to report it: python -X dev")
+
+
+@pytest.mark.parametrize(
+    "backend", ["nonsense", "module://nowhere.backend", "module://matplotlib_inline.backend_inline"]
+)
+def test_a_backend_of_a_kernel_does_not_reach_the_command(backend, tmp_path):
+    pytest.importorskip("matplotlib", reason="plots need matplotlib")
+    here = {**os.environ, "MPLBACKEND": backend}
+    plot = [sys.executable, "-m", "slamlib", "run", "points", "--frames", "2", "--plot", "errors.svg", "--overwrite"]
+    run = subprocess.run(plot, cwd=tmp_path, env=here, capture_output=True, text=True, timeout=120)
+    assert (run.returncode, run.stderr) == (0, "")
+    assert (tmp_path / "errors.svg").is_file()
+    for variable in ("DISPLAY", "WAYLAND_DISPLAY"):
+        here.pop(variable, None)
+    if sys.platform == "linux":
+        run = subprocess.run([*plot, "--live"], cwd=tmp_path, env=here, capture_output=True, text=True, timeout=120)
+        assert (run.returncode, run.stderr.count("\n")) == (2, 1)
+        assert run.stderr.startswith("slamlib: matplotlib opens no window here")
 
 
 def test_blank_pictures_are_no_success(tmp_path, monkeypatch, capsys):

@@ -4,6 +4,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from slamlib.datasets.times import of_file, of_list, of_names
 from slamlib.errors import SlamlibError
@@ -90,6 +92,19 @@ def test_a_number_of_the_frame_beside_the_time():
     assert order == list(range(40))
     assert times.interval == pytest.approx(1 / 30)
     assert times.stated
+
+
+@settings(max_examples=200, deadline=None, derandomize=True, database=None)
+@given(
+    st.lists(st.text("019.-_e\u00b2\u0665a", max_size=24), min_size=1, max_size=8, unique=True),
+    st.sampled_from([None, 9]),
+)
+def test_whatever_the_names_each_picture_has_its_place_and_time(words, fps):
+    order, times = of_names(named(words), fps)
+    assert sorted(order) == list(range(len(words)))
+    assert len(times.values) == len(words)
+    assert times.unclear or (np.diff(times.values) > 0).all()
+    assert times.interval > 0
 
 
 @pytest.mark.parametrize(

@@ -21,8 +21,12 @@ def _cameras(where: Path) -> dict[int, Path]:
     places = {n: [where / "mav0" / f"cam{n}", where / f"cam{n}"] for n in range(4)}
     places[0].append(where)
     there = {n: [p / "data.csv" for p in folders if (p / "data").is_dir()] for n, folders in places.items()}
-    # the names of pictures are their times: a copy without the list is read, too
-    return {n: one for n, some in there.items() for one in some[:1] if one.is_file() or images_in(one.parent / "data")}
+    return {n: one for n, some in there.items() for one in some[:1] if one.is_file() or _is_camera(one.parent, n)}
+
+
+def _is_camera(folder: Path, number: int) -> bool:
+    """Whether a folder holds a camera's pictures without their list: their names are their times."""
+    return folder.name == f"cam{number}" and bool(images_in(folder / "data"))
 
 
 def _open(listing: Path, fps: float | None) -> ImageSource:

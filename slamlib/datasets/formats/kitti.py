@@ -1,7 +1,5 @@
 """KITTI odometry: Geiger, Lenz and Urtasun (2012). PATH/image_N holds rectified pictures, PATH/times.txt their times.
 
-The raw recordings of the same car, synchronized and rectified: PATH/image_0N/data, and PATH/image_0N/timestamps.txt.
-
 calib.txt: rows "P0: " and 12 numbers, or 12 numbers alone: the projection matrices K [I | t] of the rectified cameras;
 KITTI's raw data call them P_rect_00, ..., in calib_cam_to_cam.txt, beside the cameras before the rectification.
 """
@@ -19,7 +17,6 @@ from slamlib.datasets.pictures import images_in
 from slamlib.datasets.times import table
 from slamlib.errors import SlamlibError
 from slamlib.plain_data.entries import Entries, Numbers
-from slamlib.plain_data.files import read_text
 from slamlib.plain_data.parsing import named, value_of
 
 FPS = 10.0
@@ -42,26 +39,6 @@ def _open(folder: Path, fps: float | None) -> ImageSource:
     if len(times) != len(paths):
         raise SlamlibError(f"{listing} has {len(times)} times for {len(paths)} pictures in {folder}")
     return listed(paths, times, listing)
-
-
-def _raw_cameras(where: Path) -> dict[int, Path]:
-    return {n: folder for n in range(4) if images_in(folder := where / f"image_{n:02d}" / "data")}
-
-
-def _open_raw(folder: Path, fps: float | None) -> ImageSource:
-    paths, listing = images_in(folder), folder.parent / "timestamps.txt"
-    if not listing.is_file():
-        return counted(paths, fps, FPS)
-    rows = [line.strip() for line in read_text(listing).splitlines() if line.strip()]
-    if len(rows) != len(paths):
-        raise SlamlibError(f"{listing} has {len(rows)} times for {len(paths)} pictures in {folder}")
-    try:
-        times = [float(np.datetime64(row, "ns").astype(np.int64)) for row in rows if ":" in row]
-    except ValueError:
-        times = []
-    if len(times) != len(rows):
-        raise SlamlibError(f"{listing}: dates and times such as 2011-09-26 13:02:25.964389445 are wanted")
-    return listed(paths, times, listing, "nanoseconds")
 
 
 def _fits(text: str) -> bool:
@@ -89,7 +66,4 @@ def _lens(projection: Numbers, size: Numbers | None) -> Lens:
 
 
 KITTI = Dataset("KITTI", _cameras, _open, calibrations=("calib.txt", "calibration.json"))
-KITTI_RAW = Dataset(
-    "KITTI raw", _raw_cameras, _open_raw, calibrations=("calib_cam_to_cam.txt", "../calib_cam_to_cam.txt")
-)
 CALIBRATION = CalibrationReader("KITTI", _fits, _read)
