@@ -3,8 +3,11 @@
 A rectified pair is one image too: an array (2, h, w), the left image and the right one.
 """
 
+import os
 import re
-from collections.abc import Callable, Iterable
+import tempfile
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path, PurePath
 from typing import Any, TypeVar
@@ -18,6 +21,8 @@ from slamlib.sensors.sensor import Calibration
 P = TypeVar("P", bound=PurePath)
 ENDINGS = (".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp")
 PNG = b"\x89PNG\r\n\x1a\n"
+# What libtiff (by OpenCV) and libjpeg say of pictures that are returned all the same, with a part made up.
+_DAMAGE = (b"[ERROR", b"premature end")
 # Some versions of OpenCV read a truncated file without an error: so its end is checked first.
 _WHOLE: dict[bytes, Callable[[bytes], bool]] = {
     PNG: lambda data: b"IEND" in data,
@@ -60,15 +65,36 @@ def pixels(data: bytes, name: str) -> Array:
         if data.startswith(beginning) and not is_whole(data):
             raise SlamlibError(f"{name} is truncated: its end is missing; copy it again")
     cv2 = opencv("to read images")
-    try:
-        found = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_UNCHANGED)
-    except cv2.error:  # of sizes beyond its limits, for instance
-        found = None
-    if found is None:
+    with overheard() as said:
+        try:
+            found = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_UNCHANGED)
+        except cv2.error:  # of sizes beyond its limits, for instance
+            found = None
+    if found is None or any(sign in b"".join(said) for sign in _DAMAGE):
         raise SlamlibError(
             f"{name} cannot be read as an image: it is truncated, damaged, or of a kind OpenCV cannot read"
         )
     return found
+
+
+@contextmanager
+def overheard() -> Iterator[list[bytes]]:
+    """What the libraries behind OpenCV, such as libpng, write to the standard error within the block."""
+    said: list[bytes] = []
+    try:
+        own = os.dup(2)
+    except OSError:  # there is no standard error
+        yield said
+        return
+    with tempfile.TemporaryFile() as heard:
+        os.dup2(heard.fileno(), 2)
+        try:
+            yield said
+        finally:
+            os.dup2(own, 2)
+            os.close(own)
+            heard.seek(0)
+            said.append(heard.read())
 
 
 def grey(pixels: Array, name: str, divisor: int | None = None) -> Array:

@@ -205,12 +205,11 @@ def test_settings_of_searches(kind, pictures, tmp_path, monkeypatch):
     tried()
 
 
-def complaint(words):
-    """What a command prints of errors, after a check of its form: each line is slamlib's own."""
+def checked(words):
+    """Call a command, and check the form of what it prints of errors: each line is slamlib's own."""
     status, err = called(*words)
     clear(status, err)
     assert all(line.startswith("slamlib: ") for line in err.splitlines()), err
-    return err
 
 
 @pytest.mark.parametrize("name", TEXTS)
@@ -235,7 +234,7 @@ def test_texts(name, pictures, monkeypatch):
             )
         else:
             path.write_bytes(data.draw(st.sampled_from([spoiled, recoded, broken]))(data, text.encode()))
-        complaint(words)
+        checked(words)
 
     try:
         tried()
@@ -306,7 +305,9 @@ def test_bytes(name, pictures, monkeypatch, capfd):
     @given(data=st.data())
     def tried(data):
         path.write_bytes(broken(data, content))
-        complaint(words)
+        checked(words)
+        # Of the libraries behind OpenCV; what reads films may have been told before to speak.
+        assert capfd.readouterr().err == "" or name == "film.avi"
 
     try:
         tried()

@@ -376,6 +376,19 @@ def test_files_that_are_not_whole(tmp_path, ending, share):
         list(open_source(tmp_path))
 
 
+@pytest.mark.parametrize(("ending", "share"), [("jpg", 0.6), ("tif", 0.3), ("png", 0.5)])
+def test_a_picture_with_a_damaged_part_is_refused_and_no_library_speaks(tmp_path, ending, share, capfd):
+    path = tmp_path / f"image.{ending}"
+    put(path, np.random.default_rng(0).integers(0, 255, SIZE).astype(np.uint8))
+    data = bytearray(path.read_bytes())
+    at = int(share * len(data))
+    data[at : at + 12] = b"\xff" * 12
+    path.write_bytes(data)
+    with pytest.raises(SlamlibError, match=f"{path.name} cannot be read as an image"):
+        read_image(path)
+    assert capfd.readouterr().err == ""
+
+
 def deep(bits, number=1, shape=SIZE):
     """A smooth picture of so many bits of sixteen, a bright patch on a dark ground."""
     v, u = np.mgrid[: shape[0], : shape[1]]
