@@ -57,7 +57,8 @@ def _no_number(array: NDArray[Any]) -> str:
     """What of an array of objects is no real number."""
     place = next(place for place in np.ndindex(array.shape) if not isinstance(array[place], Real))
     where = f" at index {place}" if array.ndim else ""
-    return f"it holds {array[place]!r} ({type(array[place]).__name__}){where}"
+    shown = ascii(array[place]) if isinstance(array[place], str) else array[place]
+    return f"it holds {shown} ({type(array[place]).__name__}){where}"
 
 
 def whole_rows(*arrays: ArrayLike) -> Mask | None:

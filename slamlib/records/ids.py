@@ -39,7 +39,7 @@ def _id(value: Any, what: str) -> Id:
     if isinstance(value, int | np.integer) and not isinstance(value, bool):
         return int(value)
     advice = "ids.astype(int) makes them integers" if isinstance(value, float | np.floating) else "name things by them"
-    raise SlamlibError(f"{what} are integers or strings, not {value!r} ({type(value).__name__}): {advice}")
+    raise SlamlibError(f"{what} are integers or strings, not {value} ({type(value).__name__}): {advice}")
 
 
 def array_of(given: list[Id], what: str = "ids") -> Ids:

@@ -218,7 +218,7 @@ class Slam:
         """Raise SlamlibError unless dt is a time [s]: zero where two sensors measure at once, never below."""
         if not isinstance(dt, int | float | np.number) or not 0 <= dt < np.inf:
             raise SlamlibError(
-                f"{what}: dt is the time since the frame before, 0 or more [s], got {dt!r}; of a list of times it is "
+                f"{what}: dt is the time since the frame before, 0 or more [s], got {dt}; of a list of times it is "
                 "their differences, and the first frame's is 0"
             )
 
