@@ -16,12 +16,12 @@ from slamlib.datasets.lens import Lens, PairCalibration
 from slamlib.errors import SlamlibError
 from slamlib.plain_data.files import read_text
 from slamlib.plain_data.parsing import parsed
+from slamlib.rigs.builders import BASELINES
 
 NO_BASELINE = (
     "the baseline is missing: the distance of the right camera from the left one. Write a JSON file with "
     '{"intrinsics": [u0, v0, au, av], "baseline": metres}, or give a file of both cameras'
 )
-BASELINES = 0.001, 5.0  # m, of pairs of cameras: others are mostly of another unit
 UNIT = "are its lengths in millimetres ({:g} m), or in centimetres ({:g} m)? "
 IN_METRES = (
     "slamlib's lengths are in metres: bring the file's to metres; if {0:g} m is right, write slamlib's own JSON of the "

@@ -16,9 +16,9 @@ from slamlib.datasets.lens_models import MODELS, RADIAL
 from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Array
 from slamlib.plain_data.entries import Numbers
+from slamlib.rigs.builders import SQUARE
 
 RIGID = 0.01  # how far a rotation's columns may be from orthonormal: files round, and some are of single precision
-FOCALS = 0.5, 2.0  # ratio of the two focal lengths; a pixel's sides differ by less
 CENTRED, ASIDE = 0.1, 0.3  # distance from the image's middle, in its sizes, of a principal point and of something else
 
 
@@ -133,7 +133,7 @@ def lens_of(fx: float, fy: float, cx: float, cy: float, **others: Any) -> Lens:
         )
         fy = -fy
     found = Lens((cx, cy, fx, fy), **others)
-    if not FOCALS[0] <= fx / fy <= FOCALS[1]:
+    if not SQUARE < fx / fy < 1 / SQUARE:
         raise SlamlibError(
             f"the focal lengths {fx:g} and {fy:g} px differ by a factor of {max(fx / fy, fy / fx):.3g}, and pixels are "
             "nearly square: is one of them wrong, or their order? If it is right, write it as slamlib's own JSON, "

@@ -23,6 +23,11 @@ from slamlib.sensors import sensor
 
 Image = tuple[float, float] | tuple[()] | None
 CENTRED: tuple[()] = ()  # the image whose middle is the principal point
+# What is beyond these is mostly a number of another unit or place: refused here, and taken by the setups themselves.
+SQUARE = 0.6  # ratio of a pixel's sides
+BASELINES = 0.001, 5.0  # [m]
+ANY_ANGLE = float(np.pi / np.sqrt(3))  # [rad]: the standard deviation of an angle between -pi and pi, all alike
+IF_RIGHT = "If it is right, make the setup by hand: slamlib.SensorSetup(type=..., parameters=...)"
 
 
 class RobotFields(TypedDict, total=False):
@@ -198,6 +203,9 @@ def stereo(
         >>> pair.calibration.project([0.5, 0, 2, 1]).round(1).tolist()
         [420.0, 240.0, 24.0]
     """
+    length = float(finite(baseline, (), "stereo", "baseline"))
+    if length > 0 and not BASELINES[0] <= length <= BASELINES[1]:
+        raise SlamlibError(f"stereo: is a baseline of {length:g} m right, or is it in another unit? {IF_RIGHT}")
     parameters: dict[str, ArrayLike] = {"intrinsics": intrinsics(K, "stereo"), "baseline": baseline}
     return _sensor("stereo", "stereo", parameters, noise, setup, image)
 
@@ -264,15 +272,19 @@ def relative_position(noise: ArrayLike, **setup: Unpack[SensorFields]) -> Sensor
 def intrinsics(K: ArrayLike, function: str) -> Array:
     """The intrinsics (u0, v0, au, av) [px] of a matrix (3, 3) without skew, or as they are. Raises SlamlibError."""
     given = numbers(K, function, "K")
-    if given.shape == (4,):
-        return finite(given, (4,), function, "K")
-    if given.shape != (3, 3):
+    if given.shape not in ((4,), (3, 3)):
         raise ShapeError(f"{function}: K is a matrix (3, 3), or (u0, v0, au, av), and has shape {given.shape}")
-    found = np.array([given[0, 2], given[1, 2], given[0, 0], given[1, 1]])
-    u0, v0, au, av = finite(found, (4,), function, "K")
-    if not np.array_equal(given, [[au, 0, u0], [0, av, v0], [0, 0, 1]]):
+    found = given if given.ndim == 1 else np.array([given[0, 2], given[1, 2], given[0, 0], given[1, 1]])
+    u0, v0, au, av = finite(found, (4,), function, "K").tolist()
+    if given.ndim == 2 and not np.array_equal(given, [[au, 0, u0], [0, av, v0], [0, 0, 1]]):
         raise SlamlibError(
             f"{function}: K is [[au, 0, u0], [0, av, v0], [0, 0, 1]], without skew, and was given as {given.tolist()}"
+        )
+    if min(au, av) > 0 and not SQUARE < au / av < 1 / SQUARE:
+        factor = max(au / av, av / au)
+        raise SlamlibError(
+            f"{function}: the focal lengths {au:g} and {av:g} px differ by a factor of {factor:.3g}, and pixels are "
+            f"nearly square: is one of them wrong, or their order (u0, v0, au, av)? {IF_RIGHT}"
         )
     return found
 
@@ -289,6 +301,12 @@ def _sensor(
     _check_names(name, setup, SensorFields)
     type_ = sensor(kind)
     std, covariance = _std_or_covariance(noise, type_.size, name)
+    stds = np.broadcast_to(std, type_.size) if covariance is None else np.sqrt(np.abs(covariance.diagonal()))
+    if (stds[type_.angles] > ANY_ANGLE).any():
+        raise SlamlibError(
+            f"{name}: a direction of which nothing is known has a standard deviation of {ANY_ANGLE:.2f} rad, and the "
+            f"noise of an angle is {stds[type_.angles].max():g}: angles are in radians (np.radians)"
+        )
     if image is CENTRED:
         u0, v0 = np.asarray(parameters["intrinsics"])[:2].tolist()
         image = (2 * u0, 2 * v0)

@@ -185,6 +185,29 @@ def test_angles_in_degrees_are_refused_before_anything_changes():
         RobotMeasurement("compass", plane_bearing.project, [90.0], [[0.01]])
 
 
+@pytest.mark.parametrize(
+    ("made", "said"),
+    [
+        (lambda: sl.camera((320, 240, 250, 500)), "camera: the focal lengths 250 and 500 px differ by a factor of 2"),
+        (lambda: sl.fisheye((320, 240, 500, 250)), "differ by a factor of 2"),
+        (lambda: sl.stereo((320, 240, 500, 500), 200.0), "a baseline of 200 m right, or is it in another unit"),
+        (lambda: sl.stereo((320, 240, 500, 500), 1e-4), "a baseline of 0.0001 m right"),
+        (lambda: sl.range_bearing((0.1, 2.0)), "noise of an angle is 2: angles are in radians"),
+        (lambda: sl.bearing_only(5.0), "noise of an angle is 5"),
+        (lambda: sl.range_bearing(np.diag([0.01, 4.0])), "noise of an angle is 2"),
+    ],
+)
+def test_what_cannot_be_in_its_unit_is_refused_by_the_builders(made, said):
+    with pytest.raises(SlamlibError, match=said):
+        made()
+
+
+def test_what_is_unusual_and_right_is_made_by_hand():
+    parameters = {"intrinsics": (320.0, 240.0, 500.0, 500.0), "baseline": (200.0,)}
+    assert sl.SensorSetup(type="stereo", parameters=parameters).calibration.given["baseline"] == 200
+    assert sl.camera((320, 240, 500, 600)).calibration.given["intrinsics"][3] == 600
+
+
 def test_nan_is_refused_with_its_place():
     with pytest.raises(NonFiniteError, match="nan at index \\(1,\\); leave it out"):
         Control([0, np.nan], EYE[:2, :2])
