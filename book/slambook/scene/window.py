@@ -92,7 +92,7 @@ class Window:
             except Exception as error:  # each toolkit has its own for a display that is not there
                 raise SlamlibError(
                     f"matplotlib opens no window here ({error}): choose another backend with matplotlib.use, or leave "
-                    "show (of the command, --live) out and save the pictures"
+                    "show out (of the command, --live) and save the pictures"
                 ) from None
             figure.stale_callback = None  # each frame is drawn here, once
             plot.show(block=False)
