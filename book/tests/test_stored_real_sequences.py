@@ -80,7 +80,7 @@ def test_stored_claim_smoothing_is_the_yardstick_of_the_runs_on_pictures_and_of_
     assert len(films) == 5
     for row in films:
         assert row["frames_per_second"] > 1
-        assert 0.5 * row["ate"] < row["smoothing"]["ate"] < 1.5 * row["ate"]
+        assert 0.5 * row["ate"] < row["smoothing"]["ate"] < 2 * row["ate"]
         assert row["smoothing"]["converged"] == row["metric"]  # one camera's world shrinks on and on
     assert KEPT["lost-in-the-woods"]["smoothing"]["nees"]["inside"] < 0.2  # the model is wrong, not the filter
 

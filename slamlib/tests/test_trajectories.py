@@ -549,7 +549,7 @@ def test_what_evo_finds():
     two = [paths.PoseTrajectory3D(t.positions, t.poses[:, 3:], t.times) for t in (there, estimate)]
     two[1].align(two[0], correct_scale=True)
     kinds = (
-        (metrics.PoseRelation.translation_part, metrics.StatisticsType.ate),
+        (metrics.PoseRelation.translation_part, metrics.StatisticsType.rmse),
         (metrics.PoseRelation.rotation_angle_deg, metrics.StatisticsType.max),
     )
     of_evo = [scale]
