@@ -246,7 +246,13 @@ def test_the_folder_of_the_owner_in_quotes_and_after_an_equals_sign(room, tmp_pa
     files |= {"trajectory": "new/path.txt", "json": "new/found.json", "map": "new/map.csv"}
     given = [word for name, file in files.items() for word in form.format(name, file).split(" ")]
     assert main(["run", "images", *given, "--frames", "3"]) == 0
-    assert {f.name for f in (home / "new").iterdir()} >= {"run.npz", "path.txt", "path.cov", "found.json", "map.csv"}
+    assert {f.name for f in (home / "new").iterdir()} >= {
+        "run.npz",
+        "path.txt",
+        "path.txt.cov",
+        "found.json",
+        "map.csv",
+    }
     assert [f.name for f in tmp_path.iterdir()] == ["home"]
 
 

@@ -374,10 +374,12 @@ def test_the_two_references_of_a_real_sequence_agree():
         pytest.skip("the excerpt mono_visp_cube is not at hand")
     pnp, colmap = (Trajectory(rows[:, 0], rows[:, 1:]) for rows in map(np.loadtxt, files))
     assert straightness(pnp.positions) < 0.05
-    found = align_trajectory(colmap, pnp)
-    assert found.rotation_from == "orientations"
-    assert found.relative_ate < 0.04  # the two were found to agree to 2 % of the path
-    assert np.degrees(np.median(found.orientation)) < 1.2
+    sources = None, "orientations"
+    by_both, by_orientations = (align_trajectory(colmap, pnp, rotation_from=source) for source in sources)
+    assert by_both.rotation_from == "positions and orientations"
+    assert by_both.ate < by_orientations.ate
+    assert by_orientations.relative_ate < 0.04  # the two were found to agree to 2 % of the path
+    assert np.degrees(np.median(by_orientations.orientation)) < 1.2
 
 
 def two_of_evo():
