@@ -95,13 +95,16 @@ class Trajectory:
 def write_tum(path: str | Path, trajectory: Trajectory) -> None:
     """Write rows of "time x y z qx qy qz qw", TUM RGB-D's format, which evo reads; atomically.
 
-    Covariances go into a second file beside it, named as it is and .cov: rows of the time and the upper triangle.
+    Covariances go into a second file beside it, named as it is and .cov: rows of the time and the upper triangle. One
+    that belonged to what `path` was before is removed.
     """
     poses = trajectory.poses[:, [0, 1, 2, 4, 5, 6, 3]]
     if trajectory.covariances is not None:
         upper = trajectory.covariances[:, *_UPPER]
         _write_rows(beside(path), _COVARIANCES, trajectory.times, upper)
     _write_rows(path, "time[s] x y z qx qy qz qw", trajectory.times, poses)
+    if trajectory.covariances is None:
+        beside(path).unlink(missing_ok=True)
 
 
 _COVARIANCES = "time[s], 21 numbers: P11 P12 .. P16 P22 .. P66 of x y z [m] in the world, rotation [rad] in the frame"

@@ -136,7 +136,8 @@ def _yaml(text: str) -> Any:
     except (yaml.YAMLError, ValueError) as error:
         mark = getattr(error, "problem_mark", None)
         where = f", line {mark.line + 1}" if mark else ""
-        raise SlamlibError(f"it is no YAML{where}: {getattr(error, 'problem', None) or error}") from None
+        why = getattr(error, "problem", None) or getattr(error, "reason", None) or error
+        raise SlamlibError(f"it is no YAML{where}: {' '.join(str(why).split())}") from None
     if any(data != documents[0] for data in documents):
         raise SlamlibError("it holds several documents (---) that differ: keep the one that is meant")
     return documents[0] if documents else None

@@ -120,7 +120,7 @@ BINARY = {
     "images.npz": "run images --frames 3 --resume {}",
     "stereo-images.npz": "run stereo-images --frames 3 --resume {}",
     "points.npz": "run --frames 4 --resume {}",
-    "with.cov": "evaluate with.txt tum.tum",
+    "with.txt.cov": "evaluate with.txt tum.tum",
 }
 PYTHON = re.compile(r"Traceback|\bnp\.\w+\(|\barray\(|scale=(True|False)|<class|object at 0x|fault of slamlib")
 

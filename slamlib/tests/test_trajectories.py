@@ -217,6 +217,14 @@ def test_covariances_go_by_the_whole_name_of_a_path():
     ]  # fmt: skip
 
 
+def test_a_path_without_covariances_leaves_none_of_an_older_one_beside_it(tmp_path):
+    path = Trajectory([0.0, 0.1], np.tile([0.0, 0, 0, 1, 0, 0, 0], (2, 1)))
+    known = Trajectory(path.times, path.poses, np.tile(np.eye(6), (2, 1, 1)))
+    for given in (known, path):
+        write_tum(tmp_path / "p.txt", given)
+        assert (read_trajectory(tmp_path / "p.txt").covariances is None) == (given.covariances is None)
+
+
 def test_pairs_are_nearest_in_time_and_used_once():
     one = Trajectory([0.0, 0.1, 0.2, 0.9], np.tile([0.0, 0, 0, 1, 0, 0, 0], (4, 1)))
     other = Trajectory([-0.05, 0.11, 0.115, 0.205], one.poses)
