@@ -73,7 +73,7 @@ def run(
         if smoother:
             smoother.record(frame)
         before, now = now, whitened(slam)
-        products.append([*lasting(now, before).values()])
+        products.append([*lasting(now, before).values()][:3])
         matched += [sum(getattr(p, n) for own in slam.predictions for p in own) for n in ("matched", "inlier")]
         for meeting in recording.meetings.get(frame.number, []) if meetings else ():
             met += [1, meet(slam, *meeting)]

@@ -191,7 +191,7 @@ def test_a_singular_covariance_is_a_line_and_a_wrong_one_is_named():
         ellipse([0, 0, 0], np.eye(3))
     with pytest.raises(NonFiniteError):
         ellipse([0, np.nan], np.eye(2))
-    with pytest.raises(SlamlibError, match="negative eigenvalue"):
+    with pytest.raises(SlamlibError, match="negative variance"):
         ellipse([0, 0], [[1, 0], [0, -1]])
     with pytest.raises(SlamlibError, match="probability"):
         ellipse([0, 0], np.eye(2), probability=0)

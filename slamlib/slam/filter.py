@@ -19,7 +19,7 @@ from slamlib.manifolds import Array, check_turns, finite, numbers
 from slamlib.observation import FAMILIES, parametrization
 from slamlib.observation.family import AnyFamily
 from slamlib.plain_data.files import complete
-from slamlib.records.ids import Id, array_of
+from slamlib.records.ids import Id, ids_of
 from slamlib.records.inputs import Control, Features, Frame, Scan
 from slamlib.records.snapshots import Map, RobotView, Snapshot
 from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
@@ -203,7 +203,8 @@ class Slam:
                 what = f"{sensor.name} measures {wanted} of a landmark"
                 raise ShapeError(f"step: {what}, and of {number} got {value.shape}")
             rows[names[len(value)]][number] = value
-        return Scan({name: Features(array_of([*of]), np.array([*of.values()])) for name, of in rows.items()})
+        each = {name: (ids_of([*of], "step: ids"), np.array([*of.values()])) for name, of in rows.items()}
+        return Scan({name: Features(*given) for name, given in each.items()})
 
     def project(self, sensor: int = 0, motion: Array | None = None) -> Predictions:
         """Predict the measurements of a sensor (by its index); nothing is changed.

@@ -296,7 +296,7 @@ def test_limits_of_range_and_bearing():
         ("stereo", {"intrinsics": [320.0, 240.0]}, SlamlibError, r"intrinsics are \(u0, v0, au, av\)"),
         ("stereo", {"intrinsics": [320.0, 240.0, 0.0, 400.0]}, SlamlibError, "au, av > 0"),
         ("stereo", {"limits": {"near": 1.0}}, UnknownNameError, "limit of stereo"),
-        ("stereo", {"noise": np.diag([1, 1, -1.0])}, CovarianceError, "negative eigenvalue"),
+        ("stereo", {"noise": np.diag([1, 1, -1.0])}, CovarianceError, "negative variance"),
         ("pinHoleDepth", {"intrinsics": [320.0, 240.0, -400, 400]}, SlamlibError, "intrinsics are"),
         ("pinHoleDepth", {"limits": {"near": 4.0, "far": 1.0}}, SlamlibError, "'near' .* less than 'far'"),
         ("pinHoleDepth", {"distortion": [-2.0]}, SlamlibError, "folds back"),

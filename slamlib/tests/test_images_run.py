@@ -151,13 +151,13 @@ def test_errors_that_last_are_told_from_the_innovations_whatever_the_filter_clai
     for frames, expected in ((white, 0.0), (lasts, 0.5)):
         found, _ = innovation_correlation(products(frames))
         assert found == pytest.approx(expected, abs=0.06)
-    assert lasting(white[0], {}) == {"lasting": 0, "lasting_now": 0, "lasting_before": 0}
+    assert lasting(white[0], {}) == {"lasting": 0, "lasting_now": 0, "lasting_before": 0, "lasting_dof": 0}
     assert innovation_correlation(np.zeros((3, 3))) is None
 
 
 def products(frames):
     """The three numbers of each pair of neighbouring frames."""
-    return np.array([[*lasting(now, before).values()] for before, now in itertools.pairwise(frames)])
+    return np.array([[*lasting(now, before).values()][:3] for before, now in itertools.pairwise(frames)])
 
 
 def test_a_correlation_is_one_at_most_and_minus_one_at_least():
@@ -180,9 +180,12 @@ def test_its_standard_error_is_what_many_runs_show_also_where_a_frame_s_innovati
 
 
 def test_a_run_doubts_itself_in_words():
-    said = {"innovation_correlation": 0.6, "innovation_correlation_std": 0.03, "near_mean": 3.4}
+    said = {
+        "innovation_correlation": 0.6, "innovation_correlation_std": 0.03, "innovation_lasting": 0.3, "near_mean": 3.4,
+    }  # fmt: skip
     assert [text.split()[1] for text in summary_warnings(said)] == ["innovations", "3.4"]
     assert summary_warnings({**said, "innovation_correlation_std": 0.2, "near_mean": None}) == []  # by chance
+    assert summary_warnings({**said, "innovation_lasting": 0.02, "near_mean": None}) == []  # a generous noise covers it
 
 
 def test_going_on_is_the_same_as_not_stopping(tmp_path):

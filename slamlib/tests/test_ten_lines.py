@@ -73,7 +73,7 @@ def test_segments_are_told_from_points_by_their_numbers():
         ((None, {7: (1.0, 2.0)}), ShapeError, r"measures 3 numbers \(points\) of a landmark, and of 7 got \(2,\)"),
         ((None, {7: [(1.0, 2.0, 3.0)]}), ShapeError, r"and of 7 got \(1, 3\)"),
         ((None, {7: (1.0, 2.0, np.nan)}), SlamlibError, "nan"),
-        ((None, {"seven": (1.0, 2.0, 3.0)}), SlamlibError, "integers"),
+        ((None, {7.5: (1.0, 2.0, 3.0)}), SlamlibError, "ids are integers or strings, not 7.5"),
     ],
 )
 def test_what_does_not_fit_changes_nothing(arguments, error, words):
