@@ -33,7 +33,8 @@ class ImageResult:
     of freedom nis_dof: of all inliers; landmarks: in the map; initialized, deleted; lasting: product of the whitened
     innovations of this frame and the last, of the landmarks that are inliers in both, zero on average where the errors
     of a landmark's measurements are independent; lasting_now, lasting_before: their own squares, of lasting_dof
-    numbers; near: inliers nearer than NEAR, nan for a single camera; PARTS, and perhaps more of them: processor time [s].
+    numbers; near: inliers nearer than NEAR, nan for a single camera; PARTS, and perhaps more of them: processor time
+    [s].
     """
 
     columns: dict[str, Array]
@@ -97,8 +98,8 @@ def innovation_correlation(products: Array) -> tuple[float, float] | None:
     """The correlation of innovations with those of the next frame, -1 to 1, and its standard error; None without pairs.
 
     products (n, 3): `lasting`'s first columns of each frame. With N, A, B their sums, r = N / sqrt(A B), whatever
-    factor the filter's covariances are off by. Innovations of one frame are correlated, by the camera's error that they share: so
-    frames are the independent units, and the error is that of a ratio of their sums (the delta method).
+    factor the filter's covariances are off by. Innovations of one frame are correlated, by the camera's error that they
+    share: so frames are the independent units, and the error is that of a ratio of their sums (the delta method).
     """
     N, A, B = products.sum(0).tolist()
     if not A * B > 0:
