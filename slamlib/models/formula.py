@@ -202,7 +202,7 @@ class Model(Formula):
         return self._run(fitting._kernel(kind), arguments)
 
     def _run(self, kernel: Kernel, arguments: list[Array]) -> list[Array]:
-        if any(isinstance(a, MaskedArray) for a in arguments):
+        if MaskedArray in map(type, arguments):
             specs = self.arguments[-len(arguments) :]
             return over_unmasked(lambda plain: self._run(kernel, plain), self.name, specs, arguments)
         found = kernel.single(arguments)
