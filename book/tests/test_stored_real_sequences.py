@@ -17,7 +17,6 @@ from slamlib.evaluation.consistency import rmse
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.rigs import builders
 from slamlib.rigs.setup import Rig
-from slamlib.vision.results import LASTING
 
 KEPT = stored.kept(real_sequences.FILE)
 RENEW = "run `make real-sequences ARGS='--only {}'` and the notebooks many and your_own_data"
@@ -122,7 +121,7 @@ def test_stored_claim_the_right_invariant_filter_alone_is_consistent_where_the_o
 def test_stored_claim_what_the_stars_say_of_the_filter():
     row = KEPT["starry-night"]
     assert row["nees"]["inside"] < 0.1 < 0.7 < min(row[key]["nees"]["inside"] for key in ("smoothing", "world"))
-    assert abs(row["correlation"]) < LASTING < 0.8 < KEPT["lost-in-the-woods"]["correlation"]
+    assert abs(row["correlation"]) < 0.3 < 0.8 < KEPT["lost-in-the-woods"]["correlation"]
 
 
 def test_stored_claim_a_gate_loses_the_filter_in_the_woods():
