@@ -33,6 +33,7 @@ from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.manifolds import Array
 from slamlib.observation.family import viewpoint
 from slamlib.observation.lines import distort_segments, rays_of, undistort_segments
+from slamlib.records.ids import Id
 from slamlib.records.inputs import Frame, Truth
 from slamlib.slam import Options, Slam
 from slamlib.vision.active_search import ActiveSearch, ActiveSearchSettings
@@ -150,7 +151,7 @@ def run(film: Film, options: Options, front_end: Any) -> Outcome:
     made, steps = film
     slam, poses = Slam(made.rig, options=options, front_ends=[front_end]), []
     counts = {name: np.zeros(4) for name in ("points", "segments")}
-    truths: dict[int, Array | None] = {}
+    truths: dict[Id, Array | None] = {}
     began = time.perf_counter()
     for frame, truth in steps:
         report = slam.step(frame)

@@ -286,5 +286,5 @@ def check_turns(values: Array, angles: Indices, what: str) -> None:
         row, column = int(beyond[0, 0]), int(angles[beyond[0, 1]])
         raise UnitError(
             f"{what} number {column} of row {row} is the angle {values[row, column]:g}, above a turn: angles are in "
-            "radians (np.radians)"
+            "radians (np.radians), and a sensor counts no turns: (a + pi) % (2 pi) - pi takes them off"
         )

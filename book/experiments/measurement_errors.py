@@ -140,7 +140,7 @@ class Search(ActiveSearch):
 
     def searchable(self, inputs: Any) -> list[Any]:
         """Those whose turn it is."""
-        return [p for p in super().searchable(inputs) if (p.landmark.id + self.k) % self.cause.interval == 0]
+        return [p for p in super().searchable(inputs) if (int(p.landmark.id) + self.k) % self.cause.interval == 0]
 
     def predict_appearances(self, inputs: Any, predictions: list[Any]) -> None:
         """Of the present pose, or the patches of the first views."""
