@@ -49,10 +49,11 @@ def test_stored_claim_errors_stay_from_every_cause_and_most_of_all_from_the_lens
 
 @pytest.mark.parametrize("films", SETS)
 @pytest.mark.parametrize("name", [tool.ALONE, tool.ALL])
-def test_stored_claim_told_what_patches_claim_the_innovations_look_ideal_and_the_pose_is_not(films, name):
+def test_stored_claim_told_what_patches_claim_the_nis_looks_ideal_and_the_pose_is_not(films, name):
     run = f"{name}: std as patches claim"
     assert figure(run, "nis", films).mean() == pytest.approx(1, abs=0.15)
-    assert abs(figure(run, "foretold", films).mean()) < 0.02
+    assert figure("drawn", "foretold", films).mean() < 0 < 0.2 < figure(run, "foretold", films).mean() < 0.35
+    assert figure(name, "foretold", films).mean() > 0.4
     assert figure(run, "nees", films).mean() > 5
 
 
