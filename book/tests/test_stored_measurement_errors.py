@@ -53,7 +53,7 @@ def test_stored_claim_told_what_patches_claim_the_nis_looks_ideal_and_the_pose_i
     run = f"{name}: std as patches claim"
     assert figure(run, "nis", films).mean() == pytest.approx(1, abs=0.15)
     assert figure("drawn", "foretold", films).mean() < 0 < 0.2 < figure(run, "foretold", films).mean() < 0.35
-    assert figure(name, "foretold", films).mean() > 0.4
+    assert figure(name, "foretold", films).mean() > 0.3
     assert figure(run, "nees", films).mean() > 5
 
 
