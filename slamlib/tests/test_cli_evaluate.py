@@ -161,7 +161,9 @@ def test_covariances_stand_beside_the_path():
     np.testing.assert_allclose(again.covariances, path.covariances, rtol=1e-11)
     assert again[3:9].covariances.shape == (6, 6, 6)
     assert [len(line.split()) for line in Path("path.txt").read_text().splitlines()][1] == 8  # what evo reads
+    of_others = Path("path.txt.cov").read_bytes()
     write_tum("path.txt", truth(49))
+    Path("path.txt.cov").write_bytes(of_others)
     with pytest.raises(SlamlibError, match=r"path\.txt\.cov does not have the covariances of the poses in path\.txt"):
         read_trajectory("path.txt")
     assert read_trajectory("path.txt", covariances=False).covariances is None
