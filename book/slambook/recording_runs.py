@@ -21,7 +21,7 @@ from slamlib.records.ids import Id
 from slamlib.slam import Slam
 from slamlib.slam.data_association.gates import gate
 from slamlib.slam.snapshot import robot_view
-from slamlib.vision.results import innovation_correlation, lasting, whitened
+from slamlib.vision.results import PRODUCTS, innovation_correlation, lasting, whitened
 
 KNOWN = 40  # poses, evenly spread, whose covariances are taken of what was smoothed
 
@@ -73,7 +73,8 @@ def run(
         if smoother:
             smoother.record(frame)
         before, now = now, whitened(slam)
-        products.append([*lasting(now, before).values()][:3])
+        found_again = lasting(now, before)
+        products.append([found_again[name] for name in PRODUCTS])
         matched += [sum(getattr(p, n) for own in slam.predictions for p in own) for n in ("matched", "inlier")]
         for meeting in recording.meetings.get(frame.number, []) if meetings else ():
             met += [1, meet(slam, *meeting)]

@@ -16,9 +16,10 @@ from statistics import median
 import numpy as np
 
 from slamlib.errors import SlamlibError
+from slamlib.evaluation.trajectory_files import UNIT_NAMES
 from slamlib.plain_data.files import read_text
 
-UNITS = {"seconds": 1.0, "milliseconds": 1e-3, "microseconds": 1e-6, "nanoseconds": 1e-9}
+UNITS = {name: unit for unit, name in UNIT_NAMES.items()}
 FILM = 1e-4, 10.0  # [s], intervals of a film
 USUAL = 2e-3, 2.0  # [s], of most films: as wide as the ratio of two units, so that at most one of them fits
 EPOCH = 1e9, 1e10  # [s] since 1970: from 2001 on

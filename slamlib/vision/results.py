@@ -11,10 +11,11 @@ from slamlib.manifolds import Array
 from slamlib.records.ids import Id
 from slamlib.slam import Slam, StepReport
 
+PRODUCTS = ("lasting", "lasting_now", "lasting_before")  # of the innovations of two neighbouring frames
 PARTS = ("filter", "search", "detection", "reading")
 COLUMNS = (
     *("time", "searched", "matched", "inliers", "nis", "nis_dof", "landmarks", "initialized", "deleted"),
-    *("lasting", "lasting_now", "lasting_before", "lasting_dof", "near"),
+    *(*PRODUCTS, "lasting_dof", "near"),
     *PARTS,
 )
 NEAR = 40.0  # baselines: nearer points tell how long a step was, the others where it turned (Mur-Artal, Tardos 2017)
@@ -97,7 +98,7 @@ def lasting(now: Whitened, before: Whitened) -> dict[str, float]:
 def innovation_correlation(products: Array) -> tuple[float, float] | None:
     """The correlation of innovations with those of the next frame, -1 to 1, and its standard error; None without pairs.
 
-    products (n, 3): `lasting`'s first columns of each frame. With N, A, B their sums, r = N / sqrt(A B), whatever
+    products (n, 3): of each frame, as PRODUCTS names them. With N, A, B their sums, r = N / sqrt(A B), whatever
     factor the filter's covariances are off by. Innovations of one frame are correlated, by the camera's error that they
     share: so frames are the independent units, and the error is that of a ratio of their sums (the delta method).
     """
@@ -113,9 +114,7 @@ def summary(result: ImageResult) -> dict[str, Any]:
     """Plain data: lengths in the run's unit, times in milliseconds (medians over the frames)."""
     c = result.columns
     searched, matched, inliers = (float(c[name].sum()) for name in ("searched", "matched", "inliers"))
-    lasts, off = innovation_correlation(
-        np.stack([c[name] for name in ("lasting", "lasting_now", "lasting_before")], axis=-1)
-    ) or (None, None)
+    lasts, off = innovation_correlation(np.stack([c[name] for name in PRODUCTS], axis=-1)) or (None, None)
     nis = float(c["nis"].sum() / c["nis_dof"].sum()) if inliers else None
     tracked = c["inliers"][1:] if len(c["time"]) > 1 else c["inliers"]
     return {

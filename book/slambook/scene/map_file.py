@@ -3,9 +3,10 @@
 A point is one vertex, a segment is two, its endpoints; lengths in metres, in the world's frame.
 """
 
+import csv
 import json
-import re
 from collections.abc import Callable, Iterator
+from io import StringIO
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -61,19 +62,13 @@ def _json(snapshot: Snapshot) -> str:
 
 def _csv(snapshot: Snapshot) -> str:
     """One row a vertex; nan for a coordinate of a point at infinity."""
-    head = "family,id,kind,converged,vertex,x,y,z,xx,xy,xz,yy,yz,zz"
-    rows = (
-        f"{v.family},{_quoted(v.id)},{v.kind},{int(v.converged)},{v.number},"
-        + ",".join(f"{value:.12g}" for value in (*v.position, *v.covariance[_UPPER]))
-        for v in vertices(snapshot)
-    )
-    return "\n".join([head, *rows]) + "\n"
-
-
-def _quoted(number: Id) -> str:
-    """An id as a field of CSV: a string in quotes, if a comma, a quote or a line's end is in it."""
-    text = str(number)
-    return '"' + text.replace('"', '""') + '"' if re.search('[,"\\n\\r]', text) else text
+    text = StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(["family", "id", "kind", "converged", "vertex", "x", "y", "z", "xx", "xy", "xz", "yy", "yz", "zz"])
+    for v in vertices(snapshot):
+        about = v.family, v.id, v.kind, int(v.converged), v.number
+        table.writerow([*about, *(f"{value:.12g}" for value in (*v.position, *v.covariance[_UPPER]))])
+    return text.getvalue()
 
 
 def _ply(snapshot: Snapshot) -> str:
