@@ -7,6 +7,7 @@ import importlib.util
 import io
 import json
 import re
+import subprocess
 import sys
 import zipfile
 from pathlib import Path
@@ -435,3 +436,36 @@ def test_the_table_of_the_book_is_about_every_model(tools):
     for path, own in models().items():
         module = str(path).removesuffix(".py").replace("/", ".").removeprefix("slamlib.")
         assert {f"{module}.{m.name}" for m in own} <= named
+
+
+WITHOUT = """
+import importlib, pkgutil, sys
+from book.tools.live import NOT_STANDARD
+
+
+def absent(name):
+    return name.split(".")[0] in sys.stdlib_module_names and NOT_STANDARD.match(name.replace(".", "/") + ".py")
+
+
+class Absent:
+    def find_spec(self, name, path=None, target=None):
+        if absent(name):
+            raise ModuleNotFoundError(f"the page's Python has no {name}")
+
+
+for name in filter(absent, list(sys.modules)):
+    del sys.modules[name]
+sys.meta_path.insert(0, Absent())
+import slamlib
+
+tried = [m.name for m in pkgutil.walk_packages(slamlib.__path__, "slamlib.") if ".tests" not in m.name]
+for name in tried:
+    importlib.import_module(name)
+print(len(tried))
+"""
+
+
+def test_every_module_of_the_package_is_imported_by_the_pages_python_which_lacks_parts_of_the_library():
+    done = subprocess.run([sys.executable, "-c", WITHOUT], cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert int(done.stdout) > 100

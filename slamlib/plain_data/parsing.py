@@ -6,7 +6,6 @@ import tomllib
 from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any
-from xml.etree import ElementTree
 
 from slamlib.errors import SlamlibError, optional
 
@@ -91,13 +90,15 @@ def _matlab(text: str) -> Any:
 
 
 def _xml(text: str) -> Any:
+    from xml.etree import ElementTree  # here: the book's pages run slamlib on a Python that has no xml
+
     try:
         return _element(ElementTree.fromstring(text))
     except (ValueError, ElementTree.ParseError) as error:
         raise SlamlibError(f"it is no XML: {error}") from None
 
 
-def _element(element: ElementTree.Element) -> Any:
+def _element(element: Any) -> Any:
     """What an element of OpenCV's XML holds: named values, a list (of "_"), numbers, or a text."""
     if len(element) and all(child.tag == "_" for child in element):
         return [_element(child) for child in element]
