@@ -87,11 +87,13 @@ class Belief:
     def overwrite(self, blocks: Mapping[int, Block], means: Mapping[int, Array], covariance: Array) -> None:
         """Set means and covariance to saved values, bit for bit; blocks by their index among the rows.
 
-        Raises ShapeError, NonFiniteError; SlamlibError unless the blocks are exactly those of this belief.
+        Raises ShapeError, NonFiniteError, CovarianceError; SlamlibError unless the blocks are exactly those of this
+        belief.
         """
         if sorted(map(id, blocks.values())) != sorted(map(id, self._blocks)) or sorted(blocks) != sorted(means):
             raise SlamlibError("overwrite: give every block of the belief once, with its mean")
         P = finite(covariance, (self.size, self.size), "overwrite", "covariance")
+        linalg.check_variances(P, "overwrite", "covariance")
         ordered = [blocks[i] for i in sorted(blocks)]
         points = [(blocks[i].manifold, checked_mean(blocks[i].manifold, means[i], "overwrite")) for i in sorted(blocks)]
         self._set(ordered, P.copy(), points)

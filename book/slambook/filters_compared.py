@@ -16,7 +16,8 @@ from slambook.anchors import anchors_carried
 from slambook.oracle import Oracle
 from slambook.smoothing import Smoother
 from slamlib.entities import RigSensor
-from slamlib.evaluation.consistency import band, nees_where_uncertain, share_inside
+from slamlib.evaluation.comparison import UNITS
+from slamlib.evaluation.consistency import band, nees_in_range, share_inside
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
 from slamlib.kalman.chi_square import chi2_quantile
@@ -124,16 +125,22 @@ def beside(preset: Preset, seed: int) -> tuple[dict[str, Array], dict[str, Array
     return _judged(preset, true, x, P), _judged(preset, true, *_smoothed(smoother, len(true)))
 
 
+def _nees(error: Array, covariance: Array, units: tuple[int, ...]) -> float:
+    """NEES of an error; nan where something of it is known exactly, as at the start."""
+    nees, rank = nees_in_range(error, covariance, units)
+    return nees if rank == len(error) else np.nan
+
+
 def _judged(preset: Preset, true: Array, x: Array, P: Array) -> dict[str, Array]:
     errors = Pose.minus(true, x)
-    nees = [[nees_where_uncertain(e, C) for e, C in zip(*step, strict=True)] for step in zip(errors, P, strict=True)]
+    nees = [[_nees(e, C, UNITS) for e, C in zip(*step, strict=True)] for step in zip(errors, P, strict=True)]
     errors, P, arm = errors[:, 0], P[:, 0], true[:, 0, :3] - preset.rig.robots[0].state[:3]
     out = arm / np.linalg.norm(arm, axis=-1, keepdims=True)
     scale, rest = [], []
     for e, C, u in zip(errors, P, out, strict=True):
         scale.append((u @ e[:3], np.sqrt(u @ C[:3, :3] @ u)))
         across = np.linalg.svd(np.append(u, np.zeros(3))[None])[2][1:]
-        rest.append(nees_where_uncertain(across @ e, across @ C @ across.T))
+        rest.append(_nees(across @ e, across @ C @ across.T, (2, 3)))
     heading = np.stack([errors[:, -1], np.sqrt(P[:, -1, -1])], axis=-1)
     said = {"nees": np.array(nees), "heading": heading, "scale": np.array(scale), "rest": np.array(rest)}
     return {**said, "position": np.linalg.norm(errors[:, :3], axis=-1)}

@@ -89,7 +89,7 @@ def summary(name: str, found: Experiment) -> dict[str, Any]:
         "map_error_median": float(np.nanmedian(found.map_error)),
         "nees_median": float(np.median(statistic.average)),
         "nees_last": float(statistic.average[-1]),
-        "nees_dof": found.preset.rig.dof[0],
+        "nees_dof": statistic.dof,
         "nees_band": list(statistic.limits),
         "inside_first_half": share_inside(statistic.average[: half or 1], statistic.limits),
         "inside": statistic.inside,

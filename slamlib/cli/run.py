@@ -9,7 +9,7 @@ import numpy as np
 from slamlib.cli import arguments as shared
 from slamlib.cli import runner
 from slamlib.errors import SlamlibError
-from slamlib.evaluation.comparison import DOF, magnitudes
+from slamlib.evaluation.comparison import magnitudes
 from slamlib.evaluation.consistency import band, share_inside
 from slamlib.experiments.runs import Result, Run
 from slamlib.manifolds import Array
@@ -80,16 +80,20 @@ def summary(result: Result) -> dict[str, Any]:
             "nees_inside": share_inside(known, limits) if len(known) else None,
         }
         for i, setup in enumerate(result.preset.rig.robots)
-        for known, limits in [(result.nees[np.isfinite(result.nees[:, i]), i], band(result.dof[i]))]
+        for series, limits in [(result.judged(i), band(result.dof[i]))]
+        for known in [series[np.isfinite(series)]]
     ]
-    sensors = zip(result.preset.rig.sensors, result.extrinsics, result.extrinsics_nees, strict=True)
+    found = result.extrinsics, result.extrinsics_nees, result.extrinsics_dof
+    sensors = zip(result.preset.rig.sensors, *found, strict=True)
     return {
         "preset": result.preset.name,
         "seed": result.preset.seed,
         "frames": len(result.nees),
         "robots": robots,
         "extrinsics": [
-            {**_deviation(setup.name, *found), "nees": float(nees)} for setup, found, nees in sensors if setup.estimated
+            {**_deviation(setup.name, *pair), "nees": float(nees), "nees_dof": int(dof)}
+            for setup, pair, nees, dof in sensors
+            if setup.estimated
         ],
         "nis_per_dof": float(result.nis.sum() / max(result.nis_dof.sum(), 1)),
         "landmarks": int(result.landmarks[-1]),
@@ -131,7 +135,7 @@ def table(result: Result) -> str:
             share = f"{robot['nees']:.2f}, {at}; {robot['nees_inside']:.0%} of the steps inside [{low:.2f}, {high:.2f}]"
             share += " (1 run, 95 %)"
         rows.append((f"{robot['name']}: NEES, {robot['nees_dof']} dof", share))
-    rows += [(f"{e['name']}: extrinsics NEES, {DOF} dof", f"{e['nees']:.2f}, {at}") for e in s["extrinsics"]]
+    rows += [(f"{e['name']}: extrinsics NEES, {e['nees_dof']} dof", f"{e['nees']:.2f}, {at}") for e in s["extrinsics"]]
     rows.append(("NIS per degree of freedom", f"{s['nis_per_dof']:.2f}"))
     rows.append(("landmarks", f"{s['landmarks']} in the map, {s['initialized']} initialized, {s['deleted']} deleted"))
     for name in ("point", "line"):

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.alignment import AlignedTrajectory, align_trajectory, check_pairs, nearest_rotation
 from slamlib.evaluation.clocks import LEAST_TOLERANCE, denser, in_one_unit, time_offset
-from slamlib.evaluation.consistency import band, nees_where_uncertain, share_inside
+from slamlib.evaluation.consistency import band, nees_in_range, share_inside
 from slamlib.evaluation.motion_pairs import motion_pairs
 from slamlib.evaluation.trajectory import Rows, Trajectory, angles, matched_times, of_table
 from slamlib.evaluation.trajectory_files import PoseTable, read_poses, read_times
@@ -23,7 +23,7 @@ from slamlib.geometry.pose import Pose, compose, inverse, relative
 from slamlib.geometry.quaternion import best_pivot, from_rotation, product, rotation
 from slamlib.manifolds import Array, Indices, finite
 
-DOF = 6
+DOF, UNITS = 6, (3, 3)  # of a pose: positions and rotations
 PLACED = 1.0  # [s] at the beginning, whose poses place the reference where a filter's covariances are judged
 KITTI_LENGTHS = tuple(map(float, range(100, 900, 100)))  # [m]
 LEAST_PAIRS, LEAST_SHARE, FEW = 3, 0.05, 10  # fewer pairs than FEW are too few unless they are a share of the poses
@@ -179,6 +179,7 @@ def compared(
     series = {"times": other.times, "position": found.position, "orientation": orientation}
     uncertain = estimate.covariances is not None
     series |= _nees(found.estimate, other, noise) if uncertain else {}
+    notes += _ranks(series) if uncertain else []
     steps = _motion_errors(
         found.estimate, other, *motion_pairs(found.estimate, how.delta, how.delta_unit, how.all_pairs)
     )
@@ -290,23 +291,38 @@ def _nees(estimate: Trajectory, reference: Trajectory, noise: Sequence[float]) -
     moved = placed.similarity.moved(estimate)
     covariances = np.asarray(moved.covariances) + np.diag(np.repeat([noise[0], np.radians(noise[1])], 3) ** 2)
     found = map(pose_error, reference.poses, moved.poses, covariances)
-    errors, sigmas, nees = map(np.array, zip(*found, strict=True))
+    errors, sigmas, nees, rank = map(np.array, zip(*found, strict=True))
     if len(first) > 1:
         nees[first] = np.nan
-    return {"nees": nees, "nees_dof": np.full(len(nees), DOF), **magnitudes(errors, sigmas)}
+    dof = rank.max()  # where more is known exactly than elsewhere, as at a start, is none that could be compared
+    nees[rank < dof] = np.nan
+    return {"nees": nees, "nees_dof": np.full(len(nees), dof), **magnitudes(errors, sigmas)}
+
+
+def _ranks(series: dict[str, Array]) -> list[str]:
+    """A note of covariances that claim to know something exactly, or of none that is a covariance."""
+    dof = int(series["nees_dof"][0])
+    if dof == 0:
+        return ["no pose has a covariance above zero: there is no NEES"]
+    if dof < DOF:
+        return [f"{DOF - dof} of {DOF} directions are known exactly by the covariances: NEES is of the others"]
+    return []
 
 
 def pose_error(
     true: Array, estimate: Array, covariance: Array, free: Array | None = None
-) -> tuple[Array, Array, float]:
-    """Error (6,) of a pose (7,), true minus estimate in the tangent space, its standard deviations (6,), its NEES.
+) -> tuple[Array, Array, float, int]:
+    """Error (6,) of a pose (7,), true minus estimate in the tangent space, its deviations (6,), its NEES with its dof.
 
-    free (6, f): the directions in which the pose can be, of which the NEES is; None: all.
+    free (6, f): the directions in which the pose can be, each a position or a rotation, of which the NEES is; None:
+    all. What of them is known exactly is not among the dof.
     """
     error, sigma = Pose.minus(true, estimate), np.sqrt(covariance.diagonal())
-    if free is not None:
-        return error, sigma, nees_where_uncertain(free.T @ error, free.T @ covariance @ free)
-    return error, sigma, nees_where_uncertain(error, covariance)
+    if free is None:
+        return error, sigma, *nees_in_range(error, covariance, UNITS)
+    lengths = int(free[:3].any(0).sum())
+    units = (lengths, free.shape[1] - lengths)
+    return error, sigma, *nees_in_range(free.T @ error, free.T @ covariance @ free, units)
 
 
 def magnitudes(errors: Array, sigmas: Array) -> dict[str, Array]:
@@ -330,9 +346,10 @@ def _consistency(series: dict[str, Array]) -> dict[str, Any] | None:
     known = series["nees"][np.isfinite(series["nees"])]
     if not len(known):
         return None
-    limits = band(DOF)
+    dof = int(series["nees_dof"][0])
+    limits = band(dof)
     return {
-        "dof": DOF, "median": float(np.median(known)), "last": float(known[-1]), "band": list(limits),
+        "dof": dof, "median": float(np.median(known)), "last": float(known[-1]), "band": list(limits),
         "inside": share_inside(known, limits),
         "at_end": {n: float(series[n][-1]) for n in series if n.startswith(("position", "orientation"))},
     }  # fmt: skip
@@ -364,7 +381,7 @@ def rows(r: dict[str, Any]) -> list[tuple[str, str]]:
         (low, high), e = nees["band"], nees["at_end"]
         inside = f"{nees['inside']:.0%} of the poses inside [{low:.2f}, {high:.2f}] (1 run, 95 %)"
         found += [
-            (f"NEES, {DOF} dof", f"median {nees['median']:.3g}, last {nees['last']:.3g}; {inside}"),
+            (f"NEES, {nees['dof']} dof", f"median {nees['median']:.3g}, last {nees['last']:.3g}; {inside}"),
             ("at the end, from the start", f"off by {e['position']:.3g} (sigma {e['position_sigma']:.2g}), "
              f"{e['orientation']:.2g} degrees (sigma {e['orientation_sigma']:.2g})"),
         ]  # fmt: skip

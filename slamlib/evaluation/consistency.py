@@ -6,6 +6,7 @@ such band; and a statistic inside its band does not prove the model right, it fa
 and Kirubarajan (2001), section 5.4.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,9 +15,9 @@ from numpy.ma import MaskedArray
 from slamlib.errors import CovarianceError, ShapeError, SlamlibError
 from slamlib.kalman import linalg
 from slamlib.kalman.chi_square import chi2_quantile, positive
-from slamlib.manifolds import Array, finite
+from slamlib.manifolds import Array, finite, ranges
 
-EXACT = 1e-12  # of a correlation matrix, whose eigenvalues have the mean 1: what is smaller is rounding
+EXACT = 1e-12  # of the largest variance: what is smaller is rounding
 
 
 def nees(error: Array, covariance: Array) -> Array:
@@ -33,18 +34,26 @@ def nees(error: Array, covariance: Array) -> Array:
     return _squared(error, covariance, "nees")
 
 
-def nees_where_uncertain(error: Array, covariance: Array) -> float:
-    """NEES of one error (n,); nan where something of it is known exactly, as a pose is at a start without uncertainty.
+def nees_in_range(error: Array, covariance: Array, units: Sequence[int] = ()) -> tuple[float, int]:
+    """NEES of an error (n,) within the range of P (n, n), and P's rank, the degrees of freedom of that NEES.
 
-    Known exactly is what has no variance but rounding: the first control of a unicycle has two errors, its pose three.
+    A robot that drives in a plane of space, or a start without uncertainty, has a P that is singular but for rounding:
+    what P claims to be known exactly is not judged. units: the numbers of rows that follow each other in one unit, as
+    (3, 3) of a pose; (): all are in one. Rounding is what is 1e-12 of the largest variance in that unit. nan and 0
+    where P is indefinite or zero, and so no covariance.
     """
-    variances = covariance.diagonal()
-    if not (variances > 0).all():
-        return float("nan")
-    std = np.sqrt(variances)
-    if np.linalg.eigvalsh(covariance / np.outer(std, std))[0] < EXACT:
-        return float("nan")
-    return float(error @ np.linalg.solve(covariance, error))
+    largest = [covariance.diagonal()[rows].max() for rows in ranges(units or [len(error)])]
+    scale = np.repeat(np.sqrt(np.maximum(largest, 0.0)), units or [len(error)])
+    scale[scale == 0] = np.inf  # such rows are zero
+    values, directions = np.linalg.eigh(covariance / np.outer(scale, scale))
+    rounding = EXACT * values[-1]
+    if not values[-1] > 0 or values[0] < -rounding or (covariance.diagonal() < 0)[scale == np.inf].any():
+        return float("nan"), 0
+    kept = values > rounding
+    if kept.all():
+        return float(error @ np.linalg.solve(covariance, error)), len(error)
+    along = directions[:, kept].T @ (error / scale)
+    return float(along @ (along / values[kept])), int(kept.sum())
 
 
 def nis(innovation: Array, covariance: Array) -> Array:

@@ -13,6 +13,7 @@ import numpy as np
 from slamlib.errors import ShapeError, SlamlibError
 from slamlib.evaluation.trajectory_files import PoseTable, read_poses, text_rows
 from slamlib.geometry.pose import Pose, compose
+from slamlib.kalman import linalg
 from slamlib.manifolds import Array, Indices, Mask, finite, read_only_copy
 from slamlib.plain_data.files import write_whole
 
@@ -51,6 +52,7 @@ class Trajectory:
         object.__setattr__(self, "poses", read_only_copy(np.concatenate([poses[:, :3], poses[:, 3:] / length], axis=1)))
         if self.covariances is not None:
             known = finite(self.covariances, (len(times), 6, 6), "Trajectory", "covariances")
+            linalg.check_covariances(known, "Trajectory", "covariances")
             object.__setattr__(self, "covariances", read_only_copy(known))
 
     def __len__(self) -> int:
@@ -101,7 +103,7 @@ def write_tum(path: str | Path, trajectory: Trajectory) -> None:
     poses = trajectory.poses[:, [0, 1, 2, 4, 5, 6, 3]]
     if trajectory.covariances is not None:
         upper = trajectory.covariances[:, *_UPPER]
-        _write_rows(beside(path), _COVARIANCES, trajectory.times, upper)
+        _write_rows(beside(path), _COVARIANCES, trajectory.times, upper, digits=17)  # or a singular one is none
     _write_rows(path, "time[s] x y z qx qy qz qw", trajectory.times, poses)
     if trajectory.covariances is None:
         beside(path).unlink(missing_ok=True)
@@ -116,8 +118,10 @@ def beside(path: str | Path) -> Path:
     return Path(f"{path}.cov").expanduser()
 
 
-def _write_rows(path: str | Path, head: str, times: Array, values: Array) -> None:
-    rows = (" ".join([f"{t:.9f}", *(f"{value:.12g}" for value in row)]) for t, row in zip(times, values, strict=True))
+def _write_rows(path: str | Path, head: str, times: Array, values: Array, digits: int = 12) -> None:
+    rows = (
+        " ".join([f"{t:.9f}", *(f"{value:.{digits}g}" for value in row)]) for t, row in zip(times, values, strict=True)
+    )
     write_whole(path, f"# {head}\n" + "\n".join(rows) + "\n")
 
 

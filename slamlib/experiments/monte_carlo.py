@@ -32,13 +32,14 @@ from slamlib.plain_data.files import read_archive, write_archive
 class Experiment:
     """Many runs of one preset: per run and frame (k, n), and for each of r robots.
 
-    nees (k, n, r), of `preset.rig.dof` degrees of freedom; errors, sigmas (k, n, r): position errors [m] and their
+    nees (k, n, r), of nees_dof (k, n, r) degrees of freedom; errors, sigmas (k, n, r): position errors [m] and their
     standard deviations by the filter; nis, nis_dof (k, n). landmarks, initialized, deleted (k,); seconds (k,):
     processor time, median of a frame; map_error (k,): median distance [m] of the map's landmarks from the truth.
     """
 
     preset: Preset
     nees: Array
+    nees_dof: Array
     errors: Array
     sigmas: Array
     nis: Array
@@ -52,10 +53,11 @@ class Experiment:
     def consistency(self, robot: int = 0) -> Consistency:
         """NEES of a robot's pose, averaged over the runs at each frame, with its band.
 
-        Frames in which the pose is partly known exactly have none, and are left out.
+        Frames in which more of the pose is known exactly than in others, as at the start, are left out.
         """
-        nees = self.nees[:, :, robot]
-        return Consistency.of(nees[:, np.isfinite(nees).all(0)], self.preset.rig.dof[robot])
+        nees, ranks = self.nees[:, :, robot], self.nees_dof[:, :, robot]
+        dof = int(ranks.max())
+        return Consistency.of(nees[:, (ranks == dof).all(0)], dof)
 
 
 FORMAT = "slamlib finished run"
@@ -92,12 +94,12 @@ def monte_carlo(
         plain = json.dumps(replace(preset, seed=0).to_dict(), sort_keys=True).encode()
         start = f"{preset.name}-{hashlib.sha256(plain).hexdigest()[:12]}"
         paths = {s: Path(folder) / f"{start}-{s}.npz" for s in own}
-    rows = {s: read_archive(path, FORMAT, 1)[1] for s, path in paths.items() if path.is_file()}
+    rows = {s: read_archive(path, FORMAT, 2)[1] for s, path in paths.items() if path.is_file()}
     finished, left = list(rows.items()), [s for s in own if s not in rows]
     with closing(_made(preset, left, jobs, scheduler, wait)) as made:  # whatever happens here, no run is left behind
         for s, row in progress(chain(finished, made), runs, f"{preset.name}, {runs} runs"):
             if s not in rows and s in paths:
-                write_archive(paths[s], FORMAT, 1, {}, row)
+                write_archive(paths[s], FORMAT, 2, {}, row)
             rows[s] = row
     return Experiment(preset, **{name: np.array([rows[s][name] for s in own]) for name in NAMES})
 
@@ -142,7 +144,9 @@ def run_once(preset: Preset, seed: int) -> tuple[int, Row]:
         raise
     away = np.concatenate([*result.map_errors.values()])
     away = away[np.isfinite(away)]
-    return seed, {name: getattr(result, name) for name in ("nees", "nis", "nis_dof", "initialized", "deleted")} | {
+    return seed, {
+        name: getattr(result, name) for name in ("nees", "nees_dof", "nis", "nis_dof", "initialized", "deleted")
+    } | {
         "errors": np.linalg.norm(result.errors[:, :, :3], axis=-1),
         "sigmas": np.linalg.norm(result.sigmas[:, :, :3], axis=-1),
         "landmarks": result.landmarks[-1],

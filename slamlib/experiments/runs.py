@@ -22,7 +22,7 @@ from slamlib.records.snapshots import Snapshot
 from slamlib.slam import Options, Slam, StepReport
 from slamlib.slam.snapshot import robot_view
 
-COLUMNS = ("errors", "sigmas", "nees", "nis", "nis_dof", "landmarks", "size", "seconds")
+COLUMNS = ("errors", "sigmas", "nees", "nees_dof", "nis", "nis_dof", "landmarks", "size", "seconds")
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,16 +30,18 @@ class Result:
     """Results of a run: per frame (n,), and for each of r robots.
 
     errors (n, r, 6): true pose minus estimate, in the tangent space; sigmas (n, r, 6): their estimated standard
-    deviations; nees (n, r), of `dof` degrees of freedom. extrinsics (s, 2, 6): errors and deviations of the sensors' at
-    the end, extrinsics_nees (s,) their NEES; zero where they are given. nis (n,), of nis_dof (n,) degrees of freedom:
-    of all inliers. landmarks, size, seconds (n,): of the map, of the state, and of the processor. initialized,
-    deleted: in the whole run. map_errors: by family, distances [m] (k,) of the final map's landmarks from the truth.
+    deviations; nees (n, r), of nees_dof (n, r) degrees of freedom, the rank of the pose's covariance.
+    extrinsics (s, 2, 6): errors and deviations of the sensors' at the end, extrinsics_nees (s,) their NEES, of
+    extrinsics_dof (s,); zero where they are given. nis (n,), of nis_dof (n,) degrees of freedom: of all inliers.
+    landmarks, size, seconds (n,): of the map, of the state, and of the processor. initialized, deleted: in the whole
+    run. map_errors: by family, distances [m] (k,) of the final map's landmarks from the truth.
     """
 
     preset: Preset
     errors: Array
     sigmas: Array
     nees: Array
+    nees_dof: Array
     nis: Array
     nis_dof: Array
     landmarks: Array
@@ -47,6 +49,7 @@ class Result:
     seconds: Array
     extrinsics: Array
     extrinsics_nees: Array
+    extrinsics_dof: Array
     initialized: int
     deleted: int
     map_errors: dict[str, Array]
@@ -62,13 +65,19 @@ class Result:
 
     @property
     def dof(self) -> tuple[int, ...]:
-        """Degrees of freedom of each robot's pose: 6, or 3 in the plane."""
-        return self.preset.rig.dof
+        """Degrees of freedom of each robot's NEES: 6, 3 in the plane, fewer where a part of its pose stays exact."""
+        most = self.nees_dof.max(0)
+        return tuple(int(found) or own for found, own in zip(most, self.preset.rig.dof, strict=True))
+
+    def judged(self, robot: int) -> Array:
+        """NEES (n,) of a robot's pose; nan where more of it is known exactly than later, as at the start."""
+        return np.where(self.nees_dof[:, robot] == self.dof[robot], self.nees[:, robot], np.nan)
 
     @property
     def mean_nees(self) -> tuple[float, ...]:
-        """NEES of each robot's pose, averaged over the frames in which no part of it is known exactly."""
-        known = [own[np.isfinite(own)] for own in self.nees.T]
+        """NEES of each robot's pose, averaged over the frames with the most degrees of freedom."""
+        every = (self.judged(robot) for robot in range(self.nees.shape[1]))
+        known = [own[np.isfinite(own)] for own in every]
         return tuple(float(own.mean()) if own.size else float("nan") for own in known)
 
     def _repr_html_(self) -> str:
@@ -95,7 +104,7 @@ class Result:
         times = self.preset.dt * np.arange(1.0, n + 1)
         found = {}
         for i, setup in enumerate(self.preset.rig.robots):
-            nees = {"nees": self.nees[:, i], "nees_dof": np.full(n, self.dof[i])}
+            nees = {"nees": self.judged(i), "nees_dof": np.full(n, self.dof[i])}
             found[setup.name] = {"times": times, **nees, **magnitudes(self.errors[:, i], self.sigmas[:, i])}
         return found
 
@@ -177,32 +186,36 @@ class Run:
     def _remember(self, truth: Truth, report: StepReport, seconds: float) -> None:
         self._initialized += len(report.initialized)
         self._deleted += len(report.deleted)
-        errors, sigmas, nees = [], [], []
+        errors, sigmas, nees, ranks = [], [], [], []
         for robot, pose in zip(self.slam.robots, truth.poses, strict=True):
             P = robot_view(self.slam.belief, robot).pose_covariance
-            error, sigma, value = pose_error(pose, robot.pose, P, robot.motion.free)
+            error, sigma, value, rank = pose_error(pose, robot.pose, P, robot.motion.free)
             errors.append(error.tolist())
             sigmas.append(sigma.tolist())
             nees.append(value)
+            ranks.append(rank)
         inliers = [prediction for each in self.slam.predictions for prediction in each if prediction.inlier]
         nis, dof = sum(prediction.nis for prediction in inliers), sum(len(prediction.S) for prediction in inliers)
         self._extrinsics = [extrinsics.tolist() for extrinsics in truth.extrinsics]
-        self._history.append([errors, sigmas, nees, nis, dof, len(self.slam.landmarks), self.slam.belief.size, seconds])
+        size = self.slam.belief.size
+        self._history.append([errors, sigmas, nees, ranks, nis, dof, len(self.slam.landmarks), size, seconds])
 
     def result(self) -> Result:
         """Results so far. Raises SlamlibError before the first frame."""
         if not self._history:
             raise SlamlibError("nothing has been run yet")
         columns = zip(COLUMNS, map(np.array, zip(*self._history, strict=True)), strict=True)
-        extrinsics, nees = np.zeros((len(self.slam.sensors), 2, 6)), np.zeros(len(self.slam.sensors))
+        count = len(self.slam.sensors)
+        extrinsics, nees, ranks = np.zeros((count, 2, 6)), np.zeros(count), np.zeros(count, dtype=int)
         for i, (sensor, true) in enumerate(zip(self.slam.sensors, self._extrinsics, strict=True)):
             if sensor.block is not None:
                 P = self.slam.belief.covariance(sensor.block)
-                *extrinsics[i], nees[i] = pose_error(np.array(true), sensor.extrinsics, P)
+                *extrinsics[i], nees[i], ranks[i] = pose_error(np.array(true), sensor.extrinsics, P)
         return Result(
             preset=self.preset,
             extrinsics=extrinsics,
             extrinsics_nees=nees,
+            extrinsics_dof=ranks,
             initialized=self._initialized,
             deleted=self._deleted,
             map_errors=map_errors(self.slam.snapshot(), self.preset.world),

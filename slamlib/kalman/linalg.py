@@ -41,6 +41,23 @@ def covariance(value: ArrayLike, size: int, function: str, argument: str) -> Arr
     if array.shape in ((), (size,)):
         array = np.diag(np.broadcast_to(array, (size,)))
     array = finite(array, (size, size), function, argument)
+    what = f"{function}: {argument}"
+    array = _symmetric(array, what)
+    if _factor(array) is None:
+        _check_semidefinite(array, what)
+    return array
+
+
+def check_variances(matrix: Array, function: str, argument: str) -> None:
+    """Raise CovarianceError for a finite matrix (n, n) that is not symmetric, or has a negative variance.
+
+    That is no proof of a covariance, and quick: for one of a whole map that was one when it was saved.
+    """
+    what = f"{function}: {argument}"
+    _check_diagonal(_symmetric(matrix, what), what)
+
+
+def _symmetric(array: Array, what: str) -> Array:
     half = array / 2
     skew = np.abs(half - half.T)
     array = half + half.T
@@ -48,10 +65,19 @@ def covariance(value: ArrayLike, size: int, function: str, argument: str) -> Arr
         std = np.sqrt(np.abs(array.diagonal()))
         if (skew > 0.5e-9 * np.outer(std, std) + _rounding_of(array)).any():
             advice = "use (P + P.T) / 2 if only rounding is to blame"
-            raise CovarianceError(f"{function}: {argument} is not symmetric, as a covariance must be; {advice}")
-    if _factor(array) is None:
-        _check_semidefinite(array, f"{function}: {argument}")
+            raise CovarianceError(f"{what} is not symmetric, as a covariance must be; {advice}")
     return array
+
+
+def check_covariances(values: Array, function: str, argument: str) -> None:
+    """Raise CovarianceError for the first of many matrices (k, n, n) that `covariance` refuses."""
+    std = np.sqrt(np.abs(np.diagonal(values, axis1=-2, axis2=-1)))
+    products = std[:, :, None] * std[:, None, :]
+    skew = np.abs(values - values.swapaxes(-1, -2))
+    doubtful = (skew > 1e-12 * products).any((1, 2)) | (std == 0).any(1)
+    doubtful[~doubtful] = np.linalg.eigvalsh(values[~doubtful] / products[~doubtful])[:, 0] < 0
+    for i in np.flatnonzero(doubtful):
+        covariance(values[i], values.shape[-1], function, f"{argument} at index {i}")
 
 
 def _rounding_of(array: Array) -> float:
@@ -61,11 +87,8 @@ def _rounding_of(array: Array) -> float:
 
 def _check_semidefinite(array: Array, what: str) -> None:
     """Raise CovarianceError for a symmetric matrix (n, n) that is no covariance, in whatever units its rows are."""
-    advice = "a covariance has none (were standard deviations passed, or a difference of covariances?)"
+    _check_diagonal(array, what)
     variances, slack = array.diagonal(), _rounding_of(array)
-    if (variances < -slack).any():
-        i = int(variances.argmin())
-        raise CovarianceError(f"{what} has the negative variance {variances[i]:.3g} at index {i}; {advice}")
     std = np.sqrt(np.maximum(variances, 0))
     free = std > 0
     alone = np.abs(array[~free]).max(initial=0)
@@ -77,8 +100,18 @@ def _check_semidefinite(array: Array, what: str) -> None:
     if not least >= -1e-9 * len(array):
         raise CovarianceError(
             f"{what} has the negative eigenvalue {np.linalg.eigvalsh(array)[0]:.3g} ({least:.3g} of its correlations); "
-            f"{advice}"
+            f"{_ADVICE}"
         )
+
+
+_ADVICE = "a covariance has none (were standard deviations passed, or a difference of covariances?)"
+
+
+def _check_diagonal(array: Array, what: str) -> None:
+    variances = array.diagonal()
+    if (variances < -_rounding_of(array)).any():
+        i = int(variances.argmin())
+        raise CovarianceError(f"{what} has the negative variance {variances[i]:.3g} at index {i}; {_ADVICE}")
 
 
 def _factor(matrix: Array) -> Array | None:

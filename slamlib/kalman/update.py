@@ -191,6 +191,7 @@ class SequentialUpdate:
         """covariance (n, n): updated in place by `finish`."""
         self._P, self._layout, self._retraction, self._transport = covariance, layout, retraction, transport
         self._store, self._count = np.empty((_ROWS, len(covariance))), 0  # W is its first rows
+        self._noises: dict[int, Array] = {}  # those that were checked: most measurements share one
 
     def propose(self, columns: Indices, H: Array, innovation: Array, R: Array) -> Proposal:
         """What a measurement would do at the present means; nothing is changed until it is applied.
@@ -199,6 +200,9 @@ class SequentialUpdate:
         """
         if isinstance(innovation, np.ma.MaskedArray):
             innovation = numbers(innovation, "update", "innovation")
+        if self._noises.get(id(R)) is not R:
+            linalg.covariance(R, len(innovation), "update", "R")
+            self._noises[id(R)] = R
         taken = self._store[: self._count]
         HP = H @ self._P.take(columns, axis=0)
         if self._count:

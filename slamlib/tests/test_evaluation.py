@@ -1,10 +1,18 @@
 """Consistency statistics: chi-square against SciPy, NEES and NIS against their definitions, and clear errors."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError
-from slamlib.evaluation.consistency import Consistency, band, nees, nis, rmse, share_inside
+from slamlib.evaluation.comparison import evaluate
+from slamlib.evaluation.consistency import Consistency, band, nees, nees_in_range, nis, rmse, share_inside
+from slamlib.evaluation.trajectory import Trajectory, write_tum
+from slamlib.experiments.monte_carlo import monte_carlo
+from slamlib.experiments.presets import preset
+from slamlib.experiments.runs import Run
+from slamlib.geometry.pose import Pose
 from slamlib.kalman.chi_square import chi2_cdf, chi2_quantile, chi2_sf
 from slamlib.tests.beliefs import random_covariance
 
@@ -140,3 +148,82 @@ def test_misuse_is_reported_clearly(wrong):
     call, error, message = WRONG[wrong]
     with pytest.raises(error, match=message):
         call()
+
+
+# -- covariances that are singular, or none ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("scale", [1, 1e-3, 1e6])
+def test_nees_of_a_singular_covariance_is_that_of_what_it_leaves_open(scale):
+    J = np.array([[1, 0.3], [0.2, 1], [0.5, 0.7]])  # two errors, three numbers
+    for units in ((), (2, 1)):
+        value, rank = nees_in_range(scale * J @ [1, 2], scale**2 * J @ J.T, units)
+        assert rank == 2
+        assert value == pytest.approx(5, rel=1e-9)
+    value, rank = nees_in_range(scale * np.array([1.0, 2, 3]), scale**2 * (J @ J.T + 0.1 * np.eye(3)))
+    assert (value, rank) == (pytest.approx(float(nees([1, 2, 3], J @ J.T + 0.1 * np.eye(3))), rel=1e-9), 3)
+    assert nees_in_range(np.array([0.0, 2]), np.diag([0.0, 4])) == (1, 1)
+
+
+@pytest.mark.parametrize("matrix", [[[1, 2], [2, 1]], [[1, 0], [0, -1e-3]], [[0, 0], [0, 0]], [[0, 0], [0, -1]]])
+def test_what_is_no_covariance_has_no_nees(matrix):
+    for units in ((), (1, 1)):
+        value, rank = nees_in_range(np.array([1.0, -1]), np.array(matrix, dtype=float), units)
+        assert np.isnan(value)
+        assert rank == 0
+
+
+def test_units_tell_rounding_from_a_small_variance():
+    """An angle of 1e-8 rad beside 1 km; and beside angles of 1 rad, where it is what rounding leaves."""
+    P, e = np.diag([1e6, 1e6, 1e-16]), np.array([1e3, 0, 2e-8])
+    assert nees_in_range(e, P, (2, 1)) == (pytest.approx(5, rel=1e-9), 3)
+    assert nees_in_range(e, P) == (pytest.approx(1, rel=1e-9), 2)
+
+
+@pytest.mark.parametrize("euler", [(10.0, 20.0, 30.0), (0, 0, 0), (0, 90.0, 0), (45, 80, 10)])
+def test_a_robot_that_errs_in_a_plane_of_space_has_three_degrees_of_freedom(euler):
+    p = preset("points")
+    robot = replace(
+        p.rig.robots[0], control=(0.08, 0, 0, 0, 0, 0), control_std=(0.005, 0.005, 0, 0, 0, 0.05), euler=euler
+    )
+    p = replace(p, rig=replace(p.rig, robots=(robot,)), frames=40)
+    found = monte_carlo(p, 10).consistency()
+    assert (found.dof, found.runs) == (3, 10)
+    low, high = band(3, 10, 1 - 1e-4)
+    assert low < found.average[-1] < high
+    result = Run(p).finish()
+    assert result.dof == (3,)
+    assert result.mean_nees[0] < 10
+    assert "of 3" in repr(result)
+
+
+def test_a_path_whose_height_is_known_exactly_is_judged_without_it(tmp_path):
+    rng, n = np.random.default_rng(5), 400
+    times = np.arange(n) / 10
+    truth = np.column_stack([times, np.sin(times), np.zeros(n), np.ones(n), np.zeros((n, 3))])
+    std = np.array([0.1, 0.2, 0, 1e-3, 2e-3, 3e-3])
+    poses = Pose.plus(truth, std * rng.standard_normal((n, 6)))
+    write_tum(tmp_path / "path.txt", Trajectory(times, poses, np.broadcast_to(np.diag(std**2), (n, 6, 6))))
+    write_tum(tmp_path / "truth.txt", Trajectory(times, truth))
+    found = evaluate(tmp_path / "path.txt", tmp_path / "truth.txt")
+    assert found.summary["nees"]["dof"] == 5
+    assert "NEES, 5 dof" in repr(found)
+    assert any("1 of 6 directions are known exactly" in note for note in found.summary["notes"])
+    assert 3 < found.summary["nees"]["median"] < 7
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda P: P - 0.2 * np.eye(6), "index 7.*negative variance"),
+        (lambda P: P + np.triu(np.full((6, 6), 0.01), 1), "index 7.*not symmetric"),
+        (lambda P: P + 2 * (np.eye(6)[[1, 0, 2, 3, 4, 5]] - np.diag([0, 0, 1, 1, 1, 1])), "index 7.*negative eigenval"),
+    ],
+)
+def test_a_trajectory_takes_covariances_alone(change, words):
+    covariances = np.broadcast_to(0.1 * np.eye(6), (20, 6, 6)).copy()
+    poses = np.tile([0.0, 0, 0, 1, 0, 0, 0], (20, 1))
+    assert len(Trajectory(np.arange(20.0), poses, covariances)) == 20
+    covariances[7] = change(covariances[7])
+    with pytest.raises(CovarianceError, match=words):
+        Trajectory(np.arange(20.0), poses, covariances)

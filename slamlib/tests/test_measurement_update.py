@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
+from slamlib.errors import CovarianceError
 from slamlib.experiments.presets import preset
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.records.inputs import RobotMeasurement
@@ -100,3 +101,24 @@ def test_what_lies_exactly_on_the_gate_is_refused_by_belief_and_prediction_alike
     one.apply_gate(np.nextafter(nis, 0), 9.0)
     assert one.inlier
     assert one.landmark.inliers == inliers + 1
+
+
+def test_a_sequence_takes_no_negative_noise_and_changes_nothing():
+    belief = Belief()
+    belief.add(1, [0.0], [[2.0]])
+    negative = pytest.raises(CovarianceError, match=r"R has the negative variance -0\.5")
+    with belief.sequential_update() as sequence, negative:
+        sequence.update(np.array([0]), np.eye(1), np.array([1.0]), np.array([[-0.5]]))
+    assert belief.matrix.tolist() == [[2]]
+
+
+@pytest.mark.parametrize(
+    ("P", "words"),
+    [([[1, 2], [0, 1]], "not symmetric"), ([[1, 0], [0, -1e-3]], r"variance -0\.001 at index 1")],
+)
+def test_a_stored_covariance_that_is_none_is_refused(P, words):
+    belief = Belief()
+    place = belief.add(2, [0.0, 0], np.eye(2))
+    with pytest.raises(CovarianceError, match=words):
+        belief.overwrite({0: place}, {0: np.zeros(2)}, np.array(P, dtype=float))
+    assert (belief.matrix == np.eye(2)).all()
