@@ -199,8 +199,9 @@ class Belief:
         P: of the same order as taking H at the updated mean, which this first-order filter leaves out too. Where an
         update turns far, apply it: belief.predict(block, block.mean, G, np.zeros_like(G)).
 
-        Rounding in P - W'W is 1e-16 of the variance *before*: a prior 1e16 times the posterior's variance leaves no
-        digit. Raises ShapeError, NonFiniteError, CovarianceError; then nothing is changed.
+        Rounding in P - W'W is 1e-16 of the variance *before*. Where a prior is so much larger than R that of the
+        posterior less than two digits would remain (1e14), the update is refused. Raises ShapeError, NonFiniteError,
+        CovarianceError; then nothing is changed.
         """
         return self._update(method, StackedMeasurements.of(list(measurements), "update", self._own))
 
@@ -208,6 +209,7 @@ class Belief:
         HP = stacked.H @ self._P.take(stacked.touched, axis=0)
         S = stacked.innovation_covariance(HP)
         step, rows, nis = stacked.solve(method, HP, S)
+        stacked.check_digits(self._P, S, rows)
         flat, points = self._layout.retract(step, self.retraction)
         finite(flat, flat.shape, "update", "the updated means")
         for block, mean in zip(self._layout.points, points, strict=True):

@@ -3,6 +3,7 @@
 import subprocess
 import sys
 
+import mpmath as mp
 import numpy as np
 import pytest
 
@@ -806,3 +807,84 @@ def test_rows_that_are_none_are_refused(columns, said):
     belief.add(3, np.zeros(3), np.eye(3))
     with pytest.raises(SlamlibError, match=said):
         belief.update_rows(np.array(columns), np.eye(2), np.zeros(2), np.eye(2))
+
+
+# -- priors of any size ------------------------------------------------------------------------------------------------
+
+
+def right(P, problem):
+    """The covariance after measurements with R = 1, in 60 digits."""
+    P = mp.matrix(P.tolist())
+    for H in map(mp.matrix, problem):
+        P = P - P * H.T * (H * P * H.T + mp.eye(H.rows)) ** -1 * H * P
+    return P
+
+
+def in_a_sequence(belief, block, problem):
+    with belief.sequential_update() as sequence:
+        for H in problem:
+            sequence.update(np.arange(block.dof), np.array(H), np.zeros(len(H)), np.eye(len(H)))
+
+
+def one_by_one(belief, block, problem, method="batch"):
+    for H in problem:
+        belief.update([block], [np.array(H)], np.zeros(len(H)), np.eye(len(H)), method=method)
+
+
+def by_numbers(belief, block, problem):
+    one_by_one(belief, block, problem, "scalar")
+
+
+@pytest.mark.parametrize("update", [one_by_one, in_a_sequence, by_numbers])
+@pytest.mark.parametrize("seed", [0, 1])
+def test_an_update_holds_to_two_digits_or_refuses_whatever_the_prior(update, seed):
+    rng, taken = np.random.default_rng(seed), {}
+    for power in [*range(4, 13), *np.repeat([13, 14, 15], 20).tolist(), *range(16, 33)]:
+        prior = 10.0**power * np.diag(rng.uniform(1, 4, 4))
+        problem = [rng.standard_normal((m, 4)).tolist() for m in (2, 2, 1)]
+        belief = Belief()
+        block = belief.add(4, np.zeros(4), prior)
+        try:
+            update(belief, block, problem)
+        except CovarianceError as error:
+            assert "times its noise" in str(error)
+            taken[power] = False
+            continue
+        taken[power] = True
+        with mp.workdps(60):
+            P, exact = belief.matrix, right(prior, problem)
+            assert np.linalg.eigvalsh(P)[0] > 0
+            for i, j in np.ndindex(4, 4):
+                assert abs(P[i, j] - exact[i, j]) < 0.03 * mp.sqrt(exact[i, i] * exact[j, j])
+    assert all(taken[power] for power in range(4, 13))
+    assert not any(taken[power] for power in range(16, 33))
+
+
+@pytest.mark.parametrize("update", [one_by_one, in_a_sequence, by_numbers])
+def test_a_refused_update_changes_nothing(update):
+    belief = Belief()
+    block = belief.add(2, [1.0, 2], 1e16 * np.eye(2))
+    with pytest.raises(CovarianceError, match=r"number 0 of the measurement is 1\.1e\+16 times its noise"):
+        update(belief, block, [[[1, 0.3]]])
+    assert np.array_equal(belief.matrix, 1e16 * np.eye(2))
+    assert block.mean.tolist() == [1, 2]
+
+
+def test_what_holds_exactly_may_have_any_prior():
+    """Without noise nothing is compared: a constraint leaves rounding, which is what it is known to."""
+    belief = Belief()
+    block = belief.add(2, [0.0, 0], 1e16 * np.eye(2))
+    belief.update([block], [np.array([[1.0, 0]])], np.array([3.0]), np.zeros((1, 1)))
+    assert block.mean.tolist() == [pytest.approx(3, abs=1e-15), 0]
+    assert belief.matrix[1, 1] == 1e16
+    belief = Belief()
+    block = belief.add(3, [0.0, 0, 0], 2.0**42 * np.eye(3))
+    belief.update([block], [np.array([[1.0, 0, 0], [0, 0.6, 0.7]])], np.zeros(2), np.diag([1.0, 0]))
+    assert belief.matrix[0, 0] == pytest.approx(1, rel=5e-3)
+
+
+def test_a_number_that_is_well_predicted_counts_with_its_own_noise_beside_one_that_is_not():
+    belief = Belief()
+    block = belief.add(2, [0.0, 0], np.diag([2.0**42, 1]))
+    belief.update([block], [np.eye(2)], np.zeros(2), np.eye(2))  # the second is halved
+    assert belief.matrix.diagonal() == pytest.approx([1, 0.5], rel=5e-3)
