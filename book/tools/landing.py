@@ -32,9 +32,10 @@ def chapters() -> dict[str, dict[str, str]]:
     found = {}
     for page in layout.pages():
         if page.parent == layout.BOOK / "chapters":
-            first = "".join(json.loads(page.read_text("utf-8"))["cells"][0]["source"])
-            goals = GOALS.search(first)
-            assert goals is not None, f"{page.name}: its first cell does not say what it needs, and how long it takes"
+            cells = [c for c in json.loads(page.read_text("utf-8"))["cells"] if c["cell_type"] == "markdown"]
+            box = next((i for i, c in enumerate(cells) if c["metadata"].get("part") == "goals"), 0)
+            goals = GOALS.search("\n".join("".join(c["source"]) for c in cells[: box + 1]))
+            assert goals is not None, f"{page.name}: its box does not say what the chapter needs, and how long it takes"
             found[page.stem] = goals.groupdict()
     return found
 
