@@ -37,6 +37,7 @@ if TYPE_CHECKING:  # for completion and types; HOMES says the same when the prog
     from slamlib.models import model as model
     from slamlib.motions import MOTIONS as MOTIONS
     from slamlib.rigs.builders import bearing_only as bearing_only
+    from slamlib.rigs.builders import brown_conrady as brown_conrady
     from slamlib.rigs.builders import camera as camera
     from slamlib.rigs.builders import davison as davison
     from slamlib.rigs.builders import depth_camera as depth_camera
@@ -73,6 +74,7 @@ HOMES = {  # of each name the module that has it, or that is it
     "Slam": "slam",
     "band": "evaluation.consistency",
     "bearing_only": "rigs.builders",
+    "brown_conrady": "rigs.builders",
     "camera": "rigs.builders",
     "check_jacobian": "checks",
     "chi2_quantile": "kalman.chi_square",

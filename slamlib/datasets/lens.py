@@ -1,8 +1,8 @@
 """Lenses as calibration files describe them, of one camera or of a pair.
 
-slamlib's pin-hole has radial distortion only: the factor 1 + d1 r^2 + d2 r^4 + ... on points of the plane z = 1
-(chapter pinhole), which is OpenCV's k1, k2, k3 with its p1 = p2 = 0; its fisheye is OpenCV's. In all of them, pixel
-(0, 0) is the centre of the upper left pixel.
+slamlib's pinHole has radial distortion only: the factor 1 + d1 r^2 + d2 r^4 + ... on points of the plane z = 1 (chapter
+pinhole), which is OpenCV's k1, k2, k3 alone; its brownConrady has OpenCV's k1 k2 p1 p2 k3 k4 k5 k6; its fisheye is
+OpenCV's. In all of them, pixel (0, 0) is the centre of the upper left pixel.
 """
 
 import warnings
@@ -58,21 +58,21 @@ class Lens:
     @property
     def is_pinhole(self) -> bool:
         """Whether it is a pin-hole without distortion."""
-        return MODELS[self.model].sensor == "pinHole" and not any(self.distortion)
+        return MODELS[self.model].own(self.distortion) == ("pinHole", ())
 
     def setup(self) -> dict[str, Any]:
-        """Plain data of a SensorSetup: a pin-hole or a fisheye. Raises SlamlibError for any other lens."""
-        model = MODELS[self.model]
-        distortion = model.own(self.distortion)
-        if distortion is None:
+        """Plain data of a SensorSetup. Raises SlamlibError for a lens that no type of sensor has."""
+        own = MODELS[self.model].own(self.distortion)
+        if own is None:
             raise SlamlibError(
-                f"this lens ({self.model}, coefficients {', '.join(f'{d:g}' for d in self.distortion)}) is no pin-hole "
-                "with radial distortion alone, as slamlib's pinHole is: remove it from the images with "
-                "--undistort, which makes them those of a pin-hole without distortion"
+                f"slamlib has no type of sensor with this lens ({self.model}, coefficients "
+                f"{', '.join(f'{d:g}' for d in self.distortion)}): remove it from the images with --undistort, which "
+                "makes them those of a pin-hole without distortion"
             )
+        name, distortion = own
         parameters = {"intrinsics": self.intrinsics, "distortion": distortion or (0.0,)}
         size = {} if self.image is None else {"image": self.image}
-        return {"type": model.sensor, **size, "parameters": parameters}
+        return {"type": name, **size, "parameters": parameters}
 
     def pixels(self, rays: Array) -> Array:
         """Pixels (..., 2) of rays (..., 3) in the camera's frame; nan of what the lens cannot see."""

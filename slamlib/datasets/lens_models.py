@@ -23,14 +23,12 @@ DOUBLE_SPHERE, EXTENDED, DIVISION, THIN_PRISM = "double-sphere", "extended-unifi
 class LensModel:
     """image(x, y, z, k): the images of rays, arrays alike, by the coefficients k (their number), zeros at the end.
 
-    sensor: slamlib's type of sensor with such a lens, if there is one; own(k): its coefficients, or None if it cannot
-    represent the lens.
+    own(k): slamlib's type of sensor with such a lens and its coefficients, or None if no type can represent the lens.
     """
 
     coefficients: int
     image: Callable[[Array, Array, Array, Numbers], Plane]
-    sensor: str | None = None
-    own: Callable[[Numbers], Numbers | None] = field(default=lambda k: None)
+    own: Callable[[Numbers], tuple[str, Numbers] | None] = field(default=lambda k: None)
 
 
 def _bent(a: Array, b: Array, k: Numbers) -> Plane:
@@ -123,18 +121,24 @@ def _division(x: Array, y: Array, z: Array, k: Numbers) -> Plane:
     return 2 * x / depth, 2 * y / depth
 
 
-def _polynomial(k: Numbers) -> Numbers | None:
-    """The coefficients of slamlib's pin-hole, which has radial distortion alone."""
-    k1, k2, p1, p2, k3, *rest = (*k, *(0.0,) * (5 - len(k)))
+def _own_lens(k: Numbers) -> tuple[str, Numbers] | None:
+    """Radial coefficients alone, as most files have, are a pin-hole's; a prism and a tilt are nobody's."""
+    k1, k2, p1, p2, k3, *more = (*k, *(0.0,) * (14 - len(k)))
+    if any(more[3:]):
+        return None
+    if any(more):
+        return "brownConrady", (k1, k2, p1, p2, k3, *more[:3])
+    if p1 or p2:
+        return "brownConrady", (k1, k2, p1, p2, k3) if k3 else (k1, k2, p1, p2)
     found: Numbers = (k1, k2, k3)
     while found and not found[-1]:
         found = found[:-1]
-    return None if p1 or p2 or any(rest) else found
+    return "pinHole", found
 
 
 MODELS = {
-    RADIAL: LensModel(14, _radial_tangential, "pinHole", _polynomial),
-    FISHEYE: LensModel(4, _equidistant, "fisheye", lambda k: k),
+    RADIAL: LensModel(14, _radial_tangential, _own_lens),
+    FISHEYE: LensModel(4, _equidistant, lambda k: ("fisheye", k)),
     FOV: LensModel(1, _fov),
     UNIFIED: LensModel(6, _unified),  # xi, and then k1 k2 p1 p2 k3
     DOUBLE_SPHERE: LensModel(2, _double_sphere),  # xi, alpha

@@ -91,7 +91,7 @@ def camera(
 ) -> SensorSetup:
     """A pin-hole camera, which measures pixels (u, v); see the module for K, image and noise. Raises SlamlibError.
 
-    distortion: up to eight radial coefficients, of r^2, r^4, ...; OpenCV's five have tangential ones among them.
+    distortion: up to eight radial coefficients, of r^2, r^4, ...; for OpenCV's list see `brown_conrady`.
 
         >>> import numpy as np
         >>> import slamlib as sl
@@ -101,6 +101,27 @@ def camera(
     """
     parameters = {"intrinsics": intrinsics(K, "camera"), "distortion": distortion}
     return _sensor("camera", "pinHole", parameters, noise, setup, image)
+
+
+def brown_conrady(
+    K: ArrayLike,
+    distortion: ArrayLike,
+    *,
+    image: Image = CENTRED,
+    noise: ArrayLike = 1.0,
+    **setup: Unpack[SensorFields],
+) -> SensorSetup:
+    """A pin-hole camera with radial and tangential distortion, which measures pixels (u, v). As `camera`.
+
+    distortion: OpenCV's k1 k2 p1 p2, then k3, then k4 k5 k6: 4, 5 or 8 numbers, as its calibrateCamera returns them.
+
+        >>> import slamlib as sl
+        >>> kinect = sl.brown_conrady([318.6, 255.3, 517.3, 516.5], [0.2624, -0.9531, -0.0054, 0.0026, 1.1633])
+        >>> kinect.calibration.project([0.5, 0, 2, 1]).round(1).tolist()
+        [449.9, 255.1]
+    """
+    parameters = {"intrinsics": intrinsics(K, "brown_conrady"), "distortion": np.ravel(distortion)}
+    return _sensor("Brown-Conrady camera", "brownConrady", parameters, noise, setup, image)
 
 
 def davison(

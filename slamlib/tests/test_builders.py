@@ -21,6 +21,7 @@ R = np.array([[0.04, 0.001, 0], [0.001, 0.01, 0], [0, 0, 0.09]])
 def test_every_type_of_sensor_has_a_builder():
     built = (
         sl.camera(K),
+        sl.brown_conrady(K, (-0.2, 0.1, 0.001, -0.002)),
         sl.davison(K, 0.1),
         sl.fisheye(K),
         sl.omnidirectional((330, 250), [200.0]),
@@ -53,6 +54,11 @@ def test_a_camera_is_the_setup_that_one_would_write():
     assert sl.camera(K).image == (660.0, 500.0)  # the principal point is its middle
     assert sl.camera(K, image=None).image is None
     assert not sl.camera(K).calibration.given["distortion"].any()
+
+
+def test_opencvs_coefficients_are_taken_as_it_returns_them():
+    returned = np.array([[0.26, -0.95, -0.005, 0.003, 1.16]])  # calibrateCamera's, (1, 5)
+    assert sl.brown_conrady(K, returned).parameters["distortion"] == (0.26, -0.95, -0.005, 0.003, 1.16)
 
 
 def test_a_sensor_that_is_no_camera_has_the_axes_of_its_robot():
@@ -124,6 +130,7 @@ WRONG = [
     (lambda: sl.camera(K, noise=np.nan), NonFiniteError, "camera: noise holds nan"),
     (lambda: sl.camera(K, positon=(0, 0, 1)), UnknownNameError, "did you mean 'position'"),
     (lambda: sl.camera(K, limits={"near": 1}), UnknownNameError, "limit of pinHole 'near'"),
+    (lambda: sl.brown_conrady(K, (0.1, 0.2)), SlamlibError, "k1 k2 p1 p2, then k3, then k4 k5 k6"),
     (lambda: sl.davison(K, (0.1, 0.2)), ShapeError, "distortion"),
     (lambda: sl.stereo(K, 0.0), SlamlibError, "the baseline is one length above zero"),
     (lambda: sl.omnidirectional((1, 2, 3), [200.0]), ShapeError, "omnidirectional: centre"),

@@ -334,8 +334,17 @@ def test_a_camera_that_turns_fast_in_its_first_picture_is_not_lost(tmp_path, cap
     assert json.loads(told.out)["tracked_least"] >= 10
 
 
+def test_a_lens_with_tangential_distortion_goes_into_the_filter(room, tmp_path, capsys):
+    (tmp_path / "calib.txt").write_text("260 260 159.5 119.5 -0.01 0.001 0.0005 0.0002")
+    call = ["run", "images", "--source", str(room / "left"), "--calibration", str(tmp_path / "calib.txt")]
+    assert main([*call, "--frames", "6", "--save", "own.npz", "--json"]) == 0
+    assert found(capsys)["matched_share"] > 0.5
+    (camera,) = load("own.npz", frames=10).slam.rig.sensors
+    assert (camera.type, len(camera.parameters["distortion"])) == ("brownConrady", 4)
+
+
 def test_undistortion(room, tmp_path, capsys):
-    text = "260 260 159.5 119.5 -0.1 0.01 0.001 0.0005"
+    text = "1 FOV 320 240 260 260 160 120 0.3\n"
     (tmp_path / "calib.txt").write_text(text)
     call = [
         "run",

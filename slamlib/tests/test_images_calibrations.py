@@ -66,8 +66,11 @@ def test_euroc_and_kalibr(tmp_path):
     assert (lens.intrinsics, lens.image) == ((367.215, 248.375, 458.654, 457.296), (752, 480))
     assert lens.distortion == (-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05)
     np.testing.assert_allclose(np.reshape(lens.transform, (4, 4))[:3, 3], [-0.02, -0.06, 0.01])
-    with pytest.raises(SlamlibError, match="--undistort"):
-        read_calibration(path)
+    assert read_calibration(path) == {
+        "type": "brownConrady",
+        "image": (752.0, 480.0),
+        "parameters": {"intrinsics": lens.intrinsics, "distortion": lens.distortion},
+    }
     radial = write(tmp_path, EUROC.replace("0.00019359, 1.76187114e-05", "0, 0.0"))
     assert read_calibration(radial)["parameters"]["distortion"] == (-0.28340811, 0.07395907)
     chain = write(tmp_path, KALIBR, "camchain.yaml")
@@ -186,9 +189,10 @@ def test_ros_messages(tmp_path):
         "0.0, 0.0, 0.0]\nK", "0, 0, 0.2, {}, 0, 0]\nK"
     )
     assert read_calibration(write(tmp_path, rational.format(0)))["parameters"]["distortion"] == (-0.3, 0.1, 0.2)
-    with pytest.raises(SlamlibError, match="--undistort"):
-        read_calibration(write(tmp_path, rational.format(0.1)))
-    assert read_lens(write(tmp_path, rational.format(0.1))).distortion == (-0.3, 0.1, 0, 0, 0.2, 0.1, 0, 0)
+    lens = read_lens(write(tmp_path, rational.format(0.1)))
+    assert lens.distortion == (-0.3, 0.1, 0, 0, 0.2, 0.1, 0, 0)
+    found = read_calibration(write(tmp_path, rational.format(0.1)))
+    assert (found["type"], found["parameters"]["distortion"]) == ("brownConrady", lens.distortion)
 
 
 COLMAP = """# Camera list with one line of data per camera:
@@ -219,6 +223,17 @@ def test_colmap(tmp_path, row, kind, focals, distortion):
     assert read_calibration(two, 2) == expected
     with pytest.raises(SlamlibError, match="no camera 0, but 1, 2"):
         read_lens(two)
+
+
+def test_slamlibs_own_pinholes_can_be_undistorted(tmp_path):
+    for kind, given, opencvs in (
+        ("pinHole", [-0.1, 0.02, 0.03], (-0.1, 0.02, 0.0, 0.0, 0.03)),
+        ("pinHoleDepth", [-0.1], (-0.1, 0.0, 0.0, 0.0, 0.0)),
+        ("brownConrady", [-0.1, 0.02, 0.001, 0.002], (-0.1, 0.02, 0.001, 0.002, 0.0, 0.0, 0.0, 0.0)),
+        ("brownConrady", range(1, 9), tuple(map(float, range(1, 9)))),
+    ):
+        data = {"type": kind, "parameters": {"intrinsics": [320, 240, 300, 300], "distortion": list(given)}}
+        assert read_lens(write(tmp_path, json.dumps(data), "own.json")).distortion == opencvs
 
 
 def test_slamlibs_own_fisheye_can_be_undistorted_and_davisons_lens_need_not(tmp_path):
@@ -382,8 +397,8 @@ def test_the_cameras_of_tum(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert read_lens("fr1") == TUM["fr1"]
     assert read_calibration("fr3")["parameters"]["intrinsics"] == (320.1, 247.6, 535.4, 539.2)
-    with pytest.raises(SlamlibError, match="--undistort"):
-        read_calibration("fr1")
+    found = read_calibration("fr1")
+    assert (found["type"], found["parameters"]["distortion"]) == ("brownConrady", TUM["fr1"].distortion)
     with pytest.raises(SlamlibError, match="fr1, fr2, fr3 need no file"):
         read_calibration("fr4")
     write(tmp_path, "500 500 1 1", "fr1")  # a file comes before a name
@@ -502,13 +517,30 @@ def _project(lens, points):
     return np.stack([u0 + au * x, v0 + av * y], axis=1)
 
 
-def test_radial_lenses_need_no_undistortion_and_agree_with_opencv(tmp_path):
-    setup = read_calibration(write(tmp_path, "500 501 320 240 -0.2 0.05 0 0 -0.01"))
-    camera = SensorSetup(**setup, image=(640, 480)).calibration
+@pytest.mark.parametrize(
+    ("given", "kind", "own"),
+    [
+        ((), "pinHole", (0.0,)),
+        ((0, 0, 0, 0), "pinHole", (0.0,)),
+        ((-0.2, 0.05, 0, 0, -0.01), "pinHole", (-0.2, 0.05, -0.01)),
+        ((-0.2, 0.05, 0, 0, 0, 0, 0, 0), "pinHole", (-0.2, 0.05)),
+        ((-0.2, 0.05, 1e-3, 0), "brownConrady", (-0.2, 0.05, 1e-3, 0)),
+        ((-0.2, 0.05, 0, -2e-3, 0), "brownConrady", (-0.2, 0.05, 0, -2e-3)),
+        ((-0.2, 0.05, 1e-3, 2e-3, -0.01), "brownConrady", (-0.2, 0.05, 1e-3, 2e-3, -0.01)),
+        ((-0.2, 0.05, 0, 0, 0.1, 0.02, 0, 0.01), "brownConrady", (-0.2, 0.05, 0, 0, 0.1, 0.02, 0, 0.01)),
+        ((-0.2, 0.05, 1e-3, 0, 0, 0, 0, 0, 0, 0, 0, 0), "brownConrady", (-0.2, 0.05, 1e-3, 0)),
+    ],
+)
+def test_opencvs_lenses_need_no_undistortion_and_agree_with_it(given, kind, own):
+    """Radial coefficients alone are the pin-hole's, which has a file of its own and is quicker."""
+    lens = Lens((320, 240, 500, 501), (640, 480), distortion=given)
+    setup = lens.setup()
+    assert (setup["type"], setup["parameters"]["distortion"]) == (kind, own)
+    assert lens.is_pinhole == (not any(given))
     points = np.random.default_rng(2).uniform(-0.3, 0.3, (20, 4)) + np.array([0, 0, 1, 1])
-    K = np.array([[500.0, 0, 320], [0, 501, 240], [0, 0, 1]])
-    there = cv2.projectPoints(points[:, None, :3], np.zeros(3), np.zeros(3), K, np.array([-0.2, 0.05, 0, 0, -0.01]))[0]
-    np.testing.assert_allclose(camera.project(points), there[:, 0], atol=1e-9)
+    K, k = np.array([[500.0, 0, 320], [0, 501, 240], [0, 0, 1]]), np.array(given, dtype=float)
+    there = cv2.projectPoints(points[:, None, :3], np.zeros(3), np.zeros(3), K, k)[0]
+    np.testing.assert_allclose(SensorSetup(**setup).calibration.project(points), there[:, 0], atol=1e-9)
 
 
 def test_a_lens_that_makes_no_sense_is_not_undistorted():

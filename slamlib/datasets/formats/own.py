@@ -16,8 +16,13 @@ from slamlib.plain_data.fields import Range, read, read_fields
 from slamlib.rigs.setup import SensorSetup
 
 KEYS = {"parameters", "sensors", "intrinsics", "baseline"}
-# The model that OpenCV has for a type of camera, and the coefficients that it can undistort.
-UNDISTORTED = {"pinHole": (RADIAL, 3), "pinHoleDepth": (RADIAL, 3), "fisheye": (FISHEYE, 4)}
+# The model that OpenCV has for a type of camera, and the places of its coefficients among that model's.
+UNDISTORTED = {
+    "pinHole": (RADIAL, (0, 1, 4)),
+    "pinHoleDepth": (RADIAL, (0, 1, 4)),
+    "brownConrady": (RADIAL, tuple(range(8))),
+    "fisheye": (FISHEYE, tuple(range(4))),
+}
 Focal = Annotated[float, Range(gt=0, unit="px")]
 
 
@@ -59,15 +64,15 @@ class OwnCamera:
     def lens(self) -> Lens:
         """The lens, if it is one that OpenCV can undistort. Raises SlamlibError."""
         sensor = SensorSetup(**self.data)
-        model, known = UNDISTORTED.get(sensor.type, ("", 0))
-        coefficients = (*sensor.parameters.get("distortion", ()), *(0.0,) * known)
-        if any(coefficients[known:]) or not model:
+        model, places = UNDISTORTED.get(sensor.type, ("", ()))
+        coefficients = sensor.parameters.get("distortion", ())
+        if any(coefficients[len(places) :]) or not model:
             raise SlamlibError(
-                "OpenCV undistorts pin-holes with up to three coefficients, and fisheyes with up to four; leave "
+                "OpenCV undistorts pin-holes with up to three radial coefficients, and fisheyes with up to four; leave "
                 "--undistort out, since slamlib works on this camera's pictures as they are"
             )
-        k1, k2, *others = coefficients[:known]
-        distortion = (k1, k2, *others) if model == FISHEYE else (k1, k2, 0.0, 0.0, *others)
+        at = dict(zip(places, coefficients, strict=False))
+        distortion = tuple(at.get(place, 0.0) for place in range(places[-1] + 1))
         transform = placed(sensor.extrinsics[:3], rotation(sensor.extrinsics[3:])) if self.of_rig else None
         return Lens(sensor.parameters["intrinsics"], self.data.get("image"), model, distortion, transform)
 
