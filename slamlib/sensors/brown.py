@@ -31,7 +31,7 @@ def pixel(ideal, intrinsics, distortion):
 
 @model(point=4, intrinsics=4, distortion=AtMost(8))
 def project(point, intrinsics, distortion):
-    """Pixel of a homogeneous point (h, w), whose w has no effect. Chapter pinhole, eq. (ph-brown-chain)."""
+    """Pixel of a homogeneous point (h, w), whose w has no effect. Chapter pinhole, eq. (ph-chain)."""
     return pixel(point[:2] / point[2], intrinsics, distortion)
 
 

@@ -82,7 +82,7 @@ def test_radial_coefficients_alone_are_the_pinholes(rng):
 
 
 def test_tangential_distortion_alone_is_the_gradient_of_its_potential(rng):
-    """Eq. (ph-brown-potential): by differences of r^2 (p2 x + p1 y), which knows nothing of the model."""
+    """eq. (ph-potential): by differences of r^2 (p2 x + p1 y), which knows nothing of the model."""
     p1, p2, step = 0.02, -0.03, 1e-5
     for x, y in rng.uniform(-1, 1, (20, 2)):
 

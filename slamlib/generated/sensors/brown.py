@@ -3,7 +3,7 @@
 DIGESTS = {
     "distort": "b80c546ad27c6f4e",
     "pixel": "52254cf107120c6f",
-    "project": "94c1c9e2ed09a5e7",
+    "project": "cf413aa2ea50d05c",
 }
 SHAPES = {
     "distort": (2,),
