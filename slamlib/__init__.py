@@ -41,6 +41,8 @@ if TYPE_CHECKING:  # for completion and types; HOMES says the same when the prog
     from slamlib.rigs.builders import camera as camera
     from slamlib.rigs.builders import davison as davison
     from slamlib.rigs.builders import depth_camera as depth_camera
+    from slamlib.rigs.builders import double_sphere as double_sphere
+    from slamlib.rigs.builders import extended_unified as extended_unified
     from slamlib.rigs.builders import fisheye as fisheye
     from slamlib.rigs.builders import omnidirectional as omnidirectional
     from slamlib.rigs.builders import range_bearing as range_bearing
@@ -48,6 +50,7 @@ if TYPE_CHECKING:  # for completion and types; HOMES says the same when the prog
     from slamlib.rigs.builders import relative_position as relative_position
     from slamlib.rigs.builders import robot as robot
     from slamlib.rigs.builders import stereo as stereo
+    from slamlib.rigs.builders import unified as unified
     from slamlib.rigs.setup import Rig as Rig
     from slamlib.rigs.setup import RobotSetup as RobotSetup
     from slamlib.rigs.setup import SensorSetup as SensorSetup
@@ -82,7 +85,9 @@ HOMES = {  # of each name the module that has it, or that is it
     "davison": "rigs.builders",
     "depth_camera": "rigs.builders",
     "derive": "codegen",
+    "double_sphere": "rigs.builders",
     "evaluate": "evaluation.comparison",
+    "extended_unified": "rigs.builders",
     "fisheye": "rigs.builders",
     "model": "models",
     "nees": "evaluation.consistency",
@@ -96,6 +101,7 @@ HOMES = {  # of each name the module that has it, or that is it
     "robot": "rigs.builders",
     "run": "experiments.runs",
     "stereo": "rigs.builders",
+    "unified": "rigs.builders",
 }
 
 

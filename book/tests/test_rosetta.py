@@ -24,7 +24,7 @@ ROWS = rosetta.rows()
 KINDS = {"function", "field", "option", "type", "structure", "section", "idea"}
 TYPES = {ODOMETRY.name: ODOMETRY, CONSTANT_VELOCITY.name: CONSTANT_VELOCITY, **SENSORS, **POINTS, **LINES}
 OWN = {"stereo", "relativePosition", "rangeBearing", "fisheye", "davison"}  # sensors that the toolbox does not have
-OWN |= {"brownConrady"}
+OWN |= {"brownConrady", "unified", "extendedUnified", "doubleSphere"}
 OWN |= {name for name, kind in {**SENSORS, **POINTS}.items() if kind.plane}  # nor anything of the plane
 
 FRAME = ["x", "t", "q", "R", "Rt", "Pi", "Pc"]

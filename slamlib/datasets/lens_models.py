@@ -140,9 +140,9 @@ MODELS = {
     RADIAL: LensModel(14, _radial_tangential, _own_lens),
     FISHEYE: LensModel(4, _equidistant, lambda k: ("fisheye", k)),
     FOV: LensModel(1, _fov),
-    UNIFIED: LensModel(6, _unified),  # xi, and then k1 k2 p1 p2 k3
-    DOUBLE_SPHERE: LensModel(2, _double_sphere),  # xi, alpha
-    EXTENDED: LensModel(2, _extended_unified),  # alpha, beta
+    UNIFIED: LensModel(6, _unified, lambda k: ("unified", k)),  # xi, and then k1 k2 p1 p2 k3
+    DOUBLE_SPHERE: LensModel(2, _double_sphere, lambda k: ("doubleSphere", k)),  # xi, alpha
+    EXTENDED: LensModel(2, _extended_unified, lambda k: ("extendedUnified", k)),  # alpha, beta
     DIVISION: LensModel(1, _division),
     THIN_PRISM: LensModel(8, _thin_prism),  # k1 k2 p1 p2 k3 k4 s_x s_y
 }

@@ -163,6 +163,70 @@ def fisheye(
     return _sensor("fisheye", "fisheye", parameters, noise, setup, image)
 
 
+def unified(
+    K: ArrayLike,
+    distortion: ArrayLike,
+    *,
+    image: Image = CENTRED,
+    noise: ArrayLike = 1.0,
+    **setup: Unpack[SensorFields],
+) -> SensorSetup:
+    """A wide-angle camera or one with a mirror, by the unified model, which measures pixels (u, v). As `camera`.
+
+    distortion: xi, then k1, k2, p1, p2, k3 as far as they are known: OpenCV's omnidir, Kalibr's omni,
+    camodocal's MEI. limits: "angle" [rad], half the field of view.
+
+        >>> import slamlib as sl
+        >>> lens = sl.unified([320, 240, 200, 200], [1.6, -0.1])
+        >>> lens.calibration.project([1, 0, 0, 1]).round(1).tolist()  # a right angle off the axis
+        [440.1, 240.0]
+    """
+    parameters = {"intrinsics": intrinsics(K, "unified"), "distortion": distortion}
+    return _sensor("unified camera", "unified", parameters, noise, setup, image)
+
+
+def extended_unified(
+    K: ArrayLike,
+    distortion: ArrayLike,
+    *,
+    image: Image = CENTRED,
+    noise: ArrayLike = 1.0,
+    **setup: Unpack[SensorFields],
+) -> SensorSetup:
+    """A wide-angle camera by the extended unified model, which measures pixels (u, v). As `camera`.
+
+    distortion: alpha and beta, Kalibr's eucm. limits: "angle" [rad], half the field of view.
+
+        >>> import slamlib as sl
+        >>> lens = sl.extended_unified([320, 240, 200, 200], [0.6, 1.1])
+        >>> lens.calibration.project([1, 0, 0, 1]).round(1).tolist()  # a right angle off the axis
+        [637.8, 240.0]
+    """
+    parameters = {"intrinsics": intrinsics(K, "extended_unified"), "distortion": distortion}
+    return _sensor("extended unified camera", "extendedUnified", parameters, noise, setup, image)
+
+
+def double_sphere(
+    K: ArrayLike,
+    distortion: ArrayLike,
+    *,
+    image: Image = CENTRED,
+    noise: ArrayLike = 1.0,
+    **setup: Unpack[SensorFields],
+) -> SensorSetup:
+    """A wide-angle camera by the double-sphere model, which measures pixels (u, v). As `camera`.
+
+    distortion: xi and alpha, Kalibr's ds. limits: "angle" [rad], half the field of view.
+
+        >>> import slamlib as sl
+        >>> lens = sl.double_sphere([320, 240, 200, 200], [-0.2, 0.55])
+        >>> lens.calibration.project([1, 0, 0, 1]).round(1).tolist()  # a right angle off the axis
+        [744.7, 240.0]
+    """
+    parameters = {"intrinsics": intrinsics(K, "double_sphere"), "distortion": distortion}
+    return _sensor("double-sphere camera", "doubleSphere", parameters, noise, setup, image)
+
+
 def omnidirectional(
     centre: ArrayLike,
     lens: ArrayLike,

@@ -25,6 +25,8 @@ DEFAULTS = {  # by a parameter's name and by how many numbers its model takes
     ("intrinsics", 5): [320.0, 240.0, 1.01, 0.003, -0.002],
     ("distortion", 8): [-0.2, 0.04, 0.001, -0.002],
     ("distortion", 1): [0.2],
+    ("distortion", 2): [0.5, 0.7],  # of the extended unified camera, and of the double sphere
+    ("distortion", 6): [1.2, -0.1, 0.02, 0.001, -0.002],
     ("lens", 11): [170.0, -3.0, 0.5],
     ("baseline", 1): [0.3],
 }

@@ -8,7 +8,7 @@ import numpy as np
 
 from slamlib.datasets.dataset import CalibrationReader, Cameras
 from slamlib.datasets.lens import Lens, placed
-from slamlib.datasets.lens_models import FISHEYE, RADIAL
+from slamlib.datasets.lens_models import DOUBLE_SPHERE, EXTENDED, FISHEYE, RADIAL, UNIFIED
 from slamlib.errors import SlamlibError
 from slamlib.geometry.quaternion import rotation
 from slamlib.plain_data.entries import Numbers, named_values
@@ -22,6 +22,9 @@ UNDISTORTED = {
     "pinHoleDepth": (RADIAL, (0, 1, 4)),
     "brownConrady": (RADIAL, tuple(range(8))),
     "fisheye": (FISHEYE, tuple(range(4))),
+    "unified": (UNIFIED, tuple(range(6))),
+    "extendedUnified": (EXTENDED, (0, 1)),
+    "doubleSphere": (DOUBLE_SPHERE, (0, 1)),
 }
 Focal = Annotated[float, Range(gt=0, unit="px")]
 
