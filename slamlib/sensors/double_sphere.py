@@ -1,4 +1,4 @@
-"""Double-sphere camera: onto a sphere, onto a second one, then onto a plane; axes right, down, front."""
+"""Double-sphere camera: a wide lens, by two spheres seen from behind: a pixel; axes right, down, front."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Extended unified camera: onto an ellipsoid, then from a shifted centre onto a plane; axes right, down, front."""
+"""Extended unified camera: a wide lens, by an ellipsoid seen from behind: a pixel; axes right, down, front."""
 
 import numpy as np
 
