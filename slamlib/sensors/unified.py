@@ -1,4 +1,4 @@
-"""Unified camera: a wide lens or a mirror, by a sphere seen from behind, distorted: a pixel; axes right, down, front."""
+"""Unified camera: a wide lens or a mirror, by a sphere seen from behind: a pixel; axes right, down, front."""
 
 import numpy as np
 
