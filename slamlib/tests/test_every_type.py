@@ -23,7 +23,7 @@ from slamlib.tests.line_chains import check_chains
 DEFAULTS = {  # by a parameter's name and by how many numbers its model takes
     ("intrinsics", 4): [320.0, 240.0, 400.0, 410.0],
     ("intrinsics", 5): [320.0, 240.0, 1.01, 0.003, -0.002],
-    ("distortion", 8): [-0.2, 0.04, 0.001, -0.002],
+    ("distortion", 8): [-0.2, 0.04, 0.001, 0.002],
     ("distortion", 1): [0.2],
     ("distortion", 2): [0.5, 0.7],  # of the extended unified camera, and of the double sphere
     ("distortion", 6): [1.2, -0.1, 0.02, 0.001, -0.002],
