@@ -170,7 +170,7 @@ def test_a_chapter_has_a_slider_and_describes_its_pictures(chapter):
     source = "\n".join("".join(c["source"]) for c in cells(chapter) if c["cell_type"] == "code")
     assert "sweep(" in source
     for cell in cells(chapter):
-        if cell["cell_type"] == "code" and re.search(r"^(picture|sweep)\(", "".join(cell["source"]), flags=re.M):
+        if cell["cell_type"] == "code" and re.search(r"^(picture|sweep|drag)\(", "".join(cell["source"]), flags=re.M):
             assert {"nbval-ignore-output", "hide-input"} <= set(cell["metadata"].get("tags", []))
             assert "alt=" in "".join(cell["source"])
 

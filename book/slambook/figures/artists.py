@@ -82,7 +82,7 @@ def _line(line: Any, ax: Any, target: Axes) -> None:
     rule, (across, along) = (target.axvline, (x, y)) if place == "x data" else (target.axhline, (y, x))
     if place == "axes fraction" or len(x) != 2 or across[0] != across[1] or style["marker"]:
         raise CannotReplayError("a line is placed by shares of the axes")
-    plain = {name: style[name] for name in ("color", "alpha", "lw", "ls", "zorder", "clip_on")}
+    plain = {name: style[name] for name in ("color", "alpha", "lw", "ls", "zorder", "clip_on", "gid")}
     rule(across[0], *along, **plain)
 
 
@@ -222,6 +222,7 @@ def _words(words: Any, ax: Any, target: Axes) -> None:
         "va": words.get_va().replace("center_baseline", "center"),
         "rotation": words.get_rotation(),
         "zorder": words.get_zorder(),
+        "gid": words.get_gid(),
         "clip_on": words.get_clip_on() and words.get_clip_path() is not None,
     }
     if isinstance(words, text.Annotation):

@@ -161,13 +161,24 @@ class Axes(Calls):
         """Put all on the sheet."""
         view = self.view(box)
         frame.draw_grid(self, canvas, view)
-        for clip, marks in groupby(sorted(self.marks, key=lambda m: m.zorder), lambda m: m.clip):
-            with canvas.group(clip=view.box if clip else None):
-                for mark in marks:
-                    mark.draw(canvas, view)
+        if any(mark.gid for mark in self.marks):
+            with canvas.group(view=view.written()):
+                self._draw_marks(canvas, view)
+        else:
+            self._draw_marks(canvas, view)
         frame.draw_frame(self, canvas, view)
         if self.key is not None:
             self.key.draw(self.marks, canvas, view)
+
+    def _draw_marks(self, canvas: Canvas, view: DataView) -> None:
+        for clip, marks in groupby(sorted(self.marks, key=lambda m: m.zorder), lambda m: m.clip):
+            with canvas.group(clip=view.box if clip else None):
+                for mark in marks:
+                    if mark.gid:
+                        with canvas.group(part=mark.gid):
+                            mark.draw(canvas, view)
+                    else:
+                        mark.draw(canvas, view)
 
     def described(self) -> str:
         """What its words say."""

@@ -50,6 +50,7 @@ class Calls:
         mark.label = "" if style.get("label") is None else str(style["label"])
         mark.zorder = mark.zorder if style.get("zorder") is None else float(style["zorder"])
         mark.clip = bool(style.get("clip_on", mark.clip))
+        mark.gid = "" if style.get("gid") is None else str(style["gid"])
         self.marks.append(mark)
         return mark
 
@@ -140,7 +141,7 @@ class Calls:
 
         extent: (left, right, bottom, top) in data units, by default half a pixel around whole ones.
         """
-        chosen = named("imshow", style, ("alpha", "zorder", "label", "clip_on"))
+        chosen = named("imshow", style, COMMON)
         if origin not in ("upper", "lower"):
             raise UnknownNameError.of("origin of imshow", origin, ("upper", "lower"))
         pixels = pixels_of(array, cmap, vmin, vmax)

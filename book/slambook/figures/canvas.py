@@ -48,8 +48,11 @@ class Canvas:
         self.element("rect", style, **{name: number(value) for name, value in place.items()})
 
     @contextmanager
-    def group(self, style: str = "", clip: Box | None = None) -> Iterator[None]:
-        """Elements that share a style, or are cut at a box; an empty group leaves nothing."""
+    def group(self, style: str = "", clip: Box | None = None, **data: str) -> Iterator[None]:
+        """Elements that share a style, or are cut at a box; an empty group leaves nothing.
+
+        data: what a script reads: part="mean" becomes data-part="mean".
+        """
         outer, self._parts = self._parts, []
         yield
         inner, self._parts = self._parts, outer
@@ -61,7 +64,8 @@ class Canvas:
             self.rectangle(clip, "")
             self._parts.append("</clipPath>")
             reference, self._clips = f' clip-path="url(#{_NAME}{self._clips})"', self._clips + 1
-        self._parts += [f"<g{reference}{_styled(style)}>", *inner, "</g>"]
+        told = "".join(f' data-{name}="{html.escape(value)}"' for name, value in data.items())
+        self._parts += [f"<g{reference}{told}{_styled(style)}>", *inner, "</g>"]
 
     def text(self, x: float, y: float, words: str, look: Lettering, bare: bool = False) -> None:
         """Words at a point, moved and if need be shrunk to stay on the sheet; bare: the group has their style."""

@@ -18,11 +18,15 @@ Edges = tuple[tuple[float, ...], tuple[float, ...]]
 
 @dataclass(kw_only=True, repr=False)
 class Mark:
-    """Something in the axes; marks of a higher zorder lie above; clip: it ends where the axes end."""
+    """Something in the axes; marks of a higher zorder lie above; clip: it ends where the axes end.
+
+    gid: the name by which a script of the page finds it (slambook.figures.dragging).
+    """
 
     label: str = ""
     zorder: float = 2.0
     clip: bool = True
+    gid: str = ""
     tight: Edges = ((), ())  # values of x and of y beyond which the axes need no margin
 
     def bounds(self, xscale: Scale, yscale: Scale) -> Array:

@@ -38,7 +38,7 @@ def must_be_data(transform: Any, ax: Any) -> None:
 
 def base(artist: Any) -> dict[str, Any]:
     """What every artist has."""
-    return {"zorder": artist.get_zorder(), "clip_on": artist.get_clip_on()}
+    return {"zorder": artist.get_zorder(), "clip_on": artist.get_clip_on(), "gid": artist.get_gid()}
 
 
 def color_of(color: Any, alpha: float | None = None) -> tuple[str, float]:

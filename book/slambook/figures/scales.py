@@ -7,6 +7,7 @@ import numpy as np
 
 from slambook.figures import ticks
 from slambook.figures.paths import Box
+from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
 
 MARGIN = 0.05  # of the span, left free on either side of the data
@@ -76,6 +77,12 @@ class DataView:
     ylim: tuple[float, float]
     xscale: Scale
     yscale: Scale
+
+    def written(self) -> str:
+        """For a script: left, top, right, bottom on the sheet, and the numbers there: x and y, from lower left."""
+        if not self.xscale is self.yscale is SCALES["linear"]:
+            raise SlamlibError("a mark with a gid can be moved by a script along linear axes alone")
+        return " ".join(f"{v:.9g}" for v in (*self.box, *self.xlim, *self.ylim))
 
     def along(self, axis: int, values: Array, floored: bool = False) -> Array:
         """Places (N,) on the sheet of numbers (N,) of x (axis 0) or y (1).
