@@ -11,7 +11,7 @@ from book.tools import landing, layout
 
 CAPTION = re.compile(r"\*\*Figure: ([^*]+)\.\*\* \S")
 LINK = re.compile(r"\[[^\]]+\]\((?:\w+\.ipynb)?#(fig-[a-z0-9-]+)\)")
-DRAWN = re.compile(r"^(?:Picture: |Sweep of |Player of |Film of )", re.MULTILINE)
+DRAWN = re.compile(r"^(?:Picture: |Sweep of |Figure with handles: |Player of |Film of )", re.MULTILINE)
 PAGES = [file for file in layout.notebooks() if file != landing.PAGE]  # whose two figures stand beside its text
 
 
