@@ -27,7 +27,7 @@ const Drag = (() => {
   const kinds = {}, asked = {}, home = document.currentScript.src;
   const SVG = "http://www.w3.org/2000/svg", REACH = 22, SEEN = 7; // radii in pixels: what takes a finger, and what is seen
   const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
-  const HINT = "Drag the round handles; with the keyboard: Tab, then the arrow keys (with Shift in larger steps).";
+  const HINT = "Drag the round handles", KEYS = ", or move them with the arrow keys (with Shift in larger steps)";
   const within = (value, a, b) => Math.min(Math.max(value, Math.min(a, b)), Math.max(a, b));
   const make = (name, attributes) => {
     const made = document.createElementNS(SVG, name);
@@ -135,13 +135,15 @@ const Drag = (() => {
       svg.append(handle);
       return { handle, of, view };
     });
-    const reset = Object.assign(document.createElement("button"), { type: "button", textContent: "As it was" });
+    const reset = Object.assign(document.createElement("button"), { type: "button", textContent: "Start over" });
     reset.addEventListener("click", () => {
       state = start;
       redraw();
     });
     const bar = Object.assign(document.createElement("div"), { className: "drag-bar" });
-    bar.append(Object.assign(document.createElement("span"), { textContent: HINT }), reset);
+    const hint = Object.assign(document.createElement("span"), { textContent: HINT });
+    hint.append(Object.assign(document.createElement("span"), { className: "keys", textContent: KEYS }), ".");
+    bar.append(hint, reset);
     figure.append(bar);
     svg.setAttribute("role", "group"); // of an image a screen reader tells no parts
     new ResizeObserver(() => {

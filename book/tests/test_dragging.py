@@ -194,7 +194,7 @@ def test_the_ellipse_s_formulas_are_slamlib_s(page):
         ours = ellipse(mean, P, sigmas=k)  # the same points, begun at another one
         if P[0][0] == P[1][1]:
             continue
-        matched = [np.abs(drawn - other).max() for other in begun(ours)]
+        matched = [np.abs(drawn - other).max() for other in from_each_point(ours)]
         assert min(matched) < 1e-12 * size * max(1, np.linalg.cond(P) ** 0.5)
     deviations = rng.standard_normal((len(matrices), 2))
     distances = called(page, "ellipse", "squared", [[e.tolist(), P] for e, P in zip(deviations, matrices, strict=True)])
@@ -207,7 +207,7 @@ def test_the_ellipse_s_formulas_are_slamlib_s(page):
         np.testing.assert_allclose(found, P, atol=1e-12 * np.trace(P))
 
 
-def begun(outline):
+def from_each_point(outline):
     """A closed outline begun at each of its points, in either sense."""
     ring = outline[:, :-1]
     for way in (ring, ring[:, ::-1]):
@@ -271,7 +271,7 @@ def test_a_pointer_drags_and_the_figure_follows(page):
     page.mouse.move(5000, -5000)  # not out of the axes
     page.mouse.up()
     assert page.locator("#f1 [data-handle='seen mean']").get_attribute("aria-valuenow") == "14"
-    page.locator("#f1").get_by_role("button", name="As it was").click()
+    page.locator("#f1").get_by_role("button", name="Start over").click()
     assert page.locator("#f1 .sweep-note").text_content() == bells().said
 
 
