@@ -37,7 +37,7 @@ def fuse(candidate: Candidate) -> None:
     for z1, v1, z2, v2, c in cases((*independent, *correlated), told):
         mean, variance = fused(z1, v1, z2, v2, c)
         same(fused(z1 + 100, v1, z2 + 100, v2, c), (mean + 100, variance), "the zero of the scale is free")
-        share = fused(0.0, v1, 1.0, v2, c)[0]
+        share = float(fused(0.0, v1, 1.0, v2, c)[0])
         same(variance, _variance(share, v1, v2, c), "the claimed variance is that of the error")
         other = min(_variance(share + step, v1, v2, c) for step in (-0.01, 0.01))
         worse = f"found K = {share:.4g}, of variance {variance:.6g}; a share that differs by 0.01 has {other:.6g}"
