@@ -5,6 +5,7 @@ those of each Jacobian, row by row. Entries that are constant are Python integer
 """
 
 import math
+import sys
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from math import isfinite
@@ -66,7 +67,7 @@ class Kernel:
         """One item: plain Python floats are several times faster than arrays of length one."""
         entries = self._entries(numbers)
         if entries is None:
-            raise SingularPointError(f"{self.name} is not defined, or has no derivative, at {numbers}")
+            raise self._singular(f"{numbers}", numbers)
         flat = np.array(entries, dtype=dtype)
         return [flat[piece].reshape(shape) for piece, shape in zip(self.pieces, self.shapes, strict=True)]
 
@@ -77,7 +78,7 @@ class Kernel:
         for item, numbers in enumerate(zip(*rows, strict=True)):
             found = self._entries(numbers)
             if found is None:
-                raise self._singular(np.unravel_index(item, batch))
+                raise self._singular(_item(np.unravel_index(item, batch)), numbers)
             entries += found
         flat = np.array(entries, dtype=float).reshape(*batch, -1)
         return [flat[..., at].reshape(batch + shape) for at, shape in zip(self.pieces, self.shapes, strict=True)]
@@ -99,9 +100,12 @@ class Kernel:
         # the sum is fast, and infinite also where finite entries overflow together
         return entries if isfinite(sum(entries)) or all(map(isfinite, entries)) else None
 
-    def _singular(self, item: Iterable[Any]) -> SingularPointError:
-        place = tuple(map(int, item))
-        return SingularPointError(f"{self.name} is not defined, or has no derivative, at item {place} of the batch")
+    def _singular(self, where: str, numbers: Sequence[Iterable[Any]]) -> SingularPointError:
+        what = f"{self.name} is not defined, or has no derivative, at {where}"
+        largest = max((abs(n) for argument in numbers for n in argument), default=0)
+        if largest > math.sqrt(sys.float_info.max):
+            what += f": {largest:g} is too large: its square is beyond the range of floats"
+        return SingularPointError(what)
 
     def _many(self, arguments: list[Array], batches: list[Shape], batch: Shape, dtype: np.dtype[Any]) -> list[Array]:
         """A batch: entries first, items last, so that each operation runs over contiguous memory."""
@@ -113,7 +117,10 @@ class Kernel:
             flat = block.ravel()
             fine = np.isfinite(np.vdot(flat, flat))  # fast: nan and infinity show in the sum of the squares
         if not fine and not (finite := np.isfinite(block)).all():
-            raise self._singular(np.argwhere(~finite)[0][1:])
+            place = tuple(np.argwhere(~finite)[0][1:])
+            alone = [row.reshape(len(row), *(1,) * (len(batch) + 1 - row.ndim), *row.shape[1:]) for row in rows]
+            numbers = [np.broadcast_to(row, (len(row), *batch))[(slice(None), *place)] for row in alone]
+            raise self._singular(_item(place), numbers)
         return [block[piece].reshape(shape + batch).transpose(axes) for piece, shape, axes in self._layout(len(batch))]
 
     @cache  # noqa: B019 - kernels live as long as their model
@@ -137,6 +144,10 @@ class Kernel:
         for i in self.written:
             block[i] = entries[i]
         return block
+
+
+def _item(place: Iterable[Any]) -> str:
+    return f"item {tuple(map(int, place))} of the batch"
 
 
 def common(name: str, arguments: list[Argument], batches: list[Shape]) -> Shape:
