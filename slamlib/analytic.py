@@ -150,3 +150,17 @@ def _slope_series(s: Value, w: Value) -> Value:
 
 def _slope_closed(s: Value, w: Value) -> Value:
     return (w / (s + w**2) - _ratio_closed(s, w)) / (2 * s)
+
+
+def norm_plus(s: Value, z: Value) -> Value:
+    """sqrt(s + z^2) + z for s >= 0, with all digits for z < 0 too, where it is s / (sqrt(s + z^2) - z)."""
+    if type(s) is float and type(z) is float:
+        norm = math.sqrt(s + z * z)
+        return norm + z if z >= 0 else s / (norm - z)
+    if _is_symbolic(s, z):
+        from slamlib.symbolic import NormPlus
+
+        return NormPlus(s, z)
+    s, z = np.asarray(s), np.asarray(z)
+    norm, behind = np.sqrt(s + z * z), z.real < 0
+    return np.where(behind, s / np.where(behind, norm - z, 1), norm + z)

@@ -76,6 +76,21 @@ class ArctanRatioSlope(Smooth):
         return (w / (s + w**2) - ArctanRatio(s, w).closed_form()) / (2 * s)
 
 
+class NormPlus(Smooth):
+    """sqrt(s + z^2) + z; see slamlib.analytic.norm_plus."""
+
+    latex = r"n_+\left({}, {}\right)"
+
+    def fdiff(self, argindex: int = 1) -> sympy.Expr:
+        s, z = self.args
+        return (sympy.Rational(1, 2) if argindex == 1 else self) / sympy.sqrt(s + z**2)
+
+    def closed_form(self) -> sympy.Expr:
+        """The same function in terms of the square root."""
+        s, z = self.args
+        return sympy.sqrt(s + z**2) + z
+
+
 def closed_form(expression: sympy.Expr) -> sympy.Expr:
     """The expression with every smooth function written out (valid away from s = 0)."""
     return expression.replace(lambda e: isinstance(e, Smooth), lambda e: e.closed_form())

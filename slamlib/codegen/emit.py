@@ -16,7 +16,9 @@ from slamlib.codegen.trace import Trace, trace
 from slamlib.models import Model, fingerprint
 
 PRIME = 2**61 - 1
-_FUNCTIONS = ("arctan2", "arctan_ratio", "arctan_ratio_slope", "cos", "exp", "log", "sin", "sqrt", "stumpff")
+_FUNCTIONS = (
+    "arctan2", "arctan_ratio", "arctan_ratio_slope", "cos", "exp", "log", "norm_plus", "sin", "sqrt", "stumpff"
+)  # fmt: skip
 
 
 def functions(model: Model, traced: Trace, *, by_storage: bool = False) -> str:

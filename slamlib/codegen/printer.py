@@ -6,10 +6,11 @@ import sympy
 from sympy.printing.pycode import PythonCodePrinter
 
 from slamlib.errors import WritingRuleError
-from slamlib.symbolic import ArctanRatio, ArctanRatioSlope, Stumpff
+from slamlib.symbolic import ArctanRatio, ArctanRatioSlope, NormPlus, Stumpff
 
 _NAMES = {
-    Stumpff: "stumpff", ArctanRatio: "arctan_ratio", ArctanRatioSlope: "arctan_ratio_slope", sympy.atan2: "arctan2",
+    Stumpff: "stumpff", ArctanRatio: "arctan_ratio", ArctanRatioSlope: "arctan_ratio_slope", NormPlus: "norm_plus",
+    sympy.atan2: "arctan2",
     **{getattr(sympy, name): name for name in ("sin", "cos", "exp", "log")},
 }  # fmt: skip
 _HALF = sympy.Rational(1, 2)

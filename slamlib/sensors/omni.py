@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.polynomial import polynomial
 
-from slamlib.analytic import arctan_ratio, sqrt, stumpff
+from slamlib.analytic import arctan_ratio, norm_plus, sqrt, stumpff
 from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.models import AtMost, model
 from slamlib.models.implicit import Implicit
@@ -19,7 +19,7 @@ def angles(point):
     """Angle from the optical axis [rad] of a homogeneous point, as a vector along the image's axes. Eq. (om-log)."""
     x, y, z, _ = point
     squared = x * x + y * y
-    return 2 * arctan_ratio(squared, z + sqrt(squared + z * z)) * point[:2]
+    return 2 * arctan_ratio(squared, norm_plus(squared, z)) * point[:2]
 
 
 @model(angles=2, lens=AtMost(TERMS))

@@ -11,13 +11,13 @@ import pytest
 import sympy
 
 import slamlib
-from slamlib.analytic import arctan_ratio, arctan_ratio_slope, sin, sqrt, stumpff
+from slamlib.analytic import arctan_ratio, arctan_ratio_slope, norm_plus, sin, sqrt, stumpff
 from slamlib.codegen import __main__ as command
 from slamlib.codegen import assert_same, check_model, derive, show
 from slamlib.errors import ShapeError, UnknownNameError, WritingRuleError
 from slamlib.geometry import pose, quaternion
 from slamlib.models import fingerprint, model
-from slamlib.symbolic import ArctanRatio, ArctanRatioSlope, Stumpff, closed_form
+from slamlib.symbolic import ArctanRatio, ArctanRatioSlope, NormPlus, Stumpff, closed_form
 
 ROOT = Path(slamlib.__file__).parent.parent
 
@@ -212,12 +212,23 @@ def test_arctan_ratio_and_its_slope_are_accurate(w):
         assert [function(float(x), w) for x in s] == pytest.approx(exact, rel=1e-13)
 
 
+@pytest.mark.parametrize("z", [2.0, 1e-3, 0.0, -1e-3, -2.0])
+def test_a_norm_plus_is_accurate_on_both_sides(z):
+    s = np.geomspace(1e-200, 1e3, 60)
+    exact = [float(NormPlus(sympy.Float(x, 400), sympy.Float(z, 400)).closed_form().evalf(30)) for x in s]
+    assert norm_plus(s, np.full_like(s, z)) == pytest.approx(exact, rel=1e-15, abs=0)
+    assert [norm_plus(float(x), z) for x in s] == pytest.approx(exact, rel=1e-15, abs=0)
+
+
 def test_derivatives_of_the_smooth_functions_are_proved():
     s, w = sympy.symbols("s w", positive=True)
     for order in range(4):
         assert_same(Stumpff(order, s).diff(s), closed_form(Stumpff(order, s)).diff(s), silent=True)
     assert_same(ArctanRatio(s, w).diff(s), closed_form(ArctanRatio(s, w)).diff(s), silent=True)
     assert_same(ArctanRatio(s, w).diff(w), closed_form(ArctanRatio(s, w)).diff(w), silent=True)
+    for sign in (1, -1):
+        assert_same(NormPlus(s, sign * w).diff(w), closed_form(NormPlus(s, sign * w)).diff(w), silent=True)
+        assert_same(NormPlus(s, sign * w).diff(s), closed_form(NormPlus(s, sign * w)).diff(s), silent=True)
 
 
 # -- derive, assert_same, show -----------------------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 """The omnidirectional camera: definitions, nasty points, the toolbox's numbers, published polynomials, bad input."""
 
+import mpmath
 import numpy as np
 import pytest
 
@@ -57,6 +58,29 @@ def test_central_differences_and_a_batch_agree(model, rng):
         assert model(*item) == pytest.approx(one, rel=1e-12, abs=1e-13)
         assert value[n] == pytest.approx(one, abs=1e-12)
         assert many[0][n] == pytest.approx(single[0], abs=1e-12)
+
+
+@pytest.mark.parametrize("short", [0.5, 1e-2, 1e-6, 1e-8, 1e-10, 1e-14])
+def test_close_to_straight_back_the_angle_and_its_jacobian_keep_their_digits(short):
+    point = np.array([0.6 * short, 0.8 * short, -1.0, 0.0])
+    with mpmath.workdps(60):
+
+        def angles(*place):
+            x, y, z = place
+            n = mpmath.hypot(x, y)
+            return mpmath.matrix([mpmath.atan2(n, z) / n * x, mpmath.atan2(n, z) / n * y])
+
+        place = [mpmath.mpf(float(number)) for number in point[:3]]
+        wanted = np.array(angles(*place).tolist(), dtype=float)[:, 0]
+        step = short * mpmath.mpf(10) ** -25
+        slopes = []
+        for k in range(3):
+            ahead, behind = ([p + sign * step * (i == k) for i, p in enumerate(place)] for sign in (1, -1))
+            slopes.append(np.array(((angles(*ahead) - angles(*behind)) / (2 * step)).tolist(), dtype=float)[:, 0])
+    found, J = omni.angles.jac(point)
+    assert found == pytest.approx(wanted, abs=2e-15)
+    assert np.abs(J.point[:, :3] - np.transpose(slopes)).max() < 3e-15 * np.abs(slopes).max()
+    assert np.linalg.norm(found) < np.pi
 
 
 @pytest.mark.parametrize("degrees", [0.0, 1e-13, 1e-6, 0.3, 45.0, 89.999, 90.0, 90.001, 94.9])

@@ -1,6 +1,6 @@
 """Generated from slamlib/sensors/fisheye.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
-from slamlib.analytic import arctan_ratio, arctan_ratio_slope, sqrt
+from slamlib.analytic import arctan_ratio, arctan_ratio_slope, norm_plus, sqrt
 
 DIGESTS = {
     "project": "c0b105ec60262837",
@@ -18,20 +18,17 @@ def project(point, intrinsics, distortion):
     t0 = point0*point0
     t1 = point1*point1
     t2 = t0 + t1
-    t3 = point2*point2
-    t4 = t3 + t2
-    t5 = sqrt(t4)
-    t6 = arctan_ratio(t2, point2 + t5)
-    t7 = t6 + t6
-    ideal0 = point0*t7
-    t8 = ideal0*ideal0
-    ideal1 = point1*t7
-    t9 = ideal1*ideal1
-    t10 = t8 + t9
-    t11 = (distortion0 + (distortion1 + (distortion2 + (distortion3 + (distortion4 + (distortion5 + (distortion6 + distortion7*t10)*t10)*t10)*t10)*t10)*t10)*t10)*t10 + 1
+    t3 = arctan_ratio(t2, norm_plus(t2, point2))
+    t4 = t3 + t3
+    ideal0 = point0*t4
+    t5 = ideal0*ideal0
+    ideal1 = point1*t4
+    t6 = ideal1*ideal1
+    t7 = t5 + t6
+    t8 = (distortion0 + (distortion1 + (distortion2 + (distortion3 + (distortion4 + (distortion5 + (distortion6 + distortion7*t7)*t7)*t7)*t7)*t7)*t7)*t7)*t7 + 1
     return (
-        ideal0*intrinsics2*t11 + intrinsics0,
-        ideal1*intrinsics3*t11 + intrinsics1,
+        ideal0*intrinsics2*t8 + intrinsics0,
+        ideal1*intrinsics3*t8 + intrinsics1,
     )
 
 
@@ -43,95 +40,96 @@ def project_jac(point, intrinsics, distortion):
     t0 = point0*point0
     t1 = point1*point1
     t2 = t0 + t1
-    t3 = point2*point2
-    t4 = t3 + t2
-    t5 = sqrt(t4)
-    t6 = point2 + t5
-    t7 = arctan_ratio(t2, t6)
-    t8 = t7 + t7
-    ideal0 = point0*t8
-    t9 = ideal0*ideal0
-    ideal1 = point1*t8
-    t10 = ideal1*ideal1
-    t11 = t9 + t10
-    t12 = distortion7*t11
-    t13 = distortion5 + (distortion6 + t12)*t11
-    t14 = distortion4 + t11*t13
-    t15 = distortion3 + t11*t14
-    t16 = distortion2 + t11*t15
-    t17 = distortion1 + t11*t16
-    t18 = distortion0 + t11*t17
-    t19 = t11*t18 + 1
-    t20 = ideal0*t19
-    t21 = ideal1*t19
-    t22 = intrinsics2 + intrinsics2
-    t23 = 1/t5
-    t24 = t6*t6
+    t3 = norm_plus(t2, point2)
+    t4 = arctan_ratio(t2, t3)
+    t5 = t4 + t4
+    ideal0 = point0*t5
+    t6 = ideal0*ideal0
+    ideal1 = point1*t5
+    t7 = ideal1*ideal1
+    t8 = t6 + t7
+    t9 = distortion7*t8
+    t10 = distortion5 + (distortion6 + t9)*t8
+    t11 = distortion4 + t10*t8
+    t12 = distortion3 + t11*t8
+    t13 = distortion2 + t12*t8
+    t14 = distortion1 + t13*t8
+    t15 = distortion0 + t14*t8
+    t16 = t15*t8 + 1
+    t17 = ideal0*t16
+    t18 = ideal1*t16
+    t19 = intrinsics2 + intrinsics2
+    t20 = point2*point2
+    t21 = t20 + t2
+    t22 = 1/t21
+    t23 = sqrt(t22)
+    t24 = t3*t3
     t25 = t2 + t24
     t26 = 1/t25
-    t27 = arctan_ratio_slope(t2, t6)
-    t28 = t27 + t27
-    t29 = -t23*t26 + t28
-    t30 = point1*t29
-    t31 = t12 + t12
-    t32 = (t17 + (t16 + (t15 + (t14 + (t13 + (distortion6 + t31)*t11)*t11)*t11)*t11)*t11)*t11
-    t33 = (t18 + t32)
-    t34 = t33 + t33
-    t35 = t34*ideal0*ideal1
-    t36 = point0*t35
-    t37 = t30*t36
-    t38 = t0*t29 + t7
-    t39 = t18 + t18
-    t40 = t32 + t32
-    t41 = t19 + t39*t9 + t40*t9
-    t42 = point0*t41
-    t43 = t1*t29 + t7
-    t44 = (point2*t23 + 1)*t26
-    t45 = intrinsics3 + intrinsics3
-    t46 = t19 + t10*t39 + t10*t40
-    t47 = point1*t46
-    t48 = ideal0*intrinsics2
-    t49 = t11*t11
-    t50 = t49*t11
-    t51 = t49*t49
-    t52 = t50*t49
-    t53 = t50*t50
-    t54 = t51*t50
-    t55 = t51*t51
-    t56 = ideal1*intrinsics3
+    t27 = t23*t26
+    t28 = arctan_ratio_slope(t2, t3)
+    t29 = t28 + t28
+    t30 = -t27 + t29
+    t31 = point1*t30
+    t32 = t9 + t9
+    t33 = (t14 + (t13 + (t12 + (t11 + (t10 + (distortion6 + t32)*t8)*t8)*t8)*t8)*t8)*t8
+    t34 = (t15 + t33)
+    t35 = t34 + t34
+    t36 = t35*ideal0*ideal1
+    t37 = point0*t36
+    t38 = t31*t37
+    t39 = t0*t30 + t4
+    t40 = t15 + t15
+    t41 = t33 + t33
+    t42 = t16 + t40*t6 + t41*t6
+    t43 = point0*t42
+    t44 = t1*t30 + t4
+    t45 = t27*t3
+    t46 = intrinsics3 + intrinsics3
+    t47 = t16 + t40*t7 + t41*t7
+    t48 = point1*t47
+    t49 = ideal0*intrinsics2
+    t50 = t8*t8
+    t51 = t50*t8
+    t52 = t50*t50
+    t53 = t51*t50
+    t54 = t51*t51
+    t55 = t52*t51
+    t56 = t52*t52
+    t57 = ideal1*intrinsics3
     return (
-        intrinsics0 + intrinsics2*t20,
-        intrinsics1 + intrinsics3*t21,
-        (t37 + t38*t41)*t22,
-        (t30*t42 + t35*t43)*t22,
-        -(point1*t35 + t42)*t22*t44,
+        intrinsics0 + intrinsics2*t17,
+        intrinsics1 + intrinsics3*t18,
+        (t38 + t39*t42)*t19,
+        (t31*t43 + t36*t44)*t19,
+        -(point1*t36 + t43)*t19*t45,
         0,
-        (point0*t29*t47 + t35*t38)*t45,
-        (t37 + t43*t46)*t45,
-        -(t36 + t47)*t44*t45,
-        0,
-        1,
-        0,
-        t20,
-        0,
+        (point0*t30*t48 + t36*t39)*t46,
+        (t38 + t44*t47)*t46,
+        -(t37 + t48)*t45*t46,
         0,
         1,
         0,
-        t21,
-        t11*t48,
-        t48*t49,
-        t48*t50,
-        t48*t51,
-        t48*t52,
-        t48*t53,
-        t48*t54,
-        t48*t55,
-        t11*t56,
+        t17,
+        0,
+        0,
+        1,
+        0,
+        t18,
+        t49*t8,
+        t49*t50,
+        t49*t51,
+        t49*t52,
+        t49*t53,
+        t49*t54,
+        t49*t55,
         t49*t56,
-        t50*t56,
-        t51*t56,
-        t52*t56,
-        t53*t56,
-        t54*t56,
-        t55*t56,
+        t57*t8,
+        t50*t57,
+        t51*t57,
+        t52*t57,
+        t53*t57,
+        t54*t57,
+        t55*t57,
+        t56*t57,
     )

@@ -1,12 +1,12 @@
 """Generated from slamlib/sensors/omni.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
-from slamlib.analytic import arctan_ratio, arctan_ratio_slope, sqrt, stumpff
+from slamlib.analytic import arctan_ratio, arctan_ratio_slope, norm_plus, sqrt, stumpff
 
 DIGESTS = {
-    "angles": "5e8d63abc72cce73",
+    "angles": "0cb61d72b39120e4",
     "image": "75419c6ad59a17dc",
     "pixel": "561f0c53e2622622",
-    "project": "540312961ba33d81",
+    "project": "c79a4612fc59afff",
     "ray": "8fb2471ea16807f4",
 }
 SHAPES = {
@@ -24,14 +24,11 @@ def angles(point):
     t0 = point0*point0
     t1 = point1*point1
     t2 = t0 + t1
-    t3 = point2*point2
-    t4 = t3 + t2
-    t5 = sqrt(t4)
-    t6 = arctan_ratio(t2, point2 + t5)
-    t7 = t6 + t6
+    t3 = arctan_ratio(t2, norm_plus(t2, point2))
+    t4 = t3 + t3
     return (
-        point0*t7,
-        point1*t7,
+        point0*t4,
+        point1*t4,
     )
 
 
@@ -41,35 +38,36 @@ def angles_jac(point):
     t0 = point0*point0
     t1 = point1*point1
     t2 = t0 + t1
-    t3 = point2*point2
-    t4 = t3 + t2
-    t5 = sqrt(t4)
-    t6 = point2 + t5
-    t7 = arctan_ratio(t2, t6)
-    t8 = t7 + t7
-    t9 = 1/t5
-    t10 = t6*t6
+    t3 = norm_plus(t2, point2)
+    t4 = arctan_ratio(t2, t3)
+    t5 = t4 + t4
+    t6 = point2*point2
+    t7 = t6 + t2
+    t8 = 1/t7
+    t9 = sqrt(t8)
+    t10 = t3*t3
     t11 = t2 + t10
     t12 = 1/t11
-    t13 = arctan_ratio_slope(t2, t6)
-    t14 = t13 + t13
-    t15 = -t12*t9 + t14
-    t16 = t0 + t0
-    t17 = point0 + point0
-    t18 = point1*t15*t17
-    t19 = (point2*t9 + 1)*t12
-    t20 = t1 + t1
-    t21 = point1 + point1
+    t13 = t12*t9
+    t14 = arctan_ratio_slope(t2, t3)
+    t15 = t14 + t14
+    t16 = -t13 + t15
+    t17 = t0 + t0
+    t18 = point0 + point0
+    t19 = point1*t16*t18
+    t20 = t13*t3
+    t21 = t1 + t1
+    t22 = point1 + point1
     return (
-        point0*t8,
-        point1*t8,
-        t16*t15 + t8,
-        t18,
-        -t17*t19,
+        point0*t5,
+        point1*t5,
+        t17*t16 + t5,
+        t19,
+        -t18*t20,
         0,
-        t18,
-        t20*t15 + t8,
-        -t21*t19,
+        t19,
+        t21*t16 + t5,
+        -t22*t20,
         0,
     )
 
@@ -273,24 +271,21 @@ def project(point, intrinsics, lens):
     t0 = point0*point0
     t1 = point1*point1
     t2 = t0 + t1
-    t3 = point2*point2
-    t4 = t3 + t2
-    t5 = sqrt(t4)
-    t6 = arctan_ratio(t2, point2 + t5)
-    t7 = t6 + t6
-    angles1 = point1*t7
-    angles0 = point0*t7
-    t8 = angles0*angles0
-    t9 = angles1*angles1
-    t10 = t8 + t9
-    t11 = sqrt(t10)
-    t12 = t10*t11
-    t13 = lens0 + (lens2 + (lens4 + (lens6 + (lens10*t10 + lens8)*t10)*t10)*t10)*t12 + (lens1 + (lens3 + (lens5 + (lens7 + lens9*t10)*t10)*t10)*t10)*t10
-    t14 = angles1*t13
-    t15 = angles0*t13
+    t3 = arctan_ratio(t2, norm_plus(t2, point2))
+    t4 = t3 + t3
+    angles1 = point1*t4
+    angles0 = point0*t4
+    t5 = angles0*angles0
+    t6 = angles1*angles1
+    t7 = t5 + t6
+    t8 = sqrt(t7)
+    t9 = t7*t8
+    t10 = lens0 + (lens2 + (lens4 + (lens6 + (lens10*t7 + lens8)*t7)*t7)*t7)*t9 + (lens1 + (lens3 + (lens5 + (lens7 + lens9*t7)*t7)*t7)*t7)*t7
+    t11 = angles1*t10
+    t12 = angles0*t10
     return (
-        intrinsics0 + intrinsics4*t14 + t15,
-        intrinsics1 + intrinsics2*t14 + intrinsics3*t15,
+        intrinsics0 + intrinsics4*t11 + t12,
+        intrinsics1 + intrinsics2*t11 + intrinsics3*t12,
     )
 
 
@@ -302,93 +297,93 @@ def project_jac(point, intrinsics, lens):
     t0 = point0*point0
     t1 = point1*point1
     t2 = t0 + t1
-    t3 = point2*point2
-    t4 = t3 + t2
-    t5 = sqrt(t4)
-    t6 = point2 + t5
-    t7 = arctan_ratio(t2, t6)
-    t8 = t7 + t7
-    angles1 = point1*t8
-    angles0 = point0*t8
-    t9 = angles0*angles0
-    t10 = angles1*angles1
-    t11 = t9 + t10
-    t12 = lens9*t11
-    t13 = lens5 + (lens7 + t12)*t11
-    t14 = lens3 + t11*t13
-    t15 = lens1 + t11*t14
-    t16 = sqrt(t11)
-    t17 = t11*t16
-    t18 = lens10*t11
-    t19 = lens6 + (lens8 + t18)*t11
-    t20 = lens4 + t11*t19
-    t21 = lens2 + t11*t20
-    t22 = lens0 + t11*t15 + t17*t21
-    t23 = intrinsics4*t22
-    t24 = angles0*t22
-    t25 = intrinsics2*t22
-    t26 = t15 + t15
-    t27 = t18 + t18
-    t28 = (t20 + (t19 + (lens8 + t27)*t11)*t11)
+    t3 = norm_plus(t2, point2)
+    t4 = arctan_ratio(t2, t3)
+    t5 = t4 + t4
+    angles1 = point1*t5
+    angles0 = point0*t5
+    t6 = angles0*angles0
+    t7 = angles1*angles1
+    t8 = t6 + t7
+    t9 = lens9*t8
+    t10 = lens5 + (lens7 + t9)*t8
+    t11 = lens3 + t10*t8
+    t12 = lens1 + t11*t8
+    t13 = sqrt(t8)
+    t14 = t8*t13
+    t15 = lens10*t8
+    t16 = lens6 + (lens8 + t15)*t8
+    t17 = lens4 + t16*t8
+    t18 = lens2 + t17*t8
+    t19 = lens0 + t12*t8 + t14*t18
+    t20 = intrinsics4*t19
+    t21 = angles0*t19
+    t22 = intrinsics2*t19
+    t23 = t12 + t12
+    t24 = t15 + t15
+    t25 = (t17 + (t16 + (lens8 + t24)*t8)*t8)
+    t26 = t25 + t25
+    t27 = t9 + t9
+    t28 = (t11 + (t10 + (lens7 + t27)*t8)*t8)
     t29 = t28 + t28
-    t30 = t12 + t12
-    t31 = (t14 + (t13 + (lens7 + t30)*t11)*t11)
-    t32 = t31 + t31
-    t33 = t26 + t29*t17 + 3*t16*t21 + t32*t11
-    t34 = angles0*t33
-    t35 = t10*t33
-    t36 = angles1*t34 + intrinsics4*t35 + t23
-    t37 = point1*t36
-    t38 = 1/t5
-    t39 = t6*t6
+    t30 = t23 + t26*t14 + 3*t13*t18 + t29*t8
+    t31 = angles0*t30
+    t32 = t30*t7
+    t33 = angles1*t31 + intrinsics4*t32 + t20
+    t34 = point1*t33
+    t35 = point2*point2
+    t36 = t35 + t2
+    t37 = 1/t36
+    t38 = sqrt(t37)
+    t39 = t3*t3
     t40 = t2 + t39
     t41 = 1/t40
-    t42 = arctan_ratio_slope(t2, t6)
-    t43 = t42 + t42
-    t44 = -t38*t41 + t43
-    t45 = point0*t44
-    t46 = t37 + t37
-    t47 = t0*t44 + t7
-    t48 = angles1*intrinsics4
-    t49 = t33*t9
-    t50 = t22 + t34*t48 + t49
-    t51 = t47 + t47
-    t52 = t1*t44 + t7
-    t53 = t36 + t36
-    t54 = point0*t50
-    t55 = point1*t44
-    t56 = t54 + t54
-    t57 = (point2*t38 + 1)
-    t58 = t57 + t57
-    t59 = t58*t41
+    t42 = t38*t41
+    t43 = arctan_ratio_slope(t2, t3)
+    t44 = t43 + t43
+    t45 = -t42 + t44
+    t46 = point0*t45
+    t47 = t34 + t34
+    t48 = t0*t45 + t4
+    t49 = angles1*intrinsics4
+    t50 = t30*t6
+    t51 = t19 + t31*t49 + t50
+    t52 = t48 + t48
+    t53 = t1*t45 + t4
+    t54 = t33 + t33
+    t55 = point0*t51
+    t56 = point1*t45
+    t57 = t55 + t55
+    t58 = t3 + t3
+    t59 = t58*t42
     t60 = angles0*intrinsics3
-    t61 = angles1*t33*t60 + intrinsics2*t35 + t25
+    t61 = angles1*t30*t60 + intrinsics2*t32 + t22
     t62 = point1*t61
-    t63 = t45 + t45
+    t63 = t46 + t46
     t64 = angles1*intrinsics2
-    t65 = intrinsics3*t22 + intrinsics3*t49 + t34*t64
+    t65 = intrinsics3*t19 + intrinsics3*t50 + t31*t64
     t66 = point0*t65
-    t67 = t55 + t55
-    t68 = t52 + t52
-    t69 = angles1*t22
-    t70 = angles0 + t48
-    t71 = t11*t11
-    t72 = t71*t16
-    t73 = t71*t11
-    t74 = t73*t16
+    t67 = t56 + t56
+    t68 = t53 + t53
+    t69 = angles1*t19
+    t70 = angles0 + t49
+    t71 = t8*t8
+    t72 = t71*t13
+    t73 = t71*t8
+    t74 = t73*t13
     t75 = t71*t71
-    t76 = t75*t16
+    t76 = t75*t13
     t77 = t73*t71
-    t78 = t77*t16
+    t78 = t77*t13
     t79 = t60 + t64
     return (
-        angles1*t23 + intrinsics0 + t24,
-        angles1*t25 + intrinsics1 + intrinsics3*t24,
-        t46*t45 + t51*t50,
-        t53*t52 + t56*t55,
-        -(t37 + t54)*t59,
+        angles1*t20 + intrinsics0 + t21,
+        angles1*t22 + intrinsics1 + intrinsics3*t21,
+        t47*t46 + t52*t51,
+        t54*t53 + t57*t56,
+        -(t34 + t55)*t59,
         0,
-        t63*t62 + t51*t65,
+        t63*t62 + t52*t65,
         t67*t66 + t68*t61,
         -(t62 + t66)*t59,
         0,
@@ -400,11 +395,11 @@ def project_jac(point, intrinsics, lens):
         0,
         1,
         t69,
-        t24,
+        t21,
         0,
         t70,
-        t11*t70,
-        t17*t70,
+        t70*t8,
+        t14*t70,
         t70*t71,
         t70*t72,
         t70*t73,
@@ -414,8 +409,8 @@ def project_jac(point, intrinsics, lens):
         t70*t77,
         t70*t78,
         t79,
-        t11*t79,
-        t17*t79,
+        t79*t8,
+        t14*t79,
         t71*t79,
         t72*t79,
         t73*t79,
