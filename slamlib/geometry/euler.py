@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from slamlib.analytic import arctan2, cos, sin
+from slamlib.analytic import arctan2, cos, sin, sqrt
 from slamlib.geometry.quaternion import UnitQuaternion, product, rotation
 from slamlib.models import model
 
@@ -58,6 +58,16 @@ def from_rotation_jac(matrix):
     return angles, np.concatenate([total, by_matrix.matrix[..., None, :, :]], axis=-3)
 
 
+@model(q=UnitQuaternion)
+def half_sums(q):
+    """The angles of a unit quaternion, roll and yaw up to whole turns; exact near the vertical too. Eq. (fq-half)."""
+    w, x, y, z = q
+    half_sum, half_difference = arctan2(x + z, w - y), arctan2(z - x, w + y)  # of yaw and roll
+    level = ((w - y) * (w - y) + (x + z) * (x + z)) * ((w + y) * (w + y) + (z - x) * (z - x))
+    pitch = arctan2(2 * (w * y - x * z), sqrt(level))
+    return np.array([half_sum - half_difference, pitch, half_sum + half_difference])
+
+
 def from_quaternion(q):
     """Angles (..., 3) of unit quaternions (..., 4), as from `from_rotation`."""
     return from_rotation(rotation(q))
@@ -68,6 +78,5 @@ def from_quaternion_jac(q):
 
     Raises SingularPointError where the x axis is exactly vertical. Chapter frames_and_quaternions, eq. (fq-euler-jac).
     """
-    matrix, by_q = rotation.jac(q)
-    angles, by_matrix = from_rotation_jac(matrix)
-    return angles, np.einsum("...aij,...ijk->...ak", by_matrix, by_q.q)
+    _, jacobians = half_sums.jac(q)
+    return from_quaternion(q), jacobians.q

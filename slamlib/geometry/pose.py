@@ -5,7 +5,9 @@ The six are a displacement in world axes and a rotation vector in the frame's ow
 
 import numpy as np
 
-from slamlib.geometry.quaternion import UnitQuaternion, conjugate, product, rotation
+from slamlib.geometry.quaternion import UnitQuaternion, conjugate, left_inverse, left_jacobian, product, rotation, skew
+from slamlib.geometry.quaternion import exponential as turn_by
+from slamlib.geometry.quaternion import logarithm as rotation_vector
 from slamlib.manifolds import Euclidean, Product
 from slamlib.models import model
 
@@ -42,3 +44,26 @@ def inverse(pose):
 def relative(origin, pose):
     """`pose` in the frame `origin`: compose(origin, relative) is `pose`. Eq. (fq-relative)."""
     return np.concatenate([to_frame(origin, pose[:3]), product(conjugate(origin[3:]), pose[3:])])
+
+
+@model(twist=6, returns=Pose)
+def exponential(twist):
+    """Pose reached from the origin by a twist (displacement [m], rotation vector [rad]) in the frame's axes: a screw.
+
+    Both are constant velocities for a unit of time; straight at no rotation, and smooth there. Eq. (fq-screw-exp).
+    """
+    return np.concatenate([left_jacobian(twist[3:]) @ twist[:3], turn_by(twist[3:])])
+
+
+@model(pose=Pose)
+def logarithm(pose):
+    """Twist (6,) that leads from the origin to the pose, turning by at most pi. Eq. (fq-screw-log)."""
+    vector = rotation_vector(pose[3:])
+    return np.concatenate([left_inverse(vector) @ pose[:3], vector])
+
+
+@model(pose=Pose)
+def adjoint(pose):
+    """Matrix (6, 6): from a twist in the frame's axes to the same motion's in the world's. Eq. (fq-adjoint)."""
+    turn = rotation(pose[3:])
+    return np.block([[turn, skew(pose[:3]) @ turn], [np.zeros((3, 3), dtype=int), turn]])

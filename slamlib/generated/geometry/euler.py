@@ -1,18 +1,20 @@
 """Generated from slamlib/geometry/euler.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
-from slamlib.analytic import arctan2, cos, sin
+from slamlib.analytic import arctan2, cos, sin, sqrt
 
 DIGESTS = {
     "to_rotation": "876e20d40b8c3efa",
     "to_quaternion": "ab234bebc639f5d2",
     "yaw_of": "45829a9f5fcfd914",
     "roll_pitch_of": "75f88168ed6c7f4a",
+    "half_sums": "0a9626a89f7f5494",
 }
 SHAPES = {
     "to_rotation": (3, 3),
     "to_quaternion": (4,),
     "yaw_of": (),
     "roll_pitch_of": (2,),
+    "half_sums": (3,),
 }
 
 
@@ -272,4 +274,106 @@ def roll_pitch_of_jac(matrix, yaw):
         0,
         -(-(matrix1*t1 + matrix4*t0)*t2 + (matrix2*t1 + matrix5*t0)*t3)*t8,
         -(matrix0*t0 - matrix3*t1)*t15,
+    )
+
+
+def half_sums(q):
+    """half_sums: value."""
+    q0, q1, q2, q3 = q
+    t0 = q1 - q3
+    t1 = q0 + q2
+    t2 = arctan2(-t0, t1)
+    t3 = q1 + q3
+    t4 = q0 - q2
+    t5 = arctan2(t3, t4)
+    t6 = q0*q2 - q1*q3
+    t7 = t6 + t6
+    t8 = t0*t0
+    t9 = t1*t1
+    t10 = t8 + t9
+    t11 = sqrt(t10)
+    t12 = t3*t3
+    t13 = t4*t4
+    t14 = t12 + t13
+    t15 = sqrt(t14)
+    return (
+        -t2 + t5,
+        arctan2(t7, t11*t15),
+        t2 + t5,
+    )
+
+
+def half_sums_jac(q):
+    """half_sums: value and Jacobians."""
+    q0, q1, q2, q3 = q
+    t0 = q1 - q3
+    t1 = q0 + q2
+    t2 = arctan2(-t0, t1)
+    t3 = q1 + q3
+    t4 = q0 - q2
+    t5 = arctan2(t3, t4)
+    t6 = q0*q2 - q1*q3
+    t7 = t6 + t6
+    t8 = t0*t0
+    t9 = t1*t1
+    t10 = t8 + t9
+    t11 = sqrt(t10)
+    t12 = t3*t3
+    t13 = t4*t4
+    t14 = t12 + t13
+    t15 = sqrt(t14)
+    t16 = t11*t15
+    t17 = 1/t14
+    t18 = t17*t3
+    t19 = 1/t10
+    t20 = t0*t19
+    t21 = t18 + t20
+    t22 = t21/2
+    t23 = t1*t19
+    t24 = t17*t4
+    t25 = t23 + t24
+    t26 = t25/2
+    t27 = q0/2
+    t28 = -t0
+    t29 = t28*t28
+    t30 = t29 + t9
+    t31 = 1/t30
+    t32 = -t18
+    t33 = -t23 + t24
+    t34 = q1/2
+    t35 = t20 + t32
+    t36 = t6*t6
+    t37 = t10*t14 + 4*t36
+    t38 = 1/t37
+    t39 = q0*t16
+    t40 = 1/t11
+    t41 = t15*t40
+    t42 = t1*t41
+    t43 = 1/t15
+    t44 = t11*t43
+    t45 = t4*t44
+    t46 = -t42 + t45
+    t47 = t0*t41
+    t48 = q2*t16 - (t42 + t45)*t6
+    t49 = sqrt(t30)
+    t50 = t15*t49
+    t51 = -t6
+    t52 = 1/t49
+    t53 = t15*t52
+    t54 = t3*t43*t49
+    t55 = q3/2
+    t56 = q2/2
+    return (
+        -t2 + t5,
+        arctan2(t7, t16),
+        t2 + t5,
+        1,
+        q2*t22 - q3*t26 - (t0*t31 + t32)*t27 + t33*t34,
+        q2*t26 + q3*t22 + t27*t33 + t34*t35,
+        0,
+        ((t39 + t46*t6)*q0 - (q1*t16 + (t11*t3*t43 - t47)*t6)*q1 - q2*t48 + (q3*t16 + (t3*t44 + t47)*t6)*q3)*t38,
+        -((q1*t50 - (t28*t53 + t54)*t51)*q0 + (t39 + t46*t6)*q1 + (q3*t50 - (t0*t53 + t54)*t51)*q2 + q3*t48)*t38,
+        0,
+        q1*t26 + t21*t27 - t33*t55 - t35*t56,
+        -t21*t34 + t25*t27 + t33*t56 - t35*t55,
     )

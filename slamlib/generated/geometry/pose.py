@@ -1,11 +1,16 @@
 """Generated from slamlib/geometry/pose.py by `make generate` (sympy 1.14.0); never edited by hand."""
 
+from slamlib.analytic import arctan_ratio, arctan_ratio_slope, stumpff
+
 DIGESTS = {
     "from_frame": "8e968060cba70639",
     "to_frame": "c72c11f36a56f545",
     "compose": "674ef6f67e99881a",
     "inverse": "875714460303a3bc",
     "relative": "50c5049cd48612e2",
+    "exponential": "817b395228c65771",
+    "logarithm": "94547f85750845ac",
+    "adjoint": "a49a79f7e46e5734",
 }
 SHAPES = {
     "from_frame": (3,),
@@ -13,6 +18,9 @@ SHAPES = {
     "compose": (7,),
     "inverse": (7,),
     "relative": (7,),
+    "exponential": (7,),
+    "logarithm": (6,),
+    "adjoint": (6, 6),
 }
 
 
@@ -750,4 +758,792 @@ def relative_jac(origin, pose):
         0,
         0,
         1,
+    )
+
+
+def exponential(twist):
+    """exponential: value."""
+    twist0, twist1, twist2, twist3, twist4, twist5 = twist
+    t0 = twist4*twist4
+    t1 = twist3*twist3
+    t2 = twist5*twist5
+    t3 = t1 + t0 + t2
+    t4 = stumpff(3, t3)
+    t5 = t0*t4
+    t6 = t2*t4 - 1
+    t7 = t4*twist3
+    t8 = t7*twist4
+    t9 = stumpff(2, t3)
+    t10 = t9*twist5
+    t11 = t9*twist4
+    t12 = t7*twist5
+    t13 = t1*t4
+    t14 = t9*twist3
+    t15 = t4*twist4*twist5
+    t16 = t3/4
+    t17 = stumpff(1, t16)/2
+    return (
+        -(t5 + t6)*twist0 + (t8 - t10)*twist1 + (t11 + t12)*twist2,
+        (t8 + t10)*twist0 - (t6 + t13)*twist1 - (t14 - t15)*twist2,
+        (-t11 + t12)*twist0 + (t14 + t15)*twist1 - (t5 + t13 - 1)*twist2,
+        stumpff(0, t16),
+        t17*twist3,
+        t17*twist4,
+        t17*twist5,
+    )
+
+
+def exponential_jac(twist):
+    """exponential: value and Jacobians."""
+    twist0, twist1, twist2, twist3, twist4, twist5 = twist
+    t0 = twist3*twist3
+    t1 = twist4*twist4
+    t2 = twist5*twist5
+    t3 = t1 + t2
+    t4 = t0 + t3
+    t5 = stumpff(2, t4)
+    t6 = t5*twist4
+    t7 = stumpff(3, t4)
+    t8 = t7*twist5
+    t9 = t8*twist3
+    t10 = t6 + t9
+    t11 = t5*twist5
+    t12 = t7*twist4
+    t13 = t12*twist3
+    t14 = -t11 + t13
+    t15 = t1*t7
+    t16 = t2*t7 - 1
+    t17 = t15 + t16
+    t18 = t11 + t13
+    t19 = t5*twist3
+    t20 = t12*twist5
+    t21 = t19 - t20
+    t22 = t0*t7
+    t23 = t16 + t22
+    t24 = t19 + t20
+    t25 = -t6 + t9
+    t26 = t15 + t22 - 1
+    t27 = t4/4
+    t28 = stumpff(0, t27)
+    t29 = stumpff(1, t27)
+    t30 = t29/2
+    t31 = stumpff(4, t4)
+    t32 = t31 - 3*stumpff(5, t4)
+    t33 = t32*twist3
+    t34 = t0*t32
+    t35 = t34*twist4
+    t36 = t31 + t31
+    t37 = -t36 + t7
+    t38 = t37*twist3
+    t39 = t38*twist5
+    t40 = t12 + t39
+    t41 = t34*twist5
+    t42 = t38*twist4
+    t43 = t42 - t8
+    t44 = t1*t32
+    t45 = t7 + t7
+    t46 = -t45
+    t47 = t2*t32
+    t48 = t46 + t47
+    t49 = t44 + t48
+    t50 = t44*twist3
+    t51 = t7*twist3
+    t52 = twist4*twist5
+    t53 = t37*t52
+    t54 = t51 + t53
+    t55 = t33*t52 - t5
+    t56 = -t37
+    t57 = t32*t52*twist3 + t5
+    t58 = t47*twist3
+    t59 = -t51 + t53
+    t60 = t34 + t48
+    t61 = -t12 + t39
+    t62 = t44*twist5
+    t63 = t42 + t8
+    t64 = t47*twist4
+    t65 = t34 + t44 + t46
+    t66 = t28*t28
+    t67 = t29*t29
+    t68 = t0*t67
+    t69 = t1*t67
+    t70 = t2*t67
+    t71 = 4*t66 + t68 + t69 + t70
+    t72 = 1/t71
+    t73 = -4*t29
+    t74 = stumpff(2, t27) - stumpff(3, t27)
+    t75 = t0*t74
+    t76 = t73 + t75
+    t77 = t72/2
+    t78 = t1*t74
+    t79 = t73 + t78
+    t80 = t29*twist5
+    t81 = t67 + t67
+    t82 = t81*twist3
+    t83 = t28 + t28
+    t84 = t83*t74
+    t85 = t84*twist3
+    t86 = -t82*twist4 + t85*twist4
+    t87 = t82*twist5
+    t88 = t85*twist5
+    t89 = t2*t74
+    t90 = t29*twist4
+    t91 = t73 + t89
+    t92 = t29*twist3
+    t93 = t52*t81
+    t94 = t52*t84
+    return (
+        t10*twist2 + t14*twist1 - t17*twist0,
+        t18*twist0 - t21*twist2 - t23*twist1,
+        t24*twist1 + t25*twist0 - t26*twist2,
+        t28,
+        t30*twist3,
+        t30*twist4,
+        t30*twist5,
+        -t17,
+        t14,
+        t10,
+        t3*t33*twist0 + (-t35 + t40)*twist1 - (t41 + t43)*twist2,
+        t49*twist0*twist4 + (-t50 + t54)*twist1 - (t1*t37 + t55)*twist2,
+        t49*twist0*twist5 - (t2*t56 + t57)*twist1 + (-t58 - t59)*twist2,
+        t18,
+        -t23,
+        -t21,
+        t60*twist1*twist3 + (-t35 - t61)*twist0 - (t0*t56 + t57)*twist2,
+        (t0 + t2)*t32*twist1*twist4 - (t50 + t59)*twist0 + (-t62 + t63)*twist2,
+        t60*twist1*twist5 - (t2*t37 + t55)*twist0 + (t40 - t64)*twist2,
+        t25,
+        t24,
+        -t26,
+        t65*twist2*twist3 + (-t41 + t63)*twist0 - (t0*t37 + t55)*twist1,
+        t65*twist2*twist4 - (t1*t56 + t57)*twist0 + (-t43 - t62)*twist1,
+        (t0 + t1)*t32*twist2*twist5 + (t54 - t58)*twist0 - (t61 + t64)*twist1,
+        0,
+        0,
+        0,
+        (-t28*t76 + t68)*t72,
+        (t1*t29*t74*twist5 - t79*t80 - t86)*t77,
+        -(-t87 + t88 + t89*t90 - t90*t91)*t77,
+        0,
+        0,
+        0,
+        -(t75*t80 - t76*t80 + t86)*t77,
+        (-t28*t79 + t69)*t72,
+        (t89*t92 - t91*t92 + t93 - t94)*t77,
+        0,
+        0,
+        0,
+        (t75*t90 - t76*t90 + t87 - t88)*t77,
+        -(t78*t92 - t79*t92 - t93 + t94)*t77,
+        (-t28*t91 + t70)*t72,
+    )
+
+
+def logarithm(pose):
+    """logarithm: value."""
+    pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
+    t0 = pose1/4
+    t1 = pose4*pose4
+    t2 = pose5*pose5
+    t3 = pose6*pose6
+    t4 = arctan_ratio(t1 + t2 + t3, pose3)
+    t5 = t4 + t4
+    t6 = pose4*t5
+    t7 = t6*t6
+    t8 = pose5*t5
+    t9 = t8*t8
+    t10 = pose6*t5
+    t11 = t10*t10
+    t12 = t7/4 + t9/4 + t11/4
+    t13 = stumpff(1, t12)
+    t14 = 1/t13
+    t15 = (stumpff(2, t12) - stumpff(3, t12))*t14
+    t16 = t15*t6
+    t17 = t16*t8
+    t18 = t10 + t10
+    t19 = pose2/4
+    t20 = t8 + t8
+    t21 = t10*t16
+    t22 = pose0/4
+    t23 = t15*t9
+    t24 = t11*t15 - 4
+    t25 = t15*t7
+    t26 = t6 + t6
+    t27 = t10*t15*t8
+    return (
+        (t17 + t18)*t0 + (-t20 + t21)*t19 - (t23 + t24)*t22,
+        -(t24 + t25)*t0 + (t26 + t27)*t19 + (t17 - t18)*t22,
+        -(t26 - t27)*t0 - (t23 + t25 - 4)*t19 + (t20 + t21)*t22,
+        t6,
+        t8,
+        t10,
+    )
+
+
+def logarithm_jac(pose):
+    """logarithm: value and Jacobians."""
+    pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
+    t0 = pose4*pose4
+    t1 = pose5*pose5
+    t2 = pose6*pose6
+    t3 = t0 + t1 + t2
+    t4 = arctan_ratio(t3, pose3)
+    t5 = t4 + t4
+    t6 = pose4*t5
+    t7 = t6*t6
+    t8 = pose5*t5
+    t9 = t8*t8
+    t10 = pose6*t5
+    t11 = t10*t10
+    t12 = t7/4 + t9/4 + t11/4
+    t13 = stumpff(1, t12)
+    t14 = 1/t13
+    t15 = stumpff(3, t12)
+    t16 = -t15 + stumpff(2, t12)
+    t17 = t14*t16
+    t18 = t17*t6
+    t19 = t18*t8
+    t20 = t10 + t10
+    t21 = t19 + t20
+    t22 = pose1/4
+    t23 = t8 + t8
+    t24 = t10*t18
+    t25 = -t23 + t24
+    t26 = pose2/4
+    t27 = t17*t9
+    t28 = t11*t17
+    t29 = t28 - 4
+    t30 = t27 + t29
+    t31 = pose0/4
+    t32 = t17*t7
+    t33 = t29 + t32
+    t34 = t6 + t6
+    t35 = t10*t8
+    t36 = t17*t35
+    t37 = t34 + t36
+    t38 = t19 - t20
+    t39 = t34 - t36
+    t40 = t27 + t32 - 4
+    t41 = t23 + t24
+    t42 = t15 - 3*stumpff(4, t12) + 3*stumpff(5, t12)
+    t43 = t14*t6
+    t44 = t35*t43
+    t45 = t16*t16
+    t46 = t14*t14
+    t47 = t35*t46*t6
+    t48 = -t42*t44 + t45*t47 + 8
+    t49 = 4*t16
+    t50 = t14*t45
+    t51 = -t11*t42 + t11*t50
+    t52 = t49 + t51
+    t53 = pose2*t52
+    t54 = pose0*t14
+    t55 = t10*t54
+    t56 = -t42*t9 + t50*t9
+    t57 = t51 + t56
+    t58 = 8*t16
+    t59 = pose1*t48 + t43*t53 - (t57 + t58)*t55
+    t60 = pose6*t59
+    t61 = arctan_ratio_slope(t3, pose3)
+    t62 = t61 + t61
+    t63 = t60*t62
+    t64 = -t16
+    t65 = -t42
+    t66 = t16*t47*t64 - t44*t65 + 8
+    t67 = t49 + t56
+    t68 = pose1*t43
+    t69 = t54*t8
+    t70 = t11*t65 - t28*t64 + t58
+    t71 = t65*t9 - t27*t64
+    t72 = pose2*t66 - t67*t68 + (t70 + t71)*t69
+    t73 = pose5*t72
+    t74 = t62*t73
+    t75 = -t42*t7 + t50*t7
+    t76 = t49 + t75
+    t77 = pose1*t8
+    t78 = pose2*t10
+    t79 = pose0*t6
+    t80 = (t76*t77 + t76*t78 - t57*t79)*t14
+    t81 = t0*t62
+    t82 = t4 + t81
+    t83 = (pose4*t63)/16 + (-pose4*t74)/16 + (t80*t82)/16
+    t84 = pose4*t80
+    t85 = pose6*t62
+    t86 = t2*t62
+    t87 = t4 + t86
+    t88 = (-pose6*t74)/16 + (t84*t85)/16 + (t59*t87)/16
+    t89 = pose5*t62
+    t90 = t1*t62
+    t91 = t4 + t90
+    t92 = (pose5*t63)/16 + (t84*t89)/16 + (-t72*t91)/16
+    t93 = pose3*pose3
+    t94 = t93 + t3
+    t95 = 1/t94
+    t96 = pose4*t95
+    t97 = t84/16 + t60/16 + (-t73)/16
+    t98 = pose5*t95
+    t99 = pose6*t95
+    t100 = t14*t8
+    t101 = pose1*t10*t14
+    t102 = t65*t7 - t32*t64
+    t103 = pose0*t66 - t100*t53 + (t102 + t70)*t101
+    t104 = pose6*t103
+    t105 = t104*t62
+    t106 = pose4*t62
+    t107 = t75 + t51
+    t108 = (-t107*t77 + t67*t78 + t67*t79)*t14
+    t109 = pose5*t108
+    t110 = pose2*t48 + t69*t76 - (t58 + t107)*t68
+    t111 = (-pose4*t105)/16 + (t106*t109)/16 + (t110*t82)/16
+    t112 = pose4*t110
+    t113 = t112*t62
+    t114 = (pose6*t113)/16 + (-t103*t87)/16 + (t109*t85)/16
+    t115 = (-pose5*t105)/16 + (pose5*t113)/16 + (t108*t91)/16
+    t116 = t112/16 + (-t104)/16 + t109/16
+    t117 = t75 + t56
+    t118 = (-t117*t78 + t52*t77 + t52*t79)*t14
+    t119 = pose6*t118
+    t120 = pose0*t48 - (t117 + t58)*pose2*t100 + t101*t67
+    t121 = pose5*t120
+    t122 = pose1*t66 + (t102 + t58 + t71)*pose2*t43 - t55*t76
+    t123 = (t106*t119)/16 + (t106*t121)/16 + (-t122*t82)/16
+    t124 = pose4*t122
+    t125 = (t118*t87)/16 + (t121*t85)/16 + (-t124*t85)/16
+    t126 = (t119*t89)/16 + (t120*t91)/16 + (-t124*t89)/16
+    t127 = t119/16 + t121/16 + (-t124)/16
+    t128 = pose3*pose5
+    t129 = pose5*t96 + t106*t128
+    t130 = pose3*pose4*t85 + pose6*t96
+    t131 = pose6*t98 + t128*t85
+    return (
+        t21*t22 + t25*t26 - t30*t31,
+        -t22*t33 + t26*t37 + t31*t38,
+        -t22*t39 - t26*t40 + t31*t41,
+        t6,
+        t8,
+        t10,
+        (-t30)/4,
+        t21/4,
+        t25/4,
+        pose3*t83 - pose5*t88 + pose6*t92 + t96*t97,
+        pose3*t92 + pose4*t88 - pose6*t83 + t97*t98,
+        pose3*t88 - pose4*t92 + pose5*t83 + t97*t99,
+        t38/4,
+        (-t33)/4,
+        t37/4,
+        pose3*t111 - pose5*t114 + pose6*t115 + t116*t96,
+        pose3*t115 + pose4*t114 - pose6*t111 + t116*t98,
+        pose3*t114 - pose4*t115 + pose5*t111 + t116*t99,
+        t41/4,
+        (-t39)/4,
+        (-t40)/4,
+        pose3*t123 - pose5*t125 + pose6*t126 + t127*t96,
+        pose3*t126 + pose4*t125 - pose6*t123 + t127*t98,
+        pose3*t125 - pose4*t126 + pose5*t123 + t127*t99,
+        0,
+        0,
+        0,
+        pose3*t82 + t0*t95,
+        pose6*t81 - pose6*t82 + t129,
+        -pose5*t81 + pose5*t82 + t130,
+        0,
+        0,
+        0,
+        -pose6*t90 + pose6*t91 + t129,
+        pose3*t91 + t1*t95,
+        pose4*t90 - pose4*t91 + t131,
+        0,
+        0,
+        0,
+        pose5*t86 - pose5*t87 + t130,
+        -pose4*t86 + pose4*t87 + t131,
+        pose3*t87 + t2*t95,
+    )
+
+
+def adjoint(pose):
+    """adjoint: value."""
+    pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
+    t0 = pose4*pose4
+    t1 = pose5*pose5
+    t2 = -t1
+    t3 = pose3*pose3
+    t4 = pose6*pose6
+    t5 = t3 - t4
+    t6 = t0 + t2 + t5
+    t7 = pose3*pose6
+    t8 = pose4*pose5
+    t9 = t7 - t8
+    t10 = t9 + t9
+    t11 = -t10
+    t12 = pose3*pose5
+    t13 = pose4*pose6
+    t14 = t12 + t13
+    t15 = t14 + t14
+    t16 = t7 + t8
+    t17 = pose2 + pose2
+    t18 = t12 - t13
+    t19 = pose1 + pose1
+    t20 = -t0
+    t21 = t1 + t20 + t5
+    t22 = pose3*pose4
+    t23 = pose5*pose6
+    t24 = t22 + t23
+    t25 = t2 + t20 + t3 + t4
+    t26 = t22 - t23
+    t27 = t16 + t16
+    t28 = t26 + t26
+    t29 = -t28
+    t30 = pose0 + pose0
+    t31 = t18 + t18
+    t32 = -t31
+    t33 = t24 + t24
+    return (
+        t6,
+        t11,
+        t15,
+        -t16*t17 - t18*t19,
+        -pose2*t21 + t19*t24,
+        pose1*t25 + t17*t26,
+        t27,
+        t21,
+        t29,
+        pose2*t6 + t18*t30,
+        -t17*t9 - t24*t30,
+        -pose0*t25 + t14*t17,
+        t32,
+        t33,
+        t25,
+        -pose1*t6 + t16*t30,
+        pose0*t21 + t19*t9,
+        -t14*t19 - t26*t30,
+        0,
+        0,
+        0,
+        t6,
+        t11,
+        t15,
+        0,
+        0,
+        0,
+        t27,
+        t21,
+        t29,
+        0,
+        0,
+        0,
+        t32,
+        t33,
+        t25,
+    )
+
+
+def adjoint_jac(pose):
+    """adjoint: value and Jacobians."""
+    pose0, pose1, pose2, pose3, pose4, pose5, pose6 = pose
+    t0 = pose4*pose4
+    t1 = pose5*pose5
+    t2 = -t1
+    t3 = pose3*pose3
+    t4 = pose6*pose6
+    t5 = t3 - t4
+    t6 = t0 + t2 + t5
+    t7 = pose3*pose6
+    t8 = pose4*pose5
+    t9 = t7 - t8
+    t10 = t9 + t9
+    t11 = -t10
+    t12 = pose3*pose5
+    t13 = pose4*pose6
+    t14 = t12 + t13
+    t15 = t14 + t14
+    t16 = t7 + t8
+    t17 = pose2 + pose2
+    t18 = t12 - t13
+    t19 = pose1 + pose1
+    t20 = t16*t17 + t18*t19
+    t21 = -t20
+    t22 = -t0
+    t23 = t1 + t22 + t5
+    t24 = pose3*pose4
+    t25 = pose5*pose6
+    t26 = t24 + t25
+    t27 = -pose2*t23 + t19*t26
+    t28 = t2 + t22 + t3 + t4
+    t29 = t24 - t25
+    t30 = pose1*t28 + t17*t29
+    t31 = t16 + t16
+    t32 = t29 + t29
+    t33 = -t32
+    t34 = pose0 + pose0
+    t35 = pose2*t6 + t18*t34
+    t36 = t17*t9 + t26*t34
+    t37 = -t36
+    t38 = pose0*t28 - t14*t17
+    t39 = -t38
+    t40 = t18 + t18
+    t41 = -t40
+    t42 = t26 + t26
+    t43 = -pose1*t6 + t16*t34
+    t44 = pose0*t23 + t19*t9
+    t45 = t14*t19 + t29*t34
+    t46 = -t45
+    t47 = -t15
+    t48 = -t6
+    t49 = -t31
+    t50 = -t23
+    t51 = -t42
+    t52 = -t28
+    return (
+        t6,
+        t11,
+        t15,
+        t21,
+        t27,
+        t30,
+        t31,
+        t23,
+        t33,
+        t35,
+        t37,
+        t39,
+        t41,
+        t42,
+        t28,
+        t43,
+        t44,
+        t46,
+        0,
+        0,
+        0,
+        t6,
+        t11,
+        t15,
+        0,
+        0,
+        0,
+        t31,
+        t23,
+        t33,
+        0,
+        0,
+        0,
+        t41,
+        t42,
+        t28,
+        0,
+        0,
+        0,
+        0,
+        t47,
+        t11,
+        0,
+        0,
+        0,
+        t15,
+        0,
+        t48,
+        0,
+        0,
+        0,
+        t10,
+        t6,
+        0,
+        0,
+        t41,
+        t49,
+        0,
+        -t30,
+        t27,
+        0,
+        t42,
+        t50,
+        t30,
+        0,
+        t20,
+        0,
+        t28,
+        t32,
+        -t27,
+        t21,
+        0,
+        0,
+        0,
+        0,
+        0,
+        t32,
+        t23,
+        0,
+        0,
+        0,
+        t33,
+        0,
+        t49,
+        0,
+        0,
+        0,
+        t50,
+        t31,
+        0,
+        t40,
+        0,
+        t6,
+        0,
+        t38,
+        t37,
+        t51,
+        0,
+        t11,
+        t39,
+        0,
+        -t35,
+        t52,
+        0,
+        t15,
+        t36,
+        t35,
+        0,
+        0,
+        0,
+        0,
+        0,
+        t52,
+        t42,
+        0,
+        0,
+        0,
+        t28,
+        0,
+        t40,
+        0,
+        0,
+        0,
+        t51,
+        t41,
+        0,
+        t31,
+        t48,
+        0,
+        0,
+        t45,
+        t44,
+        t23,
+        t10,
+        0,
+        t46,
+        0,
+        -t43,
+        t33,
+        t47,
+        0,
+        -t44,
+        t43,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        t47,
+        t11,
+        0,
+        0,
+        0,
+        t15,
+        0,
+        t48,
+        0,
+        0,
+        0,
+        t10,
+        t6,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        t32,
+        t23,
+        0,
+        0,
+        0,
+        t33,
+        0,
+        t49,
+        0,
+        0,
+        0,
+        t50,
+        t31,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        t52,
+        t42,
+        0,
+        0,
+        0,
+        t28,
+        0,
+        t40,
+        0,
+        0,
+        0,
+        t51,
+        t41,
+        0,
     )

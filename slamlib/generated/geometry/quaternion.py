@@ -14,6 +14,10 @@ DIGESTS = {
     "minus": "75a7213ae9a66a2f",
     "rotation": "615144ffd557d53c",
     "from_rotation": "12065197006a240d",
+    "skew": "d886ebcde37afc31",
+    "right_jacobian": "8a2c86eaddd0a197",
+    "left_jacobian": "edcd770c58d79cc5",
+    "left_inverse": "1f5b1cb0493b86d4",
 }
 SHAPES = {
     "left_matrix": (4, 4),
@@ -27,6 +31,10 @@ SHAPES = {
     "minus": (3,),
     "rotation": (3, 3),
     "from_rotation": (4,),
+    "skew": (3, 3),
+    "right_jacobian": (3, 3),
+    "left_jacobian": (3, 3),
+    "left_inverse": (3, 3),
 }
 
 
@@ -1040,4 +1048,444 @@ def from_rotation_jac(matrix, pivot):
         t67,
         t69,
         -(t5 + t38*t70)*t22,
+    )
+
+
+def skew(vector):
+    """skew: value."""
+    vector0, vector1, vector2 = vector
+    return (
+        0,
+        -vector2,
+        vector1,
+        vector2,
+        0,
+        -vector0,
+        -vector1,
+        vector0,
+        0,
+    )
+
+
+def skew_jac(vector):
+    """skew: value and Jacobians."""
+    vector0, vector1, vector2 = vector
+    return (
+        0,
+        -vector2,
+        vector1,
+        vector2,
+        0,
+        -vector0,
+        -vector1,
+        vector0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        0,
+        -1,
+        0,
+        1,
+        0,
+        0,
+        0,
+        1,
+        0,
+        0,
+        0,
+        -1,
+        0,
+        0,
+        0,
+        -1,
+        0,
+        1,
+        0,
+        0,
+        0,
+        0,
+        0,
+    )
+
+
+def right_jacobian(vector):
+    """right_jacobian: value."""
+    vector0, vector1, vector2 = vector
+    t0 = vector1*vector1
+    t1 = vector0*vector0
+    t2 = vector2*vector2
+    t3 = t0 + t1 + t2
+    t4 = stumpff(3, t3)
+    t5 = t0*t4
+    t6 = t2*t4 - 1
+    t7 = t4*vector0
+    t8 = t7*vector1
+    t9 = stumpff(2, t3)
+    t10 = t9*vector2
+    t11 = t9*vector1
+    t12 = t7*vector2
+    t13 = t1*t4
+    t14 = t9*vector0
+    t15 = t4*vector1*vector2
+    return (
+        -t5 - t6,
+        t8 + t10,
+        -t11 + t12,
+        t8 - t10,
+        -t13 - t6,
+        t14 + t15,
+        t11 + t12,
+        -t14 + t15,
+        -t13 - t5 + 1,
+    )
+
+
+def right_jacobian_jac(vector):
+    """right_jacobian: value and Jacobians."""
+    vector0, vector1, vector2 = vector
+    t0 = vector1*vector1
+    t1 = vector0*vector0
+    t2 = vector2*vector2
+    t3 = t0 + t2
+    t4 = t1 + t3
+    t5 = stumpff(3, t4)
+    t6 = t0*t5
+    t7 = t2*t5 - 1
+    t8 = t5*vector1
+    t9 = t8*vector0
+    t10 = stumpff(2, t4)
+    t11 = t10*vector2
+    t12 = t10*vector1
+    t13 = t5*vector0
+    t14 = t13*vector2
+    t15 = t1*t5
+    t16 = t10*vector0
+    t17 = t8*vector2
+    t18 = stumpff(4, t4)
+    t19 = t18 - 3*stumpff(5, t4)
+    t20 = t19*vector0
+    t21 = t0*t19
+    t22 = t5 + t5
+    t23 = -t22
+    t24 = t19*t2
+    t25 = t23 + t24
+    t26 = t21 + t25
+    t27 = t1*t19
+    t28 = t27*vector1
+    t29 = t18 + t18
+    t30 = -t29 + t5
+    t31 = t30*vector2
+    t32 = t31*vector0
+    t33 = -t8 + t32
+    t34 = t21*vector0
+    t35 = t31*vector1
+    t36 = -t13 + t35
+    t37 = t20*vector1*vector2
+    t38 = t37 - t10
+    t39 = t27*vector2
+    t40 = t5*vector2
+    t41 = t30*vector0*vector1
+    t42 = t40 + t41
+    t43 = t37 + t10
+    t44 = t24*vector0
+    t45 = t13 + t35
+    t46 = t8 + t32
+    t47 = t25 + t27
+    t48 = t21*vector2
+    t49 = -t40 + t41
+    t50 = t24*vector1
+    t51 = t21 + t23 + t27
+    return (
+        -t6 - t7,
+        t9 + t11,
+        -t12 + t14,
+        t9 - t11,
+        -t15 - t7,
+        t16 + t17,
+        t12 + t14,
+        -t16 + t17,
+        -t15 - t6 + 1,
+        t20*t3,
+        t26*vector1,
+        t26*vector2,
+        -t28 - t33,
+        -t34 - t36,
+        -t2*t30 - t38,
+        -t39 + t42,
+        t0*t30 - t43,
+        -t44 + t45,
+        -t28 + t46,
+        -t34 + t45,
+        t2*t30 - t43,
+        t47*vector0,
+        (t1 + t2)*t19*vector1,
+        t47*vector2,
+        -t1*t30 - t38,
+        -t48 - t49,
+        -t33 - t50,
+        -t39 - t49,
+        -t0*t30 - t38,
+        -t36 - t44,
+        t1*t30 - t43,
+        t42 - t48,
+        t46 - t50,
+        t51*vector0,
+        t51*vector1,
+        (t0 + t1)*t19*vector2,
+    )
+
+
+def left_jacobian(vector):
+    """left_jacobian: value."""
+    vector0, vector1, vector2 = vector
+    t0 = vector1*vector1
+    t1 = vector0*vector0
+    t2 = vector2*vector2
+    t3 = t0 + t1 + t2
+    t4 = stumpff(3, t3)
+    t5 = t0*t4
+    t6 = t2*t4 - 1
+    t7 = t4*vector0
+    t8 = t7*vector1
+    t9 = stumpff(2, t3)
+    t10 = t9*vector2
+    t11 = t9*vector1
+    t12 = t7*vector2
+    t13 = t1*t4
+    t14 = t9*vector0
+    t15 = t4*vector1*vector2
+    return (
+        -t5 - t6,
+        t8 - t10,
+        t11 + t12,
+        t8 + t10,
+        -t13 - t6,
+        -t14 + t15,
+        -t11 + t12,
+        t14 + t15,
+        -t13 - t5 + 1,
+    )
+
+
+def left_jacobian_jac(vector):
+    """left_jacobian: value and Jacobians."""
+    vector0, vector1, vector2 = vector
+    t0 = vector1*vector1
+    t1 = vector0*vector0
+    t2 = vector2*vector2
+    t3 = t0 + t2
+    t4 = t1 + t3
+    t5 = stumpff(3, t4)
+    t6 = t0*t5
+    t7 = t2*t5 - 1
+    t8 = t5*vector1
+    t9 = t8*vector0
+    t10 = stumpff(2, t4)
+    t11 = t10*vector2
+    t12 = t10*vector1
+    t13 = t5*vector0
+    t14 = t13*vector2
+    t15 = t1*t5
+    t16 = t10*vector0
+    t17 = t8*vector2
+    t18 = stumpff(4, t4)
+    t19 = t18 - 3*stumpff(5, t4)
+    t20 = t19*vector0
+    t21 = t0*t19
+    t22 = t5 + t5
+    t23 = -t22
+    t24 = t19*t2
+    t25 = t23 + t24
+    t26 = t21 + t25
+    t27 = t1*t19
+    t28 = t27*vector1
+    t29 = t18 + t18
+    t30 = -t29 + t5
+    t31 = t30*vector2
+    t32 = t31*vector0
+    t33 = t8 + t32
+    t34 = t21*vector0
+    t35 = t31*vector1
+    t36 = t13 + t35
+    t37 = t20*vector1*vector2
+    t38 = t37 + t10
+    t39 = t27*vector2
+    t40 = t5*vector2
+    t41 = t30*vector0*vector1
+    t42 = -t40 + t41
+    t43 = t37 - t10
+    t44 = t24*vector0
+    t45 = -t13 + t35
+    t46 = -t8 + t32
+    t47 = t25 + t27
+    t48 = t21*vector2
+    t49 = t40 + t41
+    t50 = t24*vector1
+    t51 = t21 + t23 + t27
+    return (
+        -t6 - t7,
+        t9 - t11,
+        t12 + t14,
+        t9 + t11,
+        -t15 - t7,
+        -t16 + t17,
+        -t12 + t14,
+        t16 + t17,
+        -t15 - t6 + 1,
+        t20*t3,
+        t26*vector1,
+        t26*vector2,
+        -t28 + t33,
+        -t34 + t36,
+        t2*t30 - t38,
+        -t39 - t42,
+        -t0*t30 - t43,
+        -t44 - t45,
+        -t28 - t46,
+        -t34 - t45,
+        -t2*t30 - t43,
+        t47*vector0,
+        (t1 + t2)*t19*vector1,
+        t47*vector2,
+        t1*t30 - t38,
+        -t48 + t49,
+        t33 - t50,
+        -t39 + t49,
+        t0*t30 - t38,
+        t36 - t44,
+        -t1*t30 - t43,
+        -t42 - t48,
+        -t46 - t50,
+        t51*vector0,
+        t51*vector1,
+        (t0 + t1)*t19*vector2,
+    )
+
+
+def left_inverse(vector):
+    """left_inverse: value."""
+    vector0, vector1, vector2 = vector
+    t0 = vector1*vector1
+    t1 = vector0*vector0
+    t2 = vector2*vector2
+    t3 = t0/4 + t1/4 + t2/4
+    t4 = stumpff(1, t3)
+    t5 = 1/t4
+    t6 = (stumpff(2, t3) - stumpff(3, t3))*t5
+    t7 = t0*t6
+    t8 = t2*t6 - 4
+    t9 = vector2 + vector2
+    t10 = t6*vector0
+    t11 = t10*vector1
+    t12 = vector1 + vector1
+    t13 = t10*vector2
+    t14 = t1*t6
+    t15 = vector0 + vector0
+    t16 = t6*vector1*vector2
+    return (
+        (-t7)/4 + (-t8)/4,
+        t9/4 + t11/4,
+        (-t12)/4 + t13/4,
+        (-t9)/4 + t11/4,
+        (-t14)/4 + (-t8)/4,
+        t15/4 + t16/4,
+        t12/4 + t13/4,
+        (-t15)/4 + t16/4,
+        (-t14)/4 + (-t7)/4 + 1,
+    )
+
+
+def left_inverse_jac(vector):
+    """left_inverse: value and Jacobians."""
+    vector0, vector1, vector2 = vector
+    t0 = vector2*vector2
+    t1 = vector1*vector1
+    t2 = vector0*vector0
+    t3 = t1/4 + t2/4 + t0/4
+    t4 = stumpff(1, t3)
+    t5 = 1/t4
+    t6 = stumpff(3, t3)
+    t7 = -t6 + stumpff(2, t3)
+    t8 = t5*t7
+    t9 = t0*t8 - 4
+    t10 = t1*t8
+    t11 = vector2 + vector2
+    t12 = t8*vector0
+    t13 = t12*vector1
+    t14 = vector1 + vector1
+    t15 = t12*vector2
+    t16 = t2*t8
+    t17 = vector0 + vector0
+    t18 = vector1*vector2
+    t19 = t18*t8
+    t20 = t6 - 3*stumpff(4, t3) + 3*stumpff(5, t3)
+    t21 = t7*t7
+    t22 = t21*t5
+    t23 = -t1*t20 + t1*t22
+    t24 = -t0*t20 + t0*t22
+    t25 = t23 + t24
+    t26 = t5/16
+    t27 = t26*vector0
+    t28 = 8*t7
+    t29 = (t25 + t28)*t26
+    t30 = 4*t7
+    t31 = -t2*t20 + t2*t22
+    t32 = (t30 + t31)*t26
+    t33 = t32*vector1
+    t34 = t23 + t30
+    t35 = t27*t34
+    t36 = t5*t5
+    t37 = t18*t20*t27
+    t38 = (t18*t21*t36*vector0)/16 - t37 + 1/2
+    t39 = t32*vector2
+    t40 = (t21*t36*vector0*vector1*vector2)/16 - t37 - 1/2
+    t41 = t24 + t30
+    t42 = t27*t41
+    t43 = t24 + t31
+    t44 = t28 + t43
+    t45 = t26*vector1
+    t46 = t26*vector2
+    t47 = t34*t46
+    t48 = t41*t45
+    t49 = t23 + t31
+    t50 = t28 + t49
+    return (
+        (-t9)/4 + (-t10)/4,
+        t11/4 + t13/4,
+        (-t14)/4 + t15/4,
+        (-t11)/4 + t13/4,
+        (-t9)/4 + (-t16)/4,
+        t17/4 + t19/4,
+        t14/4 + t15/4,
+        (-t17)/4 + t19/4,
+        (-t16)/4 + (-t10)/4 + 1,
+        -t25*t27,
+        -t29*vector1,
+        -t29*vector2,
+        t33,
+        t35,
+        t38,
+        t39,
+        t40,
+        t42,
+        t33,
+        t35,
+        t40,
+        -t27*t44,
+        -t43*t45,
+        -t44*t46,
+        t38,
+        t47,
+        t48,
+        t39,
+        t38,
+        t42,
+        t40,
+        t47,
+        t48,
+        -t27*t50,
+        -t45*t50,
+        -t46*t49,
     )
