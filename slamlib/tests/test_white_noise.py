@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from slamlib.errors import NonFiniteError, SlamlibError
-from slamlib.motions.white_noise import held_noise, white_noise
+from slamlib.motions.white_noise import held_noise, reached, white_noise
 
 ORDERS = [1, 2, 3, 4]
 
@@ -38,6 +38,7 @@ def test_the_covariance_is_that_of_van_loan(order, dt):
 @pytest.mark.parametrize("order", ORDERS)
 def test_a_held_derivative_moves_the_state_by_the_end_of_a_longer_chain(order):
     way = transition(order + 1, 0.7)[:order, -1]
+    assert reached(order, 0.7) == pytest.approx(way, rel=1e-13)
     assert held_noise(order, 0.7, 0.3) == pytest.approx(0.3 * np.outer(way, way), rel=1e-13)
     assert np.linalg.matrix_rank(held_noise(order, 0.7, 0.3)) == 1
     assert np.linalg.eigvalsh(white_noise(order, 0.7, 0.3)).min() > 0
@@ -100,3 +101,4 @@ def test_bad_input_is_named(function):
     with pytest.raises(NonFiniteError, match="holds nan"):
         function(2, 0.1, np.nan)
     assert np.array_equal(function(np.int64(2), 0, 1), np.zeros((2, 2)))
+    assert np.array_equal(function(2, 1, 0), np.zeros((2, 2)))
