@@ -27,22 +27,57 @@ def complex_jacobian(candidate: Candidate, rng: Rng) -> None:
     """Exact to rounding, which no difference is; and right for functions of several results."""
     A = rng.standard_normal((3, 4))
     x = rng.standard_normal(4)
-    same(candidate(lambda v: A @ v, x), A, "a linear function gives its matrix", tolerance=1e-14)
+    linear = candidate(lambda v: A @ v, x)
+    same(linear, A, "a linear function gives its matrix", tolerance=1e-6)
     found = candidate(lambda v: np.exp(v[:2] * v[2:]), x)
     e = np.exp(x[:2] * x[2:])
     expected = np.hstack([np.diag(e * x[2:]), np.diag(e * x[:2])])
-    same(found, expected, "products and exponentials, to the last digits", tolerance=1e-14)
+    same(found, expected, "products and exponentials have their derivatives", tolerance=1e-6)
+    exact = "to the last digits, which no difference of two values gives"
+    same(found, expected, exact, tolerance=1e-14)
+    same(linear, A, exact, tolerance=1e-14)
 
 
 @exercise("proving_a_jacobian.3", "the derivative of a bearing", seed=43)
 def bearing_jacobian(candidate: Candidate, rng: Rng) -> None:
-    """Against the complex step of the bearing, at many places."""
+    """Entry by entry: a turn, the distance, a step along the line of sight; then against a complex logarithm."""
     for _ in range(10):
-        robot, landmark = rng.standard_normal(3), 5 * rng.standard_normal(2)
-        found = array_of(candidate(robot, landmark), (1, 3), "the Jacobian")
-        d = (landmark[0] - robot[0]) + 1j * (landmark[1] - robot[1])  # bearing = imaginary part of log(d)
-        expected = [np.imag(-1 / d), np.imag(-1j / d), -1.0]
-        same(found, [expected], "agrees with the derivative of the logarithm of a complex number")
+        robot, d = rng.standard_normal(3), 5 * rng.standard_normal(2)
+        found = array_of(candidate(robot, robot[:2] + d), (1, 3), "the Jacobian")[0]
+        given(f"robot {robot.round(3)}, landmark {np.hypot(*d):.3g} m away")
+        turn = "entry [0, 2] is that of the heading: to turn the robot turns the bearing back as much, at any distance"
+        same(found[2], -1.0, turn)
+        far = array_of(candidate(robot, robot[:2] + 2 * d), (1, 3), "the Jacobian")[0]
+        same(far[:2], found[:2] / 2, "entries [0, 0] and [0, 1] halve where the landmark is twice as far away")
+        along = found[:2] @ d / np.hypot(*d)
+        same(along, 0.0, "a step straight to the landmark does not change the bearing")
+        expected = [np.imag(-1 / complex(*d)), np.imag(-1j / complex(*d))]  # bearing = imaginary part of log(d)
+        for entry, axis in enumerate("xy"):
+            what = f"entry [0, {entry}] is the derivative with respect to {axis}"
+            same(found[entry], expected[entry], what)
+
+
+@exercise("proving_a_jacobian.4", "the derivative by a step of the other robot", seed=44)
+def bearing_by_step(candidate: Candidate, rng: Rng) -> None:
+    """No heading, a turn, a step along the line of sight and across; then against a complex logarithm."""
+    for k in range(10):
+        robot, other = 4 * rng.standard_normal((2, 3))
+        other[2] = 0.0 if k == 0 else other[2]
+        found = array_of(candidate(robot, other), (1, 3), "the Jacobian")[0]
+        given(f"robot {robot.round(3)}, other {other.round(3)}")
+        d, heading = complex(*(other - robot)[:2]), np.exp(1j * other[2])
+        expected = [np.imag(heading / d), np.imag(1j * heading / d)]  # bearing = imaginary part of log(d)
+        same(found[2], 0.0, "entry [0, 2]: the other robot may turn, its bearing stays")
+        if k == 0:
+            same(found[:2], expected, "with heading zero a step ahead is one along x")
+            continue
+        looks = np.append(other[:2], np.angle(d))  # away from the observer: its step ahead is along the line of sight
+        given(f"robot {robot.round(3)}, other {looks.round(3)}, which looks away from it")
+        away = array_of(candidate(robot, looks), (1, 3), "the Jacobian")[0]
+        same(away[0], 0.0, "entry [0, 0]: a step ahead, along the line of sight, does not change the bearing")
+        same(away[1], 1 / abs(d), "entry [0, 1]: a step to the left, across it, changes the bearing by step / range")
+        given(f"robot {robot.round(3)}, other {other.round(3)}")
+        same(found[:2], expected, "entries [0, 0] and [0, 1]: ahead and left are those of the other robot's heading")
 
 
 @exercise("proving_a_jacobian.5", "finding the wrong entry", seed=45)

@@ -48,6 +48,36 @@ def averaged_covariance(errors, covariances):
     return (errors * solved).sum(-1).mean(0)
 
 
+@wrong("consistency.2", "the sum over the runs is not divided by their number")
+def summed(errors, covariances):
+    solved = np.linalg.solve(covariances, errors[..., None])[..., 0]
+    return (errors * solved).sum(-1).sum(0)
+
+
+@wrong("consistency.2", "divided by n as well, as some authors define it")
+def per_number(errors, covariances):
+    solved = np.linalg.solve(covariances, errors[..., None])[..., 0]
+    return (errors * solved).mean(-1).mean(0)
+
+
+@wrong("consistency.2", "the distance in place of its square")
+def distance(errors, covariances):
+    solved = np.linalg.solve(covariances, errors[..., None])[..., 0]
+    return np.sqrt((errors * solved).sum(-1)).mean(0)
+
+
+@wrong("consistency.2", "averaged over runs and steps, and repeated")
+def one_number(errors, covariances):
+    solved = np.linalg.solve(covariances, errors[..., None])[..., 0]
+    return np.full(errors.shape[1], (errors * solved).sum(-1).mean())
+
+
+@wrong("consistency.2", "the average error first, then its square")
+def average_first(errors, covariances):
+    mean, P = errors.mean(0), covariances.mean(0) / len(errors)
+    return (mean * np.linalg.solve(P, mean[..., None])[..., 0]).sum(-1)
+
+
 @wrong("consistency.2", "the covariance is not inverted, as in NaveGo 158")
 def not_inverted(errors, covariances):
     return (errors * (covariances @ errors[..., None])[..., 0]).sum(-1).mean(0)
@@ -98,6 +128,36 @@ def inverse_first(innovation, S, probability):
     return innovation[seen] @ W @ innovation[seen] <= chi2_quantile(probability, seen.sum())
 
 
+@wrong("consistency.3", "both tails: a band of the share in place of a gate")
+def two_sided(innovation, S, probability):
+    distance, dof = squared(innovation, S)
+    tail = (1 - probability) / 2
+    return chi2_quantile(tail, dof) <= distance <= chi2_quantile(1 - tail, dof)
+
+
+@wrong("consistency.3", "three sigmas, whatever the share and the numbers")
+def three_sigmas(innovation, S, probability):
+    return squared(innovation, S)[0] <= 9
+
+
+@wrong("consistency.3", "the answer upside down: whether it is rejected")
+def upside_down(innovation, S, probability):
+    distance, dof = squared(innovation, S)
+    return distance > chi2_quantile(probability, dof)
+
+
+@wrong("consistency.3", "one degree of freedom, since the distance is one number")
+def one_degree(innovation, S, probability):
+    return squared(innovation, S)[0] <= chi2_quantile(probability, 1)
+
+
+@wrong("consistency.3", "variances only")
+def no_correlation(innovation, S, probability):
+    seen = ~np.isnan(innovation)
+    nu = innovation[seen]
+    return (nu**2 / np.diag(S)[seen]).sum() <= chi2_quantile(probability, seen.sum())
+
+
 @wrong("consistency.3", "each number by itself, at gates that together keep the right share if there is no correlation")
 def rectangle(innovation, S, probability):
     each = probability ** (1 / (~np.isnan(innovation)).sum())
@@ -143,3 +203,29 @@ def first_number(innovations, S, lag):
 def last_white(innovations, S, lag):
     last = np.linalg.solve(np.linalg.cholesky(S), innovations.T)[-1]
     return np.mean(last[: len(last) - lag] * last[lag:])
+
+
+@wrong("consistency.5", "the mean is subtracted first")
+def centred(innovations, S, lag):
+    nu = innovations - innovations.mean(0)
+    early, late = nu[: len(nu) - lag], nu[lag:]
+    return np.mean((early * np.linalg.solve(S, late.T).T).sum(1)) / len(S)
+
+
+@wrong("consistency.5", "S in place of its inverse")
+def not_inverted_lag(innovations, S, lag):
+    early, late = innovations[: len(innovations) - lag], innovations[lag:]
+    return np.mean((early @ S * late).sum(1)) / len(S)
+
+
+@wrong("consistency.5", "the absolute value: whether there is memory, not which")
+def absolute_value(innovations, S, lag):
+    early, late = innovations[: len(innovations) - lag], innovations[lag:]
+    return abs(np.mean((early * np.linalg.solve(S, late.T).T).sum(1)) / len(S))
+
+
+@wrong("consistency.5", "divided by the value at lag 0: the size of the innovations is lost")
+def normalized(innovations, S, lag):
+    early, late = innovations[: len(innovations) - lag], innovations[lag:]
+    all_of_them = (innovations * np.linalg.solve(S, innovations.T).T).sum(1).mean()
+    return np.mean((early * np.linalg.solve(S, late.T).T).sum(1)) / all_of_them

@@ -36,6 +36,36 @@ def transposed(f, x):
     return np.stack([np.imag(f(x + 1e-30j * e)) / 1e-30 for e in np.eye(len(x))])
 
 
+@wrong("proving_a_jacobian.2", "one-sided differences with the best step")
+def one_sided(f, x):
+    h = 1e-8
+    return np.stack([(f(x + h * e) - f(x)) / h for e in np.eye(len(x))], axis=-1)
+
+
+@wrong("proving_a_jacobian.2", "a complex step that is not small")
+def large_step(f, x):
+    return np.stack([np.imag(f(x + 1e-3j * e)) / 1e-3 for e in np.eye(len(x))], axis=-1)
+
+
+@wrong("proving_a_jacobian.2", "not divided by the step")
+def not_divided(f, x):
+    return np.stack([np.imag(f(x + 1e-30j * e)) for e in np.eye(len(x))], axis=-1)
+
+
+@wrong("proving_a_jacobian.2", "earlier numbers keep their imaginary step")
+def accumulated(f, x):
+    moved, columns = np.array(x, dtype=complex), []
+    for k in range(len(x)):
+        moved[k] += 1e-30j
+        columns.append(np.imag(f(moved)) / 1e-30)
+    return np.stack(columns, axis=-1)
+
+
+@wrong("proving_a_jacobian.2", "the difference of real parts, with a complex step")
+def real_part(f, x):
+    return np.stack([np.real(f(x + 1e-8j * e) - f(x)) / 1e-8 for e in np.eye(len(x))], axis=-1)
+
+
 @wrong(
     "proving_a_jacobian.3",
     "everything divided by q, the heading's -1 too, as published in PythonRobotics (pull request 255)",
@@ -58,6 +88,63 @@ def by_landmark(robot, landmark):
     dx, dy = landmark - robot[:2]
     q = dx * dx + dy * dy
     return np.array([[-dy / q, dx / q, -1.0]])
+
+
+@wrong("proving_a_jacobian.3", "the rows' entries exchanged")
+def exchanged(robot, landmark):
+    dx, dy = landmark - robot[:2]
+    q = dx * dx + dy * dy
+    return np.array([[-dx / q, dy / q, -1.0]])
+
+
+@wrong("proving_a_jacobian.3", "the heading left out: its derivative is zero")
+def without_heading(robot, landmark):
+    dx, dy = landmark - robot[:2]
+    q = dx * dx + dy * dy
+    return np.array([[dy / q, -dx / q, 0.0]])
+
+
+@wrong("proving_a_jacobian.3", "one sign: as if the step moved the landmark along y")
+def one_sign(robot, landmark):
+    dx, dy = landmark - robot[:2]
+    q = dx * dx + dy * dy
+    return np.array([[dy / q, dx / q, -1.0]])
+
+
+def step(robot, other, turn):
+    """The derivative by a step in a frame that is turned by an angle."""
+    d = complex(*(other - robot)[:2])
+    return np.array([[np.imag(np.exp(1j * turn) / d), np.imag(1j * np.exp(1j * turn) / d), 0.0]])
+
+
+@wrong("proving_a_jacobian.4", "by the position in the map, not by the step, as in GTSAM before pull request 2039")
+def by_position(robot, other):
+    return step(robot, other, 0.0)
+
+
+@wrong("proving_a_jacobian.4", "turned back: the transposed rotation")
+def turned_back(robot, other):
+    return step(robot, other, -other[2])
+
+
+@wrong("proving_a_jacobian.4", "the observer's heading for the other's")
+def of_observer(robot, other):
+    return step(robot, other, robot[2])
+
+
+@wrong("proving_a_jacobian.4", "the heading of the one relative to the other")
+def relative(robot, other):
+    return step(robot, other, other[2] - robot[2])
+
+
+@wrong("proving_a_jacobian.4", "the derivative by the other's turn, as if it were the observer's")
+def turns(robot, other):
+    return step(robot, other, other[2]) - [[0, 0, 1]]
+
+
+@wrong("proving_a_jacobian.4", "the square forgotten")
+def square_forgotten_again(robot, other):
+    return step(robot, other, other[2]) * np.hypot(*(other - robot)[:2])
 
 
 def numerical(f, x):
