@@ -32,8 +32,8 @@ Exercises say what to write, and their checks test properties of it: no answer i
 COURSE = [  # a week's subject, and its chapters
     ("What SLAM is; Gaussians", "slam_in_five_minutes gaussians"),
     ("The Kalman filter", "kalman_filter"),
-    ("Linearization, and how to trust a Jacobian", "extended_kalman_filter proving_a_jacobian"),
     ("Is a filter consistent?", "consistency"),
+    ("How to trust a Jacobian; linearization", "proving_a_jacobian extended_kalman_filter"),
     ("Rotations, frames, motion", "frames_and_quaternions motion_models"),
     ("Cameras and other sensors", "pinhole depth_stereo_range"),
     ("Points in space", "points"),
