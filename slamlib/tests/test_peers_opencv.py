@@ -1,0 +1,141 @@
+"""Beside OpenCV, on random and singular inputs: rotation vectors, poses, lenses, with the Jacobians that OpenCV has.
+
+OpenCV's extrinsics (rotation vector, translation) take points of the world into the camera: our `pose.from_frame` of
+the world's pose in the camera.
+"""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from slamlib.geometry import pose, quaternion
+from slamlib.sensors import fisheye, pinhole
+from slamlib.sensors.sensor import Calibration
+from slamlib.tests.peers import NUMBERS, several, turns
+
+cv2 = pytest.importorskip("cv2", reason="OpenCV is compared with")
+many = settings(max_examples=100)
+FOCAL, CENTRE = st.floats(50, 900), st.floats(-100, 900)
+INTRINSICS = st.tuples(CENTRE, CENTRE, FOCAL, FOCAL).map(np.array)
+RADIAL = several(st.one_of(st.just(0.0), st.floats(-0.3, 0.3)), 3)
+EQUIDISTANT = several(st.one_of(st.just(0.0), st.floats(-0.02, 0.02)), 4)
+
+
+def close(found, wanted, tolerance=1e-12):
+    """To so many digits of the largest of the numbers."""
+    size = max(1.0, np.abs(wanted).max(initial=0))
+    np.testing.assert_allclose(found, wanted, rtol=0, atol=tolerance * size)
+
+
+def rounding(v):
+    """What OpenCV's derivative by a short rotation vector is off: in it (1 - cos) / length is all rounding at 1e-8."""
+    length = np.linalg.norm(v)
+    return 1e-12 + min(length, 2e-16 / max(length, 1e-200))
+
+
+def matrix_of(k):
+    return np.array([[k[2], 0, k[0]], [0, k[3], k[1]], [0, 0, 1.0]])
+
+
+@many
+@given(v=turns())
+def test_rodrigues_and_its_derivatives(v):
+    wanted, by_vector = cv2.Rodrigues(v)
+    q, J = quaternion.exponential.jac(v)
+    value, stored = quaternion.rotation.storage_jac(q)
+    close(value, wanted)
+    close((stored.q @ J.vector).reshape(9, 3), by_vector.T, rounding(v))
+
+
+POINTS = st.tuples(
+    several(st.one_of(NUMBERS, st.sampled_from([0.0, 1e-200, 1e-12, 1e-8])), 2), st.floats(0.3, 9.0)
+).map(lambda pair: np.append(*pair))
+
+
+def moved_into(v, t, point):
+    """The world's point in the camera, and its Jacobian (3, 6) w.r.t. rotation vector and translation."""
+    q, J = quaternion.exponential.jac(v)
+    there = pose.from_frame(np.append(t, q), point)
+    _, stored = pose.from_frame.storage_jac(np.append(t, q), point)
+    return there, np.hstack([stored.pose[:, 3:] @ J.vector, stored.pose[:, :3]])
+
+
+def world_of(v, t, point):
+    """Where a point of the camera (3,) is in the world."""
+    return pose.to_frame(np.append(t, quaternion.exponential(v)), point)
+
+
+@many
+@given(v=turns(), t=several(NUMBERS, 3), v2=turns(), t2=several(NUMBERS, 3))
+def test_compositions_of_poses(v, t, v2, t2):
+    """OpenCV's rotation vectors lose their digits near a half turn, so that rotations are compared."""
+    outer, inner = (np.append(shift, quaternion.exponential(turn)) for turn, shift in ((v2, t2), (v, t)))
+    r3, t3 = cv2.composeRT(v, t, v2, t2)[:2]
+    found = pose.compose(outer, inner)
+    close(found[:3], t3.ravel())
+    close(quaternion.rotation(found[3:]), cv2.Rodrigues(r3)[0], 1e-7)
+
+
+@many
+@given(v=turns(), t=several(NUMBERS, 3), point=POINTS, k=INTRINSICS, d=RADIAL)
+def test_pin_hole_projections_with_every_jacobian(v, t, point, k, d):
+    """OpenCV's columns: rotation vector, translation, focal lengths, centre, (k1, k2, p1, p2, k3)."""
+    camera = Calibration(pinhole.PINHOLE, np.eye(2), intrinsics=k, distortion=d, limits={"radius": 100.0})
+    there, by_pose = moved_into(v, t, world_of(v, t, point))
+    wanted, theirs = cv2.projectPoints(world_of(v, t, point)[None], v, t, matrix_of(k), np.insert(d, 2, [0, 0]))
+    value, J = camera.project_jac(np.append(there, 1.0))
+    close(value, wanted.ravel(), 1e-11)
+    close(J.point[:, :3] @ by_pose, theirs[:, :6], max(1e-9, 20 * rounding(v)))
+    close(J.intrinsics, theirs[:, [8, 9, 6, 7]], 1e-11)
+    close(J.distortion, theirs[:, [10, 11, 14]], 1e-11)
+
+
+@many
+@given(v=turns(), t=several(NUMBERS, 3), point=POINTS, k=INTRINSICS, d=EQUIDISTANT, flat=st.booleans())
+def test_fisheye_projections_with_every_jacobian(v, t, point, k, d, flat):
+    """OpenCV's columns: focal lengths, centre, coefficients, rotation vector, translation.
+
+    It divides by the depth, which at 90 degrees from the axis costs its derivatives digits; behind, it mirrors.
+    """
+    point = point * [1, 1, 1e-9 if flat and np.abs(point[:2]).max() > 1e-3 else 1]  # at 90 degrees from the axis
+    camera = Calibration(fisheye.FISHEYE, np.eye(2), intrinsics=k, distortion=d)
+    there, by_pose = moved_into(v, t, world_of(v, t, point))
+    wanted, theirs = cv2.fisheye.projectPoints(world_of(v, t, point)[None, None], v, t, matrix_of(k), d)
+    value, J = camera.project_jac(np.append(there, 1.0))
+    close(value, wanted.ravel(), 1e-11)
+    divided = 1e-15 * np.linalg.norm(point[:2]) / point[2]
+    close(J.point[:, :3] @ by_pose, theirs[:, 8:14], max(1e-9, 20 * rounding(v), divided))
+    close(J.intrinsics, theirs[:, [2, 3, 0, 1]], 1e-11)
+    close(J.distortion, theirs[:, 4:8], 1e-11)
+
+
+@many
+@given(angle=st.floats(0, 0.9), about=st.floats(-np.pi, np.pi), k=INTRINSICS, d=RADIAL)
+def test_pin_hole_rays(angle, about, k, d):
+    """Below the fold, and where OpenCV's iteration comes to rest: it steps by the distortion, we by its slope."""
+    d, ideal = d / 5, np.tan(angle) * np.array([np.cos(about), np.sin(about)])
+    camera = Calibration(pinhole.PINHOLE, np.eye(2), intrinsics=k, distortion=d)
+    pixel = cv2.projectPoints(
+        np.append(ideal, 1)[None], np.zeros(3), np.zeros(3), matrix_of(k), np.insert(d, 2, [0, 0])
+    )[0]
+    criteria = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 3000, 1e-14)
+    patient = getattr(cv2, "undistortPointsIter", cv2.undistortPoints)  # one name since OpenCV 5
+    theirs = patient(pixel, matrix_of(k), np.insert(d, 2, [0, 0]), R=None, P=None, criteria=criteria).ravel()
+    ray, _ = camera.back_project_jac(pixel.ravel(), [0.3])
+    close(ray[:2] / ray[2], theirs, 1e-10)
+    close(ray, np.append(np.append(ideal, 1) / np.hypot(1, np.tan(angle)), 0.3), 1e-10)
+
+
+@many
+@given(angle=st.floats(0, 1.5), about=st.floats(-np.pi, np.pi), k=INTRINSICS, d=EQUIDISTANT)
+def test_fisheye_rays(angle, about, k, d):
+    """OpenCV's iteration rests at 1e-8, and no further out than 90 degrees in the image; ours has all digits."""
+    point = np.array([np.sin(angle) * np.cos(about), np.sin(angle) * np.sin(about), np.cos(angle)])
+    camera = Calibration(fisheye.FISHEYE, np.eye(2), intrinsics=k, distortion=d)
+    pixel = cv2.fisheye.projectPoints(point[None, None], np.zeros(3), np.zeros(3), matrix_of(k), d)[0]
+    ray, _ = camera.back_project_jac(pixel.ravel(), [0.3])
+    close(ray, np.append(point, 0.3), 1e-10)
+    theirs = cv2.fisheye.undistortPoints(pixel, matrix_of(k), d).ravel()
+    if np.linalg.norm((pixel.ravel() - k[:2]) / k[2:]) < np.pi / 2:
+        close(np.arctan(np.linalg.norm(ray[:2] / ray[2])), np.arctan(np.linalg.norm(theirs)), 1e-7)
