@@ -68,7 +68,7 @@ def stages(every: bool = False) -> list[Stage]:
         Stage("pytest", [*PYTHON, "pytest", "-q", "-rs", *parallel], r"(\d+) passed", "tests"),
         Stage("nbval", [*PYTHON, *notebooks.NBVAL, *parallel, *files], r"(\d+) passed", "cells as stored"),
         Stage("book", [*PYTHON, "book.tools.build"], r"running (\d+) notebooks", "notebooks in the book"),
-        Stage("oracles", [*PYTHON, "book.tools.oracles"], r"(\d+) passed", "tests beside evo", every),
+        Stage("oracles", [*PYTHON, "book.tools.oracles"], r"(\d+) passed", "tests beside other programs", every),
         Stage("platforms", [*PYTHON, "book.tools.platforms"], r"platforms: (\d+) of", "platforms for the lock", every),
         Stage("site", [*PYTHON, "book.tools.site"], r"site: (\d+) pages", "pages, links resolve"),
         Stage("shares", [*PYTHON, "book.tools.shares"], r"shares: (\d+) chapters", "chapters, shares printed"),

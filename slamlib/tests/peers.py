@@ -32,6 +32,13 @@ PLANAR = st.tuples(NUMBERS, NUMBERS, st.one_of(st.sampled_from(LENGTHS), st.floa
 SEEDS = st.integers(0, 2**32 - 1)
 
 
+def with_jacobians(model, *arguments):
+    """Value and Jacobians of a model, whose code without Jacobians has to give the same value."""
+    value, J = model.jac(*arguments)
+    np.testing.assert_allclose(model(*arguments), value, rtol=1e-14, atol=1e-14)
+    return value, J
+
+
 def skew(v):
     """The matrix (3, 3) of v x."""
     x, y, z = v

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from slamlib.geometry import pose, quaternion
+from slamlib.geometry import plucker, pose, quaternion
 from slamlib.sensors import fisheye, pinhole
 from slamlib.sensors.sensor import Calibration
 from slamlib.tests.peers import NUMBERS, several, turns
@@ -32,6 +32,15 @@ def rounding(v):
     """What OpenCV's derivative by a short rotation vector is off: in it (1 - cos) / length is all rounding at 1e-8."""
     length = np.linalg.norm(v)
     return 1e-12 + min(length, 2e-16 / max(length, 1e-200))
+
+
+def padded(d):
+    return np.pad(d, (0, 8 - len(d)))
+
+
+def opencvs(d):
+    """(k1, k2, p1, p2, k3): the tangential two stand between the second and the third of ours."""
+    return np.insert(d, 2, [0, 0])
 
 
 def matrix_of(k):
@@ -81,14 +90,43 @@ def test_compositions_of_poses(v, t, v2, t2):
 @given(v=turns(), t=several(NUMBERS, 3), point=POINTS, k=INTRINSICS, d=RADIAL)
 def test_pin_hole_projections_with_every_jacobian(v, t, point, k, d):
     """OpenCV's columns: rotation vector, translation, focal lengths, centre, (k1, k2, p1, p2, k3)."""
-    camera = Calibration(pinhole.PINHOLE, np.eye(2), intrinsics=k, distortion=d, limits={"radius": 100.0})
     there, by_pose = moved_into(v, t, world_of(v, t, point))
-    wanted, theirs = cv2.projectPoints(world_of(v, t, point)[None], v, t, matrix_of(k), np.insert(d, 2, [0, 0]))
-    value, J = camera.project_jac(np.append(there, 1.0))
+    wanted, theirs = cv2.projectPoints(world_of(v, t, point)[None], v, t, matrix_of(k), opencvs(d))
+    value, J = pinhole.project.jac(np.append(there, 1.0), k, padded(d))
     close(value, wanted.ravel(), 1e-11)
+    close(pinhole.project(np.append(there, 1.0), k, padded(d)), wanted.ravel(), 1e-11)
     close(J.point[:, :3] @ by_pose, theirs[:, :6], max(1e-9, 20 * rounding(v)))
     close(J.intrinsics, theirs[:, [8, 9, 6, 7]], 1e-11)
-    close(J.distortion, theirs[:, [10, 11, 14]], 1e-11)
+    close(J.distortion[:, :3], theirs[:, [10, 11, 14]], 1e-11)
+    camera = Calibration(pinhole.PINHOLE, np.eye(2), intrinsics=k, distortion=d, limits={"radius": 100.0})
+    short, J_short = camera.project_jac(np.append(there, 1.0))
+    close(short, value)
+    close(J_short.point, J.point)
+    close(J_short.distortion, J.distortion[:, :3])
+
+
+@many
+@given(ideal=several(NUMBERS, 2), d=RADIAL)
+def test_the_distortion_alone(ideal, d):
+    """At the axis and a depth of one the Jacobians by x and y are those by OpenCV's translation."""
+    none, unit = np.zeros(3), np.array([0.0, 0, 1, 1])
+    wanted, theirs = cv2.projectPoints(np.append(ideal, 1)[None], none, none, np.eye(3), opencvs(d))
+    for value, J in (pinhole.distort.jac(ideal, padded(d)), pinhole.pixel.jac(ideal, unit, padded(d))):
+        close(value, wanted.ravel())
+        close(J.ideal, theirs[:, 3:5])
+        close(J.distortion[:, :3], theirs[:, [10, 11, 14]])
+    close(pinhole.distort(ideal, padded(d)), wanted.ravel())
+    close(pinhole.pixel(ideal, unit, padded(d)), wanted.ravel())
+
+
+@many
+@given(p=POINTS, q=POINTS, k=INTRINSICS)
+def test_the_image_of_a_line_goes_through_those_of_its_points(p, q, k):
+    line = pinhole.project_line(plucker.join(np.append(p, 1.0), np.append(q, 1.0)), k)
+    seen = cv2.projectPoints(np.array([p, q]), np.zeros(3), np.zeros(3), matrix_of(k), None)[0][:, 0]
+    for pixel in seen:
+        terms = line * [*pixel, 1]
+        close(terms.sum() / max(np.abs(terms).max(), 1e-3), 0.0, 1e-9)
 
 
 @many
@@ -108,23 +146,44 @@ def test_fisheye_projections_with_every_jacobian(v, t, point, k, d, flat):
     close(J.point[:, :3] @ by_pose, theirs[:, 8:14], max(1e-9, 20 * rounding(v), divided))
     close(J.intrinsics, theirs[:, [2, 3, 0, 1]], 1e-11)
     close(J.distortion, theirs[:, 4:8], 1e-11)
+    close(fisheye.project(np.append(there, 1.0), k, padded(d)), value)
+    whole, J_whole = fisheye.project.jac(np.append(there, 1.0), k, padded(d))
+    close(whole, value)
+    close(J_whole.point, J.point)
+    close(J_whole.distortion[:, :4], J.distortion)
+
+
+def through(ray, G):
+    """Ideal point (x, y) of a ray, and its derivatives, from those of the ray."""
+    ideal = ray[:2] / ray[2]
+    return ideal, [(part[:2] - np.multiply.outer(ideal, part[2])) / ray[2] for part in G]
 
 
 @many
 @given(angle=st.floats(0, 0.9), about=st.floats(-np.pi, np.pi), k=INTRINSICS, d=RADIAL)
 def test_pin_hole_rays(angle, about, k, d):
-    """Below the fold, and where OpenCV's iteration comes to rest: it steps by the distortion, we by its slope."""
-    d, ideal = d / 5, np.tan(angle) * np.array([np.cos(about), np.sin(about)])
+    """Below the fold, and where OpenCV's iteration comes to rest: it steps by the distortion, we by its slope.
+
+    The derivatives of the ray are those of an implicit function of OpenCV's projection.
+    """
+    d, point = d / 5, np.append(np.tan(angle) * np.array([np.cos(about), np.sin(about)]), 1.0)
     camera = Calibration(pinhole.PINHOLE, np.eye(2), intrinsics=k, distortion=d)
-    pixel = cv2.projectPoints(
-        np.append(ideal, 1)[None], np.zeros(3), np.zeros(3), matrix_of(k), np.insert(d, 2, [0, 0])
-    )[0]
+    pixel, theirs = cv2.projectPoints(point[None], np.zeros(3), np.zeros(3), matrix_of(k), opencvs(d))
     criteria = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 3000, 1e-14)
     patient = getattr(cv2, "undistortPointsIter", cv2.undistortPoints)  # one name since OpenCV 5
-    theirs = patient(pixel, matrix_of(k), np.insert(d, 2, [0, 0]), R=None, P=None, criteria=criteria).ravel()
-    ray, _ = camera.back_project_jac(pixel.ravel(), [0.3])
-    close(ray[:2] / ray[2], theirs, 1e-10)
-    close(ray, np.append(np.append(ideal, 1) / np.hypot(1, np.tan(angle)), 0.3), 1e-10)
+    undistorted = patient(pixel, matrix_of(k), opencvs(d), R=None, P=None, criteria=criteria).ravel()
+    ray, G = camera.back_project_jac(pixel.ravel(), [0.3])
+    close(ray, np.append(point * np.cos(angle), 0.3), 1e-10)
+    ideal, (by_pixel, by_unmeasured, by_intrinsics, by_distortion) = through(ray, G)
+    close(ideal, undistorted, 1e-10)
+    back = np.linalg.inv(theirs[:, 3:5])
+    close(by_pixel, back, 1e-10)
+    close(by_intrinsics, -back @ theirs[:, [8, 9, 6, 7]], 1e-10)
+    close(by_distortion, -back @ theirs[:, [10, 11, 14]], 1e-10)
+    close(by_unmeasured, np.zeros((2, 1)))
+    close(G.unmeasured.ravel(), [0, 0, 0, 1])
+    close(ray[:3] @ G.measurement[:3], np.zeros(2))  # it stays of unit length
+    close(pinhole.back_project(pixel.ravel(), np.array([0.3]), k, padded(d)), ray, 1e-10)
 
 
 @many
@@ -133,9 +192,14 @@ def test_fisheye_rays(angle, about, k, d):
     """OpenCV's iteration rests at 1e-8, and no further out than 90 degrees in the image; ours has all digits."""
     point = np.array([np.sin(angle) * np.cos(about), np.sin(angle) * np.sin(about), np.cos(angle)])
     camera = Calibration(fisheye.FISHEYE, np.eye(2), intrinsics=k, distortion=d)
-    pixel = cv2.fisheye.projectPoints(point[None, None], np.zeros(3), np.zeros(3), matrix_of(k), d)[0]
-    ray, _ = camera.back_project_jac(pixel.ravel(), [0.3])
+    pixel, theirs = cv2.fisheye.projectPoints(point[None, None], np.zeros(3), np.zeros(3), matrix_of(k), d)
+    ray, G = camera.back_project_jac(pixel.ravel(), [0.3])
     close(ray, np.append(point, 0.3), 1e-10)
-    theirs = cv2.fisheye.undistortPoints(pixel, matrix_of(k), d).ravel()
+    back = np.linalg.inv(theirs[:, 11:13] * point[2])
+    for found, wanted in zip(
+        through(ray, G)[1], (back, None, -back @ theirs[:, [2, 3, 0, 1]], -back @ theirs[:, 4:8]), strict=True
+    ):
+        close(found, np.zeros((2, 1)) if wanted is None else wanted, 1e-9)
     if np.linalg.norm((pixel.ravel() - k[:2]) / k[2:]) < np.pi / 2:
-        close(np.arctan(np.linalg.norm(ray[:2] / ray[2])), np.arctan(np.linalg.norm(theirs)), 1e-7)
+        undistorted = cv2.fisheye.undistortPoints(pixel, matrix_of(k), d).ravel()
+        close(np.arctan(np.linalg.norm(ray[:2] / ray[2])), np.arctan(np.linalg.norm(undistorted)), 1e-7)

@@ -38,6 +38,7 @@ from slamlib.tests.peers import (
     step_of,
     turns,
     twisted,
+    with_jacobians,
 )
 
 few, many = settings(max_examples=40), settings(max_examples=100)
@@ -81,7 +82,10 @@ def matrix(point):
 @given(p=QUATERNIONS, q=QUATERNIONS)
 def test_quaternions(p, q):
     close(quaternion.rotation(q), of_scipy(q).as_matrix())
-    close_but_for_sign(quaternion.product(p, q), of_ours(of_scipy(p) * of_scipy(q)))
+    both, J = with_jacobians(quaternion.product, p, q)
+    close_but_for_sign(both, of_ours(of_scipy(p) * of_scipy(q)))
+    for matrix_at, by in ((quaternion.left_matrix(p), J.right), (quaternion.right_matrix(q), J.left)):
+        close(matrix_at, by)  # it is linear in each
     close_but_for_sign(quaternion.conjugate(q), of_ours(of_scipy(q).inv()))
     turn = of_scipy(q).as_matrix()
     close_but_for_sign(quaternion.from_rotation(turn, quaternion.best_pivot(turn)), of_ours(Rotation.from_matrix(turn)))
@@ -106,7 +110,7 @@ def rates(v):
 @given(v=turns())
 def test_the_derivatives_of_the_exponential_are_those_of_expm(v):
     """dR/dv by our chain of two models, and by the Frechet derivative of the exponential of matrices."""
-    q, J = quaternion.exponential.jac(v)
+    q, J = with_jacobians(quaternion.exponential, v)
     _, stored = quaternion.rotation.storage_jac(q)
     close(stored.q @ J.vector, np.moveaxis(rates(v), 0, -1), EXPM)
     if np.linalg.norm(v) < np.pi - 1e-6:  # where the logarithm is its inverse
@@ -119,9 +123,9 @@ def test_the_derivatives_of_steps_are_those_of_matrices(q, p, v):
     """Of a rotation by a turn about its own axes; of where a step leads; of a difference by a turn of either side."""
     R, none = of_scipy(q).as_matrix(), np.zeros((3, 1))
     close(quaternion.rotation.jac(q)[1].q, np.stack([R @ skew(axis) for axis in np.eye(3)], axis=-1))
-    value, J = quaternion.plus.jac(q, v)
+    value, J = with_jacobians(quaternion.plus, q, v)
     close(quaternion.rotation.storage_jac(value)[1].q @ J.step, np.moveaxis(R @ rates(v), 0, -1), EXPM)
-    difference, J = quaternion.minus.jac(q, p)
+    difference, J = with_jacobians(quaternion.minus, q, p)
     if np.linalg.norm(difference) < np.pi - 1e-3:  # at half a turn it jumps
         turned, about_own = linalg.expm(skew(difference)), np.hstack([none, np.eye(3)]).T / 2
         right = step_of(rigid(turned, np.zeros(3)), np.pad(rates(difference), ((0, 0), (0, 1), (0, 1))))[3:]
@@ -136,7 +140,7 @@ ANGLES = st.one_of(st.floats(-np.pi, np.pi), st.sampled_from([0.0, np.pi / 2, -n
 @given(angles=several(ANGLES, 3))
 def test_euler_angles(angles):
     wanted = Rotation.from_euler("ZYX", angles[::-1])
-    value, J = euler.to_rotation.jac(angles)
+    value, J = with_jacobians(euler.to_rotation, angles)
     close(value, wanted.as_matrix())
     close_but_for_sign(euler.to_quaternion(angles), of_ours(wanted))
     close(euler.to_rotation(euler.from_rotation(value)), wanted.as_matrix())
@@ -158,19 +162,19 @@ def check_group(module, a, b, point):
     """Composition, inverse and change of frames, with each Jacobian, beside matrices and their product rule."""
     A, B = matrix(a), matrix(b)
     along_a, along_b, there = directions(A), directions(B), np.append(point, 1.0)
-    value, J = module.compose.jac(a, b)
+    value, J = with_jacobians(module.compose, a, b)
     close(matrix(value), A @ B)
     close(J.outer, step_of(A @ B, along_a @ B))
     close(J.inner, step_of(A @ B, A @ along_b))
     back = linalg.inv(A)
-    value, J = module.inverse.jac(a)
+    value, J = with_jacobians(module.inverse, a)
     close(matrix(value), back)
     close(J.pose, step_of(back, -back @ along_a @ back))
-    value, J = module.from_frame.jac(a, point)
+    value, J = with_jacobians(module.from_frame, a, point)
     close(value, (A @ there)[:-1])
     close(J.pose, (along_a @ there).T[:-1])
     close(J.point, A[:-1, :-1])
-    value, J = module.to_frame.jac(a, point)
+    value, J = with_jacobians(module.to_frame, a, point)
     close(value, (back @ there)[:-1])
     close(J.pose, (-back @ along_a @ back @ there).T[:-1])
     close(J.point, back[:-1, :-1])
@@ -182,7 +186,7 @@ def test_poses_in_space(a, b, point):
     check_group(pose, a, b, point)
     A, B = matrix(a), matrix(b)
     back = linalg.inv(A)
-    value, J = pose.relative.jac(a, b)
+    value, J = with_jacobians(pose.relative, a, b)
     close(matrix(value), back @ B)
     close(J.origin, step_of(back @ B, -back @ directions(A) @ back @ B))
     close(J.pose, step_of(back @ B, back @ directions(B)))
@@ -204,7 +208,7 @@ def test_poses_in_the_plane(a, b, point):
 @many
 @given(twist=PLANAR)
 def test_the_exponential_of_a_twist_in_the_plane(twist):
-    value, J = pose2.exponential.jac(twist)
+    value, J = with_jacobians(pose2.exponential, twist)
     close(matrix(value), linalg.expm(twisted(twist)), EXPM)
     rates = np.array([linalg.expm_frechet(twisted(twist), twisted(e), compute_expm=False) for e in np.eye(3)])
     close(J.twist, step_of(matrix(value), rates), EXPM)

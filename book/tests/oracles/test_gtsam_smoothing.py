@@ -11,7 +11,7 @@ from slambook.smoothing import Smoother
 from slamlib.experiments.presets import preset
 from slamlib.geometry.quaternion import rotation
 
-gtsam = pytest.importorskip("gtsam", reason="pip install gtsam, to compare with it")
+gtsam = pytest.importorskip("gtsam", reason="gtsam is fetched by `python -m book.tools.oracles`")
 REAL = Path(os.environ.get("SLAMLIB_DATA") or "no-data") / "landmarks_victoria_park"
 
 
