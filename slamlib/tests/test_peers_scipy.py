@@ -236,16 +236,43 @@ def test_motions_in_space(a, velocities, dt):
     close(matrix(ODOMETRY.step(a, velocities, dt)), stepped, EXPM)
 
 
+def dual(line):
+    """The matrix p q' - q p' (4, 4) of the line (n, v) through homogeneous points p, q: [n] and -v, with n = p x q."""
+    return np.block([[-skew(line[:3]), -line[3:, None]], [line[None, 3:], np.zeros((1, 1))]])
+
+
+def of_dual(matrices):
+    """The lines (6, k) of such matrices (k, 4, 4)."""
+    return np.array([matrices[:, i, j] for i, j in ((1, 2), (2, 0), (0, 1), (3, 0), (3, 1), (3, 2))])
+
+
+UNITS = np.array([dual(line) for line in np.eye(6)])
+
+
 @many
-@given(a=POSES, p=several(NUMBERS, 3), q=several(NUMBERS, 3), far=st.sampled_from([0.0, 1.0, 2.0]))
-def test_a_line_moves_with_its_points(a, p, q, far):
-    """far: the last homogeneous number of the second point; 0: it is at infinity."""
-    first, second = np.append(p, 1.0), np.append(q, far)
-    line = plucker.join(matrix(a) @ first, matrix(a) @ second)
-    close(plucker.from_frame(a, plucker.join(first, second)), line, 1e-12)
-    close(plucker.to_frame(a, line), plucker.join(first, second), 1e-12)
-    dual = np.outer(first, second) - np.outer(second, first)  # the line as a matrix of Pluecker coordinates
-    close(plucker.meet(plucker.join(first, second), np.array([*q[::-1], 0.5])), dual @ [*q[::-1], 0.5], 1e-12)
+@given(a=POSES, p=several(NUMBERS, 3), q=several(NUMBERS, 3), far=st.sampled_from([0.0, 1.0, 2.0]), b=NUMBERS)
+def test_lines_are_matrices_of_their_points(a, p, q, far, b):
+    """Of two points, of a motion, of a plane that meets it. far: of the second point; 0 puts it at infinity."""
+    first, second, plane, A = np.append(p, 1.0), np.append(q, far), np.array([*q[::-1], b]), matrix(a)
+    line, J = with_jacobians(plucker.join, first, second)
+    close(dual(line), np.outer(first, second) - np.outer(second, first), 1e-12)
+    along_first = np.array([np.outer(e, second) - np.outer(second, e) for e in np.eye(4)])
+    along_second = np.array([np.outer(first, e) - np.outer(e, first) for e in np.eye(4)])
+    close(J.first, of_dual(along_first))
+    close(J.second, of_dual(along_second))
+    point, J = with_jacobians(plucker.meet, line, plane)
+    close(point, dual(line) @ plane, 1e-12)
+    close(J.plane, dual(line))
+    close(J.line, (UNITS @ plane).T)
+    for module, T, rate in (
+        (plucker.from_frame, A, directions(A)),
+        (plucker.to_frame, linalg.inv(A), -linalg.inv(A) @ directions(A) @ linalg.inv(A)),
+    ):
+        value, J = with_jacobians(module, a, line)
+        close(dual(value), T @ dual(line) @ T.T, 1e-12)
+        half = rate @ dual(line) @ T.T
+        close(J.pose, of_dual(half - half.swapaxes(1, 2)), 1e-12)
+        close(J.line, of_dual(T @ UNITS @ T.T), 1e-12)
 
 
 # -- the Kalman filter -------------------------------------------------------------------------------------------------
