@@ -15,11 +15,11 @@ from slamlib.sensors.sensor import Calibration
 from slamlib.tests.peers import NUMBERS, several, turns
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV is compared with")
-many = settings(max_examples=100)
+many = settings(max_examples=100, deadline=None)
 FOCAL, CENTRE = st.floats(50, 900), st.floats(-100, 900)
 INTRINSICS = st.tuples(CENTRE, CENTRE, FOCAL, FOCAL).map(np.array)
-RADIAL = several(st.one_of(st.just(0.0), st.floats(-0.3, 0.3)), 3)
-EQUIDISTANT = several(st.one_of(st.just(0.0), st.floats(-0.02, 0.02)), 4)
+RADIAL = several(st.floats(-0.3, 0.3).map(lambda k: round(k, 6)), 3)  # 1e-261 would fold at a radius of 1e86
+EQUIDISTANT = several(st.floats(-0.02, 0.02).map(lambda k: round(k, 6)), 4)
 
 
 def close(found, wanted, tolerance=1e-12):
@@ -78,12 +78,13 @@ def world_of(v, t, point):
 @many
 @given(v=turns(), t=several(NUMBERS, 3), v2=turns(), t2=several(NUMBERS, 3))
 def test_compositions_of_poses(v, t, v2, t2):
-    """OpenCV's rotation vectors lose their digits near a half turn, so that rotations are compared."""
+    """OpenCV's logarithm has half the digits near a half turn, and is zero below 1e-5 rad."""
     outer, inner = (np.append(shift, quaternion.exponential(turn)) for turn, shift in ((v2, t2), (v, t)))
     r3, t3 = cv2.composeRT(v, t, v2, t2)[:2]
     found = pose.compose(outer, inner)
     close(found[:3], t3.ravel())
-    close(quaternion.rotation(found[3:]), cv2.Rodrigues(r3)[0], 1e-7)
+    short = np.linalg.norm(quaternion.logarithm(found[3:])) < 2e-5
+    close(quaternion.rotation(found[3:]), cv2.Rodrigues(r3)[0], 2e-5 if short else 1e-7)
 
 
 @many
@@ -142,7 +143,7 @@ def test_fisheye_projections_with_every_jacobian(v, t, point, k, d, flat):
     wanted, theirs = cv2.fisheye.projectPoints(world_of(v, t, point)[None, None], v, t, matrix_of(k), d)
     value, J = camera.project_jac(np.append(there, 1.0))
     close(value, wanted.ravel(), 1e-11)
-    divided = 1e-15 * np.linalg.norm(point[:2]) / point[2]
+    divided = 1e-14 * np.linalg.norm(point[:2]) / point[2]
     close(J.point[:, :3] @ by_pose, theirs[:, 8:14], max(1e-9, 20 * rounding(v), divided))
     close(J.intrinsics, theirs[:, [2, 3, 0, 1]], 1e-11)
     close(J.distortion, theirs[:, 4:8], 1e-11)
@@ -160,13 +161,15 @@ def through(ray, G):
 
 
 @many
-@given(angle=st.floats(0, 0.9), about=st.floats(-np.pi, np.pi), k=INTRINSICS, d=RADIAL)
-def test_pin_hole_rays(angle, about, k, d):
+@given(share=st.floats(0, 0.9), about=st.floats(-np.pi, np.pi), k=INTRINSICS, d=RADIAL)
+def test_pin_hole_rays(share, about, k, d):
     """Below the fold, and where OpenCV's iteration comes to rest: it steps by the distortion, we by its slope.
 
     The derivatives of the ray are those of an implicit function of OpenCV's projection.
     """
-    d, point = d / 5, np.append(np.tan(angle) * np.array([np.cos(about), np.sin(about)]), 1.0)
+    d = d / 5
+    angle = share * min(1.0, np.arctan(pinhole.fold_radius(d)))  # of the fold, where a ray has no derivative
+    point = np.append(np.tan(angle) * np.array([np.cos(about), np.sin(about)]), 1.0)
     camera = Calibration(pinhole.PINHOLE, np.eye(2), intrinsics=k, distortion=d)
     pixel, theirs = cv2.projectPoints(point[None], np.zeros(3), np.zeros(3), matrix_of(k), opencvs(d))
     criteria = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 3000, 1e-14)
@@ -187,11 +190,12 @@ def test_pin_hole_rays(angle, about, k, d):
 
 
 @many
-@given(angle=st.floats(0, 1.5), about=st.floats(-np.pi, np.pi), k=INTRINSICS, d=EQUIDISTANT)
-def test_fisheye_rays(angle, about, k, d):
+@given(share=st.floats(0, 0.9), about=st.floats(-np.pi, np.pi), k=INTRINSICS, d=EQUIDISTANT)
+def test_fisheye_rays(share, about, k, d):
     """OpenCV's iteration rests at 1e-8, and no further out than 90 degrees in the image; ours has all digits."""
-    point = np.array([np.sin(angle) * np.cos(about), np.sin(angle) * np.sin(about), np.cos(angle)])
     camera = Calibration(fisheye.FISHEYE, np.eye(2), intrinsics=k, distortion=d)
+    angle = share * min(1.6, camera.limits["angle"])  # of the fold, where a ray has no derivative
+    point = np.array([np.sin(angle) * np.cos(about), np.sin(angle) * np.sin(about), np.cos(angle)])
     pixel, theirs = cv2.fisheye.projectPoints(point[None, None], np.zeros(3), np.zeros(3), matrix_of(k), d)
     ray, G = camera.back_project_jac(pixel.ravel(), [0.3])
     close(ray, np.append(point, 0.3), 1e-10)

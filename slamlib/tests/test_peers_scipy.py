@@ -41,7 +41,7 @@ from slamlib.tests.peers import (
     with_jacobians,
 )
 
-few, many = settings(max_examples=40), settings(max_examples=100)
+few, many = settings(max_examples=40, deadline=None), settings(max_examples=100, deadline=None)
 ROUNDING = 1e-13  # of numbers up to ten, after some products
 EXPM = 1e-11  # expm scales its argument down and squares the result again: each squaring doubles its rounding
 
@@ -84,6 +84,9 @@ def test_quaternions(p, q):
     close(quaternion.rotation(q), of_scipy(q).as_matrix())
     both, J = with_jacobians(quaternion.product, p, q)
     close_but_for_sign(both, of_ours(of_scipy(p) * of_scipy(q)))
+    close(quaternion.pi_matrix(p) @ q[1:], quaternion.left_matrix(p) @ [0, *q[1:]])
+    close_but_for_sign(quaternion.left_matrix(p) @ q, both)
+    close_but_for_sign(quaternion.right_matrix(q) @ p, both)
     for matrix_at, by in ((quaternion.left_matrix(p), J.right), (quaternion.right_matrix(q), J.left)):
         close(matrix_at, by)  # it is linear in each
     close_but_for_sign(quaternion.conjugate(q), of_ours(of_scipy(q).inv()))
@@ -362,7 +365,7 @@ def test_a_prediction_and_a_later_measurement_beside_all_at_once(seed, rank):
     close(other.mean, (gain @ z)[4:], 1e-11)
 
 
-@settings(max_examples=10)
+@settings(max_examples=10, deadline=None)
 @given(seed=SEEDS)
 def test_the_steady_state_solves_riccati_s_equation(seed):
     rng = np.random.default_rng(seed)
@@ -411,14 +414,15 @@ DOF = st.one_of(st.integers(1, 12), st.floats(0.3, 1e4), st.sampled_from([1e5, 1
 PROBABILITY = st.one_of(st.floats(-300, -0.01).map(lambda e: 10.0**e), st.floats(1e-3, 1 - 1e-15))
 
 
-@settings(max_examples=300)
+@settings(max_examples=300, deadline=None)
 @given(dof=DOF, p=PROBABILITY, x=st.floats(0, 4))
 def test_chi_square_and_its_tails(dof, p, x):
-    """SciPy's own quantiles are as far apart as 1e-10, by its two ways to them."""
+    """Of a million degrees of freedom SciPy's tails have eight digits: rounding grows with what the density cancels."""
     of = stats.chi2(dof)
     place = x * dof
-    np.testing.assert_allclose(chi2_cdf(place, dof), of.cdf(place), rtol=1e-9, atol=1e-300)
-    np.testing.assert_allclose(chi2_sf(place, dof), of.sf(place), rtol=1e-9, atol=1e-300)
+    digits = {"rtol": max(1e-10, 1e-14 * dof), "atol": 1e-300}
+    np.testing.assert_allclose(chi2_cdf(place, dof), of.cdf(place), **digits)
+    np.testing.assert_allclose(chi2_sf(place, dof), of.sf(place), **digits)
     if of.ppf(p) > 1e-290:
         np.testing.assert_allclose(chi2_quantile(p, dof), of.ppf(p), rtol=1e-10)
     np.testing.assert_allclose(chi2_quantile(p, dof, upper=True), of.isf(p), rtol=1e-10)
