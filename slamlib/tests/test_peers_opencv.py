@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from slamlib.geometry import plucker, pose, quaternion
-from slamlib.sensors import fisheye, pinhole
+from slamlib.sensors import brown, fisheye, pinhole
 from slamlib.sensors.sensor import Calibration
-from slamlib.tests.peers import NUMBERS, several, turns
+from slamlib.tests.peers import NUMBERS, several, turns, with_jacobians
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV is compared with")
 many = settings(max_examples=100, deadline=None)
@@ -93,9 +93,8 @@ def test_pin_hole_projections_with_every_jacobian(v, t, point, k, d):
     """OpenCV's columns: rotation vector, translation, focal lengths, centre, (k1, k2, p1, p2, k3)."""
     there, by_pose = moved_into(v, t, world_of(v, t, point))
     wanted, theirs = cv2.projectPoints(world_of(v, t, point)[None], v, t, matrix_of(k), opencvs(d))
-    value, J = pinhole.project.jac(np.append(there, 1.0), k, padded(d))
+    value, J = with_jacobians(pinhole.project, np.append(there, 1.0), k, padded(d))
     close(value, wanted.ravel(), 1e-11)
-    close(pinhole.project(np.append(there, 1.0), k, padded(d)), wanted.ravel(), 1e-11)
     close(J.point[:, :3] @ by_pose, theirs[:, :6], max(1e-9, 20 * rounding(v)))
     close(J.intrinsics, theirs[:, [8, 9, 6, 7]], 1e-11)
     close(J.distortion[:, :3], theirs[:, [10, 11, 14]], 1e-11)
@@ -104,6 +103,25 @@ def test_pin_hole_projections_with_every_jacobian(v, t, point, k, d):
     close(short, value)
     close(J_short.point, J.point)
     close(J_short.distortion, J.distortion[:, :3])
+
+
+BROWN = st.tuples(several(st.floats(-0.1, 0.1), 5), several(st.floats(0, 0.1), 3)).map(np.concatenate)
+
+
+@many
+@given(v=turns(), t=several(NUMBERS, 3), point=POINTS, k=INTRINSICS, d=BROWN)
+def test_lenses_that_are_not_centred_with_every_jacobian(v, t, point, k, d):
+    """OpenCV's columns: rotation vector, translation, focal lengths, centre, and ours.
+
+    It divides by 1 + k4 r^2 + ..., which is above one here.
+    """
+    there, by_pose = moved_into(v, t, world_of(v, t, point))
+    wanted, theirs = cv2.projectPoints(world_of(v, t, point)[None], v, t, matrix_of(k), d)
+    value, J = with_jacobians(brown.project, np.append(there, 1.0), k, d)
+    close(value, wanted.ravel(), 1e-11)
+    close(J.point[:, :3] @ by_pose, theirs[:, :6], max(1e-9, 20 * rounding(v)))
+    close(J.intrinsics, theirs[:, [8, 9, 6, 7]], 1e-11)
+    close(J.distortion, theirs[:, 10:18], 1e-11)
 
 
 @many

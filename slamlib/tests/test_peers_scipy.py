@@ -218,6 +218,24 @@ def test_the_exponential_of_a_twist_in_the_plane(twist):
 
 
 @many
+@given(v=turns(), d=several(NUMBERS, 3), a=POSES)
+def test_the_exponential_of_a_twist_in_space(v, d, a):
+    """With the derivatives of expm; the logarithm undoes it up to half a turn, and so do its derivatives."""
+    twist = np.append(d, v)
+    value, J = with_jacobians(pose.exponential, twist)
+    close(matrix(value), linalg.expm(twisted(twist)), EXPM)
+    along = np.array([linalg.expm_frechet(twisted(twist), twisted(e), compute_expm=False) for e in np.eye(6)])
+    close(J.twist, step_of(matrix(value), along), EXPM)
+    if np.linalg.norm(v) < np.pi - 1e-6:
+        found, J_log = with_jacobians(pose.logarithm, value)
+        close(found, twist, 1e-12)
+        close(J_log.pose @ J.twist, np.eye(6), 1e-9)
+    moved = np.array([matrix(a) @ twisted(e) @ linalg.inv(matrix(a)) for e in np.eye(6)])
+    turn, shift = moved[:, [2, 0, 1], [1, 2, 0]].T, moved[:, :3, 3].T
+    close(pose.adjoint(a), np.vstack([shift, turn]), 1e-12)
+
+
+@many
 @given(a=PLANAR, speed=NUMBERS, rate=NUMBERS, dt=st.sampled_from([0.0, 1e-9, 0.1, 2.0]))
 def test_a_unicycle_drives_along_the_exponential(a, speed, rate, dt):
     value = UNICYCLE.step(a, np.array([speed, rate]), dt)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from slamlib.belief import Belief
+from slamlib.motions.white_noise import held_noise, white_noise
 from slamlib.tests.peers import covariance
 
 REASON = "filterpy is fetched by `python -m book.tools.oracles`, which runs these tests"
@@ -98,3 +99,21 @@ def test_all_states_in_one_belief_are_its_smoother(seed):
     for state, mean, covariance_there in zip(states, smooth, smooth_covariances, strict=False):
         np.testing.assert_allclose(state.mean, mean.ravel(), **CLOSE)
         np.testing.assert_allclose(belief.covariance(state), covariance_there, **CLOSE)
+
+
+@pytest.mark.parametrize("order", [2, 3, 4])
+@pytest.mark.parametrize("axes", [1, 3])
+@pytest.mark.parametrize("dt", [0.05, 1.7])
+def test_q_of_white_noise(order, axes, dt):
+    """filterpy's order_by_dim=False is our order: all positions, then all velocities.
+
+    Held, its noise is that of the last number of the state itself; what it does to those before is our held noise.
+    """
+    wanted = common.Q_continuous_white_noise(order, dt, 0.7, axes, order_by_dim=False)
+    np.testing.assert_allclose(white_noise(order, dt, [0.7] * axes), wanted, **CLOSE)
+    wanted = common.Q_discrete_white_noise(order, dt, 0.7, axes, order_by_dim=False)
+    if order == 2:  # there it is a held acceleration
+        np.testing.assert_allclose(held_noise(2, dt, [0.7] * axes), wanted, **CLOSE)
+    else:
+        n = (order - 1) * axes
+        np.testing.assert_allclose(held_noise(order - 1, dt, [0.7] * axes), wanted[:n, :n], **CLOSE)

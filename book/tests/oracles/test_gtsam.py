@@ -14,7 +14,7 @@ from slamlib.evaluation.alignment import align, nearest_rotation
 from slamlib.geometry import euler, pose, pose2, quaternion
 from slamlib.geometry.pose import Pose
 from slamlib.geometry.pose2 import Pose2
-from slamlib.sensors import Calibration, fisheye, pinhole, plane_range_bearing, range_bearing, stereo
+from slamlib.sensors import Calibration, brown, fisheye, pinhole, plane_range_bearing, range_bearing, stereo, unified
 from slamlib.tests.peers import NUMBERS, PLANAR, POSES, QUATERNIONS, SEEDS, covariance, several, turns, with_jacobians
 
 REASON = "gtsam is fetched by `python -m book.tools.oracles`, on CPython 3.11 and Linux (x86-64) alone"
@@ -79,6 +79,26 @@ def test_rotations(v, q):
 
 
 @many
+@given(v=turns(3.0), p=QUATERNIONS, q=QUATERNIONS, share=st.floats(0, 1))
+def test_jacobians_of_the_exponential_and_ways_between_rotations(v, p, q, share):
+    close(quaternion.right_jacobian(v), gtsam.Rot3.ExpmapDerivative(v), 1e-9)
+    close(quaternion.right_jacobian_inverse(v), gtsam.Rot3.LogmapDerivative(v), 1e-9)
+    if np.abs(p @ q) > 0.05:  # GTSAM's logarithm near half a turn
+        close(quaternion.rotation(quaternion.slerp(p, q, share)), rot3(p).slerp(share, rot3(q)).matrix(), 1e-9)
+
+
+@many
+@given(seed=SEEDS)
+def test_the_mean_of_rotations(seed):
+    """GTSAM's goes along the gradient until a step is below 1e-5, ours by Newton's steps to the end."""
+    rng = np.random.default_rng(seed)
+    middle = quaternion.UnitQuaternion.random(rng)
+    spread = quaternion.plus(middle, 0.3 * rng.standard_normal((7, 3)))
+    wanted = gtsam.FindKarcherMeanRot3([rot3(q) for q in spread])
+    close(quaternion.rotation(quaternion.mean(spread)), wanted.matrix(), 1e-4)
+
+
+@many
 @given(angles=several(st.floats(-1.5, 1.5), 3))
 def test_euler_angles(angles):
     roll, pitch, yaw = angles
@@ -136,6 +156,25 @@ def test_poses_in_space(a, b, point):
     close(J.origin, step(wanted, theirs(a), H))
     close(J.pose, step(wanted, theirs(b), G))
     close(Pose.minus(b, a)[:3], theirs(b).translation() - theirs(a).translation())
+
+
+ROTATION_FIRST = np.roll(np.eye(6), 3, axis=1)  # our twist by GTSAM's
+
+
+@many
+@given(v=turns(3.0), d=several(NUMBERS, 3), a=POSES)
+def test_twists_in_space(v, d, a):
+    twist = np.append(d, v)
+    (H,) = slots(6, 6)
+    wanted = gtsam.Pose3.Expmap(np.append(v, d), H)
+    value, J = with_jacobians(pose.exponential, twist)
+    close(theirs(value).matrix(), wanted.matrix(), 1e-9)
+    close(J.twist, own(wanted) @ H @ ROTATION_FIRST, 1e-7)  # its derivative divides by powers of the angle
+    found, J = with_jacobians(pose.logarithm, value)
+    close(found, twist, 1e-11)
+    gtsam.Pose3.Logmap(wanted, H)
+    close(J.pose, ROTATION_FIRST @ H @ np.linalg.inv(own(wanted)), 1e-7)
+    close(pose.adjoint(a), ROTATION_FIRST @ theirs(a).AdjointMap() @ ROTATION_FIRST, 1e-11)
 
 
 @many
@@ -228,6 +267,21 @@ def test_pin_hole_cameras(a, point):
 def test_radial_distortion(a, point, d):
     calibration = gtsam.Cal3DS2(FX, FY, 0, U, V, *d)
     check_lens(a, point, lens(pinhole.PINHOLE, d, radius=100.0), gtsam.PinholeCameraCal3DS2, calibration, [5, 6])
+
+
+@many
+@given(a=POSES, point=POINTS, d=several(st.floats(-0.1, 0.1), 4))
+def test_lenses_that_are_not_centred(a, point, d):
+    calibration = gtsam.Cal3DS2(FX, FY, 0, U, V, *d)
+    check_lens(a, point, lens(brown.BROWN, d, radius=100.0), gtsam.PinholeCameraCal3DS2, calibration, [5, 6, 7, 8])
+
+
+@many
+@given(a=POSES, point=POINTS, d=several(st.floats(-0.1, 0.1), 4), xi=st.floats(0, 2))
+def test_the_unified_model(a, point, d, xi):
+    """GTSAM has xi last."""
+    camera, calibration = lens(unified.UNIFIED, [xi, *d]), gtsam.Cal3Unified(FX, FY, 0, U, V, *d, xi)
+    check_lens(a, point, camera, gtsam.PinholeCameraCal3Unified, calibration, [9, 5, 6, 7, 8])
 
 
 @many

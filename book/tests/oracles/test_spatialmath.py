@@ -58,8 +58,8 @@ def test_exponential_and_logarithm(v):
 
 @many
 @given(p=QUATERNIONS, q=QUATERNIONS, share=st.floats(0, 1))
-def test_a_share_of_the_difference_is_slerp(p, q, share):
-    found = quaternion.plus(p, share * quaternion.minus(q, p))
+def test_slerp(p, q, share):
+    found = quaternion.slerp(p, q, share)
     if np.abs(p @ q) > 0.01:  # else either way is as short
         wanted = base.qslerp(p, q, share, shortest=True)
         close(np.abs(found @ wanted), 1.0)
@@ -93,3 +93,15 @@ def test_poses_in_space(a, b):
     close(rigid(pose.compose(a, b)), rigid(a) @ rigid(b))
     close(rigid(pose.inverse(a)), base.trinv(rigid(a)))
     close(rigid(pose.relative(a, b)), base.trinv(rigid(a)) @ rigid(b))
+
+
+@many
+@given(a=POSES, v=turns(3.0), d=several(NUMBERS, 3))
+def test_twists_in_space(a, v, d):
+    """Its exponential and logarithm divide by the angle and its square: shorter ones are compared more coarsely."""
+    digits = 1e-11 if np.linalg.norm(v) > 1e-3 else 1e-6
+    twist = np.append(d, v)
+    close(rigid(pose.exponential(twist)), base.trexp(twisted(twist)), digits)
+    close(pose.adjoint(a), base.tr2adjoint(rigid(a)), 1e-11)
+    if np.linalg.norm(v) > 1e-3:
+        close(pose.logarithm(pose.exponential(twist)), base.trlog(rigid(pose.exponential(twist)), twist=True), 1e-8)
