@@ -92,6 +92,9 @@ def test_quaternions(p, q):
     close_but_for_sign(quaternion.conjugate(q), of_ours(of_scipy(q).inv()))
     turn = of_scipy(q).as_matrix()
     close_but_for_sign(quaternion.from_rotation(turn, quaternion.best_pivot(turn)), of_ours(Rotation.from_matrix(turn)))
+    found, J = with_jacobians(quaternion.from_rotation, turn, quaternion.best_pivot(turn))
+    rates_there = np.stack([turn @ skew(axis) for axis in np.eye(3)], axis=-1)
+    close(np.einsum("aij,ijk->ak", J.matrix, rates_there), quaternion.left_matrix(found)[:, 1:] / 2)
     close_turns(quaternion.logarithm(q), of_scipy(q).as_rotvec())
     close_turns(quaternion.minus(q, p), (of_scipy(p).inv() * of_scipy(q)).as_rotvec())
 
@@ -156,6 +159,13 @@ def test_euler_angles(angles):
     x, y, z = (skew(axis) for axis in np.eye(3))
     wanted = [about_z @ about_y @ about_x @ x, about_z @ about_y @ y @ about_x, about_z @ z @ about_y @ about_x]
     close(J.angles, np.stack(wanted, axis=-1))
+    about_own = step_of(rigid(value, np.zeros(3)), np.pad(np.array(wanted), ((0, 0), (0, 1), (0, 1))))[3:]
+    q, J = euler.to_quaternion.jac(angles)
+    close(J.angles, about_own)
+    if np.cos(angles[1]) > 1e-3:  # the angles that come back are these
+        close(euler.from_quaternion_jac(q)[1] @ about_own, np.eye(3), 1e-9)
+        back = euler.from_rotation_jac(value)[1]
+        close(np.einsum("aij,kij->ak", back, np.array(wanted)), np.eye(3), 1e-9)
 
 
 # -- poses -------------------------------------------------------------------------------------------------------------
@@ -341,6 +351,26 @@ def test_an_update_is_the_solution_of_the_normal_equations(seed, rank, spread, b
     close(belief.matrix / np.outer(units, units), (left @ P @ left.T + K @ R @ K.T) / np.outer(units, units), 1e-11)
     likelihood = -(found.nis + np.linalg.slogdet(2 * np.pi * found.covariance)[1]) / 2
     close(likelihood, stats.multivariate_normal(np.zeros(len(z)), S).logpdf(z), 1e-11)
+
+
+@many
+@given(seed=SEEDS, rank=RANKS)
+def test_a_sequence_of_updates_is_that_of_all_stacked(seed, rank):
+    rng, _, mean, P, H, R, y = drawn(seed, rank, 0.0)
+    G, N, w = rng.standard_normal((2, 4)), covariance(rng, 2) + 0.1 * np.eye(2), rng.standard_normal(2)
+    belief = Belief()
+    block = belief.add(4, mean, P)
+    with belief.sequential_update() as sequence:
+        sequence.update(np.arange(4), H, y - H @ block.mean, R)
+        last = sequence.update(np.arange(4), G, w - G @ block.mean, N)
+    both, noise = np.vstack([H, G]), linalg.block_diag(R, N)
+    S = both @ P @ both.T + noise
+    gain = linalg.solve(S, both @ P, assume_a="pos").T
+    close(block.mean, mean + gain @ (np.append(y, w) - both @ mean), 1e-9)
+    left = np.eye(4) - gain @ both
+    close(belief.matrix, left @ P @ left.T + gain @ noise @ gain.T, 1e-9)
+    m = len(y)
+    close(last.covariance, S[m:, m:] - S[m:, :m] @ linalg.solve(S[:m, :m], S[:m, m:]), 1e-9)
 
 
 @many
