@@ -500,6 +500,20 @@ def test_nees_is_the_square_of_mahalanobis_distance(seed, n, rank, spread):
     np.testing.assert_allclose(square, e @ pseudo @ e, rtol=1e-6)  # both divide by the least eigenvalue that is kept
 
 
+@many
+@given(seed=SEEDS, rank=st.integers(1, 4), unit=st.sampled_from([1e-5, 1.0, 1e5]))
+def test_nees_of_two_units_in_the_range_of_a_covariance(seed, rank, unit):
+    """Each unit is scaled by its largest standard deviation; the rest is the pseudo-inverse."""
+    rng, units = np.random.default_rng(seed), np.array([1.0, 1.0, unit, unit])
+    P, e = units[:, None] * covariance(rng, 4, rank=rank) * units, units * rng.standard_normal(4)
+    scale = np.sqrt(np.repeat([P.diagonal()[:2].max(), P.diagonal()[2:].max()], 2))
+    scaled = P / np.outer(scale, scale)
+    values = linalg.eigvalsh(scaled)
+    square, dof = nees_in_range(e, P, (2, 2))
+    assert dof == (values > 1e-12 * values[-1]).sum() == rank
+    np.testing.assert_allclose(square, e / scale @ linalg.pinvh(scaled, rtol=1e-12) @ (e / scale), rtol=1e-6)
+
+
 @few
 @given(seed=SEEDS)
 def test_the_largest_compatible_set_by_squares_of_all_stacked(seed):
