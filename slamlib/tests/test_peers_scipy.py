@@ -520,7 +520,9 @@ def test_the_largest_compatible_set_by_squares_of_all_stacked(seed):
     """Every subset's z' S^-1 z from its own stacked matrix, beside SciPy's quantile; JCBB marginalizes instead."""
     rng = np.random.default_rng(seed)
     n, d = 6, 2
-    S, z = covariance(rng, n * d) + np.eye(n * d), 3 * rng.standard_normal(n * d)
+    S = covariance(rng, n * d, rank=3) * 9 + np.eye(n * d)  # strongly correlated, as by one pose
+    z = linalg.cholesky(S, lower=True) @ rng.standard_normal(n * d)
+    z[: 2 * int(rng.integers(0, 4))] += rng.normal(0, 5)  # up to three outliers
     fits = []
     for mask in np.ndindex((2,) * n):
         kept = np.repeat(np.array(mask, dtype=bool), d)
