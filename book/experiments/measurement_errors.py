@@ -216,7 +216,7 @@ def filtered(film: Film, cause: Cause) -> tuple[dict[str, Any], Trajectory]:
     numbers, at, errors = (x[np.isfinite(errors[:, 0])] for x in (numbers, at, errors))
     true = [compose(origin, relative(film.poses[0], pose)) for pose in film.poses]
     judged = map(pose_error, true, path.poses, np.array(path.covariances))
-    off, _, nees = map(np.array, zip(*judged, strict=True))
+    off, _, nees, _ = map(np.array, zip(*judged, strict=True))
     return {
         "rms": float(np.sqrt((errors**2).mean())),
         "median": float(np.median(np.linalg.norm(errors, axis=1))),

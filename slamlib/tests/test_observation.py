@@ -51,9 +51,8 @@ def derivative(function, manifold, x, minus):
 def changed(calibration, name, value):
     """The calibration with another value of a parameter."""
     given = {**calibration.given, name: value}
-    return Calibration(
-        calibration.sensor, calibration.noise, image=calibration.image, limits=calibration.limits, **given
-    )
+    limits = {n: 0.99 * limit for n, limit in calibration.limits.items()}  # where a lens ends, parameters say, too
+    return Calibration(calibration.sensor, calibration.noise, image=calibration.image, limits=limits, **given)
 
 
 def close(found, wanted, what):
