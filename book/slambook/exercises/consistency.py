@@ -26,7 +26,7 @@ def average_nees(candidate: Candidate, rng: Rng) -> None:
     roots = rng.standard_normal((runs, steps, n, n)) + 2 * np.eye(n)
     covariances = roots @ roots.transpose(0, 1, 3, 2)
     errors = (roots @ rng.standard_normal((runs, steps, n, 1)))[..., 0]
-    found = array_of(candidate(errors, covariances), (steps,), "the average")
+    found = array_of(candidate(errors, covariances), (steps,), f"the average over {runs} runs at each of {steps} steps")
     same(candidate(errors, 4 * covariances), found / 4, "twice the claimed standard deviation, a quarter of the NEES")
     units = np.diag([1000.0, 1, 0.01])
     same(candidate(errors @ units, units @ covariances @ units), found, "metres or millimetres make no difference")
