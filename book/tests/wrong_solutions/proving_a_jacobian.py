@@ -47,6 +47,11 @@ def large_step(f, x):
     return np.stack([np.imag(f(x + 1e-3j * e)) / 1e-3 for e in np.eye(len(x))], axis=-1)
 
 
+@wrong("proving_a_jacobian.2", "a real copy of the vector drops the imaginary step")
+def real_copy(f, x):
+    return np.stack([np.imag(f((x + 1e-30j * e).real)) / 1e-30 for e in np.eye(len(x))], axis=-1)
+
+
 @wrong("proving_a_jacobian.2", "not divided by the step")
 def not_divided(f, x):
     return np.stack([np.imag(f(x + 1e-30j * e)) for e in np.eye(len(x))], axis=-1)
