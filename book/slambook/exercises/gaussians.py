@@ -4,6 +4,7 @@ import numpy as np
 
 from slambook.exercises import Candidate, Rejected, Rng, exercise
 from slambook.exercises.kit import between, cases, covariance, holds, parts, random_covariance, same
+from slamlib.kalman.chi_square import chi2_cdf, chi2_quantile
 from slamlib.manifolds import Array
 
 
@@ -64,6 +65,16 @@ def conditional(candidate: Candidate, rng: Rng) -> None:
         same(mean, peak, "with a value 1.5 above its mean, the means are where the slice's density is largest")
 
 
+def mistaken(share: float, probability: float, m: int) -> str:
+    """Which mistakes in the threshold would keep this share, as the rest of a sentence."""
+    bound = chi2_quantile(probability, m)
+    thresholds = {"the other tail": chi2_quantile(1 - probability, m), "D in place of its square": bound**2}
+    for d in {1, 2, 3} - {m}:
+        thresholds[f"the threshold for {d} degree{'s' * (d > 1)} of freedom"] = chi2_quantile(probability, d)
+    like = [name for name, c in thresholds.items() if abs(chi2_cdf(c, m) - share) <= 0.02]
+    return f", as with {' or '.join(like)}" if like else ""
+
+
 @exercise("gaussians.4", "a gate that keeps the good ones", seed=14)
 def accepts(candidate: Candidate, rng: Rng) -> None:
     """The share of deviations that pass, in one, two and three dimensions; and that none passes but the nearest."""
@@ -73,8 +84,10 @@ def accepts(candidate: Candidate, rng: Rng) -> None:
         white = rng.standard_normal((3000, m))
         distances = (white**2).sum(1)
         passed = np.array([bool(candidate(e, S, probability)) for e in white @ L.T])
-        what = f"keeps the right share with {m} degree{'s' * (m > 1)} of freedom"
-        between(passed.mean(), probability - 0.04, probability + 0.04, what)
-        nearest = distances[passed].max() < distances[~passed].min()
+        some = 0 < passed.sum() < len(passed)
+        nearest = not some or distances[passed].max() < distances[~passed].min()
         holds(nearest, "keeps the nearest by Mahalanobis distance", "refused one that is nearer than one it kept")
+        share = float(passed.mean())
+        what = f"keeps the right share with {m} degree{'s' * (m > 1)} of freedom"
+        holds(abs(share - probability) <= 0.04, what, f"kept {share:.2f}{mistaken(share, probability, m)}")
         holds(not candidate(100 * L[:, 0], S, 0.999), "refuses what is a hundred sigmas away", "accepted it")
