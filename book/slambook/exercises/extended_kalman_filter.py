@@ -33,7 +33,7 @@ def range_bias(candidate: Candidate, rng: Rng) -> None:
 
 @exercise("extended_kalman_filter.2", "the most probable state", seed=32)
 def map_estimate(candidate: Candidate, rng: Rng) -> None:
-    """The gradient of the least-squares cost vanishes, for a linear and for a curved measurement."""
+    """The gradient of the least-squares cost vanishes, for a linear and for two curved measurements."""
     place = np.array([2.5, 1.0])
 
     def h(x: Array) -> Array:
@@ -46,13 +46,19 @@ def map_estimate(candidate: Candidate, rng: Rng) -> None:
     A, x0, z = rng.standard_normal((2, 2)), rng.standard_normal(2), rng.standard_normal(2)
     linear = array_of(candidate(x0, P, z, R, lambda x: A @ x, lambda x: A), (2,), "the state")
     expected = x0 + P @ A.T @ np.linalg.solve(A @ P @ A.T + R, z - A @ x0)
-    same(linear, expected, "a linear measurement gives the Kalman filter")
+    same(linear, expected, "a linear measurement gives the Kalman filter, however often repeated")
     starts = 0.3 * rng.standard_normal((5, 2))
     drawn = [(x0, h(x0 + 0.4 * rng.standard_normal(2))) for x0 in starts]
     for x0, z in cases(drawn, "x0 = {}, z = {}"):
         x = array_of(candidate(x0, P, z, R, h, jacobian), (2,), "the state")
         gradient = np.linalg.solve(P, x - x0) - jacobian(x).T @ np.linalg.solve(R, z - h(x))
         same(gradient, np.zeros(2), "the gradient of the cost vanishes", tolerance=1e-6)
+    x0, P, R = np.zeros(1), np.array([[9.0]]), np.array([[np.radians(2.0) ** 2]])
+    road = np.linspace(-12, 12, 24001)
+    for (z,) in cases([(np.arctan2([1.0], [4 - robot]),) for robot in (5.0, 5.5, 6.0)], "the road, z = {}"):
+        best = road[(road**2 / P[0] + (z - np.arctan2(1, 4 - road)) ** 2 / R[0]).argmin()]
+        x = candidate(x0, P, z, R, lambda x: np.arctan2(1, 4 - x), lambda x: np.array([1 / ((4 - x) ** 2 + 1)]))
+        same(x, [best], "on the road, where full steps leap to and fro, the best of all places", tolerance=1e-3)
 
 
 @exercise("extended_kalman_filter.3", "predicting a driving robot", seed=33)

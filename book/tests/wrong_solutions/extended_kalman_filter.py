@@ -87,6 +87,7 @@ def _iterated(x0, P, z, R, h, jacobian, prior=True, shift=1):
     return x
 
 
+wrong("extended_kalman_filter.2", "full steps, never halved")(lambda *given: _iterated(*given))
 wrong("extended_kalman_filter.2", "leaves out the term H (x0 - x)")(lambda *given: _iterated(*given, shift=0))
 wrong("extended_kalman_filter.2", "restarts each iteration from the last state, and so forgets the prior")(
     lambda *given: _iterated(*given, prior=False, shift=0)
