@@ -73,6 +73,9 @@ def test_links_to_pages_work_in_any_front_end_and_say_their_titles(page):
     assert "{doc}" not in prose(page)
     links = re.findall(r"\[([^]]+)\]\(([\w./]+\.(?:ipynb|md))\)", prose(page))
     assert [words for words, target in links if not title(page.parent / target).startswith(words)] == []
+    targets = set(re.findall(r"\]\(#([\w-]+)\)", prose(page)))  # of its own headings MyST makes no targets
+    labels = set(re.findall(r"(?m)^\(([\w-]+)\)=$", prose(page)))
+    assert [target for target in targets - labels if not target.startswith("fig-")] == []
 
 
 def unclosed(text: str) -> list[str]:
