@@ -35,7 +35,8 @@ def check_jacobian(
     J is the derivative of f(x, p) w.r.t. x: an array (value, x), or a function J(x, p) that returns it. A tuple has
     one for each argument, in their order; None is not checked. What is not checked need not be numbers. Where f takes
     no complex numbers, or does more with them than powers (a norm, `abs`, an arctangent of two), central differences
-    are taken, which see an error of 1e-5 of the row's largest entry.
+    are taken, which see an error of 1e-5 of the row's largest entry. Where an angle jumps by a whole turn, at +-pi, its
+    derivative is that on either side.
 
     Prints what holds, unless `silent`. Raises CheckError, which names the wrong entries; ShapeError or NonFiniteError
     for a place at which nothing can be checked.
@@ -99,6 +100,8 @@ def derivative(
     flat = at.reshape(-1)
     steps = 6e-6 * np.maximum(1.0, np.abs(flat))
     rough = differences(moved, flat, step=steps)
+    turns = np.round(rough * steps / np.pi)  # an angle jumps by whole ones at +-pi, which is no part of its derivative
+    rough -= np.where(np.abs(rough * steps / np.pi - turns) < 1e-3, turns * np.pi / steps, 0.0)
     row = np.abs(rough).max(axis=-1, initial=0.0, keepdims=True)
     limit = 1e-5 * row + 1e-14 * np.maximum(1.0, np.abs(value.reshape(-1, 1))) / steps  # truncated, and rounded
     exact, what, best = complex_differences(moved, flat), DIFFERENCE, rough

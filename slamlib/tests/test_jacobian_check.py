@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 
+from slamlib import analytic
 from slamlib.checks import CheckError, check_jacobian
 from slamlib.errors import NonFiniteError, ShapeError
 from slamlib.geometry.quaternion import left_matrix
@@ -154,3 +155,22 @@ def test_differences_of_one_item_of_a_batch_and_with_other_arguments():
     assert found == pytest.approx(2 * np.cos(at)[..., None] * np.eye(3), abs=1e-7)
     assert complex_differences(np.sin, at[0]) == pytest.approx(np.diag(np.cos(at[0])), rel=1e-15)
     assert complex_differences(lambda x: np.arctan2(x, 1.0), at[0]) is None
+
+
+@pytest.mark.parametrize("arctangent", [np.arctan2, analytic.arctan2])
+@pytest.mark.parametrize("off", [0, 1e-7, -1e-7])
+def test_an_angle_may_jump_by_a_whole_turn(arctangent, off):
+    """A beacon straight behind the robot: the bearing is pi or -pi, and has a derivative all the same."""
+
+    def bearing(robot, beacon):
+        d = beacon - robot[:2]
+        return np.array([arctangent(d[1], d[0]) - robot[2]])
+
+    def right(robot, beacon):
+        d = beacon - robot[:2]
+        return np.array([[d[1], -d[0], -(d @ d)]]) / (d @ d)
+
+    place = np.array([4, 1 + off, 0.3]), np.array([-8.0, 1])
+    check_jacobian(bearing, right, *place, silent=True)
+    with pytest.raises(CheckError, match=r"entry \[0, 1\] .*\n.*it has the wrong sign"):
+        check_jacobian(bearing, lambda *at: right(*at) * [1, -1, 1], *place)
