@@ -129,7 +129,7 @@ def test_the_cell_runs_at_a_button_that_is_seen_and_again_with_another_number(co
     (stored,) = (c for c in nbformat.read(landing.PAGE, as_version=4).cells if "try-it" in c.metadata.get("tags", []))
     assert page.evaluate(SAID, 0) == stored_text(stored)
     better = run_one(page, stored.source.replace("1.0**2", "0.1**2"))
-    assert better.splitlines()[0].endswith("±0.10 ±0.10 ±0.14")
+    assert better.splitlines()[0].endswith(": 0.10, 0.10, 0.14")
 
 
 @pytest.mark.parametrize("name_of_page", ["catalogue", "glossary"])

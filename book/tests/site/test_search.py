@@ -164,7 +164,7 @@ def test_the_index_is_small_and_has_prose_and_captions_but_no_code_nor_what_it_p
     index = places()
     assert len(index) > 50
     text = json.dumps(index)
-    assert len(gzip.compress((layout.SITE / "searchindex.js").read_bytes())) < 430_000
+    assert len(gzip.compress((layout.SITE / "searchindex.js").read_bytes())) < 450_000
     for code in ("import numpy", "np.linspace(", "entries by symbolic difference"):
         assert code not in text
     assert any("Fig. " in row[3] for rows in index.values() for row in rows)
