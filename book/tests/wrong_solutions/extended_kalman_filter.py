@@ -180,6 +180,23 @@ def many_measurements(x0, P, z, R, h, jacobian):
     return x
 
 
+@wrong("extended_kalman_filter.2", "halves its steps, but leaves out the term H (x0 - x)")
+def halved_without_the_bracket(x0, P, z, R, h, jacobian):
+    def cost(x):
+        return (x - x0) @ np.linalg.solve(P, x - x0) + (z - h(x)) @ np.linalg.solve(R, z - h(x))
+
+    x = x0
+    for _ in range(100):
+        H = jacobian(x)
+        step = x0 + P @ H.T @ np.linalg.solve(H @ P @ H.T + R, z - h(x)) - x
+        while cost(x + step) > cost(x) and np.linalg.norm(step) > 1e-9:
+            step = step / 2
+        x = x + step
+        if np.linalg.norm(step) < 1e-9:
+            break
+    return x
+
+
 @wrong("extended_kalman_filter.2", "two iterations are enough for anybody")
 def two_steps(x0, P, z, R, h, jacobian):
     x = x0
