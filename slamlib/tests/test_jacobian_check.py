@@ -158,8 +158,8 @@ def test_differences_of_one_item_of_a_batch_and_with_other_arguments():
 
 
 @pytest.mark.parametrize("arctangent", [np.arctan2, analytic.arctan2])
-@pytest.mark.parametrize("off", [0, 1e-7, -1e-7])
-def test_an_angle_may_jump_by_a_whole_turn(arctangent, off):
+@pytest.mark.parametrize("aside", [0, 1e-7, -1e-7])
+def test_an_angle_may_jump_by_a_whole_turn(arctangent, aside):
     """A beacon straight behind the robot: the bearing is pi or -pi, and has a derivative all the same."""
 
     def bearing(robot, beacon):
@@ -170,7 +170,7 @@ def test_an_angle_may_jump_by_a_whole_turn(arctangent, off):
         d = beacon - robot[:2]
         return np.array([[d[1], -d[0], -(d @ d)]]) / (d @ d)
 
-    place = np.array([4, 1 + off, 0.3]), np.array([-8.0, 1])
+    place = np.array([4, 1 + aside, 0.3]), np.array([-8.0, 1])
     check_jacobian(bearing, right, *place, silent=True)
     with pytest.raises(CheckError, match=r"entry \[0, 1\] .*\n.*it has the wrong sign"):
         check_jacobian(bearing, lambda *at: right(*at) * [1, -1, 1], *place)
