@@ -100,8 +100,10 @@ def derivative(
     flat = at.reshape(-1)
     steps = 6e-6 * np.maximum(1.0, np.abs(flat))
     rough = differences(moved, flat, step=steps)
-    turns = np.round(rough * steps / np.pi)  # an angle jumps by whole ones at +-pi, which is no part of its derivative
-    rough -= np.where(np.abs(rough * steps / np.pi - turns) < 1e-3, turns * np.pi / steps, 0.0)
+    turns = rough * steps / np.pi
+    if (whole := np.abs(np.abs(turns) - 1) < 1e-3).any():  # an angle jumps by one at +-pi, all of it on one side
+        ahead = np.stack([moved(flat + e) - value.reshape(-1) for e in np.diag(steps)], axis=-1) / (2 * np.pi)
+        rough -= np.where(whole & (np.abs(ahead - np.round(ahead)) < 1e-3), np.sign(turns) * np.pi / steps, 0.0)
     row = np.abs(rough).max(axis=-1, initial=0.0, keepdims=True)
     limit = 1e-5 * row + 1e-14 * np.maximum(1.0, np.abs(value.reshape(-1, 1))) / steps  # truncated, and rounded
     exact, what, best = complex_differences(moved, flat), DIFFERENCE, rough

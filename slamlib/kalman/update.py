@@ -141,8 +141,8 @@ class StackedMeasurements:
     def check_digits(self, P: Array, S: Array, W: Array) -> None:
         """Raise CovarianceError where P - W'W, P (n, n), keeps too few digits; see `check_digits`."""
         if weak_prior(S, self.R):
-            touched, function = self.touched, "update"
-            check_digits(P[np.ix_(touched, touched)], self.H, S, self.R, W[:, touched], function)
+            touched = self.touched
+            check_digits(P[np.ix_(touched, touched)], self.H, S, self.R, W[:, touched])
 
     def _certain(self, S: Array) -> str:
         """Describe the number that prediction and measurement both claim to know exactly."""
@@ -187,21 +187,21 @@ def weak_prior(S: Array, R: Array) -> bool:
     return bool((S.diagonal() > _WEAK * noise)[noise > 0].any())
 
 
-def check_digits(P: Array, H: Array, S: Array, R: Array, W: Array, function: str) -> None:
+def check_digits(P: Array, H: Array, S: Array, R: Array, W: Array) -> None:
     """Raise CovarianceError where rounding has changed the updated H P H' by more than a hundredth of R.
 
     It is R - R S^-1 R, chapter kalman_filter, eq. (kf-left). P (k, k): before the update, H (m, k), W (m, k). What
     is measured without noise is known exactly, up to rounding, and not judged.
     """
     found = H @ (P - W.T @ W) @ H.T
-    half = linalg.solve_lower(linalg.cholesky(S, function, "the innovation covariance"), R)
+    half = linalg.solve_lower(linalg.cholesky(S, "update", "the innovation covariance"), R)
     off = np.abs(found - (R - half.T @ half)).diagonal()
     noise = R.diagonal()
     lost = off > np.where(noise > 0, _LOST * noise, np.inf)
     if lost.any():
         i = int(np.argmax(lost))
         raise CovarianceError(
-            f"{function}: the predicted variance of number {i} of the measurement is {S[i, i] / noise[i]:.1e} times "
+            f"update: the predicted variance of number {i} of the measurement is {S[i, i] / noise[i]:.1e} times "
             "its noise, and of the 16 digits of a double fewer than two are left for the result. Start with a "
             f"covariance of at most {_WEAK:.0e} R, or from the first measurement itself; what holds exactly has R = 0. "
             "Nothing was changed."
@@ -250,7 +250,7 @@ class SequentialUpdate:
         W, z = white[:, :-1], white[:, -1]
         if weak_prior(S, R):
             P = self._P[np.ix_(columns, columns)] - taken[:, columns].T @ taken[:, columns]
-            check_digits(P, H, S, R, W[:, columns], "update")
+            check_digits(P, H, S, R, W[:, columns])
         return Proposal(innovation, S, float(z @ z), z, W)
 
     def apply(self, proposed: Proposal) -> None:

@@ -174,3 +174,13 @@ def test_an_angle_may_jump_by_a_whole_turn(arctangent, aside):
     check_jacobian(bearing, right, *place, silent=True)
     with pytest.raises(CheckError, match=r"entry \[0, 1\] .*\n.*it has the wrong sign"):
         check_jacobian(bearing, lambda *at: right(*at) * [1, -1, 1], *place)
+
+
+@pytest.mark.parametrize("turns", [1, 2, -1])
+def test_a_steep_function_that_gains_whole_turns_is_no_jump(turns):
+    slope = turns * np.pi / 6e-6
+
+    def steep(x):
+        return slope * np.abs(x)
+
+    check_jacobian(steep, np.array([[slope]]), np.array([0.5]), silent=True)
