@@ -103,3 +103,70 @@ def no_axis(point, f, k):
 def clipped(point, f, k):
     n = np.hypot(*point[:2])
     return f * _bent(min(np.arctan2(n, point[2]), np.pi / 2), k) * point[:2] / n if n else np.zeros(2)
+
+
+@wrong("omnidirectional.3", "shifts the angle by pi behind and keeps the azimuth: a mirror image")
+def shifted(point, f, k):
+    n = np.hypot(*point[:2])
+    theta = np.arctan(n / point[2]) if point[2] else np.pi / 2
+    return f * _bent(abs(theta), k) * point[:2] / n if n else np.zeros(2)
+
+
+def _angle(radius, k, start=None):
+    theta = radius if start is None else start
+    for _ in range(50):
+        slope = 1 + (k * [3, 5, 7, 9]) @ theta ** np.array([2, 4, 6, 8])
+        theta -= (_bent(theta, k) - radius) / slope
+    return theta
+
+
+@wrong("omnidirectional.5", "as published: limits the radius")
+def limits_the_radius(q, k):
+    radius = min(np.hypot(*q), np.pi / 2)
+    return np.tan(_angle(radius, k)) / radius * q if radius else np.zeros(2)
+
+
+@wrong("omnidirectional.5", "limits nothing: mirrored beyond 90 degrees")
+def limits_nothing(q, k):
+    radius = np.hypot(*q)
+    return np.tan(_angle(radius, k)) / radius * q if radius else np.zeros(2)
+
+
+@wrong("omnidirectional.5", "cuts the angle at 90 degrees instead of refusing what lies beyond")
+def cuts_the_angle(q, k):
+    radius = np.hypot(*q)
+    return np.tan(min(_angle(radius, k), np.pi / 2)) / radius * q if radius else np.zeros(2)
+
+
+@wrong("omnidirectional.5", "refuses every radius beyond a quarter turn")
+def refuses_by_the_radius(q, k):
+    radius = np.hypot(*q)
+    if radius >= np.pi / 2:
+        return np.full(2, np.nan)
+    return np.tan(_angle(radius, k)) / radius * q if radius else np.zeros(2)
+
+
+@wrong("omnidirectional.5", "returns the angle vector instead of the point")
+def angle_vector(q, k):
+    radius = np.hypot(*q)
+    if radius >= _bent(np.pi / 2, k):
+        return np.full(2, np.nan)
+    return _angle(radius, k) / radius * q if radius else np.zeros(2)
+
+
+@wrong("omnidirectional.5", "divides by the radius at the centre")
+def no_centre(q, k):
+    radius = np.hypot(*q)
+    if radius >= _bent(np.pi / 2, k):
+        return np.full(2, np.nan)
+    with np.errstate(all="ignore"):
+        return np.tan(_angle(radius, k)) / radius * q
+
+
+@wrong("omnidirectional.5", "refuses by the angle found, which Newton's method may find on the other side")
+def other_root(q, k):
+    radius = np.hypot(*q)
+    theta = _angle(radius, k)
+    if theta > np.pi / 2:
+        return np.full(2, np.nan)
+    return np.tan(theta) / radius * q if radius else np.zeros(2)
