@@ -1,5 +1,6 @@
 """Checks of the chapter: the omnidirectional camera."""
 
+import itertools
 from typing import Any
 
 import numpy as np
@@ -21,11 +22,14 @@ def _two(found: Any) -> Array:
     return numbers.astype(float) if fits else array_of(found, (2,), "the point")
 
 
+def _told(numbers: Array) -> str:
+    return "(" + ", ".join(f"{number:.6g}" for number in numbers) + ")"
+
+
 def _image(candidate: Candidate, point: Array, lens: tuple[Any, ...], expected: Any, what: str) -> None:
     """The image point by a lens, its focal length first, in units of that; a rejection names the point and the lens."""
     focal, *k = lens
-    told = f"the point {np.round(point, 4).tolist()}, f = {focal:.6g}" + "".join(f", k = {each.tolist()}" for each in k)
-    given(f"{told}, in units of f")
+    given(f"the point {_told(point)}, f = {focal:.6g}{''.join(f', k = {_told(each)}' for each in k)}, in units of f")
     found = _two(candidate(point, *lens)) / focal
     holds(np.isfinite(found).all(), what, f"found {found.tolist()}")
     same(found, expected, what)
@@ -38,7 +42,7 @@ def stereographic(candidate: Candidate, rng: Rng) -> None:
         f, angle, azimuth = rng.uniform(100, 500), np.radians(degrees), rng.uniform(-np.pi, np.pi)
         point = rng.uniform(0.1, 9) * _direction(angle, azimuth)
         what = "the radius is 2 f tan(phi/2)" if degrees <= 90 else "the radius is right behind the image plane too"
-        given(f"the point {np.round(point, 4).tolist()}, f = {f:.6g}, in units of f")
+        given(f"the point {_told(point)}, f = {f:.6g}, in units of f")
         found = _two(candidate(point, f)) / f
         holds(np.isfinite(found).all(), what, f"found {found.tolist()}")
         same(np.hypot(*found), 2 * np.tan(angle / 2), what)
@@ -47,7 +51,7 @@ def stereographic(candidate: Candidate, rng: Rng) -> None:
     _image(candidate, np.array([0.0, 0, 2]), (300.0,), np.zeros(2), "the optical axis is seen at the centre")
     q, _ = np.linalg.qr(rng.standard_normal((3, 3)))
     ring = [_direction(0.5, turn) @ q.T for turn in 2 * np.pi * np.arange(12) / 12]
-    given(f"twelve directions 0.5 rad from {np.round(q[:, 2], 4).tolist()}, f = 1")
+    given(f"twelve directions 0.5 rad from {_told(q[:, 2])}, f = 1")
     image = np.array([array_of(candidate(p, 1.0), (2,), "the image point") for p in ring])
     design = np.column_stack([image, np.ones(12)])
     squares = (image**2).sum(1)
@@ -101,20 +105,26 @@ def fisheye(candidate: Candidate, rng: Rng) -> None:
 @exercise("omnidirectional.5", "a limit for the angle", seed=95)
 def undistorted(candidate: Candidate, rng: Rng) -> None:
     """Where the ray of an image point meets the plane z = 1, up to 90 degrees; beyond, and beyond the image, nan."""
-    for k in FISHEYES:
-        for degrees in (0.0, 1e-6, 20.0, 60.0, 80.0, 85.0, 88.0, 91.0, 100.0, 125.0):
-            angle, azimuth = np.radians(degrees), rng.uniform(-np.pi, np.pi)
-            way = np.array([np.cos(azimuth), np.sin(azimuth)])
-            q = angle * (1 + k @ angle ** np.array([2, 4, 6, 8])) * way
-            given(f"q = {np.round(q, 4).tolist()}, seen {degrees:g} degrees off the axis, k = {k.tolist()}")
-            found = _two(candidate(q, k))
-            if degrees > 90:
-                holds(np.isnan(found).all(), "beyond 90 degrees there is no point", f"found {found.tolist()}")
-                continue
-            what = "the ray is found up to 90 degrees" if degrees else "the centre stays the centre"
-            holds(np.isfinite(found).all(), what, f"found {found.tolist()}")
-            same(found, np.tan(angle) * way, what, tolerance=1e-6)
+    for k, degrees in itertools.product(FISHEYES, (0.0, 1e-6, 20.0, 60.0, 80.0, 85.0, 88.0)):
+        q, ray = _seen_at(degrees, k, rng)
+        what = "the ray is found up to 90 degrees" if degrees else "the centre stays the centre"
+        found = _two(candidate(q, k))
+        holds(np.isfinite(found).all(), what, f"found {found.tolist()}")
+        same(found, ray, what, tolerance=1e-6)
+    for k, degrees in itertools.product(FISHEYES, (91.0, 100.0, 125.0)):
+        q, _ = _seen_at(degrees, k, rng)
+        found = _two(candidate(q, k))
+        holds(np.isnan(found).all(), "beyond 90 degrees there is no point", f"found {found.tolist()}")
     q, k = np.array([0.0, 1.9]), FISHEYES[3]
-    given(f"q = {q.tolist()}, k = {k.tolist()}, whose largest radius is 1.72")
+    given(f"q = {_told(q)}, k = {_told(k)}, whose largest radius is 1.72")
     found = _two(candidate(q, k))
     holds(np.isnan(found).all(), "what no direction has as its image has no point", f"found {found.tolist()}")
+
+
+def _seen_at(degrees: float, k: Array, rng: Rng) -> tuple[Array, Array]:
+    """The image point (2,) of a direction, in focal lengths, and where its ray meets the plane z = 1."""
+    angle, azimuth = np.radians(degrees), rng.uniform(-np.pi, np.pi)
+    way = np.array([np.cos(azimuth), np.sin(azimuth)])
+    q = angle * (1 + k @ angle ** np.array([2, 4, 6, 8])) * way
+    given(f"q = {_told(q)}, seen {degrees:g} degrees off the axis, k = {_told(k)}")
+    return q, np.tan(angle) * way
