@@ -14,6 +14,9 @@ from book.live.standin import pyplot as stand_in
 from book.tools import browser, layout
 from slamlib import Belief, nees
 from slamlib.errors import SlamlibError
+from slamlib.sensors import Calibration
+from slamlib.sensors.relative_position import converted
+from slamlib.sensors.stereo import STEREO
 
 STATIC = layout.BOOK / "_static"
 ALT = "An ellipse with its half-axes, and a point outside of it."
@@ -92,6 +95,40 @@ def bells(plt=plt, prior=(3.0, 1.5), seen=(6.0, 1.0)):
     ax.set(xlim=(-4, 14), ylim=(0, 0.8))
     start, values = {"prior": prior, "seen": seen}, {"gain": gain, "mean": after[0], "sigma": after[1]}
     return drag("bells", fig, start, ALT, says="K = {gain:.2f}: {mean:.2f} ± {sigma:.2f} m", values=values)
+
+
+def pair(plt=plt, point=(1.1, 3.5), base=1.0, focal=12.0, sigmas=2):
+    """Two cameras and a landmark with all parts of its script, by slamlib."""
+    half, plane, far = 0.5, 1.2, 7.0
+    (x, z), rig = point, rectified(focal, base, half / np.sqrt(3))
+    left, _, d = rig.project(np.array([x, 0, z, 1.0]))
+    _, P = converted(rig, np.array([left, 0, d]))
+    corners = [converted(rig, np.array([left + i, 0, d + i - j]))[0] for i, j in half * np.array(AROUND)]
+    fig, ax = plt.subplots()
+    for name, start, column in (("left", 0, left), ("right", base, left - d)):
+        low, high = (start + far * (column + side) / focal for side in (-half, half))
+        ax.plot([far, 0, far], [low, start, high], gid=name)
+    ax.plot([plane, plane], [base - 0.5, base + 0.5], gid="right plane")
+    ax.plot([0, 2 * plane], [0, 2 * plane * (left - d) / focal], gid="parallel")
+    ax.plot([plane, plane], [plane * (left - d) / focal, plane * left / focal], gid="disparity")
+    ax.plot(*np.transpose(corners)[[2, 0]], gid="diamond")
+    ax.plot(*ellipse(np.array([z, x]), P[np.ix_([2, 0], [2, 0])], sigmas=sigmas), gid="ellipse")
+    ax.plot(z, x, "o", gid="point")
+    ax.text(plane, plane * (left - d) / focal, "d", gid="d")
+    ax.text(0, base, "right", gid="right words")
+    ax.set(xlim=(-1, far), ylim=(2.5, -1))  # x is to the right of who looks along z: downwards
+    start = {"point": point, "base": base, "focal": focal, "half": half, "plane": plane, "far": far, "sigmas": sigmas}
+    values = {"z": z, "b": base, "d": d, "sigma": np.sqrt(P[2, 2])}
+    return drag("stereo", fig, start, ALT, says="{z:.2f} m, {b:.2f} m: {d:.1f} px, {sigma:.2f} m", values=values)
+
+
+AROUND = [[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]]  # the columns' errors at the diamond's corners
+
+
+def rectified(focal, base, sigma):
+    """A stereo pair with independent noise of its columns."""
+    R = sigma**2 * np.array([[1.0, 0, 1], [0, 1, 0], [1, 0, 2]])
+    return Calibration(STEREO, R, intrinsics=[0, 0, focal, focal], baseline=[base])
 
 
 def test_names_come_through_to_the_drawing_and_a_figure_without_them_has_none():
@@ -235,8 +272,44 @@ def test_the_product_of_bells_is_the_update_of_a_belief(page):
         )
 
 
+def test_the_pair_s_formulas_are_slamlib_s(page):
+    rng = np.random.default_rng(7)
+    page.show()
+    for _ in range(50):
+        focal, base, sigma = rng.uniform(10, 900), rng.uniform(0.05, 1), rng.uniform(0.1, 1)
+        x, z = rng.uniform(-3, 3), rng.uniform(1, 20)
+        rig = rectified(focal, base, sigma)
+        u, _, d = rig.project(np.array([x, 0, z, 1.0]))
+        (found,) = called(page, "stereo", "columns", [[[x, z], focal, base]])
+        assert found == pytest.approx([u, u - d], rel=1e-12, abs=1e-9)
+        (found,) = called(page, "stereo", "triangulate", [[[u, u - d], focal, base]])
+        assert found == pytest.approx([x, z], rel=1e-9)
+        _, P = converted(rig, np.array([u, 0, d]))
+        (found,) = called(page, "stereo", "covariance", [[[x, z], focal, base, sigma]])
+        np.testing.assert_allclose(found, P[np.ix_([0, 2], [0, 2])], rtol=1e-9, atol=1e-12 * P[2, 2])
+        half = 0.4 * d
+        ends = [[u + i, 0, d + i - j] for i, j in half * np.array(AROUND[:4])]
+        (found,) = called(page, "stereo", "diamond", [[[x, z], focal, base, half]])
+        expected = [converted(rig, np.array(y))[0][[0, 2]] for y in ends]
+        np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-9)
+
+
+def test_a_landmark_dragged_away_is_less_certain_and_stays_within_reach(page):
+    page.show(pair())
+    landmark, camera = (page.locator(f"#f0 [data-handle={name}]") for name in ("point", "base"))
+    landmark.focus()
+    for _ in range(5):
+        page.keyboard.press("Shift+ArrowRight")
+    assert page.locator("#f0 .sweep-note").text_content() == pair(point=(1.1, 6.0)).said
+    camera.focus()
+    for _ in range(10):
+        page.keyboard.press("Shift+ArrowUp")  # towards the left camera, on an axis that points downwards
+    least = 2 * 0.5 * 7 / 12
+    assert page.locator("#f0 .sweep-note").text_content() == pair(point=(1.1, 6.0), base=least).said
+
+
 def test_the_script_goes_on_from_what_python_drew(page):
-    made = (held(), held(turned=(-0.3, 1.2), across=0.9, point=(-1, 2.0), sigmas=2.0), bells())
+    made = (held(), held(turned=(-0.3, 1.2), across=0.9, point=(-1, 2.0), sigmas=2.0), bells(), pair(), pair(base=1.6))
     page.show(*made)
     goes_on(page, "".join(m._repr_html_() for m in made))
     for m in made:
