@@ -115,3 +115,121 @@ def middle(a, b, r, s):
 def ranges_exchanged(a, b, r, s):
     _, ahead, left, x = _along(a, b, s, r)
     return a + x * ahead + np.sqrt(abs(s**2 - x**2)) * np.array([left, -left])
+
+
+@wrong("depth_stereo_range.1", "the needle points at the left camera")
+def at_the_left(x, y, z, f, b, sigma):
+    J = np.array([[1, 0, x / z], [0, 1, y / z], [0, 0, 1]])
+    return sigma**2 * J @ np.diag([(z / f) ** 2, (z / f) ** 2, 2 * (z * z / f / b) ** 2]) @ J.T
+
+
+@wrong("depth_stereo_range.1", "the disparity as right less left, the Jacobian as left less right")
+def right_less_left(x, y, z, f, b, sigma):
+    J = _jacobian(x, y, z, f, b)
+    return sigma**2 * J @ np.array([[1, 0, -1], [0, 1, 0], [-1, 0, 2]]) @ J.T
+
+
+@wrong("depth_stereo_range.1", "the Jacobian transposed")
+def transposed(x, y, z, f, b, sigma):
+    J = _jacobian(x, y, z, f, b)
+    return sigma**2 * J.T @ np.array([[1, 0, 1], [0, 1, 0], [1, 0, 2]]) @ J
+
+
+def _short(angle):
+    return (angle + np.pi) % (2 * np.pi) - np.pi
+
+
+@wrong("depth_stereo_range.2", "the second row of a batch, not its second column")
+def second_row(measured, expected):
+    z = np.array(measured) - expected
+    z[1] = _short(z[1])
+    return z
+
+
+@wrong("depth_stereo_range.2", "the arcsine of the sine")
+def by_the_sine(measured, expected):
+    z = np.array(measured) - expected
+    z[..., 1] = np.arcsin(np.sin(z[..., 1]))
+    return z
+
+
+@wrong("depth_stereo_range.2", "wraps both before it subtracts")
+def before(measured, expected):
+    z, e = np.array(measured), np.array(expected)
+    z[..., 1], e[..., 1] = _short(z[..., 1]), _short(e[..., 1])
+    return z - e
+
+
+@wrong("depth_stereo_range.2", "expected less measured")
+def the_other_way(measured, expected):
+    z = np.array(expected) - measured
+    z[..., 1] = _short(z[..., 1])
+    return z
+
+
+def _ray(u, v, intrinsics):
+    u0, v0, au, av = intrinsics
+    return np.stack([(u - u0) / au, (v - v0) / av, np.ones(len(u))], axis=-1)
+
+
+@wrong("depth_stereo_range.3", "one focal length for both")
+def one_focal_length(u, v, ranges, intrinsics):
+    u0, v0, au, _ = intrinsics
+    ray = _ray(u, v, (u0, v0, au, au))
+    return ranges[:, None] * ray / np.linalg.norm(ray, axis=1, keepdims=True)
+
+
+@wrong("depth_stereo_range.3", "the length of all rays together")
+def all_rays(u, v, ranges, intrinsics):
+    ray = _ray(u, v, intrinsics)
+    return ranges[:, None] * ray / np.linalg.norm(ray)
+
+
+@wrong("depth_stereo_range.3", "times the length of the ray")
+def times_the_length(u, v, ranges, intrinsics):
+    ray = _ray(u, v, intrinsics)
+    return ranges[:, None] * ray * np.linalg.norm(ray, axis=1, keepdims=True)
+
+
+@wrong("depth_stereo_range.3", "the squared length, without its root")
+def squared_length(u, v, ranges, intrinsics):
+    ray = _ray(u, v, intrinsics)
+    return ranges[:, None] * ray / (ray**2).sum(1, keepdims=True)
+
+
+@wrong("depth_stereo_range.3", "columns and rows exchanged in the point")
+def exchanged_in_the_point(u, v, ranges, intrinsics):
+    ray = _ray(u, v, intrinsics)[:, [1, 0, 2]]
+    return ranges[:, None] * ray / np.linalg.norm(ray, axis=1, keepdims=True)
+
+
+@wrong("depth_stereo_range.5", "the beacon is never behind a")
+def never_behind(a, b, r, s):
+    _, ahead, left, x = _along(a, b, r, s)
+    return a + abs(x) * ahead + np.sqrt(r**2 - x**2) * np.array([left, -left])
+
+
+@wrong("depth_stereo_range.5", "the upper one first")
+def upper_first(a, b, r, s):
+    _, ahead, left, x = _along(a, b, r, s)
+    found = a + x * ahead + np.sqrt(r**2 - x**2) * np.array([left, -left])
+    return found[np.argsort(-found[:, 1])]
+
+
+@wrong("depth_stereo_range.5", "as seen from a")
+def from_a(a, b, r, s):
+    _, ahead, left, x = _along(a, b, r, s)
+    return x * ahead + np.sqrt(r**2 - x**2) * np.array([left, -left])
+
+
+@wrong("depth_stereo_range.5", "the same place twice")
+def twice(a, b, r, s):
+    _, ahead, left, x = _along(a, b, r, s)
+    return a + x * ahead + np.sqrt(r**2 - x**2) * np.array([left, left])
+
+
+@wrong("depth_stereo_range.5", "not divided by the length of the way")
+def undivided(a, b, r, s):
+    length, ahead, left, x = _along(a, b, r, s)
+    x *= length
+    return a + x * ahead + np.sqrt(abs(r**2 - x**2)) * np.array([left, -left])
