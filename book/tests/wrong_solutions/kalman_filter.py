@@ -69,6 +69,19 @@ def clipped(z1, v1, z2, v2, c):
     return z1 + share * (z2 - z1), variance
 
 
+@wrong("kalman_filter.1", "the covariance taken away once in the denominator, not twice")
+def covariance_taken_once(z1, v1, z2, v2, c):
+    whole = v1 + v2 - c
+    return z1 + (v1 - c) / whole * (z2 - z1), (v1 * v2 - c**2) / whole
+
+
+@wrong("kalman_filter.1", "takes c for a correlation")
+def correlation(z1, v1, z2, v2, c):
+    c = c * np.sqrt(v1 * v2)
+    whole = v1 + v2 - 2 * c
+    return z1 + (v1 - c) / whole * (z2 - z1), (v1 * v2 - c**2) / whole
+
+
 @wrong("kalman_filter.2", "the innovations of the prediction throughout (E16)")
 def stale(x, P, z, H, R):
     innovations, nis = z - H @ x, []
@@ -144,6 +157,19 @@ def transposed_factor(x, P, z, H, R):
     return x, P, np.array(nis)
 
 
+@wrong("kalman_filter.2", "whitens with eigenvectors, which mix the later numbers into the first")
+def by_eigenvectors(x, P, z, H, R):
+    values, vectors = np.linalg.eigh(R)
+    whiten = (vectors / np.sqrt(values)).T
+    nis = []
+    for value, h in zip(whiten @ z, whiten @ H, strict=True):
+        S, nu = h @ P @ h + 1, value - h @ x
+        K = P @ h / S
+        x, P = x + K * nu, P - S * np.outer(K, K)
+        nis.append(nu**2 / S)
+    return x, P, np.array(nis)
+
+
 @wrong("kalman_filter.2", "NIS from what is left of the innovation after the update")
 def after_the_update(x, P, z, H, R):
     L = np.linalg.cholesky(R)
@@ -185,6 +211,16 @@ def without_prediction(P, Q, R):
 @wrong("kalman_filter.3", "counts Q as measurement noise")
 def q_in_the_denominator(P, Q, R):
     return P / (P + Q + R)
+
+
+@wrong("kalman_filter.3", "the first handed in, as it stands: Q in place of R")
+def as_handed_in(P, Q, R):
+    return P / (P + Q)
+
+
+@wrong("kalman_filter.3", "adds Q twice, in the prediction and again in the gain")
+def twice(P, Q, R):
+    return (P + 2 * Q) / (P + 2 * Q + R)
 
 
 @wrong("kalman_filter.3", "the gain of standard deviations")
@@ -252,6 +288,12 @@ def mean_variances(flow, Q, R, level, P):
 def late(flow, Q, R, level, P):
     Q, R = (np.broadcast_to(v, len(flow)) for v in (Q, R))
     return _levels(flow, np.append(0.0, Q[:-1]), R, level, P)
+
+
+@wrong("kalman_filter.5", "starts from the first flow, and so forgets the level before it")
+def from_the_first_flow(flow, Q, R, level, P):
+    Q, R = (np.broadcast_to(v, len(flow)) for v in (Q, R))
+    return np.append(flow[0], _levels(flow[1:], Q[1:], R[1:], flow[0], R[0]))
 
 
 @wrong("kalman_filter.5", "the Q of the next year")
