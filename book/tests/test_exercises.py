@@ -75,7 +75,7 @@ def test_a_right_arc_may_branch_at_any_small_turn(least):
         G[2, 1] = 1
         return x + np.append(length * chord * ahead, turn), F @ P @ F.T + G @ U @ G.T
 
-    check("motion_models.2", predict)
+    check("motion_models.1", predict)
 
 
 def test_every_exercise_has_two_wrong_solutions():

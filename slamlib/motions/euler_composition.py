@@ -1,4 +1,4 @@
-"""The report's motion: a pose (x, y, z, yaw, pitch, roll) composed with an increment of the same form, done right."""
+"""A pose (x, y, z, yaw, pitch, roll) composed with an increment of the same form."""
 
 import numpy as np
 
