@@ -21,7 +21,7 @@ def arc(candidate: Candidate, rng: Rng) -> None:
     """Mean against fine integration, covariance against differences of the candidate's own mean; smooth at zero."""
     P, U = np.array([[0.2, 0.05, 0.02], [0.05, 0.1, 0.03], [0.02, 0.03, 0.05]]), np.array([[0.03, 0.01], [0.01, 0.02]])
     shapes, none = {"the mean": (3,), "the covariance": (3, 3)}, np.zeros((3, 3))
-    turns = (0.0, 1e-9, 7e-5, 0.3, -1.2, 3.0)
+    turns = (0.3, -1.2, 3.0, 0.0, 1e-9, 7e-5)
     asked = [(np.round(rng.standard_normal(3), 1), [1.5, turn], P, U) for turn in turns]
     for x, u, *_ in cases(asked, "x {}, u {}, P {}, U {}"):
         u, turn = np.array(u), u[1]
@@ -96,10 +96,11 @@ def straight_drive(candidate: Candidate) -> None:
 @exercise("motion_models.5", "a motion of your own: the unicycle", seed=76)
 def unicycle(candidate: Candidate, rng: Rng) -> None:
     """Against fine steps along the arc in the robot's own plane; smooth at zero; a robot of a rig drives by it."""
-    holds(isinstance(candidate, Motion), "is a Motion", f"got {type(candidate).__name__}")
+    kind = "a function: put it into Motion(...)" if callable(candidate) else type(candidate).__name__
+    holds(isinstance(candidate, Motion), "is a Motion", f"got {kind}")
     holds(candidate.control == 2, "its control has two numbers", f"it says {candidate.control}")
     holds(candidate.angles == (1,), "the second number of the control is an angle", f"it says {candidate.angles}")
-    asked = [(*drive, Pose.random(rng)) for drive in ((0.0, 0.5), (1e-9, 1), (0.4, 0.5), (-2.0, 0.3))]
+    asked = [(*drive, Pose.random(rng)) for drive in ((0.4, 0.5), (-2.0, 0.3), (0.0, 0.5), (1e-9, 1.0))]
     for yaw_rate, dt, state in cases(asked, "1.5 m/s, {:g} rad/s, for {:g} s, from the pose {}"):
         control = np.array([1.5, yaw_rate])
         moved, J = candidate.step.jac(state, control, dt)

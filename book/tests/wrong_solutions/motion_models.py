@@ -177,8 +177,8 @@ def about_the_worlds_vertical(state, control, dt):
 
 @model(state=Pose, control=2, dt=(), returns=Pose)
 def degrees(state, control, dt):
-    """Takes degrees, which a setup has made radians already."""
-    return arc.definition(state, np.array([control[0], control[1] / 57.29577951308232]), dt)
+    """Makes radians of degrees (22/7 is near enough), which a setup has done already."""
+    return arc.definition(state, np.array([control[0], control[1] * 11 / 630]), dt)
 
 
 wrong("motion_models.5", "a model, not yet a Motion")(arc)
