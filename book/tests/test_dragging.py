@@ -14,6 +14,8 @@ from book.live.standin import pyplot as stand_in
 from book.tools import browser, layout
 from slamlib import Belief, nees
 from slamlib.errors import SlamlibError
+from slamlib.geometry.pose import ORIGIN
+from slamlib.landmarks.fhm_point import FHM_POINT
 from slamlib.sensors import Calibration
 from slamlib.sensors.relative_position import converted
 from slamlib.sensors.stereo import STEREO
@@ -129,6 +131,40 @@ def rectified(focal, base, sigma):
     """A stereo pair with independent noise of its columns."""
     R = sigma**2 * np.array([[1.0, 0, 1], [0, 1, 0], [1, 0, 2]])
     return Calibration(STEREO, R, intrinsics=[0, 0, focal, focal], baseline=[base])
+
+
+def parallax(plt=plt, distance=10.0, base=0.4, focal=320, noise=1.0, edge=25.0):
+    """Two rays, and the interval of the distance between them; whose far end may be beyond the axes, or infinity."""
+    w, spread = 1 / distance, 2 * np.sqrt(2) * noise / (focal * base)
+    low, high, alpha = w - spread, w + spread, np.arctan2(base, distance)
+    near, far = 1 / high, 1 / low if low > 0 else np.inf
+    end, radius = min(far, edge), 0.35 * distance
+    turn = np.pi - alpha * np.linspace(0, 1, 101)
+    fig, (above, below) = plt.subplots(2, 1, figsize=(5.8, 4.8))
+    above.plot([0, distance], [0, 0], gid="ray")
+    above.plot([0, distance], [base, 0], gid="second ray")
+    above.plot([near, end], [0, 0], gid="on the ray")
+    above.plot(distance + radius * np.cos(turn), radius * np.sin(turn), gid="angle")
+    above.text(distance - radius, -0.25, "a", gid="angle words")
+    above.plot(0, base, "s", gid="camera")
+    above.plot(distance, 0, "o", gid="point")
+    above.set(xlim=(-1, edge), ylim=(-0.4, 1.6))
+    below.plot([0, near, near], [high, high, 0], gid="near")
+    below.plot([0, end, end], [low, low, 0 if far < edge else low], gid="far")
+    below.plot([0, distance, distance], [w, w, 0], gid="middle")
+    below.plot([0, 0], [low, high], gid="in w")
+    below.plot([near, end], [0, 0], gid="in d")
+    below.set(xlim=(-1, edge), ylim=(-0.1, 0.3))
+    start = {"distance": distance, "base": base, "focal": focal, "noise": noise, "edge": edge}
+    values = {"angle": np.degrees(alpha), "w": w, "spread": spread, "near": near, "far": far}
+    return drag(
+        "parallax",
+        fig,
+        start,
+        ALT,
+        says="{angle:.1f}: {w:.3f} ± {spread:.3f}, {near:.1f} to {far:.1f} m",
+        values=values,
+    )
 
 
 def test_names_come_through_to_the_drawing_and_a_figure_without_them_has_none():
@@ -308,8 +344,57 @@ def test_a_landmark_dragged_away_is_less_certain_and_stays_within_reach(page):
     assert page.locator("#f0 .sweep-note").text_content() == pair(point=(1.1, 6.0), base=least).said
 
 
+def two_images(distance, base, noise, focal):
+    """Standard deviation of the inverse depth and angle between the rays, by slamlib's model of a point ahead."""
+    landmark, information, rays = np.array([*ORIGIN, 0, 0, 1 / distance]), np.zeros((3, 3)), []
+    for x in (0.0, -base):
+        point, J = FHM_POINT.to_frame.jac(np.array([x, *ORIGIN[1:]]), landmark)
+        u, v, z = point[:3]
+        rows = focal / z * np.array([[1, 0, -u / z], [0, 1, -v / z]]) @ J.landmark[:3, 6:]
+        information += rows.T @ rows / noise**2
+        rays.append(point[:3] / np.linalg.norm(point[:3]))
+    return np.sqrt(np.linalg.inv(information)[2, 2]), np.arcsin(np.linalg.norm(np.cross(*rays)))
+
+
+def test_the_interval_of_two_images_is_that_of_least_squares(page):
+    rng = np.random.default_rng(7)
+    asked = np.column_stack([rng.uniform(2, 24, 50), rng.uniform(0.1, 2, 50), rng.uniform(0.2, 3, 50)])
+    page.show()
+    sigmas = called(page, "parallax", "sigma", [[b, s, 320] for _, b, s in asked])
+    angles = called(page, "parallax", "angle", [[d, b] for d, b, _ in asked])
+    for (d, b, s), sigma, angle in zip(asked, sigmas, angles, strict=True):
+        assert (sigma, angle) == pytest.approx(two_images(d, b, s, 320), rel=1e-9)
+    found = called(page, "parallax", "interval", [[1 / d, s] for (d, *_), s in zip(asked, sigmas, strict=True)])
+    endless = [far for _, far in found].count(None)
+    assert 0 < endless < 50
+    for (d, *_), sigma, (near, far) in zip(asked, sigmas, found, strict=True):
+        assert 1 / near - 1 / d == pytest.approx(2 * sigma)
+        assert (far is None) == (2 * sigma >= 1 / d)
+        if far is not None:
+            assert 1 / d - 1 / far == pytest.approx(2 * sigma)
+
+
+def test_a_short_base_line_leaves_the_distance_open(page):
+    page.show(parallax(distance=15.0))
+    camera, note = page.locator("#f0 [data-handle=camera]"), page.locator("#f0 .sweep-note")
+    assert "\u221e" not in note.text_content()
+    camera.focus()
+    page.keyboard.press("Shift+ArrowDown")  # by a fifth of a metre
+    assert note.text_content() == parallax(distance=15.0, base=0.2).said
+    page.keyboard.press("Shift+ArrowDown")
+    assert note.text_content().endswith(" to \u221e m")
+    assert camera.get_attribute("aria-valuenow") == "0.1"
+
+
 def test_the_script_goes_on_from_what_python_drew(page):
-    made = (held(), held(turned=(-0.3, 1.2), across=0.9, point=(-1, 2.0), sigmas=2.0), bells(), pair(), pair(base=1.6))
+    made = (
+        held(),
+        held(turned=(-0.3, 1.2), across=0.9, point=(-1, 2.0), sigmas=2.0),
+        bells(),
+        pair(),
+        pair(base=1.6),
+        parallax(),
+    )
     page.show(*made)
     goes_on(page, "".join(m._repr_html_() for m in made))
     for m in made:

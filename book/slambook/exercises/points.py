@@ -31,19 +31,27 @@ def farthest(candidate: Candidate) -> None:
 
 @exercise("points.2", "an anchored point becomes Euclidean", seed=112)
 def convert(candidate: Candidate, rng: Rng) -> None:
-    """The point lies on the ray at its distance; covariance against differences of the candidate's own point."""
+    """All points, at all lengths, lie on the ray at their distance; then covariances, against their differences."""
+    landmarks = {}
     for length in cases((1.0, 2.5, 0.4), "a direction of length {:g}"):
         m = rng.standard_normal(3)
         landmark = np.array([*rng.standard_normal(3), *(length * m / np.linalg.norm(m)), rng.uniform(0.1, 1)])
+        landmarks[length] = landmark
+        point, _ = parts(candidate(landmark, np.eye(7)), {"the point": (3,), "the covariance": (3, 3)})
+        ray = point - landmark[:3]
+        same(np.cross(ray, landmark[3:6]), np.zeros(3), "the point lies on the line through the anchor along m")
+        same(ray * landmark[6], landmark[3:6], "rho times the way from the anchor to the point is m")
+    for _, landmark in cases(tuple(landmarks.items()), "a direction of length {:g}, landmark {}"):
         root = rng.standard_normal((7, 7)) / 10
         P = root @ root.T
-        point, found = parts(candidate(landmark, P), {"the point": (3,), "the covariance": (3, 3)})
-        ray = point - landmark[:3]
-        same(np.cross(ray, landmark[3:6]), np.zeros(3), "the point lies on the ray from the anchor")
-        same(ray * landmark[6], landmark[3:6], "rho times the ray is the direction")
-        covariance(found, 3)
+        found = covariance(candidate(landmark, P)[1], 3)
         J = differences(lambda x: candidate(x, np.eye(7))[0], landmark)
-        same(found, J @ P @ J.T, "the covariance moves with the point's own Jacobian", tolerance=1e-6)
+        for block, what in ((slice(3), "the anchor's"), (slice(3, 6), "the direction's"), (slice(6, 7), "rho's")):
+            alone = np.zeros((7, 7))
+            alone[block, block] = P[block, block]
+            one = candidate(landmark, alone)[1]
+            same(one, J @ alone @ J.T, f"{what} error alone gives its share of the covariance", tolerance=1e-6)
+        same(found, J @ P @ J.T, "so do all errors together, with their correlations", tolerance=1e-6)
 
 
 @exercise("points.3", "depth and distance")
@@ -61,15 +69,23 @@ def depth_or_distance(candidate: Candidate) -> None:
 
 @exercise("points.5", "a bearing-only point becomes a place on the floor", seed=115)
 def to_plane(candidate: Candidate, rng: Rng) -> None:
-    """The place lies on the ray at its distance; covariance against differences of the candidate's own place."""
+    """All places lie on the ray at their distance; then covariances, against differences of the candidate's places."""
+    landmarks = {}
     for azimuth in cases((0.0, 0.7, 2.5, -1.9), "an azimuth of {:g} rad"):
         landmark = np.array([*rng.uniform(-3, 3, 2), azimuth, rng.uniform(0.1, 0.6)])
-        root = rng.standard_normal((4, 4)) / 10
-        P = root @ root.T
-        place, found = parts(candidate(landmark, P), {"the place": (2,), "the covariance": (2, 2)})
+        landmarks[azimuth] = landmark
+        place, _ = parts(candidate(landmark, np.eye(4)), {"the place": (2,), "the covariance": (2, 2)})
         away = place - landmark[:2]
         same(np.linalg.norm(away) * landmark[3], 1, "rho is the inverse of its distance from the anchor")
         same(away * landmark[3], [np.cos(azimuth), np.sin(azimuth)], "it lies in the direction of the azimuth")
-        covariance(found, 2)
+    for _, landmark in cases(tuple(landmarks.items()), "an azimuth of {:g} rad, landmark {}"):
+        root = rng.standard_normal((4, 4)) / 10
+        P = root @ root.T
+        found = covariance(candidate(landmark, P)[1], 2)
         J = differences(lambda x: candidate(x, np.eye(4))[0], landmark)
-        same(found, J @ P @ J.T, "the covariance moves with the place's own Jacobian", tolerance=1e-6)
+        for block, what in ((slice(2), "the anchor's"), (slice(2, 3), "the azimuth's"), (slice(3, 4), "rho's")):
+            alone = np.zeros((4, 4))
+            alone[block, block] = P[block, block]
+            one = candidate(landmark, alone)[1]
+            same(one, J @ alone @ J.T, f"{what} error alone gives its share of the covariance", tolerance=1e-6)
+        same(found, J @ P @ J.T, "so do all errors together, with their correlations", tolerance=1e-6)
