@@ -17,6 +17,7 @@ from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN
 from slamlib.landmarks.fhm_point import FHM_POINT
 from slamlib.sensors import Calibration
+from slamlib.sensors.pinhole import project
 from slamlib.sensors.relative_position import converted
 from slamlib.sensors.stereo import STEREO
 
@@ -165,6 +166,26 @@ def parallax(plt=plt, distance=10.0, base=0.4, focal=320, noise=1.0, edge=25.0):
         says="{angle:.1f}: {w:.3f} ± {spread:.3f}, {near:.1f} to {far:.1f} m",
         values=values,
     )
+
+
+def camera(plt=plt, y=0.9, z=4.0, focal=1.6):
+    """The pin-hole from the side with everything that its script moves."""
+    fig, ax = plt.subplots()
+    slopes = {"upper edge": -1 / focal, "lower edge": 1 / focal, "ray": y / z}
+    ends = {name: min(6.2, 2 / abs(slope)) for name, slope in slopes.items()}
+    lines = {name: ([0, ends[name]], [0, ends[name] * slope]) for name, slope in slopes.items()}
+    lines |= {
+        "plane": ([focal, focal], [-1, 1]),
+        "image": ([focal, focal], [0, focal * y / z]),
+        "height": ([z, z], [0, y]),
+    }
+    for name, line in lines.items():
+        ax.plot(*line, gid=name)
+    ax.plot(z, y, "o", gid="point")
+    ax.set(xlim=(-0.6, 6.2), ylim=(2, -2), aspect="equal")
+    start = {"point": (z, y), "focal": focal, "half": 1, "rows": 480, "ends": (6.2, 2)}
+    values = {"v": 240 + 240 * focal * y / z, "angle": np.degrees(np.arctan(1 / focal))}
+    return drag("camera", fig, start, ALT, says="row {v:.1f}, {angle:.1f}°", values=values)
 
 
 def test_names_come_through_to_the_drawing_and_a_figure_without_them_has_none():
@@ -386,6 +407,36 @@ def test_a_short_base_line_leaves_the_distance_open(page):
     assert camera.get_attribute("aria-valuenow") == "0.1"
 
 
+def test_the_camera_s_row_is_the_pin_hole_s(page):
+    rng = np.random.default_rng(7)
+    y, z, alpha, v0 = rng.uniform([-2, 0.4, 100, 200], [2, 6, 900, 300], (50, 4)).T
+    page.show()
+    asked = np.stack([y, z, alpha, v0], axis=-1).tolist()
+    for found, *given in zip(called(page, "camera", "row", asked), y, z, alpha, v0, strict=True):
+        y_i, z_i, alpha_i, v0_i = given
+        _, expected = project(np.array([0.3, y_i, z_i, 1]), np.array([320, v0_i, 500, alpha_i]), np.zeros(8))
+        assert found == pytest.approx(expected, rel=1e-12)
+    below = np.array([0, 1, 1.6, 1])  # the image's lower border
+    (angle,) = called(page, "camera", "view", [[1.6, 1]])
+    assert 240 + 384 * np.tan(np.radians(angle)) == pytest.approx(
+        project(below, np.array([320, 240, 384, 384.0]), np.zeros(8))[1], rel=1e-12
+    )
+
+
+def test_a_camera_is_held_by_its_point_and_its_image_plane(page):
+    page.show(camera())
+    for name, key, times in (("point", "ArrowUp", 20), ("plane", "ArrowRight", 10)):
+        page.locator(f"[data-handle={name}]").focus()
+        for _ in range(times):
+            page.keyboard.press(key)
+    said = camera(y=0.9 - 20 * 0.04, focal=1.6 + 10 * 0.068).said  # a hundredth of each axis, and up is up
+    assert page.locator(".sweep-note").text_content() == said
+    page.locator("[data-handle=point]").focus()
+    for _ in range(20):
+        page.keyboard.press("Shift+ArrowLeft")  # not behind the pin-hole
+    assert float(page.locator("[data-handle=point]").get_attribute("aria-valuetext").split(",")[0]) == 0.4
+
+
 def test_the_script_goes_on_from_what_python_drew(page):
     made = (
         held(),
@@ -394,6 +445,8 @@ def test_the_script_goes_on_from_what_python_drew(page):
         pair(),
         pair(base=1.6),
         parallax(),
+        camera(),
+        camera(y=-0.4, z=2.5, focal=2.2),
     )
     page.show(*made)
     goes_on(page, "".join(m._repr_html_() for m in made))

@@ -54,6 +54,20 @@ def cancelling(d1, d2):
     return np.sqrt(roots[roots > 0].min()) if inside >= 0 and (roots > 0).any() else np.inf
 
 
+@wrong("pinhole.1", "nan, where there is no fold")
+def nan_for_none(d1, d2):
+    inside = 9 * d1**2 - 20 * d2
+    t = (-3 * d1 + np.sqrt(inside)) / 2 if inside >= 0 else -1
+    return 1 / np.sqrt(t) if t > 0 else np.nan
+
+
+@wrong("pinhole.1", "the root t itself, which is one over the square of the radius")
+def root_of_t(d1, d2):
+    inside = 9 * d1**2 - 20 * d2
+    t = (-3 * d1 + np.sqrt(inside)) / 2 if inside >= 0 else -1
+    return np.sqrt(t) if t > 0 else np.inf
+
+
 # -- 8.2 ---------------------------------------------------------------------------------------------------------------
 
 
@@ -93,6 +107,28 @@ def scaled_first(point, k, d):
 @wrong("pinhole.2", "the upside-down image behind the hole")
 def upside_down(point, k, d):
     return _chain(point, np.array([*k[:2], *-k[2:]]), d)
+
+
+@wrong("pinhole.2", "one factor of two less in the slope of the distortion")
+def half_the_slope(point, k, d):
+    (pixel, all_), (_, none) = _chain(point, k, d), _chain(point, k, d, by_radius=False)
+    return pixel, (all_ + none) / 2
+
+
+@wrong("pinhole.2", "focal lengths first")
+def other_order(point, k, d):
+    return _chain(point, np.array([*k[2:], *k[:2]]), d)
+
+
+@wrong("pinhole.2", "one focal length for columns and rows")
+def square_pixels(point, k, d):
+    return _chain(point, np.array([*k[:3], k[2]]), d)
+
+
+@wrong("pinhole.2", "the Jacobian of the distorted point, not of the pixel")
+def without_focal_lengths(point, k, d):
+    pixel, J = _chain(point, k, d)
+    return pixel, J / k[2:, None]
 
 
 # -- 8.3 ---------------------------------------------------------------------------------------------------------------
@@ -151,6 +187,30 @@ def nearest(distorted, d):
     return distorted * (high / goal if goal > 0 else 1.0)
 
 
+@wrong("pinhole.3", "the other sign of the coefficients")
+def other_sign(distorted, d):
+    return distorted * (1 - sum(c * (distorted @ distorted) ** i for i, c in enumerate(d, start=1)))
+
+
+@wrong("pinhole.3", "the smallest root, also beyond the fold")
+def smallest_root(distorted, d):
+    goal = np.hypot(*distorted)
+    polynomial = np.zeros(2 * len(d) + 2)
+    polynomial[0], polynomial[1::2] = -goal, [1, *d]
+    roots = np.roots(polynomial[::-1])
+    roots = roots.real[(np.abs(roots.imag) < 1e-9) & (roots.real > 0)]
+    if goal == 0:
+        return np.zeros(2)
+    return distorted * roots.min() / goal if roots.size else np.full(2, np.nan)
+
+
+@wrong("pinhole.3", "nan in the centre, by a division by the radius")
+def no_centre(distorted, d):
+    with np.errstate(all="ignore"):
+        found = smallest_root(distorted, d)
+        return found / np.hypot(*distorted) * np.hypot(*distorted)
+
+
 # -- 8.5 ---------------------------------------------------------------------------------------------------------------
 
 
@@ -172,3 +232,13 @@ def after_halving(k):
 @wrong("pinhole.5", "keeps the focal lengths")
 def same_scale(k):
     return np.array([(k[0] - 0.5) / 2, (k[1] - 0.5) / 2, k[2], k[3]])
+
+
+@wrong("pinhole.5", "moves the columns only")
+def columns_alone(k):
+    return np.array([(k[0] - 0.5) / 2, k[1] / 2, k[2] / 2, k[3] / 2])
+
+
+@wrong("pinhole.5", "takes half a pixel off everything")
+def all_moved(k):
+    return (k - 0.5) / 2
