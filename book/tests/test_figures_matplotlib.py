@@ -123,6 +123,13 @@ def words(plt):
     return fig
 
 
+def arrows(plt):
+    fig, ax = plt.subplots()
+    ax.quiver([0.0, 1], [0.5, 1], [2.0, -1], [0, 3.0], angles="xy", scale_units="xy", scale=4.0, color=colors.red)
+    ax.set(xlim=(-1, 2), ylim=(0, 2))
+    return fig
+
+
 def named(plt):
     fig, ax = plt.subplots()
     (a,) = ax.plot([0, 1])
@@ -131,7 +138,7 @@ def named(plt):
     return fig
 
 
-FIGURES = (lines, bands, logarithmic, maps, scattered, bars, fields, words, named)
+FIGURES = (lines, bands, logarithmic, maps, scattered, bars, fields, words, arrows, named)
 
 
 @pytest.mark.parametrize("draw", FIGURES, ids=lambda f: f.__name__)

@@ -6,7 +6,7 @@ from itertools import chain
 from typing import Any
 
 import numpy as np
-from matplotlib import collections, contour, image, lines, patches, text
+from matplotlib import collections, contour, image, lines, patches, quiver, text
 from matplotlib.cbook import STEP_LOOKUP_MAP
 from matplotlib.colors import Normalize
 from matplotlib.container import BarContainer
@@ -203,6 +203,17 @@ def _pixels(artist: Any, ax: Any, target: Axes) -> None:
         pixels, look = (array if array.ndim == 3 else artist.to_rgba(array, bytes=True)), {}
     kept = {"alpha": artist.get_alpha(), "interpolation": artist.get_interpolation()}
     target.imshow(pixels, extent=artist.get_extent(), origin=artist.origin, **look, **kept, **base(artist))
+
+
+@put.register(quiver.Quiver)
+def _arrows(artist: Any, ax: Any, target: Axes) -> None:
+    """One arrow at each point, of the colour of all."""
+    if (artist.angles, artist.scale_units) != ("xy", "xy") or len(artist.get_facecolor()) != 1:
+        raise CannotReplayError("a quiver of many colours, or not in units of the axes: angles='xy', scale_units='xy'")
+    style = {"arrowstyle": "-|>", "shrinkA": 0.0, "shrinkB": 0.0, "color": color_of(artist.get_facecolor()[0])[0]}
+    change = np.stack([artist.U, artist.V], axis=-1) / (artist.scale or 1.0)
+    for tail, tip in zip(artist.XY, artist.XY + change, strict=True):
+        target.annotate("", tip, tail, arrowprops=style)
 
 
 @put.register(contour.ContourSet)
