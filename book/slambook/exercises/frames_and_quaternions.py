@@ -4,41 +4,61 @@ from itertools import pairwise
 
 import numpy as np
 
-from slambook.exercises.kit import Candidate, Rng, array_of, cases, covariance, exercise, holds, same
-from slamlib.geometry.pose import Pose, from_frame, to_frame
+from slambook.exercises.kit import Candidate, Rng, array_of, cases, covariance, exercise, holds, parts, same
+from slamlib.geometry.pose import ORIGIN, Pose, from_frame, to_frame
 from slamlib.geometry.quaternion import UnitQuaternion, exponential, logarithm, minus, product, rotation
 from slamlib.manifolds import Array
 from slamlib.models.numerical import differences
 
 
-@exercise("frames_and_quaternions.2", "the Jacobian of to_frame on the tangent space", seed=62)
-def to_frame_jacobian(candidate: Candidate, rng: Rng) -> None:
-    """Against differences of the book's own to_frame through plus."""
-    for _ in range(5):
-        pose, point = Pose.random(rng), 5 * rng.standard_normal(3)
-        found = array_of(candidate(pose, point), (3, 6), "the Jacobian")
-        wanted = differences(lambda step, at=pose, p=point: to_frame(Pose.plus(at, step), p), np.zeros(6))
-        same(found[:, :3], wanted[:, :3], "position columns", tolerance=1e-6)
-        same(found[:, 3:], wanted[:, 3:], "rotation columns", tolerance=1e-6)
+@exercise("frames_and_quaternions.2", "a point carried from frame to frame", seed=62)
+def carried(candidate: Candidate, rng: Rng) -> None:
+    """Against the book's own frames, and differences of them through plus; simple frames first."""
+    names = {"the point in G": (3,), "the Jacobian by F": (3, 6), "the Jacobian by G": (3, 6)}
+    shifted, turned = np.array([1.0, 2, 3, 1, 0, 0, 0]), np.array([0.0, 0, 0, 0.5, 0.5, 0.5, 0.5])
+    inputs = [(shifted, ORIGIN), (ORIGIN, shifted), (turned, ORIGIN), (ORIGIN, turned)]
+    inputs += [(Pose.random(rng), Pose.random(rng)) for _ in range(4)]
+    for F, G, point in cases(((*pair, rng.integers(-5, 6, 3) / 2) for pair in inputs), "F = {}, G = {}, point = {}"):
+
+        def moved(step: Array, F: Array = F, G: Array = G, p: Array = point) -> Array:
+            return np.asarray(to_frame(Pose.plus(G, step[6:]), from_frame(Pose.plus(F, step[:6]), p)))
+
+        found, by_F, by_G = parts(candidate(F, G, point), names)
+        wanted = differences(moved, np.zeros(12))
+        same(found, moved(np.zeros(12)), "the point in G")
+        same(by_F[:, :3], wanted[:, :3], "the point's change by a displacement of F", tolerance=1e-6)
+        same(by_F[:, 3:], wanted[:, 3:6], "the point's change by a turn of F", tolerance=1e-6)
+        same(by_G[:, :3], wanted[:, 6:9], "the point's change by a displacement of G", tolerance=1e-6)
+        same(by_G[:, 3:], wanted[:, 9:], "the point's change by a turn of G", tolerance=1e-6)
 
 
 @exercise("frames_and_quaternions.3", "interpolation that takes the short way", seed=63)
 def slerp(candidate: Candidate, rng: Rng) -> None:
     """Ends, unit length, constant speed, and never more than half a turn in all."""
+
+    def at(q0: Array, q1: Array, u: float) -> Array:
+        what = f"slerp(q0, q1, u) for q0 = {q0.round(4)}, q1 = {q1.round(4)}, u = {u:g}"
+        return array_of(candidate(q0, q1, u), (4,), what)
+
+    one = np.eye(4)[0]  # simple inputs first
+    simple = ((angle, sign) for angle in (1.0, 0.0, 0.05, np.pi / 2) for sign in (1, -1))
+    for angle, sign in cases(simple, "q0 = (1, 0, 0, 0), q1 at {:.4g} rad about z, times {}, and u = 0.5"):
+        middle = at(one, sign * exponential(angle * np.eye(3)[2]), 0.5)
+        same(middle @ middle, 1, "unit length all the way")
+        holds(abs(middle[0]) > 0.7, "the short way round", f"found {middle}")
+        same(logarithm(middle), [0, 0, angle / 2], "halfway is halfway" if angle else "stays where both are the same")
+    inputs = []
     for size in 4 * (3.0, 0.2):  # the second of each pair: close together, where some interpolate linearly
         q0, step = UnitQuaternion.random(rng), size * rng.standard_normal(3)
-        for end in (UnitQuaternion.plus(q0, step), -UnitQuaternion.plus(q0, step)):
-            path = [array_of(candidate(q0, end, u), (4,), "the interpolated quaternion") for u in np.linspace(0, 1, 9)]
-            same([p @ p for p in path], np.ones(9), "unit length all the way")
-            same(rotation(path[0]), rotation(q0), "starts at the first orientation")
-            same(rotation(path[-1]), rotation(end), "ends at the second orientation")
-            steps = [np.linalg.norm(minus(b, a)) for a, b in pairwise(path)]
-            same(steps, np.full(8, np.mean(steps)), "constant speed")
-            holds(sum(steps) <= np.pi + 1e-9, "the short way round", f"turned by {np.degrees(sum(steps)):.0f} degrees")
-    for angle, sign in ((0, 1), (0, -1), (0.05, 1), (np.pi / 2, -1)):
-        middle = array_of(candidate(np.eye(4)[0], sign * exponential(angle * np.eye(3)[2]), 0.5), (4,), "the middle")
-        same(middle @ middle, 1, "unit length all the way")
-        same(logarithm(middle), [0, 0, angle / 2], "halfway is halfway" if angle else "stays where both are the same")
+        inputs += [(q0, end) for end in (UnitQuaternion.plus(q0, step), -UnitQuaternion.plus(q0, step))]
+    for q0, end in cases(inputs, "q0 = {}, q1 = {}"):
+        path = [at(q0, end, u) for u in np.linspace(0, 1, 9)]
+        same([p @ p for p in path], np.ones(9), "unit length all the way")
+        same(rotation(path[0]), rotation(q0), "starts at the first orientation")
+        same(rotation(path[-1]), rotation(end), "ends at the second orientation")
+        steps = [np.linalg.norm(minus(b, a)) for a, b in pairwise(path)]
+        same(steps, np.full(8, np.mean(steps)), "constant speed")
+        holds(sum(steps) <= np.pi + 1e-9, "the short way round", f"turned by {np.degrees(sum(steps)):.0f} degrees")
 
 
 @exercise("frames_and_quaternions.4", "the perturbation that is still small", seed=64)
@@ -62,9 +82,17 @@ def safe_perturbation(candidate: Candidate, rng: Rng) -> None:
 @exercise("frames_and_quaternions.5", "a covariance from another convention", seed=65)
 def to_own_axes(candidate: Candidate, rng: Rng) -> None:
     """Against differences of the other convention's perturbation, measured with this book's minus."""
+    third = np.array([1.0, 2, 3, 0.5, 0.5, 0.5, 0.5])  # its axes x, y, z are the world's y, z, x
+    for variances in cases(((0.0, 0, 0, 1, 0, 0), (0.0, 0, 0, 0, 4, 0)), "x, y, z of the frame = y, z, x, P = diag{}"):
+        found = np.diag(covariance(candidate(third, np.diag(variances)), 6))[3:]
+        axis = "xyz"[int(np.argmax(variances)) - 3]
+        own = np.roll(variances[3:], -1)
+        same(found, own, f"an error about the world's {axis} axis is one about the frame's axis along it")
+    inputs = []
     for _ in range(4):
-        pose, root = Pose.random(rng), rng.standard_normal((6, 6))
-        P = root @ root.T
+        root = rng.standard_normal((6, 6))
+        inputs.append((Pose.random(rng), root @ root.T))
+    for pose, P in cases(inputs, "pose = {}, P = {}"):
         found = covariance(candidate(pose, P), 6)
 
         def perturbed(step: Array, pose: Array = pose) -> Array:

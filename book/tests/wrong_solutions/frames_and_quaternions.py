@@ -3,7 +3,7 @@
 import numpy as np
 
 from book.tests.wrong_solutions import wrong
-from slamlib.geometry.pose import to_frame
+from slamlib.geometry.pose import from_frame, to_frame
 from slamlib.geometry.quaternion import conjugate, exponential, minus, plus, product, rotation
 
 
@@ -11,19 +11,54 @@ def _cross(a):
     return np.array([[0, -a[2], a[1]], [a[2], 0, -a[0]], [-a[1], a[0], 0]])
 
 
-@wrong("frames_and_quaternions.2", "the sign of the rotation part: turning the frame is taken for turning the point")
-def sign(pose, point):
-    return np.hstack([-rotation(pose[3:]).T, -_cross(to_frame(pose, point))])
+def _carried(F, G, point, turn_F=1.0, turn_G=1.0, world=False):
+    """The right answer, but for signs of the turns and axes of the displacement of F."""
+    C_F, C_G, found = rotation(F[3:]), rotation(G[3:]), to_frame(G, from_frame(F, point))
+    shift = np.eye(3) if world else C_G.T
+    by_F = np.hstack([shift, -turn_F * C_G.T @ C_F @ _cross(point)])
+    return found, by_F, np.hstack([-C_G.T, turn_G * _cross(found)])
 
 
-@wrong("frames_and_quaternions.2", "the rotation vector is taken in world axes")
-def world_axes(pose, point):
-    return rotation(pose[3:]).T @ np.hstack([-np.eye(3), _cross(point - pose[:3])])
+@wrong("frames_and_quaternions.2", "every sign of a turn flipped: turning the frame is taken for turning the point")
+def signs(F, G, point):
+    return _carried(F, G, point, turn_F=-1.0, turn_G=-1.0)
 
 
-@wrong("frames_and_quaternions.2", "R instead of its transpose")
-def transposed(pose, point):
-    return np.hstack([-rotation(pose[3:]), _cross(to_frame(pose, point))])
+@wrong("frames_and_quaternions.2", "the sign of one turn")
+def sign(F, G, point):
+    return _carried(F, G, point, turn_G=-1.0)
+
+
+@wrong("frames_and_quaternions.2", "the displacement of F is taken as what G sees of it")
+def displacement_unturned(F, G, point):
+    return _carried(F, G, point, world=True)
+
+
+@wrong("frames_and_quaternions.2", "the rotation vector of F is taken in world axes")
+def world_axes(F, G, point):
+    found, by_F, by_G = _carried(F, G, point)
+    by_F[:, 3:] = -rotation(G[3:]).T @ _cross(rotation(F[3:]) @ point)
+    return found, by_F, by_G
+
+
+@wrong("frames_and_quaternions.2", "the point in F stands in the bracket of G")
+def bracket_of_the_other(F, G, point):
+    found, by_F, by_G = _carried(F, G, point)
+    by_G[:, 3:] = _cross(point)
+    return found, by_F, by_G
+
+
+@wrong("frames_and_quaternions.2", "F and G exchanged")
+def exchanged(F, G, point):
+    found, by_G, by_F = _carried(G, F, point)
+    return found, by_F, by_G
+
+
+@wrong("frames_and_quaternions.2", "C instead of its transpose")
+def transposed(F, G, point):
+    found, by_F, by_G = _carried(F, G, point)
+    C = rotation(G[3:])
+    return found, C @ C @ by_F, np.hstack([-C, by_G[:, 3:]])
 
 
 @wrong("frames_and_quaternions.3", "the four-quadrant arctangent goes the long way when w < 0")
@@ -67,6 +102,23 @@ def zero_by_zero_at_the_opposite(q0, q1, u):
     return q0.copy() if q0 @ q1 > 0.999999 else zero_by_zero(q0, q1, u)
 
 
+@wrong("frames_and_quaternions.3", "the sine's argument is the whole turn, of which quaternions have half")
+def whole_turn(q0, q1, u):
+    q1 = q1 if q0 @ q1 >= 0 else -q1
+    angle = np.linalg.norm(minus(q1, q0))
+    if angle < 1e-9:
+        return q0.copy()
+    return (np.sin((1 - u) * angle) * q0 + np.sin(u * angle) * q1) / np.sin(angle)
+
+
+@wrong("frames_and_quaternions.3", "the sign is never turned: the long way where the numbers point apart")
+def never_turned(q0, q1, u):
+    angle = np.arccos(np.clip(q0 @ q1, -1, 1))
+    if min(angle, np.pi - angle) < 1e-6:
+        return q0.copy()
+    return (np.sin((1 - u) * angle) * q0 + np.sin(u * angle) * q1) / np.sin(angle)
+
+
 for why, angle in {
     "the error's factor one half is forgotten": lambda share, distance: share,
     "the error is taken as a share of the distance, not of the motion": lambda share, distance: np.sqrt(2 * share),
@@ -94,6 +146,19 @@ def own_block_only(pose, P):
 def both_turned(pose, P):
     T = np.kron(np.eye(2), rotation(pose[3:]).T)
     return T @ P @ T.T
+
+
+@wrong("frames_and_quaternions.5", "the displacement's arm is added, as in an adjoint")
+def adjoint_instead(pose, P):
+    C = rotation(pose[3:])
+    T = np.block([[np.eye(3), -_cross(pose[:3])], [np.zeros((3, 3)), C.T]])
+    return T @ P @ T.T
+
+
+@wrong("frames_and_quaternions.5", "T P T instead of T P T'")
+def one_side(pose, P):
+    T = np.block([[np.eye(3), np.zeros((3, 3))], [np.zeros((3, 3)), rotation(pose[3:]).T]])
+    return T @ P @ T
 
 
 @wrong("frames_and_quaternions.5", "a rotation vector is a rotation vector")
