@@ -90,8 +90,8 @@ def confirmation(said: list[str]) -> str | None:
     if not all(found):
         return f"{len(said)} checks hold"
     entries = sum(int(match[2]) for match in found if match)
-    by_numbers = any(match[3] for match in found if match)
-    return f"{'the same' if by_numbers else 'proved'}, {entries} of {entries} entries"
+    how = "equal to 50 digits" if any(match[3] for match in found if match) else "proved by computer algebra"
+    return f"{how}, {entries} {'entry' if entries == 1 else 'entries'}"
 
 
 def named_aloud(app: Any, page: str, template: str, context: dict[str, Any], tree: Any) -> None:
