@@ -34,7 +34,8 @@ def fuse(candidate: Candidate) -> None:
         same((mean - z1) / v1, (z2 - mean) / v2, "each independent one pulls with the inverse of its variance")
         same(1 / variance, 1 / v1 + 1 / v2, "information adds, of independent readings")
     correlated = (20.0, 1.0, 21.0, 4.0, 0.5), (-3.0, 0.2, 5.0, 0.1, -0.05), (7.0, 1.0, 8.0, 4.0, 1.5)
-    for z1, v1, z2, v2, c in cases((*independent, *correlated), told):
+    # only these: with c = 0 another share was rejected above, and would seem to hold for whoever neglects c
+    for z1, v1, z2, v2, c in cases(correlated, told):
         mean, variance = fused(z1, v1, z2, v2, c)
         same(fused(z1 + 100, v1, z2 + 100, v2, c), (mean + 100, variance), "the zero of the scale is free")
         share = float(fused(0.0, v1, 1.0, v2, c)[0])
