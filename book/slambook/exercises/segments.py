@@ -3,33 +3,63 @@
 import numpy as np
 
 from slambook.exercises.kit import Candidate, Rng, array_of, cases, exercise, holds, same
-from slamlib.geometry import plucker
+from slamlib.geometry import plucker, quaternion
 from slamlib.geometry.pose import from_frame
 from slamlib.landmarks.segments import frustum
+from slamlib.manifolds import Array
+
+KINDS = (
+    "an end in the image, both in front",
+    "both ends outside the image, in front",
+    "one end behind the camera",
+    "both ends behind the camera",
+)
 
 
 @exercise("segments.1", "the bow of a straight line", seed=124)
 def bow(candidate: Candidate, rng: Rng) -> None:
-    """Three points through the lens say how far the middle is from the chord."""
-    lenses = map(tuple, rng.uniform(-0.5, 0.5, (20, 3)))
-    for k1, height, length in cases(lenses, "k1, height, length = {:.3g} {:.3g} {:.3g}"):
+    """Three points through the lens say how far the middle is from the chord; none is, at the height of the centre."""
+    lenses = map(tuple, rng.uniform(-0.5, 0.5, (20, 3)) * [1, 1, 2])
+    told = "k1 = {:.3g}, height = {:.3g}, length = {:.3g}"
+    for k1, height, length in cases([(-0.3, 0.0, 1.2)], told):
+        same(candidate(k1, height, length), 0, "a segment through the centre stays straight")
+    for k1, height, length in cases([(-0.3, -0.6, 1.0), *((k, h, abs(s)) for k, h, s in lenses)], told):
         ideal = np.array([[-length / 2, height], [0, height], [length / 2, height]])
         start, middle, end = ideal * (1 + k1 * (ideal * ideal).sum(-1, keepdims=True))
-        away = middle[1] - (start[1] + end[1]) / 2
-        same(candidate(k1, height, length), away, "it is the distance between the images of middle and chord")
+        away = round(middle[1] - (start[1] + end[1]) / 2, 12)
+        same(candidate(k1, height, length), away, "it leads from the chord to the middle's image")
 
 
 @exercise("segments.2", "abscissas in another world", seed=125)
 def moved_abscissas(candidate: Candidate, rng: Rng) -> None:
-    """The points at the new abscissas are the old points, seen from the new frame."""
+    """The points at the new abscissas are the old ones: a new origin that is turned, sideways, along v, or anywhere."""
+    s, turn = np.array([-1.0, 2.0]), quaternion.exponential(np.array([0.3, -0.5, 0.9]))
+    for what, moved, q, size in (
+        ("an origin that is only turned changes nothing", np.zeros(3), turn, 1.0),
+        ("an origin moved sideways changes nothing", np.array([0, 2.0, 0]), np.array([1.0, 0, 0, 0]), 1.0),
+        ("an origin moved along the line shifts the count", np.array([3.0, 0, 0]), np.array([1.0, 0, 0, 0]), 1.0),
+        ("it counts metres, however long v is", np.array([3.0, 0, 0]), np.array([1.0, 0, 0, 0]), 0.5),
+    ):
+        v = np.array([size, 0, 0])
+        line, pose = np.concatenate([np.cross([0, 1.0, 4], v), v]), np.concatenate([moved, q])
+        for _ in cases([(v, moved, q, s)], "v = {}, t = {}, q = {}, abscissas {}"):
+            same(candidate(line, s, pose), _same_points(line, s, pose), what)
     for length in cases((1.0, 0.1, 4.0), "|v| = {:g}"):
         v, q, s = rng.standard_normal(3), rng.standard_normal(4), 3 * rng.standard_normal(2)
         v *= length / np.linalg.norm(v)
         line = np.concatenate([np.cross(rng.standard_normal(3), v), v])
         pose = np.concatenate([rng.standard_normal(3), q / np.linalg.norm(q)])
-        found = array_of(candidate(line, s, pose), (2,), "the new abscissas")
-        old, new = (plucker.point_at(x, a) for x, a in ((line, s), (plucker.to_frame(pose, line), found)))
-        same(from_frame(pose, new[:, :3] / new[:, 3:]), old[:, :3] / old[:, 3:], "the endpoints stay where they are")
+        for _ in cases([(line, s, pose)], "the line {}, abscissas {}, the pose {}"):
+            found = array_of(candidate(line, s, pose), (2,), "the new abscissas")
+            same(found, _same_points(line, s, pose), "the endpoints stay where they are, for any line and pose")
+
+
+def _same_points(line: Array, abscissas: Array, pose: Array) -> Array:
+    """Abscissas of the same points on the line in the new frame, found between its points at 0 and at 1."""
+    h = plucker.point_at(line, abscissas)
+    marks = plucker.point_at(plucker.to_frame(pose, line), np.array([0.0, 1.0]))
+    zero, one = from_frame(pose, marks[:, :3] / marks[:, 3:])
+    return np.asarray((h[:, :3] / h[:, 3:] - zero) @ (one - zero))
 
 
 @exercise("segments.3", "which segments are in view", seed=126)
@@ -37,9 +67,14 @@ def is_visible(candidate: Candidate, rng: Rng) -> None:
     """A thousand points of the segment say whether some part is in the image; close calls are left out."""
     k, image, share = np.array([250.0, 290, 300, 400]), (640, 480), np.linspace(0, 1, 1001)[:, None]
     hard = np.array([[[-200, 0, 1], [200, 0, 1]], [[-1, 0, 0.05], [1, 0, 0.05]]])  # a short part in view; very near
-    for first, second in cases([*3 * rng.standard_normal((400, 2, 3)), *hard], "the segment {}"):
-        points = (1 - share) * first + share * second
-        sure, possible = (((points @ frustum(k, image, m).T) > 0).all(-1).any() for m in (4, -4))
-        if sure == possible:
-            what = "what is in view is told from what is not, also with endpoints behind the camera"
-            holds(bool(candidate(first, second, k, image)) == sure, what, f"your function says {not sure}")
+    kinds: dict[str, list[Array]] = {kind: [] for kind in KINDS}
+    for ends in [*3 * rng.standard_normal((400, 2, 3)), *hard]:
+        behind, outside = (ends[:, 2] < 0).sum(), not (ends @ frustum(k, image).T > 0).all(-1).any()
+        kinds[KINDS[1 + behind if behind else int(outside)]].append(ends)
+    for kind, those in kinds.items():
+        for first, second in cases(those, "the segment {}"):
+            points = (1 - share) * first + share * second
+            sure, possible = (((points @ frustum(k, image, m).T) > 0).all(-1).any() for m in (4, -4))
+            if sure == possible:
+                seen = bool(candidate(first, second, k, image))
+                holds(seen == sure, f"visible or not, {kind}", f"your function says {seen}")

@@ -3,6 +3,7 @@
 import numpy as np
 
 from book.tests.wrong_solutions import wrong
+from slamlib.geometry import quaternion
 from slamlib.landmarks.segments import frustum
 
 
@@ -21,6 +22,26 @@ def displacement(k1, height, length):
     return k1 * height**3
 
 
+@wrong("segments.1", "half the length squared at only one end: twice too small")
+def one_end(k1, height, length):
+    return -k1 * height * length**2 / 8
+
+
+@wrong("segments.1", "a distance, without its sign")
+def no_sign(k1, height, length):
+    return abs(k1 * height) * length**2 / 4
+
+
+@wrong("segments.1", "the chord left where it was")
+def ideal_chord(k1, height, length):
+    return k1 * height * height**2
+
+
+@wrong("segments.1", "the length forgotten in the square")
+def of_the_height(k1, height, length):
+    return -k1 * height**2 * length / 4
+
+
 @wrong("segments.2", "as they were")
 def unchanged(line, abscissas, pose):
     return 1.0 * abscissas
@@ -34,6 +55,21 @@ def not_a_unit(line, abscissas, pose):
 @wrong("segments.2", "the other way round")
 def other_sign(line, abscissas, pose):
     return abscissas + pose[:3] @ line[3:] / np.linalg.norm(line[3:])
+
+
+@wrong("segments.2", "v turned into the new frame, t not")
+def turned_direction(line, abscissas, pose):
+    return abscissas - pose[:3] @ quaternion.rotation(pose[3:]).T @ line[3:] / np.linalg.norm(line[3:])
+
+
+@wrong("segments.2", "the distance of the origins")
+def distance(line, abscissas, pose):
+    return abscissas - np.linalg.norm(pose[:3])
+
+
+@wrong("segments.2", "divided by v . v")
+def squared(line, abscissas, pose):
+    return abscissas - pose[:3] @ line[3:] / (line[3:] @ line[3:])
 
 
 def _inside(point, intrinsics, image):
@@ -57,6 +93,37 @@ def divides_first(first, second, intrinsics, image):
     ends = [intrinsics[:2] + intrinsics[2:] * p[:2] / p[2] for p in (first, second)]
     points = ends[0] + np.linspace(0, 1, 2001)[:, None] * (ends[1] - ends[0])
     return bool(((points >= 0) & (points <= image)).all(-1).any())
+
+
+@wrong("segments.3", "one of the endpoints is in the image")
+def an_end(first, second, intrinsics, image):
+    return _inside(first, intrinsics, np.array(image)) or _inside(second, intrinsics, np.array(image))
+
+
+@wrong("segments.3", "clips the infinite line")
+def infinite(first, second, intrinsics, image):
+    start, end = frustum(intrinsics, image) @ first, frustum(intrinsics, image) @ second
+    with np.errstate(all="ignore"):
+        at = start / (start - end)
+    enters = end > start
+    return bool(at[enters].max(initial=-np.inf) <= at[~enters].min(initial=np.inf))
+
+
+@wrong("segments.3", "gives up if an end is behind the camera")
+def both_in_front(first, second, intrinsics, image):
+    return bool(min(first[2], second[2]) > 0 and near_plane(first, second, intrinsics, image, least=0))
+
+
+@wrong("segments.3", "the box around both pixels meets the image")
+def box(first, second, intrinsics, image):
+    ends = np.array([intrinsics[:2] + intrinsics[2:] * p[:2] / p[2] for p in (first, second)])
+    in_front = max(first[2], second[2]) > 0
+    return bool(in_front and (ends.max(0) >= 0).all() and (ends.min(0) <= image).all())
+
+
+@wrong("segments.3", "height and width exchanged")
+def exchanged(first, second, intrinsics, image):
+    return near_plane(first, second, intrinsics, image[::-1], least=0)
 
 
 @wrong("segments.3", "fifty samples of the segment: a short part in view falls between two of them")
