@@ -9,10 +9,10 @@ from slamlib.landmarks.segments import frustum
 from slamlib.manifolds import Array
 
 KINDS = (
-    "an end in the image, both in front",
-    "both ends outside the image, in front",
-    "one end behind the camera",
-    "both ends behind the camera",
+    "an endpoint in the image, both in front",
+    "both endpoints outside the image, in front",
+    "one endpoint behind the camera",
+    "both endpoints behind the camera",
 )
 
 
