@@ -56,6 +56,7 @@ class Found:
         self.candidate = functools.partial(_guarded, candidate) if callable(candidate) else candidate
         self.lines: list[str] = []
         self.case = ""
+        self.asked: Callable[[], str] | None = None  # writes the input of its last call
 
 
 current: ContextVar[Found] = ContextVar("current")
@@ -70,6 +71,7 @@ def _guarded(function: Callable[..., Any], *arguments: Any, **named: Any) -> Any
     def shown() -> str:  # only of an input that is told: to write arrays takes longer than most functions do
         return ", ".join(name + _shown(value) for name, value in zip(names, before, strict=True))
 
+    current.get().asked = shown
     try:
         result = function(*arguments, **named)
     except Exception as error:
@@ -145,10 +147,16 @@ def array_of(value: Any, shape: tuple[int, ...], what: str) -> Array:
     except (TypeError, ValueError):
         raise Rejected(f"{what} should be an array of numbers of shape {shape}, got {type(value).__name__}") from None
     if array.shape != shape:
-        raise Rejected(f"{what} should have shape {shape}, but has shape {array.shape}")
+        raise Rejected(f"{_of_input()}{what} should have shape {shape}, but has shape {array.shape}")
     if not np.isfinite(array).all():
-        raise Rejected(f"{what} holds nan or infinity: {_shown(array)}")
+        raise Rejected(f"{_of_input()}{what} holds nan or infinity: {_shown(array)}")
     return array
+
+
+def _of_input() -> str:
+    """The input of the candidate's last call, which its result was returned for."""
+    asked = current.get().asked
+    return "" if asked is None else f"for the input ({asked()}): "
 
 
 def number(value: Any, what: str) -> float:
