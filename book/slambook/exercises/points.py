@@ -26,7 +26,8 @@ def farthest(candidate: Candidate) -> None:
         P = np.zeros((9, 9))
         P[6:, 6:] = np.linalg.inv(information)
         found = float(euclidean_index(FHM_POINT, landmark, P, ORIGIN))
-        same(found / index, 1, "a point at that depth, found by least squares, has that index")
+        what = "a point at that depth, found by least squares, has that index"
+        holds(abs(found / index - 1) < 1e-9, what, f"found {found:.4g}, {found / index:.4g} times what is asked for")
 
 
 @exercise("points.2", "an anchored point becomes Euclidean", seed=112)
@@ -64,7 +65,7 @@ def depth_or_distance(candidate: Candidate) -> None:
         holds(point[2] > 0, "the ray points ahead", f"found h = {point[:3].round(4)}")
         same(point[:2] / point[2], [u, v], "h goes through the image of the point")
         holds(point[3] > 0, "w is positive", f"found w = {point[3]:.4g}")
-        same(point[2] / point[3] / depth, 1, "h / w lies at the depth")
+        same(point[2] / point[3], depth, "h / w lies at the depth")
 
 
 @exercise("points.5", "a bearing-only point becomes a place on the floor", seed=115)

@@ -15,6 +15,11 @@ def relative_error(f, b, sigma, index):
     return index * f * b / (np.sqrt(2) * sigma)
 
 
+@wrong("points.1", "takes one standard deviation to either side, where the index takes two")
+def one_sigma(f, b, sigma, index):
+    return index * f * b / (2 * np.sqrt(2) * sigma)
+
+
 @wrong("points.1", "lets the variances of the pixels be standard deviations")
 def variances(f, b, sigma, index):
     return index * f * b / (4 * 2 * sigma)
