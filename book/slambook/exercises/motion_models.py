@@ -23,8 +23,8 @@ def arc(candidate: Candidate, rng: Rng) -> None:
     shapes, none = {"the mean": (3,), "the covariance": (3, 3)}, np.zeros((3, 3))
     turns = (0.3, -1.2, 3.0, 0.0, 1e-9, 7e-5)
     asked = [(np.round(rng.standard_normal(3), 1), [1.5, turn], P, U) for turn in turns]
-    for x, u, *_ in cases(asked, "x {}, u {}, P {}, U {}"):
-        u, turn = np.array(u), u[1]
+    for x, control, *_ in cases(asked, "x {}, u {}, P {}, U {}"):
+        u, turn = np.array(control), control[1]
         returned = parts(candidate(x, P, u, U), dict.fromkeys(shapes))
         holds(all(map(_finite, returned)), "finite numbers, also at no turn", "found nan or infinity")
         mean, found = parts(returned, shapes)
