@@ -47,8 +47,8 @@ def closing_speed(candidate: Candidate, rng: Rng) -> None:
     for place, wanted in cases((([9.0, 0, 0], 1.5), ([0, 4.0, 0], 0.0), ([-2.0, 0, 0], -1.5)), "a point at {} m"):
         found = candidate(np.array(place), forward)
         same(found, wanted, "ahead the speed itself, abeam zero, behind its negative")
-    for _ in range(5):
-        point, velocity = 10 * rng.standard_normal(3), 2 * rng.standard_normal(3)
+    anywhere = [(10 * rng.standard_normal(3), 2 * rng.standard_normal(3)) for _ in range(5)]
+    for point, velocity in cases(anywhere, "a point at {} m, velocity {} m/s"):
         ranges = [np.linalg.norm(point - t * velocity) for t in (-1e-5, 1e-5)]
         found = candidate(point, velocity)
         same(found, (ranges[0] - ranges[1]) / 2e-5, "the rate at which the range shrinks", tolerance=1e-6)
