@@ -16,6 +16,8 @@ def angle_prior(candidate: Candidate) -> None:
     priors = (0.0, 0.1), (0.25, 0.125), (1.0, 0.5), (5.0, 2.5), (-0.01, 0.02)
     for rho, sigma in cases(priors, "inverse distance {:g} with sigma {:g} per metre"):
         angle, spread = parts(candidate(rho, sigma), {"the angle": (), "its standard deviation": None})
+        if rho == 0:
+            same(angle, 0.0, "a point at infinity has no parallax")
         holds(abs(angle) < np.pi / 2, "the angle lies between -90 and 90 degrees", f"found {angle:.6g}")
         same(np.tan(angle), rho, "the tangent of the angle is the inverse distance")
         slope = differences(lambda x, sigma=sigma: candidate(x[0], sigma)[0], np.array([rho]))[0]
@@ -44,7 +46,9 @@ def distance_point(candidate: Candidate) -> None:
 def closing_speed(candidate: Candidate, rng: Rng) -> None:
     """The range, moved a little along the velocity, shrinks at this rate."""
     forward = np.array([1.5, 0.0, 0.0])
-    for place, wanted in cases((([9.0, 0, 0], 1.5), ([0, 4.0, 0], 0.0), ([-2.0, 0, 0], -1.5)), "a point at {} m"):
+    for place, wanted in cases(
+        (([9.0, 0, 0], 1.5), ([0, 4.0, 0], 0.0), ([-2.0, 0, 0], -1.5)), "a point at {} m, 1.5 m/s straight ahead"
+    ):
         found = candidate(np.array(place), forward)
         same(found, wanted, "ahead the speed itself, abeam zero, behind its negative")
     anywhere = [(10 * rng.standard_normal(3), 2 * rng.standard_normal(3)) for _ in range(5)]

@@ -33,6 +33,26 @@ def variance(rho, sigma):
     return np.arctan(rho), (sigma / (1 + rho**2)) ** 2
 
 
+@wrong("your_own_model.1", "the complement: the angle at the point, not beside the anchor")
+def complement(rho, sigma):
+    return np.arctan2(1, rho), sigma / (1 + rho**2)
+
+
+@wrong("your_own_model.1", "half of what lies between both sides, not the slope")
+def both_sides(rho, sigma):
+    return np.arctan(rho), (np.arctan(rho + sigma) - np.arctan(rho - sigma)) / 2
+
+
+@wrong("your_own_model.1", "gives degrees")
+def in_degrees(rho, sigma):
+    return np.degrees(np.arctan(rho)), np.degrees(sigma / (1 + rho**2))
+
+
+@wrong("your_own_model.1", "keeps the sign of a slope that falls")
+def negative(rho, sigma):
+    return np.arctan(rho), -sigma / (1 + rho**2)
+
+
 @model(pose=Pose, landmark=7)
 def to_frame(pose, landmark):
     """Right: homogeneous, from anchor, direction and distance."""
@@ -74,6 +94,19 @@ def to_point(landmark):
     return landmark[:3] + landmark[6] * landmark[3:6]
 
 
+@model(pose=Pose, landmark=7)
+def mirrored(pose, landmark):
+    """The anchor subtracted, and the frame's origin added."""
+    offset = landmark[6] * landmark[3:6] - landmark[:3] + pose[:3]
+    return np.array([*(rotation(pose[3:]).T @ offset), 1])
+
+
+@model(landmark=7)
+def without_anchor(landmark):
+    """The point as if the anchor were the origin."""
+    return landmark[6] * landmark[3:6]
+
+
 def _point(*models):
     return PointLandmark("dstPnt", as_manifold(7), *models)
 
@@ -91,6 +124,16 @@ def depth():
 @wrong("your_own_model.2", "the formula for inverse distances, with a distance")
 def mixed():
     return _point(as_inverse, from_frame, to_point)
+
+
+@wrong("your_own_model.2", "the signs of anchor and origin are exchanged: right at the anchor")
+def exchanged():
+    return _point(mirrored, from_frame, to_point)
+
+
+@wrong("your_own_model.2", "to_point forgets the anchor")
+def at_the_origin():
+    return _point(to_frame, from_frame, without_anchor)
 
 
 @model(pose=Pose, point=4)
@@ -132,3 +175,18 @@ def unscaled(point, velocity):
 @wrong("your_own_model.3", "the forward speed alone")
 def forward(point, velocity):
     return velocity[0]
+
+
+@wrong("your_own_model.3", "in the plane only: right for points at the sensor's level")
+def level(point, velocity):
+    return point[:2] @ velocity[:2] / np.linalg.norm(point[:2])
+
+
+@wrong("your_own_model.3", "the speed times the cosine of the azimuth: right for travel straight ahead")
+def by_azimuth(point, velocity):
+    return np.linalg.norm(velocity) * point[0] / np.linalg.norm(point)
+
+
+@wrong("your_own_model.3", "makes the velocity a unit vector, not the line of sight")
+def unit_velocity(point, velocity):
+    return point @ velocity / np.linalg.norm(velocity)
