@@ -28,7 +28,7 @@ def fold(candidate: Candidate, rng: Rng) -> None:
         holds((_factor(before, slope) > 0).all(), "the slope is positive before the fold", f"found {found:.6g}")
         if np.isfinite(found):
             there = _factor(found, slope)
-            holds(abs(there) <= 1e-8, "the slope is zero at the fold", f"found {found:.6g}, where it is {there:.3g}")
+            holds(abs(there) <= 1e-8, "the slope is zero at the fold", f"at {found:.6g} it is {there:.3g}")
         elif d1 < 0 < d2:  # the slope falls and rises again
             least = _factor(np.sqrt(-0.3 * d1 / d2), slope)
             holds(least > 1e-9, "where the answer is infinity, the slope is zero nowhere", f"it falls to {least:.3g}")
