@@ -41,7 +41,7 @@ def slerp(candidate: Candidate, rng: Rng) -> None:
         return array_of(candidate(q0, q1, u), (4,), what)
 
     one = np.eye(4)[0]  # simple inputs first
-    simple = ((angle, sign) for angle in (1.0, 0.0, 0.05, np.pi / 2) for sign in (1, -1))
+    simple = ((angle, sign) for angle in (1.0, 0.0, 0.05, 1e-3, 1e-5, np.pi / 2) for sign in (1, -1))
     for angle, sign in cases(simple, "q0 = (1, 0, 0, 0), q1 at {:.4g} rad about z, times {}, and u = 0.5"):
         middle = at(one, sign * exponential(angle * np.eye(3)[2]), 0.5)
         same(middle @ middle, 1, "unit length all the way")
@@ -86,10 +86,14 @@ def to_own_axes(candidate: Candidate, rng: Rng) -> None:
     third = np.array([1.0, 2, 3, 0.5, 0.5, 0.5, 0.5])  # its axes x, y, z are the world's y, z, x
     told = "a frame whose axes x, y, z are the world's y, z, x, and P = diag{}"
     for (variances,) in cases([((0, 0, 0, 1, 0, 0),), ((0, 0, 0, 0, 4, 0),)], told):
-        found = np.diag(covariance(candidate(third, np.diag(np.array(variances, dtype=float))), 6))[3:]
+        found = np.diag(covariance(candidate(third, np.diag(np.array(variances, dtype=float))), 6))
         world, own = ("x", "z") if variances[3] else ("y", "x")
         what = f"an error about the world's {world} axis is one about the frame's {own} axis"
-        same(found, np.roll(variances[3:], -1), what)
+        same(found[3:], np.roll(variances[3:], -1), what)
+        same(found[:3], np.zeros(3), "turning on the left of q does not move t")
+    for (variances,) in cases([((1, 0, 0, 0, 0, 0),)], told):
+        found = np.diag(covariance(candidate(third, np.diag(np.array(variances, dtype=float))), 6))
+        same(found[:3], variances[:3], "a displacement keeps its world axes")
     inputs = []
     for _ in range(4):
         root = rng.standard_normal((6, 6))

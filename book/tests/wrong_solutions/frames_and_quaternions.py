@@ -97,6 +97,11 @@ def not_unit_if_close(q0, q1, u):
     return (1 - u) * q0 + u * q1 * np.sign(q0 @ q1) if abs(q0 @ q1) > 0.9995 else zero_by_zero(q0, q1, u)
 
 
+@wrong("frames_and_quaternions.3", "a threshold freezes small turns, here up to 1.1 degrees")
+def frozen_if_close(q0, q1, u):
+    return q0.copy() if abs(q0 @ q1) > np.cos(0.01) else zero_by_zero(q0, q1, u)
+
+
 @wrong("frames_and_quaternions.3", "0 / 0 where the orientations are the same, but not the quaternions")
 def zero_by_zero_at_the_opposite(q0, q1, u):
     return q0.copy() if q0 @ q1 > 0.999999 else zero_by_zero(q0, q1, u)
