@@ -64,7 +64,10 @@ def _same_points(line: Array, abscissas: Array, pose: Array) -> Array:
 
 @exercise("segments.3", "which segments are in view", seed=126)
 def is_visible(candidate: Candidate, rng: Rng) -> None:
-    """A thousand points of the segment say whether some part is in the image; close calls are left out."""
+    """A thousand points of a segment say whether some part is in the image; close calls are left out.
+
+    Then segments so long that samples miss the part in view: they are laid through a point that is in the image.
+    """
     k, image, share = np.array([250.0, 290, 300, 400]), (640, 480), np.linspace(0, 1, 1001)[:, None]
     hard = np.array([[[-200, 0, 1], [200, 0, 1]], [[-1, 0, 0.05], [1, 0, 0.05]]])  # a short part in view; very near
     kinds: dict[str, list[Array]] = {kind: [] for kind in KINDS}
@@ -78,3 +81,17 @@ def is_visible(candidate: Candidate, rng: Rng) -> None:
             if sure == possible:
                 seen = bool(candidate(first, second, k, image))
                 holds(seen == sure, f"visible or not, {kind}", f"your function says {seen}")
+    for first, second in cases(_long_segments(rng, k, image), "the segment {}"):
+        seen = bool(candidate(first, second, k, image))
+        holds(seen, "visible: a short part of a long segment", f"your function says {seen}")
+
+
+def _long_segments(rng: Rng, k: Array, image: tuple[int, int]) -> Array:
+    """Segments (60, 2, 3) of 2 km and much more through points well inside the image, half of them at one depth."""
+    pixels = rng.uniform(0.2, 0.8, (60, 2)) * image
+    points = rng.uniform(1, 5, (60, 1)) * np.column_stack([(pixels - k[:2]) / k[2:], np.ones(60)])
+    along = rng.standard_normal((60, 3))
+    along[:30, 2] = 0
+    along /= np.linalg.norm(along, axis=-1, keepdims=True)
+    reach = 10 ** rng.uniform(3, 7, (60, 2, 1)) * [[-1], [1]]
+    return np.asarray(points[:, None] + reach * along[:, None])

@@ -126,10 +126,24 @@ def exchanged(first, second, intrinsics, image):
     return near_plane(first, second, intrinsics, image[::-1], least=0)
 
 
+def _sampled(first, second, intrinsics, image, n):
+    points = first + np.linspace(0, 1, n)[:, None] * (second - first)
+    return any(_inside(p, intrinsics, np.array(image)) for p in points)
+
+
 @wrong("segments.3", "fifty samples of the segment: a short part in view falls between two of them")
 def samples(first, second, intrinsics, image):
-    points = first + np.linspace(0, 1, 50)[:, None] * (second - first)
-    return any(_inside(p, intrinsics, np.array(image)) for p in points)
+    return _sampled(first, second, intrinsics, image, 50)
+
+
+@wrong("segments.3", "fifty-one samples: the middle is one of them")
+def samples_and_middle(first, second, intrinsics, image):
+    return _sampled(first, second, intrinsics, image, 51)
+
+
+@wrong("segments.3", "a thousand and one samples")
+def many_samples(first, second, intrinsics, image):
+    return _sampled(first, second, intrinsics, image, 1001)
 
 
 @wrong("segments.3", "clips at a depth of ten centimetres, and what is nearer is lost")
