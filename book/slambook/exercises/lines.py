@@ -51,11 +51,11 @@ def reanchor(candidate: Candidate, rng: Rng) -> None:
         moved, found = parts(candidate(landmark, P, anchor), {"the landmark": (9,), "the covariance": (9, 9)})
         same(moved[:3], anchor, "the anchor is the new one")
         pose = np.array([0.5, -1, 2, 1.0, 0, 0, 0])
-        before, J = to_frame.jac(pose, landmark)
-        after, K = to_frame.jac(pose, moved)
-        same(after, before, "the line is seen the same")
+        same(to_frame(pose, moved), to_frame(pose, landmark), "the line is seen the same")
         covariance(found, 9)
         same(found[:3, :3], np.zeros((3, 3)), "the new anchor is exactly known")
+        pose[:3] = anchor  # there the moment seen is the new one, whatever its correlation with the direction
+        J, K = to_frame.jac(pose, landmark)[1], to_frame.jac(pose, moved)[1]
         wanted = J.landmark @ P @ J.landmark.T
         seen, scale = K.landmark @ found @ K.landmark.T, np.abs(wanted).max()
         same(seen[:3, :3] / scale, wanted[:3, :3] / scale, "the moment is as certain as before")
@@ -63,7 +63,7 @@ def reanchor(candidate: Candidate, rng: Rng) -> None:
 
 
 @exercise("lines.3", "the image of a line", seed=123)
-def image_line(candidate: Candidate, rng: Rng) -> None:
+def project_line(candidate: Candidate, rng: Rng) -> None:
     """Pixels of points with n . p = 0 lie on it, also where the two focal lengths differ; its scale is free."""
     square, narrow = np.array([320.0, 240, 300, 300]), np.array([350.0, 190, 500, 250])
     simple = np.array([[[0.0, -1, 4], [0, 1, 4]], [[-1, 1, 4], [1, 1, 4]]])  # a vertical line, a level one

@@ -150,6 +150,14 @@ def without_direction(landmark, P, anchor):
     return _moved(landmark, anchor), J @ P @ J.T
 
 
+@wrong("lines.2", "without the correlation of moment and direction")
+def uncorrelated(landmark, P, anchor):
+    J = _by_landmark(landmark, anchor)
+    found = J @ P @ J.T
+    found[3:6, 6:] = found[6:, 3:6] = 0
+    return _moved(landmark, anchor), found
+
+
 @wrong("lines.2", "the Jacobian transposed")
 def transposed(landmark, P, anchor):
     J = _by_landmark(landmark, anchor)
