@@ -13,7 +13,7 @@ from slamlib.models.numerical import differences
 @exercise("your_own_model.1", "a prior in another coordinate")
 def angle_prior(candidate: Candidate) -> None:
     """The mean through the definition of the angle, the standard deviation by differences of the candidate's mean."""
-    priors = (0.0, 0.1), (0.25, 0.125), (1.0, 0.5), (5.0, 2.5), (-0.01, 0.02)
+    priors = (0.25, 0.125), (1.0, 0.5), (5.0, 2.5), (0.0, 0.1), (-0.01, 0.02)
     for rho, sigma in cases(priors, "inverse distance {:g} with sigma {:g} per metre"):
         angle, spread = parts(candidate(rho, sigma), {"the angle": (), "its standard deviation": None})
         if rho == 0:

@@ -38,6 +38,11 @@ def complement(rho, sigma):
     return np.arctan2(1, rho), sigma / (1 + rho**2)
 
 
+@wrong("your_own_model.1", "the fraction upside down, which also divides by zero at infinity")
+def upside_down(rho, sigma):
+    return np.arctan(1 / rho), sigma / (1 + rho**2)
+
+
 @wrong("your_own_model.1", "half of what lies between both sides, not the slope")
 def both_sides(rho, sigma):
     return np.arctan(rho), (np.arctan(rho + sigma) - np.arctan(rho - sigma)) / 2
