@@ -41,12 +41,13 @@ def slerp(candidate: Candidate, rng: Rng) -> None:
         return array_of(candidate(q0, q1, u), (4,), what)
 
     one = np.eye(4)[0]  # simple inputs first
-    simple = ((angle, sign) for angle in (1.0, 0.0, 0.05, 1e-3, 1e-5, np.pi / 2) for sign in (1, -1))
+    simple = ((angle, sign) for angle in (1.0, 0.0, 0.05, 1e-3, 1e-5, 1e-8, np.pi / 2) for sign in (1, -1))
     for angle, sign in cases(simple, "q0 = (1, 0, 0, 0), q1 at {:.4g} rad about z, times {}, and u = 0.5"):
         middle = at(one, sign * exponential(angle * np.eye(3)[2]), 0.5)
         same(middle @ middle, 1, "unit length all the way")
         holds(abs(middle[0]) > 0.7, "the short way round", f"found {middle}")
-        same(logarithm(middle), [0, 0, angle / 2], "halfway is halfway" if angle else "stays where both are the same")
+        share = logarithm(middle) / (angle or 1.0)  # of the turn, so that a small one counts as much as a large one
+        same(share, [0, 0, 0.5 * (angle > 0)], "halfway is halfway" if angle else "stays where both are the same")
     inputs = []
     for size in 4 * (3.0, 0.2):  # the second of each pair: close together, where some interpolate linearly
         q0, step = UnitQuaternion.random(rng), size * rng.standard_normal(3)

@@ -102,6 +102,11 @@ def frozen_if_close(q0, q1, u):
     return q0.copy() if abs(q0 @ q1) > np.cos(0.01) else zero_by_zero(q0, q1, u)
 
 
+@wrong("frames_and_quaternions.3", "a threshold freezes tiny turns, here up to 1e-7 rad")
+def frozen_if_very_close(q0, q1, u):
+    return q0.copy() if np.linalg.norm(minus(q1, q0)) < 1e-7 else plus(q0, u * minus(q1, q0))
+
+
 @wrong("frames_and_quaternions.3", "0 / 0 where the orientations are the same, but not the quaternions")
 def zero_by_zero_at_the_opposite(q0, q1, u):
     return q0.copy() if q0 @ q1 > 0.999999 else zero_by_zero(q0, q1, u)
