@@ -14,7 +14,7 @@ SAME = re.compile(
     r"\bsame(?: on unit vectors)?: (\d+) of (\d+) entries by symbolic difference(, \d+ zero to 50 digits)?"
 )
 HOLDS = re.compile(
-    r"the same in slamlib$|\bagrees? with the complex step|is the complex step's at"
+    r"^this cell is slamlib/|\bagrees? with the complex step|is the complex step's at"
     r"|: +True(?: True)*$|^proved: |proved$"
 )
 UNNAMED = '<summary aria-label="Toggle hidden content">'  # hides from a screen reader the name that is shown

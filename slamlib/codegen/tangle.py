@@ -29,7 +29,7 @@ def register(shell: Any) -> None:
         shell.user_ns.update(names)
         if drift is not None:
             raise drift
-        print(f"{line.strip()}: {len(cell.splitlines())} lines, the same in slamlib")
+        print(f"this cell is {line.strip()}")
 
     shell.register_magic_function(tangle, "cell", "tangle")
 
