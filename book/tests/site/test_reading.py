@@ -13,6 +13,7 @@ from book.tools import layout
 
 PAGES = {name: address(layout.BOOK / "chapters" / f"{name}.ipynb") for name in ("points", "slam_in_five_minutes")}
 WIDE = address(layout.BOOK / "chapters" / "frames_and_quaternions.ipynb")  # has formulas that a phone scrolls
+SUMMED = address(layout.BOOK / "chapters" / "stochastic_map.ipynb")  # proves much in a cell whose code is seen
 HOW = "proved by computer algebra", "equal to 50 digits"
 OPEN = "() => [...document.querySelectorAll('details.hide.above-input')].map(e => e.open)"
 OPACITY = "e => getComputedStyle(e).opacity"
@@ -127,12 +128,17 @@ def test_what_only_confirms_is_a_green_line_that_unfolds(read):
         assert re.search(rf"({'|'.join(HOW)}), \d+ entr(y|ies)|\d+ checks hold", told), told
     lines = read.locator(".cell_output.confirmed").filter(has=read.locator("pre:visible"))
     assert lines.count() > 0
-    if "points" in read.url:
-        whole = read.locator(".cell_output.confirmed details pre").first
-        assert not whole.is_visible()
-        sums.first.press("Enter")
-        assert whole.is_visible()
-        assert len(re.findall(r"(?m)\bsame: (\d+) of \1 entries", whole.inner_text())) > 1
+
+
+def test_many_confirmations_are_folded_behind_their_sum(browser, site, outside):
+    page = browser.new_page()
+    page.goto(f"{site}/{SUMMED}")
+    whole = page.locator(".cell_output.confirmed details pre").first
+    assert not whole.is_visible()
+    page.locator(".cell_output.confirmed summary").first.press("Enter")
+    assert whole.is_visible()
+    assert len(re.findall(r"(?m)\bsame: (\d+) of \1 entries", whole.inner_text())) > 1
+    page.close()
 
 
 @pytest.mark.parametrize(
