@@ -214,6 +214,13 @@ def test_outputs_are_stored_as_text_with_counts_that_nbval_compares(page):
     assert notebooks.unstored([page]) == []
 
 
+@pytest.mark.parametrize("page", layout.notebooks(), ids=lambda c: c.stem)
+def test_what_opens_a_fold_holds_no_link(page):
+    """One control within another: a reader who presses it gets either, and a screen reader hears neither."""
+    titles = re.findall(r"(?m)^:+\{dropdown\} (.*)$", prose(page))
+    assert [title for title in titles if re.search(r"\]\(|\{(eq|ref|cite|doc|term)\}", title)] == []
+
+
 def test_the_landing_page_lists_the_chapters_in_their_order_by_parts():
     listed = prose(landing.PAGE).partition(":::{div} chapters\n")[2].partition("\n:::")[0]
     found = re.findall(r"(?m)^(?:\*\*(.+)\*\*$|- \[[^]]+\]\(chapters/(\w+)\.ipynb\))", listed)
