@@ -159,6 +159,14 @@ def _of_input() -> str:
     return "" if asked is None else f"for the input ({asked()}): "
 
 
+def is_finite(value: Any) -> bool:
+    """Whether these are finite numbers, or no numbers at all: of what kind they are, array_of says."""
+    try:
+        return bool(np.isfinite(np.asarray(value, dtype=float)).all())
+    except (TypeError, ValueError):
+        return True
+
+
 def number(value: Any, what: str) -> float:
     """The value as one finite number, or Rejected."""
     return float(array_of(value, (), what))

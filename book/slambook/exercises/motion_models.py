@@ -1,10 +1,8 @@
 """Checks of the chapter: motion models."""
 
-from typing import Any
-
 import numpy as np
 
-from slambook.exercises.kit import Candidate, Rng, cases, covariance, exercise, given, holds, parts, same
+from slambook.exercises.kit import Candidate, Rng, cases, covariance, exercise, given, holds, is_finite, parts, same
 from slamlib.geometry.pose import ORIGIN, Pose, compose
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.manifolds import Array
@@ -26,7 +24,7 @@ def arc(candidate: Candidate, rng: Rng) -> None:
     for x, control, *_ in cases(asked, "x {}, u {}, P {}, U {}"):
         u, turn = np.array(control), control[1]
         returned = parts(candidate(x, P, u, U), dict.fromkeys(shapes))
-        holds(all(map(_finite, returned)), "finite numbers, also at no turn", "found nan or infinity")
+        holds(all(map(is_finite, returned)), "finite numbers, also at no turn", "found nan or infinity")
         mean, found = parts(returned, shapes)
         headings = x[2] + turn * (np.arange(20000) + 0.5) / 20000
         there = x[:2] + u[0] * np.array([np.cos(headings).mean(), np.sin(headings).mean()])
@@ -39,14 +37,6 @@ def arc(candidate: Candidate, rng: Rng) -> None:
         same(by_pose, F @ P @ F.T, "a perfect control, U = 0: the error moves with the mean", tolerance=1e-6)
         same(by_control, G @ U @ G.T, "a known pose, P = 0: the control's error moves it", tolerance=1e-6)
         same(found, F @ P @ F.T + G @ U @ G.T, "independent errors add their covariances", tolerance=1e-6)
-
-
-def _finite(value: Any) -> bool:
-    """Whether these are finite numbers, or no numbers at all."""
-    try:
-        return bool(np.isfinite(np.asarray(value, dtype=float)).all())
-    except (TypeError, ValueError):
-        return True  # its kind is told elsewhere
 
 
 @exercise("motion_models.2", "propagating a covariance", seed=73)

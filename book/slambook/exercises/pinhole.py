@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slambook.exercises import Candidate, Rng, exercise
-from slambook.exercises.kit import array_of, cases, given, holds, parts, same
+from slambook.exercises.kit import array_of, cases, given, holds, is_finite, parts, same
 from slamlib.manifolds import Array
 from slamlib.models.numerical import differences
 
@@ -42,8 +42,7 @@ def pinhole(candidate: Candidate, rng: Rng) -> None:
 
         def seen(point: Array, k: Array = k, d: Array = np.array(d)) -> list[Any]:  # noqa: B008
             found = parts(candidate(point, k, d), {"the pixel": None, "the Jacobian": None})
-            finite = all(np.isfinite(np.asarray(part, dtype=float)).all() for part in found)
-            holds(finite, "pixel and Jacobian are numbers", f"found {found[0]} and {found[1]}")
+            holds(all(map(is_finite, found)), "pixel and Jacobian are numbers", f"found {found[0]} and {found[1]}")
             return parts(found, {"the pixel": (2,), "the Jacobian": (2, 3)})
 
         told = f"d = {d}, k = {k.round(1).tolist()} and the point "

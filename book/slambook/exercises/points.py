@@ -1,5 +1,7 @@
 """Checks of the chapter: points."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from slambook.exercises import Candidate, Rng, exercise
@@ -7,6 +9,7 @@ from slambook.exercises.kit import array_of, cases, covariance, holds, number, p
 from slamlib.geometry.pose import ORIGIN
 from slamlib.landmarks.fhm_point import FHM_POINT
 from slamlib.landmarks.linearity import euclidean_index
+from slamlib.manifolds import Array
 from slamlib.models.numerical import differences
 
 
@@ -44,15 +47,8 @@ def convert(candidate: Candidate, rng: Rng) -> None:
         same(ray * landmark[6], landmark[3:6], "rho times the way from the anchor to the point is m")
     for _, landmark in cases(tuple(landmarks.items()), "a direction of length {:g}, landmark {}"):
         root = rng.standard_normal((7, 7)) / 10
-        P = root @ root.T
-        found = covariance(candidate(landmark, P)[1], 3)
-        J = differences(lambda x: candidate(x, np.eye(7))[0], landmark)
-        for block, what in ((slice(3), "the anchor's"), (slice(3, 6), "the direction's"), (slice(6, 7), "rho's")):
-            alone = np.zeros((7, 7))
-            alone[block, block] = P[block, block]
-            one = candidate(landmark, alone)[1]
-            same(one, J @ alone @ J.T, f"{what} error alone gives its share of the covariance", tolerance=1e-6)
-        same(found, J @ P @ J.T, "so do all errors together, with their correlations", tolerance=1e-6)
+        blocks = {"the anchor's": slice(3), "the direction's": slice(3, 6), "rho's": slice(6, 7)}
+        _moves_its_error(candidate, landmark, root @ root.T, blocks)
 
 
 @exercise("points.3", "depth and distance")
@@ -81,12 +77,18 @@ def to_plane(candidate: Candidate, rng: Rng) -> None:
         same(away * landmark[3], [np.cos(azimuth), np.sin(azimuth)], "it lies in the direction of the azimuth")
     for _, landmark in cases(tuple(landmarks.items()), "an azimuth of {:g} rad, landmark {}"):
         root = rng.standard_normal((4, 4)) / 10
-        P = root @ root.T
-        found = covariance(candidate(landmark, P)[1], 2)
-        J = differences(lambda x: candidate(x, np.eye(4))[0], landmark)
-        for block, what in ((slice(2), "the anchor's"), (slice(2, 3), "the azimuth's"), (slice(3, 4), "rho's")):
-            alone = np.zeros((4, 4))
-            alone[block, block] = P[block, block]
-            one = candidate(landmark, alone)[1]
-            same(one, J @ alone @ J.T, f"{what} error alone gives its share of the covariance", tolerance=1e-6)
-        same(found, J @ P @ J.T, "so do all errors together, with their correlations", tolerance=1e-6)
+        blocks = {"the anchor's": slice(2), "the azimuth's": slice(2, 3), "rho's": slice(3, 4)}
+        _moves_its_error(candidate, landmark, root @ root.T, blocks)
+
+
+def _moves_its_error(candidate: Candidate, landmark: Array, P: Array, blocks: Mapping[str, slice]) -> None:
+    """The covariance returned is J P J', by differences of the mean returned: for each block's error, then for all."""
+    J = differences(lambda x: candidate(x, np.eye(len(x)))[0], landmark)
+    covariance(candidate(landmark, P)[1], len(J))
+    for what, block in blocks.items():
+        alone = np.zeros_like(P)
+        alone[block, block] = P[block, block]
+        one = candidate(landmark, alone)[1]
+        same(one, J @ alone @ J.T, f"{what} error alone gives its share of the covariance", tolerance=1e-6)
+    what = "so do all errors together, with their correlations"
+    same(candidate(landmark, P)[1], J @ P @ J.T, what, tolerance=1e-6)
