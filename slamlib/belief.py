@@ -137,14 +137,30 @@ class Belief:
         self._set([b for b in self._blocks if b is not block], P)
 
     @linalg.quiet_floats
-    def replace(self, block: Block, manifold: int | Manifold, mean: Array, jacobian: Array) -> Block:
-        """Change a block's parametrization: its rows become J P, J (new dof, old dof). Every handle stays valid."""
+    def replace(
+        self,
+        block: Block,
+        manifold: int | Manifold,
+        mean: Array,
+        jacobian: Array,
+        *,
+        given: Sequence[Block] = (),
+        jacobians: Sequence[Array] = (),
+    ) -> Block:
+        """Change a block's parametrization: its rows become J P, J (new dof, old dof). Every handle stays valid.
+
+        given, jacobians: of a change that depends on other blocks, too, those with (new dof, dof of the other block).
+        """
         manifold = as_manifold(manifold)
         mean = checked_mean(manifold, mean, "replace")
-        self._own([block])
+        self._own([block, *given])
         J = finite(jacobian, (manifold.dof, block.dof), "replace", "jacobian")
         rows = J @ self._P[block.slice]
+        for other, G in zip(given, jacobians, strict=True):
+            rows += finite(G, (manifold.dof, other.dof), "replace", "jacobians") @ self._P[other.slice]
         corner = rows[:, block.slice] @ J.T
+        for other, G in zip(given, jacobians, strict=True):
+            corner = corner + rows[:, other.slice] @ G.T
         linalg.check_overflow("replace", rows, corner)
         P = linalg.replace_rows(self._P, block.slice, rows, corner)
         block.set_mean(manifold, mean)

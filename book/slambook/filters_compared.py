@@ -26,7 +26,7 @@ from slamlib.manifolds import Array
 from slamlib.records.inputs import Scan
 from slamlib.slam import Slam
 from slamlib.slam.snapshot import robot_view
-from slamlib.slam.transport import TRANSPORTS
+from slamlib.slam.transport import TRANSPORTS, Transport
 
 FILTERS, WITH_ANCHORS, ALL_DATA = ("local", "world", "oracle"), "anchors", "all data"
 PRODUCTS, LATER, ALONE = "products", "later", 20  # frames
@@ -74,7 +74,7 @@ def poses(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array]:
 
 def _filtered(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array, Smoother | None]:
     """Poses as the filter has them, and the smoother that listened to it, for ALL_DATA."""
-    TRANSPORTS[WITH_ANCHORS] = anchors_carried  # an option for this run alone
+    TRANSPORTS[WITH_ANCHORS] = Transport(anchors_carried)  # an option for this run alone
     try:
         error = "local" if name in ("oracle", ALL_DATA) else "world" if name in (PRODUCTS, LATER) else name
         preset = replace(preset, seed=seed, options=replace(preset.options, error=error))

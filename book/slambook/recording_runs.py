@@ -39,7 +39,7 @@ def meet(slam: Slam, observer: int, observed: int, measured: Array) -> bool:
     S = slam.belief.innovation_covariance(blocks, jacobians, calibration.noise)
     is_inlier = bool(innovation @ np.linalg.solve(S, innovation) < gate(slam.options.gate, len(innovation)))
     if is_inlier:
-        slam.belief.update(blocks, jacobians, innovation, calibration.noise)
+        slam.update(blocks, jacobians, innovation, calibration.noise, robot=slam.robots.index(view.sensor.robot))
     return is_inlier
 
 

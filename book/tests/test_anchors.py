@@ -11,7 +11,7 @@ from slambook.filters_compared import WITH_ANCHORS, poses
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
-from slamlib.slam.transport import TRANSPORTS
+from slamlib.slam.transport import TRANSPORTS, Transport
 
 
 def with_landmark(name, **options):
@@ -66,7 +66,7 @@ def test_an_update_gains_nothing_on_where_an_anchor_stands(name):
     """
     far, kind = {}, {**POINTS, **LINES}[name]
     free = replace(kind, constrain=None) if name in LINES else kind
-    with patch.dict(TRANSPORTS, {WITH_ANCHORS: anchors_carried}):
+    with patch.dict(TRANSPORTS, {WITH_ANCHORS: Transport(anchors_carried)}):
         for error in ("world", WITH_ANCHORS):
             p = with_landmark(name, error=error)
             *frames, last = [frame for frame, _ in p.simulate()]

@@ -34,6 +34,11 @@ class FamilyOptions(Plain):
     inverse_distance: tuple[Finite, Positive] = (0.25, 0.25)
     others: dict[str, str] | None = None
 
+    @property
+    def carried(self) -> bool:
+        """Whether the covariance is kept of errors that move with the world: then each change of a state moves so."""
+        return False
+
 
 FamilyOptionsT = TypeVar("FamilyOptionsT", bound=FamilyOptions)  # the options of one family
 
@@ -114,6 +119,13 @@ class Viewpoint(NamedTuple):
     linearization_pose: Array
     jacobian: Array
     linearization: Linearization | None
+
+    @property
+    def by_block(self) -> list[Array]:
+        """The jacobian by each of `sensor.blocks`, (6, dof): a robot's velocities do not move its sensors."""
+        k, robot = len(self.sensor.robot.columns), self.sensor.robot.block
+        by_robot = np.pad(self.jacobian[:, :k], ((0, 0), (0, robot.dof - k)))
+        return [by_robot, self.jacobian[:, k:]][: len(self.sensor.blocks)]
 
     def linearized(self, landmarks: list[Landmark]) -> Array:
         """Linearization points (n, size) of landmarks of one kind."""

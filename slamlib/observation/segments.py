@@ -126,13 +126,19 @@ class LineFamily(Family[LineOptions]):
     def after_update(
         self, belief: Belief, sensor: RigSensor, landmarks: list[Landmark], measured: Array, options: LineOptions
     ) -> None:
-        """After an update: enforce the line constraint, let the endpoints follow the measured ones. Chapter lines."""
-        kind = landmarks[0].kind
-        camera = viewpoint(sensor).pose
+        """After an update: enforce the line constraint, let the endpoints follow the measured ones. Chapter lines.
+
+        The constraint holds the line's image from the camera's place, which is estimated: where errors move with the
+        world, eq. (ob-constrain), its derivative by that place counts. The toolbox takes the place as given.
+        """
+        kind, view = landmarks[0].kind, viewpoint(sensor)
+        camera = view.pose
         if kind.constrain is not None:
+            given = sensor.blocks if options.carried else []
             for landmark in landmarks:
                 mean, J = kind.constrain.jac(landmark.block.mean, camera[:3])
-                belief.replace(landmark.block, landmark.block.manifold, mean, J.landmark)
+                by = [J.eye @ each[:3] for each in view.by_block] if given else []
+                belief.replace(landmark.block, landmark.block.manifold, mean, J.landmark, given=given, jacobians=by)
         rule = endpoints.EndpointExtension(options.extend, options.extend_switch)
         if not rule.extend:
             return

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slamlib.belief import Belief
+from slamlib.belief import Belief, Block, UpdateResult
 from slamlib.entities import Landmark, RigSensor, Robot, State
 from slamlib.entities.linearization import FirstEstimates, Linearization
 from slamlib.errors import ShapeError, SingularPointError, SlamlibError, entry
@@ -150,10 +150,12 @@ class Slam:
         report = StepReport()
         self.number = frame.number
         self.predict(frame.controls, frame.dt)
-        self.absolute = [
-            update_by_robot(self.belief, self.robots[measured.robot], measured, self.linearization, self.options)
-            for measured in frame.absolute
-        ]
+        self.absolute = []
+        for measured in frame.absolute:
+            robot = self.robots[measured.robot]
+            with transport.TRANSPORTS[self.options.error].by_robot(self.state, robot):
+                own = update_by_robot(self.belief, robot, measured, self.linearization, self.options)
+            self.absolute.append(own)
         for i, scan in enumerate(frame.scans):
             self.scans[i], self.predictions[i] = scan, self.project(i)
             if update:
@@ -169,6 +171,17 @@ class Slam:
         self.time += dt
         for robot, control in zip(self.robots, controls, strict=True):
             self._predict(robot, control, dt)
+
+    def update(
+        self, blocks: Sequence[Block], jacobians: Sequence[Array], innovation: Array, R: Array, *, robot: int = 0
+    ) -> UpdateResult:
+        """Update by any other measurement: robots that meet, a beacon at a known place, a prior on a landmark.
+
+        As Belief.update; the covariance is kept in the error that the options name. robot: the index of the one that
+        measures, or of any. Raises SlamlibError; then nothing is changed.
+        """
+        with transport.TRANSPORTS[self.options.error].by_robot(self.state, self.robots[robot]):
+            return self.belief.update(blocks, jacobians, innovation, R)
 
     def _frame(
         self, given: Frame | Control | ArrayLike | None, seen: Mapping[Id, ArrayLike] | None, dt: float
@@ -271,7 +284,7 @@ class Slam:
         chosen = select(inputs, front_end, options.selection, options.updates)
         matched = match(inputs, front_end, chosen)
         for group in OUTLIER_REJECTIONS[options.outlier_rejection](self.belief, sensor, matched, options):
-            with transport.TRANSPORTS[options.error](self.state, sensor) as projection:
+            with transport.TRANSPORTS[options.error].by_sensor(self.state, sensor) as projection:
                 if options.reproject:
                     update_sequentially(self.belief, sensor, group, options, projection)
                 else:

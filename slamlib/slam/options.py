@@ -69,6 +69,11 @@ class Options(UpkeepOptions, UpdateOptions, LineOptions, PointOptions):
     max_new: Count = 1
     others: dict[Annotated[str, OneOf(FAMILIES)], str] | None = None
 
+    @property
+    def carried(self) -> bool:
+        """Whether the covariance is kept of errors that move with the world."""
+        return TRANSPORTS[self.error].carries
+
     def __post_init__(self) -> None:
         check(self)
         for family, kind in (self.others or {}).items():

@@ -5,14 +5,17 @@ H N = 0. But N depends on the means, and after an update the next H has another 
 world are made one of the new means: the covariance is that of the right-invariant error (Barrau and Bonnabel 2017).
 """
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
+from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
+from slamlib.belief import Belief
 from slamlib.entities import RigSensor, Robot, State
 from slamlib.entities.unobservable import Movable, check_moved, generator
-from slamlib.geometry.pose import ORIGIN, compose
+from slamlib.geometry.pose import ORIGIN, compose, exponential
 from slamlib.kalman.linalg import Carry
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array, Indices
@@ -37,7 +40,12 @@ def generators(state: State) -> Array:
     layout = state.layout
     for group in state.kinds():
         N[group.rows] = generator(group.landmarks[0].kind, group.means(layout))
-    return N @ min((robot.motion.free for robot in state.robots), key=lambda free: free.shape[1])
+    return N @ directions(state)
+
+
+def directions(state: State) -> Array:
+    """Basis (6, f) of the motions of the world that all robots can make with it."""
+    return min((robot.motion.free for robot in state.robots), key=lambda free: free.shape[1])
 
 
 def trade(size: int, sensor: RigSensor, extrinsics: Block) -> Array:
@@ -71,7 +79,7 @@ def carried(state: State, sensor: RigSensor) -> Iterator[Projection]:
     T = I + (N(after) - N(before)) L, where L reads the motion of the world from the errors of the sensor's robot and
     extrinsics. Until then a Jacobian H at other means becomes H T = H (I - N(before) L), as H N(after) = 0.
     """
-    rows: Indices = sensor.columns
+    rows = sensor.columns
     before = unobservable(state, sensor)
     motion = left_inverse(before[rows])
 
@@ -80,26 +88,100 @@ def carried(state: State, sensor: RigSensor) -> Iterator[Projection]:
         H[:, : len(rows)] -= H @ before[columns] @ motion
         return H
 
+    with _followed(state.belief, partial(unobservable, state, sensor), before, rows, motion):
+        yield project
+
+
+@contextmanager
+def told(state: State, robot: Robot) -> Iterator[Projection]:
+    """As `carried`, for one update by anything but a sensor's landmarks: GPS, a compass, a meeting, a known beacon.
+
+    Such a measurement may tell where the world lies (H N is not 0). So its step holds a motion m = L step of the world,
+    which all means make together, as one rigid motion exp(m) of any size; each block adds only what is left of the
+    step, step - N m. L reads m from the errors of this robot. Chapter observability, eq. (ob-screw).
+    """
+    with _moved_together(state, robot), followed(state, robot):
+        yield unprojected
+
+
+@contextmanager
+def followed(state: State, robot: Robot) -> Iterator[None]:
+    """Within the block the covariance follows the means of one update, however these are moved."""
+    before = generators(state)
+    with _followed(
+        state.belief, partial(generators, state), before, robot.columns, left_inverse(before[robot.columns])
+    ):
+        yield
+
+
+@contextmanager
+def _moved_together(state: State, robot: Robot) -> Iterator[None]:
+    """Within the block a step moves the world by exp(L step), and each block by what is left of the step."""
+    N, rows, free = generators(state), robot.columns, directions(state)
+    L = left_inverse(N[rows])
+    kinds: dict[int, Movable] = {id(own.block): own.motion for own in state.robots}
+    kinds |= {id(landmark.block): landmark.kind for landmark in state.landmarks}
+
+    def retract(blocks: Sequence[Block], step: Array) -> list[Array]:
+        m = L @ step[rows]
+        motion, left = exponential(free @ m), step - N @ m
+        means = [block.manifold.plus(block.mean, left[block.slice]) for block in blocks]
+        return [
+            check_moved(kinds[id(block)])(motion, mean) if id(block) in kinds else mean  # extrinsics are in no world
+            for block, mean in zip(blocks, means, strict=True)
+        ]
+
+    belief = state.belief
+    own, belief.retraction = belief.retraction, retract
+    try:
+        yield
+    finally:
+        belief.retraction = own
+
+
+@contextmanager
+def _followed(
+    belief: Belief, unobservable_now: Callable[[], Array], before: Array, rows: Indices, motion: Array
+) -> Iterator[None]:
+    """Within the block an update of the covariance ends with T P T', T = I + (N(after) - N(before)) L."""
+
     def carry() -> Carry | None:
-        change = unobservable(state, sensor) - before
+        change = unobservable_now() - before
         moved = change.any(axis=0)  # a translation of the world adds the same to a point or a pose anywhere
         return (rows, change[:, moved], np.asarray(motion[moved], float)) if moved.any() else None
 
-    state.belief.transport = carry
+    belief.transport = carry
     try:
-        yield project
+        yield
     finally:
-        state.belief.transport = None
+        belief.transport = None
 
 
-def kept(state: State, sensor: RigSensor) -> AbstractContextManager[Projection]:
+def kept(state: State, source: RigSensor | Robot) -> AbstractContextManager[Projection]:
     """The covariance stays as the update leaves it."""
     return nullcontext(unprojected)
 
 
-# What happens to the covariance around an update, by the error whose covariance it is.
-TRANSPORTS: dict[str, Callable[[State, RigSensor], AbstractContextManager[Projection]]] = {
-    "local": kept,
-    "first-estimates": kept,
-    "world": carried,
+@dataclass(frozen=True)
+class Transport:
+    """What happens to the covariance around an update.
+
+    by_sensor: by what a sensor measures of landmarks. by_robot: by anything else; the robot is the one whose errors say
+    what motion of the world there is in the state's.
+    """
+
+    by_sensor: Callable[[State, RigSensor], AbstractContextManager[Projection]] = kept
+    by_robot: Callable[[State, Robot], AbstractContextManager[Projection]] = kept
+
+    @property
+    def carries(self) -> bool:
+        """Whether the covariance follows the means."""
+        return self.by_sensor is not kept
+
+
+# By the error whose covariance the filter keeps.
+TRANSPORTS = {
+    "local": Transport(),
+    "first-estimates": Transport(),
+    "world": Transport(carried, told),
 }

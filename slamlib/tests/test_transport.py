@@ -13,11 +13,10 @@ from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band
 from slamlib.experiments.monte_carlo import monte_carlo
 from slamlib.experiments.presets import preset
-from slamlib.experiments.runs import map_errors
 from slamlib.geometry.pose import Pose
 from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS
-from slamlib.records.inputs import Control, RobotMeasurement
+from slamlib.records.inputs import Control
 from slamlib.rigs.setup import Rig, RobotSetup, SensorSetup
 from slamlib.slam import Slam
 from slamlib.slam.prediction import predict_measurements
@@ -158,12 +157,14 @@ def test_coordinates_of_the_error_change_as_their_matrix_says(n):
 
 
 @pytest.mark.parametrize("reproject", [True, False])
-@pytest.mark.parametrize("name", ["points", "lines", "two_robots", "self_calibration", "points_and_lines", "plane"])
+@pytest.mark.parametrize(
+    "name", ["points", "lines", "two_robots", "self_calibration", "points_and_lines", "plane", *LINES]
+)
 def test_an_update_gains_nothing_where_nothing_is_told(name, reproject):
     """Of two filters one is unsure of the motion of the world; it stays exactly as unsure of that of the new means."""
-    far = {}
+    far, given = {}, with_landmark if name in LINES else with_options
     for error in ("local", "world"):
-        p = replace(with_options(name, error=error, reproject=reproject, convert=False), frames=7)
+        p = replace(given(name, error=error, reproject=reproject, convert=False), frames=7)
         *frames, last = [frame for frame, _ in p.simulate()]
         sure, unsure = p.slam(), p.slam()
         for slam in (sure, unsure):
@@ -259,34 +260,6 @@ def test_what_says_nothing_of_the_motion_of_the_world_is_refused_before_the_run(
     slam.landmarks[0].kind = own
     with pytest.raises(SlamlibError, match="of mine, which has none"), carried(slam.state, slam.sensors[0]):
         pass
-
-
-def measured(p, frames, seed, measure):
-    """NEES (frames,) of a robot that also measures itself, and the median distance [m] of its map from the truth."""
-    slam, rng, found = p.slam(), np.random.default_rng(seed), []
-    for frame, truth in replace(p, frames=frames, seed=seed).simulate():
-        slam.step(replace(frame, absolute=measure(truth.robots[0], rng)))
-        e = Pose.minus(truth.robots[0], slam.robots[0].pose)
-        found.append(e @ np.linalg.solve(slam.belief.covariance(slam.robots[0].block), e))
-    return found, np.median(map_errors(slam.snapshot(), p.world)["points"])
-
-
-def test_what_is_told_from_outside_is_believed():
-    """With GPS the world's motion can be known: nothing is carried along there, and the filter is consistent."""
-    from slamlib.tests.test_seams import gps
-
-    def by_gps(pose, rng):
-        return (RobotMeasurement("gps", gps, gps(pose) + 0.1 * rng.standard_normal(3), 0.01 * np.eye(3)),)
-
-    p = replace(with_options("points", points="ahmPnt", error="world", reproject=False), noise_in="truth")
-    robot = replace(p.rig.robots[0], position_std=(0.5,), orientation_std=(3.0,))
-    p = replace(p, rig=Rig((robot,), p.rig.sensors))
-    runs = [measured(p, 60, seed, by_gps) for seed in range(12)]
-    found, away = (np.array(column) for column in zip(*runs, strict=True))
-    assert away.max() < 0.5  # [m]; by GPS alone 2, and as consistent
-    average, (low, high) = found.mean(0), band(6, 12)
-    assert np.mean((low < average) & (average < high)) > 0.6
-    assert found.mean() < 9
 
 
 def reckoned_sigma(p):
