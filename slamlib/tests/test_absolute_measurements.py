@@ -8,14 +8,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from slamlib.evaluation.consistency import band
-from slamlib.geometry.pose import Pose, compose, from_frame, inverse, logarithm, to_frame
+from slamlib.evaluation.consistency import band, share_inside
+from slamlib.geometry.pose import Pose, compose, exponential, from_frame, inverse, logarithm, to_frame
 from slamlib.landmarks import LINES, POINTS
 from slamlib.models import model
 from slamlib.motions import MOTIONS
 from slamlib.records.inputs import RobotMeasurement
 from slamlib.rigs.setup import Rig
 from slamlib.slam.transport import generator, generators
+from slamlib.tests import test_plane_maps
 from slamlib.tests.test_transport import run, with_landmark, with_options
 
 TYPES = [*POINTS, *LINES]
@@ -181,9 +182,9 @@ def test_the_retraction_of_a_belief_is_back_after_an_update():
     assert slam.belief.transport is None
 
 
-def kept_nees(slam, pose):
-    """NEES of the first robot in the error that is kept, log(X X^-1)."""
-    own, f = slam.robots[0], slam.robots[0].motion.free
+def kept_nees(slam, pose, robot=0):
+    """NEES of a robot in the error that is kept, log(X X^-1)."""
+    own, f = slam.robots[robot], slam.robots[robot].motion.free
     L = np.linalg.inv((generator(own.motion, own.block.mean) @ f)[: len(own.columns)])
     e = f.T @ logarithm(compose(pose, inverse(own.pose)))
     P = slam.belief.covariance(own.block)[: len(L), : len(L)]
@@ -219,3 +220,37 @@ def test_every_parametrization_is_consistent_with_gps(name):
     assert np.mean((low < average) & (average < high)) > 0.7
     assert found.mean() < 1.3 * dof
     assert by_gps(name, "local", range(3)).mean() > 3 * dof
+
+
+def of_two_robots(error, seeds, frames=40):
+    """Kept NEES (runs, frames, 2) of two robots in the plane, which know each other, and of the world its heading to
+    20 degrees; the second one has GPS in every fifth frame."""
+    other = replace(test_plane_maps.ROBOT, name="other", position=(0, 5, 0), euler=(0, 0, 180))
+    rig = Rig((test_plane_maps.ROBOT, other), (test_plane_maps.LASER, replace(test_plane_maps.LASER, robot=1)))
+    p = replace(test_plane_maps.PRESET, rig=rig, frames=frames)
+    p, Q, found = replace(p, options=replace(p.options, error=error)), np.diag([0.01, 0.01, np.radians(20)]) ** 2, []
+    for seed in seeds:
+        slam, rng, rows = (q := replace(p, seed=seed)).slam(), np.random.default_rng([1, seed]), []
+        motion, blocks = slam.robots[0].motion, dict(enumerate(slam.belief.blocks))
+        by = exponential(motion.free @ (np.sqrt(Q.diagonal()) * rng.standard_normal(3)))
+        P, means = slam.belief.matrix.copy(), {i: motion.moved(by, block.mean) for i, block in blocks.items()}
+        slam.belief.overwrite(blocks, means, P)
+        N = generators(slam.state)
+        slam.belief.overwrite(blocks, means, P + N @ Q @ N.T)
+        for frame, truth in q.simulate():
+            if not frame.number % 5:
+                z = floor_position(truth.poses[1]) + 0.1 * rng.standard_normal(2)
+                frame = replace(frame, absolute=(RobotMeasurement("gps", floor_position, z, 0.01 * np.eye(2), 1),))
+            slam.step(frame)
+            if frame.number > 5:
+                rows.append([kept_nees(slam, pose, r) for r, pose in enumerate(truth.poses)])
+        found.append(rows)
+    return np.array(found)
+
+
+@pytest.mark.parametrize("first", [0, 100], ids=["seeds 0-9", "seeds 100-109"])
+def test_two_robots_of_the_plane_are_consistent_wherever_their_world_lies(first):
+    average = of_two_robots("world", range(first, first + 10)).mean(0)
+    for of_one in average.T:
+        assert share_inside(of_one, band(3, runs=10)) > 0.85
+    assert of_two_robots("local", range(first, first + 3)).mean() > 20

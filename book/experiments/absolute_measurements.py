@@ -1,0 +1,221 @@
+"""GPS beside landmarks, in filters that differ in what an absolute measurement does to mean and covariance.
+
+    make absolute-measurements        # a quarter of an hour; --only NAME for one table
+
+Two sets of seeds; all filters of a table see the same frames and the same fixes. The robot knows at first where it
+stands, and its heading to some degrees. Filters:
+
+    local              each block's own error, as in every EKF
+    nothing carried    "world" at landmarks; around GPS mean and covariance are left to each block
+    covariance carried around GPS the covariance follows the means, and each block still moves by itself
+    world              slamlib's: around GPS the means make one rigid motion, and the covariance follows them
+    half-way reset, left reset   as world, and an update of the covariance by the Jacobian of exp, or by its adjoint
+
+The last two ask what is kept over an update: with the proper reset, errors to the left and to the right are the same
+filter (Ge et al. 2025), and to transform the covariance for each kind of measurement (CT-ESKF, arXiv 2511.00453) is
+such a reset.
+"""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from functools import partial
+from typing import Any
+from unittest.mock import patch
+
+import joblib
+import numpy as np
+
+from book.experiments.consistency import by_range_and_bearing
+from book.experiments.stored import main, plain
+from book.experiments.toolbox_tour import with_options
+from book.tools import layout
+from slamlib.entities import Robot, State
+from slamlib.entities.unobservable import generator
+from slamlib.experiments.presets import PRESETS, Preset, lines, points
+from slamlib.geometry.pose import Pose, adjoint, compose, exponential, inverse, logarithm
+from slamlib.geometry.quaternion import left_jacobian, skew
+from slamlib.landmarks import LINES, POINTS
+from slamlib.manifolds import Array
+from slamlib.models import model
+from slamlib.records.inputs import RobotMeasurement
+from slamlib.rigs.setup import Rig
+from slamlib.slam import Slam
+from slamlib.slam.transport import (
+    TRANSPORTS,
+    Transport,
+    carried,
+    directions,
+    followed,
+    generators,
+    kept,
+    left_inverse,
+    told,
+)
+
+FILE = layout.BOOK / "chapters" / "data" / "absolute_measurements.json"
+SETS, RUNS, RUNS_BY_TYPE = (5000, 9000), 40, 16
+FAILED = 5.0  # times its degrees of freedom: a run with a larger mean NEES
+BEGUN = 5  # frames that are not counted
+
+
+@model(pose=Pose)
+def position(pose):
+    """Position [m] in space."""
+    return pose[:3]
+
+
+@model(pose=Pose)
+def floor_position(pose):
+    """Position [m] on the floor."""
+    return pose[:2]
+
+
+def left_jacobian_of_twists(twist: Array) -> Array:
+    """Jacobian (6, 6) of the exponential of a twist, by its series of adjoints: exp(x + d) is exp(J d) exp(x)."""
+    turn, shift = skew(twist[3:]), skew(twist[:3])
+    small = np.block([[turn, shift], [np.zeros((3, 3)), turn]])
+    term, total = np.eye(6), np.eye(6)
+    for n in range(2, 30):
+        term = term @ small / n
+        total = total + term
+    assert np.allclose(total[3:, 3:], left_jacobian(twist[3:]))
+    return total
+
+
+@contextmanager
+def told_with_reset(by_step: Callable[[Array], Array], state: State, robot: Robot) -> Iterator[Any]:
+    """As slamlib's `told`, and an error that was a motion e of the world is A e afterwards, A (6, 6) by the step."""
+    before, rows, free = generators(state), robot.columns, directions(state)
+    L, steps = left_inverse(before[rows]), []
+    with told(state, robot) as projection:
+        retract = state.belief.retraction
+
+        def recorded(blocks, step):
+            steps.append(free @ L @ step[rows])
+            return retract(blocks, step)
+
+        def carry():
+            A = free.T @ by_step(steps[-1]) @ free
+            return rows, generators(state) @ A - before, L
+
+        state.belief.retraction, state.belief.transport = recorded, carry
+        yield projection
+
+
+def adjoint_of(twist: Array) -> Array:
+    """Adjoint (6, 6) of the motion that a twist makes."""
+    return adjoint(exponential(twist))
+
+
+def only_followed(state: State, robot: Robot) -> Any:
+    """The covariance follows the means, which each block moves by itself."""
+    return followed(state, robot)
+
+
+WAYS = {
+    "local": ("local", Transport()),
+    "nothing carried": ("world", Transport(carried, kept)),
+    "covariance carried": ("world", Transport(carried, only_followed)),
+    "world": ("world", Transport(carried, told)),
+    "half-way reset": ("world", Transport(carried, partial(told_with_reset, left_jacobian_of_twists))),
+    "left reset": ("world", Transport(carried, partial(told_with_reset, adjoint_of))),
+}
+
+
+def nees_of(slam: Slam, truth: Array) -> tuple[float, float, Array]:
+    """NEES of the first robot in its block's own error and in log(X X^-1), and the former."""
+    own = slam.robots[0]
+    k, free = len(own.columns), own.motion.free
+    P = slam.belief.covariance(own.block)[:k, :k]
+    e = free.T @ Pose.minus(truth, own.pose)
+    L = np.linalg.inv((generator(own.motion, own.block.mean) @ free)[:k])
+    xi = free.T @ logarithm(compose(truth, inverse(own.pose)))
+    return float(e @ np.linalg.solve(P, e)), float(xi @ np.linalg.solve(L @ P @ L.T, xi)), e
+
+
+def one_run(preset: Preset, way: str, every: int, sigma: float, seed: int) -> list[float]:
+    """Of one run: mean NEES linear and kept, mean square position error [m^2], heading error at the end [rad]."""
+    error, transport = WAYS[way]
+    with patch.dict(TRANSPORTS, {error: transport}):
+        preset = replace(with_options(preset, error=error), seed=seed)
+        slam, rng, rows, e = preset.slam(), np.random.default_rng([4, seed]), [], np.zeros(6)
+        fix, place = (floor_position, 2) if slam.robots[0].motion.pose_of else (position, 3)
+        for frame, truth in preset.simulate():
+            if frame.number % every == 0:
+                z = fix(truth.poses[0])
+                z, R = z + sigma * rng.standard_normal(len(z)), sigma**2 * np.eye(len(z))
+                frame = replace(frame, absolute=(RobotMeasurement("gps", fix, z, R),))
+            slam.step(frame)
+            if frame.number > BEGUN:
+                linear, own, e = nees_of(slam, truth.poses[0])
+                rows.append((linear, own, e[:place] @ e[:place]))
+    return [*np.mean(rows, axis=0), e[-1]]
+
+
+def spread(values: Array) -> list[float]:
+    """Mean, its standard error, and median."""
+    return [values.mean(), values.std(ddof=1) / len(values) ** 0.5, float(np.median(values))]
+
+
+def table(preset: Preset, ways: tuple[str, ...], every: int, sigma: float, runs: int, jobs: int = 2) -> dict[str, Any]:
+    """By way and set of seeds: spreads of both NEES, rms of all runs and of the median [m], heading [deg], failed."""
+    found: dict[str, Any] = {}
+    dof = preset.rig.dof[0]
+    for way in ways:
+        for first in SETS:
+            seeds = range(first, first + runs)
+            one = joblib.delayed(one_run)
+            rows = np.array(joblib.Parallel(n_jobs=jobs)(one(preset, way, every, sigma, seed) for seed in seeds))
+            linear, own, squares, heading = rows.T
+            found.setdefault(way, {})[str(first)] = said = plain({
+                "linear": spread(linear), "kept": spread(own), "rms": np.sqrt(squares.mean()),
+                "median rms": np.sqrt(np.median(squares)), "heading": np.degrees(np.sqrt((heading**2).mean())),
+                "failed": (own > FAILED * dof).mean(), "first": rows[0],
+            })  # fmt: skip
+            print(way, first, {name: said[name] for name in said if name != "first"}, flush=True)
+    return {"dof": dof, "runs": runs, **found}
+
+
+def unsure(preset: Preset, degrees: float, frames: int) -> Preset:
+    """The preset with its heading known to these degrees at first."""
+    robot = replace(preset.rig.robots[0], orientation_std=(0.0, 0.0, float(degrees)))
+    return replace(preset, rig=Rig((robot,), preset.rig.sensors), frames=frames)
+
+
+def in_space(degrees: float) -> Preset:
+    """Points by range and bearing, without a gate."""
+    base = replace(with_options(points(), reproject=False, gate=1.0), noise_in="truth")
+    return unsure(by_range_and_bearing(base), degrees, 200)
+
+
+def in_plane(degrees: float) -> Preset:
+    """The world of five minutes."""
+    return unsure(PRESETS["five_minutes"](), degrees, 160)
+
+
+def of_type(name: str) -> Preset:
+    """A parametrization in its preset, 60 frames, the heading known to 20 degrees."""
+    base = points() if name in POINTS else lines()
+    base = replace(with_options(base, reproject=False), noise_in="truth")
+    own = by_range_and_bearing(base) if name == "eucPnt" else with_options(
+        base, **{"points" if name in POINTS else "lines": name}
+    )  # fmt: skip
+    return unsure(own, 20, 60)
+
+
+def parts() -> dict[str, Callable[[], Any]]:
+    """All tables by name."""
+    few = tuple(WAYS)[:4]
+    space = {f"space, {d:g} degrees": partial(table, in_space(d), tuple(WAYS), 10, 0.3, RUNS) for d in (5, 20)}
+    plane = {
+        f"plane, {d} degrees, every {every}": partial(table, in_plane(d), few, every, 0.5, RUNS)
+        for d, every in ((5, 10), (20, 10), (20, 2))
+    }
+    kinds = [name for name in sorted(POINTS) if not POINTS[name].plane] + sorted(LINES)
+    types = {name: partial(table, of_type(name), ("local", "world"), 5, 0.1, RUNS_BY_TYPE) for name in kinds}
+    return {**space, **plane, **types}
+
+
+if __name__ == "__main__":
+    main(FILE, parts(), __doc__, resumable=True)
