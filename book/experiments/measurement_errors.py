@@ -23,7 +23,7 @@ from book.experiments.starts import DT, walk
 from book.tools import layout
 from slamlib.datasets.pictures import TimedImage
 from slamlib.datasets.sources import of_pictures
-from slamlib.evaluation.comparison import pose_error
+from slamlib.evaluation.pose_errors import pose_error
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.geometry.pose import compose, from_frame, relative, to_frame
 from slamlib.landmarks.euc_point import EUC_POINT

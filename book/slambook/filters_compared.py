@@ -16,8 +16,8 @@ from slambook.anchors import anchors_carried
 from slambook.oracle import Oracle
 from slambook.smoothing import Smoother
 from slamlib.entities import RigSensor
-from slamlib.evaluation.comparison import UNITS
 from slamlib.evaluation.consistency import band, nees_in_range, share_inside
+from slamlib.evaluation.pose_errors import UNITS
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
 from slamlib.kalman.chi_square import chi2_quantile

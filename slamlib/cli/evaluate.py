@@ -9,6 +9,7 @@ from slamlib.cli import runner
 from slamlib.evaluation.alignment import ALIGNMENTS
 from slamlib.evaluation.comparison import evaluate, rows
 from slamlib.evaluation.motion_pairs import ALONG
+from slamlib.evaluation.pose_errors import ERRORS
 from slamlib.evaluation.trajectory_files import FORMATS
 
 EXAMPLES = """examples:
@@ -41,6 +42,9 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     add("--delta-unit", choices=ALONG, default="frames", help="its unit (default frames)")
     add("--all-pairs", action="store_true", help="RPE of the motions from every pose, not of one after another")
     shared.reference_std(add)
+    add("--covariance-error", choices=ERRORS, default="linear", help="what the path's covariances are of, which the "
+        "file does not tell, and so of which error NEES is: linear (the default), or invariant, as in a filter "
+        "with the option error=world; for small errors it is the same")  # fmt: skip
     add("--format", choices=FORMATS, help="format of the path, where its file does not tell it")
     shared.reference_format(add)
     add("--times", metavar="FILE", help="one time [s] a row, for files that have none (KITTI, TartanAir)")
@@ -65,7 +69,7 @@ def execute(given: argparse.Namespace) -> int:
         given.path, given.reference, scale=given.scale, times=given.times, reference_std=given.reference_std,
         format=given.format, reference_format=given.reference_format, align=given.align, align_first=given.align_first,
         tolerance=given.tolerance, offset=given.offset, delta=given.delta, delta_unit=given.delta_unit,
-        all_pairs=given.all_pairs,
+        all_pairs=given.all_pairs, covariance_error=given.covariance_error,
     )  # fmt: skip
     runner.export_plot(given, lambda: {Path(given.path).name: found.series})
     runner.print_result(given, found.summary, shared.aligned_rows(rows(found.summary)))

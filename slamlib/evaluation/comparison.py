@@ -12,18 +12,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slamlib.errors import SlamlibError
+from slamlib.errors import SlamlibError, entry
 from slamlib.evaluation.alignment import AlignedTrajectory, align_trajectory, check_pairs, nearest_rotation
 from slamlib.evaluation.clocks import LEAST_TOLERANCE, denser, in_one_unit, time_offset
-from slamlib.evaluation.consistency import band, nees_in_range, share_inside
+from slamlib.evaluation.consistency import band, share_inside
 from slamlib.evaluation.motion_pairs import motion_pairs
+from slamlib.evaluation.pose_errors import ERRORS, pose_nees
 from slamlib.evaluation.trajectory import Rows, Trajectory, angles, matched_times, of_table
 from slamlib.evaluation.trajectory_files import PoseTable, read_poses, read_times
 from slamlib.geometry.pose import Pose, compose, inverse, relative
 from slamlib.geometry.quaternion import best_pivot, from_rotation, product, rotation
 from slamlib.manifolds import Array, Indices, finite
 
-DOF, UNITS = 6, (3, 3)  # of a pose: positions and rotations
+DOF = 6  # of a pose
 PLACED = 1.0  # [s] at the beginning, whose poses place the reference where a filter's covariances are judged
 KITTI_LENGTHS = tuple(map(float, range(100, 900, 100)))  # [m]
 LEAST_PAIRS, LEAST_SHARE, FEW = 3, 0.05, 10  # fewer pairs than FEW are too few unless they are a share of the poses
@@ -42,8 +43,10 @@ class ComparisonOptions:
     delta: float = 1
     delta_unit: str = "frames"
     all_pairs: bool = False
+    covariance_error: str = "linear"
 
     def __post_init__(self) -> None:
+        entry("covariance error", self.covariance_error, ERRORS)
         if self.tolerance is not None and not self.tolerance >= 0:
             raise SlamlibError(f"tolerance, the largest distance in time, is zero or more, got {self.tolerance}")
         if self.align_first is not None and self.align_first < 1:
@@ -89,6 +92,7 @@ def evaluate(
     delta: float = 1,
     delta_unit: str = "frames",
     all_pairs: bool = False,
+    covariance_error: str = "linear",
 ) -> Evaluation:
     """Compare a path with a reference of the same moving frame: ATE and RPE after an alignment, KITTI's metric, NEES.
 
@@ -106,6 +110,9 @@ def evaluate(
     delta, delta_unit: of the motions whose errors are the RPE, "frames", "s", "m", "deg" or "rad" along the path;
     all_pairs: from every pose, not one after another.
 
+    covariance_error: what the path's covariances are of, and so of which error NEES is: "linear", or "invariant", as in
+    a filter with error="world". The files do not tell it, and for small errors it is the same.
+
     Raises SlamlibError.
 
         >>> import numpy as np
@@ -115,7 +122,7 @@ def evaluate(
         >>> found.summary["poses"], round(found.summary["ate"], 6)
         (4, 0.0)
     """
-    how = ComparisonOptions(align, align_first, tolerance, offset, delta, delta_unit, all_pairs)
+    how = ComparisonOptions(align, align_first, tolerance, offset, delta, delta_unit, all_pairs, covariance_error)
     own, other = (
         read_poses(source, form) if isinstance(source, str | Path) else source
         for source, form in ((estimate, format), (reference, reference_format))
@@ -178,7 +185,7 @@ def compared(
     turned = statistics(orientation)
     series = {"times": other.times, "position": found.position, "orientation": orientation}
     uncertain = estimate.covariances is not None
-    series |= _nees(found.estimate, other, noise) if uncertain else {}
+    series |= _nees(found.estimate, other, noise, how.covariance_error) if uncertain else {}
     notes += _ranks(series) if uncertain else []
     steps = _motion_errors(
         found.estimate, other, *motion_pairs(found.estimate, how.delta, how.delta_unit, how.all_pairs)
@@ -203,7 +210,7 @@ def compared(
             "delta": how.delta, "delta_unit": how.delta_unit, "all_pairs": how.all_pairs, "motions": len(steps[0]),
         },
         "parts": parts(estimate, other) if metric and how.align != "scale" else None,
-        "nees": _consistency(series) if uncertain else None,
+        "nees": _consistency(series, how.covariance_error) if uncertain else None,
         "notes": notes,
     }  # fmt: skip
     return summary, series
@@ -278,20 +285,22 @@ def _motion_errors(estimate: Trajectory, reference: Trajectory, i: Rows, j: Rows
     return np.linalg.norm(error[:, :3], axis=1), np.degrees(angles(error[:, 3:]))
 
 
-def _nees(estimate: Trajectory, reference: Trajectory, noise: Sequence[float]) -> dict[str, Array]:
+def _nees(estimate: Trajectory, reference: Trajectory, noise: Sequence[float], error: str) -> dict[str, Array]:
     """NEES (n,) of the poses and its dof, their errors and deviations, by the motion that fits the first poses best.
 
     A filter's covariance is of its pose relative to where it started, not to where a best alignment of all puts it. But
     one pose of a reference may be wrong by more than the filter is (0.5 degrees are 0.5 m after 60 m): the first second
-    counts, or a tenth of a shorter path. Its own NEES, which are too small, are nan. noise: of each of its poses.
+    counts, or a tenth of a shorter path. Its own NEES, which are too small, are nan. noise: of each of its poses;
+    error: of which NEES is, among ERRORS.
     """
     spans = estimate.times - estimate.times[0]
     first = np.flatnonzero(spans <= min(PLACED, spans[-1] / 10))
     placed = align_trajectory(estimate[first], reference[first], scale=False, rotation_from="orientations")
     moved = placed.similarity.moved(estimate)
     covariances = np.asarray(moved.covariances) + np.diag(np.repeat([noise[0], np.radians(noise[1])], 3) ** 2)
-    found = map(pose_error, reference.poses, moved.poses, covariances)
-    errors, sigmas, nees, rank = map(np.array, zip(*found, strict=True))
+    errors, sigmas = Pose.minus(reference.poses, moved.poses), np.sqrt(np.diagonal(covariances, axis1=1, axis2=2))
+    judged = map(pose_nees, ERRORS[error](reference.poses, moved.poses), covariances)
+    nees, rank = map(np.array, zip(*judged, strict=True))
     if len(first) > 1:
         nees[first] = np.nan
     dof = rank.max()  # where more is known exactly than elsewhere, as at a start, is none that could be compared
@@ -307,22 +316,6 @@ def _ranks(series: dict[str, Array]) -> list[str]:
     if dof < DOF:
         return [f"{DOF - dof} of {DOF} directions are known exactly by the covariances: NEES is of the others"]
     return []
-
-
-def pose_error(
-    true: Array, estimate: Array, covariance: Array, free: Array | None = None
-) -> tuple[Array, Array, float, int]:
-    """Error (6,) of a pose (7,), true minus estimate in the tangent space, its deviations (6,), its NEES with its dof.
-
-    free (6, f): the directions in which the pose can be, each a position or a rotation, of which the NEES is; None:
-    all. What of them is known exactly is not among the dof.
-    """
-    error, sigma = Pose.minus(true, estimate), np.sqrt(covariance.diagonal())
-    if free is None:
-        return error, sigma, *nees_in_range(error, covariance, UNITS)
-    lengths = int(free[:3].any(0).sum())
-    units = (lengths, free.shape[1] - lengths)
-    return error, sigma, *nees_in_range(free.T @ error, free.T @ covariance @ free, units)
 
 
 def magnitudes(errors: Array, sigmas: Array) -> dict[str, Array]:
@@ -342,14 +335,14 @@ def sigmas_at_end(path: Trajectory) -> dict[str, float]:
     return {name: float(value) for name, value in found.items() if name.endswith("sigma")}
 
 
-def _consistency(series: dict[str, Array]) -> dict[str, Any] | None:
+def _consistency(series: dict[str, Array], error: str) -> dict[str, Any] | None:
     known = series["nees"][np.isfinite(series["nees"])]
     if not len(known):
         return None
     dof = int(series["nees_dof"][0])
     limits = band(dof)
     return {
-        "dof": dof, "median": float(np.median(known)), "last": float(known[-1]), "band": list(limits),
+        "error": error, "dof": dof, "median": float(np.median(known)), "last": float(known[-1]), "band": list(limits),
         "inside": share_inside(known, limits),
         "at_end": {n: float(series[n][-1]) for n in series if n.startswith(("position", "orientation"))},
     }  # fmt: skip
@@ -381,7 +374,8 @@ def rows(r: dict[str, Any]) -> list[tuple[str, str]]:
         (low, high), e = nees["band"], nees["at_end"]
         inside = f"{nees['inside']:.0%} of the poses inside [{low:.2f}, {high:.2f}] (1 run, 95 %)"
         found += [
-            (f"NEES, {nees['dof']} dof", f"median {nees['median']:.3g}, last {nees['last']:.3g}; {inside}"),
+            (f"NEES, {nees['dof']} dof, {nees['error']} error",
+             f"median {nees['median']:.3g}, last {nees['last']:.3g}; {inside}"),
             ("at the end, from the start", f"off by {e['position']:.3g} (sigma {e['position_sigma']:.2g}), "
              f"{e['orientation']:.2g} degrees (sigma {e['orientation_sigma']:.2g})"),
         ]  # fmt: skip

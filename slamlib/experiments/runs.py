@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import SlamlibError, UnknownNameError
-from slamlib.evaluation.comparison import magnitudes, pose_error
+from slamlib.evaluation.comparison import magnitudes
+from slamlib.evaluation.pose_errors import pose_error
 from slamlib.experiments.presets import Preset
 from slamlib.experiments.presets import preset as named
 from slamlib.manifolds import Array
