@@ -13,6 +13,7 @@ from slamlib.cli import arguments as shared
 from slamlib.cli import runner
 from slamlib.evaluation.consistency import share_inside
 from slamlib.experiments.monte_carlo import Experiment, monte_carlo
+from slamlib.experiments.runs import NEES
 from slamlib.landmarks import LINES, POINTS
 from slamlib.plain_data.files import check_writable
 from slamlib.slam.transport import TRANSPORTS
@@ -23,6 +24,10 @@ EXAMPLES = """examples:
   slamlib compare hmgPnt idpPnt --errors local world
   slamlib compare planePnt planeIdpPnt --runs 10
   slamlib compare ahmPnt hmgPnt --runs 1000 --scheduler tcp://host:8786 --folder finished
+
+NEES is that of the linear error of the pose (position and rotation apart), which fits the option error=local; beside it
+that of the invariant one (the motion from the estimate to the truth), which fits error=world. For small errors they are
+the same.
 """
 
 
@@ -77,7 +82,7 @@ def _usual_preset(landmark: str) -> str:
 
 def summary(name: str, found: Experiment) -> dict[str, Any]:
     """The result as plain data: lengths in metres, times in milliseconds."""
-    statistic = found.consistency()
+    statistic, invariant = (found.consistency(error=error) for error in NEES)
     half = statistic.average.size // 2
     return {
         "landmark": name,
@@ -93,6 +98,9 @@ def summary(name: str, found: Experiment) -> dict[str, Any]:
         "nees_band": list(statistic.limits),
         "inside_first_half": share_inside(statistic.average[: half or 1], statistic.limits),
         "inside": statistic.inside,
+        "nees_invariant_median": float(np.median(invariant.average)),
+        "nees_invariant_last": float(invariant.average[-1]),
+        "inside_invariant": invariant.inside,
         "landmarks": float(found.landmarks.mean()),
         "deleted": float(found.deleted.mean()),
         "milliseconds_per_frame": 1e3 * float(np.median(found.seconds)),
@@ -106,18 +114,20 @@ def table(rows: list[dict[str, Any]]) -> str:
         f"Preset {rows[0]['preset']}: {rows[0]['runs']} runs of {rows[0]['frames']} frames.\n"
         "At the last frame: position error (rms) and sigma, median error of the map.\n"
         f"NEES of the pose: {rows[0]['nees_dof']} degrees of freedom, averaged over the runs at each frame; "
-        f"95 % band [{low:.2f}, {high:.2f}]; share of the frames inside it."
+        f"95 % band [{low:.2f}, {high:.2f}]; share of the frames inside it.\n"
+        "NEES, linear error: median over the frames, at the last, shares of the first half and of all.\n"
+        "NEES, invariant error: median, share of all."
     )
     several = len({row["error"] for row in rows}) > 1
     names = [f"{row['landmark']} {row['error']}" if several else row["landmark"] for row in rows]
     width = max(8, *map(len, names))
     lines = ["", f"{'':{width}} {'error':>8} {'sigma':>8} {'map':>8} | {'NEES':>6} {'last':>6} {'1st half':>8} "
-             f"{'all':>5} | {'map':>5} {'lost':>5} {'ms/frame':>8}"]  # fmt: skip
+             f"{'all':>5} {'invariant':>9} {'all':>5} | {'map':>5} {'lost':>5} {'ms/frame':>8}"]  # fmt: skip
     lines += [
         f"{name:{width}} {100 * r['position_error_rms']:5.1f} cm {100 * r['position_sigma']:5.1f} cm "
         f"{100 * r['map_error_median']:5.1f} cm | {r['nees_median']:6.2f} {r['nees_last']:6.2f} "
-        f"{r['inside_first_half']:8.0%} {r['inside']:5.0%} | {r['landmarks']:5.1f} {r['deleted']:5.1f} "
-        f"{r['milliseconds_per_frame']:8.2f}"
+        f"{r['inside_first_half']:8.0%} {r['inside']:5.0%} {r['nees_invariant_median']:9.2f} "
+        f"{r['inside_invariant']:5.0%} | {r['landmarks']:5.1f} {r['deleted']:5.1f} {r['milliseconds_per_frame']:8.2f}"
         for name, r in zip(names, rows, strict=True)
     ]
     return head + "\n".join(lines)

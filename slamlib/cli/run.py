@@ -2,6 +2,7 @@
 
 import argparse
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from slamlib.cli import runner
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.comparison import magnitudes
 from slamlib.evaluation.consistency import band, share_inside
-from slamlib.experiments.runs import Result, Run
+from slamlib.experiments.runs import NEES, Result, Run
 from slamlib.manifolds import Array
 
 EXAMPLES = """examples:
@@ -23,6 +24,9 @@ EXAMPLES = """examples:
   slamlib preset points > mine.toml; slamlib run mine.toml
 
 on real images: slamlib run images --help; on stereo pairs: slamlib run stereo-images --help
+
+NEES is printed of two errors of the pose: linear (position and rotation apart), which fits the option error=local, and
+invariant (the motion from the estimate to the truth), which fits error=world. For small errors they are the same.
 """
 
 
@@ -75,13 +79,13 @@ def summary(result: Result) -> dict[str, Any]:
         {
             **_deviation(setup.name, result.errors[-1, i], result.sigmas[-1, i]),
             "nees": float(result.nees[-1, i]),
+            "nees_invariant": float(result.nees_invariant[-1, i]),
             "nees_dof": result.dof[i],
-            "nees_band": list(limits),
-            "nees_inside": share_inside(known, limits) if len(known) else None,
+            "nees_band": list(band(result.dof[i])),
+            "nees_inside": _share_inside(result, i, "linear"),
+            "nees_invariant_inside": _share_inside(result, i, "invariant"),
         }
         for i, setup in enumerate(result.preset.rig.robots)
-        for series, limits in [(result.judged(i), band(result.dof[i]))]
-        for known in [series[np.isfinite(series)]]
     ]
     found = result.extrinsics, result.extrinsics_nees, result.extrinsics_dof
     sensors = zip(result.preset.rig.sensors, *found, strict=True)
@@ -106,6 +110,13 @@ def summary(result: Result) -> dict[str, Any]:
     }
 
 
+def _share_inside(result: Result, robot: int, error: str) -> float | None:
+    """Share of the frames whose NEES is inside the band of one run; None where the pose is known exactly."""
+    series = result.judged(robot, error)
+    known = series[np.isfinite(series)]
+    return share_inside(known, band(result.dof[robot])) if len(known) else None
+
+
 def _deviation(name: str, *error_and_sigma: Array) -> dict[str, Any]:
     """A pose's error (6,) and standard deviations (6,) as plain data."""
     found = magnitudes(*error_and_sigma)
@@ -128,14 +139,15 @@ def table(result: Result) -> str:
         place = f"{100 * pose['position_error']:.1f} cm (sigma {100 * pose['position_sigma']:.1f} cm)"
         turn = f"{pose['attitude_error']:.2f} degrees (sigma {pose['attitude_sigma']:.2f})"
         rows.append((f"{pose['name']}: {what}", f"{place}, {turn}, {at}"))
-    for robot in s["robots"]:
+    for robot, (error, key) in product(s["robots"], NEES.items()):
         low, high = robot["nees_band"]
         share = "the motion has no noise: the pose is known exactly"
-        if robot["nees_inside"] is not None:
-            share = f"{robot['nees']:.2f}, {at}; {robot['nees_inside']:.0%} of the steps inside [{low:.2f}, {high:.2f}]"
-            share += " (1 run, 95 %)"
-        rows.append((f"{robot['name']}: NEES, {robot['nees_dof']} dof", share))
-    rows += [(f"{e['name']}: extrinsics NEES, {e['nees_dof']} dof", f"{e['nees']:.2f}, {at}") for e in s["extrinsics"]]
+        if robot[f"{key}_inside"] is not None:
+            inside = f"{robot[f'{key}_inside']:.0%} of the steps inside [{low:.2f}, {high:.2f}]"
+            share = f"{robot[key]:.2f}, {at}; {inside} (1 run, 95 %)"
+        rows.append((f"{robot['name']}: NEES, {robot['nees_dof']} dof, {error} error", share))
+    for e in s["extrinsics"]:
+        rows.append((f"{e['name']}: extrinsics NEES, {e['nees_dof']} dof, linear error", f"{e['nees']:.2f}, {at}"))
     rows.append(("NIS per degree of freedom", f"{s['nis_per_dof']:.2f}"))
     rows.append(("landmarks", f"{s['landmarks']} in the map, {s['initialized']} initialized, {s['deleted']} deleted"))
     for name in ("point", "line"):

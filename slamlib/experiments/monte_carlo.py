@@ -18,12 +18,12 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.errors import SlamlibError, optional
+from slamlib.errors import SlamlibError, entry, optional
 from slamlib.evaluation.consistency import Consistency
 from slamlib.experiments.cluster import on_cluster
 from slamlib.experiments.presets import Preset
 from slamlib.experiments.progress import progress
-from slamlib.experiments.runs import Run
+from slamlib.experiments.runs import NEES, Run
 from slamlib.manifolds import Array
 from slamlib.plain_data.files import read_archive, write_archive
 
@@ -32,13 +32,15 @@ from slamlib.plain_data.files import read_archive, write_archive
 class Experiment:
     """Many runs of one preset: per run and frame (k, n), and for each of r robots.
 
-    nees (k, n, r), of nees_dof (k, n, r) degrees of freedom; errors, sigmas (k, n, r): position errors [m] and their
+    nees, nees_invariant (k, n, r), of nees_dof (k, n, r) degrees of freedom: of the linear error, and of the invariant
+    one, whose covariance a filter with error="world" keeps; errors, sigmas (k, n, r): position errors [m] and their
     standard deviations by the filter; nis, nis_dof (k, n). landmarks, initialized, deleted (k,); seconds (k,):
     processor time, median of a frame; map_error (k,): median distance [m] of the map's landmarks from the truth.
     """
 
     preset: Preset
     nees: Array
+    nees_invariant: Array
     nees_dof: Array
     errors: Array
     sigmas: Array
@@ -50,17 +52,18 @@ class Experiment:
     seconds: Array
     map_error: Array
 
-    def consistency(self, robot: int = 0) -> Consistency:
-        """NEES of a robot's pose, averaged over the runs at each frame, with its band.
+    def consistency(self, robot: int = 0, error: str = "linear") -> Consistency:
+        """NEES of a robot's pose, averaged over the runs at each frame, with its band; error: "linear" or "invariant".
 
         Frames in which more of the pose is known exactly than in others, as at the start, are left out.
         """
-        nees, ranks = self.nees[:, :, robot], self.nees_dof[:, :, robot]
+        found = getattr(self, entry("error", error, NEES))
+        nees, ranks = found[:, :, robot], self.nees_dof[:, :, robot]
         dof = int(ranks.max())
-        return Consistency.of(nees[:, (ranks == dof).all(0)], dof)
+        return Consistency.of(nees[:, (ranks == dof).all(0)], dof, name=f"NEES, {error} error")
 
 
-FORMAT = "slamlib finished run"
+FORMAT, VERSION, OLD = "slamlib finished run", 3, "remove it, and the run is made anew"
 NAMES = [f.name for f in fields(Experiment)[1:]]
 Row = dict[str, Any]  # of one run: its numbers and arrays, by these names
 
@@ -94,12 +97,12 @@ def monte_carlo(
         plain = json.dumps(replace(preset, seed=0).to_dict(), sort_keys=True).encode()
         start = f"{preset.name}-{hashlib.sha256(plain).hexdigest()[:12]}"
         paths = {s: Path(folder) / f"{start}-{s}.npz" for s in own}
-    rows = {s: read_archive(path, FORMAT, 2)[1] for s, path in paths.items() if path.is_file()}
+    rows = {s: read_archive(path, FORMAT, VERSION, OLD)[1] for s, path in paths.items() if path.is_file()}
     finished, left = list(rows.items()), [s for s in own if s not in rows]
     with closing(_made(preset, left, jobs, scheduler, wait)) as made:  # whatever happens here, no run is left behind
         for s, row in progress(chain(finished, made), runs, f"{preset.name}, {runs} runs"):
             if s not in rows and s in paths:
-                write_archive(paths[s], FORMAT, 2, {}, row)
+                write_archive(paths[s], FORMAT, VERSION, {}, row)
             rows[s] = row
     return Experiment(preset, **{name: np.array([rows[s][name] for s in own]) for name in NAMES})
 
@@ -145,7 +148,8 @@ def run_once(preset: Preset, seed: int) -> tuple[int, Row]:
     away = np.concatenate([*result.map_errors.values()])
     away = away[np.isfinite(away)]
     return seed, {
-        name: getattr(result, name) for name in ("nees", "nees_dof", "nis", "nis_dof", "initialized", "deleted")
+        name: getattr(result, name)
+        for name in ("nees", "nees_invariant", "nees_dof", "nis", "nis_dof", "initialized", "deleted")
     } | {
         "errors": np.linalg.norm(result.errors[:, :, :3], axis=-1),
         "sigmas": np.linalg.norm(result.sigmas[:, :, :3], axis=-1),

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from slamlib.errors import SlamlibError, UnknownNameError
+from slamlib.errors import SlamlibError, UnknownNameError, entry
 from slamlib.evaluation.comparison import magnitudes
-from slamlib.evaluation.pose_errors import pose_error
+from slamlib.evaluation.pose_errors import invariant_error, pose_error, pose_nees
 from slamlib.experiments.presets import Preset
 from slamlib.experiments.presets import preset as named
 from slamlib.manifolds import Array
@@ -23,7 +23,10 @@ from slamlib.records.snapshots import Snapshot
 from slamlib.slam import Options, Slam, StepReport
 from slamlib.slam.snapshot import robot_view
 
-COLUMNS = ("errors", "sigmas", "nees", "nees_dof", "nis", "nis_dof", "landmarks", "size", "seconds")
+COLUMNS = (
+    "errors", "sigmas", "nees", "nees_invariant", "nees_dof", "nis", "nis_dof", "landmarks", "size", "seconds",
+)  # fmt: skip
+NEES = {"linear": "nees", "invariant": "nees_invariant"}  # columns by the error of a pose: `pose_errors`
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +34,8 @@ class Result:
     """Results of a run: per frame (n,), and for each of r robots.
 
     errors (n, r, 6): true pose minus estimate, in the tangent space; sigmas (n, r, 6): their estimated standard
-    deviations; nees (n, r), of nees_dof (n, r) degrees of freedom, the rank of the pose's covariance.
+    deviations; nees (n, r), of nees_dof (n, r) degrees of freedom, the rank of the pose's covariance. nees_invariant
+    (n, r): of as many, of the invariant error, whose covariance a filter with error="world" keeps.
     extrinsics (s, 2, 6): errors and deviations of the sensors' at the end, extrinsics_nees (s,) their NEES, of
     extrinsics_dof (s,); zero where they are given. nis (n,), of nis_dof (n,) degrees of freedom: of all inliers.
     landmarks, size, seconds (n,): of the map, of the state, and of the processor. initialized, deleted: in the whole
@@ -42,6 +46,7 @@ class Result:
     errors: Array
     sigmas: Array
     nees: Array
+    nees_invariant: Array
     nees_dof: Array
     nis: Array
     nis_dof: Array
@@ -70,21 +75,37 @@ class Result:
         most = self.nees_dof.max(0)
         return tuple(int(found) or own for found, own in zip(most, self.preset.rig.dof, strict=True))
 
-    def judged(self, robot: int) -> Array:
-        """NEES (n,) of a robot's pose; nan where more of it is known exactly than later, as at the start."""
-        return np.where(self.nees_dof[:, robot] == self.dof[robot], self.nees[:, robot], np.nan)
+    def judged(self, robot: int, error: str = "linear") -> Array:
+        """NEES (n,) of a robot's pose; nan where more of it is known exactly than later, as at the start.
+
+        error: "linear" or "invariant".
+        """
+        nees = getattr(self, entry("error", error, NEES))
+        return np.where(self.nees_dof[:, robot] == self.dof[robot], nees[:, robot], np.nan)
 
     @property
     def mean_nees(self) -> tuple[float, ...]:
         """NEES of each robot's pose, averaged over the frames with the most degrees of freedom."""
-        every = (self.judged(robot) for robot in range(self.nees.shape[1]))
+        return self._means("linear")
+
+    @property
+    def mean_nees_invariant(self) -> tuple[float, ...]:
+        """The same of the invariant error."""
+        return self._means("invariant")
+
+    def _means(self, error: str) -> tuple[float, ...]:
+        every = (self.judged(robot, error) for robot in range(self.nees.shape[1]))
         known = [own[np.isfinite(own)] for own in every]
         return tuple(float(own.mean()) if own.size else float("nan") for own in known)
 
     def _repr_html_(self) -> str:
-        """A row for each robot: where it ends, how far from the truth and how far by its own account, and its NEES."""
+        """A row for each robot: where it ends, how far from the truth and how far by its own account, and its NEES.
+
+        Of the linear and of the invariant error, with the degrees of freedom of both.
+        """
         found = magnitudes(self.errors[-1], self.sigmas[-1])
-        columns = ("at the end", "error [m]", "sigma [m]", "error [deg]", "sigma [deg]", "mean NEES", "of")
+        errors = ("error [m]", "sigma [m]", "error [deg]", "sigma [deg]")
+        columns = ("at the end", *errors, "mean NEES, linear error", "invariant error", "of")
         names = ("position", "position_sigma", "orientation", "orientation_sigma")
         return html_table(
             columns,
@@ -93,6 +114,7 @@ class Result:
                     robot.name,
                     *(f"{found[name][i]:.3g}" for name in names),
                     f"{self.mean_nees[i]:.3g}",
+                    f"{self.mean_nees_invariant[i]:.3g}",
                     f"{self.dof[i]}",
                 )
                 for i, robot in enumerate(self.preset.rig.robots)
@@ -100,12 +122,16 @@ class Result:
         )
 
     def series(self) -> dict[str, dict[str, Array]]:
-        """By robot the errors of each frame (n,), with their standard deviations, NEES and its dof, for a plot."""
+        """By robot the errors of each frame (n,), with their standard deviations, NEES and its dof, for a plot.
+
+        nees_invariant: of the invariant error.
+        """
         n = len(self.nees)
         times = self.preset.dt * np.arange(1.0, n + 1)
         found = {}
         for i, setup in enumerate(self.preset.rig.robots):
-            nees = {"nees": self.judged(i), "nees_dof": np.full(n, self.dof[i])}
+            nees = {name: self.judged(i, error) for error, name in NEES.items()}
+            nees["nees_dof"] = np.full(n, self.dof[i])
             found[setup.name] = {"times": times, **nees, **magnitudes(self.errors[:, i], self.sigmas[:, i])}
         return found
 
@@ -187,19 +213,20 @@ class Run:
     def _remember(self, truth: Truth, report: StepReport, seconds: float) -> None:
         self._initialized += len(report.initialized)
         self._deleted += len(report.deleted)
-        errors, sigmas, nees, ranks = [], [], [], []
+        errors, sigmas, nees, invariant, ranks = [], [], [], [], []
         for robot, pose in zip(self.slam.robots, truth.poses, strict=True):
             P = robot_view(self.slam.belief, robot).pose_covariance
             error, sigma, value, rank = pose_error(pose, robot.pose, P, robot.motion.free)
             errors.append(error.tolist())
             sigmas.append(sigma.tolist())
             nees.append(value)
+            invariant.append(pose_nees(invariant_error(pose, robot.pose), P, robot.motion.free)[0])
             ranks.append(rank)
         inliers = [prediction for each in self.slam.predictions for prediction in each if prediction.inlier]
         nis, dof = sum(prediction.nis for prediction in inliers), sum(len(prediction.S) for prediction in inliers)
         self._extrinsics = [extrinsics.tolist() for extrinsics in truth.extrinsics]
-        size = self.slam.belief.size
-        self._history.append([errors, sigmas, nees, ranks, nis, dof, len(self.slam.landmarks), size, seconds])
+        map_size = len(self.slam.landmarks), self.slam.belief.size
+        self._history.append([errors, sigmas, nees, invariant, ranks, nis, dof, *map_size, seconds])
 
     def result(self) -> Result:
         """Results so far. Raises SlamlibError before the first frame."""

@@ -5,15 +5,16 @@ import json
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from slamlib.cli import main, runner
-from slamlib.experiments.presets import Preset, preset
+from slamlib.experiments.presets import Preset, points, preset
 from slamlib.experiments.progress import progress
-from slamlib.experiments.runs import Run
+from slamlib.experiments.runs import Run, run
 from slamlib.tests.interruptions import interrupted_at
 
 SHORT = ["--frames", "12"]
@@ -22,7 +23,12 @@ SHORT = ["--frames", "12"]
 def test_run_prints_a_table(capsys):
     assert main(["run", "points", *SHORT]) == 0
     text = capsys.readouterr().out
-    for word in ("points, seed 1, 12 frames", "NEES, 6 dof", "landmarks", "ms per frame"):
+    for word in (
+        "points, seed 1, 12 frames",
+        "NEES, 6 dof, linear error",
+        "NEES, 6 dof, invariant error",
+        "ms per frame",
+    ):
         assert word in text
 
 
@@ -147,7 +153,23 @@ def test_compare_on_the_same_runs(capsys, tmp_path):
     assert main(words[:-4] + words[-4:]) == 0  # again, from the files
     assert json.loads(capsys.readouterr().out) == rows
     assert main(["compare", "plkLin", "--runs", "1", *SHORT]) == 0
-    assert "95 % band" in capsys.readouterr().out
+    text = capsys.readouterr().out
+    assert "95 % band" in text
+    assert "NEES, invariant error: median" in text
+
+
+def test_a_vague_start_is_told_by_both_nees_with_their_names(capsys, tmp_path):
+    robot = replace(points().rig.robots[0], orientation_std=(20.0,) * 3)
+    replace(points(), rig=replace(points().rig, robots=(robot,))).save(tmp_path / "vague.json")
+    assert main(["run", str(tmp_path / "vague.json"), "--frames", "20", "--json"]) == 0
+    (found,) = json.loads(capsys.readouterr().out)["robots"]
+    result = run(Preset.load(tmp_path / "vague.json"), frames=20)
+    assert (found["nees"], found["nees_invariant"]) == (result.nees[-1, 0], result.nees_invariant[-1, 0])
+    assert found["nees_invariant"] != pytest.approx(found["nees"], rel=0.05)
+    assert main(["compare", "idpPnt", "--preset", str(tmp_path / "vague.json"), "--runs", "2", "--json", *SHORT]) == 0
+    (row,) = json.loads(capsys.readouterr().out)
+    assert row["nees_invariant_last"] != pytest.approx(row["nees_last"], rel=0.01)
+    assert row["nees_invariant_median"] != pytest.approx(row["nees_median"], rel=0.01)
 
 
 def test_presets_have_a_table_each(capsys):
@@ -178,9 +200,9 @@ def test_the_estimated_extrinsics_are_in_the_table(capsys):
     text = capsys.readouterr().out
     assert "right: extrinsics error" in text
     assert f"(sigma {100 * found['position_sigma']:.1f} cm)" in text
-    assert f"right: extrinsics NEES, 6 dof  {found['nees']:.2f}, at frame 20" in text
+    assert f"right: extrinsics NEES, 6 dof, linear error  {found['nees']:.2f}, at frame 20" in text
     assert 0.2 < found["nees"] < 30
-    assert text.count("at frame 20") == 4
+    assert text.count("at frame 20") == 5
     assert main(["run", "stereo", "--frames", "5", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["extrinsics"] == []
 

@@ -126,12 +126,13 @@ def test_what_a_notebook_shows_as_a_table_has_a_row_for_each_robot_and_sensor_an
     camera = "<td>pinHole</td><td>&lt;b&gt;</td><td>0, 0, 0.6</td><td>-90, 0, -90</td>"
     assert f"<tr><th>camera</th>{camera}</tr>" in shown
     result = sl.run("two_robots", frames=3)
-    rows = re.findall(r"<tr><th>(first|second)</th>((?:<td>[^<]*</td>){6})</tr>", result._repr_html_())
+    rows = re.findall(r"<tr><th>(first|second)</th>((?:<td>[^<]*</td>){7})</tr>", result._repr_html_())
     assert [name for name, _ in rows] == ["first", "second"]
     for i, (_, cells) in enumerate(rows):
-        error, sigma, *_, nees, dof = (float(cell) for cell in re.findall(r"<td>([^<]*)</td>", cells))
+        error, sigma, *_, nees, invariant, dof = (float(cell) for cell in re.findall(r"<td>([^<]*)</td>", cells))
         wanted = [np.linalg.norm(each[-1, i, :3]) for each in (result.errors, result.sigmas)]
-        assert [error, sigma, nees, dof] == pytest.approx([*wanted, result.nees[:, i].mean(), 6], rel=5e-3)
+        means = result.nees[:, i].mean(), result.nees_invariant[:, i].mean()
+        assert [error, sigma, nees, invariant, dof] == pytest.approx([*wanted, *means, 6], rel=5e-3)
 
 
 def test_a_run_is_the_preset_with_the_fields_that_change():

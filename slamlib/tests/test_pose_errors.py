@@ -1,5 +1,7 @@
 """The invariant error of a pose: the motion from the estimate to the truth, small and large, in space and plane."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -10,6 +12,8 @@ from slamlib.evaluation.comparison import evaluate
 from slamlib.evaluation.consistency import nees_in_range
 from slamlib.evaluation.pose_errors import ERRORS, invariant_error, pose_nees
 from slamlib.evaluation.trajectory import Trajectory
+from slamlib.experiments.monte_carlo import monte_carlo
+from slamlib.experiments.presets import five_minutes, points
 from slamlib.geometry import pose2
 from slamlib.geometry.pose import Pose, compose, exponential, inverse, logarithm
 from slamlib.motions import MOTIONS, ODOMETRY
@@ -132,3 +136,33 @@ def test_a_path_is_judged_by_the_error_that_its_covariances_are_said_to_be_of(rn
     assert evaluate(path, Trajectory(path.times, truth)).summary["nees"] == found["linear"]
     with pytest.raises(SlamlibError, match="unknown covariance error 'world'"):
         evaluate(path, path, covariance_error="world")
+
+
+# -- bands: starts whose orientation is vague --------------------------------------------------------------------------
+
+
+def start_known_to(p, *degrees):
+    robot = replace(p.rig.robots[0], orientation_std=degrees)
+    return replace(p, rig=replace(p.rig, robots=(robot,)), options=replace(p.options, error="world", reproject=False))
+
+
+def space():
+    p, laser = points(), {"type": "rangeBearing", "image": None, "limits": {"yaw": np.pi / 4, "pitch": np.pi / 4}}
+    sensor = replace(p.rig.sensors[0], std=(0.1, np.radians(0.5), np.radians(0.5)), parameters={}, **laser)
+    p = replace(p, rig=replace(p.rig, sensors=(sensor,)), options=replace(p.options, points="eucPnt"))
+    return start_known_to(replace(p, frames=60, noise_in="truth"), 5.0, 5.0, 5.0)
+
+
+def plane():
+    return start_known_to(replace(five_minutes(), frames=80), 0.0, 0.0, 20.0)
+
+
+@pytest.mark.parametrize(("p", "dof", "linear"), [(space(), 6, 1.3), (plane(), 3, 3)], ids=["space", "plane"])
+def test_band_a_filter_that_keeps_the_invariant_error_is_consistent_in_it_and_not_in_the_linear_one(p, dof, linear):
+    found = monte_carlo(p, 40, seed=17)
+    assert found.nees_dof.max() == dof
+    own = found.nees_invariant[:, 5:, 0].mean(1)
+    assert abs(own.mean() - dof) < 2.5 * own.std(ddof=1) / np.sqrt(len(own))
+    assert own.mean() < 1.25 * dof
+    assert found.nees[:, 5:, 0].mean() > linear * dof
+    assert found.consistency(error="invariant").inside > 2 * found.consistency(error="linear").inside
