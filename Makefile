@@ -9,7 +9,7 @@ NUMPY ?= 1.25.*
 REVIEW := _build/review
 export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters invariant-nees rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -110,6 +110,9 @@ stereo-slam: environment  ## run the longer films of chapter stereo_ekf_slam and
 
 report-experiments: environment  ## run the experiments that the report asks for, and store their figures (page report_experiments)
 	@$(BIN)/python -m book.experiments.report_experiments
+
+invariant-nees: environment  ## run starts whose orientation is vague, judged by both errors, for chapter observability
+	@$(BIN)/python -m book.experiments.invariant_nees
 
 other-filters: environment  ## run the comparison of filters of chapter other_filters, and store its figures (long)
 	@$(BIN)/python -m book.experiments.other_filters

@@ -27,6 +27,10 @@ AGAIN = {
         "book/tests/test_stored_experiments.py::test_a_whole_run_comes_out_again_by_the_filter_and_by_all_data_at_once",
         "book/chapters/toolbox_tour.ipynb::17-060",
     ],
+    f"{DATA}/invariant_nees.json": [
+        "book/tests/test_stored_invariant_nees.py::test_the_first_numbers_come_out_again",
+        "book/tests/test_stored_invariant_nees.py::test_a_whole_run_comes_out_again",
+    ],
     f"{DATA}/measurement_errors.json": [
         "book/tests/test_stored_measurement_errors.py::test_a_short_film_comes_out_again",
     ],
