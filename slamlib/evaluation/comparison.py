@@ -298,8 +298,9 @@ def _nees(estimate: Trajectory, reference: Trajectory, noise: Sequence[float], e
     placed = align_trajectory(estimate[first], reference[first], scale=False, rotation_from="orientations")
     moved = placed.similarity.moved(estimate)
     covariances = np.asarray(moved.covariances) + np.diag(np.repeat([noise[0], np.radians(noise[1])], 3) ** 2)
-    errors, sigmas = Pose.minus(reference.poses, moved.poses), np.sqrt(np.diagonal(covariances, axis1=1, axis2=2))
-    judged = map(pose_nees, ERRORS[error](reference.poses, moved.poses), covariances)
+    errors = np.array(list(map(Pose.minus, reference.poses, moved.poses)))
+    sigmas = np.sqrt(np.diagonal(covariances, axis1=1, axis2=2))
+    judged = map(pose_nees, map(ERRORS[error], reference.poses, moved.poses), covariances)
     nees, rank = map(np.array, zip(*judged, strict=True))
     if len(first) > 1:
         nees[first] = np.nan

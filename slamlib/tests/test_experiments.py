@@ -9,10 +9,11 @@ import pytest
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band
 from slamlib.experiments import monte_carlo as monte_carlo_module
-from slamlib.experiments.monte_carlo import NAMES, monte_carlo, seeds
+from slamlib.experiments.monte_carlo import FORMAT, NAMES, VERSION, monte_carlo, seeds
 from slamlib.experiments.presets import Preset, preset
 from slamlib.experiments.runs import Run
 from slamlib.motions import MOTIONS, ODOMETRY
+from slamlib.plain_data.files import read_archive, write_archive
 from slamlib.rigs.setup import Rig
 from slamlib.tests.interruptions import interrupted_after
 
@@ -44,6 +45,15 @@ def test_finished_runs_are_kept_and_not_run_again(tmp_path, monkeypatch):
     assert not np.array_equal(monte_carlo(other, 2, folder=tmp_path).nees, first.nees)
     monkeypatch.setattr("slamlib.experiments.monte_carlo.Run", None)  # whatever would be run again would fail
     assert equal(monte_carlo(SHORT, 3, folder=tmp_path), more)
+
+
+def test_a_finished_run_of_another_version_is_named_with_what_to_do(tmp_path):
+    monte_carlo(SHORT, 1, folder=tmp_path)
+    (file,) = tmp_path.iterdir()
+    _, arrays = read_archive(file, FORMAT, VERSION)
+    write_archive(file, FORMAT, VERSION - 1, {}, arrays)
+    with pytest.raises(SlamlibError, match=f"has version {VERSION - 1}, .*remove it, and the run is made anew"):
+        monte_carlo(SHORT, 1, folder=tmp_path)
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
