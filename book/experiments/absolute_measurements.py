@@ -31,9 +31,9 @@ from book.experiments.stored import main, plain
 from book.experiments.toolbox_tour import with_options
 from book.tools import layout
 from slamlib.entities import Robot, State
-from slamlib.entities.unobservable import generator
+from slamlib.evaluation.pose_errors import invariant_error, pose_nees
 from slamlib.experiments.presets import PRESETS, Preset, lines, points
-from slamlib.geometry.pose import Pose, adjoint, compose, exponential, inverse, logarithm
+from slamlib.geometry.pose import Pose, adjoint, exponential
 from slamlib.geometry.quaternion import left_jacobian, skew
 from slamlib.landmarks import LINES, POINTS
 from slamlib.manifolds import Array
@@ -41,6 +41,7 @@ from slamlib.models import model
 from slamlib.records.inputs import RobotMeasurement
 from slamlib.rigs.setup import Rig
 from slamlib.slam import Slam
+from slamlib.slam.snapshot import robot_view
 from slamlib.slam.transport import (
     TRANSPORTS,
     Transport,
@@ -124,18 +125,14 @@ WAYS = {
 
 
 def nees_of(slam: Slam, truth: Array) -> tuple[float, float, Array]:
-    """NEES of the first robot in its block's own error and in log(X X^-1), and the former."""
+    """NEES of the first robot in the linear error and in the invariant one, and the linear error (f,)."""
     own = slam.robots[0]
-    k, free = len(own.columns), own.motion.free
-    P = slam.belief.covariance(own.block)[:k, :k]
-    e = free.T @ Pose.minus(truth, own.pose)
-    L = np.linalg.inv((generator(own.motion, own.block.mean) @ free)[:k])
-    xi = free.T @ logarithm(compose(truth, inverse(own.pose)))
-    return float(e @ np.linalg.solve(P, e)), float(xi @ np.linalg.solve(L @ P @ L.T, xi)), e
+    P, free, e = robot_view(slam.belief, own).pose_covariance, own.motion.free, Pose.minus(truth, own.pose)
+    return pose_nees(e, P, free)[0], pose_nees(invariant_error(truth, own.pose), P, free)[0], free.T @ e
 
 
 def one_run(preset: Preset, way: str, every: int, sigma: float, seed: int) -> list[float]:
-    """Of one run: mean NEES linear and kept, mean square position error [m^2], heading error at the end [rad]."""
+    """Of one run: mean NEES linear and invariant, mean square position error [m^2], heading error at the end [rad]."""
     error, transport = WAYS[way]
     with patch.dict(TRANSPORTS, {error: transport}):
         preset = replace(with_options(preset, error=error), seed=seed)
@@ -169,7 +166,7 @@ def table(preset: Preset, ways: tuple[str, ...], every: int, sigma: float, runs:
             rows = np.array(joblib.Parallel(n_jobs=jobs)(one(preset, way, every, sigma, seed) for seed in seeds))
             linear, own, squares, heading = rows.T
             found.setdefault(way, {})[str(first)] = said = plain({
-                "linear": spread(linear), "kept": spread(own), "rms": np.sqrt(squares.mean()),
+                "linear": spread(linear), "invariant": spread(own), "rms": np.sqrt(squares.mean()),
                 "median rms": np.sqrt(np.median(squares)), "heading": np.degrees(np.sqrt((heading**2).mean())),
                 "failed": (own > FAILED * dof).mean(), "first": rows[0],
             })  # fmt: skip

@@ -9,12 +9,14 @@ import numpy as np
 import pytest
 
 from slamlib.evaluation.consistency import band, share_inside
-from slamlib.geometry.pose import Pose, compose, exponential, from_frame, inverse, logarithm, to_frame
+from slamlib.evaluation.pose_errors import invariant_error, pose_nees
+from slamlib.geometry.pose import Pose, exponential, from_frame, to_frame
 from slamlib.landmarks import LINES, POINTS
 from slamlib.models import model
 from slamlib.motions import MOTIONS
 from slamlib.records.inputs import RobotMeasurement
 from slamlib.rigs.setup import Rig
+from slamlib.slam.snapshot import robot_view
 from slamlib.slam.transport import generator, generators
 from slamlib.tests import test_plane_maps
 from slamlib.tests.test_transport import run, with_landmark, with_options
@@ -182,17 +184,15 @@ def test_the_retraction_of_a_belief_is_back_after_an_update():
     assert slam.belief.transport is None
 
 
-def kept_nees(slam, pose, robot=0):
-    """NEES of a robot in the error that is kept, log(X X^-1)."""
-    own, f = slam.robots[robot], slam.robots[robot].motion.free
-    L = np.linalg.inv((generator(own.motion, own.block.mean) @ f)[: len(own.columns)])
-    e = f.T @ logarithm(compose(pose, inverse(own.pose)))
-    P = slam.belief.covariance(own.block)[: len(L), : len(L)]
-    return e @ np.linalg.solve(L @ P @ L.T, e)
+def nees(slam, pose, robot=0):
+    """NEES of a robot's pose in the invariant error, which is the one that is kept."""
+    own = slam.robots[robot]
+    P = robot_view(slam.belief, own).pose_covariance
+    return pose_nees(invariant_error(pose, own.pose), P, own.motion.free)[0]
 
 
 def by_gps(name, error, seeds, frames=60):
-    """Kept NEES (runs, frames) of a robot whose heading is known to 20 degrees, with GPS in every fifth frame."""
+    """Invariant NEES (runs, frames) of a robot whose heading is known to 20 degrees, with GPS in every fifth frame."""
     p = replace(with_landmark(name, error=error, reproject=False), noise_in="truth", frames=frames)
     robot = p.rig.robots[0]
     p = replace(p, rig=Rig((replace(robot, orientation_std=(0.0, 0.0, 20.0)),), p.rig.sensors))
@@ -207,14 +207,14 @@ def by_gps(name, error, seeds, frames=60):
                 frame = replace(frame, absolute=(noisy,))
             slam.step(frame)
             if frame.number > 5:
-                row.append(kept_nees(slam, truth.poses[0]))
+                row.append(nees(slam, truth.poses[0]))
         found.append(row)
     return np.array(found)
 
 
 @pytest.mark.parametrize("name", TYPES)
 def test_every_parametrization_is_consistent_with_gps(name):
-    """Kept NEES averaged over 12 runs, and its control: a filter that keeps each block's own error."""
+    """Invariant NEES averaged over 12 runs, and its control: a filter that keeps each block's own error."""
     found, dof = by_gps(name, "world", range(12)), 3 if name.startswith("plane") else 6
     average, (low, high) = found.mean(0), band(dof, 12)
     assert np.mean((low < average) & (average < high)) > 0.7
@@ -223,10 +223,12 @@ def test_every_parametrization_is_consistent_with_gps(name):
 
 
 def of_two_robots(error, seeds, frames=40):
-    """Kept NEES (runs, frames, 2) of two robots in the plane, which know each other, and of the world its heading to
-    20 degrees; the second one has GPS in every fifth frame."""
+    """Invariant NEES (runs, frames, 2) of two robots in the plane: they know each other, and the world's heading to 20
+    degrees. The second one has GPS in every fifth frame."""
     other = replace(test_plane_maps.ROBOT, name="other", position=(0, 5, 0), euler=(0, 0, 180))
-    rig = Rig((test_plane_maps.ROBOT, other), (test_plane_maps.LASER, replace(test_plane_maps.LASER, robot=1)))
+    rig = Rig(
+        (test_plane_maps.ROBOT, other), (test_plane_maps.LASER, replace(test_plane_maps.LASER, name="second", robot=1))
+    )
     p = replace(test_plane_maps.PRESET, rig=rig, frames=frames)
     p, Q, found = replace(p, options=replace(p.options, error=error)), np.diag([0.01, 0.01, np.radians(20)]) ** 2, []
     for seed in seeds:
@@ -243,7 +245,7 @@ def of_two_robots(error, seeds, frames=40):
                 frame = replace(frame, absolute=(RobotMeasurement("gps", floor_position, z, 0.01 * np.eye(2), 1),))
             slam.step(frame)
             if frame.number > 5:
-                rows.append([kept_nees(slam, pose, r) for r, pose in enumerate(truth.poses)])
+                rows.append([nees(slam, pose, r) for r, pose in enumerate(truth.poses)])
         found.append(rows)
     return np.array(found)
 
