@@ -16,7 +16,7 @@ filter (Ge et al. 2025), and to transform the covariance for each kind of measur
 such a reset.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
@@ -30,11 +30,13 @@ from book.experiments.consistency import by_range_and_bearing
 from book.experiments.stored import main, plain
 from book.experiments.toolbox_tour import with_options
 from book.tools import layout
+from slamlib.belief import Block
 from slamlib.entities import Robot, State
 from slamlib.evaluation.pose_errors import invariant_error, pose_nees
 from slamlib.experiments.presets import PRESETS, Preset, lines, points
 from slamlib.geometry.pose import Pose, adjoint, exponential
 from slamlib.geometry.quaternion import left_jacobian, skew
+from slamlib.kalman.linalg import Carry
 from slamlib.landmarks import LINES, POINTS
 from slamlib.manifolds import Array
 from slamlib.models import model
@@ -61,13 +63,13 @@ BEGUN = 5  # frames that are not counted
 
 
 @model(pose=Pose)
-def position(pose):
+def position(pose: Array) -> Array:
     """Position [m] in space."""
     return pose[:3]
 
 
 @model(pose=Pose)
-def floor_position(pose):
+def floor_position(pose: Array) -> Array:
     """Position [m] on the floor."""
     return pose[:2]
 
@@ -91,12 +93,13 @@ def told_with_reset(by_step: Callable[[Array], Array], state: State, robot: Robo
     L, steps = left_inverse(before[rows]), []
     with told(state, robot) as projection:
         retract = state.belief.retraction
+        assert retract is not None
 
-        def recorded(blocks, step):
+        def recorded(blocks: Sequence[Block], step: Array) -> Sequence[Array]:
             steps.append(free @ L @ step[rows])
             return retract(blocks, step)
 
-        def carry():
+        def carry() -> Carry:
             A = free.T @ by_step(steps[-1]) @ free
             return rows, generators(state) @ A - before, L
 
@@ -114,7 +117,7 @@ def only_followed(state: State, robot: Robot) -> Any:
     return followed(state, robot)
 
 
-WAYS = {
+FILTERS = {
     "local": ("local", Transport()),
     "nothing carried": ("world", Transport(carried, kept)),
     "covariance carried": ("world", Transport(carried, only_followed)),
@@ -131,12 +134,13 @@ def nees_of(slam: Slam, truth: Array) -> tuple[float, float, Array]:
     return pose_nees(e, P, free)[0], pose_nees(invariant_error(truth, own.pose), P, free)[0], free.T @ e
 
 
-def one_run(preset: Preset, way: str, every: int, sigma: float, seed: int) -> list[float]:
+def one_run(preset: Preset, name: str, every: int, sigma: float, seed: int) -> list[float]:
     """Of one run: mean NEES linear and invariant, mean square position error [m^2], heading error at the end [rad]."""
-    error, transport = WAYS[way]
+    error, transport = FILTERS[name]
     with patch.dict(TRANSPORTS, {error: transport}):
         preset = replace(with_options(preset, error=error), seed=seed)
-        slam, rng, rows, e = preset.slam(), np.random.default_rng([4, seed]), [], np.zeros(6)
+        slam, rng, e = preset.slam(), np.random.default_rng([4, seed]), np.zeros(6)
+        rows: list[list[float]] = []
         fix, place = (floor_position, 2) if slam.robots[0].motion.pose_of else (position, 3)
         for frame, truth in preset.simulate():
             if frame.number % every == 0:
@@ -146,8 +150,8 @@ def one_run(preset: Preset, way: str, every: int, sigma: float, seed: int) -> li
             slam.step(frame)
             if frame.number > BEGUN:
                 linear, own, e = nees_of(slam, truth.poses[0])
-                rows.append((linear, own, e[:place] @ e[:place]))
-    return [*np.mean(rows, axis=0), e[-1]]
+                rows.append([linear, own, float(e[:place] @ e[:place])])
+    return [*np.mean(rows, axis=0), float(e[-1])]
 
 
 def spread(values: Array) -> list[float]:
@@ -155,22 +159,24 @@ def spread(values: Array) -> list[float]:
     return [values.mean(), values.std(ddof=1) / len(values) ** 0.5, float(np.median(values))]
 
 
-def table(preset: Preset, ways: tuple[str, ...], every: int, sigma: float, runs: int, jobs: int = 2) -> dict[str, Any]:
-    """By way and set of seeds: spreads of both NEES, rms of all runs and of the median [m], heading [deg], failed."""
+def table(
+    preset: Preset, filters: tuple[str, ...], every: int, sigma: float, runs: int, jobs: int = 2
+) -> dict[str, Any]:
+    """By filter and set of seeds: spreads of both NEES, rms of all runs and of the median [m], heading [deg], failed."""
     found: dict[str, Any] = {}
     dof = preset.rig.dof[0]
-    for way in ways:
+    for name in filters:
         for first in SETS:
             seeds = range(first, first + runs)
             one = joblib.delayed(one_run)
-            rows = np.array(joblib.Parallel(n_jobs=jobs)(one(preset, way, every, sigma, seed) for seed in seeds))
+            rows = np.array(joblib.Parallel(n_jobs=jobs)(one(preset, name, every, sigma, seed) for seed in seeds))
             linear, own, squares, heading = rows.T
-            found.setdefault(way, {})[str(first)] = said = plain({
+            found.setdefault(name, {})[str(first)] = said = plain({
                 "linear": spread(linear), "invariant": spread(own), "rms": np.sqrt(squares.mean()),
                 "median rms": np.sqrt(np.median(squares)), "heading": np.degrees(np.sqrt((heading**2).mean())),
                 "failed": (own > FAILED * dof).mean(), "first": rows[0],
             })  # fmt: skip
-            print(way, first, {name: said[name] for name in said if name != "first"}, flush=True)
+            print(name, first, {key: said[key] for key in said if key != "first"}, flush=True)
     return {"dof": dof, "runs": runs, **found}
 
 
@@ -203,8 +209,8 @@ def of_type(name: str) -> Preset:
 
 def parts() -> dict[str, Callable[[], Any]]:
     """All tables by name."""
-    few = tuple(WAYS)[:4]
-    space = {f"space, {d:g} degrees": partial(table, in_space(d), tuple(WAYS), 10, 0.3, RUNS) for d in (5, 20)}
+    few = tuple(FILTERS)[:4]
+    space = {f"space, {d:g} degrees": partial(table, in_space(d), tuple(FILTERS), 10, 0.3, RUNS) for d in (5, 20)}
     plane = {
         f"plane, {d} degrees, every {every}": partial(table, in_plane(d), few, every, 0.5, RUNS)
         for d, every in ((5, 10), (20, 10), (20, 2))
