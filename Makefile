@@ -9,7 +9,7 @@ NUMPY ?= 1.25.*
 REVIEW := _build/review
 export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters invariant-nees rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters absolute-measurements error-coordinates invariant-nees rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -116,6 +116,9 @@ invariant-nees: environment  ## run starts whose orientation is vague, judged by
 
 other-filters: environment  ## run the comparison of filters of chapter other_filters, and store its figures (long)
 	@$(BIN)/python -m book.experiments.other_filters
+
+error-coordinates: environment  ## run the right-invariant EKF beside other filters, and store their figures (long; resumable)
+	@$(BIN)/python -m book.experiments.error_coordinates
 
 rosetta: environment  ## write the tables of the page Rosetta from its CSV and the package
 	@$(BIN)/python -m book.tools.rosetta

@@ -38,12 +38,20 @@ def contestants(scene: str, seed: int, runs: int) -> dict[str, Contestant]:
     return {**found, "all data": at_once(scene, seed, runs)}
 
 
-def at_once(scene: str, seed: int, runs: int) -> Contestant:
-    """All data of the same runs at once, begun at the EKF's answer."""
+def by_chapter(scene: str, seed: int, runs: int, filters: dict[str, Callable[..., Any]]) -> Any:
+    """The chapter's `contest`: filters of its drives, and "all data" begun at PlanarEkf's answer, which is one of them.
+
+    By name: squared errors [m^2] and NEES of the position (runs, n), of the map at the end (runs, 20).
+    """
     chapter = json.loads((layout.BOOK / "chapters" / "other_filters.ipynb").read_text("utf-8"))
     own: dict[str, Any] = {"__name__": "__main__"}
     exec("\n".join("".join(cell["source"]) for cell in chapter["cells"] if cell["id"] in CELLS), own)
-    square, nees, of_map, _ = own["contest"](scene, seed, runs, {"tangents": PlanarEkf})["all data"]
+    return own["contest"](scene, seed, runs, filters)
+
+
+def at_once(scene: str, seed: int, runs: int) -> Contestant:
+    """All data of the same runs at once, begun at the EKF's answer."""
+    square, nees, of_map, _ = by_chapter(scene, seed, runs, {"tangents": PlanarEkf})["all data"]
     none, off = np.zeros(square.shape[1]), float(np.sqrt(of_map).mean())
     return Contestant(0, np.sqrt(square.mean(0)), np.sqrt(square.mean(1)), off, nees, none, none, np.nan)
 
