@@ -40,8 +40,9 @@ from slamlib.simulation import simulate
 from slamlib.slam import Options, Slam
 
 FILE = layout.BOOK / "chapters" / "data" / "error_coordinates.json"
+COARSE = "coarse scanner"
 RUNS, SEEDS = {2: 60, 3: 20}, (27, 28)  # by the dimension of the world
-DRIVES, DRIVE_SEEDS = 60, other_filters.SEEDS
+DRIVES, DRIVE_SEEDS = {scene: 60 if scene == COARSE else 30 for scene in SCANNERS}, other_filters.SEEDS
 FRAMES, SKIPPED = 160, 5  # in the first frames the covariance of the pose is still singular
 FILTERS: dict[str, type[InvariantEkf]] = {
     "EKF": OrdinaryEkf,
@@ -74,16 +75,21 @@ class Setting:
         return self.places.shape[1]
 
 
-def plane(wheels: tuple[float, float], noise: tuple[float, float], heading: float = 0.0) -> Setting:
-    """wheels: noise of a step [m] and its turn [deg]; noise of range [m] and bearing [deg]; start's heading [deg]."""
+def plane(
+    wheels: tuple[float, float], noise: tuple[float, float], heading: float = 0.0, count: int = 8, far: float = 4.0
+) -> Setting:
+    """wheels: noise of a step [m] and of its turn [deg]; noise: of range [m] and bearing [deg]; heading: start's [deg].
+
+    count landmarks, seen up to `far` [m]: of eight up to 4 m 1.7 are in view on average, of sixteen up to 6 m seven.
+    """
     robot = RobotSetup(
         motion="planeOdometry", control_std=(wheels[0], 0.0, wheels[1]), orientation_std=(0.0, 0.0, heading)
     )
     std = noise[0], float(np.radians(noise[1]))
-    sensor = SensorSetup(type="planeRangeBearing", name="scanner", euler=ZERO, std=std, limits={"far": 4.0})
+    sensor = SensorSetup(type="planeRangeBearing", name="scanner", euler=ZERO, std=std, limits={"far": far})
     controls = np.zeros((FRAMES, 3))
     controls[:, [0, 2]] = SIDE * 8
-    return Setting(Rig((robot,), (sensor,)), PLACES[:8], controls, RANGE_BEARING)
+    return Setting(Rig((robot,), (sensor,)), PLACES[:count], controls, RANGE_BEARING)
 
 
 def space(wheels: tuple[float, float], noise: tuple[float, float], start: float = 0.0) -> Setting:
@@ -102,6 +108,7 @@ SETTINGS = {
     "plane, 0.3 m, 3 deg": plane((0.05, 1.0), (0.3, 3.0)),
     "plane, 0.1 m, 1 deg": plane((0.05, 1.0), (0.1, 1.0)),
     "plane, 0.05 m, 0.5 deg, wheels 2 deg": plane((0.05, 2.0), (0.05, 0.5)),
+    "plane, 0.05 m, 0.5 deg, wheels 2 deg, more in view": plane((0.05, 2.0), (0.05, 0.5), count=16, far=6.0),
     "plane, start known to 20 deg": plane((0.03, 0.5), (0.1, 1.0), 20.0),
     "space, 0.3 m, 3 deg": space((0.05, 1.0), (0.3, 3.0)),
     "space, 0.1 m, 1 deg": space((0.05, 1.0), (0.1, 1.0)),
@@ -311,7 +318,7 @@ def drives(scene: str) -> Any:
     found: dict[str, Any] = {}
     kinds = {name: partial(PlanarFilter, kind=kind) for name, kind in ON_DRIVES.items()}
     for number in DRIVE_SEEDS:
-        made = other_filters.by_chapter(scene, number, DRIVES, {"EKF": PlanarEkf, **kinds})
+        made = other_filters.by_chapter(scene, number, DRIVES[scene], {"EKF": PlanarEkf, **kinds})
         usual = np.median(np.sqrt(made["EKF"][0].mean(1)))
         found[str(number)] = {}
         for name, (square, nees, map_square, map_nees) in made.items():
@@ -327,7 +334,7 @@ def drives(scene: str) -> Any:
                 "own": {"linear": nees.mean(1), "map_rmse": np.sqrt(map_square.mean(1))},
             }
             if kind := {"EKF": OrdinaryEkf, **ON_DRIVES}.get(name):
-                logs = np.array([drive_log(scene, seed, kind) for seed in seeds(number, DRIVES)])
+                logs = np.array([drive_log(scene, seed, kind) for seed in seeds(number, DRIVES[scene])])
                 found[str(number)][name]["log"] = numbers(logs, 3)
     return stored.plain(found)
 

@@ -1,6 +1,7 @@
 """The right-invariant EKF and the filters beside it: Jacobians by differences, the group, equalities, consistency."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -20,6 +21,7 @@ from slambook.invariant_ekf import (
 from book.experiments import error_coordinates as tool
 from slamlib.evaluation.consistency import band, share_inside
 from slamlib.manifolds import Array
+from slamlib.rigs.setup import Rig
 
 SENSORS = [(2, RANGE_BEARING), (2, RELATIVE_POSITION), (3, RANGE_YAW_PITCH), (3, RELATIVE_POSITION)]
 TURNS = {2: 1, 3: 3}
@@ -322,7 +324,11 @@ def test_the_two_agree_to_first_order(name):
 
 @pytest.mark.parametrize("name", ["plane, 0.1 m, 1 deg", "space, 0.1 m, 1 deg"])
 def test_slamlib_carries_as_this_transport_does(name):
+    """With noise that is another one along and about each axis."""
     setting = tool.SETTINGS[name]
+    (robot,), d = setting.rig.robots, setting.d
+    stds = (0.05, 0.02, 0.04)[:d] + (0.5, 2.0, 1.0)[-TURNS[d] :]
+    setting = replace(setting, rig=Rig((replace(robot, control_std=stds),), setting.rig.sensors))
     record = list(tool.record(setting, 3))[:60]
     filter, slam = TransportEkf(*tool.start(setting)), tool.slamlib(setting, "world")
     for frame, _ in record:

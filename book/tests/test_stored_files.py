@@ -22,6 +22,11 @@ AGAIN = {
         "book/tests/test_stored_consistency.py::test_the_first_numbers_come_out_again",
         "book/tests/test_stored_consistency.py::test_a_whole_run_comes_out_again",
     ],
+    f"{DATA}/error_coordinates.json": [
+        "book/tests/test_stored_error_coordinates.py::test_the_first_runs_come_out_again",
+        "book/tests/test_stored_error_coordinates.py::test_the_first_drives_come_out_again",
+        "book/tests/test_stored_error_coordinates.py::test_a_run_of_chapter_ekf_slam_comes_out_again",
+    ],
     f"{DATA}/experiments.json": [
         "book/tests/test_stored_experiments.py::test_the_first_numbers_come_out_again",
         "book/tests/test_stored_experiments.py::test_a_whole_run_comes_out_again_by_the_filter_and_by_all_data_at_once",
