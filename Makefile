@@ -111,6 +111,9 @@ stereo-slam: environment  ## run the longer films of chapter stereo_ekf_slam and
 report-experiments: environment  ## run the experiments that the report asks for, and store their figures (page report_experiments)
 	@$(BIN)/python -m book.experiments.report_experiments
 
+absolute-measurements: environment  ## run GPS beside landmarks by filters that differ in what it does, for chapter observability
+	@$(BIN)/python -m book.experiments.absolute_measurements
+
 invariant-nees: environment  ## run starts whose orientation is vague, judged by both errors, for chapter observability
 	@$(BIN)/python -m book.experiments.invariant_nees
 

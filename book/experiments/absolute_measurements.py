@@ -159,13 +159,11 @@ def spread(values: Array) -> list[float]:
     return [values.mean(), values.std(ddof=1) / len(values) ** 0.5, float(np.median(values))]
 
 
-def table(
-    preset: Preset, filters: tuple[str, ...], every: int, sigma: float, runs: int, jobs: int = 2
-) -> dict[str, Any]:
-    """By filter and set of seeds: spreads of both NEES, rms of all runs and of the median [m], heading [deg], failed."""
+def table(preset: Preset, names: tuple[str, ...], every: int, sigma: float, runs: int, jobs: int = 2) -> dict[str, Any]:
+    """By filter and set of seeds: spreads of both NEES, rms of all runs and of the median [m], heading [deg]."""
     found: dict[str, Any] = {}
     dof = preset.rig.dof[0]
-    for name in filters:
+    for name in names:
         for first in SETS:
             seeds = range(first, first + runs)
             one = joblib.delayed(one_run)
