@@ -16,6 +16,7 @@ from slamlib.datasets.lens import Lens, PairCalibration
 from slamlib.errors import SlamlibError
 from slamlib.plain_data.files import read_text
 from slamlib.plain_data.parsing import parsed
+from slamlib.plain_data.rows import decimal_comma, with_a_point
 from slamlib.rigs.builders import BASELINES
 
 NO_BASELINE = (
@@ -93,6 +94,9 @@ def _reason(text: str) -> str:
     except SlamlibError as error:
         return f" ({error})"
     names = list(data) if isinstance(data, dict) else []
+    with_comma = next(filter(None, map(decimal_comma, text.splitlines())), None)
+    if not names and with_comma:
+        return f" ({with_a_point(with_comma)})"
     return f" (it has {', '.join(names[:NAMED])}{', ...' * (len(names) > NAMED)})" if names else ""
 
 

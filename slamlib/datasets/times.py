@@ -18,6 +18,7 @@ import numpy as np
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory_files import UNIT_NAMES
 from slamlib.plain_data.files import read_text
+from slamlib.plain_data.rows import words as words_of
 
 UNITS = {name: unit for unit, name in UNIT_NAMES.items()}
 FILM = 1e-4, 10.0  # [s], intervals of a film
@@ -29,6 +30,7 @@ EVEN = 0.8  # the least share of steps that are not far from the median, of pict
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 # ROS's tools also write seconds_nanoseconds, padded: the same as with a point.
 _PADDED = re.compile(r"(?<!\d)(\d{10})[_-](\d{9}|\d{6})(?!\d)")
+_DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
 
 
 @dataclass(frozen=True)
@@ -149,7 +151,7 @@ def _rows(path: str | Path) -> list[tuple[int, list[str]]]:
     A first row without any digit, before others, has the names of columns. Raises SlamlibError for a list of nothing.
     """
     lines = [(i, line.strip()) for i, line in enumerate(read_text(path).splitlines(), 1)]
-    rows = [(i, re.split(r"\s*[,;]\s*|\s+", line)) for i, line in lines if line and not line.startswith("#")]
+    rows = [(i, words_of(line, f"{path}, line {i}")) for i, line in lines if line and not line.startswith("#")]
     if not rows:
         raise SlamlibError(f"{path} lists no picture")
     return rows[1:] if len(rows) > 1 and not re.search(r"\d", " ".join(rows[0][1])) else rows
@@ -200,6 +202,8 @@ def _unit_of_names(column: Sequence[str], values: Sequence[float]) -> str | None
 def _column(names: Sequence[str]) -> list[str] | None:
     """The number that alone changes from name to name, or that alone is a time since 1970; None without one."""
     stems = [_PADDED.sub(r"\1.\2", name.rpartition(".")[0] or name) for name in names]
+    if all(len(_DECIMAL_COMMA.findall(stem)) == 1 for stem in stems):
+        stems = [_DECIMAL_COMMA.sub(".", stem) for stem in stems]
     if len(stems) < 2 or len({tuple(_NUMBER.split(stem)) for stem in stems}) > 1:
         return None
     changing = [column for column in zip(*map(_NUMBER.findall, stems), strict=True) if len(set(column)) > 1]

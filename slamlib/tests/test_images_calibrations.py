@@ -362,6 +362,8 @@ def test_opencvs_two_cameras(tmp_path):
         "fx = 500\nfy = 501\ncx = 320\ncy = 240\nk1 = -0.1\n",
         '{"fx": 500, "fy": 501, "ppx": 320, "ppy": 240, "coeffs": [-0.1, 0, 0, 0, 0]}'.replace("coeffs", "dist_coeffs"),
         "camera:\n  {fx: 500, fy: 501, cx: 320, cy: 240, k1: -0.1}\nrms: 0.2\n",
+        "500;501;320;240;-0,1;0;0;0\n".replace(",", "."),
+        '{"fx":500,"fy":501,"cx":320,"cy":240,"k1":-0.1}',
     ],
 )
 def test_plain_text(tmp_path, text):
@@ -384,6 +386,13 @@ def test_plain_text(tmp_path, text):
 )
 def test_a_camera_matrix_alone(tmp_path, text):
     assert read_lens(write(tmp_path, text)) == Lens((320, 240, 500, 501))
+
+
+@pytest.mark.parametrize(
+    "text", ['{"fx":500,"fy":501,"cx":320,"cy":240}', "{fx: 500, fy: 501, cx: 320, cy: 240}", "500 501 320 240"]
+)
+def test_four_numbers_in_one_line_may_have_names(tmp_path, text):
+    assert read_lens(write(tmp_path, text)).intrinsics == (320, 240, 500, 501)
 
 
 def test_a_y_axis_that_points_up_is_said(tmp_path):
@@ -414,6 +423,12 @@ def test_the_cameras_of_tum(tmp_path, monkeypatch):
         ("fx 500\nfy 500\ncx 320\ncy 240\nkk1 3\n", "did you mean 'k1'"),
         ("fx 0\nfy 500\ncx 320\ncy 240\n", "focal lengths above 0"),
         ("fx five\nfy 500\ncx 320\ncy 240\n", "fx should be of finite numbers, got 'five'"),
+        ("fx 500\nfy 500\ncx 320\ncy 240\nk1 .1\nk2 .1\nk3 .1\nk4 .1\n", "are k1 to k4 a fisheye's.*model fisheye"),
+        ('{"fx":500,"fy":500,"cx":320,"cy":240,"k1":0,"k2":0,"k3":0,"k4":0.1}', "are k1 to k4 a fisheye's"),
+        ("500,5 500,5 320,1 240,1\n", r"slamlib knows \(500,5 has a decimal comma: write .* as 500.5\)"),
+        ("501,498 501,502 320,312 240,311\n", "501,498 has a decimal comma"),
+        ("500,5 0 320\n0 500,5 240\n0 0 1\n", "500,5 has a decimal comma"),
+        ("fx 500,5\nfy 500,5\ncx 320\ncy 240\n", "fx should be of finite numbers, got '500,5'"),
         ("nan 500 320 240", "fx should be of finite numbers, got nan"),
         ("fx 500\nfy 100\ncx 320\ncy 240\n", "500 and 100 px differ by a factor of 5, .*slamlib's own JSON"),
         ("fx 500\nfx 501\nfy 500\ncx 320\ncy 240\n", "fx is there twice"),

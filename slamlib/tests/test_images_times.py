@@ -39,6 +39,8 @@ def padded(digits):
         ([f"{1000 * k / 30:.1f}" for k in range(40)], "milliseconds"),
         ([STEP * k for k in range(40)], "nanoseconds"),
         ([round(k * 1e6 / 30) for k in range(40)], "microseconds"),
+        ([word.replace(".", ",") for word in padded(6)], "seconds"),  # a decimal comma
+        ([str(round(k / 30, 6)).replace(".", ",") for k in range(40)], "seconds"),
     ],
 )
 def test_names_that_are_times(words, unit, form):
@@ -162,6 +164,8 @@ def test_a_file_of_times(text, tmp_path):
         ("1\n2\n", "has 2 times, and there are 3 pictures"),
         ("1 a.png\n2 b.png\n3 d.png\n", "has 3 rows, and no time for 1 of the 3 pictures, such as c.png"),
         ("0 0.1\n1 0.2\n2 0.3\n", "no time for 3 of the 3"),
+        ("0,5 a.png\n1,7 b.png\n2,9 c.png\n", "line 1: 0,5 has a decimal comma: write numbers with points, as 0.5"),
+        ("# ours\n0;a.png\n1,7;b.png\n2,9;c.png\n", "line 3: 1,7 has a decimal comma"),
         ("a.png 0\nb.png soon\nc.png 2\n", "line 2: 'soon' is no time"),
         ("1\n1\n2\n", "times must grow, but a.png"),
         ("", "lists no picture"),

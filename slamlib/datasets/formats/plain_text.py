@@ -11,9 +11,11 @@ from typing import Any
 from slamlib.datasets.dataset import METADATA, CalibrationReader, Cameras
 from slamlib.datasets.formats.opencv import DISTORTION, model_of, size_of
 from slamlib.datasets.lens import Lens, focals_and_centre, lens_of
-from slamlib.datasets.lens_models import FISHEYE
+from slamlib.datasets.lens_models import FISHEYE, RADIAL
+from slamlib.errors import SlamlibError
 from slamlib.plain_data.entries import Entries, Numbers, named_values
 from slamlib.plain_data.parsing import named, value_of
+from slamlib.plain_data.rows import decimal_comma
 
 PINHOLE = ("fx",), ("fy",), ("cx", "ppx"), ("cy", "ppy")
 COEFFICIENTS = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
@@ -39,6 +41,11 @@ def _lens(entries: Entries) -> Lens:
     fx, fy, cx, cy = (entries.number(*names) for names in PINHOLE)
     model, given = model_of(entries), entries.numbers(*DISTORTION, needed=False)
     names = COEFFICIENTS if model != FISHEYE else ("k1", "k2", "k3", "k4")
+    if model == RADIAL and "k4" in entries and not any(name in entries for name in ("p1", "p2", "k5", "k6")):
+        raise SlamlibError(
+            "k4 is there, and neither p1, p2 nor k5, k6: are k1 to k4 a fisheye's? Then say so (model fisheye); if "
+            "not, write p1 0 and p2 0 beside them"
+        )
     coefficients = given or tuple(entries.number(name, default=0.0) for name in names)
     size = size_of(entries)
     entries.close(METADATA)
@@ -46,15 +53,20 @@ def _lens(entries: Entries) -> Lens:
 
 
 def _rows(text: str) -> list[list[str]]:
-    lines = (re.sub(r"[:=,;\[\]]", " ", line.partition("#")[0]).split() for line in text.splitlines())
-    return [line for line in lines if line]
+    """The words of rows; a number with a decimal comma is a word, and no number."""
+    lines = [re.sub(r"[:=\[\]]", " ", line.partition("#")[0]) for line in text.splitlines()]
+    between = [r"[;\s]+" if decimal_comma(line) else r"[,;\s]+" for line in lines]
+    rows = [[word for word in re.split(*both) if word] for both in zip(between, lines, strict=True)]
+    return [row for row in rows if row]
 
 
 def _rows_of_names(text: str) -> list[tuple[str, Any]]:
     """Names and values of rows that have both, fx among them, or of one row of four, eight or nine numbers."""
     rows = _rows(text)
     if len(rows) == 1 and len(rows[0]) in (4, 8, 9):
-        return list(zip((*(names[0] for names in PINHOLE), *COEFFICIENTS), map(value_of, rows[0]), strict=False))
+        values = [*map(value_of, rows[0])]
+        is_row = all(isinstance(value, int | float) for value in values)  # not "{fx: 500, fy: 501, cx: 320, cy: 240}"
+        return list(zip((*(names[0] for names in PINHOLE), *COEFFICIENTS), values, strict=False)) if is_row else []
     if any(len(row) != 2 for row in rows) or "fx" not in [row[0].lower() for row in rows]:
         return []
     return [(name.lower(), value_of(word)) for name, word in rows]
