@@ -21,6 +21,7 @@ from slamlib.errors import SlamlibError, entry
 from slamlib.geometry.quaternion import best_pivot, from_rotation
 from slamlib.manifolds import Array, Indices, Mask
 from slamlib.plain_data.files import read_text
+from slamlib.plain_data.rows import words as words_of
 
 NANOSECOND = 1e-9
 POSITION, QUATERNION = ("x", "y", "z"), ("qw", "qx", "qy", "qz")
@@ -53,7 +54,9 @@ UNITS = {  # of times, [s]
     **dict.fromkeys(("ns", "nsec", "nsecs", "nanosec", "nanosecond", "nanoseconds"), NANOSECOND),
 }
 UNIT_NAMES = {1.0: "seconds", 1e-3: "milliseconds", 1e-6: "microseconds", NANOSECOND: "nanoseconds"}
+SECONDS_DIGITS = 10  # of the whole seconds since 1970
 SINCE_1970 = 9e8, 5e9  # [s]: a time between 1998 and 2128 tells its unit
+LARGEST = 1e30  # of any number: what is larger is damaged, and its square may be infinite
 LONG_STEP = 1e6  # whole numbers with steps as long are nanoseconds: milliseconds or seconds would be an hour and more
 
 # Words in the names of columns, of what is wanted and of what only looks like it.
@@ -62,6 +65,10 @@ OF_POSITION = {"t", "p", "pos", "position", "pose", "trans", "translation", "poi
 OF_QUATERNION = {"q", "quat", "quaternion", "orientation", "rot", "rotation", "ori"}
 OF_OTHERS = {"v", "vel", "velocity", "std", "sigma", "stddev", "cov", "covariance", "var", "variance", "err", "error"}
 LENGTHS = {"m", "meter", "meters", "metre", "metres"}
+OTHER_LENGTHS = {
+    *("mm", "cm", "dm", "km", "um", "µm", "μm", "in", "inch", "inches", "ft", "foot", "feet", "yd", "mi", "miles"),
+    *(f"{size}met{end}" for size in ("milli", "centi", "deci", "kilo") for end in ("er", "ers", "re", "res")),
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,8 +97,8 @@ def _number(word: str, where: str) -> float:
     except ValueError:
         problem = f"{word!r} is no number" if word else "there is nothing between two separators"
         raise SlamlibError(f"{where}: {problem}: repair the row, or remove it") from None
-    if np.isinf(value):
-        raise SlamlibError(f"{where}: {word} is not finite: repair the row, or remove it")
+    if abs(value) > LARGEST:
+        raise SlamlibError(f"{where}: {word} is not finite, or too large: repair the row, or remove it")
     return value
 
 
@@ -113,7 +120,7 @@ def text_rows(path: str | Path) -> TextRows:
             if not words:
                 comments.append(line.strip().lstrip("#%"))
             continue
-        row = _words(text, f"{path}, line {number}")
+        row = words_of(text, f"{path}, line {number}")
         if not words and not any(map(_is_number, row)):
             header = text
             continue
@@ -128,18 +135,6 @@ def text_rows(path: str | Path) -> TextRows:
         if count != usual:
             raise SlamlibError(f"{path}, line {number} has {count} columns, other rows {usual}: repair or remove it")
     return TextRows(path, words, lines, comments, header, commas)
-
-
-def _words(text: str, where: str) -> list[str]:
-    """The words of a row, between commas, semicolons or blanks; a separator at its end is none."""
-    pieces = re.split(r"[;\s]+", text)
-    if not re.search(r",\s|\s,", text):
-        decimal = next((piece for piece in pieces if re.fullmatch(r"[-+]?\d*,\d+([eE][-+]?\d+)?", piece)), None)
-        if decimal and len(pieces) > 1:
-            point = decimal.replace(",", ".")
-            raise SlamlibError(f"{where}: {decimal} has a decimal comma: write numbers with points, as {point}")
-    words = re.split(r"\s*[,;]\s*|\s+", text)
-    return words[:-1] if len(words) > 1 and not words[-1] else words
 
 
 @dataclass(frozen=True, eq=False)
@@ -207,8 +202,9 @@ def read_poses(path: str | Path, form: str | None = None) -> PoseTable:
         times = times if factor == 1 else factor * times
     elif stated:
         notes.append(f"{path}: its header names no time")
-    if not form and not stated and rows.commas and unit is None and times is not None:
-        notes.append(f"{path} has no header: its columns are taken for time, x, y, z, qx, qy, qz, qw, as TUM's are")
+    if not form and not stated and unit is None and (rows.commas if times is not None else "qw" in columns):
+        kind, time = ("TUM", "time, ") if times is not None else ("TartanAir", "")
+        notes.append(f"{path} has no header: its columns are taken for {time}x, y, z, qx, qy, qz, qw, as {kind}'s are")
     place = np.stack([values[name] for name in POSITION], axis=1)
     turned = _from_matrices(rows, values) if MATRIX[0] in values else _from_quaternions(rows, values, columns)
     return PoseTable(path, np.concatenate([place, turned], axis=1), times, rows.lines, tuple(notes))
@@ -217,6 +213,7 @@ def read_poses(path: str | Path, form: str | None = None) -> PoseTable:
 def read_times(path: str | Path) -> tuple[Array, tuple[str, ...]]:
     """The times (n,) [s], increasing, that stand first in the rows of a file, and notes. Raises SlamlibError."""
     rows = text_rows(path)
+    _check_that_times_are_first(rows)
     times = rows.numbers([0])[:, 0]
     if len(bad := np.flatnonzero(~(np.diff(times) > 0))):
         raise SlamlibError(f"{path}, line {rows.lines[bad[0] + 1]}: times must grow from row to row")
@@ -224,6 +221,21 @@ def read_times(path: str | Path) -> tuple[Array, tuple[str, ...]]:
     if factor == 1:
         return times, ()
     return factor * times, (f"{path}: its times are {UNIT_NAMES[factor]}, by their size",)
+
+
+def _check_that_times_are_first(rows: TextRows) -> None:
+    """Raise SlamlibError for two columns that may be one with decimal commas, and for a first one that counts rows."""
+    if len(rows.words[0]) < 2 or rows.header is not None:
+        return
+    first, second, *others = zip(*rows.words, strict=True)
+    if rows.commas and not others and all(map(str.isdecimal, (*first, *second))) and len(first[0]) <= SECONDS_DIGITS:
+        raise SlamlibError(
+            f"{rows.path}, line {rows.lines[0]}: is {first[0]},{second[0]} one number with a decimal comma, or are "
+            "there two columns? Write times with points, and nothing else"
+        )
+    steps = np.diff([[float(word) if _is_number(word) else nan for word in column] for column in (first, second)])
+    if steps.size and (steps[0] == 1).all() and (steps[1] > 0).all():
+        raise SlamlibError(f"{rows.path}: its first column counts rows: leave it out, so that times stand first")
 
 
 def _unit(times: Array) -> float:
@@ -301,6 +313,8 @@ def _unclear(names: list[str], roles: list[tuple[str, float | None] | None], wid
     unknown = [name for name, role in zip(names, roles, strict=True) if role is None]
     if missing:
         others = f"; not known: {', '.join(unknown[:8])}" if unknown else ""
+        if any(set(re.split(r"[^a-zµμ]+", name.lower())) & OTHER_LENGTHS for name in unknown):
+            others += " (positions are wanted in metres)"
         return f"its header has no name for {', '.join(missing)}{others}"
     twice = [name for name, role in zip(names, roles, strict=True) if role and found.count(role[0]) > 1]
     if twice:
@@ -331,7 +345,8 @@ def _role(name: str) -> tuple[str, float | None] | None:
         of = {*words[:-1], axis[1]} - {""}
         if of & OF_QUATERNION:
             return f"q{axis[2]}", None
-        return (axis[2], None) if axis[2] != "w" and (not of or of & OF_POSITION) else None
+        is_position = axis[2] != "w" and (not of or of & OF_POSITION) and unit.strip("] ") not in OTHER_LENGTHS
+        return (axis[2], None) if is_position else None
     if set(words) & TIME or (len(words) == 1 and words[0] in UNITS):
         return "t", next((UNITS[word] for word in [unit.strip("] "), *words] if word in UNITS), None)
     return None

@@ -9,6 +9,7 @@ from slamlib.evaluation.clocks import in_one_unit, time_offset
 from slamlib.evaluation.comparison import ComparisonOptions, compared, parts
 from slamlib.evaluation.motion_pairs import motion_pairs
 from slamlib.evaluation.trajectory import Trajectory, associate, beside, read_trajectory, write_tum
+from slamlib.evaluation.trajectory_files import read_times
 from slamlib.geometry.pose import compose, relative
 from slamlib.geometry.quaternion import exponential, rotation
 from slamlib.tests.pictures import DATA
@@ -133,6 +134,9 @@ def test_a_file_that_states_no_order_is_asked_for_its_format(tmp_path):
         ("# t x y z roll pitch yaw id", "no name for qw, qx, qy, qz"),
         ("t,x,y,z,qx,qy,qz", "no name for qw"),
         ("# t x y z qx qy qz qw vx", "has 9 names, and its rows have 8 columns"),
+        ("t [s],x [mm],y [mm],z [mm],qx,qy,qz,qw", r"not known: x\[mm\], y.* \(positions are wanted in metres\)"),
+        ("t, px (cm), py (cm), pz (cm), qx, qy, qz, qw", "no name for x, y, z; .* in metres"),
+        ("t,x_feet,y_feet,z_feet,qx,qy,qz,qw", "no name for x, y, z; .* in metres"),
         ("t,x,y,z,pos_x,qx,qy,qz,qw", "more than one name for the same: x, pos_x"),
     ],
 )
@@ -154,6 +158,7 @@ def test_a_header_that_is_not_understood_is_refused_by_its_names(tmp_path, heade
         ("0,0 0,1 0,2 0 0 0 0 1\n", "line 1: 0,0 has a decimal comma: write numbers with points, as 0.0"),
         ("0;0,5;0;0;0;0;0;1\n", "line 1: 0,5 has a decimal comma"),
         ("0 0 0 0 0 0 0 1\n1 0 inf 0 0 0 0 1\n", "line 2, column 3: inf is not finite"),
+        ("0 0 0 0 0 0 0 1\n1 0 0 -1e200 0 0 0 1\n", "line 2, column 4: -1e200 is not finite, or too large"),
         ("0 0 0 0 0 0 0 1\nnan 0 0 0 0 0 0 1\n", "line 2: the time is nan"),
         ("0 nan 0 0 0 0 0 1\n", "nan is in each of its 1 rows"),
         ("1 0 0 0 0 0 0 1\n\n1 5 0 0 0 0 0 1\n", r"lines 1 and 3 have one time, 1\.000000000 s, and two poses"),
@@ -205,10 +210,36 @@ def test_a_matrix_that_is_no_rotation_is_described(tmp_path, row, message):
 def test_seven_columns_are_tartanairs(tmp_path):
     text = f"0 0 0 0 0 0 1\n1 2 3 0 0 {Z} {Z}\n"
     np.testing.assert_allclose(read(tmp_path, text, times=np.array([0, 0.1])).poses[1], TURNED)
+    said = "columns are taken for x, y, z, qx, qy, qz, qw, as TartanAir's are"
+    assert said in read(tmp_path, text, times=np.array([0, 0.1])).notes[0]  # others write qw first
+    assert read(tmp_path, f"x y z qx qy qz qw\n{text}", times=np.array([0, 0.1])).notes[0].endswith("names no time")
     with pytest.raises(SlamlibError, match=r"has 2 poses, but no times: give them \(option times\)"):
         read(tmp_path, text)
     with pytest.raises(SlamlibError, match="has 2 poses, but no times: 3 are given, and as many are wanted"):
         read(tmp_path, text, times=np.arange(3.0))
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("0,5\n1,7\n2,9\n", "line 1: is 0,5 one number with a decimal comma, or are there two columns"),
+        ("# of the pictures\n0,5 1\n1,7 1\n", "line 2: 0,5 has a decimal comma: write numbers with points, as 0.5"),
+        ("00000 1378904190.1 0.5\n00001 1378904190.2 0.5\n", "its first column counts rows: leave it out"),
+        ("0\n2\n1\n", "line 3: times must grow"),
+    ],
+)
+def test_times_stand_first_and_alone_or_their_file_is_refused(tmp_path, text, message):
+    (tmp_path / "times.txt").write_text(text)
+    with pytest.raises(SlamlibError, match=message):
+        read_times(tmp_path / "times.txt")
+
+
+@pytest.mark.parametrize(
+    "text", ["0\n0.5\n2\n", "0,0.1\n0.5,0.1\n2,0.1\n", "time,exposure\n0,5\n0.5,5\n2,7\n", "0 5\n0.5 5\n2 7\n"]
+)
+def test_what_stands_beside_times_does_not_matter(tmp_path, text):
+    (tmp_path / "times.txt").write_text(text)
+    assert read_times(tmp_path / "times.txt")[0].tolist() == [0, 0.5, 2]
 
 
 def test_covariances_go_by_the_whole_name_of_a_path():
