@@ -136,6 +136,38 @@ def test_places_by_the_inertial_sensor(tmp_path, name, turned):
             read_pair([written(tmp_path, "half.yaml", yaml.dump(half))])
 
 
+@pytest.mark.parametrize("error", [1e-4, 0.02])
+def test_places_that_are_stated_twice_are_alike_or_refused(tmp_path, error):
+    """As in Kalibr's camchain-imucam.yaml, which has the chain and the inertial sensor beside it."""
+    one = place(np.eye(3), [0.3, 0.2, 0.1])
+    wrong = place(shift=SHIFT + np.array([0, error, 0]))
+    chain = {"T_cn_cnm1": np.linalg.inv(place()).tolist()}
+    first, sensor = {"T_cam_imu": np.linalg.inv(one).tolist()}, {"T_cam_imu": np.linalg.inv(one @ wrong).tolist()}
+    for more, said in (
+        ({**chain, **sensor}, "cam1's places by T_cn_cnm1 and T_cam_imu differ, by 0.02 m and"),
+        ({**sensor, "T_imu_cam": (one @ place()).tolist()}, "cam1's places by T_cam_imu and T_imu_cam differ"),
+        ({**chain, "T_imu_cam": (one @ wrong).tolist()}, "cam1's places by T_cn_cnm1 and T_imu_cam differ"),
+    ):
+        path = written(tmp_path, "both.yaml", yaml.dump({"cam0": camera(**first), "cam1": camera(**more)}))
+        if error > 0.01:
+            with pytest.raises(SlamlibError, match=said):
+                read_pair([path])
+        else:
+            np.testing.assert_allclose(read_pair([path]).transform, place(), atol=1.01 * error)
+    turned = (one @ place(cv2.Rodrigues(np.array([0.02, -0.01, 0.01]))[0])).tolist()
+    text = yaml.dump({"cam0": camera(T_imu_cam=one.tolist()), "cam1": camera(**chain, T_imu_cam=turned)})
+    with pytest.raises(SlamlibError, match=r"m and 1\.1.* degrees: delete the one that is wrong"):
+        read_pair([written(tmp_path, "turned.yaml", text)])
+
+
+def test_where_the_chain_has_a_gap_the_inertial_sensor_tells_the_places(tmp_path):
+    """Cameras 0 and 2 of a file from which camera 1 was deleted: T_cn_cnm1 of camera 2 refers to nobody."""
+    text = {f"cam{n}": camera(T_imu_cam=pose.tolist()) for n, pose in ((0, np.eye(4)), (2, place()))}
+    text["cam2"]["T_cn_cnm1"] = np.eye(4).tolist()
+    found = read_pair([written(tmp_path, "gap.yaml", yaml.dump(text))], (0, 2))
+    np.testing.assert_allclose(found.transform, place(), atol=1e-12)
+
+
 SIDES = ("M1 D1 M2 D2", "K0 D0 K1 D1", "mtxL distL mtxR distR", "left_K left_D right_K right_D",
          "camera_matrix_left dist_coeffs_left camera_matrix_right dist_coeffs_right")  # fmt: skip
 

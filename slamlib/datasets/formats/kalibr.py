@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from slamlib.datasets.dataset import METADATA, CalibrationReader, Cameras
 from slamlib.datasets.lens import Lens, lens_of, placed, rigid
@@ -28,6 +29,7 @@ CAMERAS = {
 _CAMERA = re.compile(r"cam(\d+)")
 _ITS_OWN = {"intrinsics", "cameramodel", "tcncnm1"}  # other tools' cameras may be called cam0, too
 _PLACED = ("T_cn_cnm1", "T_cam_imu", "T_imu_cam")
+MOST_APART, MOST_TURNED = 0.005, 0.5  # [m, and as a share], [degrees]: between two statements of one place
 
 
 def lens(entries: Entries, transform: Numbers | None) -> Lens:
@@ -73,20 +75,56 @@ def _lens(chain: dict[int, Entries], number: int) -> Lens:
 
 
 def _poses(chain: dict[int, Entries]) -> dict[int, Numbers | None]:
-    """Of every camera in the frame of the first one, or of the inertial sensor; None of those without such a place."""
-    steps, to, back = ({n: e.numbers(name, count=16, needed=False) for n, e in chain.items()} for name in _PLACED)
+    """Of every camera in the frame of the first one, or of the inertial sensor; None of those without such a place.
+
+    Raises SlamlibError for places that are stated twice, and differ.
+    """
+    by_sensor = {n: found for n, entries in chain.items() if (found := _by_sensor(entries, n))}
+    by_chain, first = _by_chain(chain), min(chain)
+    if first in by_sensor:
+        origin = np.reshape(by_sensor[first], (4, 4))
+        for n in by_sensor.keys() & by_chain.keys():
+            stated = next(name for name in _PLACED[1:] if name in chain[n])
+            there = np.linalg.solve(origin, np.reshape(by_sensor[n], (4, 4)))
+            _check_alike(n, by_chain[n], there, _PLACED[0], stated)
+    is_whole = 1 < len(chain) == len(by_chain)  # else it is broken, or there is none
+    best = by_chain if is_whole or not by_sensor else by_sensor
+    return {n: best.get(n) if len(chain) > 1 else by_sensor.get(n) for n in chain}
+
+
+def _by_chain(chain: dict[int, Entries]) -> dict[int, Numbers]:
+    """The poses of the cameras that T_cn_cnm1 leads to, in the frame of the first one."""
     first, *others = sorted(chain)
-    if not all(steps[n] for n in others) or not others:  # the chain is broken, or there is none
-        given = {n: rigid(back[n] or to[n], f"cam{n}'s place", inverse=not back[n]) for n in chain if back[n] or to[n]}
-        if given or not others:
-            return {n: given.get(n) for n in chain}
-    found: dict[int, Numbers | None] = {first: placed((0, 0, 0))}
+    found = {first: placed((0, 0, 0))}
     for n in others:
-        before, step = found.get(n - 1), steps[n]
+        before, step = found.get(n - 1), chain[n].numbers(_PLACED[0], count=16, needed=False)
         if before and step:
             step = rigid(step, f"T_cn_cnm1 of cam{n}", inverse=True)
             found[n] = tuple((np.reshape(before, (4, 4)) @ np.reshape(step, (4, 4))).ravel().tolist())
-    return {n: found.get(n) for n in chain}
+    return found
+
+
+def _by_sensor(entries: Entries, n: int) -> Numbers | None:
+    """The pose of camera n in the inertial sensor's frame, which its entries state or not."""
+    to, back = (entries.numbers(name, count=16, needed=False) for name in _PLACED[1:])
+    if not to and not back:
+        return None
+    found = rigid(back or to, f"cam{n}'s place", inverse=not back)
+    if to and back:
+        _check_alike(n, found, rigid(to, f"cam{n}'s place", inverse=True), *_PLACED[1:])
+    return found
+
+
+def _check_alike(n: int, one: ArrayLike, other: ArrayLike, *names: str) -> None:
+    """Raise SlamlibError for two poses (4, 4) of camera n that differ by more than what files round."""
+    a, b = (np.reshape(pose, (4, 4)) for pose in (one, other))
+    apart = float(np.linalg.norm(a[:3, 3] - b[:3, 3]))
+    turned = np.degrees(np.linalg.norm(a[:3, :3] - b[:3, :3]) / np.sqrt(2))  # of small angles
+    if apart > MOST_APART * (1 + np.linalg.norm(a[:3, 3])) or turned > MOST_TURNED:
+        raise SlamlibError(
+            f"cam{n}'s places by {' and '.join(names)} differ, by {apart:.3g} m and {turned:.3g} degrees: delete the "
+            "one that is wrong"
+        )
 
 
 CALIBRATION = CalibrationReader("Kalibr", _fits, _read)
