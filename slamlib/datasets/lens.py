@@ -19,6 +19,7 @@ from slamlib.plain_data.entries import Numbers
 from slamlib.rigs.builders import SQUARE
 
 RIGID = 0.01  # how far a rotation's columns may be from orthonormal: files round, and some are of single precision
+FOCAL = 0.05, 100.0  # of the pictures' larger side: focal lengths of all lenses, from fisheyes to telescopes
 CENTRED, ASIDE = 0.1, 0.3  # distance from the image's middle, in its sizes, of a principal point and of something else
 
 
@@ -167,7 +168,7 @@ def check_skew(skew: float, focal: float) -> None:
 def fitted(setup: dict[str, Any], size: tuple[int, int], what: str) -> dict[str, Any]:
     """A setup with the size (width, height) of the pictures. Raises SlamlibError if it is for other images.
 
-    what: the images' name. The principal point is checked for pin-holes only.
+    what: the images' name. Focal lengths and the principal point are checked for intrinsics (u0, v0, au, av) only.
     """
     image = setup.get("image") or None  # an empty one is not given
     if image is not None and tuple(image) != size:
@@ -179,6 +180,12 @@ def fitted(setup: dict[str, Any], size: tuple[int, int], what: str) -> dict[str,
     # Distances from the image's middle, in its sizes, of what should be the principal point, and of the other two.
     centre, others = np.resize(given, 4).reshape(2, 2) / size
     off, off_others = np.abs(centre - 0.5).max(), np.abs(others - 0.5).max()
+    focal = float(np.abs(given[2:]).max()) if len(given) == 4 else 0.0
+    if focal and not FOCAL[0] <= focal / max(size) <= FOCAL[1]:
+        raise SlamlibError(
+            f"the calibration's focal length of {focal:g} px does not fit pictures of {size[0]}x{size[1]} pixels "
+            f"({what}): is it in pixels, or in millimetres, or a share of the pictures' size?"
+        )
     spare = 0.0 if image is not None else 0.3
     exchanged = len(given) == 4 and off > ASIDE and off_others < CENTRED
     if off > 0.5 - spare or exchanged:

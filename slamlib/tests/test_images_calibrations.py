@@ -478,6 +478,11 @@ def test_a_calibration_must_fit_the_pictures():
         for image in ({}, {"image": size}):  # the focal lengths come first, by mistake
             with pytest.raises(SlamlibError, match=r"are the intrinsics .* \(fx, fy, cx, cy\)\? slamlib's order is"):
                 fitted({"parameters": {"intrinsics": order}, **image}, size, "room")
+    for focal in (0.8, 4.2, 25.0, 80_000.0):  # shares of the width, millimetres, micrometres
+        with pytest.raises(SlamlibError, match=f"focal length of {focal:g} px does not fit .* in millimetres, or a sh"):
+            fitted(Lens((320, 240, focal, focal), (640, 480)).setup(), (640, 480), "room")
+    for focal in (100.0, 6400.0):
+        assert fitted(Lens((320, 240, focal, focal), (640, 480)).setup(), (640, 480), "x")["image"] == (640.0, 480.0)
     aside = Lens((600, 240, 500, 500), (640, 480)).setup()
     assert fitted(aside, (640, 480), "x")["image"] == (640.0, 480.0)  # whoever gives the size may have cut it out
     with pytest.raises(SlamlibError, match="principal point"):
