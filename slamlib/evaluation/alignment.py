@@ -67,7 +67,7 @@ def align(points: Array, reference: Array, *, scale: bool = True, turn: Array | 
         turn = nearest_rotation(M)
     if scale:
         for who, places in (("estimate", points), ("reference", reference)):
-            if not _moves(places):
+            if not moves(places):
                 raise SlamlibError(
                     f"the {who} does not move, so that it has no scale: compare it without aligning scale"
                 )
@@ -75,7 +75,7 @@ def align(points: Array, reference: Array, *, scale: bool = True, turn: Array | 
     return Similarity(s, turn, mean_y - s * turn @ mean_x)
 
 
-def _moves(points: Array) -> bool:
+def moves(points: Array) -> bool:
     """Whether points (n, 3) are more than one, beyond the digits in which they are known."""
     return bool(np.ptp(points, axis=0).max() > ROUNDING * np.abs(points).max())
 
@@ -170,7 +170,7 @@ def _best(estimate: Trajectory, reference: Trajectory, scale: bool, source: str 
         return align(x, y, scale=scale), source
     Q, P = rotation(reference.poses[:, 3:]), rotation(estimate.poses[:, 3:])
     N = (Q @ P.swapaxes(-1, -2)).sum(0)
-    if source == "orientations" or not (_moves(x) and _moves(y)):
+    if source == "orientations" or not (moves(x) and moves(y)):
         return align(x, y, scale=scale, turn=nearest_rotation(N)), "orientations"
     M = (y - y.mean(0)).T @ (x - x.mean(0))
     U, size, _ = np.linalg.svd(M)

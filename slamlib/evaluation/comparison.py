@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.errors import SlamlibError, entry
-from slamlib.evaluation.alignment import AlignedTrajectory, align_trajectory, check_pairs, nearest_rotation
+from slamlib.evaluation.alignment import AlignedTrajectory, align_trajectory, check_pairs, moves, nearest_rotation
 from slamlib.evaluation.clocks import LEAST_TOLERANCE, denser, in_one_unit, time_offset
 from slamlib.evaluation.consistency import band, share_inside
 from slamlib.evaluation.motion_pairs import motion_pairs
@@ -28,6 +28,7 @@ DOF = 6  # of a pose
 PLACED = 1.0  # [s] at the beginning, whose poses place the reference where a filter's covariances are judged
 KITTI_LENGTHS = tuple(map(float, range(100, 900, 100)))  # [m]
 LEAST_PAIRS, LEAST_SHARE, FEW = 3, 0.05, 10  # fewer pairs than FEW are too few unless they are a share of the poses
+LEAST_TURN = np.radians(1)  # of a reference that turns, and does not stand still
 OTHER_FRAME = np.radians(20)  # of larger turns that all poses have in common a note is made
 UNEXPLAINED = 0.7  # share of the reference's spread: of a larger ATE with a free scale a note is made
 
@@ -170,6 +171,8 @@ def compared(
 ) -> tuple[dict[str, Any], dict[str, Array]]:
     """Errors of the trajectory against a reference of the same moving frame; a free scale is aligned.
 
+    A reference that only turns has no scale, and no motion in any unit: then errors are in the path's own.
+
     metric: whether the scale is known; noise: the reference's own standard deviations, position and orientation.
     Lengths in the reference's unit, angles in degrees. NEES needs a path with covariances; a free scale is then that of
     the best alignment, too. Second the errors of each pose, arrays (n,) by name, for a plot: after the alignment, or by
@@ -179,6 +182,9 @@ def compared(
     tolerance = how.tolerance if how.tolerance is not None else max(LEAST_TOLERANCE, 0.5 * denser(path, reference))
     i, j = _paired(path, reference, tolerance)
     estimate, other = path[i], reference[j]
+    if not metric and _only_turns(other):
+        metric = True
+        notes.append("the reference only turns: it has no scale, and the path keeps its own")
     found = align_trajectory(estimate, other, scale=not metric, align=how.align, first=how.align_first)
     notes += _doubts(found, other, metric)
     orientation = np.degrees(found.orientation)
@@ -248,6 +254,12 @@ def _paired(path: Trajectory, reference: Trajectory, tolerance: float) -> tuple[
         f"Path and reference are of {of}, {common}: are both in seconds, and by one clock? `slamlib evaluate` "
         "takes an offset and a tolerance"
     )
+
+
+def _only_turns(reference: Trajectory) -> bool:
+    """Whether a body turns in one place; one that stands still does neither."""
+    turned = product(reference.poses[0, 3:] * [1, -1, -1, -1], reference.poses[:, 3:])
+    return not moves(reference.positions) and float(angles(turned).max()) > LEAST_TURN
 
 
 def _doubts(found: AlignedTrajectory, reference: Trajectory, metric: bool) -> list[str]:

@@ -11,7 +11,7 @@ from slamlib.evaluation.motion_pairs import motion_pairs
 from slamlib.evaluation.trajectory import Trajectory, associate, beside, read_trajectory, write_tum
 from slamlib.evaluation.trajectory_files import read_times
 from slamlib.geometry.pose import compose, relative
-from slamlib.geometry.quaternion import exponential, rotation
+from slamlib.geometry.quaternion import exponential, product, rotation
 from slamlib.tests.pictures import DATA
 
 STORED = (
@@ -561,13 +561,25 @@ def test_too_few_pairs_and_a_reference_that_stands_still_are_refused():
         compared(there[:2], there, True)
     with pytest.raises(SlamlibError, match="no time is in common"):
         compared(there, Trajectory(there.times + 1e4, there.poses), True)
-    turning = Trajectory(there.times, there.poses * [0, 0, 0, 1, 1, 1, 1])
+    still = Trajectory(there.times, np.tile([1.0, 2, 3, 1, 0, 0, 0], (len(there), 1)))
     with pytest.raises(SlamlibError, match="the reference does not move, so that it has no scale"):
-        compared(there, turning, False)
+        compared(there, still, False)
+
+
+def test_a_reference_that_only_turns_is_compared_by_orientations_whether_or_not_the_scale_is_known():
+    there = walk(np.random.default_rng(9), 200)
+    turning = Trajectory(there.times, there.poses * [0, 0, 0, 1, 1, 1, 1])
     found, _ = compared(turning, turning, True)
     assert found["relative_ate"] is None
     assert found["notes"] == ["path or reference does not move: they are aligned by their orientations alone"]
     assert found["orientation"]["rmse"] < 1e-6
+    elsewhere = exponential(np.array([0.3, -1, 0.4]))
+    path = np.concatenate([0.05 * there.positions, product(elsewhere, there.poses[:, 3:])], axis=1)
+    free, known = (compared(Trajectory(there.times, path), turning, metric)[0] for metric in (False, True))
+    assert free["orientation"]["rmse"] < 1e-6
+    assert free["ate"] == known["ate"] == pytest.approx(0.05 * np.sqrt(there.positions.var(0).sum()))
+    assert (free["scale"], free["rotation_from"]) == (1, "orientations")
+    assert free["notes"] == ["the reference only turns: it has no scale, and the path keeps its own", *known["notes"]]
 
 
 def test_two_body_frames_are_said():
