@@ -36,7 +36,7 @@ def numbers(value: ArrayLike, function: str, argument: str) -> Array:
         if array.dtype.kind in "cSUMm":
             raise TypeError(f"it holds {array.dtype}")
         return array.astype(float, copy=False)
-    except (TypeError, ValueError) as error:
+    except (OverflowError, TypeError, ValueError) as error:
         raise SlamlibError(f"{function}: {argument} should be an array of real numbers: {error}") from None
 
 

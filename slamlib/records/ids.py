@@ -46,12 +46,22 @@ def array_of(given: list[Id], what: str = "ids") -> Ids:
     """A read-only array (n,) of ids, which are of one kind."""
     if len({isinstance(value, str) for value in given}) > 1:
         raise SlamlibError(f"{what} are integers or strings, not some of each: make all of them strings")
+    whole = _as_integers(given)
+    if whole is not None:
+        return read_only(whole)
+    found = np.empty(len(given), dtype=object)
+    found[:] = given
+    return read_only(found)
+
+
+def _as_integers(given: list[Id]) -> NDArray[Any] | None:
+    """Ids as 64-bit integers; None where these do not hold them. "7" is a string: NumPy would make a number of it."""
+    if any(isinstance(value, str) for value in given):
+        return None
     try:
-        return read_only(np.array(given, np.int64))
-    except (OverflowError, ValueError):
-        found = np.empty(len(given), dtype=object)
-        found[:] = given
-        return read_only(found)
+        return np.array(given, np.int64)
+    except OverflowError:
+        return None
 
 
 def joined(parts: Iterable[Ids]) -> list[Id]:
@@ -62,10 +72,8 @@ def joined(parts: Iterable[Ids]) -> list[Id]:
 def packed(given: Iterable[Id]) -> NDArray[Any]:
     """Ids as an array for an archive: of 64-bit integers, or of their JSON."""
     values = list(given)
-    try:
-        return np.array(values, np.int64)
-    except (OverflowError, ValueError):
-        return np.array([json.dumps(value) for value in values])
+    whole = _as_integers(values)
+    return np.array([json.dumps(value) for value in values]) if whole is None else whole
 
 
 def unpacked(array: NDArray[Any]) -> Ids:

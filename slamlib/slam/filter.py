@@ -230,7 +230,8 @@ class Slam:
 
     def _check_time(self, dt: float, what: str) -> None:
         """Raise SlamlibError unless dt is a time [s]: zero where two sensors measure at once, never below."""
-        if not isinstance(dt, int | float | np.number) or not 0 <= dt < np.inf:
+        is_number = isinstance(dt, int | float | np.integer | np.floating) and not isinstance(dt, np.timedelta64)
+        if not is_number or not 0 <= dt < np.inf:
             raise SlamlibError(
                 f"{what}: dt is the time since the frame before, 0 or more [s], got {dt}; of a list of times it is "
                 "their differences, and the first frame's is 0"

@@ -93,6 +93,8 @@ def test_numbers_of_a_data_frame_are_numbers_and_what_is_none_is_named():
     for bad, said in ((None, "None"), ("7", "'7'")):
         with pytest.raises(SlamlibError, match=f"holds {said} .* at index \\(1,\\)"):
             to_frame(pose, np.array([1, bad, 3], dtype=object))
+        with pytest.raises(SlamlibError, match="real numbers: int too large"):
+            Control([10**400, 0], EYE[:2, :2])
         with pytest.raises(SlamlibError, match=f"holds {said} .* at index \\(0, 1\\)"):
             Features([1], np.array([[1, bad]], dtype=object))
 
@@ -127,7 +129,7 @@ def test_other_ids_are_refused_in_words(ids, said):
         ids_of(ids, "ids")
 
 
-MANY = ([3, 1], [2**63, 1], [2**64 - 1, -5], [10**30, 7], ["oak, old", 'a "b"'], np.array(["x", "y"]))
+MANY = ([3, 1], [2**63, 1], [2**64 - 1, -5], [10**30, 7], ["oak, old", 'a "b"'], np.array(["x", "y"]), ["7", "07"])
 
 
 @pytest.mark.parametrize("ids", MANY, ids=str)
@@ -159,12 +161,24 @@ def test_ids_of_any_size_and_strings_go_through_filter_checkpoint_and_recording(
     assert read.world.points.ids.tolist() == list(ids)
 
 
+def test_a_name_of_digits_is_the_same_name_whatever_stands_beside_it(tmp_path):
+    """Labels of a reader of tags: "12" alone is no number, or it would be another landmark than "12" beside "oak"."""
+    slam = sl.Slam(sl.robot("unicycle"), sl.range_bearing((0.1, 0.02)))
+    slam.step([0, 0], {"12": [2, 0.1], "oak": [3, 0.2]})
+    slam.save(tmp_path / "run.npz")
+    for run in (slam, sl.Slam.load(tmp_path / "run.npz")):
+        assert run.step([0, 0], {"12": [2, 0.1]}).initialized == []
+        assert run.step([0, 0], {"012": [2, -0.1]}).initialized == ["012"]
+        assert {lm.id: lm.inliers for lm in run.landmarks} == {"12": 2, "oak": 1, "012": 1}
+    assert ids_of(["3"], "ids").tolist() == unpacked(packed(["3"])).tolist() == ["3"]
+
+
 def test_names_are_given_to_step():
     slam = sl.Slam(sl.robot("unicycle"), sl.range_bearing((0.1, 0.02)))
     assert slam.step([0, 0], {"oak": [2, 0.1], "elm": [3, 0.2]}).initialized == ["elm", "oak"]
 
 
-@pytest.mark.parametrize("dt", [np.nan, -1.0, np.inf, None, "0.1"])
+@pytest.mark.parametrize("dt", [np.nan, -1.0, np.inf, None, "0.1", np.timedelta64(1, "s"), 1j, np.complex64(1)])
 def test_a_time_that_is_none_is_refused_before_anything_changes(dt):
     slam = sl.Slam(sl.robot("unicycle"), sl.range_bearing((0.1, 0.02)))
     slam.step(Frame(1, 0.1, (None,), (Scan({"points": Features([1], [[2.0, 0.1]])}),)))
