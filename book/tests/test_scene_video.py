@@ -195,6 +195,20 @@ def test_nothing_is_left_of_a_video_that_fails_and_nothing_is_overwritten(matplo
     assert not [f for f in tmp_path.rglob("*") if "partial" in f.name]
 
 
+@pytest.mark.parametrize("name", ["notes.txt", "0000.png", "0003.png", "000001.png", "left/0001.png"])
+def test_a_folder_is_replaced_only_if_it_is_a_film(matplotlib, tmp_path, name):
+    film = animate(RUN[:1], tmp_path / "film", size=(1.6, 0.9))
+    other = film / name
+    other.parent.mkdir(exist_ok=True)
+    other.write_bytes(b"somebody's")
+    with pytest.raises(SlamlibError, match="film is a folder, and holds other things than a film's pictures"):
+        animate(RUN[:1], film, overwrite=True, size=(1.6, 0.9))
+    assert other.read_bytes() == b"somebody's"
+    for nowhere in (".", "..", "/"):
+        with pytest.raises(SlamlibError, match="is no name of a film"):
+            animate(RUN[:1], nowhere, overwrite=True)
+
+
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [

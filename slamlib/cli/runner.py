@@ -16,6 +16,7 @@ from types import FrameType
 from typing import Generic, Protocol, TypeVar
 
 from slamlib.cli.drawing import ErrorSeries, drawing
+from slamlib.datasets.pictures import is_image_name
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory import beside
 from slamlib.experiments.progress import progress
@@ -26,6 +27,7 @@ from slamlib.records.snapshots import Snapshot
 EXIT_ERROR = 2
 STOPPED: dict[int, str] = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated"}
 FILES = ("save", "trajectory", "map", "plot", "json")  # options whose value is a file that is written
+SOURCES = ("source", "left", "right")  # options whose value is where pictures are
 # What a resumed run of any command may be told: how far it goes, what it is compared with, and what is made of it.
 CONTINUED = (
     "resume",
@@ -111,7 +113,7 @@ def check_files(given: argparse.Namespace) -> None:
         check_writable(path)
     if getattr(given, "video", None):
         drawing().check_video(given.video, overwrite=given.overwrite)
-        check_writable(Path(given.video).with_name(".video"))
+        check_writable(Path(given.video).parent / ".video")
 
 
 def _check_apart(given: argparse.Namespace, files: list[tuple[str, str]]) -> None:
@@ -125,18 +127,26 @@ def _check_apart(given: argparse.Namespace, files: list[tuple[str, str]]) -> Non
                 raise SlamlibError(
                     f"--{name}: {path} is also where something else goes, by {what}: choose another name"
                 )
-    inputs = {name: value for name, value in vars(given).items() if name not in (*FILES, "video") and _is_file(value)}
     for name, path, place in written:
-        for option, value in inputs.items():
-            if place == Path(value).expanduser().resolve() and (name, option) != ("save", "resume"):
+        for option, value in vars(given).items():
+            is_output = option in (*FILES, "video") or (name, option) == ("save", "resume")
+            words = [] if is_output else value if isinstance(value, list) else [value]
+            if any(_reads(option, word, place) for word in words):
                 raise SlamlibError(f"--{name}: {path} is read by the command ({option}): choose another name")
 
 
-def _is_file(value: object) -> bool:
-    """Whether the value of an option is the name of a file."""
+def _reads(option: str, value: object, place: Path) -> bool:
+    """Whether what is at a place is what an option names: a file, the folder of pictures, or a picture in it."""
+    if not isinstance(value, str):
+        return False
     try:
-        return isinstance(value, str) and Path(value).expanduser().is_file()
-    except (OSError, RuntimeError):  # too long for a name, for instance
+        named = Path(value).expanduser().resolve()
+        if option not in SOURCES or named.is_file():
+            return place == named and named.is_file()
+        folder = named if named.is_dir() else named.parent  # of a glob
+        is_picture = is_image_name(place) and place.is_file() and folder in place.parents
+        return is_picture or place in (folder, *folder.parents)
+    except (OSError, RuntimeError, ValueError):  # too long for a name, for instance
         return False
 
 

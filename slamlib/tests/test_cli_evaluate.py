@@ -245,13 +245,29 @@ def test_what_json_has_no_number_for_is_null(capsys):
             "run points --frames 2 --video out --plot out/errors.svg",
             "--video: out is also where something else goes, by --p",
         ),
+        (
+            "run stereo-images --left seen/left --right seen/right --calibration a.json truth.json --map truth.json",
+            "--map: truth.json is read by the command (calibration)",
+        ),
+        ("run images --source seen/left --calibration a.json --video seen/left", "--video: seen/left is read"),
+        ("run images --source seen/left/*.png --calibration a.json --video seen", "--video: seen is read"),
+        ("run images --source seen/left/*.png --calibration a.json --trajectory seen/left/1.png", "1.png is read"),
+        ("run images --source seen --calibration a.json --save ./seen/../seen/left/1.png", "1.png is read"),
+        ("run stereo-images --left seen/left --right seen/right --calibration a.json --video seen/right", "is read by"),
+        ("run points --frames 2 --video seen/left", "seen/left is a folder, and holds other things than a film's"),
+        ("run points --frames 2 --video .", ". is no name of a film"),
+        ("run points --frames 2 --video ..", ".. is no name of a film"),
     ],
 )
 def test_no_output_replaces_another_or_an_input(words, message, capsys):
     for name in ("path.txt", "path.svg", "truth.txt", "truth.json"):
         write_tum(name, truth(20))
-    before = {file: file.read_bytes() for file in Path().iterdir()}
-    assert main(words.split()) == (0 if message is None else 2)
+    for name in ("left", "right"):
+        Path("seen", name).mkdir(parents=True)
+        Path("seen", name, "1.png").write_bytes(b"a picture")
+    before = {file: file.read_bytes() for file in Path().rglob("*") if file.is_file()}
+    overwrite = [] if message is None else ["--overwrite"]
+    assert main([*words.replace(" --overwrite", "").split(), *overwrite]) == (0 if message is None else 2)
     assert message is None or message in capsys.readouterr().err
     assert all(file.read_bytes() == content for file, content in before.items())
 

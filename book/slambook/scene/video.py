@@ -77,11 +77,26 @@ def ready(path: str | Path, *, overwrite: bool = False) -> Writer:
     ending = target.suffix.lower()
     if ending not in WRITERS:
         raise UnknownNameError.of("ending of a video's name", target.suffix, [n or "(a folder)" for n in WRITERS])
+    if target.name in ("", ".."):
+        raise SlamlibError(f"{path} is no name of a film: a film without an ending is a new folder of pictures")
+    if target.is_dir() and not _is_film(target):
+        raise SlamlibError(f"{target} is a folder, and holds other things than a film's pictures: choose another name")
     if target.exists() and not overwrite:
         raise SlamlibError(f"{target} exists: choose another name, or replace it (overwrite=True, or --overwrite)")
     for package in ("matplotlib", *PACKAGES[ending]):
         extra(package, "a film")
     return WRITERS[ending]
+
+
+def _is_film(folder: Path) -> bool:
+    """Whether a folder holds what `_write_folder` has written, and nothing else: it may be replaced."""
+    names = {path.name for path in folder.iterdir()}
+    return names == {_numbered(i) for i in range(1, len(names) + 1)}
+
+
+def _numbered(i: int) -> str:
+    """The name of the i-th picture, from 1 on, in a folder."""
+    return f"{i:04d}.png"
 
 
 def _check(snapshots: Iterable[Snapshot], truths: Iterable[Truth], fps: float, every: int) -> None:
@@ -103,7 +118,7 @@ def _write_folder(path: Path, frames: Iterable[Array], fps: float) -> None:
     """Numbered PNG files."""
     path.mkdir()
     for i, frame in enumerate(frames, 1):
-        (path / f"{i:04d}.png").write_bytes(png(frame))
+        (path / _numbered(i)).write_bytes(png(frame))
 
 
 def _write_gif(path: Path, frames: Iterable[Array], fps: float) -> None:
