@@ -93,7 +93,7 @@ class TextRows:
 
 def _number(word: str, where: str) -> float:
     try:
-        value = float(word)
+        value = float(word.replace("_", "?"))  # "1_0" is ten for Python alone
     except ValueError:
         problem = f"{word!r} is no number" if word else "there is nothing between two separators"
         raise SlamlibError(f"{where}: {problem}: repair the row, or remove it") from None

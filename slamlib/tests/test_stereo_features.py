@@ -89,6 +89,12 @@ def test_an_unknown_detector_is_named():
         detect(np.zeros((240, 320), np.uint8), StereoSettings(detector="corner"))
 
 
+@pytest.mark.parametrize(("name", "value"), [("border", 10**20), ("cells", (12, 10**20)), ("zoom", 10**20)])
+def test_settings_that_no_library_s_integers_hold_are_refused(name, value):
+    with pytest.raises(SlamlibError, match=rf"StereoSettings\.{name}.* and up to \d+.*, got 100000000000000000000"):
+        StereoSettings(**{name: value})
+
+
 def test_distances_count_bits():
     rng = np.random.default_rng(1)
     one, other = rng.integers(0, 256, (2, 7, 32)).astype(np.uint8)

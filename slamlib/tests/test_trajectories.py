@@ -154,6 +154,7 @@ def test_a_header_that_is_not_understood_is_refused_by_its_names(tmp_path, heade
         ("0 0 0 0 0 0 0 1 5\n", "rows of 9 numbers, and TUM has 8"),
         ("# a\n0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0\n2 0 0 0 0 0 0 1\n", "line 3 has 7 columns, other rows 8"),
         ("0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 one\n", "line 2, column 8: 'one' is no number"),
+        ("0,0,0,0,0,0,0,1\n0.1,1_0,0,0,0,0,0,1\n", "line 2, column 2: '1_0' is no number"),
         ("0,0,0,0,0,0,0,1\n0.1,0,,0,0,0,0,1\n", "line 2, column 3: there is nothing between two separators"),
         ("0,0 0,1 0,2 0 0 0 0 1\n", "line 1: 0,0 has a decimal comma: write numbers with points, as 0.0"),
         ("0;0,5;0;0;0;0;0;1\n", "line 1: 0,5 has a decimal comma"),

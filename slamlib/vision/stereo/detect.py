@@ -8,7 +8,6 @@ that ORB's invariance to these costs accuracy without benefit; `python -m benchm
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from math import inf
 from typing import Annotated, Any
 
 import numpy as np
@@ -19,6 +18,7 @@ from slamlib.manifolds import Array, Image
 from slamlib.plain_data.fields import Count, Finite, Magnitude, Positive, Range, Share, Whole, check
 from slamlib.vision.patches import parabola
 
+Cells = Annotated[int, Range(gt=0, le=10_000)]
 WINDOW = 5  # px, of the structure tensor, whose smaller eigenvalue is the strength of a corner
 
 
@@ -43,11 +43,11 @@ class StereoSettings:
     other frames are left to an odometry (MOTION_SOURCES "correlated").
     """
 
-    cells: tuple[Whole, Whole] = (12, 8)
+    cells: tuple[Cells, Cells] = (12, 8)
     per_cell: Whole = 5
     min_strength: Magnitude = 200.0
     detector: str = "corners"
-    border: Count = 18
+    border: Annotated[int, Range(ge=0, le=10_000, unit="px")] = 18
     rows: Magnitude = 1.5
     disparity: tuple[Positive, Positive] = (1.0, 120.0)
     offset: Finite = 0.0
@@ -60,7 +60,7 @@ class StereoSettings:
     probability: Annotated[float, Range(gt=0, lt=1)] = 0.999
     min_separation: Magnitude = 9.0
     max_in_view: Count = 60
-    zoom: Annotated[float, Range(ge=1, lt=inf)] = 1.3
+    zoom: Annotated[float, Range(ge=1, le=1000)] = 1.3
     views: Whole = 4
     max_backoff: Count = 16
     update_interval: Whole = 1
