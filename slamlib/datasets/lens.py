@@ -50,6 +50,12 @@ class Lens:
             raise SlamlibError(
                 f"{self.model}: at most {max_coefficients} finite coefficients are wanted, got {self.distortion}"
             )
+        for (name, (least, largest)), value in zip(MODELS[self.model].limits.items(), self.distortion, strict=False):
+            if not least <= value <= largest:
+                raise SlamlibError(
+                    f"{self.model}: {name} is from {least:g} to {largest:.3g}, got {value:g}: are the numbers in "
+                    "another order?"
+                )
 
     @property
     def lens(self) -> "Lens":

@@ -24,11 +24,13 @@ class LensModel:
     """image(x, y, z, k): the images of rays, arrays alike, by the coefficients k (their number), zeros at the end.
 
     own(k): slamlib's type of sensor with such a lens and its coefficients, or None if no type can represent the lens.
+    limits: of the first coefficients, by their names, least and largest.
     """
 
     coefficients: int
     image: Callable[[Array, Array, Array, Numbers], Plane]
     own: Callable[[Numbers], tuple[str, Numbers] | None] = field(default=lambda k: None)
+    limits: dict[str, tuple[float, float]] = field(default_factory=dict)
 
 
 def _bent(a: Array, b: Array, k: Numbers) -> Plane:
@@ -139,10 +141,11 @@ def _own_lens(k: Numbers) -> tuple[str, Numbers] | None:
 MODELS = {
     RADIAL: LensModel(14, _radial_tangential, _own_lens),
     FISHEYE: LensModel(4, _equidistant, lambda k: ("fisheye", k)),
-    FOV: LensModel(1, _fov),
-    UNIFIED: LensModel(6, _unified, lambda k: ("unified", k)),  # xi, and then k1 k2 p1 p2 k3
-    DOUBLE_SPHERE: LensModel(2, _double_sphere, lambda k: ("doubleSphere", k)),  # xi, alpha
-    EXTENDED: LensModel(2, _extended_unified, lambda k: ("extendedUnified", k)),  # alpha, beta
+    FOV: LensModel(1, _fov, limits={"omega": (0, np.pi)}),
+    # xi, and then k1 k2 p1 p2 k3; calibrations of wide lenses have found xi of 0.5 to 5
+    UNIFIED: LensModel(6, _unified, lambda k: ("unified", k), {"xi": (0, 20)}),
+    DOUBLE_SPHERE: LensModel(2, _double_sphere, lambda k: ("doubleSphere", k), {"xi": (-1, 1), "alpha": (0, 1)}),
+    EXTENDED: LensModel(2, _extended_unified, lambda k: ("extendedUnified", k), {"alpha": (0, 1), "beta": (0, np.inf)}),
     DIVISION: LensModel(1, _division),
     THIN_PRISM: LensModel(8, _thin_prism),  # k1 k2 p1 p2 k3 k4 s_x s_y
 }

@@ -127,6 +127,10 @@ def test_kalibrs_other_lenses(tmp_path, camera, intrinsics, model, coefficients,
     }
     path = write(tmp_path, yaml.dump({"cam0": entries}))
     assert read_lens(path) == Lens((376, 240, 700, 701), (752, 480), *expected)
+    last_first = [*intrinsics[-4:], *intrinsics[:-4]]
+    if camera != "pinhole":
+        with pytest.raises(SlamlibError, match=r"(xi|alpha) is from -?\d to \d+, got 700: .* in another order\?"):
+            read_lens(write(tmp_path, yaml.dump({"cam0": entries | {"intrinsics": last_first}})))
     for wrong in ({"distortion_model": "equidistan"}, {"camera_model": "dss"}, {"intrinsics": [1, 2]}, {"shift": 0.1}):
         with pytest.raises(SlamlibError, match=r"calib\.txt \(Kalibr\)"):
             read_lens(write(tmp_path, yaml.dump({"cam0": entries | wrong})))
@@ -334,8 +338,17 @@ def test_numbers_that_are_left_over_in_an_opencv_file_are_refused(tmp_path):
 
 def test_the_models_that_opencv_files_name(tmp_path):
     wide = {"K": MATRIX, "D": [0.1, 0.2, 0.0, 0.1]}
-    for others in ({"fisheye_model": 1}, {"fisheye": True}, {"lens_model": "fisheye"}, {"model": "kannala_brandt"}):
+    said = (
+        {"lens_model": "fisheye"},
+        {"model": "kannala_brandt"},
+        *({"fisheye": v} for v in (1, 1.0, True, "yes", "On")),
+    )
+    for others in said:
         assert read_lens(write(tmp_path, json.dumps(wide | others))).model == "equidistant"
+    for no in (0, 0.0, False, None, "no", "False", "off"):  # YAML's readers differ about the words
+        assert read_lens(write(tmp_path, yaml.dump(wide | {"is_fisheye": no}))).model == "radial-tangential"
+    with pytest.raises(SlamlibError, match="fisheye is true or false, got perhaps"):
+        read_lens(write(tmp_path, json.dumps(wide | {"fisheye": "perhaps"})))
     mei = read_lens(stored(tmp_path / "mei.yml", **wide, xi=[1.2]))
     assert (mei.model, mei.distortion) == ("unified", (1.2, 0.1, 0.2, 0.0, 0.1))
     assert read_lens(write(tmp_path, json.dumps(wide | {"model": "Logitech C920"}))).model == "radial-tangential"
@@ -436,9 +449,12 @@ def test_the_cameras_of_tum(tmp_path, monkeypatch):
         ("500 2 320\n0 500 240\n0 0 1\n", "the pixels are skewed by 2 px"),
         (EUROC.replace("pinhole", "omni"), r"omni has the intrinsics \(xi, fu, fv, pu, pv\), got 4 numbers"),
         (EUROC.replace("pinhole", "spherical"), "unknown camera_model 'spherical'"),
-        (EUROC.replace("radial-tangential", "fov"), "fov: at most 1 finite coefficients"),
+        (EUROC.replace("radial-tangential", "fov"), "fov has 1 coefficients of distortion, got 4"),
+        (EUROC.replace(", 1.76187114e-05", ""), "radialtangential has 0 or 4 or 5 or 8 coefficients .*, got 3"),
+        (EUROC.replace("radial-tangential", "equi").replace(", 1.76187114e-05", ""), "equi has 4 coeff.*, got 3"),
+        (re.sub("distortion_coef.*", "", EUROC), "distortion_coefficients is missing: there is sensor_type, T_BS"),
         (EUROC.replace("radial-tangential", "none"), "distortion_model is none, or missing, and the coefficients are"),
-        (EUROC.replace("coefficients", "cofficients"), "did you mean 'distortion_coefficients'"),
+        (EUROC.replace("coefficients", "cofficients"), "missing: is 'distortion_cofficients' meant for it"),
         (EUROC.replace("-1.0", "-2.0"), "T_BS is no rigid motion"),
         (EUROC.replace("-1.0", "1.0"), "T_BS is no rigid motion"),
         (EUROC + "rate_hz: 30\n", "rate_hz is there twice"),

@@ -147,6 +147,23 @@ def test_images_without_distortion_are_a_pinholes(name):
         np.testing.assert_allclose(centre, wanted, atol=0.3)
 
 
+@pytest.mark.parametrize(
+    ("model", "k", "said"),
+    [
+        (UNIFIED, (-0.1,), "xi is from 0 to 20, got -0.1"),
+        (UNIFIED, (376.0, 0.1), "xi is from 0 to 20, got 376"),
+        (DOUBLE_SPHERE, (0.55, -0.2), "alpha is from 0 to 1, got -0.2"),
+        (DOUBLE_SPHERE, (1.5, 0.2), "xi is from -1 to 1, got 1.5"),
+        (EXTENDED, (1.1, 0.6), "alpha is from 0 to 1, got 1.1"),
+        (EXTENDED, (0.6, -1.1), "beta is from 0 to inf, got -1.1"),
+        (FOV, (-0.9,), "omega is from 0 to 3.14, got -0.9"),
+    ],
+)
+def test_coefficients_that_no_lens_has_are_refused_before_pictures_are_undistorted(model, k, said):
+    with pytest.raises(SlamlibError, match=f"{said}: are the numbers in another order"):
+        Lens((320, 240, 300, 300), (640, 480), model, k)
+
+
 @pytest.mark.parametrize("name", ["thin prism", "tilt", THIN_PRISM, FOV, DIVISION])
 def test_lenses_that_the_filter_lacks_ask_for_undistort(name):
     with pytest.raises(SlamlibError, match="--undistort"):

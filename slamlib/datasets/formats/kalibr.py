@@ -26,6 +26,8 @@ CAMERAS = {
     "ds": (("xi", "alpha"), {"none": DOUBLE_SPHERE}),
     "eucm": (("alpha", "beta"), {"none": EXTENDED}),
 }
+# How many coefficients of distortion there may be, for each lens that has them; none at all is no distortion.
+COUNTS = {RADIAL: (0, 4, 5, 8), FISHEYE: (4,), FOV: (1,), UNIFIED: (0, 4, 5)}
 _CAMERA = re.compile(r"cam(\d+)")
 _ITS_OWN = {"intrinsics", "cameramodel", "tcncnm1"}  # other tools' cameras may be called cam0, too
 _PLACED = ("T_cn_cnm1", "T_cam_imu", "T_imu_cam")
@@ -43,11 +45,16 @@ def lens(entries: Entries, transform: Numbers | None) -> Lens:
     if len(intrinsics) != len(names):
         raise SlamlibError(f"{camera} has the intrinsics ({', '.join(names)}), got {len(intrinsics)} numbers")
     coefficients = entries.numbers(
-        "distortion_coefficients", "distortion_coeffs", "distortion_parameters", needed=False
+        "distortion_coefficients", "distortion_coeffs", "distortion_parameters", needed=said != "none"
     )
     if said == "none" and any(coefficients):
         raise SlamlibError(
             f"distortion_model is none, or missing, and the coefficients are {coefficients}: which model?"
+        )
+    counts = COUNTS.get(model, ())
+    if said != "none" and len(coefficients) not in counts:
+        raise SlamlibError(
+            f"{said} has {' or '.join(map(str, counts))} coefficients of distortion, got {len(coefficients)}"
         )
     size = entries.numbers("resolution", count=2, needed=False) or None
     own, pinhole = intrinsics[: len(first)], intrinsics[len(first) :]

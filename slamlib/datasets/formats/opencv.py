@@ -34,6 +34,7 @@ SIZE = "image_size", "img_size", "resolution", "image_resolution"
 SHAPE = "image_shape", "img_shape", "shape"  # of arrays: rows, columns
 KINDS = "distortion_model", "distortion_type", "lens_model", "lens_type", "camera_model", "camera_type", "model", "type"
 FISHEYES = "fisheye_model", "fisheye", "is_fisheye", "use_fisheye"
+YES, NO = {"true", "yes", "on", "1", "y"}, {"false", "no", "off", "0", "n", "none", ""}  # as words; YAML has some
 TURN = "R", "rotation", "rotation_matrix", "rot", "stereo_R", "R_stereo"
 SHIFT = "T", "translation", "translation_vector", "trans", "stereo_T", "T_stereo"
 COUNTS = 0, 1, 2, 4, 5, 8, 12, 14  # of coefficients of OpenCV's; those of the first two mean the same everywhere
@@ -77,11 +78,21 @@ def model_of(entries: Entries) -> str:
         if like and word and word not in UNDISTORTED:
             entry(name.replace("_", " "), word, WORDS)
     found = {WORDS[word] for word in words.values() if word in WORDS}
-    if any(entries.value(name) for name in FISHEYES):
+    if any(_is_said(entries, name) for name in FISHEYES):
         found.add(FISHEYE)
     if len(found) > 1:
         raise SlamlibError(f"two models of the lens are named, {' and '.join(sorted(found))}: which of them is it?")
     return next(iter(found), RADIAL)
+
+
+def _is_said(entries: Entries, name: str) -> bool:
+    """Whether a value says yes: True, 1, or a word for it. Raises SlamlibError for one that says neither yes nor no."""
+    value = entries.value(name)
+    if value in (None, 0, 1):  # True is 1
+        return bool(value)
+    if (word := alike(str(value))) not in YES | NO:
+        raise SlamlibError(f"{name} is true or false, got {value}")
+    return word in YES
 
 
 def _marked(names: Iterable[str], sides: Iterable[str]) -> Iterator[str]:
