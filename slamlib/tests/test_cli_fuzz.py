@@ -47,6 +47,12 @@ LENS = """
   distortion_model: radtan
   distortion_coeffs: [-0.1, 0.01, 0, 0]
 """
+BOOFCV = (
+    "pinhole: {fx: 150, fy: 150, cx: 80, cy: 60, width: 160, height: 120, skew: 0}\n"
+    "radial_tangential: {radial: [-0.1, 0.01], t1: 0, t2: 0}\n"
+)
+NEXT = "\n"
+MATRIX = [[150.0, 0, 80], [0, 150.0, 60], [0, 0, 1]]
 
 
 def small(text):
@@ -87,6 +93,51 @@ TEXTS = {
     ),
     "kitti.txt": ("P0: 150 0 80 0 0 150 60 0 0 0 1 0\nP1: 150 0 80 -15 0 150 60 0 0 0 1 0\n", TWO),
     "colmap.txt": ("# cameras\n1 SIMPLE_RADIAL 160 120 150 80 60 -0.1\n", ONE),
+    "boofcv.yaml": (f"{BOOFCV}model: pinhole_radial_tangential\n", ONE),
+    "boofcv_pair.yaml": (
+        "model: stereo_camera\n"
+        + "".join(f"{side}:\n  {BOOFCV.replace(NEXT, NEXT + '  ')}model: pinhole\n" for side in ("left", "right"))
+        + "rightToLeft: {rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1], x: 0.1, y: 0, z: 0}\n",
+        TWO + " --rectify",
+    ),
+    "camodocal.yml": (
+        "%YAML:1.0\n---\nmodel_type: PINHOLE\nimage_width: 160\nimage_height: 120\ndistortion_parameters:\n"
+        "   k1: -0.1\n   k2: 0\n   p1: 0\n   p2: 0\n"
+        "projection_parameters:\n   fx: 150\n   fy: 150\n   cx: 80\n   cy: 60\n",
+        ONE,
+    ),
+    "omni.yaml": (
+        f"cam0:{LENS}".replace("pinhole", "omni").replace("[150, 150", "[1, 300, 300"),
+        ONE + " --undistort",
+    ),
+    "dso.txt": ("0.9375 1.25 0.503125 0.504167 0.3\n160 120\ncrop\n160 120\n", ONE + " --undistort"),
+    "mrpt.ini": (
+        "".join(
+            f"[CAM_{side}]\nresolution = [160 120]\nfx = 150\nfy = 150\ncx = 80\ncy = 60\ndist = [0 0 0 0 0]\n"
+            for side in ("LEFT", "RIGHT")
+        )
+        + "[CAM_LEFT2RIGHT_POSE]\npose_quaternion = [0.1 0 0 1 0 0 0]\n",
+        TWO,
+    ),
+    "calib_cam_to_cam.txt": (
+        "calib_time: 09-Jan-2012 13:57:47\nS_rect_00: 1.6e+02 1.2e+02\nP_rect_00: 150 0 80 0 0 150 60 0 0 0 1 0\n"
+        "S_rect_01: 1.6e+02 1.2e+02\nP_rect_01: 150 0 80 -15 0 150 60 0 0 0 1 0\n",
+        TWO,
+    ),
+    "opencv.xml": (
+        "<?xml version='1.0'?>\n<opencv_storage>\n<K type_id='opencv-matrix'><rows>3</rows><cols>3</cols><dt>d</dt>"
+        "<data>150. 0. 80. 0. 150. 60. 0. 0. 1.</data></K>\n<D>-0.1 0. 0. 0.</D></opencv_storage>\n",
+        ONE,
+    ),
+    "opencv_pair.json": (
+        json.dumps({**{f"{name}{i}": value for i in (1, 2) for name, value in (("M", MATRIX), ("D", [0.0] * 5))},
+                    "R": np.eye(3).tolist(), "T": [-0.1, 0, 0]}),
+        TWO,
+    ),
+    "matrix.txt": ("150 0 80\n0 150 60\n0 0 1\n", ONE),
+    "tartanair.txt": (
+        "".join(f"{i}.5 {i % 2} 0.25 0 0 0 1\n" for i in range(6)), "evaluate {} kitti.kitti --times kitti.times"
+    ),
     "plain.txt": ("fx 150\nfy 150\ncx 80\ncy 60\nwidth 160\nheight 120\nk1 -0.1\n", ONE),
     "tum.txt": (TUM, "evaluate {} tum.tum"),
     "tum_reference.txt": (TUM, "evaluate tum.tum {} --scale"),
@@ -212,6 +263,7 @@ def checked(words):
     assert all(line.startswith("slamlib: ") for line in err.splitlines()), err
 
 
+@pytest.mark.filterwarnings("ignore:fy = -:UserWarning")  # which the command prints, and pytest makes an error
 @pytest.mark.parametrize("name", TEXTS)
 def test_texts(name, pictures, monkeypatch):
     monkeypatch.chdir(pictures)
