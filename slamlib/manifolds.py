@@ -219,25 +219,19 @@ class Product:
         numbers = np.asarray(vector)
         return [numbers[..., at] for at in (self._tangent if dof else self._stored)]
 
-    def _join(self, pieces: list[Array]) -> Array:
-        if all([p.ndim == 1 for p in pieces]):
-            return np.concatenate(pieces)  # a single one: the fast path
-        lead = np.broadcast_shapes(*(p.shape[:-1] for p in pieces))
-        return np.concatenate([np.broadcast_to(p, lead + p.shape[-1:]) for p in pieces], axis=-1)
-
     def plus(self, point: Array, step: Array) -> Array:
         """Move each part by its piece of `step`; shapes (..., size), (..., dof)."""
         self._size(point, self.size, "point")
         self._size(step, self.dof, "step")
         pieces = zip(self.parts, self.split(point), self.split(step, dof=True), strict=True)
-        return self._join([part.plus(x, d) for part, x, d in pieces])
+        return np.concatenate([part.plus(x, d) for part, x, d in pieces], axis=-1)
 
     def minus(self, point: Array, origin: Array) -> Array:
         """Return the tangent vector from `origin` to `point`; shapes (..., size) each."""
         self._size(point, self.size, "point")
         self._size(origin, self.size, "origin")
         pieces = zip(self.parts, self.split(point), self.split(origin), strict=True)
-        return self._join([part.minus(x, y) for part, x, y in pieces])
+        return np.concatenate([part.minus(x, y) for part, x, y in pieces], axis=-1)
 
     def check(self, point: Array, what: str) -> None:
         """Check each part."""

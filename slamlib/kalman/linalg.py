@@ -21,6 +21,7 @@ quiet_floats = np.errstate(over="ignore", invalid="ignore")  # results are check
 # Sizes from which the triangular product of BLAS repays its mirroring: benchmarks/covariance_update.py.
 _LARGE = 400
 _SMALL = 4  # numbers of a measurement up to which Python's floats are quicker than LAPACK
+_SLACK = 1e-9  # of each row: an eigenvalue of correlations, below zero by this, is taken as rounding
 _ROUNDING = 4 * float(np.finfo(float).eps)  # of each row, beside the variance
 
 
@@ -43,7 +44,8 @@ def covariance(value: ArrayLike, size: int, function: str, argument: str) -> Arr
     array = finite(array, (size, size), function, argument)
     what = f"{function}: {argument}"
     array = _symmetric(array, what)
-    if _factor(array) is None:
+    # Of the correlations, no eigenvalue is below -1e-9: with so much added to their diagonal, there is a factor.
+    if _factor(array) is None and _factor(array + np.diag(_SLACK * len(array) * array.diagonal())) is None:
         _check_semidefinite(array, what)
     return array
 
@@ -58,14 +60,15 @@ def check_variances(matrix: Array, function: str, argument: str) -> None:
 
 
 def _symmetric(array: Array, what: str) -> Array:
+    if (array == array.T).all():  # mostly the case
+        return array.copy()
     half = array / 2
     skew = np.abs(half - half.T)
     array = half + half.T
-    if skew.any():
-        std = np.sqrt(np.abs(array.diagonal()))
-        if (skew > 0.5e-9 * np.outer(std, std) + _rounding_of(array)).any():
-            advice = "use (P + P.T) / 2 if only rounding is to blame"
-            raise CovarianceError(f"{what} is not symmetric, as a covariance must be; {advice}")
+    std = np.sqrt(np.abs(array.diagonal()))
+    if (skew > 0.5e-9 * np.outer(std, std) + _rounding_of(array)).any():
+        advice = "use (P + P.T) / 2 if only rounding is to blame"
+        raise CovarianceError(f"{what} is not symmetric, as a covariance must be; {advice}")
     return array
 
 
@@ -97,7 +100,7 @@ def _check_semidefinite(array: Array, what: str) -> None:
         raise CovarianceError(f"{what} has no variance at index {i}, and yet a covariance {alone:.3g} with {j}")
     correlations = array[np.ix_(free, free)] / np.outer(std[free], std[free])
     least = np.linalg.eigvalsh(correlations)[0] if free.any() else 0.0
-    if not least >= -1e-9 * len(array):
+    if not least >= -_SLACK * len(array):
         raise CovarianceError(
             f"{what} has the negative eigenvalue {np.linalg.eigvalsh(array)[0]:.3g} ({least:.3g} of its correlations); "
             f"{_ADVICE}"
