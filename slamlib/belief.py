@@ -219,9 +219,11 @@ class Belief:
         posterior less than two digits would remain (1e14), the update is refused. Raises ShapeError, NonFiniteError,
         CovarianceError; then nothing is changed.
         """
-        return self._update(method, StackedMeasurements.of(list(measurements), "update", self._own))
+        return self.update_stacked(StackedMeasurements.of(list(measurements), "update", self._own), method=method)
 
-    def _update(self, method: str, stacked: StackedMeasurements) -> UpdateResult:
+    @linalg.quiet_floats
+    def update_stacked(self, stacked: StackedMeasurements, *, method: str = "batch") -> UpdateResult:
+        """As `update_all`, for measurements stacked already: numbers that models gave, and noises checked before."""
         HP = stacked.H @ self._P.take(stacked.touched, axis=0)
         S = stacked.innovation_covariance(HP)
         step, rows, nis = stacked.solve(method, HP, S)
@@ -245,7 +247,7 @@ class Belief:
         m, k = z.size, len(columns)
         z, H = finite(z, (m,), "update_rows", "innovation"), finite(H, (m, k), "update_rows", "H")
         R = linalg.covariance(R, m, "update_rows", "R")
-        return self._update("batch", StackedMeasurements(z, H, R, columns))
+        return self.update_stacked(StackedMeasurements(z, H, R, columns))
 
     @contextmanager
     def sequential_update(self) -> Iterator[SequentialUpdate]:

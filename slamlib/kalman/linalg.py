@@ -7,7 +7,7 @@ import functools
 import importlib
 import math
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -266,6 +266,17 @@ def _dot(a: list[float], b: list[float]) -> float:
 def principal_blocks(matrix: Array, rows: Indices) -> Array:
     """Blocks (n, k, k) of a matrix (s, s): for each row of `rows` (n, k), those rows and columns."""
     return matrix.ravel().take(rows[:, :, None] * len(matrix) + rows[:, None, :])
+
+
+def touched_rows(size: int, columns: Sequence[Indices]) -> tuple[Indices, list[Indices]]:
+    """The rows (k,) of a matrix (size, size) that any array of `columns` names, in their order, and of each array the
+    places of its rows among these: what np.unique tells, without sorting."""
+    place = np.zeros(size, dtype=int)
+    for named in columns:
+        place[named] = 1
+    touched = np.flatnonzero(place)
+    place[touched] = np.arange(len(touched))
+    return touched, [place[named] for named in columns]
 
 
 def log_determinants(matrices: Array) -> Array:

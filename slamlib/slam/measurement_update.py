@@ -13,6 +13,8 @@ from slamlib.belief import Belief
 from slamlib.entities import RigSensor, Robot
 from slamlib.entities.landmark import group_by_kind
 from slamlib.entities.linearization import Linearization
+from slamlib.kalman.linalg import touched_rows
+from slamlib.kalman.update import StackedMeasurements
 from slamlib.manifolds import Array, Euclidean, Indices
 from slamlib.observation.family import FamilyOptions
 from slamlib.plain_data.fields import Range
@@ -65,27 +67,27 @@ def update_in_batch(belief: Belief, sensor: RigSensor, predictions: Predictions,
     parts = []
     for group in group_by_kind(predictions, LANDMARK_KIND):
         expected, found = innovations(sensor, group)
-        for prediction, nis in zip(group, innovation_squares(belief, expected, found), strict=True):
-            prediction.apply_gate(nis, gate(options.gate, found.z.shape[1]))
-        keep = np.array([prediction.inlier for prediction in group])
-        parts.append((expected.columns[keep], found.H[keep], found.z[keep], found.R[keep]))
-    if any(len(z) for _, _, z, _ in parts):
-        belief.update_rows(*_stacked(parts))
+        squares, limit = innovation_squares(belief, expected, found), gate(options.gate, found.z.shape[1])
+        passed = [prediction.apply_gate(nis, limit) for prediction, nis in zip(group, squares, strict=True)]
+        if any(passed):
+            keep = np.flatnonzero(passed)
+            parts.append((expected.columns[keep], found.z[keep], found.H[keep], found.R[keep]))
+    if parts:
+        belief.update_stacked(_stacked(belief.size, parts))
 
 
-def _stacked(parts: list[tuple[Indices, Array, Array, Array]]) -> tuple[Indices, Array, Array, Array]:
-    """Touched rows (k,), and one stacked Jacobian, innovation and noise of all parts."""
-    touched = np.unique(np.concatenate([columns.ravel() for columns, _, _, _ in parts]))
-    z = np.concatenate([part[2].ravel() for part in parts])
+def _stacked(size: int, parts: list[tuple[Indices, Array, Array, Array]]) -> StackedMeasurements:
+    """All innovations as one; of each part the columns (n, k), z (n, d), H (n, d, k) and R (n, d, d)."""
+    touched, places = touched_rows(size, [columns for columns, _, _, _ in parts])
+    z = np.concatenate([part[1].ravel() for part in parts])
     H, R = np.zeros((len(z), len(touched))), np.zeros((len(z), len(z)))
     start = 0
-    for columns, J, innovation, noise in parts:
+    for at, (_, innovation, J, noise) in zip(places, parts, strict=True):
         rows = start + np.arange(innovation.size).reshape(innovation.shape)
-        at = np.searchsorted(touched, columns)
         H[rows[:, :, None], at[:, None, :]] = J
-        R[rows[:, :, None], rows[:, None, :]] = noise
+        R[rows[:, :, None], rows[:, None, :]] = noise / 2 + noise.swapaxes(-1, -2) / 2
         start += innovation.size
-    return touched, H, z, R
+    return StackedMeasurements(z, H, R, touched)
 
 
 def convert(belief: Belief, sensor: RigSensor, predictions: Predictions, options: FamilyOptions) -> None:

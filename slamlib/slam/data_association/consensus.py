@@ -124,7 +124,8 @@ def _individual_squares(found: JointInnovation, options: UpdateOptions) -> tuple
     """Square (n,) of each single innovation, and the mask (n,) of those that pass the gate."""
     rows = np.arange(len(found.z))
     squares = mahalanobis_squared(found.z, found.S[rows, :, rows])
-    return squares, squares < np.array([gate(options.gate, size) for size in found.dof.tolist()])
+    limits = {size: gate(options.gate, size) for size in set(found.dof.tolist())}
+    return squares, squares < np.array([limits[size] for size in found.dof.tolist()])
 
 
 def _added_squares(found: JointInnovation, keep: Mask) -> Array:

@@ -9,6 +9,7 @@ from slamlib.belief import Belief
 from slamlib.entities import RigSensor
 from slamlib.entities.landmark import group_by_kind, landmark_means
 from slamlib.geometry.pose import Pose, compose
+from slamlib.kalman.linalg import touched_rows
 from slamlib.manifolds import Array, Indices
 from slamlib.observation.family import PredictedBatch
 from slamlib.slam.prediction import Predictions, innovations
@@ -33,17 +34,17 @@ class JointInnovation:
 
 def joint_innovation(belief: Belief, sensor: RigSensor, predictions: Predictions) -> JointInnovation:
     """Joint innovation of all predictions, as they were predicted, and S = H P H' + R with all cross-correlations."""
-    n, d = len(predictions), max(len(prediction.S) for prediction in predictions)
-    touched = np.unique(np.concatenate([prediction.columns for prediction in predictions]))
+    n, kinds = len(predictions), group_by_kind(range(len(predictions)), lambda i: predictions[i].landmark.kind)
+    found = [innovations(sensor, [predictions[i] for i in at]) for at in kinds]
+    d = max(own.z.shape[1] for _, own in found)
+    touched, places = touched_rows(belief.size, [expected.columns for expected, _ in found])
     z, H, dof = np.zeros((n, d)), np.zeros((n, d, len(touched))), np.zeros(n, dtype=int)
-    R = np.broadcast_to(np.eye(d), (n, d, d)).copy()
-    for at in group_by_kind(range(n), lambda i: predictions[i].landmark.kind):
-        expected, found = innovations(sensor, [predictions[i] for i in at])
-        size, rows = found.z.shape[1], np.array(at)[:, None]
-        z[rows, np.arange(size)], dof[at] = found.z, size
-        columns = np.searchsorted(touched, expected.columns)
-        H[rows[:, :, None], np.arange(size)[:, None], columns[:, None, :]] = found.H
-        R[rows[:, :, None], np.arange(size)[:, None], np.arange(size)] = found.R
+    R = np.eye(d)[None].repeat(n, axis=0)
+    for at, columns, (_, own) in zip(kinds, places, found, strict=True):
+        rows, each = np.array(at), np.arange(own.z.shape[1])
+        z[rows[:, None], each], dof[rows] = own.z, len(each)
+        H[rows[:, None, None], each[:, None], columns[:, None, :]] = own.H
+        R[rows[:, None, None], each[:, None], each] = own.R
     flat = H.reshape(n * d, -1)
     gain = belief.matrix[touched[:, None], touched] @ flat.T
     S = (flat @ gain).reshape(n, d, n, d)
