@@ -110,19 +110,19 @@ def park_slam() -> Slam:
 def run(recording: ParkRecording, scans: int | None = None) -> dict[str, Any]:
     """The filter on the first `scans` scans: figures, and to draw them `path`, `dead_reckoning`, `trees` and `gps`."""
     slam, began = park_slam(), time.perf_counter()
-    times, path, nis, odometry, measured = recording.times[:scans], [], [], [slam.robots[0].block.mean], 0
+    times, states, nis, odometry, measured = recording.times[:scans], [], [], [slam.robots[0].block.mean], 0
     for frame in progress(recording.frames[:scans], len(times), "scans"):
         slam.step(frame)
         measured += len(frame.scans[0].points)
-        path.append(slam.sensors[0].camera[:2])
+        states.append(slam.robots[0].block.mean)
         nis += [p.nis for p in slam.predictions[0] if p.inlier]
         odometry.append(UNICYCLE.step(odometry[-1], frame.controls[0].value, frame.dt))  # type: ignore[union-attr]
-    seconds = time.perf_counter() - began
-    by_wheels = compose(in_space(np.array(odometry[1:])), slam.sensors[0].extrinsics)[:, :2]
+    seconds, laser = time.perf_counter() - began, slam.sensors[0].extrinsics
+    path, by_wheels = (compose(in_space(np.array(way)), laser)[:, :2] for way in (states, odometry[1:]))
     fixes = recording.fixes[(recording.fixes[:, 0] >= times[0]) & (recording.fixes[:, 0] <= times[-1])]
     if len(fixes) < 3 or not (nis and slam.landmarks):
         raise SlamlibError(f"{len(times)} scans are too few to compare with the GPS: 50 are enough")
-    (off, gps), (off_by_wheels, _) = (compared(times, way, fixes) for way in (np.array(path), by_wheels))
+    (off, gps), (off_by_wheels, _) = (compared(times, way, fixes) for way in (path, by_wheels))
     thin = slice(None, None, -(-len(times) // POINTS))
     trees = [(lm.block.mean, slam.belief.covariance(lm.block)) for lm in slam.landmarks]
     figures: dict[str, Any] = dict(

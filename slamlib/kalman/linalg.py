@@ -44,8 +44,7 @@ def covariance(value: ArrayLike, size: int, function: str, argument: str) -> Arr
     array = finite(array, (size, size), function, argument)
     what = f"{function}: {argument}"
     array = _symmetric(array, what)
-    # Of the correlations, no eigenvalue is below -1e-9: with so much added to their diagonal, there is a factor.
-    if _factor(array) is None and _factor(array + np.diag(_SLACK * len(array) * array.diagonal())) is None:
+    if _factor(array + np.diag(_SLACK * size * array.diagonal())) is None:  # as if all correlations had so much more
         _check_semidefinite(array, what)
     return array
 

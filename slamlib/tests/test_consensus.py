@@ -9,7 +9,7 @@ import pytest
 from slamlib.errors import UnknownNameError
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose
-from slamlib.observation.family import viewpoint
+from slamlib.observation.family import Innovation, viewpoint
 from slamlib.slam import Slam
 from slamlib.slam.data_association import consensus
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
@@ -197,11 +197,50 @@ def test_what_lies_exactly_on_its_own_gate_is_refused_even_where_it_fits_the_oth
     S[[0, 1], :, [0, 1]] = 4.0
     z, R = np.array([[6.0], [2.0]]), np.ones((2, 1, 1))
     by_hand = JointInnovation(z, S, R, one_each, np.zeros((0, 2, 1)), one_each[:0])
-    monkeypatch.setattr(consensus, "joint_innovation", lambda *_: by_hand)
-    monkeypatch.setattr(consensus, "gate", lambda _, dof: {1: 9.0, 2: 12.0}[dof])
-    on_the_gate, inside = predictions = [SimpleNamespace(nis=np.nan) for _ in range(2)]
+    on_the_gate, inside = predictions = by_hands(monkeypatch, z, R, by_hand)
     assert list(OUTLIER_REJECTIONS["joint"](None, None, predictions, Options())) == [[inside]]
     assert on_the_gate.nis == 9.0
+
+
+def by_hands(monkeypatch, z, R, joint=None):
+    """Predictions with these innovations (2, d), noises (2, d, d), joint innovation; limits 9 of one and 12 of both."""
+    d = z.shape[1]
+    monkeypatch.setattr(consensus, "innovations", lambda *_: (None, Innovation(z, np.zeros((2, d, 0)), R)))
+    monkeypatch.setattr(consensus, "joint_innovation", lambda *_: joint)
+    monkeypatch.setattr(consensus, "gate", lambda _, dof: {d: 9.0, 2 * d: 12.0}[dof])
+    return [SimpleNamespace(nis=np.nan, landmark=SimpleNamespace(kind=None)) for _ in range(2)]
+
+
+@pytest.mark.parametrize(
+    ("z", "R", "fit"),
+    [
+        ([[2.9], [1.0]], 1.0, True),  # 8.41 and 1
+        ([[2.9], [2.0]], 1.0, False),  # 8.41 and 4: each is below 9, together they are not below 12
+        ([[3.0], [1.0]], 1.0, False),
+        ([[2.9, 0.0], [0.0, 1.0]], np.eye(2), True),
+        ([[2.9, 1.0], [0.0, 1.0]], np.eye(2), False),
+        ([[0.0], [0.0]], 0.0, False),  # what has no noise fits none
+        ([[0.0, 0.0], [0.0, 0.0]], np.diag([1.0, 0.0]), False),
+        ([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]], np.diag([1.0, 1.0, 0.0]), False),
+    ],
+)
+def test_what_fits_the_noise_alone_needs_no_joint_covariance(monkeypatch, z, R, fit):
+    z = np.array(z)
+    predictions = by_hands(monkeypatch, z, np.broadcast_to(R, (2, z.shape[1], z.shape[1])))
+    groups = OUTLIER_REJECTIONS["joint"](None, None, predictions, Options())
+    if fit:
+        assert list(groups) == [predictions]
+    else:
+        with pytest.raises(AttributeError, match="NoneType"):
+            next(groups)  # asks for the joint innovation, which is None
+
+
+def test_whatever_the_map_is_no_square_is_larger_than_by_the_noise_alone():
+    rng = np.random.default_rng(18)
+    for _ in range(20):
+        A, B, z = rng.standard_normal((6, 4)), rng.standard_normal((6, 6)), rng.standard_normal(6)
+        R = B @ B.T
+        assert z @ np.linalg.solve(A @ A.T + R, z) <= z @ np.linalg.solve(R, z) * (1 + 1e-9)
 
 
 def test_the_options_know_every_outlier_rejection():

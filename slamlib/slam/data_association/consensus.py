@@ -43,7 +43,7 @@ def joint_compatibility(belief: Belief, sensor: RigSensor, predictions: Predicti
     Neira and Tardos (2001). What fails its own gate is rejected before. The nis of a rejected match is what it would
     add to the square of those accepted.
     """
-    if len(predictions) < 2:
+    if len(predictions) < 2 or _fit_the_noise(sensor, predictions, options):
         yield predictions
         return
     found = joint_innovation(belief, sensor, predictions)
@@ -52,6 +52,25 @@ def joint_compatibility(belief: Belief, sensor: RigSensor, predictions: Predicti
     for prediction, nis in zip(refused, _added_squares(found, keep).tolist() if refused else (), strict=True):
         prediction.nis = nis
     yield _selected(predictions, keep)
+
+
+def _fit_the_noise(sensor: RigSensor, predictions: Predictions, options: UpdateOptions) -> bool:
+    """Whether each and all pass by the noise alone: S = H P H' + R is no less than R, so z' S^-1 z <= z' R^-1 z.
+
+    Then, as in most frames, no joint covariance is needed.
+    """
+    total, dof = 0.0, 0
+    for group in group_by_kind(predictions, LANDMARK_KIND):
+        z, _, R = innovations(sensor, group)[1]
+        try:
+            with np.errstate(divide="ignore", invalid="ignore"):
+                squares = mahalanobis_squared(z, R)
+        except np.linalg.LinAlgError:
+            return False  # what is measured without noise fits none
+        if not (squares.min() >= 0 and squares.max() < gate(options.gate, z.shape[1])):
+            return False
+        total, dof = total + float(squares.sum()), dof + z.size
+    return total < gate(options.gate, dof)
 
 
 def _jointly_compatible(found: JointInnovation, candidates: Mask, options: UpdateOptions) -> Mask:
