@@ -6,6 +6,7 @@ import numpy as np
 from slambook.filters_compared import with_products
 
 from book.experiments import consistency
+from slamlib.entities.state import KindRows
 from slamlib.geometry.pose import Pose
 from slamlib.observation.family import viewpoint
 from slamlib.observation.points import observe
@@ -20,7 +21,7 @@ def _noises(case, frames):
     sensor, family = slam.sensors[1], slam.families["points"]
     kind = next(landmark.kind for landmark in slam.landmarks if landmark.kind is not family.exact)
     group = [landmark for landmark in slam.landmarks if landmark.kind is kind]
-    expected = family.predict_batch(viewpoint(sensor), group, slam.options)
+    expected = family.predict_batch(viewpoint(sensor), KindRows.of(group), slam.options)
     both = [one.batch_innovation(sensor, expected, expected.value).R for one in (family, with_products(slam))]
     return slam, sensor, expected, both
 

@@ -1,6 +1,8 @@
 """The state that the filter estimates: all robots, sensors and landmarks, as blocks of one joint Gaussian."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import Any
 
 from slamlib.belief import Belief
 from slamlib.entities.landmark import Landmark, group_by_kind, landmark_means, state_rows
@@ -18,8 +20,31 @@ class KindRows:
     rows: Indices
     places: Indices | None
 
+    @classmethod
+    def of(cls, landmarks: list[Landmark]) -> "KindRows":
+        """The rows of these landmarks, as they lie now."""
+        are_vectors = type(landmarks[0].block.manifold) is Euclidean
+        return cls(landmarks, state_rows(landmarks), places([lm.block for lm in landmarks]) if are_vectors else None)
+
+    @property
+    def kind(self) -> Any:
+        """The parametrization."""
+        return self.landmarks[0].kind
+
+    def __len__(self) -> int:
+        return len(self.landmarks)
+
+    def take(self, indices: Indices) -> "KindRows":
+        """Some of them, in this order."""
+        at = None if self.places is None else self.places.take(indices, axis=0)
+        return KindRows([self.landmarks[i] for i in indices.tolist()], self.rows.take(indices, axis=0), at)
+
+    def now(self) -> Array:
+        """Their present means (n, size)."""
+        return self.means(self.landmarks[0].block.layout)
+
     def means(self, layout: StateLayout | None) -> Array:
-        """Means (n, size) of the landmarks."""
+        """Their means (n, size) in the layout of all blocks."""
         if layout is None or self.places is None:
             return landmark_means(self.landmarks)
         return layout.flat.take(self.places)
@@ -44,7 +69,7 @@ class State:
         """The landmarks kind by kind, looked up once for each layout of the blocks."""
         layout = self.layout
         if layout is None or self._kinds[0] is not layout:
-            self._kinds = layout, [KindRows(g, state_rows(g), _places(g)) for g in group_by_kind(self.landmarks)]
+            self._kinds = layout, kinds_of(self.landmarks)
         return self._kinds[1]
 
     @property
@@ -65,6 +90,6 @@ class State:
         self.landmarks.remove(landmark)
 
 
-def _places(group: list[Landmark]) -> Indices | None:
-    """Where the means of landmarks of one kind lie in their layout; None if they are no vectors."""
-    return places([landmark.block for landmark in group]) if type(group[0].block.manifold) is Euclidean else None
+def kinds_of(landmarks: Iterable[Landmark]) -> list[KindRows]:
+    """Landmarks kind by kind, with their rows as they lie now."""
+    return [KindRows.of(group) for group in group_by_kind(landmarks)]

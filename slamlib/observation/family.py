@@ -17,6 +17,7 @@ from slamlib.belief import Belief
 from slamlib.entities import Landmark, RigSensor
 from slamlib.entities.landmark import landmark_means, state_rows
 from slamlib.entities.linearization import Linearization
+from slamlib.entities.state import KindRows
 from slamlib.geometry.pose import compose
 from slamlib.landmarks.parametrization import Parametrization
 from slamlib.manifolds import Array, Indices, Mask, read_only
@@ -156,7 +157,12 @@ def _composed(robot: bytes, extrinsics: bytes, is_estimated: bool) -> tuple[Arra
 
 def state_columns(sensor: RigSensor, landmarks: list[Landmark]) -> Indices:
     """Rows (n, k) of the joint covariance on which each landmark's measurement depends; landmarks of one kind."""
-    shared, own = sensor.columns, state_rows(landmarks)
+    return with_own_rows(sensor, state_rows(landmarks))
+
+
+def with_own_rows(sensor: RigSensor, own: Indices) -> Indices:
+    """The same from the landmarks' own rows (n, dof)."""
+    shared = sensor.columns
     columns = np.empty((len(own), len(shared) + own.shape[1]), dtype=int)
     columns[:, : len(shared)], columns[:, len(shared) :] = shared, own
     return columns
@@ -231,18 +237,19 @@ class Family(ABC, Generic[FamilyOptionsT]):
         z, noise = sensor.calibration.sensor.manifold.minus(measured, inner), sensor.calibration.noise
         return Innovation(z, by, noise if z.ndim == 1 else noise[None].repeat(len(z), axis=0))
 
-    def predict_batch(self, view: Viewpoint, landmarks: list[Landmark], options: FamilyOptionsT) -> PredictedBatch:
+    def predict_batch(self, view: Viewpoint, group: KindRows, options: FamilyOptionsT) -> PredictedBatch:
         """Predict the measurements of landmarks of one kind; those out of view are left out."""
-        kind, calibration, means = landmarks[0].kind, view.sensor.calibration, landmark_means(landmarks)
-        value, visible, J = self.observe(kind, calibration, view.pose, means)
+        kind, calibration = group.kind, view.sensor.calibration
+        value, visible, J = self.observe(kind, calibration, view.pose, group.now())
         if view.linearization is not None:
-            J = self.observe(kind, calibration, view.linearization_pose, view.linearized(landmarks))[2]
+            J = self.observe(kind, calibration, view.linearization_pose, view.linearized(group.landmarks))[2]
         seen = np.flatnonzero(visible)
         if not len(seen):
             return PredictedBatch.nothing(self.size(calibration))
-        looked, value = [landmarks[i] for i in seen.tolist()], value.take(seen, axis=0)
+        looked, value = [group.landmarks[i] for i in seen.tolist()], value.take(seen, axis=0)
         by = columns_jacobian(view, J.camera.take(seen, axis=0), J.landmark.take(seen, axis=0))
-        return PredictedBatch(looked, value, value, by, state_columns(view.sensor, looked), options)
+        columns = with_own_rows(view.sensor, group.rows.take(seen, axis=0))
+        return PredictedBatch(looked, value, value, by, columns, options)
 
     def linearized(self, sensor: RigSensor, expected: PredictedBatch) -> tuple[Array, Array]:
         """Jacobians H (n, d, k) and noises R (n, d, d) of predicted measurements, at what is predicted."""

@@ -8,6 +8,7 @@ import numpy as np
 from slamlib.belief import Belief
 from slamlib.entities import Landmark, RigSensor
 from slamlib.entities.landmark import landmark_means, state_rows
+from slamlib.entities.state import KindRows
 from slamlib.errors import SlamlibError
 from slamlib.kalman.linalg import principal_blocks
 from slamlib.landmarks import LINES, endpoints, hmg_point, segments
@@ -85,21 +86,18 @@ class LineFamily(Family[LineOptions]):
         """Mask (n,) of the segments (n, 4) that may initialize a landmark: long enough."""
         return segments.length(values) >= options.minimum_length
 
-    def predict_batch(self, view: Viewpoint, landmarks: list[Landmark], options: LineOptions) -> PredictedBatch:
+    def predict_batch(self, view: Viewpoint, group: KindRows, options: LineOptions) -> PredictedBatch:
         """Predict segments between the lines' endpoints; those out of view are left out."""
-        kind, means = landmarks[0].kind, landmark_means(landmarks)
-        end_points = hmg_point.to_frame(
-            view.pose, endpoints.endpoints_at(kind, means, np.array([lm.abscissas for lm in landmarks]))
-        )
+        abscissas = np.array([landmark.abscissas for landmark in group.landmarks])
+        end_points = hmg_point.to_frame(view.pose, endpoints.endpoints_at(group.kind, group.now(), abscissas))
         calibration, least = view.sensor.calibration, options.minimum_length
         found = segments.visible(
             end_points[:, 0], end_points[:, 1], calibration.given["intrinsics"], calibration.image, minimum_length=least
         )
-        looked = [landmark for landmark, is_seen in zip(landmarks, found.seen.tolist(), strict=True) if is_seen]
-        if not looked:
+        if not found.seen.any():
             return PredictedBatch.nothing(4)
         pixels = distort_segments(calibration, found.pixels[found.seen])
-        return super().predict_batch(view, looked, options)._replace(value=pixels)
+        return super().predict_batch(view, group.take(np.flatnonzero(found.seen)), options)._replace(value=pixels)
 
     def observe(
         self, kind: LineLandmark, calibration: Calibration, camera: Array, means: Array

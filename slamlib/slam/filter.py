@@ -226,7 +226,7 @@ class Slam:
         """
         own = self.sensors[sensor]
         robot = None if motion is None else compose(own.robot.pose, motion)
-        return predict_measurements(self.belief, own, self.families, self.landmarks, self.options, robot)
+        return predict_measurements(self.belief, own, self.families, self.state.kinds(), self.options, robot)
 
     def _check_time(self, dt: float, what: str) -> None:
         """Raise SlamlibError unless dt is a time [s]: zero where two sensors measure at once, never below."""

@@ -1,6 +1,6 @@
 """Project: the predicted measurements of all landmarks in view of a sensor, with the covariances of the innovations."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from operator import attrgetter
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.entities import Landmark, RigSensor
-from slamlib.entities.landmark import group_by_kind
+from slamlib.entities.state import KindRows
 from slamlib.kalman.linalg import principal_blocks
 from slamlib.manifolds import Array, Indices
 from slamlib.observation.family import AnyFamily, FamilyOptions, Innovation, PredictedBatch, viewpoint
@@ -71,19 +71,20 @@ def predict_measurements(
     belief: Belief,
     sensor: RigSensor,
     families: Mapping[str, AnyFamily],
-    landmarks: list[Landmark],
+    kinds: Iterable[KindRows],
     options: FamilyOptions,
     robot: Array | None = None,
 ) -> Predictions:
     """Predict the measurements of all landmarks in view, with the covariance of each innovation.
 
-    robot (7,): another pose of its robot than the estimated one; the covariance remains as it is.
+    kinds: the landmarks, kind by kind. robot (7,): another pose of its robot than the estimated one; the covariance
+    remains as it is.
     """
     predictions = []
-    kinds, view = group_by_kind(landmarks), viewpoint(sensor, robot)
+    groups, view = list(kinds), viewpoint(sensor, robot)
     for family in families.values():
-        for group in kinds if family.supports(sensor) else ():
-            if not isinstance(group[0].kind, family.kinds):
+        for group in groups if family.supports(sensor) else ():
+            if not isinstance(group.kind, family.kinds):
                 continue
             expected = family.predict_batch(view, group, options)
             if not expected.landmarks:

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from slamlib.entities.state import KindRows
 from slamlib.errors import UnknownNameError
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose
@@ -138,7 +139,7 @@ def test_the_rest_is_updated_by_what_is_predicted_after_the_support():
     update_in_batch(slam.belief, sensor, next(groups), p.options)
     rest = next(groups)
     for prediction in rest:
-        (now,) = prediction.family.predict_batch(viewpoint(sensor), [prediction.landmark], p.options).value
+        (now,) = prediction.family.predict_batch(viewpoint(sensor), KindRows.of([prediction.landmark]), p.options).value
         assert np.allclose(prediction.value, now, atol=1e-9)
     pairs = list(zip(predictions, shown, strict=True))
     assert max(np.abs(prediction.value - was).max() for prediction in rest for one, was in pairs

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from slambook.stereo_films import stereo_film
 
+from slamlib.entities.state import KindRows
 from slamlib.evaluation.consistency import nees
 from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.kalman.chi_square import chi2_quantile
@@ -227,7 +228,8 @@ def test_a_feature_left_to_the_odometry_is_no_landmark(film):
 
 def seen(slam, landmark):
     """The measurement (3,) of a landmark that was just initialized."""
-    return slam.families["points"].predict_batch(viewpoint(slam.sensors[0]), [landmark], slam.options).value[0]
+    view, group = viewpoint(slam.sensors[0]), KindRows.of([landmark])
+    return slam.families["points"].predict_batch(view, group, slam.options).value[0]
 
 
 def test_a_black_picture_is_a_motion_that_nobody_could_tell(film):

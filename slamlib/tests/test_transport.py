@@ -84,7 +84,7 @@ def test_no_measurement_tells_the_motion_of_the_world(name):
     """H N = 0 for the filter's own Jacobians, of innovations too."""
     slam = run(with_landmark(name), 5)
     sensor, N = slam.sensors[0], generators(slam.state)
-    predictions = predict_measurements(slam.belief, sensor, slam.families, slam.landmarks, slam.options)
+    predictions = predict_measurements(slam.belief, sensor, slam.families, slam.state.kinds(), slam.options)
     assert len(predictions) > 3
     for p in predictions:
         found = p.family.batch_innovation(sensor, p.batch.take([p.row]), p.value[None] + 1e-3)

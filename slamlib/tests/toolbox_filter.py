@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from slamlib.entities import RigSensor
-from slamlib.entities.landmark import landmark_means
 from slamlib.geometry import plucker
 from slamlib.geometry.pose import compose
 from slamlib.geometry.quaternion import rotation
@@ -91,8 +90,9 @@ class Points(PointFamily):
         by = np.concatenate([S.point @ by_robot, S.point @ by_landmark], axis=-1)
         return value, seen & sensor.calibration.inside(value), by
 
-    def predict_batch(self, view, landmarks, options):
-        value, seen, by = self._observe(view.sensor, landmarks[0].kind, landmark_means(landmarks))
+    def predict_batch(self, view, group, options):
+        landmarks = group.landmarks
+        value, seen, by = self._observe(view.sensor, group.kind, group.now())
         looked = [lm for lm, is_seen in zip(landmarks, seen, strict=True) if is_seen]
         return PredictedBatch(
             looked, value[seen], value[seen], by[seen], state_columns(view.sensor, landmarks)[seen], options
@@ -149,8 +149,8 @@ class Lines(LineFamily):
 
     switches: frozenset = frozenset()
 
-    def predict_batch(self, view, landmarks, options):
-        found, sensor = super().predict_batch(view, landmarks, options), view.sensor
+    def predict_batch(self, view, group, options):
+        found, sensor = super().predict_batch(view, group, options), view.sensor
         if not found.landmarks or not isinstance(sensor, SevenSensor):
             return found
         rows = [self._line(sensor, lm) for lm in found.landmarks]

@@ -12,6 +12,7 @@ import numpy as np
 
 from slamlib.datasets.pictures import opencv
 from slamlib.entities import Landmark
+from slamlib.entities.state import kinds_of
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, Pose, compose, inverse
 from slamlib.manifolds import Array, Image
@@ -53,7 +54,7 @@ def close_loop(slam: Slam, image: Image) -> bool:
     if number % EVERY:
         return False
     old = [landmark for landmark in slam.landmarks if number - landmark.last_seen > UNSEEN]
-    predict = partial(predict_measurements, belief, sensor, slam.families, old, slam.options)
+    predict = partial(predict_measurements, belief, sensor, slam.families, kinds_of(old), slam.options)
     shown = {prediction.landmark: prediction.value for prediction in predict()}
     if (found := _robot(slam, list(shown), image)) is None:
         return False

@@ -14,6 +14,7 @@ import numpy as np
 from slamlib.belief import Belief
 from slamlib.entities import RigSensor
 from slamlib.entities.landmark import group_by_kind
+from slamlib.entities.state import KindRows
 from slamlib.manifolds import Array, Mask
 from slamlib.observation.family import viewpoint
 from slamlib.slam.data_association.gates import gate, innovation_squares, mahalanobis_squared
@@ -122,8 +123,8 @@ def _rescue_high_innovation(
     inside: Predictions = []
     shown = {prediction.landmark: prediction for prediction in predictions}
     for group in group_by_kind(predictions, LANDMARK_KIND):
-        landmarks = [prediction.landmark for prediction in group]
-        expected = group[0].family.predict_batch(viewpoint(sensor), landmarks, options)
+        there = KindRows.of([prediction.landmark for prediction in group])
+        expected = group[0].family.predict_batch(viewpoint(sensor), there, options)
         if not expected.landmarks:
             continue
         anew = [replace(shown[landmark], batch=expected, row=i) for i, landmark in enumerate(expected.landmarks)]
