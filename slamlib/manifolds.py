@@ -152,7 +152,7 @@ class Angle(Euclidean):
     def minus(self, point: Array, origin: Array) -> Array:
         """Return point - origin, in [-pi, pi] [rad]."""
         difference = np.asarray(point) - np.asarray(origin)
-        return np.asarray(difference - 2 * np.pi * np.round(difference.real / (2 * np.pi)))
+        return np.asarray(difference - 2 * np.pi * np.rint(difference.real / (2 * np.pi)))
 
     def __repr__(self) -> str:
         return f"Angle({self.size})"

@@ -3,6 +3,7 @@
 The front end is a reader's own, as in chapter data_association; robot and sensor are slamlib's, in the plane.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -69,8 +70,7 @@ class NearestNeighbor(FrontEnd):
         if len(values) and predictions:
             predicted, S = (np.array([getattr(p, name) for p in predictions]) for name in ("value", "S"))
             z = inputs.sensor.calibration.sensor.manifold.minus(values, predicted[:, None])
-            shape = z.shape[:2]
-            squares = mahalanobis_squared(z.reshape(-1, 2), S.repeat(shape[1], axis=0)).reshape(shape)
+            squares = mahalanobis_squared(z, S[:, None])
             nearest, least = squares.argmin(0), squares.min(0)
             mutual = squares.argmin(1)[nearest] == np.arange(len(values))
             matched = np.flatnonzero(mutual & (least < self.limits[0])).tolist()
@@ -96,8 +96,8 @@ class NearestNeighbor(FrontEnd):
         found: list[Detected] = []
         for value, there in zip(values, from_frame(inputs.sensor.camera, point[:, :3] / point[:, 3:]), strict=True):
             old = [t for t in self.tentative if t.scan < self.scan]
-            near = min(old, key=lambda t: float(np.linalg.norm(t.position - there)), default=None)
-            if near is None or np.linalg.norm(near.position - there) > self.radius:
+            near = min(old, key=lambda t: math.dist(t.position, there), default=None)
+            if near is None or math.dist(near.position, there) > self.radius:
                 self.tentative.append(Tentative(there, 1, self.scan))
                 continue
             near.position, near.count, near.scan = there, near.count + 1, self.scan

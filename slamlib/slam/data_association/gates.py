@@ -15,11 +15,11 @@ from slamlib.slam.prediction import innovation_covariances
 
 
 def mahalanobis_squared(z: Array, S: Array) -> Array:
-    """z' S^-1 z (n,) of innovations (n, d) with covariances (n, d, d); of 2 x 2, most pixels', by their factors."""
-    if S.shape[1:] != (2, 2):
+    """z' S^-1 z (...) of innovations (..., d), covariances (..., d, d); of 2 x 2, most pixels', by their factors."""
+    if S.shape[-2:] != (2, 2):
         return (z * np.linalg.solve(S, z[..., None])[..., 0]).sum(-1)
-    a, b, c = S[:, 0, 0], S[:, 0, 1], S[:, 1, 1]
-    x, y, ratio = z[:, 0], z[:, 1], b / a
+    a, b, c = S[..., 0, 0], S[..., 0, 1], S[..., 1, 1]
+    x, y, ratio = z[..., 0], z[..., 1], b / a
     return x * x / a + (y - ratio * x) ** 2 / (c - ratio * b)
 
 
