@@ -1,12 +1,15 @@
 """Choosing what to measure, gating, and known data association."""
 
+from contextlib import nullcontext
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from slamlib.belief import Belief
+from slamlib.errors import CovarianceError
 from slamlib.kalman.chi_square import chi2_cdf
+from slamlib.kalman.linalg import covariance, touched_rows
 from slamlib.records.inputs import Features, Scan
 from slamlib.slam.data_association.front_end import FrontEndInput, KnownAssociation
 from slamlib.slam.data_association.gates import gate, mahalanobis_squared
@@ -54,6 +57,37 @@ def test_rows_update_as_blocks_do(rng):
     with beliefs[1].sequential_update() as sequence:
         assert sequence.update(np.arange(5), H, 100 * z, R, 9.0).nis > 9
     assert np.array_equal(before, beliefs[1].matrix)
+
+
+def test_touched_rows_are_those_that_any_array_names_in_their_order():
+    columns = [np.array([[7, 0, 3], [7, 0, 5]]), np.array([[7, 1]])]
+    touched, places = touched_rows(9, columns)
+    assert touched.tolist() == [0, 1, 3, 5, 7]
+    for named, at in zip(columns, places, strict=True):
+        assert np.array_equal(touched[at], named)
+
+
+@pytest.mark.parametrize("n", [2, 3, 6])  # on Python's floats, and by LAPACK
+def test_a_covariance_may_have_an_eigenvalue_below_zero_by_rounding_alone(rng, n):
+    """Of the correlations, in whatever units; a rank of one less than the size is allowed."""
+    Q = np.linalg.qr(rng.standard_normal((n, n)))[0]
+    units = 10.0 ** rng.integers(-6, 7, n)
+    for least, is_one in ((0.0, True), (-1e-10, True), (-1e-7, False)):
+        A = (Q * np.append(np.ones(n - 1), least)) @ Q.T
+        A = np.outer(units, units) * (A + A.T) / 2
+        with nullcontext() if is_one else pytest.raises(CovarianceError, match="negative eigenvalue"):
+            assert np.array_equal(covariance(A, n, "f", "A"), A)
+
+
+def test_a_broadcast_square_is_that_of_each_pair(rng):
+    """Two numbers by their factors, three by a solution."""
+    for d in (2, 3):
+        z, S = rng.standard_normal((5, 4, d)), np.array([spd(rng, d) for _ in range(5)])
+        found = mahalanobis_squared(z, S[:, None])
+        assert found.shape == (5, 4)
+        for i in range(5):
+            for j in range(4):
+                assert found[i, j] == pytest.approx(z[i, j] @ np.linalg.inv(S[i]) @ z[i, j])
 
 
 def test_the_most_uncertain_expectations_come_first():

@@ -222,6 +222,7 @@ def by_hands(monkeypatch, z, R, joint=None):
         ([[2.9, 1.0], [0.0, 1.0]], np.eye(2), False),
         ([[0.0], [0.0]], 0.0, False),  # what has no noise fits none
         ([[0.0, 0.0], [0.0, 0.0]], np.diag([1.0, 0.0]), False),
+        ([[1.0, 0.0], [1.0, 0.0]], np.outer([0.1, 1.5], [0.1, 1.5]), False),  # by rounding, a square below zero
         ([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]], np.diag([1.0, 1.0, 0.0]), False),
     ],
 )
