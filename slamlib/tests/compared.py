@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from slamlib.entities import Landmark
-from slamlib.evaluation.comparison import pose_error
 from slamlib.evaluation.consistency import rmse
+from slamlib.evaluation.pose_errors import pose_error
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
