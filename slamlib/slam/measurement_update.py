@@ -20,14 +20,14 @@ from slamlib.observation.family import FamilyOptions
 from slamlib.plain_data.fields import Range
 from slamlib.records.inputs import RobotMeasurement
 from slamlib.slam.data_association.gates import gate, innovation_squares
-from slamlib.slam.prediction import LANDMARK_KIND, Predictions, innovations
+from slamlib.slam.prediction import LANDMARK_KIND, PredictionOptions, Predictions, innovations
 
 # Takes a Jacobian at the present means, w.r.t. rows of the covariance, to the errors that the covariance is of.
 Projection = Callable[[Indices, Array], Array]
 
 
 @dataclass(frozen=True, repr=False)
-class UpdateOptions(FamilyOptions):
+class UpdateOptions(PredictionOptions):
     """gate: probability with which a true measurement passes, for the innovation's own degrees of freedom; 1: all."""
 
     gate: Annotated[float, Range(gt=0, le=1)] = 0.99

@@ -35,6 +35,8 @@ class Options(UpkeepOptions, UpdateOptions, LineOptions, PointOptions):
     selection: "information": those whose innovation covariance has the largest determinant; "order": the oldest.
     reproject: one landmark after another, each predicted anew at the current mean; False: all in one batch, with
         Jacobians at the predicted mean (correct.reprojectLmks).
+    second_order: "variance" adds to the noise of each measurement the variance of what its linearization leaves out,
+        such as products of the errors of a landmark and of extrinsics that are estimated; None: nothing is added.
     gate: probability with which a true measurement passes, for the innovation's own degrees of freedom (MD2th); 1: all.
     outlier_rejection: which matches of a frame are accepted: "individual": each that passes its own gate; "joint": the
         largest jointly compatible set; "one-point-ransac": those consistent with the update by one of them.

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from operator import attrgetter
+from typing import Annotated
 
 import numpy as np
 
@@ -12,16 +13,26 @@ from slamlib.entities.state import KindRows
 from slamlib.kalman.linalg import principal_blocks
 from slamlib.manifolds import Array, Indices
 from slamlib.observation.family import AnyFamily, FamilyOptions, Innovation, PredictedBatch, viewpoint
+from slamlib.observation.second_order import SECOND_ORDER
+from slamlib.plain_data.fields import OneOf
 
 LANDMARK_KIND = attrgetter("landmark.kind")  # of a prediction
+
+
+@dataclass(frozen=True, repr=False)
+class PredictionOptions(FamilyOptions):
+    """second_order: what of it is taken into account (observation.second_order); None: nothing, as in every EKF."""
+
+    second_order: Annotated[str, OneOf(SECOND_ORDER)] | None = None
 
 
 @dataclass(eq=False)
 class PredictedMeasurement:
     """The predicted measurement of one landmark, and what becomes of it in a frame.
 
-    S (m, m): innovation covariance; measured (m,): the matched measurement. score, predicted_patch, found_patch: left
-    here by an image front end for display: the best match's score, the patch searched for and the one found, both grey.
+    S (m, m): innovation covariance; measured (m,): the matched measurement; second_order (m, m): noise for what a
+    linearization leaves out, part of S. score, predicted_patch, found_patch: left here by an image front end for
+    display: the best match's score, the patch searched for and the one found, both grey.
     """
 
     family: AnyFamily
@@ -30,6 +41,7 @@ class PredictedMeasurement:
     row: int
     S: Array
     measured: Array
+    second_order: Array | None = None
     chosen: bool = False
     matched: bool = False
     inlier: bool = False
@@ -51,11 +63,15 @@ class PredictedMeasurement:
     def innovation(self, sensor: RigSensor) -> Innovation:
         """The innovation of its match, linearized where it was predicted."""
         inner, by = self.batch.innovation_input[self.row], self.batch.jacobian[self.row]
-        return self.family.residual(sensor, inner, by, self.measured, self.batch.options)
+        return self._noisier(self.family.residual(sensor, inner, by, self.measured, self.batch.options))
 
     def innovation_anew(self, sensor: RigSensor, options: FamilyOptions) -> Innovation | None:
         """The innovation of its match, predicted anew at the present means; None if it is out of view there."""
-        return self.family.innovation(viewpoint(sensor), self.landmark, self.measured, options)
+        found = self.family.innovation(viewpoint(sensor), self.landmark, self.measured, options)
+        return found and self._noisier(found)
+
+    def _noisier(self, found: Innovation) -> Innovation:
+        return found if self.second_order is None else found._replace(R=found.R + self.second_order)
 
     def apply_gate(self, nis: float, limit: float) -> bool:
         """Accept the match as an inlier if its nis is below the gate's limit, and return whether it is."""
@@ -72,7 +88,7 @@ def predict_measurements(
     sensor: RigSensor,
     families: Mapping[str, AnyFamily],
     kinds: Iterable[KindRows],
-    options: FamilyOptions,
+    options: PredictionOptions,
     robot: Array | None = None,
 ) -> Predictions:
     """Predict the measurements of all landmarks in view, with the covariance of each innovation.
@@ -90,10 +106,16 @@ def predict_measurements(
             if not expected.landmarks:
                 continue
             H, R = family.linearized(sensor, expected)
+            left_out: Array | list[None] = [None] * len(R)
+            if options.second_order is not None:
+                covariance = principal_blocks(belief.matrix, expected.columns)
+                left_out = SECOND_ORDER[options.second_order](family, sensor, expected, covariance)
+                R = R + left_out
             S = innovation_covariances(belief.matrix, expected.columns, H, R)
             nothing = np.full(expected.value.shape[1], np.nan)
             predictions += [
-                PredictedMeasurement(family, lm, expected, i, S[i], nothing) for i, lm in enumerate(expected.landmarks)
+                PredictedMeasurement(family, lm, expected, i, S[i], nothing, left_out[i])
+                for i, lm in enumerate(expected.landmarks)
             ]
     return predictions
 
@@ -111,4 +133,6 @@ def innovations(sensor: RigSensor, group: Predictions) -> tuple[PredictedBatch, 
     """Predicted measurements of matched landmarks of one kind, and their innovations."""
     expected = group[0].batch.take([prediction.row for prediction in group])
     measured = np.array([prediction.measured for prediction in group])
-    return expected, group[0].family.batch_innovation(sensor, expected, measured)
+    found = group[0].family.batch_innovation(sensor, expected, measured)
+    left_out = [prediction.second_order for prediction in group if prediction.second_order is not None]
+    return expected, found._replace(R=found.R + left_out) if left_out else found
