@@ -50,6 +50,10 @@ AGAIN = {
     ],
     f"{DATA}/plane_all_data.csv": ["book/chapters/ekf_slam.ipynb::16-191"],
     f"{DATA}/plane_filters.csv": ["book/chapters/ekf_slam.ipynb::16-091"],
+    f"{DATA}/predictions.json": [
+        "book/tests/test_stored_predictions.py::test_the_first_runs_come_out_again",
+        "book/tests/test_stored_predictions.py::test_a_run_by_all_data_at_once_comes_out_again",
+    ],
     f"{DATA}/real_sequences.json": [
         "book/tests/test_stored_real_sequences.py::test_the_errors_of_a_stored_path_come_out_again",
     ],
