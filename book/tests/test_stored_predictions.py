@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from book.experiments import predictions
+from book.experiments import consistency, predictions
 from book.experiments import stored as results
 from book.tests.stored_results import comes_out_again
 from slamlib.experiments.monte_carlo import seeds
@@ -23,7 +23,13 @@ def both(stored, part, name):
 
 def test_form_of_the_file(stored):
     assert set(stored) == set(predictions.PARTS)
-    counts = {"roll": predictions.RUNS, "nothing": 3, "scale": predictions.SCALE_RUNS, "exact": 100}
+    counts = {
+        "roll": predictions.RUNS,
+        "nothing": 3,
+        "scale": predictions.SCALE_RUNS,
+        "exact": 100,
+        "many measurements": predictions.RUNS,
+    }
     for part, sets in stored.items():
         assert list(sets) == [str(number) for number in predictions.SEEDS]
         assert {len(column) for columns in sets.values() for column in columns.values()} == {counts[part]}
@@ -106,3 +112,15 @@ def test_stored_claim_with_exact_pictures_the_scale_alone_is_as_biased_as_on_the
     for name, value in expected.items():
         column = both(stored, "exact", name)
         assert abs(column.mean() - value) < 4 * column.std(ddof=1) / np.sqrt(len(column)) + share**2, name
+
+
+def test_stored_claim_with_many_measurements_the_bias_of_scale_is_of_the_square_of_the_noise(stored):
+    """With half of the noise about a quarter of the bias of the whole one, and NEES nearer to six."""
+    whole = results.kept(consistency.FILE)["cases"][consistency.BIASED]["world"]
+    before = np.concatenate([whole[str(number)]["away"] for number in consistency.SEEDS])
+    after = both(stored, "many measurements", "away")
+    error = after.std(ddof=1) / np.sqrt(len(after))
+    assert abs(after.mean() - before.mean() / 4) < 2 * error
+    assert before.mean() / 2 - after.mean() > 2 * error
+    nees = np.concatenate([whole[str(number)]["own"] for number in consistency.SEEDS])
+    assert both(stored, "many measurements", "nees").mean() < nees.mean() - 1
