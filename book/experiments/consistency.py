@@ -14,7 +14,18 @@ from typing import Any
 import joblib
 import numpy as np
 from slambook.anchors import ANCHORS
-from slambook.filters_compared import ALL_DATA, FILTERS, LATER, PRODUCTS, WITH_ANCHORS, Verdict, known_to, run, stacked
+from slambook.filters_compared import (
+    ALL_DATA,
+    FILTERS,
+    LATER,
+    PRODUCTS,
+    SECOND_ORDER,
+    WITH_ANCHORS,
+    Verdict,
+    known_to,
+    run,
+    stacked,
+)
 
 from book.experiments.toolbox_tour import asked, digest, kept, rounded, with_options
 from book.tools import layout
@@ -85,7 +96,9 @@ def filters(case: str) -> tuple[str, ...]:
     if case.startswith(LEARNED):
         return (FILTERS[1], *[ALL_DATA] * (case == f"{LEARNED}1"))
     if case == CALIBRATED:
-        return (*FILTERS[:2], PRODUCTS, LATER)
+        return (*FILTERS[:2], PRODUCTS, LATER, SECOND_ORDER)
+    if case == BIASED:
+        return (*FILTERS[:2], SECOND_ORDER)
     oracle = FILTERS[2:] if case not in WITHOUT_ORACLE else ()
     at_once = case not in LARGE and not case.endswith(NARROW)  # of the large ones chapter toolbox_tour has them
     return (*FILTERS[:2], *oracle, *[WITH_ANCHORS] * (case in ANCHORS), *[ALL_DATA] * at_once)

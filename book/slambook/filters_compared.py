@@ -3,7 +3,8 @@
 The same data, the same seeds. FILTERS: two of the options' errors, and "oracle"; WITH_ANCHORS: "world", and along the
 anchors of landmarks, too; ALL_DATA: smoothing, with the data association and the start of the ordinary filter. For
 estimated extrinsics: PRODUCTS, "world" with the noise of what a linearization leaves out; LATER, "world" with the first
-frames by the other sensors alone. Chapter observability.
+frames by the other sensors alone. SECOND_ORDER: "world" with all of the second-order term's variance. Chapter
+observability.
 """
 
 from collections.abc import Sequence
@@ -30,6 +31,9 @@ from slamlib.slam.transport import TRANSPORTS, Transport
 
 FILTERS, WITH_ANCHORS, ALL_DATA = ("local", "world", "oracle"), "anchors", "all data"
 PRODUCTS, LATER, ALONE = "products", "later", 20  # frames
+SECOND_ORDER = "second order"
+# The option `error` of those that are not named after it.
+ERRORS = {"oracle": "local", ALL_DATA: "local", PRODUCTS: "world", LATER: "world", SECOND_ORDER: "world"}
 DOF = 6
 
 
@@ -76,8 +80,9 @@ def _filtered(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array
     """Poses as the filter has them, and the smoother that listened to it, for ALL_DATA."""
     TRANSPORTS[WITH_ANCHORS] = Transport(anchors_carried)  # an option for this run alone
     try:
-        error = "local" if name in ("oracle", ALL_DATA) else "world" if name in (PRODUCTS, LATER) else name
-        preset = replace(preset, seed=seed, options=replace(preset.options, error=error))
+        second_order = "variance" if name == SECOND_ORDER else None
+        options = replace(preset.options, error=ERRORS.get(name, name), second_order=second_order)
+        preset = replace(preset, seed=seed, options=options)
         slam = preset.slam()
         if name == PRODUCTS:
             slam.families["points"] = with_products(slam)
