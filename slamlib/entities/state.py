@@ -2,7 +2,10 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
+
+import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.entities.landmark import Landmark, group_by_kind, landmark_means, state_rows
@@ -30,6 +33,13 @@ class KindRows:
     def kind(self) -> Any:
         """The parametrization."""
         return self.landmarks[0].kind
+
+    @cached_property
+    def together(self) -> slice | Indices:
+        """Their rows (n * dof,), one after the other: a slice where they follow each other, which is quicker."""
+        one = self.rows.ravel()
+        whole = slice(int(one[0]), int(one[0]) + len(one))
+        return whole if np.array_equal(one, np.arange(whole.start, whole.stop)) else one
 
     def __len__(self) -> int:
         return len(self.landmarks)

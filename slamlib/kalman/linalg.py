@@ -170,19 +170,19 @@ def subtract_square(matrix: Array, rows: Array, carry: Carry | None = None) -> N
     """
     if carry:
         at, C, L = carry
-        half = (L @ (matrix.take(at, axis=0) - rows[:, at].T @ rows)).T
-        half += C @ (L @ half[at]) / 2  # T P T' = P + C half' + half C'
+        half = L @ matrix.take(at, axis=0) - (L @ rows.take(at, axis=1).T) @ rows  # L E (P - W'W)
+        half += (half.take(at, axis=1) @ L.T / 2) @ C.T  # T P T' = P + C half + half' C'
     large = len(matrix) >= _LARGE and len(rows) and matrix.flags.c_contiguous
     fast, twice = (_scipy("scipy.linalg.blas", name) if large else None for name in ("dsyrk", "dsyr2k"))
     if fast:
         fast(-1.0, rows.T, 1.0, matrix.T, overwrite_c=1)
         if carry and twice:
-            twice(1.0, C, half, 1.0, matrix.T, overwrite_c=1)
+            twice(1.0, C, half.T, 1.0, matrix.T, overwrite_c=1)
         _mirror(matrix)
     else:
         matrix -= rows.T @ rows
         if carry:
-            change = C @ half.T
+            change = C @ half
             matrix += change + change.T
 
 

@@ -39,13 +39,14 @@ def generators(state: State) -> Array:
         N[robot.block.slice] = generator(robot.motion, robot.block.mean)
     layout = state.layout
     for group in state.kinds():
-        N[group.rows] = generator(group.landmarks[0].kind, group.means(layout))
-    return N @ directions(state)
+        N[group.together] = generator(group.landmarks[0].kind, group.means(layout)).reshape(-1, 6)
+    free = directions(state)
+    return N if free.shape[1] == 6 else N @ free  # all six are the six themselves
 
 
 def directions(state: State) -> Array:
     """Basis (6, f) of the motions of the world that all robots can make with it."""
-    return min((robot.motion.free for robot in state.robots), key=lambda free: free.shape[1])
+    return min((robot.motion.free for robot in state.robots), key=np.size)
 
 
 def trade(size: int, sensor: RigSensor, extrinsics: Block) -> Array:
@@ -147,7 +148,8 @@ def _followed(
 
     def carry() -> Carry | None:
         change = unobservable_now() - before
-        moved = change.any(axis=0)  # a translation of the world adds the same to a point or a pose anywhere
+        # A translation of the world adds the same to a point or a pose anywhere: such columns do not change.
+        moved = np.ones(len(change)) @ np.abs(change) > 0  # quicker than change.any(axis=0)
         return (rows, change[:, moved], np.asarray(motion[moved], float)) if moved.any() else None
 
     belief.transport = carry
