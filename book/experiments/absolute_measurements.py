@@ -43,9 +43,9 @@ from slamlib.models import model
 from slamlib.records.inputs import RobotMeasurement
 from slamlib.rigs.setup import Rig
 from slamlib.slam import Slam
+from slamlib.slam import transport as transports
 from slamlib.slam.snapshot import robot_view
 from slamlib.slam.transport import (
-    TRANSPORTS,
     Transport,
     carried,
     directions,
@@ -137,7 +137,8 @@ def nees_of(slam: Slam, truth: Array) -> tuple[float, float, Array]:
 def one_run(preset: Preset, name: str, every: int, sigma: float, seed: int) -> list[float]:
     """Of one run: mean NEES linear and invariant, mean square position error [m^2], heading error at the end [rad]."""
     error, transport = FILTERS[name]
-    with patch.dict(TRANSPORTS, {error: transport}):
+    # By the module: a worker gets a copy of a dictionary that is named here.
+    with patch.dict(transports.TRANSPORTS, {error: transport}):
         preset = replace(with_options(preset, error=error), seed=seed)
         slam, rng, e = preset.slam(), np.random.default_rng([4, seed]), np.zeros(6)
         rows: list[list[float]] = []

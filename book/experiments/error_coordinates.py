@@ -161,7 +161,7 @@ def step(filter: InvariantEkf, setting: Setting, frame: Frame) -> None:
 
 def slamlib(setting: Setting, error: str) -> Slam:
     """slamlib's own filter: all landmarks in one batch; none is out of its view when it is seen, and none deleted."""
-    every = {"max_new_first": 100, "max_new": 100, "updates": 100, "gate": 1.0, "reproject": False}
+    every: dict[str, Any] = {"max_new_first": 100, "max_new": 100, "updates": 100, "gate": 1.0, "reproject": False}
     every |= {"min_searches": FRAMES}
     (sensor,) = setting.rig.sensors
     unlimited = SensorSetup(type=sensor.type, name=sensor.name, euler=ZERO, std=sensor.std)
@@ -236,7 +236,8 @@ def summary(setting: Setting) -> Any:
     """By seed and filter: what is said of the runs, and the time."""
     dof, found = {2: 3, 3: 6}[setting.d], dict[str, Any]()
     for number in SEEDS:
-        rows, times = {name: [] for name in names(setting)}, dict.fromkeys(names(setting), 0.0)
+        rows: dict[str, list[list[float]]] = {name: [] for name in names(setting)}
+        times = dict.fromkeys(names(setting), 0.0)
         for seed in seeds(number, RUNS[setting.d]):
             frames = list(record(setting, seed))
             for name in rows:
@@ -262,7 +263,7 @@ def of_chapter(seed: int) -> Run:
     points = Features(np.arange(8), np.column_stack([PLACES[:8], np.zeros(8)]))
     controls, rng = np.zeros((FRAMES, 6)), np.random.default_rng(seed)
     controls[:, FLAT] = SETTINGS["plane, 0.3 m, 3 deg"].controls
-    given = {"frames": FRAMES, "dt": 1.0, "rng": rng, "controls": [controls]}
+    given: dict[str, Any] = {"frames": FRAMES, "dt": 1.0, "rng": rng, "controls": [controls]}
     return [flat(*pair) for pair in simulate(Rig((robot,), (sensor,)), World({"points": points}), **given)]
 
 
@@ -317,6 +318,7 @@ def drives(scene: str) -> Any:
     """
     found: dict[str, Any] = {}
     kinds = {name: partial(PlanarFilter, kind=kind) for name, kind in ON_DRIVES.items()}
+    by_log: dict[str, type[InvariantEkf]] = {"EKF": OrdinaryEkf, **ON_DRIVES}
     for number in DRIVE_SEEDS:
         made = other_filters.by_chapter(scene, number, DRIVES[scene], {"EKF": PlanarEkf, **kinds})
         usual = np.median(np.sqrt(made["EKF"][0].mean(1)))
@@ -333,7 +335,7 @@ def drives(scene: str) -> Any:
                 "lost": np.mean(np.sqrt(square.mean(1)) > other_filters.LOST * usual),
                 "own": {"linear": nees.mean(1), "map_rmse": np.sqrt(map_square.mean(1))},
             }
-            if kind := {"EKF": OrdinaryEkf, **ON_DRIVES}.get(name):
+            if kind := by_log.get(name):
                 logs = np.array([drive_log(scene, seed, kind) for seed in seeds(number, DRIVES[scene])])
                 found[str(number)][name]["log"] = numbers(logs, 3)
     return stored.plain(found)

@@ -17,6 +17,10 @@ DATA = "book/chapters/data"
 FOLDERS, SUFFIXES = ("book", "benchmarks", "slamlib"), {".csv", ".json", ".npy", ".npz"}
 # What computes a row again: tests, and cells of chapters, which print True (nbval compares what they print).
 AGAIN = {
+    f"{DATA}/absolute_measurements.json": [
+        "book/tests/test_stored_absolute_measurements.py::test_a_run_of_each_type_comes_out_again",
+        "book/tests/test_stored_absolute_measurements.py::test_a_run_of_each_filter_comes_out_again",
+    ],
     f"{DATA}/audit.json": ["book/tests/test_audit.py::test_number"],
     f"{DATA}/consistency.json": [
         "book/tests/test_stored_consistency.py::test_the_first_numbers_come_out_again",

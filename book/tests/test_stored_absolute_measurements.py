@@ -1,0 +1,37 @@
+"""The file of the experiment with GPS belongs to the filters as they are: chapter observability."""
+
+import numpy as np
+import pytest
+
+from book.experiments import absolute_measurements, stored
+from book.tests.stored_results import comes_out_again
+
+KEPT = stored.kept(absolute_measurements.FILE)
+RENEW = "run `make absolute-measurements` and `python -m book.tools.notebooks run` for chapter observability"
+TYPES = [name for name in KEPT if "," not in name]
+
+
+def test_all_tables_are_there():
+    assert set(KEPT) == set(absolute_measurements.parts()), RENEW
+
+
+def again(preset, name, every, sigma):
+    return absolute_measurements.one_run(preset, name, every, sigma, absolute_measurements.SETS[0])
+
+
+@pytest.mark.parametrize("kind", TYPES)
+def test_a_run_of_each_type_comes_out_again(kind):
+    for name in ("local", "world"):
+        first = KEPT[kind][name][str(absolute_measurements.SETS[0])]["first"]
+        comes_out_again(np.array(again(absolute_measurements.of_type(kind), name, 5, 0.1)), first, RENEW, digits=3)
+
+
+@pytest.mark.parametrize("name", absolute_measurements.FILTERS)
+def test_a_run_of_each_filter_comes_out_again(name):
+    """In space each way to take a fix; in the plane those that are there."""
+    kept = KEPT["space, 20 degrees"][name][str(absolute_measurements.SETS[0])]
+    comes_out_again(np.array(again(absolute_measurements.in_space(20), name, 10, 0.3)), kept["first"], RENEW, digits=3)
+    if name in KEPT["plane, 20 degrees, every 2"]:
+        kept = KEPT["plane, 20 degrees, every 2"][name][str(absolute_measurements.SETS[0])]
+        found = again(absolute_measurements.in_plane(20), name, 2, 0.5)
+        comes_out_again(np.array(found), kept["first"], RENEW, digits=3)
