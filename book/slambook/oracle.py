@@ -134,7 +134,7 @@ def _at_truth(family: Any, oracle: Oracle, world: World) -> Any:
         def after_update(self, belief: Any, sensor: Any, landmarks: Any, measured: Array, options: Any) -> None:
             by_block = {landmark.block: landmark for landmark in landmarks}
 
-            def replace(block: Block, manifold: Any, mean: Array, J: Array) -> None:
+            def replace(block: Block, manifold: Any, mean: Array, J: Array, **by_eye: Any) -> None:
                 kind, old = by_block[block].kind, oracle.at(block)
                 if len(mean) == len(old):  # a constraint, which the truth fulfils
                     _, (J, *_) = kind.constrain.jac(old, sensor.camera[:3])
