@@ -155,11 +155,13 @@ class Belief:
         mean = checked_mean(manifold, mean, "replace")
         self._own([block, *given])
         J = finite(jacobian, (manifold.dof, block.dof), "replace", "jacobian")
+        pairs = zip(given, jacobians, strict=True)
+        others = [(other, finite(G, (manifold.dof, other.dof), "replace", "jacobians")) for other, G in pairs]
         rows = J @ self._P[block.slice]
-        for other, G in zip(given, jacobians, strict=True):
-            rows += finite(G, (manifold.dof, other.dof), "replace", "jacobians") @ self._P[other.slice]
+        for other, G in others:
+            rows += G @ self._P[other.slice]
         corner = rows[:, block.slice] @ J.T
-        for other, G in zip(given, jacobians, strict=True):
+        for other, G in others:
             corner = corner + rows[:, other.slice] @ G.T
         linalg.check_overflow("replace", rows, corner)
         P = linalg.replace_rows(self._P, block.slice, rows, corner)

@@ -27,6 +27,7 @@ import joblib
 import numpy as np
 
 from book.experiments.consistency import by_range_and_bearing
+from book.experiments.invariant_nees import known_to
 from book.experiments.stored import main, plain
 from book.experiments.toolbox_tour import with_options
 from book.tools import layout
@@ -41,7 +42,6 @@ from slamlib.landmarks import LINES, POINTS
 from slamlib.manifolds import Array
 from slamlib.models import model
 from slamlib.records.inputs import RobotMeasurement
-from slamlib.rigs.setup import Rig
 from slamlib.slam import Slam
 from slamlib.slam import transport as transports
 from slamlib.slam.snapshot import robot_view
@@ -49,7 +49,6 @@ from slamlib.slam.transport import (
     Transport,
     carried,
     directions,
-    followed,
     generators,
     kept,
     left_inverse,
@@ -87,11 +86,11 @@ def left_jacobian_of_twists(twist: Array) -> Array:
 
 
 @contextmanager
-def told_with_reset(by_step: Callable[[Array], Array], state: State, robot: Robot) -> Iterator[Any]:
+def told_with_reset(by_step: Callable[[Array], Array], state: State, robot: Robot) -> Iterator[None]:
     """As slamlib's `told`, and an error that was a motion e of the world is A e afterwards, A (6, 6) by the step."""
     before, rows, free = generators(state), robot.columns, directions(state)
     L, steps = left_inverse(before[rows]), []
-    with told(state, robot) as projection:
+    with told(state, robot):
         retract = state.belief.retraction
         assert retract is not None
 
@@ -104,7 +103,7 @@ def told_with_reset(by_step: Callable[[Array], Array], state: State, robot: Robo
             return rows, generators(state) @ A - before, L
 
         state.belief.retraction, state.belief.transport = recorded, carry
-        yield projection
+        yield
 
 
 def adjoint_of(twist: Array) -> Array:
@@ -112,15 +111,18 @@ def adjoint_of(twist: Array) -> Array:
     return adjoint(exponential(twist))
 
 
-def only_followed(state: State, robot: Robot) -> Any:
-    """The covariance follows the means, which each block moves by itself."""
-    return followed(state, robot)
+@contextmanager
+def followed(state: State, robot: Robot) -> Iterator[None]:
+    """The covariance follows the means as by slamlib's `told`; each block moves by itself."""
+    with told(state, robot):
+        state.belief.retraction = None
+        yield
 
 
 FILTERS = {
     "local": ("local", Transport()),
     "nothing carried": ("world", Transport(carried, kept)),
-    "covariance carried": ("world", Transport(carried, only_followed)),
+    "covariance carried": ("world", Transport(carried, followed)),
     "world": ("world", Transport(carried, told)),
     "half-way reset": ("world", Transport(carried, partial(told_with_reset, left_jacobian_of_twists))),
     "left reset": ("world", Transport(carried, partial(told_with_reset, adjoint_of))),
@@ -181,8 +183,7 @@ def table(preset: Preset, names: tuple[str, ...], every: int, sigma: float, runs
 
 def unsure(preset: Preset, degrees: float, frames: int) -> Preset:
     """The preset with its heading known to these degrees at first."""
-    robot = replace(preset.rig.robots[0], orientation_std=(0.0, 0.0, float(degrees)))
-    return replace(preset, rig=Rig((robot,), preset.rig.sensors), frames=frames)
+    return replace(known_to(preset, 0.0, 0.0, float(degrees)), frames=frames)
 
 
 def in_space(degrees: float) -> Preset:

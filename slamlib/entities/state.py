@@ -49,12 +49,9 @@ class KindRows:
         at = None if self.places is None else self.places.take(indices, axis=0)
         return KindRows([self.landmarks[i] for i in indices.tolist()], self.rows.take(indices, axis=0), at)
 
-    def now(self) -> Array:
+    def means(self) -> Array:
         """Their present means (n, size)."""
-        return self.means(self.landmarks[0].block.layout)
-
-    def means(self, layout: StateLayout | None) -> Array:
-        """Their means (n, size) in the layout of all blocks."""
+        layout = self.landmarks[0].block.layout
         if layout is None or self.places is None:
             return landmark_means(self.landmarks)
         return layout.flat.take(self.places)

@@ -240,7 +240,7 @@ class Family(ABC, Generic[FamilyOptionsT]):
     def predict_batch(self, view: Viewpoint, group: KindRows, options: FamilyOptionsT) -> PredictedBatch:
         """Predict the measurements of landmarks of one kind; those out of view are left out."""
         kind, calibration = group.kind, view.sensor.calibration
-        value, visible, J = self.observe(kind, calibration, view.pose, group.now())
+        value, visible, J = self.observe(kind, calibration, view.pose, group.means())
         if view.linearization is not None:
             J = self.observe(kind, calibration, view.linearization_pose, view.linearized(group.landmarks))[2]
         seen = np.flatnonzero(visible)

@@ -89,7 +89,7 @@ class LineFamily(Family[LineOptions]):
     def predict_batch(self, view: Viewpoint, group: KindRows, options: LineOptions) -> PredictedBatch:
         """Predict segments between the lines' endpoints; those out of view are left out."""
         abscissas = np.array([landmark.abscissas for landmark in group.landmarks])
-        end_points = hmg_point.to_frame(view.pose, endpoints.endpoints_at(group.kind, group.now(), abscissas))
+        end_points = hmg_point.to_frame(view.pose, endpoints.endpoints_at(group.kind, group.means(), abscissas))
         calibration, least = view.sensor.calibration, options.minimum_length
         found = segments.visible(
             end_points[:, 0], end_points[:, 1], calibration.given["intrinsics"], calibration.image, minimum_length=least

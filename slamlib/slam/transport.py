@@ -37,9 +37,8 @@ def generators(state: State) -> Array:
     N = np.zeros((state.belief.size, 6))
     for robot in state.robots:
         N[robot.block.slice] = generator(robot.motion, robot.block.mean)
-    layout = state.layout
     for group in state.kinds():
-        N[group.together] = generator(group.landmarks[0].kind, group.means(layout)).reshape(-1, 6)
+        N[group.together] = generator(group.kind, group.means()).reshape(-1, 6)
     free = directions(state)
     return N if free.shape[1] == 6 else N @ free  # all six are the six themselves
 
@@ -94,30 +93,13 @@ def carried(state: State, sensor: RigSensor) -> Iterator[Projection]:
 
 
 @contextmanager
-def told(state: State, robot: Robot) -> Iterator[Projection]:
+def told(state: State, robot: Robot) -> Iterator[None]:
     """As `carried`, for one update by anything but a sensor's landmarks: GPS, a compass, a meeting, a known beacon.
 
     Such a measurement may tell where the world lies (H N is not 0). So its step holds a motion m = L step of the world,
     which all means make together, as one rigid motion exp(m) of any size; each block adds only what is left of the
     step, step - N m. L reads m from the errors of this robot. Chapter observability, eq. (ob-screw).
     """
-    with _moved_together(state, robot), followed(state, robot):
-        yield unprojected
-
-
-@contextmanager
-def followed(state: State, robot: Robot) -> Iterator[None]:
-    """Within the block the covariance follows the means of one update, however these are moved."""
-    before = generators(state)
-    with _followed(
-        state.belief, partial(generators, state), before, robot.columns, left_inverse(before[robot.columns])
-    ):
-        yield
-
-
-@contextmanager
-def _moved_together(state: State, robot: Robot) -> Iterator[None]:
-    """Within the block a step moves the world by exp(L step), and each block by what is left of the step."""
     N, rows, free = generators(state), robot.columns, directions(state)
     L = left_inverse(N[rows])
     kinds: dict[int, Movable] = {id(own.block): own.motion for own in state.robots}
@@ -135,7 +117,8 @@ def _moved_together(state: State, robot: Robot) -> Iterator[None]:
     belief = state.belief
     own, belief.retraction = belief.retraction, retract
     try:
-        yield
+        with _followed(belief, partial(generators, state), N, rows, L):
+            yield
     finally:
         belief.retraction = own
 
@@ -173,7 +156,7 @@ class Transport:
     """
 
     by_sensor: Callable[[State, RigSensor], AbstractContextManager[Projection]] = kept
-    by_robot: Callable[[State, Robot], AbstractContextManager[Projection]] = kept
+    by_robot: Callable[[State, Robot], AbstractContextManager[object]] = kept
 
     @property
     def carries(self) -> bool:

@@ -92,7 +92,7 @@ class Points(PointFamily):
 
     def predict_batch(self, view, group, options):
         landmarks = group.landmarks
-        value, seen, by = self._observe(view.sensor, group.kind, group.now())
+        value, seen, by = self._observe(view.sensor, group.kind, group.means())
         looked = [lm for lm, is_seen in zip(landmarks, seen, strict=True) if is_seen]
         return PredictedBatch(
             looked, value[seen], value[seen], by[seen], state_columns(view.sensor, landmarks)[seen], options
