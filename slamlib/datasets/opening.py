@@ -78,9 +78,16 @@ def open_rectified_pairs(
     else:
         raise SlamlibError("both --left and --right are needed, or --source for a KITTI or EuRoC folder")
     known = read_pair(calibration or _find_calibration(source, pairs.layout, numbers), numbers)
-    if not known.transform[0, 3] > 0:
+    x, *aside = known.transform[:3, 3]
+    if max(map(abs, aside)) > abs(x):
         raise SlamlibError(
-            f"the right camera is {known.transform[0, 3]:.3g} m to the right of the left one, by the calibration: left "
+            f"the second camera is {x:.3g} m to the right of the first one, {aside[0]:.3g} m below it and "
+            f"{aside[1]:.3g} m in front, by the calibration: the cameras of a pair stand side by side; choose two that "
+            "do (--cameras)"
+        )
+    if not x > 0:
+        raise SlamlibError(
+            f"the right camera is {x:.3g} m to the right of the left one, by the calibration: left "
             "and right are exchanged; give --left and --right (or --cameras, or the two files) the other way round"
         )
     size = size_of(pairs)

@@ -20,6 +20,8 @@ from slamlib.sensors.sensor import Calibration
 
 P = TypeVar("P", bound=PurePath)
 ENDINGS = (".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".bmp", ".tif", ".tiff", ".webp")
+SIGN = r"(?:(?<![^/\\])-)?"  # of a number in a name: a minus begins it, a dash inside it parts words
+WHOLE = re.compile(rf"({SIGN}\d+)")
 PNG = b"\x89PNG\r\n\x1a\n"
 # What libtiff (by OpenCV) and libjpeg say of pictures that are returned all the same, with a part made up.
 _DAMAGE = (b"[ERROR", b"premature end")
@@ -120,10 +122,10 @@ def grey(pixels: Array, name: str, divisor: int | None = None) -> Array:
 
 
 def in_natural_order(paths: Iterable[P]) -> list[P]:
-    """Sorted by name, numbers in it by their value: 2.png comes before 10.png."""
+    """Sorted by name, numbers in it by their value: 2.png comes before 10.png, and -5.png before 2.png."""
 
     def natural(path: P) -> list[tuple[int, int, str]]:
-        return [(1, int(p), p) if p.isdecimal() else (0, 0, p) for p in re.split(r"(\d+)", str(path))]
+        return [(1, int(p), p) if p.lstrip("-").isdecimal() else (0, 0, p) for p in WHOLE.split(str(path))]
 
     return sorted(paths, key=natural)
 

@@ -15,6 +15,7 @@ from statistics import median
 
 import numpy as np
 
+from slamlib.datasets.pictures import SIGN
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.trajectory_files import UNIT_NAMES
 from slamlib.plain_data.files import read_text
@@ -27,7 +28,7 @@ EPOCH = 1e9, 1e10  # [s] since 1970: from 2001 on
 LAPSE = 3600.0  # [s]: pictures of this century are at most as far apart
 FPS = 30.0  # pictures a second, where nothing else is known
 EVEN = 0.8  # the least share of steps that are not far from the median, of pictures that are evenly apart
-_NUMBER = re.compile(r"\d+(?:\.\d+)?")
+_NUMBER = re.compile(SIGN + r"\d+(?:\.\d+)?")
 # ROS's tools also write seconds_nanoseconds, padded: the same as with a point.
 _PADDED = re.compile(r"(?<!\d)(\d{10})[_-](\d{9}|\d{6})(?!\d)")
 _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
@@ -94,9 +95,14 @@ def of_names(names: Sequence[str], fps: float | None = None, usual: float = FPS)
         values, unclear = _decimals(column, names)
     else:
         values, unclear = [float(word) for word in column], ""
+    if all(word.startswith("-") for word in column):
+        unclear = (
+            f"{names[0]} to {names[-1]}: a dash before each number, or a minus? Their order is not known: give their "
+            "times with --times FILE, a row for each: time and name"
+        )
     unit = _unit_of_names(column, sorted(values)) if values else None
     if unclear or unit is None:
-        is_counted = not unclear and all(word.isdigit() for word in column)
+        is_counted = not unclear and all(word.lstrip("-").isdigit() for word in column)
         times = _by_number([int(word) for word in column], rate, assumed) if is_counted else None
         return order, times or _by_place(len(names), rate, assumed, unclear)
     order.sort(key=values.__getitem__)

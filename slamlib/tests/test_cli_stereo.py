@@ -377,6 +377,7 @@ def test_times_that_do_not_match(room, tmp_path, capsys):
         ("P0: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\nP1: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\n", "both cameras have"),
         ("P0: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\nP1: 130 0 79.5 15.6 0 130 59.5 0 0 0 1 0\n", "are exchanged"),
         ("P0: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\nP1: 90 0 79.5 -15.6 0 90 59.5 0 0 0 1 0\n", "focal lengths"),
+        ("P0: 130 0 79.5 0 0 130 59.5 0 0 0 1 0\nP1: 130 0 79.5 0 0 130 59.5 -15.6 0 0 1 0\n", "stand side by side"),
         ("130 130 79.5 59.5", "the baseline is missing"),
         ('{"intrinsics": [79.5, 59.5, 130, 130], "baseline": -1}', "pair.baseline should be above 0"),
         ('{"intrinsics": [79.5, 59.5, 130], "baseline": 1}', "intrinsics"),

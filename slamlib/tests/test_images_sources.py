@@ -54,6 +54,16 @@ def test_a_folder_in_natural_order(folder):
     assert (pictures[0].image.shape, pictures[0].image.dtype) == (SIZE, np.uint8)
 
 
+def test_names_that_begin_with_a_minus_come_before_the_others(tmp_path):
+    for i in (3, -1, 12, 0, -10, -2):
+        put(tmp_path / f"{i}.png", shade(i + 10))
+    assert [p.name for p in open_source(tmp_path, fps=20)][:4] == ["-10.png", "-2.png", "-1.png", "0.png"]
+    for i in (3, 12, 0):
+        (tmp_path / f"{i}.png").unlink()
+    with pytest.raises(SlamlibError, match=r"-10\.png to -1\.png: a dash before each number, or a minus\?"):
+        open_source(tmp_path)
+
+
 def test_a_glob_and_one_image(folder):
     assert numbers(open_source(f"{folder}/frame1*.png")) == [1, 10, 11]
     assert numbers(open_source(folder / "frame7.png")) == [7]

@@ -64,6 +64,13 @@ def test_two_conventions_for_decimals_that_steps_do_not_tell_apart_are_refused()
     assert not of_names(named(["1.5", "1.025"]))[1].unclear  # a count has no zero before it
 
 
+def test_negative_numbers_of_frames():
+    order, times = of_names(["-5.jpg", "-3.jpg", "-1.jpg", "1.jpg"], 10)
+    assert (order, times.values) == ([0, 1, 2, 3], (0.0, 0.1, 0.2, 0.3))
+    assert of_names(["view-1.jpg", "view-2.jpg"], 10)[1].unclear == ""
+    assert "a dash before each number, or a minus?" in of_names(["-1.jpg", "-2.jpg"], 10)[1].unclear
+
+
 @pytest.mark.parametrize(
     ("words", "places", "told"),
     [

@@ -91,8 +91,8 @@ class Window:
                 figure = plot.figure(figsize=size, dpi=dpi, layout="none")  # the parts have their places
             except Exception as error:  # each toolkit has its own for a display that is not there
                 raise SlamlibError(
-                    f"matplotlib opens no window here ({error}): choose another backend with matplotlib.use, or leave "
-                    "show out (of the command, --live) and save the pictures"
+                    f"matplotlib opens no window here ({error}): it needs a screen, and Tk or Qt; or leave show out "
+                    "(of the command, --live) and save the pictures"
                 ) from None
             figure.stale_callback = None  # each frame is drawn here, once
             plot.show(block=False)
