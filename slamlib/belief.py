@@ -178,13 +178,18 @@ class Belief:
         self._own([block])
         mean, n = checked_mean(block.manifold, mean, "predict"), block.dof
         F, Q = finite(F, (n, n), "predict", "F"), linalg.covariance(Q, n, "predict", "Q")
+        self.predict_modelled(block, mean, F, Q)
+
+    @linalg.quiet_floats
+    def predict_modelled(self, block: Block, mean: Array, F: Array, Q: Array) -> None:
+        """As `predict`, for a block of this belief: numbers that models gave, and noise made of one checked before."""
         P, at = self._P, block.slice
         rows = F @ P[at]
-        corner = rows[:, at] @ F.T + Q
+        corner = rows[:, at] @ F.T + (Q / 2 + Q.T / 2)
         linalg.check_overflow("predict", rows, corner)
         P[at], P[:, at] = rows, rows.T
         P[at, at] = corner / 2 + corner.T / 2
-        block.mean = mean
+        block.mean = read_only_copy(mean)
 
     @linalg.quiet_floats
     def innovation_covariance(self, blocks: Sequence[Block], jacobians: Sequence[Array], R: Array) -> Array:

@@ -274,7 +274,7 @@ class Slam:
         state, (F, G, _) = robot.motion.step.jac(robot.block.mean, value, dt)
         if self.linearization is not None:
             F, G = self.linearization.motion(robot, state, value, dt)
-        self.belief.predict(robot.block, state, F, G @ noise @ G.T)
+        self.belief.predict_modelled(robot.block, state, F, G @ noise @ G.T)
         if self.linearization is not None:
             self.linearization.predicted(robot.block)
 
