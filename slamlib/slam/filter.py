@@ -180,6 +180,8 @@ class Slam:
         As Belief.update; the covariance is kept in the error that the options name. robot: the index of the one that
         measures, or of any. Raises SlamlibError; then nothing is changed.
         """
+        if not 0 <= robot < len(self.robots):
+            raise SlamlibError(f"update: robot is the index of one of {len(self.robots)}, from 0 on, got {robot}")
         with transport.TRANSPORTS[self.options.error].by_robot(self.state, self.robots[robot]):
             return self.belief.update(blocks, jacobians, innovation, R)
 

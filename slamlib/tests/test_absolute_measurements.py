@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band, share_inside
 from slamlib.evaluation.pose_errors import invariant_error, pose_nees
 from slamlib.geometry.pose import Pose, exponential, from_frame, to_frame
@@ -256,3 +257,12 @@ def test_two_robots_of_the_plane_are_consistent_wherever_their_world_lies(first)
     for of_one in average.T:
         assert share_inside(of_one, band(3, runs=10)) > 0.85
     assert of_two_robots("local", range(first, first + 3)).mean() > 20
+
+
+@pytest.mark.parametrize("robot", [-1, 2])
+def test_an_update_by_a_robot_that_is_none_is_refused_before_anything_is_changed(robot):
+    slam = run(with_options("two_robots", error="world"), 2)
+    own, before = slam.robots[0], slam.belief.matrix.copy()
+    with pytest.raises(SlamlibError, match=f"one of 2, from 0 on, got {robot}"):
+        slam.update([own.block], [np.eye(6)], np.full(6, 0.1), np.eye(6), robot=robot)
+    assert np.array_equal(slam.belief.matrix, before)

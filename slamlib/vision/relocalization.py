@@ -18,7 +18,7 @@ from slamlib.geometry.pose import ORIGIN, Pose, compose, inverse
 from slamlib.manifolds import Array, Image
 from slamlib.slam.filter import Slam
 from slamlib.slam.prediction import predict_measurements
-from slamlib.slam.transport import generators
+from slamlib.slam.transport import generators, left_inverse
 from slamlib.vision.appearance import Appearance
 from slamlib.vision.target import focal_length, normalized, refined
 
@@ -66,7 +66,7 @@ def close_loop(slam: Slam, image: Image) -> bool:
     for landmark in slam.landmarks:
         share[landmark.block.slice] = np.clip((landmark.last_seen - since) / (number - since), 0, 1)
     N = generators(slam.state)
-    N = N @ np.linalg.inv(N[sensor.robot.columns])
+    N = N @ left_inverse(N[sensor.robot.columns])
     z = Pose.minus(robot, sensor.robot.pose)
     Q = np.repeat((z.reshape(2, 3) ** 2).mean(axis=1), 3)  # and K: diagonals
     K = Q / (Q + stds**2)
